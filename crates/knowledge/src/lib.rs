@@ -1,0 +1,28 @@
+//! The knowledge room: exact units, typed tables with a source on every row, queries that say why,
+//! and a lint that proves the tables.
+//!
+//! It is a crate of its own because the build script of `technolog` uses it too: the shipped tables
+//! are read, checked and compiled while the program is built, so that start-up costs no parsing.
+//!
+//! Architecture invariant: this crate does no I/O but reading the folder it is told to read
+//! ([`Knowledge::read_folder`]), and it decides nothing: decisions are rows.
+
+pub mod cell;
+pub mod column;
+pub mod diagnostic;
+pub mod knowledge;
+pub mod lint;
+pub mod load;
+pub mod query;
+pub mod set;
+pub mod table;
+pub mod units;
+pub mod value;
+pub mod yaml;
+
+pub use column::{Column, ColumnType, Role};
+pub use diagnostic::{Diagnostic, Place, Severity};
+pub use knowledge::{Knowledge, SourceFile};
+pub use query::{Answer, Input, QueryError};
+pub use table::{HitPolicy, Kind, Row, RowRef, Source, Table, TableError};
+pub use value::Value;

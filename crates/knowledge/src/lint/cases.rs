@@ -1,0 +1,161 @@
+//! The examples beside the decision tables: `rules/x.test.yaml` next to `rules/x.yaml`.
+//!
+//! ```yaml
+//! table: centre-first
+//! tests:
+//!   - {given: {it: 12, diameter: 10}, expect: {centre: true}, because: textbook 1.2.1}
+//! ```
+//! `expect: none` states that no row applies.
+
+use crate::column::Column;
+use crate::diagnostic::{Diagnostic, Place, Severity};
+use crate::knowledge::Knowledge;
+use crate::query::Input;
+use crate::table::{Kind, Table};
+use crate::value::Value;
+use crate::yaml::{Node, NodeKind, Problems, parse};
+
+/// One file of examples.
+#[derive(Debug)]
+pub struct CaseFile {
+    /// The table they are of.
+    pub table: String,
+    /// The file.
+    pub file: String,
+    /// The examples.
+    pub cases: Vec<Case>,
+}
+
+/// One example. Values are text until the table's columns are known.
+#[derive(Debug)]
+pub struct Case {
+    /// Inputs by name.
+    pub given: Vec<(String, String)>,
+    /// Expected outputs by name, each a list of texts; nothing when no row must apply.
+    pub expect: Option<Vec<(String, Vec<String>)>>,
+    /// Where the expectation comes from.
+    pub because: String,
+    place: Place,
+}
+
+impl CaseFile {
+    /// Reads a file of examples.
+    ///
+    /// # Errors
+    /// Every problem of the file.
+    pub fn from_text(file: &str, text: &str) -> Result<Self, Vec<Diagnostic>> {
+        let (root, diagnostics) = parse(file, text);
+        let mut problems = Problems(diagnostics);
+        let cases = root.and_then(|root| read(file, &root, &mut problems));
+        match cases {
+            Some(cases) if !problems.0.iter().any(|problem| problem.severity == Severity::Error) => Ok(cases),
+            _ => Err(problems.0),
+        }
+    }
+}
+
+fn read(file: &str, root: &Node, problems: &mut Problems) -> Option<CaseFile> {
+    let mut head = problems.map(root)?;
+    let table = head.need("table", problems).and_then(|node| problems.text(node)).map(str::to_owned);
+    let tests = head.need("tests", problems).and_then(|node| problems.list(node));
+    head.finish(&["table", "tests"], problems);
+    let cases = tests?.iter().filter_map(|node| case(node, problems)).collect();
+    Some(CaseFile { table: table?, file: file.to_owned(), cases })
+}
+
+fn case(node: &Node, problems: &mut Problems) -> Option<Case> {
+    let mut fields = problems.map(node)?;
+    let given = fields.need("given", problems).and_then(|node| problems.map(node)).map(|mut given| {
+        let mut pairs = Vec::new();
+        for (key, node) in given.rest() {
+            pairs.extend(problems.text(node).map(|text| (key.text.clone(), text.to_owned())));
+        }
+        pairs
+    });
+    let expect = fields.need("expect", problems).and_then(|node| expectation(node, problems));
+    let because = fields.need("because", problems).and_then(|node| problems.text(node)).map(str::to_owned);
+    fields.finish(&["given", "expect", "because"], problems);
+    Some(Case { given: given?, expect: expect?, because: because?, place: node.place.clone() })
+}
+
+type Expectation = Option<Vec<(String, Vec<String>)>>;
+
+fn expectation(node: &Node, problems: &mut Problems) -> Option<Expectation> {
+    if node.text() == Some("none") {
+        return Some(None);
+    }
+    let mut fields = problems.map(node)?;
+    let mut outputs = Vec::new();
+    for (key, node) in fields.rest() {
+        let values = match &node.kind {
+            NodeKind::Seq(items) => items.iter().filter_map(|item| problems.text(item).map(str::to_owned)).collect(),
+            _ => problems.text(node).map(str::to_owned).into_iter().collect(),
+        };
+        outputs.push((key.text.clone(), values));
+    }
+    Some(Some(outputs))
+}
+
+/// Runs every example; a decision table of `rules/` without examples is a finding.
+pub(super) fn check(knowledge: &Knowledge, findings: &mut Vec<Diagnostic>) {
+    for file in &knowledge.cases {
+        let Ok(table) = knowledge.table(&file.table) else {
+            let message = format!("{}: examples of `{}`, which is no table", file.file, file.table);
+            findings.push(Diagnostic::error("dangling-reference", message, None));
+            continue;
+        };
+        for case in &file.cases {
+            if let Err(message) = run(table, case) {
+                findings.push(
+                    Diagnostic::error("failed-example", format!("table {}: {message}", table.id), case.place.clone())
+                        .help(format!("the expectation comes from: {}", case.because)),
+                );
+            }
+        }
+    }
+    for table in knowledge.tables().filter(|table| table.kind == Kind::Decision && table.file.starts_with("rules/")) {
+        // The compiled knowledge carries no examples; only sources can be held to this.
+        if !knowledge.cases.iter().any(|file| file.table == table.id && !file.cases.is_empty()) {
+            let message = format!("{}: the rule {} has no examples", table.file, table.id);
+            let help = format!("put them beside it, in {}", table.file.replace(".yaml", ".test.yaml"));
+            findings.push(Diagnostic::error("no-examples", message, None).help(help));
+        }
+    }
+}
+
+/// Holds one example against its table.
+fn run(table: &Table, case: &Case) -> Result<(), String> {
+    let mut values: Vec<(&str, Value)> = Vec::new();
+    for (name, text) in &case.given {
+        let column = input_column(table, name)?;
+        values.push((name, column.parse_value(text)?));
+    }
+    let inputs: Vec<(&str, Input<'_>)> = values
+        .iter()
+        .filter_map(|(name, value)| Option::<Input<'_>>::from(value).map(|input| (*name, input)))
+        .collect();
+    let answer = table.decide(&inputs).map_err(|error| error.to_string())?;
+    let given = case.given.iter().map(|(name, text)| format!("{name}={text}")).collect::<Vec<_>>().join(" ");
+    match (answer.winner(), &case.expect) {
+        (None, None) => Ok(()),
+        (None, Some(_)) => Err(format!("no row for {given}")),
+        (Some(row), None) => Err(format!("row {} answers {given}, where none should", row.number())),
+        (Some(row), Some(expected)) => {
+            for (name, values) in expected {
+                let found: Vec<String> =
+                    row.value(name).map(|value| value.items().iter().map(ToString::to_string).collect()).unwrap_or_default();
+                if table.column_index(name).is_none() || found != *values {
+                    return Err(format!("{given} gives {name} = {}, not {}", found.join(", "), values.join(", ")));
+                }
+            }
+            Ok(())
+        }
+    }
+}
+
+fn input_column<'t>(table: &'t Table, name: &str) -> Result<&'t Column, String> {
+    table.inputs().map(|(_, column)| column).find(|column| column.name == name).ok_or_else(|| {
+        let known: Vec<&str> = table.inputs().map(|(_, column)| column.name.as_str()).collect();
+        format!("no input `{name}`; the inputs are {}", known.join(", "))
+    })
+}

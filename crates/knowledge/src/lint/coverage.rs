@@ -1,0 +1,60 @@
+//! Proof: every input of the domain has a row or a declared gap, and no declaration is wider than its gap.
+
+use super::region::{self, Region};
+use crate::diagnostic::{Diagnostic, Place};
+use crate::table::{Kind, Table};
+
+/// More gaps than this of one table are counted, not listed.
+const LISTED: usize = 5;
+
+/// Gaps with a witness input, and declarations of gaps that are not gaps.
+pub(super) fn check(table: &Table, findings: &mut Vec<Diagnostic>) {
+    if table.kind != Kind::Decision || table.inputs().any(|(_, column)| column.is_unbounded()) {
+        return;
+    }
+    let rows: Vec<Region> = table.rows.iter().map(|row| region::of_row(table, row)).collect();
+    let mut covered = rows.clone();
+    for (index, gap) in table.uncovered.iter().enumerate() {
+        let place = gap.place.clone();
+        for (row, own) in rows.iter().enumerate() {
+            let both = region::intersection(&gap.sets, own);
+            if !region::is_empty(&both) {
+                let message = format!(
+                    "table {}: the declared gap is wider than the gap: row {} answers {}",
+                    table.id,
+                    row + 1,
+                    region::witness(table, &both)
+                );
+                findings.push(Diagnostic::error("wide-gap", message, place.clone()).help("narrow the declaration"));
+                break;
+            }
+        }
+        let others: Vec<Region> = table.uncovered[..index].iter().map(|gap| gap.sets.clone()).collect();
+        if region::is_empty(&gap.sets) || region::minus(&gap.sets, &others).is_empty() {
+            let message = format!("table {}: this declared gap declares nothing", table.id);
+            findings.push(
+                Diagnostic::error("wide-gap", message, place)
+                    .help("it lies outside the domain or inside the declarations before it; remove it"),
+            );
+        }
+        covered.push(gap.sets.clone());
+    }
+    let gaps = region::minus(&region::domain(table), &covered);
+    for gap in gaps.iter().take(LISTED) {
+        let message = format!("table {}: no row for {}", table.id, region::witness(table, gap));
+        findings.push(
+            Diagnostic::error("gap", message, rows_place(table))
+                .help("add the row, or declare the gap of the source under `uncovered` with its reason"),
+        );
+    }
+    if gaps.len() > LISTED {
+        let message = format!("table {}: and {} more gaps", table.id, gaps.len() - LISTED);
+        findings.push(Diagnostic::error("gap", message, rows_place(table)));
+    }
+}
+
+/// Where the rows of a table begin.
+fn rows_place(table: &Table) -> Place {
+    let line = table.rows.first().map_or(1, |row| row.line);
+    Place { file: table.file.as_str().into(), line, column: 1, width: 1 }
+}

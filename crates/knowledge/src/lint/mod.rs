@@ -1,0 +1,31 @@
+//! Proves the tables: gaps, contradictions, dead and duplicate rows, dangling references, broken laws,
+//! and the examples beside the decision tables.
+//!
+//! Each proof is a file of its own and yields findings with a place and, where an input shows the
+//! fault, that input as a witness.
+
+pub mod cases;
+mod coverage;
+mod laws;
+mod overlap;
+mod references;
+mod region;
+mod rows;
+
+use crate::diagnostic::Diagnostic;
+use crate::knowledge::Knowledge;
+
+/// Every finding of every proof over the whole knowledge base, by file and line.
+pub fn lint(knowledge: &Knowledge) -> Vec<Diagnostic> {
+    let mut findings = Vec::new();
+    for table in knowledge.tables() {
+        rows::check(table, &mut findings);
+        overlap::check(table, &mut findings);
+        coverage::check(table, &mut findings);
+        references::check(table, knowledge, &mut findings);
+        laws::check(table, knowledge, &mut findings);
+    }
+    cases::check(knowledge, &mut findings);
+    findings.sort_by(|a, b| a.place.cmp(&b.place).then_with(|| a.message.cmp(&b.message)));
+    findings
+}

@@ -1,0 +1,51 @@
+//! Proof: rows that match the same input do not contradict each other, partial overlaps included.
+
+use super::region::{self, Region};
+use super::rows::row_place;
+use crate::diagnostic::Diagnostic;
+use crate::table::{HitPolicy, Kind, Table};
+
+/// Contradicting overlaps under each hit policy:
+///
+/// - `unique`: any overlap;
+/// - `any`: an overlap with different outputs;
+/// - `priority`: an overlap with equal priority and different outputs;
+/// - `first`: an overlap with different outputs where neither row is the special case of the other,
+///   so that the order alone decides;
+/// - `collect`: an overlap that collects the same outputs twice.
+pub(super) fn check(table: &Table, findings: &mut Vec<Diagnostic>) {
+    if table.kind != Kind::Decision {
+        return;
+    }
+    let boxes: Vec<Region> = table.rows.iter().map(|row| region::of_row(table, row)).collect();
+    for later in 0..boxes.len() {
+        for earlier in 0..later {
+            let both = region::intersection(&boxes[earlier], &boxes[later]);
+            if region::is_empty(&both) {
+                continue;
+            }
+            let same = table.same_outputs(earlier, later);
+            let contradicts = match table.hit {
+                HitPolicy::Unique => true,
+                HitPolicy::Any => !same,
+                HitPolicy::Priority => !same && table.rows[earlier].priority == table.rows[later].priority,
+                HitPolicy::First => !same && !region::is_inside(&boxes[earlier], &boxes[later]) && !region::is_inside(&boxes[later], &boxes[earlier]),
+                HitPolicy::Collect => same,
+            };
+            if contradicts {
+                let message = format!(
+                    "table {}: rows {} (line {}) and {} both match {}",
+                    table.id,
+                    earlier + 1,
+                    table.rows[earlier].line,
+                    later + 1,
+                    region::witness(table, &both)
+                );
+                findings.push(
+                    Diagnostic::error("overlap", message, row_place(table, later))
+                        .help("narrow one of the two so that one input has one answer"),
+                );
+            }
+        }
+    }
+}

@@ -1,0 +1,42 @@
+//! Proof: what a table refers to exists.
+
+use std::collections::BTreeSet;
+
+use super::rows::cell_place;
+use crate::diagnostic::{Diagnostic, nearest};
+use crate::knowledge::Knowledge;
+use crate::table::{Cell, Table};
+
+/// Values of a column with `refers` that the other table does not have.
+pub(super) fn check(table: &Table, knowledge: &Knowledge, findings: &mut Vec<Diagnostic>) {
+    for (index, column) in table.columns.iter().enumerate() {
+        let Some((other, field)) = &column.refers else { continue };
+        let target = knowledge.table(other).ok().and_then(|target| target.column_index(field).map(|field| (target, field)));
+        let Some((target, field_index)) = target else {
+            let message =
+                format!("{}: table {}, column `{}` refers to {other}/{field}, which does not exist", table.file, table.id, column.name);
+            findings.push(Diagnostic::error("dangling-reference", message, None));
+            continue;
+        };
+        let known: BTreeSet<String> = target
+            .rows
+            .iter()
+            .filter_map(|row| match &row.cells[field_index] {
+                Cell::Value(value) => Some(value),
+                _ => None,
+            })
+            .flat_map(|value| value.items().iter().map(ToString::to_string))
+            .collect();
+        for (row, content) in table.rows.iter().enumerate() {
+            let Cell::Value(value) = &content.cells[index] else { continue };
+            for item in value.items().iter().map(ToString::to_string).filter(|item| !known.contains(item)) {
+                let message = format!("table {}, row {}: {other} has no {field} `{item}`", table.id, row + 1);
+                let finding = Diagnostic::error("dangling-reference", message, cell_place(table, row, index));
+                findings.push(match nearest(&item, known.iter().map(String::as_str)) {
+                    Some(near) => finding.help(format!("the nearest is `{near}`")),
+                    None => finding,
+                });
+            }
+        }
+    }
+}

@@ -1,0 +1,119 @@
+//! Proof: every row can be told apart, lies inside the domain, and every input is bounded.
+
+use std::collections::BTreeMap;
+
+use super::region;
+use crate::diagnostic::{Diagnostic, Place};
+use crate::table::{Cell, HitPolicy, Kind, Table};
+
+/// Duplicate rows, rows outside the domain, inputs without a domain, duplicate keys.
+pub(super) fn check(table: &Table, findings: &mut Vec<Diagnostic>) {
+    if table.rows.is_empty() {
+        findings.push(Diagnostic::error("no-rows", format!("{}: table {} has no rows", table.file, table.id), None));
+    }
+    match table.kind {
+        Kind::Decision => decision(table, findings),
+        Kind::Catalog => keys(table, findings),
+    }
+}
+
+/// Where a row begins.
+pub(super) fn row_place(table: &Table, row: usize) -> Place {
+    let row = &table.rows[row];
+    let first = row.places.iter().flatten().min();
+    Place {
+        file: table.file.as_str().into(),
+        line: row.line,
+        column: first.map_or(1, |place| place.column),
+        width: 1,
+    }
+}
+
+/// Where a cell stands, or its row when it is left out.
+pub(super) fn cell_place(table: &Table, row: usize, column: usize) -> Place {
+    table.rows[row].places.get(column).cloned().flatten().unwrap_or_else(|| row_place(table, row))
+}
+
+fn decision(table: &Table, findings: &mut Vec<Diagnostic>) {
+    for (_, column) in table.inputs().filter(|(_, column)| column.is_unbounded()) {
+        findings.push(
+            Diagnostic::error(
+                "no-domain",
+                format!("{}: table {}, input `{}` has no domain, so nothing can be proven", table.file, table.id, column.name),
+                None,
+            )
+            .help("give the column a `domain`"),
+        );
+    }
+    for (row, content) in table.rows.iter().enumerate() {
+        for (index, column) in table.inputs() {
+            let Cell::Test(set, text) = &content.cells[index] else { continue };
+            let outside = set.difference(&column.allowed());
+            // A one-sided test such as `> 30` reaches to infinity by its form; only stated ends count.
+            let stated = outside
+                .intervals()
+                .iter()
+                .any(|&(low, high)| (low != i64::MIN && high != i64::MAX) || set.intersection(&column.allowed()).is_empty());
+            if stated {
+                let message = format!(
+                    "table {}, row {}: `{text}` reaches outside the domain {} of `{}`",
+                    table.id,
+                    row + 1,
+                    column.domain_text.as_deref().unwrap_or("of its type"),
+                    column.name
+                );
+                findings.push(Diagnostic::error("outside-domain", message, cell_place(table, row, index)));
+            }
+        }
+        for (other, earlier) in table.rows[..row].iter().enumerate() {
+            if region::of_row(table, content) == region::of_row(table, earlier) && table.same_outputs(row, other) {
+                let message = format!("table {}: row {} says the same as row {}", table.id, row + 1, other + 1);
+                findings.push(Diagnostic::error("duplicate-row", message, row_place(table, row)).help("remove one of them"));
+            }
+        }
+        dead(table, row, findings);
+    }
+}
+
+/// A row that can never win under the table's hit policy.
+fn dead(table: &Table, row: usize, findings: &mut Vec<Diagnostic>) {
+    let own = region::of_row(table, &table.rows[row]);
+    let stronger: Vec<_> = match table.hit {
+        HitPolicy::First => (0..row).collect(),
+        HitPolicy::Priority => {
+            (0..table.rows.len()).filter(|&other| table.rows[other].priority > table.rows[row].priority).collect()
+        }
+        _ => Vec::new(),
+    };
+    let boxes: Vec<_> = stronger.iter().map(|&other| region::of_row(table, &table.rows[other])).collect();
+    if region::is_empty(&own) || region::minus(&own, &boxes).is_empty() {
+        let message = format!("table {}: row {} can never win", table.id, row + 1);
+        findings.push(
+            Diagnostic::error("dead-row", message, row_place(table, row))
+                .help("the rows before it, or the domain, leave it no input; remove it or narrow the others"),
+        );
+    }
+}
+
+fn keys(table: &Table, findings: &mut Vec<Diagnostic>) {
+    let key: Vec<usize> = table.key.iter().filter_map(|name| table.column_index(name)).collect();
+    if key.is_empty() {
+        findings.push(Diagnostic::error("no-key", format!("{}: catalog {} names no `key`", table.file, table.id), None));
+        return;
+    }
+    let mut seen: BTreeMap<Vec<String>, usize> = BTreeMap::new();
+    for (row, content) in table.rows.iter().enumerate() {
+        let values: Vec<String> = key
+            .iter()
+            .map(|&column| match &content.cells[column] {
+                Cell::Value(value) => value.to_string(),
+                _ => String::new(),
+            })
+            .collect();
+        if let Some(first) = seen.insert(values.clone(), row) {
+            let message =
+                format!("table {}: row {} has the key of row {}: {}", table.id, row + 1, first + 1, values.join(", "));
+            findings.push(Diagnostic::error("duplicate-row", message, cell_place(table, row, key[0])));
+        }
+    }
+}

@@ -1,0 +1,468 @@
+//! Asking a decision table, with the reason in the answer.
+//!
+//! The tests of each input column are compiled once into elementary intervals with one bit per row.
+//! A query finds the interval of each input by binary search and intersects the bits, so that the
+//! rows that match, and for every other row the first column that failed, cost a few words of
+//! arithmetic: the very same call serves planning, `lookup` and `explain`.
+
+use std::fmt;
+
+use crate::column::{Column, ColumnType};
+use crate::set::Set;
+use crate::table::{Cell, HitPolicy, Kind, RowRef, Table};
+use crate::units::{Decimal, ItGrade, Micrometres, Roughness, Unit};
+use crate::value::Value;
+
+/// A typed input of a query.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Input<'a> {
+    /// One of the values of an enum column.
+    Text(&'a str),
+    /// Yes or no.
+    Bool(bool),
+    /// A whole number.
+    Int(i64),
+    /// A decimal in a unit.
+    Number(Decimal, Unit),
+    /// A length.
+    Length(Micrometres),
+    /// A tolerance grade.
+    Grade(ItGrade),
+    /// A roughness limit.
+    Roughness(Roughness),
+}
+
+impl Input<'_> {
+    fn rank(&self, column: &Column) -> Option<i64> {
+        match (column.ty, self) {
+            (ColumnType::Enum, Self::Text(text)) => column.rank_of_text(text),
+            (ColumnType::Bool, Self::Bool(value)) => Some(i64::from(*value)),
+            (ColumnType::Int, Self::Int(value)) => Some(*value),
+            (ColumnType::Number | ColumnType::Angle, Self::Number(value, unit)) if *unit == column.unit => {
+                Some(value.millionths())
+            }
+            (ColumnType::Length, Self::Length(value)) => Some(value.micrometres()),
+            (ColumnType::It, Self::Grade(value)) => Some(i64::from(value.number())),
+            (ColumnType::Roughness, Self::Roughness(value)) => Some(i64::from(value.ra_nanometres())),
+            _ => None,
+        }
+    }
+}
+
+impl<'a> From<&'a Value> for Option<Input<'a>> {
+    fn from(value: &'a Value) -> Self {
+        Some(match value {
+            Value::Text(text) => Input::Text(text),
+            Value::Bool(value) => Input::Bool(*value),
+            Value::Int(value) => Input::Int(*value),
+            Value::Number(value, unit) => Input::Number(*value, *unit),
+            Value::Length(value) => Input::Length(*value),
+            Value::Grade(value) => Input::Grade(*value),
+            Value::Roughness(value) => Input::Roughness(*value),
+            Value::List(_) => return None,
+        })
+    }
+}
+
+impl fmt::Display for Input<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Text(value) => f.write_str(value),
+            Self::Bool(value) => value.fmt(f),
+            Self::Int(value) => value.fmt(f),
+            Self::Number(value, unit) => write!(f, "{value} {unit}"),
+            Self::Length(value) => write!(f, "{value} mm"),
+            Self::Grade(value) => write!(f, "IT {value}"),
+            Self::Roughness(value) => value.fmt(f),
+        }
+    }
+}
+
+/// A query that cannot be answered: the question is wrong, or the table is.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum QueryError {
+    /// The table is a catalog.
+    #[error("table {table} is a catalog, not a decision table")]
+    NotADecision {
+        /// The table's id.
+        table: String,
+    },
+    /// The table has no such input.
+    #[error("table {table} has no input `{name}`; its inputs are {known}")]
+    UnknownInput {
+        /// The table's id.
+        table: String,
+        /// The name asked.
+        name: String,
+        /// The right names.
+        known: String,
+    },
+    /// An input without a default is not given.
+    #[error("table {table} needs the input `{name}` ({what})")]
+    Missing {
+        /// The table's id.
+        table: String,
+        /// The input's name.
+        name: String,
+        /// Its type and unit.
+        what: String,
+    },
+    /// An input is not of its column's type or unit.
+    #[error("table {table}, input `{name}`: {given} is not {what}")]
+    IllTyped {
+        /// The table's id.
+        table: String,
+        /// The input's name.
+        name: String,
+        /// What was given.
+        given: String,
+        /// What is expected.
+        what: String,
+    },
+    /// An input is outside the column's domain.
+    #[error("table {table}, input `{name}`: {given} is outside the table's domain {domain}")]
+    OutOfDomain {
+        /// The table's id.
+        table: String,
+        /// The input's name.
+        name: String,
+        /// What was given.
+        given: String,
+        /// The domain.
+        domain: String,
+    },
+    /// Rows contradict each other.
+    #[error("table {table}: rows {rows} match at once, which the hit policy forbids; run `technolog lint`")]
+    Conflict {
+        /// The table's id.
+        table: String,
+        /// The row numbers.
+        rows: String,
+    },
+}
+
+/// The compiled tests of a table.
+#[derive(Debug)]
+pub(crate) struct Index {
+    words: usize,
+    columns: Vec<ColumnIndex>,
+}
+
+#[derive(Debug)]
+struct ColumnIndex {
+    /// The column's position in the table.
+    column: usize,
+    /// The domain, if the column declares one.
+    domain: Option<Set>,
+    /// The rank of the default.
+    default: Option<i64>,
+    /// First rank of each elementary interval; the first is `i64::MIN`.
+    starts: Vec<i64>,
+    /// For each interval, the rows whose test it satisfies: `words` words each.
+    bits: Vec<u64>,
+}
+
+impl Index {
+    fn build(table: &Table) -> Self {
+        let words = table.rows.len().div_ceil(64).max(1);
+        let columns = table.inputs().map(|(index, column)| ColumnIndex::build(table, index, column, words)).collect();
+        Self { words, columns }
+    }
+}
+
+impl ColumnIndex {
+    fn build(table: &Table, index: usize, column: &Column, words: usize) -> Self {
+        let sets: Vec<Option<&Set>> = table
+            .rows
+            .iter()
+            .map(|row| match &row.cells[index] {
+                Cell::Test(set, _) => Some(set),
+                _ => None,
+            })
+            .collect();
+        let mut starts = vec![i64::MIN];
+        for set in sets.iter().flatten() {
+            for &(low, high) in set.intervals() {
+                starts.push(low);
+                if high < i64::MAX {
+                    starts.push(high + 1);
+                }
+            }
+        }
+        starts.sort_unstable();
+        starts.dedup();
+        let mut bits = vec![0; starts.len() * words];
+        for (segment, &start) in starts.iter().enumerate() {
+            for (row, set) in sets.iter().enumerate() {
+                if set.is_none_or(|set| set.contains(start)) {
+                    bits[segment * words + row / 64] |= 1 << (row % 64);
+                }
+            }
+        }
+        let default = column.default.as_ref().and_then(|value| column.rank(value));
+        Self { column: index, domain: column.domain.clone(), default, starts, bits }
+    }
+
+    fn matching(&self, rank: i64, words: usize) -> &[u64] {
+        let segment = self.starts.partition_point(|&start| start <= rank) - 1;
+        &self.bits[segment * words..(segment + 1) * words]
+    }
+}
+
+/// The answer of a decision table: which rows won, which were passed over, and why every other row lost.
+#[derive(Debug, Clone)]
+pub struct Answer<'t> {
+    table: &'t Table,
+    /// The rank of each input, in the order of the input columns.
+    ranks: Vec<i64>,
+    /// The rows that apply, under the hit policy.
+    winners: Vec<u32>,
+    /// Rows that match but that the hit policy does not take.
+    passed_over: Vec<u32>,
+    /// For each input column, the rows it was the first to reject; `words` words each.
+    rejected: Vec<u64>,
+    words: usize,
+}
+
+impl Table {
+    pub(crate) fn index(&self) -> &Index {
+        self.index.get_or_init(|| Index::build(self))
+    }
+
+    /// Asks a decision table. Inputs with a default may be left out.
+    ///
+    /// # Errors
+    /// The question does not fit the table (unknown, missing, ill-typed or out-of-domain input), or
+    /// rows of the table contradict each other. No row that matches is not an error: the answer then
+    /// has no winner and says why each row lost.
+    pub fn decide<'t>(&'t self, inputs: &[(&str, Input<'_>)]) -> Result<Answer<'t>, QueryError> {
+        if self.kind != Kind::Decision {
+            return Err(QueryError::NotADecision { table: self.id.clone() });
+        }
+        let index = self.index();
+        let words = index.words;
+        let mut ranks = Vec::with_capacity(index.columns.len());
+        let mut used = 0;
+        for compiled in &index.columns {
+            let column = &self.columns[compiled.column];
+            let rank = match inputs.iter().find(|(name, _)| *name == column.name) {
+                Some((_, input)) => {
+                    used += 1;
+                    let rank = input.rank(column).ok_or_else(|| self.ill_typed(column, input))?;
+                    if compiled.domain.as_ref().is_some_and(|domain| !domain.contains(rank)) {
+                        return Err(self.out_of_domain(column, input));
+                    }
+                    rank
+                }
+                None => compiled.default.ok_or_else(|| self.missing(column))?,
+            };
+            ranks.push(rank);
+        }
+        if used != inputs.len() {
+            return Err(self.unknown_input(inputs));
+        }
+        let mut alive = all_rows(self.rows.len(), words);
+        let mut rejected = Vec::with_capacity(ranks.len() * words);
+        for (compiled, &rank) in index.columns.iter().zip(&ranks) {
+            for (alive, matching) in alive.iter_mut().zip(compiled.matching(rank, words)) {
+                rejected.push(*alive & !matching);
+                *alive &= matching;
+            }
+        }
+        let matched: Vec<u32> = rows_of(&alive).collect();
+        let (winners, passed_over) = self.apply_policy(matched)?;
+        Ok(Answer { table: self, ranks, winners, passed_over, rejected, words })
+    }
+
+    fn apply_policy(&self, matched: Vec<u32>) -> Result<(Vec<u32>, Vec<u32>), QueryError> {
+        if matched.len() <= 1 || self.hit == HitPolicy::Collect {
+            return Ok((matched, Vec::new()));
+        }
+        let conflict = |rows: &[u32]| QueryError::Conflict {
+            table: self.id.clone(),
+            rows: rows.iter().map(|row| (row + 1).to_string()).collect::<Vec<_>>().join(", "),
+        };
+        let keep = |winner: u32| {
+            (vec![winner], matched.iter().copied().filter(|&row| row != winner).collect())
+        };
+        match self.hit {
+            HitPolicy::First => Ok(keep(matched[0])),
+            HitPolicy::Any if matched.iter().all(|&row| self.same_outputs(matched[0] as usize, row as usize)) => {
+                Ok(keep(matched[0]))
+            }
+            HitPolicy::Priority => {
+                let priority = |row: u32| self.rows[row as usize].priority;
+                let best = matched.iter().copied().max_by_key(|&row| priority(row)).unwrap_or(matched[0]);
+                let equals: Vec<u32> = matched.iter().copied().filter(|&row| priority(row) == priority(best)).collect();
+                if equals.len() > 1 { Err(conflict(&equals)) } else { Ok(keep(best)) }
+            }
+            _ => Err(conflict(&matched)),
+        }
+    }
+
+    pub(crate) fn same_outputs(&self, a: usize, b: usize) -> bool {
+        self.outputs().all(|(column, _)| self.rows[a].cells[column] == self.rows[b].cells[column])
+    }
+
+    fn ill_typed(&self, column: &Column, input: &Input<'_>) -> QueryError {
+        QueryError::IllTyped {
+            table: self.id.clone(),
+            name: column.name.clone(),
+            given: format!("`{input}`"),
+            what: describe(column),
+        }
+    }
+
+    fn out_of_domain(&self, column: &Column, input: &Input<'_>) -> QueryError {
+        QueryError::OutOfDomain {
+            table: self.id.clone(),
+            name: column.name.clone(),
+            given: input.to_string(),
+            domain: column.domain_text.clone().unwrap_or_default(),
+        }
+    }
+
+    fn missing(&self, column: &Column) -> QueryError {
+        QueryError::Missing { table: self.id.clone(), name: column.name.clone(), what: describe(column) }
+    }
+
+    fn unknown_input(&self, inputs: &[(&str, Input<'_>)]) -> QueryError {
+        let known: Vec<&str> = self.inputs().map(|(_, column)| column.name.as_str()).collect();
+        let name = inputs.iter().map(|(name, _)| *name).find(|name| !known.contains(name)).unwrap_or("(given twice)");
+        QueryError::UnknownInput { table: self.id.clone(), name: name.to_owned(), known: known.join(", ") }
+    }
+}
+
+/// A column's type, unit and values, for messages.
+pub fn describe(column: &Column) -> String {
+    match column.ty {
+        ColumnType::Enum => format!("one of {}", column.values.join(", ")),
+        ColumnType::Bool => "true or false".to_owned(),
+        ColumnType::Int => "a whole number".to_owned(),
+        ColumnType::Number | ColumnType::Angle => format!("a number in {}", column.unit),
+        ColumnType::Length => format!("a length in {}", column.unit),
+        ColumnType::It => "a tolerance grade".to_owned(),
+        ColumnType::Roughness => "a roughness such as `Ra 2.5`".to_owned(),
+        ColumnType::Text => "a text".to_owned(),
+    }
+}
+
+fn all_rows(count: usize, words: usize) -> Vec<u64> {
+    let mut bits = vec![u64::MAX; words];
+    let spare = words * 64 - count;
+    if let Some(last) = bits.last_mut() {
+        *last = if spare == 64 { 0 } else { u64::MAX >> spare };
+    }
+    bits
+}
+
+fn rows_of(bits: &[u64]) -> impl Iterator<Item = u32> + '_ {
+    bits.iter().zip(0_u32..).flat_map(|(&word, index)| {
+        let mut left = word;
+        std::iter::from_fn(move || {
+            (left != 0).then(|| {
+                let bit = left.trailing_zeros();
+                left &= left - 1;
+                index * 64 + bit
+            })
+        })
+    })
+}
+
+impl<'t> Answer<'t> {
+    /// The table that was asked.
+    pub fn table(&self) -> &'t Table {
+        self.table
+    }
+
+    /// The row that applies; the first of several under `collect`.
+    pub fn winner(&self) -> Option<RowRef<'t>> {
+        self.winners.first().map(|&row| RowRef { table: self.table, index: row as usize })
+    }
+
+    /// Every row that applies.
+    pub fn winners(&self) -> impl Iterator<Item = RowRef<'t>> + '_ {
+        self.winners.iter().map(|&row| RowRef { table: self.table, index: row as usize })
+    }
+
+    /// Rows that match but were not taken.
+    pub fn passed_over(&self) -> impl Iterator<Item = RowRef<'t>> + '_ {
+        self.passed_over.iter().map(|&row| RowRef { table: self.table, index: row as usize })
+    }
+
+    /// Every rejected row with the first column whose test failed, column by column.
+    pub fn rejected(&self) -> impl Iterator<Item = (RowRef<'t>, &'t Column)> + '_ {
+        let index = self.table.index();
+        self.rejected.chunks(self.words).zip(&index.columns).flat_map(move |(bits, compiled)| {
+            let column = &self.table.columns[compiled.column];
+            rows_of(bits).map(move |row| (RowRef { table: self.table, index: row as usize }, column))
+        })
+    }
+
+    /// The inputs as they were understood, defaults included.
+    pub fn inputs(&self) -> impl Iterator<Item = (&'t str, String)> + '_ {
+        self.table.inputs().zip(&self.ranks).map(|((_, column), &rank)| (column.name.as_str(), column.show_rank(rank)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::load::table_from_text;
+
+    const TABLE: &str = r#"
+table: t
+title: {uk: т, en: t}
+kind: decision
+hit: unique
+place: test
+columns:
+  - {name: it, type: it, role: input, domain: "[6..10]"}
+  - {name: diameter, type: length, unit: mm, role: input, domain: "(0..500]"}
+  - {name: state, type: enum, values: [solid, cast], role: input, default: solid}
+  - {name: scheme, type: text, role: output}
+rows:
+  - {it: "[9..10]", diameter: "<= 6", state: solid, scheme: "18", source: seed}
+  - {it: "[9..10]", diameter: "(6..10]", state: solid, scheme: "08", source: seed}
+  - {it: "[7..8]", diameter: "-", state: solid, scheme: "28", source: seed}
+  - {it: "[9..10]", diameter: "-", state: cast, scheme: "14", source: seed}
+"#;
+
+    fn it(grade: u8) -> Input<'static> {
+        Input::Grade(ItGrade::new(grade).unwrap())
+    }
+
+    fn mm(value: &str) -> Input<'static> {
+        Input::Length(value.parse().unwrap())
+    }
+
+    #[test]
+    fn the_answer_names_the_winner_and_the_failing_column_of_every_other_row() {
+        let table = table_from_text("t.yaml", TABLE).unwrap();
+        let answer = table.decide(&[("it", it(9)), ("diameter", mm("6.001"))]).unwrap();
+        assert_eq!(answer.winner().unwrap().text("scheme").unwrap(), "08");
+        let rejected: Vec<_> = answer.rejected().map(|(row, column)| (row.number(), column.name.as_str())).collect();
+        assert_eq!(rejected, [(3, "it"), (1, "diameter"), (4, "state")]);
+    }
+
+    #[test]
+    fn a_wrong_question_is_an_error_and_never_a_miss() {
+        let table = table_from_text("t.yaml", TABLE).unwrap();
+        let ask = |inputs: &[(&str, Input<'_>)]| table.decide(inputs).map(|_| ()).unwrap_err().to_string();
+        assert!(ask(&[("it", it(9))]).contains("needs the input `diameter`"));
+        assert!(ask(&[("it", it(9)), ("diameter", Input::Int(7))]).contains("is not a length in mm"));
+        assert!(ask(&[("it", it(12)), ("diameter", mm("7"))]).contains("outside the table's domain [6..10]"));
+        assert!(ask(&[("it", it(9)), ("diameter", mm("7")), ("colour", Input::Bool(true))]).contains("its inputs are"));
+        let none = table.decide(&[("it", it(6)), ("diameter", mm("7"))]).unwrap();
+        assert!(none.winner().is_none());
+        assert_eq!(none.rejected().count(), 4);
+    }
+
+    #[test]
+    fn two_rows_under_unique_are_an_error_that_names_both() {
+        let text = TABLE.replace("(6..10]", "(5..10]");
+        let table = table_from_text("t.yaml", &text).unwrap();
+        let error = table.decide(&[("it", it(9)), ("diameter", mm("5.5"))]).unwrap_err();
+        assert_eq!(error, QueryError::Conflict { table: "t".into(), rows: "1, 2".into() });
+    }
+}

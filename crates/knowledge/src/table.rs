@@ -1,0 +1,388 @@
+//! A table: head, typed columns, rows with a source each.
+
+use std::fmt;
+use std::sync::OnceLock;
+
+use serde::{Deserialize, Serialize};
+
+use crate::column::{Column, Label, Role};
+use crate::diagnostic::Place;
+use crate::query::Index;
+use crate::set::Set;
+use crate::units::{Decimal, ItGrade, Micrometres, Roughness, Unit};
+use crate::value::Value;
+
+/// A catalog says what a source says; a decision table says which row applies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Kind {
+    /// Rows are looked up by their fields.
+    Catalog,
+    /// Rows match inputs by tests.
+    Decision,
+}
+
+/// What happens when several rows match.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum HitPolicy {
+    /// At most one row may match.
+    Unique,
+    /// Several may match if they say the same.
+    Any,
+    /// The first of those that match.
+    First,
+    /// The one with the highest `priority`.
+    Priority,
+    /// All of them.
+    Collect,
+}
+
+impl HitPolicy {
+    /// Every policy with its name in a table file.
+    pub const NAMES: [(&'static str, Self); 5] = [
+        ("unique", Self::Unique),
+        ("any", Self::Any),
+        ("first", Self::First),
+        ("priority", Self::Priority),
+        ("collect", Self::Collect),
+    ];
+}
+
+/// Where a row's figures come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Source {
+    /// Read off the source text as it stands.
+    Seed,
+    /// A named standard or handbook filled it.
+    Standard,
+    /// Inferred, with the reason.
+    Reconstructed,
+}
+
+impl Source {
+    /// Every source with its name in a table file.
+    pub const NAMES: [(&'static str, Self); 3] =
+        [("seed", Self::Seed), ("standard", Self::Standard), ("reconstructed", Self::Reconstructed)];
+}
+
+impl fmt::Display for Source {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(Self::NAMES.iter().find(|(_, source)| source == self).map_or("", |(name, _)| name))
+    }
+}
+
+/// A cell of a row.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Cell {
+    /// The row leaves it out.
+    Empty,
+    /// A value.
+    Value(Value),
+    /// A test of an input: the ranks it matches, and the test as written.
+    Test(Set, String),
+}
+
+/// A figure the source prints wrongly, kept beside the right one.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Correction {
+    /// The column.
+    pub column: String,
+    /// What the source prints.
+    pub printed: String,
+    /// Why it is wrong.
+    pub reason: String,
+}
+
+/// One row.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Row {
+    /// Its cells, in the order of the columns.
+    pub cells: Vec<Cell>,
+    /// Where its figures come from.
+    pub source: Source,
+    /// Where it stands in the source, when that is not the table's place.
+    pub place: Option<String>,
+    /// From what it was inferred.
+    pub reason: Option<String>,
+    /// Why it is not fully trusted.
+    pub unconfirmed: Option<String>,
+    /// Figures printed wrongly.
+    pub corrections: Vec<Correction>,
+    /// What a reader must know.
+    pub note: Option<String>,
+    /// For the hit policy `priority`: the highest wins.
+    pub priority: Option<i64>,
+    /// The line of the table file, from 1.
+    pub line: u32,
+    /// Where each cell stands; only when read from YAML, for `lint`.
+    #[serde(skip)]
+    pub places: Vec<Option<Place>>,
+}
+
+/// A gap that the source really has.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Uncovered {
+    /// A set per input column, in the order of [`Table::inputs`].
+    pub sets: Vec<Set>,
+    /// Why there is no row.
+    pub reason: String,
+    /// Where it is declared; only when read from YAML.
+    #[serde(skip)]
+    pub place: Option<Place>,
+}
+
+/// A law that the numbers of a table obey; `lint` holds the rows against it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Law {
+    /// Which law.
+    pub name: String,
+    /// Its parameters by name.
+    pub parameters: Vec<(String, String)>,
+    /// Where it is declared; only when read from YAML.
+    #[serde(skip)]
+    pub place: Option<Place>,
+}
+
+impl Law {
+    /// A parameter of the law.
+    pub fn get(&self, name: &str) -> Option<&str> {
+        self.parameters.iter().find(|(key, _)| key == name).map(|(_, value)| value.as_str())
+    }
+}
+
+/// How the cutters of a tool table are held.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Shank {
+    /// A cylindrical shank.
+    Cylindrical,
+    /// A Morse taper.
+    Morse,
+    /// A bore, on an arbor.
+    Shell,
+}
+
+/// What a table of cutters says of all its rows.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ToolHead {
+    /// The transitions these cutters make.
+    pub operations: Vec<String>,
+    /// How they are held.
+    pub shank: Shank,
+    /// Tool material: `HSS` or `carbide`.
+    pub material: String,
+    /// Point angle 2φ, degrees.
+    pub point_angle: Option<Decimal>,
+    /// Number of teeth, where one number holds for all.
+    pub teeth: Option<i64>,
+}
+
+/// A table of the knowledge base.
+#[derive(Debug, Serialize, Deserialize)]
+pub struct Table {
+    /// Its id, `A.11` or `cutting-speed`.
+    pub id: String,
+    /// Its title.
+    pub title: Label,
+    /// Catalog or decision table.
+    pub kind: Kind,
+    /// What happens when several rows match.
+    pub hit: HitPolicy,
+    /// Where its rows stand in the source.
+    pub place: String,
+    /// The standard it is taken from.
+    pub standard: Option<String>,
+    /// What a reader of the whole table must know.
+    pub notes: Vec<String>,
+    /// The columns a lookup answers with.
+    pub result: Vec<String>,
+    /// The columns that identify a row of a catalog.
+    pub key: Vec<String>,
+    /// Its columns.
+    pub columns: Vec<Column>,
+    /// Its rows.
+    pub rows: Vec<Row>,
+    /// Declared gaps.
+    pub uncovered: Vec<Uncovered>,
+    /// Laws its numbers obey.
+    pub laws: Vec<Law>,
+    /// What it says of its cutters, for a tool table.
+    pub tool: Option<ToolHead>,
+    /// The file it was read from.
+    pub file: String,
+    /// The compiled form of its tests.
+    #[serde(skip)]
+    pub(crate) index: OnceLock<Index>,
+}
+
+impl Table {
+    /// The position of a column.
+    pub fn column_index(&self, name: &str) -> Option<usize> {
+        self.columns.iter().position(|column| column.name == name)
+    }
+
+    /// The input columns with their positions.
+    pub fn inputs(&self) -> impl Iterator<Item = (usize, &Column)> {
+        self.columns.iter().enumerate().filter(|(_, column)| column.role == Role::Input)
+    }
+
+    /// The columns that are not inputs, with their positions.
+    pub fn outputs(&self) -> impl Iterator<Item = (usize, &Column)> {
+        self.columns.iter().enumerate().filter(|(_, column)| column.role != Role::Input)
+    }
+
+    /// A row by its position.
+    pub fn row(&self, index: usize) -> Option<RowRef<'_>> {
+        (index < self.rows.len()).then_some(RowRef { table: self, index })
+    }
+
+    /// Every row.
+    pub fn all_rows(&self) -> impl Iterator<Item = RowRef<'_>> {
+        (0..self.rows.len()).map(|index| RowRef { table: self, index })
+    }
+
+    /// The first row whose text column has that value.
+    pub fn find(&self, column: &str, value: &str) -> Option<RowRef<'_>> {
+        self.all_rows().find(|row| row.value(column).and_then(Value::as_text) == Some(value))
+    }
+}
+
+/// A row in its table.
+#[derive(Clone, Copy, Debug)]
+pub struct RowRef<'t> {
+    /// The table.
+    pub table: &'t Table,
+    /// The position of the row.
+    pub index: usize,
+}
+
+/// A table does not hold what the program asks of it.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{file}: table {table}{row}: {problem}")]
+pub struct TableError {
+    /// The table's id.
+    pub table: String,
+    /// Its file.
+    pub file: String,
+    /// The row, for messages.
+    pub row: String,
+    /// What is wrong and what to do.
+    pub problem: String,
+}
+
+impl<'t> RowRef<'t> {
+    /// The row itself.
+    pub fn row(self) -> &'t Row {
+        &self.table.rows[self.index]
+    }
+
+    /// Its number, from 1, as shown to people.
+    pub fn number(self) -> usize {
+        self.index + 1
+    }
+
+    /// The value of a column, if the row has one.
+    pub fn value(self, column: &str) -> Option<&'t Value> {
+        let index = self.table.column_index(column)?;
+        match &self.row().cells[index] {
+            Cell::Value(value) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// Where the row stands in the source.
+    pub fn place(self) -> &'t str {
+        self.row().place.as_deref().unwrap_or(&self.table.place)
+    }
+
+    fn problem(self, problem: String) -> TableError {
+        TableError {
+            table: self.table.id.clone(),
+            file: format!("{}:{}", self.table.file, self.row().line),
+            row: format!(", row {}", self.number()),
+            problem,
+        }
+    }
+
+    fn typed<T>(self, column: &str, what: &str, pick: impl Fn(&'t Value) -> Option<T>) -> Result<T, TableError> {
+        self.value(column)
+            .and_then(pick)
+            .ok_or_else(|| self.problem(format!("the column `{column}` must hold {what} here")))
+    }
+
+    /// A text.
+    ///
+    /// # Errors
+    /// The row has no text there.
+    pub fn text(self, column: &str) -> Result<&'t str, TableError> {
+        self.typed(column, "a text", Value::as_text)
+    }
+
+    /// A list of texts; a single text is a list of one.
+    ///
+    /// # Errors
+    /// The row has something else there.
+    pub fn texts(self, column: &str) -> Result<Vec<&'t str>, TableError> {
+        self.typed(column, "a list of texts", |value| value.items().iter().map(Value::as_text).collect())
+    }
+
+    /// A length.
+    ///
+    /// # Errors
+    /// The row has no length there.
+    pub fn length(self, column: &str) -> Result<Micrometres, TableError> {
+        self.typed(column, "a length", |value| match value {
+            Value::Length(length) => Some(*length),
+            _ => None,
+        })
+    }
+
+    /// A decimal in that unit.
+    ///
+    /// # Errors
+    /// The row has no such number there.
+    pub fn number_in(self, column: &str, unit: Unit) -> Result<f64, TableError> {
+        self.typed(column, &format!("a number in `{unit}`"), |value| match value {
+            Value::Number(number, given) if *given == unit => Some(number.to_f64()),
+            _ => None,
+        })
+    }
+
+    /// A whole number.
+    ///
+    /// # Errors
+    /// The row has no whole number there.
+    pub fn int(self, column: &str) -> Result<i64, TableError> {
+        self.typed(column, "a whole number", |value| match value {
+            Value::Int(number) => Some(*number),
+            _ => None,
+        })
+    }
+
+    /// Yes or no; a cell left out is no.
+    pub fn flag(self, column: &str) -> bool {
+        matches!(self.value(column), Some(Value::Bool(true)))
+    }
+
+    /// A tolerance grade.
+    ///
+    /// # Errors
+    /// The row has none there.
+    pub fn grade(self, column: &str) -> Result<ItGrade, TableError> {
+        self.typed(column, "a tolerance grade", |value| match value {
+            Value::Grade(grade) => Some(*grade),
+            _ => None,
+        })
+    }
+
+    /// A roughness limit.
+    ///
+    /// # Errors
+    /// The row has none there.
+    pub fn roughness(self, column: &str) -> Result<Roughness, TableError> {
+        self.typed(column, "a roughness", |value| match value {
+            Value::Roughness(roughness) => Some(*roughness),
+            _ => None,
+        })
+    }
+}

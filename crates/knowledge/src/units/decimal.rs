@@ -1,0 +1,105 @@
+//! Exact decimal numbers of up to six places, for table figures.
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde::{Deserialize, Serialize};
+
+use super::ParseError;
+
+/// An exact decimal in millionths of its unit; range about ±9.2 · 10¹².
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Serialize, Deserialize)]
+pub struct Decimal(i64);
+
+/// Millionths in one.
+const SCALE: i64 = 1_000_000;
+
+impl Decimal {
+    /// From a number of millionths.
+    pub const fn from_millionths(millionths: i64) -> Self {
+        Self(millionths)
+    }
+
+    /// From a whole number; saturates far outside any figure of a table.
+    pub const fn from_int(value: i64) -> Self {
+        Self(value.saturating_mul(SCALE))
+    }
+
+    /// The number of millionths.
+    pub const fn millionths(self) -> i64 {
+        self.0
+    }
+
+    /// The nearest floating-point number, for formulas.
+    pub fn to_f64(self) -> f64 {
+        self.0 as f64 / SCALE as f64
+    }
+
+    /// The whole number this is, if it is one.
+    pub fn to_int(self) -> Option<i64> {
+        (self.0 % SCALE == 0).then_some(self.0 / SCALE)
+    }
+}
+
+impl fmt::Display for Decimal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let sign = if self.0 < 0 { "-" } else { "" };
+        let whole = self.0.unsigned_abs() / SCALE as u64;
+        let part = self.0.unsigned_abs() % SCALE as u64;
+        if part == 0 {
+            write!(f, "{sign}{whole}")
+        } else {
+            let digits = format!("{part:06}");
+            write!(f, "{sign}{whole}.{}", digits.trim_end_matches('0'))
+        }
+    }
+}
+
+impl FromStr for Decimal {
+    type Err = ParseError;
+
+    fn from_str(text: &str) -> Result<Self, ParseError> {
+        let bad = |why: &str| ParseError(format!("`{text}` is not a number: {why}"));
+        let (negative, digits) = match text.strip_prefix('-') {
+            Some(rest) => (true, rest),
+            None => (false, text.strip_prefix('+').unwrap_or(text)),
+        };
+        let (whole, part) = digits.split_once('.').unwrap_or((digits, ""));
+        if whole.is_empty() || digits.ends_with('.') {
+            return Err(bad("digits expected on both sides of the point"));
+        }
+        if let Some(wrong) = whole.chars().chain(part.chars()).find(|c| !c.is_ascii_digit()) {
+            return Err(bad(&match wrong {
+                ',' => "write the decimal point, not a comma".to_owned(),
+                'o' | 'O' | 'О' | 'о' => format!("the letter `{wrong}` stands where a zero may be meant"),
+                other => format!("`{other}` is no digit"),
+            }));
+        }
+        if part.len() > 6 {
+            return Err(bad("more than six decimal places"));
+        }
+        let scaled = format!("{whole}{part:0<6}").parse::<i64>().map_err(|_| bad("too large"))?;
+        Ok(Self(if negative { -scaled } else { scaled }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_decimal_reads_back_as_it_was_written() {
+        for text in ["0", "7", "-3", "0.0345", "26.5", "-0.9", "1000000.000001"] {
+            assert_eq!(text.parse::<Decimal>().unwrap().to_string(), text);
+        }
+    }
+
+    #[test]
+    fn a_misread_digit_is_named() {
+        assert!("1O".parse::<Decimal>().unwrap_err().0.contains("zero may be meant"));
+        assert!("1,5".parse::<Decimal>().unwrap_err().0.contains("comma"));
+        for bad in ["", ".", "5.", ".5", "1.2.3", "1e3", "1.0000001", "99999999999999999999"] {
+            assert!(bad.parse::<Decimal>().is_err(), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,27 @@
+//! Quantities as types: nothing that has a unit travels as a bare `f64`.
+//!
+//! Lengths are whole micrometres and table figures are exact decimals, so that a comparison with an
+//! interval's end is exact. Results of formulas are floating-point numbers inside a type that names
+//! their unit ([`quantity`]).
+
+mod decimal;
+mod grade;
+mod length;
+pub mod quantity;
+mod roughness;
+mod unit;
+
+pub use decimal::Decimal;
+pub use grade::ItGrade;
+pub use length::Micrometres;
+pub use quantity::{
+    Kilowatts, MetresPerMinute, MillimetresPerMinute, MillimetresPerRev, Minutes, NewtonMetres, Newtons,
+    RevsPerMinute, round_to,
+};
+pub use roughness::Roughness;
+pub use unit::Unit;
+
+/// Why a text is not the quantity it should be: says what was read and what is expected.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
+pub struct ParseError(pub String);

@@ -1,0 +1,332 @@
+//! YAML as a tree with a place at every node, and a reader over it that collects every problem
+//! instead of stopping at the first.
+
+use std::sync::Arc;
+
+use saphyr_parser::{Event, Parser, ScalarStyle, Span};
+
+use crate::diagnostic::{Diagnostic, Place, nearest};
+
+/// A value of a YAML file and where it stands.
+#[derive(Clone, Debug)]
+pub struct Node {
+    /// What it is.
+    pub kind: NodeKind,
+    /// Where it stands.
+    pub place: Place,
+}
+
+/// The three kinds of YAML values.
+#[derive(Clone, Debug)]
+pub enum NodeKind {
+    /// A scalar; `quoted` tells `"07"` from `07`.
+    Scalar {
+        /// The text without quotes.
+        text: String,
+        /// Whether it stood in quotes.
+        quoted: bool,
+    },
+    /// A sequence.
+    Seq(Vec<Node>),
+    /// A mapping, in order, keys with their places.
+    Map(Vec<(Key, Node)>),
+}
+
+/// A key of a mapping.
+#[derive(Clone, Debug)]
+pub struct Key {
+    /// Its text.
+    pub text: String,
+    /// Where it stands.
+    pub place: Place,
+}
+
+impl Node {
+    /// The text of a scalar.
+    pub fn text(&self) -> Option<&str> {
+        match &self.kind {
+            NodeKind::Scalar { text, .. } => Some(text),
+            _ => None,
+        }
+    }
+
+    /// Whether it is an unquoted empty value, `~` or `null`.
+    pub fn is_null(&self) -> bool {
+        matches!(&self.kind, NodeKind::Scalar { text, quoted: false } if matches!(text.as_str(), "" | "~" | "null"))
+    }
+
+    /// What it is, for messages.
+    pub fn kind_name(&self) -> &'static str {
+        match self.kind {
+            NodeKind::Scalar { .. } if self.is_null() => "nothing",
+            NodeKind::Scalar { .. } => "a single value",
+            NodeKind::Seq(_) => "a list",
+            NodeKind::Map(_) => "a mapping",
+        }
+    }
+
+    /// The value of a key, if this is a mapping that has it.
+    pub fn get(&self, key: &str) -> Option<&Node> {
+        match &self.kind {
+            NodeKind::Map(entries) => entries.iter().find(|(k, _)| k.text == key).map(|(_, node)| node),
+            _ => None,
+        }
+    }
+}
+
+/// Reads one YAML document. The tree is there unless the text is broken beyond reading; duplicate
+/// keys, anchors and tags are reported.
+pub fn parse(file: &str, text: &str) -> (Option<Node>, Vec<Diagnostic>) {
+    let mut builder =
+        Builder { file: Arc::from(file), lines: text.lines().collect(), stack: Vec::new(), root: None, problems: vec![] };
+    let mut documents = 0;
+    for event in Parser::new_from_str(text) {
+        match event {
+            Ok((Event::DocumentStart(_), span)) => {
+                documents += 1;
+                if documents > 1 {
+                    let place = builder.place(span);
+                    builder.problems.push(Diagnostic::error("yaml", "a second document in one file", place));
+                    break;
+                }
+            }
+            Ok((event, span)) => builder.event(event, span),
+            Err(error) => {
+                let marker = *error.marker();
+                let place = builder.place(Span::empty(marker));
+                let message = format!("broken YAML: {}", error.info());
+                builder.problems.push(Diagnostic::error("yaml", message, place).help(
+                    "mind the indentation, and quote values that hold any of `: , [ ] { } #`",
+                ));
+                return (None, builder.problems);
+            }
+        }
+    }
+    if builder.root.is_none() {
+        builder.problems.push(Diagnostic::error("yaml", format!("{file} is empty"), None));
+    }
+    (builder.root, builder.problems)
+}
+
+/// An open sequence or mapping.
+enum Frame {
+    Seq(Vec<Node>, Place),
+    Map(Vec<(Key, Node)>, Option<Key>, Place),
+}
+
+struct Builder<'a> {
+    file: Arc<str>,
+    lines: Vec<&'a str>,
+    stack: Vec<Frame>,
+    root: Option<Node>,
+    problems: Vec<Diagnostic>,
+}
+
+impl Builder<'_> {
+    fn place(&self, span: Span) -> Place {
+        let (start, end) = (span.start, span.end);
+        let width = if end.line() == start.line() {
+            end.col().saturating_sub(start.col())
+        } else {
+            self.lines.get(start.line() - 1).map_or(1, |line| line.chars().count().saturating_sub(start.col()))
+        };
+        Place {
+            file: self.file.clone(),
+            line: u32::try_from(start.line()).unwrap_or(u32::MAX),
+            column: u32::try_from(start.col() + 1).unwrap_or(u32::MAX),
+            width: u32::try_from(width.max(1)).unwrap_or(1),
+        }
+    }
+
+    fn event(&mut self, event: Event<'_>, span: Span) {
+        let place = self.place(span);
+        match event {
+            Event::Scalar(text, style, ..) => {
+                let quoted = style != ScalarStyle::Plain;
+                let text = text.into_owned();
+                if let Some(Frame::Map(_, key @ None, _)) = self.stack.last_mut() {
+                    *key = Some(Key { text, place });
+                } else {
+                    self.add(Node { kind: NodeKind::Scalar { text, quoted }, place });
+                }
+            }
+            Event::SequenceStart(..) => self.stack.push(Frame::Seq(Vec::new(), place)),
+            Event::MappingStart(..) => self.stack.push(Frame::Map(Vec::new(), None, place)),
+            Event::SequenceEnd | Event::MappingEnd => match self.stack.pop() {
+                Some(Frame::Seq(items, place)) => self.add(Node { kind: NodeKind::Seq(items), place }),
+                Some(Frame::Map(entries, _, place)) => self.add(Node { kind: NodeKind::Map(entries), place }),
+                None => {}
+            },
+            Event::Alias(_) => {
+                self.problems.push(Diagnostic::error("yaml", "aliases are not used in these files", place.clone()));
+                self.add(Node { kind: NodeKind::Scalar { text: String::new(), quoted: false }, place });
+            }
+            _ => {}
+        }
+    }
+
+    fn add(&mut self, node: Node) {
+        match self.stack.last_mut() {
+            None => self.root = Some(node),
+            Some(Frame::Seq(items, _)) => items.push(node),
+            Some(Frame::Map(entries, key, _)) => match key.take() {
+                None => self.problems.push(Diagnostic::error("yaml", "a key must be a plain word", node.place)),
+                Some(key) => match entries.iter().find(|(known, _)| known.text == key.text) {
+                    Some((first, _)) => self.problems.push(
+                        Diagnostic::error("duplicate-key", format!("the key `{}` stands twice", key.text), key.place)
+                            .help(format!("it already stands at line {}; keep one of them", first.place.line)),
+                    ),
+                    None => entries.push((key, node)),
+                },
+            },
+        }
+    }
+}
+
+/// Collects problems while a tree is turned into values.
+#[derive(Default, Debug)]
+pub struct Problems(pub Vec<Diagnostic>);
+
+impl Problems {
+    /// Notes an error and yields nothing, so that reading can go on.
+    pub fn error<T>(&mut self, code: &'static str, message: impl Into<String>, place: &Place) -> Option<T> {
+        self.0.push(Diagnostic::error(code, message, place.clone()));
+        None
+    }
+
+    /// Notes an error with its remedy and yields nothing.
+    pub fn error_help<T>(
+        &mut self,
+        code: &'static str,
+        message: impl Into<String>,
+        place: &Place,
+        help: impl Into<String>,
+    ) -> Option<T> {
+        self.0.push(Diagnostic::error(code, message, place.clone()).help(help));
+        None
+    }
+
+    /// The value of a scalar through its parser; a failure is noted at the scalar.
+    pub fn scalar<T: std::str::FromStr>(&mut self, node: &Node) -> Option<T>
+    where
+        T::Err: std::fmt::Display,
+    {
+        let text = self.text(node)?.to_owned();
+        match text.parse() {
+            Ok(value) => Some(value),
+            Err(error) => self.error("bad-value", error.to_string(), &node.place),
+        }
+    }
+
+    /// The text of a scalar.
+    pub fn text<'n>(&mut self, node: &'n Node) -> Option<&'n str> {
+        match node.text() {
+            Some(text) if !node.is_null() => Some(text),
+            _ => self.error("bad-value", format!("a single value is expected here, not {}", node.kind_name()), &node.place),
+        }
+    }
+
+    /// `true` or `false`.
+    pub fn boolean(&mut self, node: &Node) -> Option<bool> {
+        match self.text(node)? {
+            "true" => Some(true),
+            "false" => Some(false),
+            other => {
+                let message = format!("`{other}` is neither `true` nor `false`");
+                self.error("bad-value", message, &node.place)
+            }
+        }
+    }
+
+    /// The items of a list.
+    pub fn list<'n>(&mut self, node: &'n Node) -> Option<&'n [Node]> {
+        match &node.kind {
+            NodeKind::Seq(items) => Some(items),
+            _ => self.error("bad-value", format!("a list is expected here, not {}", node.kind_name()), &node.place),
+        }
+    }
+
+    /// The fields of a mapping.
+    pub fn map<'n>(&mut self, node: &'n Node) -> Option<Fields<'n>> {
+        match &node.kind {
+            NodeKind::Map(entries) => Some(Fields { entries, taken: vec![false; entries.len()], place: &node.place }),
+            _ => self.error("bad-value", format!("a mapping is expected here, not {}", node.kind_name()), &node.place),
+        }
+    }
+}
+
+/// The fields of one mapping; what nobody takes is an unknown key.
+#[derive(Debug)]
+pub struct Fields<'n> {
+    entries: &'n [(Key, Node)],
+    taken: Vec<bool>,
+    /// Where the mapping begins.
+    pub place: &'n Place,
+}
+
+impl<'n> Fields<'n> {
+    /// Takes an optional field; an empty value counts as absent.
+    pub fn take(&mut self, name: &str) -> Option<&'n Node> {
+        let index = self.entries.iter().position(|(key, _)| key.text == name)?;
+        self.taken[index] = true;
+        Some(&self.entries[index].1).filter(|node| !node.is_null())
+    }
+
+    /// Takes a field that must be there.
+    pub fn need(&mut self, name: &str, problems: &mut Problems) -> Option<&'n Node> {
+        let node = self.take(name);
+        if node.is_none() {
+            let message = format!("the key `{name}` is missing");
+            problems.error::<()>("missing-key", message, self.place);
+        }
+        node
+    }
+
+    /// The fields not yet taken, in order.
+    pub fn rest(&mut self) -> Vec<(&'n Key, &'n Node)> {
+        let entries = self.entries;
+        let rest =
+            entries.iter().zip(&self.taken).filter(|(_, taken)| !**taken).map(|((key, node), _)| (key, node)).collect();
+        self.taken.fill(true);
+        rest
+    }
+
+    /// Reports every field that nobody took; `known` are the right ones.
+    pub fn finish(mut self, known: &[&str], problems: &mut Problems) {
+        for (key, _) in self.rest() {
+            let help = match nearest(&key.text, known.iter().copied()) {
+                Some(near) => format!("did you mean `{near}`?"),
+                None => format!("known here: {}", known.join(", ")),
+            };
+            problems.error_help::<()>("unknown-key", format!("unknown key `{}`", key.text), &key.place, help);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_duplicate_key_is_found_with_its_place() {
+        let (_, problems) = parse("t.yaml", "a: 1\nb: {c: 2, c: 3}\n");
+        assert_eq!(problems.len(), 1);
+        assert_eq!(problems[0].place.as_ref().unwrap().to_string(), "t.yaml:2:11");
+    }
+
+    #[test]
+    fn broken_text_names_its_line() {
+        let (root, problems) = parse("t.yaml", "a: 1\nb: [1, 2\n");
+        assert!(root.is_none());
+        assert!(problems[0].place.is_some(), "{problems:?}");
+    }
+
+    #[test]
+    fn quoting_is_kept_and_null_is_absent() {
+        let (root, problems) = parse("t.yaml", "a: \"07\"\nb: ~\n");
+        assert!(problems.is_empty());
+        let root = root.unwrap();
+        assert!(matches!(root.get("a").unwrap().kind, NodeKind::Scalar { quoted: true, .. }));
+        assert!(root.get("b").unwrap().is_null());
+    }
+}
