@@ -4,9 +4,29 @@
 //! `part.yaml → part → route → tooling → cutting → setup → sequence → Plan → (program | report | audit)`.
 //!
 //! - [`knowledge`] and [`units`] are the tables, the queries that say why, and the exact quantities;
-//! - [`shipped`] is the knowledge the program carries in itself.
+//! - [`shipped`] is the knowledge the program carries in itself;
+//! - [`part`] is what is to be made, [`shop`] what it is made with ([`machine`], [`material`]);
+//! - [`route`], [`tooling`], [`cutting`], [`setup`] and [`sequence`] each add their part;
+//! - [`planner`] is the one place where a refusal makes it try the next alternative;
+//! - [`plan`] is the result, a value; [`report`] prints it.
+//!
+//! Architecture invariant: nothing in this library reads a file, prints or asks the time.
 
 pub use technolog_knowledge as knowledge;
 pub use technolog_knowledge::units;
 
+pub mod cutting;
+pub mod error;
+pub mod machine;
+pub mod material;
+pub mod note;
+pub mod part;
+pub mod plan;
+pub mod planner;
+pub mod report;
+pub mod route;
+pub mod sequence;
+pub mod setup;
 pub mod shipped;
+pub mod shop;
+pub mod tooling;

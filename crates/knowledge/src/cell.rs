@@ -90,11 +90,7 @@ impl TestParser<'_> {
         let Some((low, high)) = inner.split_once("..") else {
             return Err(error(format!("`{text}`: an interval is written `(low..high]`")));
         };
-        let low_rank = if low.trim().is_empty() {
-            i64::MIN
-        } else {
-            self.value(low, at + 1)? + i64::from(low_open)
-        };
+        let low_rank = if low.trim().is_empty() { i64::MIN } else { self.value(low, at + 1)? + i64::from(low_open) };
         let high_rank = if high.trim().is_empty() {
             i64::MAX
         } else {
@@ -113,12 +109,10 @@ impl TestParser<'_> {
         let error =
             |message: String| TestError { message, offset: offset + lead, width: trimmed.chars().count().max(1) };
         let value = self.column.parse_value(trimmed).map_err(error)?;
-        self.column.rank(&value).ok_or_else(|| {
-            TestError {
-                message: format!("a column of type {} cannot be tested", self.column.ty.name()),
-                offset: offset + lead,
-                width: trimmed.chars().count().max(1),
-            }
+        self.column.rank(&value).ok_or_else(|| TestError {
+            message: format!("a column of type {} cannot be tested", self.column.ty.name()),
+            offset: offset + lead,
+            width: trimmed.chars().count().max(1),
         })
     }
 }

@@ -184,10 +184,7 @@ impl Column {
     fn parse_length(&self, text: &str) -> Result<Micrometres, String> {
         if self.unit == Unit::Micrometre {
             let value = text.parse::<Decimal>().map_err(|error| error.0)?;
-            return value
-                .to_int()
-                .map(Micrometres::new)
-                .ok_or_else(|| format!("`{text}` is finer than a micrometre"));
+            return value.to_int().map(Micrometres::new).ok_or_else(|| format!("`{text}` is finer than a micrometre"));
         }
         text.parse::<Micrometres>().map_err(|error| error.0)
     }

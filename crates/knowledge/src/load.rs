@@ -10,12 +10,23 @@ use crate::value::Value;
 use crate::yaml::{Fields, Node, NodeKind, Problems, parse};
 
 const HEAD: &[&str] = &[
-    "table", "title", "kind", "hit", "place", "standard", "note", "result", "key", "columns", "rows", "uncovered",
-    "laws", "tool",
+    "table",
+    "title",
+    "kind",
+    "hit",
+    "place",
+    "standard",
+    "note",
+    "result",
+    "key",
+    "columns",
+    "rows",
+    "uncovered",
+    "laws",
+    "tool",
 ];
-const COLUMN: &[&str] = &[
-    "name", "type", "unit", "symbol", "label", "role", "list", "optional", "values", "domain", "default", "refers",
-];
+const COLUMN: &[&str] =
+    &["name", "type", "unit", "symbol", "label", "role", "list", "optional", "values", "domain", "default", "refers"];
 /// The keys of a row that are not columns.
 const ROW: &[&str] = &["source", "place", "reason", "unconfirmed", "corrections", "note", "priority"];
 
@@ -144,10 +155,7 @@ impl Loader<'_> {
         let mut fields = self.problems.map(node)?;
         let operations = fields.need("operations", self.problems).map(|node| self.texts(node));
         let shank = match fields.need("shank", self.problems) {
-            Some(node) => self.named(
-                node,
-                &[("cylindrical", Shank::Cylindrical), ("morse", Shank::Morse), ("shell", Shank::Shell)],
-            ),
+            Some(node) => self.named(node, &Shank::NAMES),
             None => None,
         };
         let material = match fields.need("material", self.problems) {
@@ -165,11 +173,8 @@ impl Loader<'_> {
         for item in self.problems.list(node).unwrap_or_default() {
             let Some(mut fields) = self.problems.map(item) else { continue };
             let name = fields.need("law", self.problems).and_then(|node| self.owned(node));
-            let parameters = fields
-                .rest()
-                .into_iter()
-                .map(|(key, node)| (key.text.clone(), self.texts(node).join(" ")))
-                .collect();
+            let parameters =
+                fields.rest().into_iter().map(|(key, node)| (key.text.clone(), self.texts(node).join(" "))).collect();
             if let Some(name) = name {
                 laws.push(Law { name, parameters, place: Some(item.place.clone()) });
             }
@@ -211,10 +216,14 @@ impl Loader<'_> {
         let role_node = fields.take("role");
         let role = match (kind, role_node) {
             (Kind::Decision, Some(node)) => self.named(node, &[("input", Role::Input), ("output", Role::Output)]),
-            (Kind::Decision, None) => {
-                self.problems.error("missing-key", "a column of a decision table needs `role: input` or `output`", fields.place)
+            (Kind::Decision, None) => self.problems.error(
+                "missing-key",
+                "a column of a decision table needs `role: input` or `output`",
+                fields.place,
+            ),
+            (Kind::Catalog, Some(node)) => {
+                self.problems.error("bad-value", "a catalog's columns have no `role`", &node.place)
             }
-            (Kind::Catalog, Some(node)) => self.problems.error("bad-value", "a catalog's columns have no `role`", &node.place),
             (Kind::Catalog, None) => Some(Role::Field),
         };
         let list = fields.take("list").and_then(|node| self.problems.boolean(node)).unwrap_or(false);

@@ -282,9 +282,7 @@ impl Table {
             table: self.id.clone(),
             rows: rows.iter().map(|row| (row + 1).to_string()).collect::<Vec<_>>().join(", "),
         };
-        let keep = |winner: u32| {
-            (vec![winner], matched.iter().copied().filter(|&row| row != winner).collect())
-        };
+        let keep = |winner: u32| (vec![winner], matched.iter().copied().filter(|&row| row != winner).collect());
         match self.hit {
             HitPolicy::First => Ok(keep(matched[0])),
             HitPolicy::Any if matched.iter().all(|&row| self.same_outputs(matched[0] as usize, row as usize)) => {
@@ -345,6 +343,21 @@ pub fn describe(column: &Column) -> String {
         ColumnType::Roughness => "a roughness such as `Ra 2.5`".to_owned(),
         ColumnType::Text => "a text".to_owned(),
     }
+}
+
+/// The roughness limits that a column names as its domain, coarsest first: the printed columns of the
+/// source tables that are headed by roughness.
+pub fn roughness_points(table: &Table, column: &str) -> Vec<Roughness> {
+    let domain = table.columns.iter().find(|known| known.name == column).and_then(|column| column.domain.as_ref());
+    let mut points: Vec<Roughness> = domain
+        .map(Set::intervals)
+        .unwrap_or_default()
+        .iter()
+        .filter(|(low, high)| low == high)
+        .filter_map(|(low, _)| u32::try_from(*low).ok().map(Roughness::from_ra_nanometres))
+        .collect();
+    points.reverse();
+    points
 }
 
 fn all_rows(count: usize, words: usize) -> Vec<u64> {

@@ -160,6 +160,19 @@ pub enum Shank {
     Morse,
     /// A bore, on an arbor.
     Shell,
+    /// The machine's own taper: the tool is its own holder.
+    Taper,
+}
+
+impl Shank {
+    /// Every kind with its name in a table file.
+    pub const NAMES: [(&'static str, Self); 4] =
+        [("cylindrical", Self::Cylindrical), ("morse", Self::Morse), ("shell", Self::Shell), ("taper", Self::Taper)];
+
+    /// Its name in a table file.
+    pub fn name(self) -> &'static str {
+        Self::NAMES.iter().find(|(_, shank)| *shank == self).map_or("", |(name, _)| name)
+    }
 }
 
 /// What a table of cutters says of all its rows.

@@ -77,8 +77,13 @@ impl Node {
 /// Reads one YAML document. The tree is there unless the text is broken beyond reading; duplicate
 /// keys, anchors and tags are reported.
 pub fn parse(file: &str, text: &str) -> (Option<Node>, Vec<Diagnostic>) {
-    let mut builder =
-        Builder { file: Arc::from(file), lines: text.lines().collect(), stack: Vec::new(), root: None, problems: vec![] };
+    let mut builder = Builder {
+        file: Arc::from(file),
+        lines: text.lines().collect(),
+        stack: Vec::new(),
+        root: None,
+        problems: vec![],
+    };
     let mut documents = 0;
     for event in Parser::new_from_str(text) {
         match event {
@@ -95,9 +100,10 @@ pub fn parse(file: &str, text: &str) -> (Option<Node>, Vec<Diagnostic>) {
                 let marker = *error.marker();
                 let place = builder.place(Span::empty(marker));
                 let message = format!("broken YAML: {}", error.info());
-                builder.problems.push(Diagnostic::error("yaml", message, place).help(
-                    "mind the indentation, and quote values that hold any of `: , [ ] { } #`",
-                ));
+                builder.problems.push(
+                    Diagnostic::error("yaml", message, place)
+                        .help("mind the indentation, and quote values that hold any of `: , [ ] { } #`"),
+                );
                 return (None, builder.problems);
             }
         }
@@ -222,7 +228,11 @@ impl Problems {
     pub fn text<'n>(&mut self, node: &'n Node) -> Option<&'n str> {
         match node.text() {
             Some(text) if !node.is_null() => Some(text),
-            _ => self.error("bad-value", format!("a single value is expected here, not {}", node.kind_name()), &node.place),
+            _ => self.error(
+                "bad-value",
+                format!("a single value is expected here, not {}", node.kind_name()),
+                &node.place,
+            ),
         }
     }
 

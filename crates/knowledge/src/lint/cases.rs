@@ -142,8 +142,10 @@ fn run(table: &Table, case: &Case) -> Result<(), String> {
         (Some(row), None) => Err(format!("row {} answers {given}, where none should", row.number())),
         (Some(row), Some(expected)) => {
             for (name, values) in expected {
-                let found: Vec<String> =
-                    row.value(name).map(|value| value.items().iter().map(ToString::to_string).collect()).unwrap_or_default();
+                let found: Vec<String> = row
+                    .value(name)
+                    .map(|value| value.items().iter().map(ToString::to_string).collect())
+                    .unwrap_or_default();
                 if table.column_index(name).is_none() || found != *values {
                     return Err(format!("{given} gives {name} = {}, not {}", found.join(", "), values.join(", ")));
                 }

@@ -22,7 +22,8 @@ use crate::value::Value;
 pub(super) fn check(table: &Table, knowledge: &Knowledge, findings: &mut Vec<Diagnostic>) {
     if table.tool.is_some() && table.laws.is_empty() {
         let message = format!("{}: tool table {} declares no `laws`", table.file, table.id);
-        findings.push(Diagnostic::error("no-laws", message, None).help("at least `rising` of a length over the diameter"));
+        findings
+            .push(Diagnostic::error("no-laws", message, None).help("at least `rising` of a length over the diameter"));
     }
     for law in &table.laws {
         let broken = match law.name.as_str() {
@@ -141,8 +142,13 @@ fn between(table: &Table, law: &Law) -> Broken {
         .filter_map(|row| {
             let value = rank(table, row, index)?;
             (value < low || value > high).then(|| {
-                let message =
-                    format!("{} {} is outside {} to {}", of.name, of.show_rank(value), of.show_rank(low), of.show_rank(high));
+                let message = format!(
+                    "{} {} is outside {} to {}",
+                    of.name,
+                    of.show_rank(value),
+                    of.show_rank(low),
+                    of.show_rank(high)
+                );
                 broken(table, row, index, message)
             })
         })
@@ -157,7 +163,8 @@ fn morse(table: &Table, law: &Law, knowledge: &Knowledge) -> Broken {
     let taper_number = tapers.column_index("morse").ok_or("morse-tapers has no column `morse`")?;
     let mut found = Vec::new();
     for row in 0..table.rows.len() {
-        let (Some(l), Some(p), Some(n)) = (rank(table, row, length), rank(table, row, projection), rank(table, row, number))
+        let (Some(l), Some(p), Some(n)) =
+            (rank(table, row, length), rank(table, row, projection), rank(table, row, number))
         else {
             continue;
         };

@@ -29,7 +29,11 @@ pub(super) fn check(table: &Table, findings: &mut Vec<Diagnostic>) {
                 HitPolicy::Unique => true,
                 HitPolicy::Any => !same,
                 HitPolicy::Priority => !same && table.rows[earlier].priority == table.rows[later].priority,
-                HitPolicy::First => !same && !region::is_inside(&boxes[earlier], &boxes[later]) && !region::is_inside(&boxes[later], &boxes[earlier]),
+                HitPolicy::First => {
+                    !same
+                        && !region::is_inside(&boxes[earlier], &boxes[later])
+                        && !region::is_inside(&boxes[later], &boxes[earlier])
+                }
                 HitPolicy::Collect => same,
             };
             if contradicts {

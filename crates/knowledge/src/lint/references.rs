@@ -11,10 +11,13 @@ use crate::table::{Cell, Table};
 pub(super) fn check(table: &Table, knowledge: &Knowledge, findings: &mut Vec<Diagnostic>) {
     for (index, column) in table.columns.iter().enumerate() {
         let Some((other, field)) = &column.refers else { continue };
-        let target = knowledge.table(other).ok().and_then(|target| target.column_index(field).map(|field| (target, field)));
+        let target =
+            knowledge.table(other).ok().and_then(|target| target.column_index(field).map(|field| (target, field)));
         let Some((target, field_index)) = target else {
-            let message =
-                format!("{}: table {}, column `{}` refers to {other}/{field}, which does not exist", table.file, table.id, column.name);
+            let message = format!(
+                "{}: table {}, column `{}` refers to {other}/{field}, which does not exist",
+                table.file, table.id, column.name
+            );
             findings.push(Diagnostic::error("dangling-reference", message, None));
             continue;
         };

@@ -21,12 +21,7 @@ pub(super) fn check(table: &Table, findings: &mut Vec<Diagnostic>) {
 pub(super) fn row_place(table: &Table, row: usize) -> Place {
     let row = &table.rows[row];
     let first = row.places.iter().flatten().min();
-    Place {
-        file: table.file.as_str().into(),
-        line: row.line,
-        column: first.map_or(1, |place| place.column),
-        width: 1,
-    }
+    Place { file: table.file.as_str().into(), line: row.line, column: first.map_or(1, |place| place.column), width: 1 }
 }
 
 /// Where a cell stands, or its row when it is left out.
@@ -39,7 +34,10 @@ fn decision(table: &Table, findings: &mut Vec<Diagnostic>) {
         findings.push(
             Diagnostic::error(
                 "no-domain",
-                format!("{}: table {}, input `{}` has no domain, so nothing can be proven", table.file, table.id, column.name),
+                format!(
+                    "{}: table {}, input `{}` has no domain, so nothing can be proven",
+                    table.file, table.id, column.name
+                ),
                 None,
             )
             .help("give the column a `domain`"),
@@ -50,10 +48,9 @@ fn decision(table: &Table, findings: &mut Vec<Diagnostic>) {
             let Cell::Test(set, text) = &content.cells[index] else { continue };
             let outside = set.difference(&column.allowed());
             // A one-sided test such as `> 30` reaches to infinity by its form; only stated ends count.
-            let stated = outside
-                .intervals()
-                .iter()
-                .any(|&(low, high)| (low != i64::MIN && high != i64::MAX) || set.intersection(&column.allowed()).is_empty());
+            let stated = outside.intervals().iter().any(|&(low, high)| {
+                (low != i64::MIN && high != i64::MAX) || set.intersection(&column.allowed()).is_empty()
+            });
             if stated {
                 let message = format!(
                     "table {}, row {}: `{text}` reaches outside the domain {} of `{}`",
@@ -68,7 +65,9 @@ fn decision(table: &Table, findings: &mut Vec<Diagnostic>) {
         for (other, earlier) in table.rows[..row].iter().enumerate() {
             if region::of_row(table, content) == region::of_row(table, earlier) && table.same_outputs(row, other) {
                 let message = format!("table {}: row {} says the same as row {}", table.id, row + 1, other + 1);
-                findings.push(Diagnostic::error("duplicate-row", message, row_place(table, row)).help("remove one of them"));
+                findings.push(
+                    Diagnostic::error("duplicate-row", message, row_place(table, row)).help("remove one of them"),
+                );
             }
         }
         dead(table, row, findings);
@@ -98,7 +97,11 @@ fn dead(table: &Table, row: usize, findings: &mut Vec<Diagnostic>) {
 fn keys(table: &Table, findings: &mut Vec<Diagnostic>) {
     let key: Vec<usize> = table.key.iter().filter_map(|name| table.column_index(name)).collect();
     if key.is_empty() {
-        findings.push(Diagnostic::error("no-key", format!("{}: catalog {} names no `key`", table.file, table.id), None));
+        findings.push(Diagnostic::error(
+            "no-key",
+            format!("{}: catalog {} names no `key`", table.file, table.id),
+            None,
+        ));
         return;
     }
     let mut seen: BTreeMap<Vec<String>, usize> = BTreeMap::new();

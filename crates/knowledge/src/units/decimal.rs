@@ -35,6 +35,11 @@ impl Decimal {
         self.0 as f64 / SCALE as f64
     }
 
+    /// The nearest decimal to a computed number; saturates far outside any figure of a table.
+    pub fn from_f64_rounded(value: f64) -> Self {
+        Self((value * SCALE as f64).round() as i64)
+    }
+
     /// The whole number this is, if it is one.
     pub fn to_int(self) -> Option<i64> {
         (self.0 % SCALE == 0).then_some(self.0 / SCALE)

@@ -1,0 +1,133 @@
+//! The knowledge a command works with: the embedded tables, or those of the folder of `--knowledge`.
+
+use std::borrow::Cow;
+use std::path::Path;
+
+use technolog::knowledge::diagnostic::nearest;
+use technolog::knowledge::{Diagnostic, Knowledge, SourceFile, Table};
+use technolog::shipped;
+
+use super::diagnostics::Texts;
+use super::{CliError, Context, words};
+
+/// The tables that can be used.
+///
+/// # Errors
+/// A file cannot be read, or says something that no table can say.
+pub fn load(context: &Context) -> Result<Knowledge, CliError> {
+    let Some(folder) = &context.knowledge else {
+        return shipped::knowledge().map_err(|error| {
+            let message = words::broken_build(context.lang, error);
+            Diagnostic::error("broken-build", message, None).help(words::rebuild(context.lang)).into()
+        });
+    };
+    let texts = read(folder)?;
+    Knowledge::from_sources(&sources(&texts)).map_err(|problems| CliError::Unusable { problems, texts })
+}
+
+/// The texts of the tables, with the places that `lint` wants.
+///
+/// # Errors
+/// A file cannot be read.
+pub fn texts(context: &Context) -> Result<Texts, CliError> {
+    match &context.knowledge {
+        Some(folder) => read(folder),
+        None => Ok(shipped::SOURCES.iter().fold(Texts::default(), |texts, source| {
+            texts.with(source.path, source.path.to_owned(), Cow::Borrowed(source.text))
+        })),
+    }
+}
+
+/// The texts as the knowledge room takes them.
+pub fn sources(texts: &Texts) -> Vec<SourceFile<'_>> {
+    texts.iter().map(|(path, text)| SourceFile { path, text }).collect()
+}
+
+fn read(folder: &Path) -> Result<Texts, CliError> {
+    let files =
+        Knowledge::read_folder(folder).map_err(|problems| CliError::Unusable { problems, texts: Texts::default() })?;
+    Ok(files.into_iter().fold(Texts::default(), |texts, (path, text)| {
+        let shown = folder.join(&path).display().to_string();
+        texts.with(&path, shown, Cow::Owned(text))
+    }))
+}
+
+/// A table by the id a user typed: `A.8`, `a.8`, or with a Cyrillic А.
+///
+/// # Errors
+/// There is no such table; the message names the nearest.
+pub fn table<'k>(knowledge: &'k Knowledge, typed: &str, context: &Context) -> Result<&'k Table, CliError> {
+    let wanted = latin(typed.trim());
+    let exact = knowledge.tables().find(|table| table.id == wanted);
+    if let Some(table) = exact.or_else(|| knowledge.tables().find(|table| table.id.eq_ignore_ascii_case(&wanted))) {
+        return Ok(table);
+    }
+    let lower = wanted.to_ascii_lowercase();
+    let ids: Vec<(String, &str)> =
+        knowledge.tables().map(|table| (table.id.to_ascii_lowercase(), table.id.as_str())).collect();
+    let near = nearest(&lower, ids.iter().map(|(lower, _)| lower.as_str()))
+        .and_then(|near| ids.iter().find(|(lower, _)| lower == near));
+    let list = words::list_tables(context.lang);
+    let help = match near {
+        Some((_, id)) => format!("{} {list}", words::did_you_mean(context.lang, id)),
+        None => list,
+    };
+    Err(Diagnostic::error("unknown-table", words::unknown_table(context.lang, typed), None).help(help).into())
+}
+
+/// A text with Cyrillic letters that look like Latin ones written as those: on many keyboards nobody
+/// can tell `А.8` from `A.8`.
+pub fn latin(text: &str) -> String {
+    text.chars()
+        .map(|letter| match letter {
+            'А' => 'A',
+            'В' => 'B',
+            'Е' => 'E',
+            'І' => 'I',
+            'К' => 'K',
+            'М' => 'M',
+            'Н' => 'H',
+            'О' => 'O',
+            'Р' => 'P',
+            'С' => 'C',
+            'Т' => 'T',
+            'Х' => 'X',
+            'а' => 'a',
+            'е' => 'e',
+            'і' => 'i',
+            'о' => 'o',
+            'р' => 'p',
+            'с' => 'c',
+            'у' => 'y',
+            'х' => 'x',
+            other => other,
+        })
+        .collect()
+}
+
+/// A key that orders ids as people do: `A.2` before `A.10`.
+pub fn natural(id: &str) -> Vec<(u64, String)> {
+    let mut parts: Vec<(u64, String)> = Vec::new();
+    let mut rest = id;
+    while !rest.is_empty() {
+        let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
+        let (number, after) = rest.split_at(digits);
+        let letters = after.bytes().take_while(|byte| !byte.is_ascii_digit()).count();
+        let (text, next) = after.split_at(letters);
+        parts.push((number.parse().unwrap_or(0), text.to_owned()));
+        rest = next;
+    }
+    parts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ids_are_ordered_by_their_numbers() {
+        let mut ids = ["A.10", "A.2", "A.18b", "tapers", "A.18a", "2c42-65", "A.1"];
+        ids.sort_by_key(|id| natural(id));
+        assert_eq!(ids, ["A.1", "A.2", "A.10", "A.18a", "A.18b", "tapers", "2c42-65"]);
+    }
+}

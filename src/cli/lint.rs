@@ -1,0 +1,51 @@
+//! `technolog lint`: proves the knowledge base.
+
+use technolog::knowledge::{Diagnostic, Knowledge, Severity, lint};
+
+use super::{CliError, Context, Format, Outcome, diagnostics, knowledge, words};
+
+/// Prove the knowledge base: gaps, contradictions, dead rows, references, laws, examples
+#[derive(Debug, clap::Args)]
+pub struct Args {}
+
+/// Shows every load problem and every finding.
+///
+/// # Errors
+/// A file could not be used; what was found in it and in the others is shown all the same.
+pub fn run(_: &Args, context: &Context) -> Result<Outcome, CliError> {
+    let format = context.format("lint", &[Format::Text, Format::Json])?;
+    let texts = knowledge::texts(context)?;
+    let (knowledge, mut problems) = Knowledge::read_sources(&knowledge::sources(&texts));
+    let unusable = problems.iter().any(is_error);
+    problems.extend(lint::lint(&knowledge));
+    match format {
+        Format::Json => {
+            context.emit_json(&problems.iter().map(|it| diagnostics::Json::of(it, &texts)).collect::<Vec<_>>())?;
+        }
+        _ => {
+            let mut text = diagnostics::render(&problems, &texts, context.lang);
+            if !problems.is_empty() {
+                text.push('\n');
+            }
+            text.push_str(&summary(&knowledge, problems.len(), context));
+            context.emit(&text)?;
+        }
+    }
+    if unusable {
+        Err(CliError::Shown)
+    } else if problems.iter().any(is_error) {
+        Ok(Outcome::Findings)
+    } else {
+        Ok(Outcome::Done)
+    }
+}
+
+fn is_error(problem: &Diagnostic) -> bool {
+    problem.severity == Severity::Error
+}
+
+fn summary(knowledge: &Knowledge, findings: usize, context: &Context) -> String {
+    let lang = context.lang;
+    let (tables, rows) = (knowledge.tables().count(), knowledge.tables().map(|table| table.rows.len()).sum());
+    format!("{}, {}, {}\n", words::tables(lang, tables), words::rows(lang, rows), words::findings(lang, findings))
+}

@@ -1,0 +1,39 @@
+//! `technolog lookup`: one query against one table, with its reason.
+
+mod catalog;
+mod decision;
+mod near;
+mod question;
+
+use technolog::knowledge::Kind;
+
+use super::{CliError, Context, Format, Outcome, knowledge};
+use question::Question;
+
+/// One query against one table, with the reason of its answer
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// The table, such as A.8
+    table: String,
+    /// What is known, by the names of columns: it=7 diameter=12 roughness="Ra 2.5"
+    #[arg(value_name = "KEY=VALUE")]
+    query: Vec<String>,
+    /// Every rejected row on its own, however many there are
+    #[arg(long)]
+    all: bool,
+}
+
+/// Answers one query.
+///
+/// # Errors
+/// The question does not fit the table; every slip in it is told at once.
+pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
+    let format = context.format("lookup", &[Format::Text, Format::Json])?;
+    let knowledge = knowledge::load(context)?;
+    let table = knowledge::table(&knowledge, &args.table, context)?;
+    let question = Question::read(table, args, context)?;
+    match table.kind {
+        Kind::Decision => decision::answer(&question, args.all, format, context),
+        Kind::Catalog => catalog::answer(&question, format, context),
+    }
+}

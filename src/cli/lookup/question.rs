@@ -1,0 +1,222 @@
+//! From `it=7 diameter=12` to typed values of a table's columns.
+
+use std::borrow::Cow;
+
+use technolog::knowledge::diagnostic::nearest;
+use technolog::knowledge::{Column, Diagnostic, Kind, Place, Role, Table, Value};
+
+use super::Args;
+use crate::cli::diagnostics::Texts;
+use crate::cli::words::{self, Word};
+use crate::cli::{CliError, Context, record};
+
+/// A question to a table, in which every key is a column and every value is of its type.
+#[derive(Debug)]
+pub struct Question<'t> {
+    /// The table that is asked.
+    pub table: &'t Table,
+    /// The position of each column that is given, and its value.
+    pub given: Vec<(usize, Value)>,
+}
+
+impl<'t> Question<'t> {
+    /// Reads the arguments against the columns of the table.
+    ///
+    /// # Errors
+    /// Every slip in the question, each with its place in the command line.
+    pub fn read(table: &'t Table, args: &Args, context: &Context) -> Result<Self, CliError> {
+        let line = CommandLine::of(args, context);
+        let mut reader =
+            Reader { table, context, line: &line, given: vec![], named: vec![], misspelt: vec![], problems: vec![] };
+        for (pair, at) in args.query.iter().zip(&line.pairs) {
+            reader.pair(pair, *at);
+        }
+        reader.missing();
+        let Reader { given, problems, .. } = reader;
+        if problems.is_empty() {
+            return Ok(Self { table, given });
+        }
+        let texts = Texts::default().with(line.name, line.name.to_owned(), Cow::Owned(line.text));
+        Err(CliError::Unusable { problems, texts })
+    }
+
+    /// The given value of a column.
+    pub fn value(&self, column: usize) -> Option<&Value> {
+        self.given.iter().find(|(index, _)| *index == column).map(|(_, value)| value)
+    }
+}
+
+/// Where something stands in the command line: first character and number of characters.
+#[derive(Clone, Copy, Debug)]
+struct At {
+    start: usize,
+    width: usize,
+}
+
+/// The question as one line of text, so that a slip in it has a place like one in a file.
+struct CommandLine {
+    name: &'static str,
+    text: String,
+    table: At,
+    pairs: Vec<At>,
+}
+
+impl CommandLine {
+    fn of(args: &Args, context: &Context) -> Self {
+        let mut text = String::from("technolog lookup");
+        let mut add = |word: &str| {
+            let (start, width) = (text.chars().count() + 1, word.chars().count());
+            text.push(' ');
+            text.push_str(word);
+            At { start, width }
+        };
+        let table = add(&plain(&args.table));
+        let pairs = args.query.iter().map(|pair| add(&quoted(&plain(pair)))).collect();
+        Self { name: context.word(Word::CommandLine), text, table, pairs }
+    }
+
+    fn place(&self, at: At) -> Place {
+        let number = |count: usize| u32::try_from(count).unwrap_or(u32::MAX);
+        Place { file: self.name.into(), line: 1, column: number(at.start + 1), width: number(at.width) }
+    }
+}
+
+/// On one line, whatever was typed.
+fn plain(text: &str) -> String {
+    text.chars().map(|letter| if letter.is_control() { ' ' } else { letter }).collect()
+}
+
+/// As a shell takes it: `roughness="Ra 2.5"`.
+fn quoted(pair: &str) -> String {
+    match pair.split_once('=') {
+        Some((key, value)) if value.contains(char::is_whitespace) => format!("{key}=\"{value}\""),
+        _ => pair.to_owned(),
+    }
+}
+
+struct Reader<'t, 'a> {
+    table: &'t Table,
+    context: &'a Context,
+    line: &'a CommandLine,
+    given: Vec<(usize, Value)>,
+    /// The columns that were named, with a sound value or not.
+    named: Vec<usize>,
+    /// The columns that a misspelt key may have meant.
+    misspelt: Vec<usize>,
+    problems: Vec<Diagnostic>,
+}
+
+impl Reader<'_, '_> {
+    fn problem(&mut self, code: &'static str, message: String, at: At, help: String) {
+        self.problems.push(Diagnostic::error(code, message, self.line.place(at)).help(help));
+    }
+
+    /// The columns that may be asked for, with their positions.
+    fn keys(&self) -> Vec<(usize, &Column)> {
+        match self.table.kind {
+            Kind::Decision => self.table.inputs().collect(),
+            Kind::Catalog => self.table.columns.iter().enumerate().collect(),
+        }
+    }
+
+    fn pair(&mut self, pair: &str, at: At) {
+        let lang = self.context.lang;
+        let Some((key, text)) = pair.split_once('=') else {
+            let example = self.keys().first().map(|(_, column)| example(column)).unwrap_or_default();
+            let message = words::not_a_pair(lang, pair);
+            return self.problem("bad-argument", message, at, words::write_pair(lang, example));
+        };
+        let key_at = At { start: at.start, width: key.chars().count() };
+        let value_start = at.start + key.chars().count() + 1;
+        let value_at = At { start: value_start, width: (at.start + at.width - value_start).max(1) };
+        let (key, text) = (key.trim(), text.trim());
+        let Some(index) = self.keys().iter().find(|(_, column)| column.name == key).map(|(index, _)| *index) else {
+            return self.unknown(key, key_at);
+        };
+        if self.named.contains(&index) {
+            return self.problem("duplicate-key", words::key_twice(lang, key), key_at, words::keep_one(lang));
+        }
+        self.named.push(index);
+        let column = &self.table.columns[index];
+        let expected = |domain: bool| {
+            let domain = column.domain_text.as_deref().filter(|_| domain);
+            let domain = domain.map(|domain| format!(", {domain}")).unwrap_or_default();
+            words::expected_is(lang, words::expected(lang, column) + &domain)
+        };
+        let value = match column.parse_value(text) {
+            Ok(value) if !text.is_empty() => value,
+            Ok(_) => {
+                return self.problem("bad-value", words::bad_value(lang, key, text), value_at, expected(true));
+            }
+            Err(why) => {
+                return self.problem("bad-value", words::bad_value_because(lang, key, why), value_at, expected(true));
+            }
+        };
+        // A catalog simply has no row outside its bounds; a decision table says nothing there.
+        if self.table.kind == Kind::Decision
+            && let (Some(domain), Some(rank)) = (&column.domain, column.rank(&value))
+            && !domain.contains(rank)
+        {
+            let bounds = column.domain_text.as_deref().unwrap_or_default();
+            let message = words::out_of_domain(lang, key, record::with_unit(lang, column, &value), bounds);
+            return self.problem("out-of-domain", message, value_at, expected(false));
+        }
+        self.given.push((index, value));
+    }
+
+    fn unknown(&mut self, key: &str, at: At) {
+        let lang = self.context.lang;
+        let names: Vec<&str> = self.keys().iter().map(|(_, column)| column.name.as_str()).collect();
+        let is_output = self.table.columns.iter().any(|column| column.name == key && column.role == Role::Output);
+        let message = if is_output {
+            words::is_output(lang, &self.table.id, key)
+        } else {
+            words::no_such_key(lang, &self.table.id, key)
+        };
+        let known = names.join(", ");
+        let near = nearest(key, names.iter().copied()).filter(|_| !is_output);
+        let meant = near.and_then(|near| self.table.column_index(near));
+        let help = match near {
+            Some(near) => words::no_such_key_but(lang, near, known),
+            None => words::the_keys_are(lang, known),
+        };
+        // One slip is one problem: what was misspelt is not missing too.
+        self.misspelt.extend(meant);
+        self.problem("unknown-key", message, at, help);
+    }
+
+    /// Inputs of a decision table that have no default and were not named.
+    fn missing(&mut self) {
+        if self.table.kind == Kind::Catalog {
+            return;
+        }
+        let lang = self.context.lang;
+        let missing: Vec<&Column> = self
+            .table
+            .inputs()
+            .filter(|(index, column)| {
+                column.default.is_none() && !self.named.contains(index) && !self.misspelt.contains(index)
+            })
+            .map(|(_, column)| column)
+            .collect();
+        if missing.is_empty() {
+            return;
+        }
+        let keys: Vec<String> =
+            missing.iter().map(|column| format!("`{}` ({})", column.name, words::expected(lang, column))).collect();
+        let examples: Vec<String> = missing.iter().map(|column| example(column)).collect();
+        let message = words::missing_keys(lang, &self.table.id, keys.join(", "));
+        let help = words::give_keys(lang, examples.join(" "));
+        self.problem("missing-key", message, self.line.table, help);
+    }
+}
+
+/// A pair that a user might type for this column: the upper end of its bounds, or else the lower.
+fn example(column: &Column) -> String {
+    let value = match column.allowed().intervals().last() {
+        Some(&(low, i64::MAX)) if low > i64::MIN => column.show_rank(low),
+        Some(&(_, high)) if high < i64::MAX => column.show_rank(high),
+        _ => "…".to_owned(),
+    };
+    quoted(&format!("{}={value}", column.name))
+}

@@ -1,0 +1,227 @@
+//! The command line: one file per command, each thin.
+//!
+//! A command is an `Args` struct and a function `run(&Args, &Context) -> Result<Outcome, CliError>`,
+//! one line in [`Command`] and one in [`Command::run`], and its help in Ukrainian in
+//! [`words::HELP_UK`]. Exit codes: 0 done, 1 done and something was found wrong, 2 the input could
+//! not be used.
+//!
+//! Architecture invariant: nothing here decides anything; a command asks the library and shows the
+//! answer. Nothing else in the program touches arguments, environment, terminal or output files.
+
+mod diagnostics;
+mod help;
+mod knowledge;
+mod lint;
+mod lookup;
+mod output;
+mod record;
+mod sheet;
+mod table;
+mod words;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{ArgAction, FromArgMatches, Parser, Subcommand, ValueEnum};
+use serde::Serialize;
+use technolog::knowledge::Diagnostic;
+use technolog::report::grid;
+
+use diagnostics::Texts;
+use words::{Lang, Word};
+
+/// Knowledge base and rule engine for planning the machining of holes and shafts
+#[derive(Debug, Parser)]
+#[command(name = "technolog", version, disable_help_flag = true, disable_version_flag = true)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+    #[command(flatten)]
+    global: Global,
+}
+
+/// What every command understands.
+#[derive(Debug, clap::Args)]
+struct Global {
+    /// Language of the answers: uk or en (else by the variable LANG, else uk)
+    #[arg(long, global = true)]
+    lang: Option<Lang>,
+    /// Folder with catalogs/ and rules/ instead of the embedded knowledge
+    #[arg(long, global = true, value_name = "DIR")]
+    knowledge: Option<PathBuf>,
+    /// Form of the answer: text, json or csv, as far as the command has it
+    #[arg(long, global = true, value_enum, hide_possible_values = true)]
+    format: Option<Format>,
+    /// Write the answer to a file, not to the screen
+    #[arg(short, long, global = true, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Show this help
+    #[arg(short, long, global = true, action = ArgAction::Help)]
+    help: Option<bool>,
+    /// Show the version
+    #[arg(short = 'V', long, action = ArgAction::Version)]
+    version: Option<bool>,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+enum Command {
+    Table(table::Args),
+    Lookup(lookup::Args),
+    Lint(lint::Args),
+}
+
+impl Command {
+    fn run(&self, context: &Context) -> Result<Outcome, CliError> {
+        match self {
+            Self::Table(args) => table::run(args, context),
+            Self::Lookup(args) => lookup::run(args, context),
+            Self::Lint(args) => lint::run(args, context),
+        }
+    }
+}
+
+/// The form of an answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// For people.
+    Text,
+    /// For programs.
+    Json,
+    /// For spreadsheets.
+    Csv,
+}
+
+impl Format {
+    /// Its name on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Text => "text",
+            Self::Json => "json",
+            Self::Csv => "csv",
+        }
+    }
+}
+
+/// What the global options ask for.
+#[derive(Debug)]
+pub struct Context {
+    /// The language of the answers.
+    pub lang: Lang,
+    /// The knowledge folder, or nothing for the embedded knowledge.
+    pub knowledge: Option<PathBuf>,
+    /// The form of the answer, if one was named.
+    pub format: Option<Format>,
+    /// The file for the answer, or nothing for the screen.
+    pub output: Option<PathBuf>,
+}
+
+impl Context {
+    /// The form of the answer: the one named, or the first that the command has.
+    ///
+    /// # Errors
+    /// The command does not have it.
+    pub fn format(&self, command: &str, known: &[Format]) -> Result<Format, CliError> {
+        match self.format {
+            None => Ok(known.first().copied().unwrap_or(Format::Text)),
+            Some(format) if known.contains(&format) => Ok(format),
+            Some(format) => {
+                let names: Vec<&str> = known.iter().map(|format| format.name()).collect();
+                let message = words::no_format(self.lang, command, format.name());
+                let help = words::formats(self.lang, names.join(", "));
+                Err(Diagnostic::error("no-format", message, None).help(help).into())
+            }
+        }
+    }
+
+    /// Gives out the answer: on the screen, or in the file of `-o`.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn emit(&self, answer: &str) -> Result<(), CliError> {
+        output::write(answer.as_bytes(), self.output.as_deref(), self.lang)
+    }
+
+    /// Gives out the answer as JSON.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn emit_json(&self, answer: &impl Serialize) -> Result<(), CliError> {
+        match serde_json::to_string_pretty(answer) {
+            Ok(text) => self.emit(&(text + "\n")),
+            Err(error) => Err(output::unprintable(self.lang, error)),
+        }
+    }
+
+    /// A word in the language of the answers.
+    pub const fn word(&self, word: Word) -> &'static str {
+        word.text(self.lang)
+    }
+}
+
+/// How a command ended when its input could be used.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// Done; exit code 0.
+    Done,
+    /// Done, and something was found wrong; exit code 1.
+    Findings,
+}
+
+/// Why a command gave no answer; exit code 2.
+#[derive(Debug, thiserror::Error)]
+pub enum CliError {
+    /// Something given could not be used: a file, the question, the place for the answer.
+    #[error("{}", problems.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))]
+    Unusable {
+        /// What, where, and what to do.
+        problems: Vec<Diagnostic>,
+        /// The texts that the places are in.
+        texts: Texts,
+    },
+    /// The command has shown the problems as its answer already.
+    #[error("the input could not be used")]
+    Shown,
+}
+
+impl From<Diagnostic> for CliError {
+    fn from(problem: Diagnostic) -> Self {
+        Self::Unusable { problems: vec![problem], texts: Texts::default() }
+    }
+}
+
+/// Reads the arguments, runs the command, and turns its end into an exit code.
+pub fn main() -> ExitCode {
+    let environment = std::env::var("LANG").ok();
+    let default = Lang::of_environment(environment.as_deref());
+    let matches = match help::command(help::language(default)).try_get_matches() {
+        Ok(matches) => matches,
+        Err(error) => return usage(&error),
+    };
+    let cli = match Cli::from_arg_matches(&matches) {
+        Ok(cli) => cli,
+        Err(error) => return usage(&error),
+    };
+    let context = Context {
+        lang: cli.global.lang.unwrap_or(default),
+        knowledge: cli.global.knowledge,
+        format: cli.global.format,
+        output: cli.global.output,
+    };
+    match cli.command.run(&context) {
+        Ok(Outcome::Done) => ExitCode::SUCCESS,
+        Ok(Outcome::Findings) => ExitCode::from(1),
+        Err(CliError::Shown) => ExitCode::from(2),
+        Err(CliError::Unusable { problems, texts }) => {
+            output::complain(&diagnostics::render(&problems, &texts, context.lang));
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// Help and version, or arguments that fit no command.
+fn usage(error: &clap::Error) -> ExitCode {
+    // Where not even this can be printed there is nobody to tell.
+    let _ = error.print();
+    ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
+}

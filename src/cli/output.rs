@@ -1,0 +1,87 @@
+//! Giving out an answer: whole or not at all, and never with a panic.
+
+use std::fmt::Display;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+use technolog::knowledge::Diagnostic;
+
+use super::CliError;
+use super::words::{self, Lang};
+
+/// Writes an answer to the screen, or to a file; `-` is the screen.
+///
+/// # Errors
+/// It cannot be written. A reader of the screen that went away (`| head`) is no error.
+pub fn write(answer: &[u8], file: Option<&Path>, lang: Lang) -> Result<(), CliError> {
+    match file {
+        Some(path) if path != Path::new("-") => to_file(answer, path).map_err(|error| {
+            let message = words::cannot_write(lang, path.display(), error);
+            Diagnostic::error("unwritable", message, None).help(words::check_folder(lang)).into()
+        }),
+        _ => match to_screen(answer) {
+            Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(unprintable(lang, error)),
+            _ => Ok(()),
+        },
+    }
+}
+
+/// The answer cannot be printed.
+pub fn unprintable(lang: Lang, error: impl Display) -> CliError {
+    Diagnostic::error("unprintable", words::cannot_print(lang, error), None).help(words::print_to_file(lang)).into()
+}
+
+/// Shows problems beside the answer.
+pub fn complain(problems: &str) {
+    // Where not even this can be printed there is nobody to tell.
+    let _ = io::stderr().lock().write_all(problems.as_bytes());
+}
+
+fn to_screen(answer: &[u8]) -> io::Result<()> {
+    let mut screen = io::stdout().lock();
+    screen.write_all(answer)?;
+    screen.flush()
+}
+
+/// Writes beside the file and renames, so that the file is the old one or the new one, whole.
+fn to_file(answer: &[u8], path: &Path) -> io::Result<()> {
+    // Through a link to the file it means; a rename would replace the link.
+    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let old = fs::metadata(&path).ok();
+    if old.as_ref().is_some_and(|old| !old.is_file()) {
+        // A device or a pipe cannot be replaced; a folder refuses by itself.
+        return OpenOptions::new().write(true).open(&path)?.write_all(answer);
+    }
+    let (mut file, temporary) = beside(&path)?;
+    let written = file.write_all(answer).and_then(|()| match &old {
+        Some(old) => file.set_permissions(old.permissions()),
+        None => Ok(()),
+    });
+    drop(file);
+    let renamed = written.and_then(|()| fs::rename(&temporary, &path));
+    if renamed.is_err() {
+        // The first error is the one to tell of.
+        let _ = fs::remove_file(&temporary);
+    }
+    renamed
+}
+
+/// A new file in the same folder, so that the rename stays on one disk.
+fn beside(path: &Path) -> io::Result<(File, PathBuf)> {
+    let Some(name) = path.file_name() else {
+        return Err(io::Error::new(ErrorKind::InvalidInput, "not the name of a file"));
+    };
+    for attempt in 0_u32.. {
+        let mut hidden = std::ffi::OsString::from(".");
+        hidden.push(name);
+        hidden.push(format!(".{}-{attempt}.tmp", std::process::id()));
+        let temporary = path.with_file_name(hidden);
+        match OpenOptions::new().write(true).create_new(true).open(&temporary) {
+            Ok(file) => return Ok((file, temporary)),
+            Err(error) if error.kind() == ErrorKind::AlreadyExists && attempt < 100 => {}
+            Err(error) => return Err(error),
+        }
+    }
+    Err(ErrorKind::AlreadyExists.into())
+}

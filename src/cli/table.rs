@@ -1,0 +1,214 @@
+//! `technolog table`: the list of tables, or one table as its source prints it.
+
+use serde::Serialize;
+use technolog::knowledge::{Column, Kind, Table};
+use technolog::units::Unit;
+
+use super::words::Word;
+use super::{CliError, Context, Format, Outcome, grid, knowledge, record, sheet};
+
+/// The list of tables, or one table as its source prints it
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// The table, such as A.8; without it, the list
+    table: Option<String>,
+}
+
+/// Shows a table or the list of all.
+///
+/// # Errors
+/// There is no such table, or the answer cannot be written.
+pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
+    let format = context.format("table", &[Format::Text, Format::Json, Format::Csv])?;
+    let knowledge = knowledge::load(context)?;
+    let Some(id) = &args.table else {
+        let mut tables: Vec<&Table> = knowledge.tables().collect();
+        tables.sort_by_key(|table| knowledge::natural(&table.id));
+        match format {
+            Format::Text => context.emit(&list_text(&tables, context))?,
+            Format::Json => context.emit_json(&list_json(&tables, context))?,
+            Format::Csv => context.emit(&list_csv(&tables, context))?,
+        }
+        return Ok(Outcome::Done);
+    };
+    let table = knowledge::table(&knowledge, id, context)?;
+    match format {
+        Format::Text => context.emit(&sheet::whole(table, context))?,
+        Format::Json => context.emit_json(&table_json(table, context))?,
+        Format::Csv => context.emit(&table_csv(table))?,
+    }
+    Ok(Outcome::Done)
+}
+
+const fn kind(table: &Table) -> &'static str {
+    match table.kind {
+        Kind::Catalog => "catalog",
+        Kind::Decision => "decision",
+    }
+}
+
+fn list_text(tables: &[&Table], context: &Context) -> String {
+    let head = [Word::Table, Word::RowCount, Word::Kind, Word::Title].map(|word| context.word(word).to_owned());
+    let rows: Vec<Vec<String>> = tables
+        .iter()
+        .map(|table| {
+            let kind = match table.kind {
+                Kind::Catalog => Word::Catalog,
+                Kind::Decision => Word::Decision,
+            };
+            vec![
+                table.id.clone(),
+                table.rows.len().to_string(),
+                context.word(kind).to_owned(),
+                record::title(context.lang, table).to_owned(),
+            ]
+        })
+        .collect();
+    grid::ruled(&head, &rows).unwrap_or_else(|| grid::columns(&rows, 0))
+}
+
+#[derive(Serialize)]
+struct Listed<'t> {
+    table: &'t str,
+    title: &'t str,
+    kind: &'static str,
+    rows: usize,
+    file: &'t str,
+}
+
+fn list_json<'t>(tables: &[&'t Table], context: &Context) -> Vec<Listed<'t>> {
+    tables
+        .iter()
+        .map(|table| Listed {
+            table: &table.id,
+            title: record::title(context.lang, table),
+            kind: kind(table),
+            rows: table.rows.len(),
+            file: &table.file,
+        })
+        .collect()
+}
+
+fn list_csv(tables: &[&Table], context: &Context) -> String {
+    let head = csv_line(["table", "rows", "kind", "title", "file"]);
+    let lines = tables.iter().map(|table| {
+        csv_line([
+            &table.id,
+            &table.rows.len().to_string(),
+            kind(table),
+            record::title(context.lang, table),
+            &table.file,
+        ])
+    });
+    std::iter::once(head).chain(lines).collect()
+}
+
+/// A column for programs.
+#[derive(Serialize)]
+struct ColumnJson<'t> {
+    name: &'t str,
+    #[serde(rename = "type")]
+    ty: &'static str,
+    unit: Option<&'static str>,
+    symbol: Option<&'t str>,
+    label: Option<&'t str>,
+    role: &'static str,
+    list: bool,
+    optional: bool,
+    #[serde(skip_serializing_if = "<[String]>::is_empty")]
+    values: &'t [String],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    domain: Option<&'t str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    default: Option<record::ValueJson<'t>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    refers: Option<Refers<'t>>,
+}
+
+#[derive(Serialize)]
+struct Refers<'t> {
+    table: &'t str,
+    column: &'t str,
+}
+
+#[derive(Serialize)]
+struct TableJson<'t> {
+    table: &'t str,
+    title: &'t str,
+    kind: &'static str,
+    place: &'t str,
+    standard: Option<&'t str>,
+    file: &'t str,
+    result: &'t [String],
+    key: &'t [String],
+    columns: Vec<ColumnJson<'t>>,
+    rows: Vec<record::Whole<'t>>,
+    notes: &'t [String],
+}
+
+fn table_json<'t>(table: &'t Table, context: &Context) -> TableJson<'t> {
+    TableJson {
+        table: &table.id,
+        title: record::title(context.lang, table),
+        kind: kind(table),
+        place: &table.place,
+        standard: table.standard.as_deref(),
+        file: &table.file,
+        result: &table.result,
+        key: &table.key,
+        columns: table.columns.iter().map(|column| column_json(column, context)).collect(),
+        rows: table.all_rows().map(record::Whole::of).collect(),
+        notes: &table.notes,
+    }
+}
+
+fn column_json<'t>(column: &'t Column, context: &Context) -> ColumnJson<'t> {
+    // A pure number has the unit 1; a text or a truth value has none.
+    let has_unit = column.unit != Unit::None || column.ty.default_unit() != Some(Unit::None);
+    ColumnJson {
+        name: &column.name,
+        ty: column.ty.name(),
+        unit: has_unit.then(|| column.unit.text()),
+        symbol: column.symbol.as_deref(),
+        label: record::label(context.lang, column),
+        role: record::role(column.role),
+        list: column.list,
+        optional: column.optional,
+        values: &column.values,
+        domain: column.domain_text.as_deref(),
+        default: column.default.as_ref().map(|value| record::ValueJson(column, value)),
+        refers: column.refers.as_ref().map(|(table, column)| Refers { table, column }),
+    }
+}
+
+fn table_csv(table: &Table) -> String {
+    let names = table.columns.iter().map(|column| column.name.as_str());
+    let mut text = csv_line(names.chain(["source", "place", "reason", "unconfirmed", "note"]));
+    for row in table.all_rows() {
+        let content = row.row();
+        let mut cells: Vec<String> =
+            table.columns.iter().zip(&content.cells).map(|(column, cell)| record::cell(column, cell)).collect();
+        cells.push(content.source.to_string());
+        cells.push(row.place().to_owned());
+        for about in [&content.reason, &content.unconfirmed, &content.note] {
+            cells.push(about.clone().unwrap_or_default());
+        }
+        text.push_str(&csv_line(cells.iter().map(String::as_str)));
+    }
+    text
+}
+
+/// One line of RFC 4180, but for the line end, which is that of the other outputs.
+fn csv_line<'a>(cells: impl IntoIterator<Item = &'a str>) -> String {
+    let cells: Vec<String> = cells
+        .into_iter()
+        .map(|cell| {
+            if cell.contains([',', '"', '\n', '\r']) {
+                format!("\"{}\"", cell.replace('"', "\"\""))
+            } else {
+                cell.to_owned()
+            }
+        })
+        .collect();
+    cells.join(",") + "\n"
+}

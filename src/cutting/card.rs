@@ -1,0 +1,111 @@
+//! The normative cards of the worked example, regenerated.
+//!
+//! Only three points of the cards are known (table `card-points`). At them the cards are the same power
+//! laws evaluated for steel of about 815 MPa: speed 0.928 of the formula, drilling thrust 1.069 of it
+//! (facts 2.1). Drilling-out forces of the card lie 23 % (thrust) and 15 % (power) below the formula, on
+//! one point only; the formula's are kept there, being the safe side, and the plan says so.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::units::Unit;
+use crate::note::{Because, Note};
+use crate::plan::{CardPoint, Operation};
+use crate::shop::Shop;
+use crate::units::{Kilowatts, MetresPerMinute, MillimetresPerRev, NewtonMetres, Newtons};
+
+use super::drilling::Base;
+use super::{Cut, Draft, Loads, PowerLaw, power_of, rpm_at};
+
+/// Conditions by the card: its point for steel, then the worked example's factors of the material group.
+pub(super) fn draft(
+    cut: &Cut<'_>,
+    feed: MillimetresPerRev,
+    base: &Base,
+    mut because: Vec<Because>,
+    shop: &Shop<'_>,
+) -> Result<Draft, KnowledgeError> {
+    let calibration = shop.knowledge.table("card-calibration")?;
+    let mut calibrated = |name: &str| -> Result<f64, KnowledgeError> {
+        let row = calibration.find("name", name).ok_or_else(|| KnowledgeError::no_row(calibration, name))?;
+        let factor = row.number_in("factor", Unit::None)?;
+        because.push(Because::row(row, Note::new("card-calibration").with("name", name).with("factor", factor)));
+        Ok(factor)
+    };
+    let speed = MetresPerMinute(base.speed * calibrated("speed")?);
+    let thrust_factor = if cut.operation == Operation::DrillOut { 1.0 } else { calibrated("thrust")? };
+    let thrust = base.loads.thrust.map(|law| PowerLaw { factor: law.factor * thrust_factor, ..law });
+    let power = base.loads.torque.map(|law| power_of(NewtonMetres(law.at(feed)), rpm_at(speed, cut.diameter)));
+    let card = CardPoint {
+        feed_mm_per_rev: feed.rounded(3),
+        speed_m_per_min: speed.rounded(2),
+        axial_force_n: thrust.map(|law| Newtons(law.at(feed)).rounded(0)),
+        power_kw: power.map(|power| power.rounded(3)),
+    };
+    because.extend(known_point(cut, feed, shop)?);
+
+    let (product, material) = corrections(shop, &mut because)?;
+    let feed = MillimetresPerRev(feed.0 * material);
+    // The card's factors act on its thrust and power at its own feed, so the laws are anchored there.
+    let eased = |law: PowerLaw| PowerLaw { factor: law.factor / material / libm::pow(material, law.exponent), ..law };
+    Ok(Draft {
+        feed,
+        speed: MetresPerMinute(speed.0 * product),
+        tool_life: base.tool_life,
+        loads: Loads {
+            torque: base.loads.torque.map(eased),
+            thrust: thrust.map(eased),
+            power: power.map(|power| Kilowatts(power.0 / material)),
+        },
+        because,
+        card: Some(card),
+    })
+}
+
+/// The printed point of the card, where this cut is one of the three, with what it prints.
+fn known_point(cut: &Cut<'_>, feed: MillimetresPerRev, shop: &Shop<'_>) -> Result<Option<Because>, KnowledgeError> {
+    let points = shop.knowledge.table("card-points")?;
+    for row in points.all_rows() {
+        let same = row.text("operation")? == cut.operation.name()
+            && row.length("diameter")? == cut.diameter
+            && (row.number_in("feed", Unit::MillimetrePerRev)? - feed.0).abs() < 0.0005;
+        if same {
+            let code = if cut.operation == Operation::DrillOut { "card-point-forces-differ" } else { "card-point" };
+            let note = Note::new(code)
+                .with("speed", row.number_in("speed", Unit::MetrePerMinute)?)
+                .with("thrust", row.number_in("thrust", Unit::Newton)?)
+                .with("power", row.number_in("power", Unit::Kilowatt)?);
+            return Ok(Some(Because::row(row, note)));
+        }
+    }
+    Ok(None)
+}
+
+/// The product of the worked example's factors, and its material factor alone; 1 for other groups.
+fn corrections(shop: &Shop<'_>, because: &mut Vec<Because>) -> Result<(f64, f64), KnowledgeError> {
+    let table = shop.knowledge.table("card-corrections")?;
+    let (mut product, mut material) = (1.0, 1.0);
+    let mut first = None;
+    for row in table.all_rows() {
+        if row.text("material_group")? != shop.material.group {
+            continue;
+        }
+        let factor = row.number_in("factor", Unit::None)?;
+        product *= factor;
+        if row.text("name")? == "material" {
+            material = factor;
+        }
+        first.get_or_insert(row);
+    }
+    because.push(match first {
+        Some(row) => {
+            let product = crate::units::round_to(product, 3);
+            Because::row(row, Note::new("card-corrections").with("product", product).with("material", material))
+        }
+        None => {
+            let mut reason =
+                Because::table(table, Note::new("card-other-material").with("material", shop.material.designation()));
+            reason.unconfirmed = Some("the cards are known for the worked example's steel only".to_owned());
+            reason
+        }
+    });
+    Ok((product, material))
+}

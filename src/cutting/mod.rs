@@ -1,0 +1,160 @@
+//! Cutting conditions: feed, speed, spindle step, forces, time, held by the machine's limits.
+//!
+//! Every formula is a named function with its source; every coefficient is a catalog row, and the rows
+//! used stand in the result's `because`.
+
+mod boring;
+mod card;
+mod drilling;
+mod factors;
+mod feed;
+mod limits;
+mod reaming;
+
+use crate::error::KnowledgeError;
+use crate::note::{Because, Note};
+use crate::plan::{Conditions, Operation};
+use crate::shop::Shop;
+use crate::units::{
+    Kilowatts, MetresPerMinute, Micrometres, MillimetresPerMinute, MillimetresPerRev, Minutes, NewtonMetres, Newtons,
+    RevsPerMinute, Roughness,
+};
+
+/// What is cut.
+#[derive(Clone, Copy, Debug)]
+pub struct Cut<'a> {
+    /// The transition.
+    pub operation: Operation,
+    /// The diameter it leaves; for centring that of the spot.
+    pub diameter: Micrometres,
+    /// The diameter before it; zero in solid metal.
+    pub from: Micrometres,
+    /// Passes of the tool.
+    pub passes: u32,
+    /// Depth of the hole.
+    pub depth: Micrometres,
+    /// Working travel of one pass.
+    pub travel: Micrometres,
+    /// `HSS` or `carbide`.
+    pub tool_material: &'a str,
+    /// Nose radius of a boring bar's insert.
+    pub nose_radius: Option<Micrometres>,
+    /// The roughness this transition must leave, when it is the last.
+    pub roughness: Option<Roughness>,
+    /// Whether a reamer follows.
+    pub reamer_follows: bool,
+    /// Whether the hole is blind.
+    pub blind: bool,
+    /// The surface of the blank: a value of the table `skin-factor`.
+    pub surface: &'a str,
+}
+
+impl Cut<'_> {
+    /// Depth of cut of one pass, mm.
+    fn depth_of_cut(&self) -> f64 {
+        (self.diameter - self.from).to_mm() / 2.0 / f64::from(self.passes.max(1))
+    }
+}
+
+/// Conditions on the way: what a formula yields, before and after the machine's limits.
+#[derive(Clone, Debug)]
+struct Draft {
+    feed: MillimetresPerRev,
+    speed: MetresPerMinute,
+    tool_life: Minutes,
+    loads: Loads,
+    because: Vec<Because>,
+    card: Option<crate::plan::CardPoint>,
+}
+
+/// Torque and thrust as power laws of the feed, so that a limit can be turned back into a feed.
+#[derive(Clone, Copy, Debug, Default)]
+struct Loads {
+    torque: Option<PowerLaw>,
+    thrust: Option<PowerLaw>,
+    /// Power where a card gives it itself, at the draft's feed; else it follows from the torque.
+    power: Option<Kilowatts>,
+}
+
+/// `factor · s^exponent`.
+#[derive(Clone, Copy, Debug)]
+struct PowerLaw {
+    factor: f64,
+    exponent: f64,
+}
+
+impl PowerLaw {
+    fn at(self, feed: MillimetresPerRev) -> f64 {
+        self.factor * libm::pow(feed.0, self.exponent)
+    }
+
+    /// The feed at which the load reaches a limit.
+    fn feed_at(self, limit: f64) -> MillimetresPerRev {
+        MillimetresPerRev(libm::pow(limit / self.factor, 1.0 / self.exponent))
+    }
+}
+
+/// Conditions of a cut on the machine at hand.
+///
+/// # Errors
+/// The knowledge cannot answer. That a table has no figure for this material is not an error: the
+/// inner `Err` says which.
+pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Result<Result<Conditions, Note>, KnowledgeError> {
+    let draft = match cut.operation {
+        Operation::CentreDrill | Operation::Drill | Operation::DrillOut | Operation::CoreDrill => {
+            drilling::draft(cut, shop)?
+        }
+        Operation::RoughReam | Operation::FinishReam => reaming::draft(cut, shop)?,
+        Operation::RoughBore | Operation::SemiFinishBore | Operation::FinishBore => boring::draft(cut, shop)?,
+        _ => Err(Note::new("no-conditions").with("operation", cut.operation.name())),
+    };
+    let draft = match draft {
+        Ok(draft) => draft,
+        Err(note) => return Ok(Err(note)),
+    };
+    let held = limits::hold(&draft, cut.diameter, shop)?;
+    let feed_rate = MillimetresPerMinute(held.feed.0 * held.rpm.0);
+    let torque = draft.loads.torque.map(|law| NewtonMetres(law.at(held.feed)));
+    let scale = held.rpm.0 / rpm_at(draft.speed, cut.diameter).0;
+    let power = match draft.loads.power {
+        Some(power) => Some(Kilowatts(power.0 * scale)),
+        None => torque.map(|torque| power_of(torque, held.rpm)),
+    };
+    let torque = match (draft.loads.power, power) {
+        (Some(_), Some(power)) => Some(NewtonMetres(power.0 * 9750.0 / held.rpm.0)),
+        _ => torque,
+    };
+    let mut because = draft.because;
+    because.extend(held.because);
+    Ok(Ok(Conditions {
+        depth_of_cut_mm: crate::units::round_to(cut.depth_of_cut(), 3),
+        feed_mm_per_rev: held.feed.rounded(3),
+        speed_m_per_min: speed_at(held.rpm, cut.diameter).rounded(2),
+        spindle_rpm: held.rpm,
+        feed_mm_per_min: feed_rate.rounded(1),
+        axial_force_n: draft.loads.thrust.map(|law| Newtons(law.at(held.feed)).rounded(0)),
+        torque_n_m: torque.map(|torque| torque.rounded(2)),
+        power_kw: power.map(|power| power.rounded(2)),
+        machine_time_min: Minutes(cut.travel.to_mm() * f64::from(cut.passes.max(1)) / feed_rate.0).rounded(3),
+        limited_by: held.limited_by,
+        tool_life_min: draft.tool_life,
+        computed_speed_m_per_min: draft.speed.rounded(2),
+        card: draft.card,
+        because,
+    }))
+}
+
+/// Spindle speed n = 1000·V/(π·D), 1/min (textbook Appendix Г item 7; V in m/min, D in mm).
+pub fn rpm_at(speed: MetresPerMinute, diameter: Micrometres) -> RevsPerMinute {
+    RevsPerMinute(1000.0 * speed.0 / (std::f64::consts::PI * diameter.to_mm()))
+}
+
+/// Cutting speed V = π·D·n/1000, m/min.
+pub fn speed_at(rpm: RevsPerMinute, diameter: Micrometres) -> MetresPerMinute {
+    MetresPerMinute(std::f64::consts::PI * diameter.to_mm() * rpm.0 / 1000.0)
+}
+
+/// Cutting power N = M·n/9750, kW (textbook Appendix Г item 8; M in N·m).
+pub fn power_of(torque: NewtonMetres, rpm: RevsPerMinute) -> Kilowatts {
+    Kilowatts(torque.0 * rpm.0 / 9750.0)
+}

@@ -1,0 +1,100 @@
+//! The machine's limits, from its record in catalogs/machines.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::{Knowledge, RowRef, Table, Value};
+use crate::units::{
+    Decimal, Kilowatts, Micrometres, MillimetresPerMinute, Minutes, NewtonMetres, Newtons, RevsPerMinute,
+};
+
+/// A machine as planning sees it.
+#[derive(Clone, Debug)]
+pub struct Machine<'k> {
+    /// Its record.
+    pub table: &'k Table,
+    /// The spindle's steps, ascending.
+    pub spindle_steps: Vec<RevsPerMinute>,
+    /// Power of the main drive.
+    pub spindle_power: Kilowatts,
+    /// Largest torque of the spindle.
+    pub spindle_torque: NewtonMetres,
+    /// Largest thrust along Z.
+    pub thrust: Newtons,
+    /// Smallest feed.
+    pub feed_min: MillimetresPerMinute,
+    /// Largest feed.
+    pub feed_max: MillimetresPerMinute,
+    /// Rapid of each axis.
+    pub rapid: MillimetresPerMinute,
+    /// Travel of the table along X, of the whole stroke.
+    pub travel_x: Micrometres,
+    /// Travel of the table along Y, of the whole stroke.
+    pub travel_y: Micrometres,
+    /// Places of the magazine.
+    pub magazine: usize,
+    /// Time of one tool change.
+    pub tool_change: Minutes,
+    /// Where the table stands for a tool change.
+    pub tool_change_at: (Micrometres, Micrometres),
+    /// Largest drill.
+    pub drill_max: Micrometres,
+    /// Largest overhang of a tool from the spindle's face.
+    pub overhang_max: Micrometres,
+    /// Accuracy of position along an axis: σc of table A.6.
+    pub position_accuracy: Micrometres,
+}
+
+impl<'k> Machine<'k> {
+    /// The machine of that id.
+    ///
+    /// # Errors
+    /// There is no such machine, or its record lacks a quantity.
+    pub fn find(knowledge: &'k Knowledge, id: &str) -> Result<Self, KnowledgeError> {
+        let table = knowledge.table(&format!("machine-{id}"))?;
+        let number = |name: &str| numbers(table, name).map(|values| values.first().copied().unwrap_or_default());
+        let length = |name: &str| number(name).map(Micrometres::from_mm_rounded);
+        Ok(Self {
+            table,
+            spindle_steps: numbers(table, "spindle-speeds")?.into_iter().map(RevsPerMinute).collect(),
+            spindle_power: Kilowatts(number("spindle-power")?),
+            spindle_torque: NewtonMetres(number("spindle-torque-max")?),
+            thrust: Newtons(number("thrust-z-max")?),
+            feed_min: MillimetresPerMinute(number("feed-min")?),
+            feed_max: MillimetresPerMinute(number("feed-max")?),
+            rapid: MillimetresPerMinute(number("rapid-rate")?),
+            travel_x: length("travel-x")?,
+            travel_y: length("travel-y")?,
+            magazine: number("magazine-places")? as usize,
+            tool_change: Minutes(number("tool-change-time")? / 60.0),
+            tool_change_at: (length("tool-change-x")?, length("tool-change-y")?),
+            drill_max: length("drill-diameter-max")?,
+            overhang_max: length("tool-overhang-max")?,
+            position_accuracy: length("position-accuracy")?,
+        })
+    }
+
+    /// The row of a quantity.
+    ///
+    /// # Errors
+    /// The record does not name it.
+    pub fn row(&self, name: &str) -> Result<RowRef<'k>, KnowledgeError> {
+        row(self.table, name)
+    }
+}
+
+fn row<'k>(table: &'k Table, name: &str) -> Result<RowRef<'k>, KnowledgeError> {
+    table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))
+}
+
+/// The figures of a quantity; `lint` has proven that their unit is the one the schema names.
+fn numbers(table: &Table, name: &str) -> Result<Vec<f64>, KnowledgeError> {
+    let row = row(table, name)?;
+    let values = row.value("value").map(Value::items).unwrap_or_default();
+    Ok(values
+        .iter()
+        .filter_map(|value| match value {
+            Value::Number(number, _) => Some(*number),
+            _ => None,
+        })
+        .map(Decimal::to_f64)
+        .collect())
+}

@@ -1,0 +1,136 @@
+//! Sentences as data: a code and its parameters. The words stand in one place, [`crate::report::words`].
+
+use std::collections::BTreeMap;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::knowledge::{RowRef, Source, Table};
+
+/// A sentence of the program in no language: what it says, and its figures.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+pub struct Note {
+    /// Stable id, kebab-case.
+    pub code: String,
+    /// Its figures and names, each with its unit where it has one.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub params: BTreeMap<String, String>,
+}
+
+impl Note {
+    /// A sentence without figures.
+    pub fn new(code: &str) -> Self {
+        Self { code: code.to_owned(), params: BTreeMap::new() }
+    }
+
+    /// With one more figure.
+    #[must_use]
+    pub fn with(mut self, name: &str, value: impl ToString) -> Self {
+        self.params.insert(name.to_owned(), value.to_string());
+        self
+    }
+}
+
+/// How grave a finding about a plan is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Severity {
+    /// Unsafe or impossible.
+    Error,
+    /// Contradicts the source or the arithmetic.
+    Wrong,
+    /// Allowed, but dominated or resting on unconfirmed figures.
+    Doubtful,
+    /// Worth knowing.
+    Note,
+}
+
+/// Something about a plan that its reader must know.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Finding {
+    /// How grave.
+    pub severity: Severity,
+    /// The group of holes it is about; absent: the whole part.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hole: Option<String>,
+    /// What it says.
+    #[serde(flatten)]
+    pub note: Note,
+}
+
+impl Finding {
+    /// A finding about a group of holes.
+    pub fn of_hole(severity: Severity, hole: &str, note: Note) -> Self {
+        Self { severity, hole: Some(hole.to_owned()), note }
+    }
+
+    /// A finding about the whole part.
+    pub fn of_part(severity: Severity, note: Note) -> Self {
+        Self { severity, hole: None, note }
+    }
+}
+
+/// Why something was decided: the row it rests on, and what was passed over.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Because {
+    /// The table.
+    pub table: String,
+    /// The number of the row, from 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub row: Option<usize>,
+    /// Where the row's figures come from: `seed`, `standard` or `reconstructed`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub source: Option<String>,
+    /// Where it stands.
+    pub place: String,
+    /// Why the row is not fully trusted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unconfirmed: Option<String>,
+    /// What was decided.
+    #[serde(flatten)]
+    pub note: Note,
+    /// What was considered and not taken, each with its reason.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub rejected: Vec<Note>,
+}
+
+impl Because {
+    /// A decision that rests on a row.
+    pub fn row(row: RowRef<'_>, note: Note) -> Self {
+        let content = row.row();
+        Self {
+            table: row.table.id.clone(),
+            row: Some(row.number()),
+            source: Some(content.source.to_string()),
+            place: row.place().to_owned(),
+            unconfirmed: content.unconfirmed.clone(),
+            note,
+            rejected: Vec::new(),
+        }
+    }
+
+    /// A decision that rests on a whole table, such as that it has no row.
+    pub fn table(table: &Table, note: Note) -> Self {
+        Self {
+            table: table.id.clone(),
+            row: None,
+            source: None,
+            place: table.place.clone(),
+            unconfirmed: None,
+            note,
+            rejected: Vec::new(),
+        }
+    }
+
+    /// With what was passed over.
+    #[must_use]
+    pub fn over(mut self, rejected: Vec<Note>) -> Self {
+        self.rejected = rejected;
+        self
+    }
+
+    /// Whether the row was inferred or is not fully trusted.
+    pub fn is_doubtful(&self) -> bool {
+        self.unconfirmed.is_some() || self.source.as_deref() == Some(Source::NAMES[2].0)
+    }
+}

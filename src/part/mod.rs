@@ -1,0 +1,190 @@
+//! What is to be made: a plate with holes, its blank and its material.
+//!
+//! [`read_part`] turns the user's YAML into these types and reports every mistake of the file at once,
+//! each with its place and remedy.
+
+mod check;
+mod read;
+mod tolerance;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::units::{ItGrade, Micrometres, Roughness};
+
+pub use read::read_part;
+pub use tolerance::{ToleratedDiameter, tolerance_width};
+
+/// A part with holes, as its drawing gives it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Part {
+    /// Its name.
+    pub part: String,
+    /// The id of its material in the catalog `materials`.
+    pub material: String,
+    /// What it is made from.
+    pub blank: Blank,
+    /// The id of the machine: `gf2171`.
+    pub machine: String,
+    /// Where the zeros of X, Y and Z lie.
+    pub datum: Datum,
+    /// The state of the face the tools enter.
+    pub entry: Entry,
+    /// How it is held.
+    pub fixture: Fixture,
+    /// Permitted position error Δ0 of table A.6, mm; absent: the centre tolerance of each group of holes.
+    pub position_tolerance: Option<Micrometres>,
+    /// Mass of the blank, kg.
+    pub mass_kg: Option<f64>,
+    /// The groups of equal holes.
+    pub holes: Vec<Hole>,
+}
+
+/// The blank.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Blank {
+    /// Its kind.
+    pub kind: BlankKind,
+    /// Along X, mm.
+    pub length: Micrometres,
+    /// Along Y, mm.
+    pub width: Micrometres,
+    /// Along Z, mm.
+    pub thickness: Micrometres,
+}
+
+/// Kinds of blanks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum BlankKind {
+    /// A plate.
+    Plate,
+}
+
+/// Where the part's zeros lie, as the blank's lower left corner and top face seen from them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Datum {
+    /// X of the blank's left side, mm.
+    pub left: Micrometres,
+    /// Y of the blank's front side, mm.
+    pub front: Micrometres,
+    /// Z of the blank's top face, mm.
+    pub top: Micrometres,
+}
+
+/// The state of the entry face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Entry {
+    /// Machined beforehand.
+    #[default]
+    Machined,
+    /// As cast, forged or rolled.
+    Rough,
+}
+
+/// How the part is held.
+#[derive(Clone, Debug, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+pub struct Fixture {
+    /// Height of the fixture under the part, mm.
+    pub height: Option<Micrometres>,
+    /// The clamps; none: a symmetric pair is proposed.
+    pub clamps: Vec<Clamp>,
+}
+
+/// A clamp.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Clamp {
+    /// Where it presses.
+    pub at: Point,
+    /// Its screw, `M10`.
+    pub screw: Option<String>,
+}
+
+/// A point of the part's top face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+#[serde(from = "[Micrometres; 2]", into = "[Micrometres; 2]")]
+pub struct Point {
+    /// X, mm.
+    pub x: Micrometres,
+    /// Y, mm.
+    pub y: Micrometres,
+}
+
+impl From<[Micrometres; 2]> for Point {
+    fn from([x, y]: [Micrometres; 2]) -> Self {
+        Self { x, y }
+    }
+}
+
+impl From<Point> for [Micrometres; 2] {
+    fn from(point: Point) -> Self {
+        [point.x, point.y]
+    }
+}
+
+impl Point {
+    /// Straight distance to another point.
+    pub fn distance(self, other: Self) -> Micrometres {
+        Micrometres::from_mm_rounded(libm::hypot((self.x - other.x).to_mm(), (self.y - other.y).to_mm()))
+    }
+}
+
+/// A group of equal holes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Hole {
+    /// Its name, unique in the part.
+    pub name: String,
+    /// Diameter with its tolerance.
+    pub diameter: ToleratedDiameter,
+    /// Depth of the full diameter, mm.
+    pub depth: Micrometres,
+    /// Whether it goes through.
+    pub through: bool,
+    /// The bottom of a blind hole.
+    pub bottom: Bottom,
+    /// Roughness limit.
+    pub roughness: Roughness,
+    /// Width of the tolerance on centre distances.
+    pub centre_tolerance: CentreTolerance,
+    /// Chamfer at the entry, mm.
+    pub chamfer: Option<Micrometres>,
+    /// Whether the material around it carries a casting or forging skin.
+    pub skin: bool,
+    /// Keys of the format that this version reads but does not plan yet, such as `thread`.
+    pub not_planned: Vec<String>,
+    /// The centres.
+    pub at: Vec<Point>,
+}
+
+/// The bottom of a blind hole.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Bottom {
+    /// Any, the drill's cone included.
+    #[default]
+    Free,
+    /// Flat.
+    Flat,
+}
+
+/// The tolerance on centre distances of a group.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum CentreTolerance {
+    /// Its full width, mm.
+    Width(Micrometres),
+    /// That grade at the smallest centre distance of the group.
+    Grade {
+        /// The grade.
+        it: ItGrade,
+    },
+}
+
+impl Hole {
+    /// The smallest distance between two centres of the group, if it has two.
+    pub fn smallest_centre_distance(&self) -> Option<Micrometres> {
+        let points = &self.at;
+        points.iter().enumerate().flat_map(|(index, a)| points[index + 1..].iter().map(|b| a.distance(*b))).min()
+    }
+}

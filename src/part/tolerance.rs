@@ -1,0 +1,109 @@
+//! A diameter with its tolerance: `10H12`, or a nominal size with its limits.
+
+use std::fmt;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::knowledge::{Input, Knowledge};
+use crate::units::{ItGrade, Micrometres};
+
+/// A diameter and what its tolerance amounts to.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct ToleratedDiameter {
+    /// Nominal size, mm.
+    pub nominal: Micrometres,
+    /// Upper deviation, mm.
+    pub upper: Micrometres,
+    /// Lower deviation, mm.
+    pub lower: Micrometres,
+    /// The grade by which the tables are asked: the stated one, or the coarsest that fits the limits.
+    pub it: ItGrade,
+    /// How the drawing writes it.
+    pub written: String,
+}
+
+impl fmt::Display for ToleratedDiameter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Ø{}", self.written)
+    }
+}
+
+impl ToleratedDiameter {
+    /// The largest permitted diameter.
+    pub fn largest(&self) -> Micrometres {
+        self.nominal + self.upper
+    }
+
+    /// The smallest permitted diameter.
+    pub fn smallest(&self) -> Micrometres {
+        self.nominal + self.lower
+    }
+
+    /// Reads `10H12`; a bare number is a free size, which the textbook counts as grade 13 (1.1).
+    ///
+    /// # Errors
+    /// What is wrong, and what to write.
+    pub fn parse(text: &str, knowledge: &Knowledge) -> Result<Self, String> {
+        // Cyrillic Н looks like the Latin letter and is typed as often.
+        let text = text.trim().trim_start_matches(['Ø', '⌀']).replace(['Н', 'н'], "H");
+        let split = text.find(|c: char| c.is_alphabetic()).unwrap_or(text.len());
+        let (size, field) = text.split_at(split);
+        let nominal: Micrometres = size.trim().parse().map_err(|error| format!("{error}; write `10H12`"))?;
+        if field.is_empty() {
+            return Self::with_grade(nominal, 13, nominal.to_string(), knowledge);
+        }
+        let Some(grade) = field.strip_prefix('H').and_then(|grade| grade.parse::<u8>().ok()) else {
+            return Err(format!(
+                "`{field}` is no tolerance field the tables know: they are for H6 to H14; give other fields as \
+                 {{nominal: {nominal}, upper: …, lower: …}}"
+            ));
+        };
+        Self::with_grade(nominal, grade, text, knowledge)
+    }
+
+    fn with_grade(nominal: Micrometres, grade: u8, written: String, knowledge: &Knowledge) -> Result<Self, String> {
+        let it = ItGrade::new(grade)
+            .filter(|grade| (6..=14).contains(&grade.number()))
+            .ok_or_else(|| format!("grade {grade} is outside 6 to 14, which the tables A.8 and A.9 cover"))?;
+        let width = tolerance_width(it, nominal, knowledge)?;
+        Ok(Self { nominal, upper: width, lower: Micrometres::ZERO, it, written })
+    }
+
+    /// From limits: the grade is the coarsest whose tolerance the limits still hold.
+    ///
+    /// # Errors
+    /// The limits are crossed or tighter than grade 6.
+    pub fn from_limits(
+        nominal: Micrometres,
+        upper: Micrometres,
+        lower: Micrometres,
+        knowledge: &Knowledge,
+    ) -> Result<Self, String> {
+        let given = upper - lower;
+        if given <= Micrometres::ZERO {
+            return Err(format!("the upper deviation {upper} must be above the lower {lower}"));
+        }
+        for grade in (6..=14).rev() {
+            let Some(it) = ItGrade::new(grade) else { continue };
+            if tolerance_width(it, nominal, knowledge)? <= given {
+                let written = format!("{nominal} +{upper}/{lower}");
+                return Ok(Self { nominal, upper, lower, it, written });
+            }
+        }
+        Err(format!("a tolerance of {given} mm is tighter than grade 6 at Ø{nominal}, the finest of the tables"))
+    }
+}
+
+/// The width of a grade at a size, by the table `it-grades` (ISO 286-1).
+///
+/// # Errors
+/// The size is outside the table.
+pub fn tolerance_width(it: ItGrade, size: Micrometres, knowledge: &Knowledge) -> Result<Micrometres, String> {
+    let table = knowledge.table("it-grades").map_err(|error| error.to_string())?;
+    let answer = table
+        .decide(&[("it", Input::Grade(it)), ("diameter", Input::Length(size))])
+        .map_err(|error| error.to_string())?;
+    let row = answer.winner().ok_or_else(|| format!("no IT {it} at {size} mm in the table it-grades"))?;
+    row.length("tolerance").map_err(|error| error.to_string())
+}

@@ -1,0 +1,335 @@
+//! The plan: everything decided about a part, in plain data with units in the field names.
+//!
+//! A plan is a value. It serialises to JSON and YAML and back without loss; reports, programs and
+//! audits are functions of it and decide nothing.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::note::{Because, Finding, Severity};
+use crate::part::{Part, Point};
+use crate::units::{
+    Kilowatts, MetresPerMinute, Micrometres, MillimetresPerMinute, MillimetresPerRev, Minutes, NewtonMetres, Newtons,
+    RevsPerMinute,
+};
+
+/// A transition of hole machining.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+#[allow(missing_docs)] // the names are the field's own (ISO 5419, ISO 13399)
+pub enum Operation {
+    CentreDrill,
+    Drill,
+    DrillOut,
+    CoreDrill,
+    RoughBore,
+    SemiFinishBore,
+    FinishBore,
+    Mill,
+    Counterbore,
+    Countersink,
+    Chamfer,
+    RoughReam,
+    FinishReam,
+    Tap,
+}
+
+impl Operation {
+    /// Every operation with its name in tables and plans.
+    pub const NAMES: [(&'static str, Self); 14] = [
+        ("centre-drill", Self::CentreDrill),
+        ("drill", Self::Drill),
+        ("drill-out", Self::DrillOut),
+        ("core-drill", Self::CoreDrill),
+        ("rough-bore", Self::RoughBore),
+        ("semi-finish-bore", Self::SemiFinishBore),
+        ("finish-bore", Self::FinishBore),
+        ("mill", Self::Mill),
+        ("counterbore", Self::Counterbore),
+        ("countersink", Self::Countersink),
+        ("chamfer", Self::Chamfer),
+        ("rough-ream", Self::RoughReam),
+        ("finish-ream", Self::FinishReam),
+        ("tap", Self::Tap),
+    ];
+
+    /// Its name in tables and plans.
+    pub fn name(self) -> &'static str {
+        Self::NAMES.iter().find(|(_, operation)| *operation == self).map_or("", |(name, _)| name)
+    }
+
+    /// The operation of that name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::NAMES.iter().find(|(known, _)| *known == name).map(|(_, operation)| *operation)
+    }
+
+    /// Whether it is done with a boring bar.
+    pub const fn is_boring(self) -> bool {
+        matches!(self, Self::RoughBore | Self::SemiFinishBore | Self::FinishBore)
+    }
+
+    /// Whether it is done with a reamer.
+    pub const fn is_reaming(self) -> bool {
+        matches!(self, Self::RoughReam | Self::FinishReam)
+    }
+}
+
+/// How cutting conditions are found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum CuttingMethod {
+    /// By the empirical formulas.
+    #[default]
+    Formula,
+    /// By the normative cards that the worked example uses, as far as they can be regenerated.
+    Card,
+}
+
+impl CuttingMethod {
+    /// Its name in tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Formula => "formula",
+            Self::Card => "card",
+        }
+    }
+}
+
+/// Everything decided about a part.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Plan {
+    /// The part.
+    pub part: Part,
+    /// How cutting conditions were found.
+    pub cutting: CuttingMethod,
+    /// The groups of holes with their routes.
+    pub holes: Vec<HolePlan>,
+    /// The magazine.
+    pub tools: Vec<ToolPlan>,
+    /// How the part is clamped; absent when no hole could be planned.
+    pub clamping: Option<Clamping>,
+    /// Which tool visits which points, in order.
+    pub sequence: Vec<Visit>,
+    /// Where the time goes.
+    pub time: Times,
+    /// What the reader must know.
+    pub findings: Vec<Finding>,
+}
+
+impl Plan {
+    /// Whether a hole could not be planned.
+    pub fn has_errors(&self) -> bool {
+        self.findings.iter().any(|finding| finding.severity <= Severity::Wrong)
+    }
+}
+
+/// A group of holes and how it is made.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct HolePlan {
+    /// The group's name.
+    pub name: String,
+    /// The number of holes.
+    pub count: usize,
+    /// The scheme and why; absent when nothing works, which a finding explains.
+    pub route: Option<Route>,
+    /// The transitions in order.
+    pub transitions: Vec<Transition>,
+}
+
+/// The scheme of a group.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Route {
+    /// The table it was found in: `A.8` or `A.9`.
+    pub table: String,
+    /// The scheme of A.7, `07`, or `04 + centre`.
+    pub scheme: String,
+    /// Whether the tables finish the hole on a machine of another type.
+    pub finish_elsewhere: bool,
+    /// The tolerance on centre distances the tables were asked with, mm.
+    pub centre_tolerance_mm: Micrometres,
+    /// Every decision on the way, with its row.
+    pub because: Vec<Because>,
+}
+
+/// One transition of a group.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Transition {
+    /// What is done.
+    pub operation: Operation,
+    /// The diameter it leaves, mm; for centring the diameter of the spot.
+    pub diameter_mm: Micrometres,
+    /// The diameter before it, mm; zero in solid metal.
+    pub from_diameter_mm: Micrometres,
+    /// Passes of the same tool.
+    pub passes: u32,
+    /// Working travel of one pass: approach, depth, point and overrun, mm.
+    pub travel_mm: Micrometres,
+    /// The cutter.
+    pub tool: ToolRef,
+    /// Its holder; the designation of the cutter itself when it carries the machine's taper.
+    pub holder: HolderRef,
+    /// The cutting conditions.
+    pub conditions: Conditions,
+    /// Why this diameter, tool and holder.
+    pub because: Vec<Because>,
+}
+
+/// A cutter of a catalog.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct ToolRef {
+    /// Its place in the magazine: T1, T2, …
+    pub number: u32,
+    /// Its designation.
+    pub designation: String,
+    /// Its table.
+    pub table: String,
+    /// Its own diameter, mm.
+    pub diameter_mm: Micrometres,
+}
+
+/// A holder of a catalog.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct HolderRef {
+    /// Its designation.
+    pub designation: String,
+    /// Its table.
+    pub table: String,
+    /// From the spindle's face to where the cutter's overhang begins, mm.
+    pub length_mm: Micrometres,
+}
+
+/// Cutting conditions of one transition.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Conditions {
+    /// Depth of cut, mm.
+    pub depth_of_cut_mm: f64,
+    /// Feed, mm/rev.
+    pub feed_mm_per_rev: MillimetresPerRev,
+    /// Cutting speed at the spindle step, m/min.
+    pub speed_m_per_min: MetresPerMinute,
+    /// Spindle step, 1/min.
+    pub spindle_rpm: RevsPerMinute,
+    /// Feed rate, mm/min.
+    pub feed_mm_per_min: MillimetresPerMinute,
+    /// Axial force, N; absent where no formula is known.
+    pub axial_force_n: Option<Newtons>,
+    /// Torque, N·m; absent where no formula is known.
+    pub torque_n_m: Option<NewtonMetres>,
+    /// Cutting power, kW; absent where no formula is known.
+    pub power_kw: Option<Kilowatts>,
+    /// Machine time of one hole, min.
+    pub machine_time_min: Minutes,
+    /// What held the conditions back: `cutting-speed`, `spindle-speed-max`, `spindle-power`, …
+    pub limited_by: String,
+    /// Tool life the speed is for, min.
+    pub tool_life_min: Minutes,
+    /// The speed before the spindle's step was chosen, m/min.
+    pub computed_speed_m_per_min: MetresPerMinute,
+    /// What the normative card would print; only with the card method.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub card: Option<CardPoint>,
+    /// The rows behind the figures.
+    pub because: Vec<Because>,
+}
+
+/// A point of the normative cards, before the corrections for material and tool.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct CardPoint {
+    /// Feed, mm/rev.
+    pub feed_mm_per_rev: MillimetresPerRev,
+    /// Speed, m/min.
+    pub speed_m_per_min: MetresPerMinute,
+    /// Axial force, N.
+    pub axial_force_n: Option<Newtons>,
+    /// Power, kW.
+    pub power_kw: Option<Kilowatts>,
+}
+
+/// A tool in the magazine.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ToolPlan {
+    /// Its place: T1, T2, …
+    pub number: u32,
+    /// The cutter's designation.
+    pub designation: String,
+    /// The cutter's table.
+    pub table: String,
+    /// The cutter's diameter, mm.
+    pub diameter_mm: Micrometres,
+    /// The holder's designation.
+    pub holder: String,
+    /// The holder's table.
+    pub holder_table: String,
+    /// How far the cutter stands out of its holder, mm.
+    pub overhang_mm: Micrometres,
+    /// From the spindle's face to the tip, mm.
+    pub length_mm: Micrometres,
+    /// The number of its length corrector, H.
+    pub corrector: u32,
+    /// What the corrector holds, as G43 adds it: this length less the reference tool's, mm.
+    pub correction_mm: Micrometres,
+    /// The book's way of writing it: the longest length less this one, mm.
+    pub book_correction_mm: Micrometres,
+    /// Why.
+    pub because: Vec<Because>,
+}
+
+/// How the part is clamped.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Clamping {
+    /// The largest torque, N·m.
+    pub torque_n_m: NewtonMetres,
+    /// The group of holes and the distance that need the largest force.
+    pub hole: String,
+    /// From that hole to the nearest clamp, mm.
+    pub distance_mm: Micrometres,
+    /// Clamping force W = k·M/(f·d), N.
+    pub force_n: Newtons,
+    /// The force on each clamp, N.
+    pub force_per_clamp_n: Newtons,
+    /// The screw.
+    pub screw: String,
+    /// Where the clamps press.
+    pub clamps: Vec<Point>,
+    /// Whether the clamps are the program's proposal.
+    pub proposed: bool,
+    /// The safe distance from a clamp to the start point, mm.
+    pub safe_distance_mm: Micrometres,
+    /// Why.
+    pub because: Vec<Because>,
+}
+
+/// One tool's visit to the points of one or more groups.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Visit {
+    /// The tool.
+    pub tool: u32,
+    /// What it does at each stop, in order.
+    pub stops: Vec<Stop>,
+    /// Time of the rapid motions of this visit, from the tool-change position and back, min.
+    pub rapid_min: Minutes,
+}
+
+/// A point and what is done there.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Stop {
+    /// The group of holes.
+    pub hole: String,
+    /// The transition of the group, from 0.
+    pub transition: usize,
+    /// The point.
+    pub at: Point,
+}
+
+/// Where the time goes.
+#[derive(Clone, Copy, Debug, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+pub struct Times {
+    /// Cutting, with approach and overrun, min.
+    pub machine_min: Minutes,
+    /// Rapid motions, min.
+    pub rapid_min: Minutes,
+    /// Tool changes, min.
+    pub tool_change_min: Minutes,
+    /// All of it, min.
+    pub total_min: Minutes,
+}

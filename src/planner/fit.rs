@@ -1,0 +1,243 @@
+//! Gives the steps of one hole their cutters, holders and conditions, or says why one cannot have them.
+
+use crate::cutting::{self, Cut};
+use crate::error::KnowledgeError;
+use crate::knowledge::Input;
+use crate::knowledge::units::Unit;
+use crate::note::{Because, Note};
+use crate::part::{Entry, Hole, Part};
+use crate::plan::{Conditions, Operation};
+use crate::route::Step;
+use crate::shop::Shop;
+use crate::tooling::{self, Assembly, CutterNeed};
+use crate::units::{Micrometres, round_to};
+
+/// A step with what it is done with.
+#[derive(Clone, Debug)]
+pub(super) struct Fitted {
+    pub step: Step,
+    /// Absent for centring until the whole part is known.
+    pub tool: Option<FittedTool>,
+    pub travel: Micrometres,
+    pub conditions: Conditions,
+    pub because: Vec<Because>,
+}
+
+/// A cutter in its holder, in plain data.
+#[derive(Clone, Debug)]
+pub(super) struct FittedTool {
+    pub designation: String,
+    pub table: String,
+    pub diameter: Micrometres,
+    /// The size it is ground or set to; distinguishes two tools of one designation.
+    pub size: Micrometres,
+    pub assembly: Assembly,
+    pub because: Vec<Because>,
+}
+
+/// What every step of a hole shares.
+pub(super) struct Fitting<'p, 'k> {
+    hole: &'p Hole,
+    shop: &'p Shop<'k>,
+    approach: Micrometres,
+    overrun: Micrometres,
+    surface: &'k str,
+    lead: &'k str,
+    shared: Vec<Because>,
+}
+
+impl<'p, 'k> Fitting<'p, 'k> {
+    /// Approach, overrun, surface and reamer lead by their rules.
+    pub fn new(hole: &'p Hole, part: &'p Part, shop: &'p Shop<'k>) -> Result<Self, KnowledgeError> {
+        let knowledge = shop.knowledge;
+        let entry = if part.entry == Entry::Rough { "rough" } else { "machined" };
+        let rule = knowledge.table("approach")?;
+        let answer = rule.decide(&[("entry", Input::Text(entry)), ("through", Input::Bool(hole.through))])?;
+        let travel = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, entry))?;
+        let (approach, overrun) = (travel.length("approach")?, travel.length("overrun")?);
+
+        let rule = knowledge.table("surface")?;
+        let group = Input::Text(shop.material.group);
+        let answer = rule.decide(&[("skin", Input::Bool(hole.skin)), ("material_group", group)])?;
+        let surface = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, shop.material.group))?;
+
+        let rule = knowledge.table("reamer-lead")?;
+        let answer = rule.decide(&[("material_group", group)])?;
+        let lead = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, shop.material.group))?;
+        let note = Note::new("travel").with("approach", approach).with("overrun", overrun);
+        Ok(Self {
+            hole,
+            shop,
+            approach,
+            overrun,
+            surface: surface.text("surface")?,
+            lead: lead.text("lead")?,
+            shared: vec![Because::row(travel, note)],
+        })
+    }
+
+    /// How deep a drill of that diameter must reach: depth, point and overrun.
+    pub fn drill_reach(&self, diameter: Micrometres) -> Micrometres {
+        self.hole.depth + cone(diameter, 118.0) + self.overrun
+    }
+
+    /// Fits every step; the first that cannot be fitted says why.
+    pub fn fit(&self, steps: Vec<Step>) -> Result<Result<Vec<Fitted>, Note>, KnowledgeError> {
+        let drill = steps.iter().find(|step| step.operation == Operation::Drill).map(|step| step.diameter);
+        let mut fitted = Vec::with_capacity(steps.len());
+        for index in 0..steps.len() {
+            let follows = steps.get(index + 1).map(|step| step.operation);
+            let step = steps[index].clone();
+            let result = if step.operation == Operation::CentreDrill {
+                self.centre(step, drill.unwrap_or(self.hole.diameter.nominal))?
+            } else {
+                self.one(step, follows)?
+            };
+            match result {
+                Ok(one) => fitted.push(one),
+                Err(note) => return Ok(Err(note)),
+            }
+        }
+        Ok(Ok(fitted))
+    }
+
+    /// Centring: the spot by the rule `centre-spot`; its tool is chosen for the whole part.
+    fn centre(&self, step: Step, drill: Micrometres) -> Result<Result<Fitted, Note>, KnowledgeError> {
+        let rule = self.shop.knowledge.table("centre-spot")?;
+        let diameter = self.hole.diameter.nominal;
+        let answer = rule
+            .decide(&[("chamfer", Input::Bool(self.hole.chamfer.is_some())), ("diameter", Input::Length(diameter))])?;
+        let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this hole"))?;
+        let (spot, code) = match (row.text("spot")?, self.hole.chamfer) {
+            ("chamfer", Some(chamfer)) => (diameter + chamfer + chamfer, "spot-by-chamfer"),
+            _ => (Micrometres::from_mm_rounded(drill.to_mm() * row.number_in("share", Unit::None)?), "spot-by-drill"),
+        };
+        let note = Note::new(code).with("spot", spot).with("drill", drill);
+        let depth = spot.half();
+        let travel = self.approach + depth;
+        let step = Step { diameter: spot, nominal: spot, ..step };
+        let cut = Cut { depth, travel, ..self.cut(&step, None, "HSS", travel) };
+        let conditions = match cutting::conditions(&cut, self.shop)? {
+            Ok(conditions) => conditions,
+            Err(note) => return Ok(Err(note.with("operation", step.operation.name()))),
+        };
+        let because = vec![Because::row(row, note)];
+        Ok(Ok(Fitted { step, tool: None, travel, conditions, because }))
+    }
+
+    /// One step that is not centring.
+    fn one(&self, step: Step, follows: Option<Operation>) -> Result<Result<Fitted, Note>, KnowledgeError> {
+        let (travel, reach) = self.travel(&step);
+        let need = CutterNeed {
+            operation: step.operation,
+            diameter: step.diameter,
+            nominal: step.nominal,
+            enters: step.from,
+            reach,
+            through: self.hole.through,
+            lead: self.lead,
+        };
+        let cutter = match tooling::find_cutter(&need, self.shop.knowledge, &self.shop.machine)? {
+            Ok(cutter) => cutter,
+            Err(why) => return Ok(Err(first_of(why, step.operation))),
+        };
+        let assembly = match tooling::assemble(&cutter, self.shop.knowledge, &self.shop.machine)? {
+            Ok(assembly) => assembly,
+            Err(why) => return Ok(Err(first_of(why, step.operation).with("tool", cutter.designation))),
+        };
+        let nose_radius = cutter.row.length("nose_radius").ok();
+        let cut = Cut { nose_radius, ..self.cut(&step, follows, &cutter.head.material, travel) };
+        let conditions = match cutting::conditions(&cut, self.shop)? {
+            Ok(conditions) => conditions,
+            Err(note) => return Ok(Err(note.with("operation", step.operation.name()))),
+        };
+        let mut because = step.because.clone();
+        because.extend(self.shared.clone());
+        let mut tool_because = vec![cutter.because.clone()];
+        tool_because.extend(assembly.because.clone());
+        let tool = FittedTool {
+            designation: cutter.designation.to_owned(),
+            table: cutter.row.table.id.clone(),
+            diameter: cutter.diameter,
+            size: step.diameter,
+            assembly,
+            because: tool_because,
+        };
+        Ok(Ok(Fitted { step, tool: Some(tool), travel, conditions, because }))
+    }
+
+    fn cut<'c>(&'c self, step: &Step, follows: Option<Operation>, material: &'c str, travel: Micrometres) -> Cut<'c> {
+        let last = follows.is_none() && step.operation != Operation::CentreDrill;
+        Cut {
+            operation: step.operation,
+            diameter: step.diameter,
+            from: step.from,
+            passes: step.passes,
+            depth: self.hole.depth,
+            travel,
+            tool_material: material,
+            nose_radius: None,
+            roughness: last.then_some(self.hole.roughness),
+            reamer_follows: follows.is_some_and(Operation::is_reaming),
+            blind: !self.hole.through,
+            surface: self.surface,
+        }
+    }
+
+    /// Working travel of one pass, and how far the cutter must reach into the hole.
+    fn travel(&self, step: &Step) -> (Micrometres, Micrometres) {
+        let lead = match step.operation {
+            Operation::Drill | Operation::DrillOut => cone(step.diameter, 118.0),
+            Operation::CoreDrill => cone(step.diameter - step.from, 120.0),
+            _ => Micrometres::ZERO,
+        };
+        let reach = self.hole.depth + lead + self.overrun;
+        (self.approach + reach, reach)
+    }
+
+    /// Says what the second drill costs in time and saves in thrust against one drill of full size.
+    pub fn compare_with_one_drill(&self, fitted: &mut [Fitted]) -> Result<(), KnowledgeError> {
+        let Some(second) = fitted.iter().position(|one| one.step.operation == Operation::DrillOut) else {
+            return Ok(());
+        };
+        let single = Step {
+            operation: Operation::Drill,
+            from: Micrometres::ZERO,
+            because: Vec::new(),
+            ..fitted[second].step.clone()
+        };
+        let (travel, _) = self.travel(&single);
+        let follows = fitted.get(second + 1).map(|one| one.step.operation);
+        let cut = self.cut(&single, follows, "HSS", travel);
+        let Ok(one) = cutting::conditions(&cut, self.shop)? else { return Ok(()) };
+        let pair = &fitted[second.saturating_sub(1)..=second];
+        let time: f64 = pair.iter().map(|step| step.conditions.machine_time_min.0).sum();
+        let thrust = pair
+            .iter()
+            .filter_map(|step| step.conditions.axial_force_n)
+            .fold(0.0, |most: f64, force| most.max(force.0));
+        let table = self.shop.knowledge.table("two-pass-drilling")?;
+        let note = Note::new("two-passes-cost")
+            .with("time", round_to(time - one.machine_time_min.0, 3))
+            .with("thrust", round_to(thrust, 0))
+            .with(
+                "one-thrust",
+                one.axial_force_n.map_or_else(|| "-".to_owned(), |force| round_to(force.0, 0).to_string()),
+            );
+        fitted[second].because.push(Because::table(table, note));
+        Ok(())
+    }
+}
+
+/// Height of a cone over a diameter: d/2 / tan(φ/2), the point of a drill or the lead of a core drill.
+fn cone(diameter: Micrometres, angle_deg: f64) -> Micrometres {
+    Micrometres::from_mm_rounded(diameter.to_mm() / 2.0 / libm::tan((angle_deg / 2.0).to_radians()))
+}
+
+/// The reason of the first candidate stands for all; how many there were is said with it.
+fn first_of(why: Vec<Note>, operation: Operation) -> Note {
+    let count = why.len();
+    let first = why.into_iter().next().unwrap_or_else(|| Note::new("no-cutter"));
+    let first = if first.params.contains_key("operation") { first } else { first.with("operation", operation.name()) };
+    if count > 1 { first.with("more", count - 1) } else { first }
+}

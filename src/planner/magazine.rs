@@ -1,0 +1,190 @@
+//! The tools of the whole part: one centre drill, numbers in the order of work, length corrections.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+use crate::note::{Because, Finding, Note, Severity};
+use crate::part::Part;
+use crate::plan::{HolderRef, HolePlan, Operation, ToolPlan, ToolRef, Transition};
+use crate::shop::Shop;
+use crate::tooling::{self, CutterNeed};
+use crate::units::Micrometres;
+
+use super::Draft;
+use super::fit::{Fitted, FittedTool};
+
+/// Chooses the centring tool for all holes it serves: the smallest drill of A.14 that makes every
+/// chamfer, or is wider than every first drill.
+pub(super) fn choose_centre_drill(
+    part: &Part,
+    drafts: &mut [Draft],
+    shop: &Shop<'_>,
+    findings: &mut Vec<Finding>,
+) -> Result<(), KnowledgeError> {
+    let widest = widest_centre_drill(shop.knowledge)?;
+    let mut needed = Micrometres::ZERO;
+    for draft in &*drafts {
+        let Some(centre) = draft.steps.iter().find(|one| one.step.operation == Operation::CentreDrill) else {
+            continue;
+        };
+        let spot = centre.step.diameter;
+        let first = draft.steps.iter().find(|one| one.step.operation == Operation::Drill).map(|one| one.step.diameter);
+        let makes_chamfer = centre.because.iter().any(|reason| reason.note.code == "spot-by-chamfer");
+        let own = match first {
+            // Wider than the first drill, so that the drill enters on the cone and not on its rim.
+            Some(drill) if !makes_chamfer && drill < widest => drill + Micrometres::new(1),
+            _ => spot,
+        };
+        needed = needed.max(own).max(spot);
+    }
+    if needed == Micrometres::ZERO {
+        return Ok(());
+    }
+    let need = CutterNeed {
+        operation: Operation::CentreDrill,
+        diameter: needed,
+        nominal: needed,
+        enters: Micrometres::ZERO,
+        reach: Micrometres::ZERO,
+        through: true,
+        lead: "",
+    };
+    let found = tooling::find_cutter(&need, shop.knowledge, &shop.machine)?;
+    let fitted = match found {
+        Ok(cutter) => match tooling::assemble(&cutter, shop.knowledge, &shop.machine)? {
+            Ok(assembly) => {
+                let why = Note::new("centre-drill-for-all").with("needed", needed);
+                let mut because = vec![Because { note: why, ..cutter.because.clone() }];
+                because.extend(assembly.because.clone());
+                Ok(FittedTool {
+                    designation: cutter.designation.to_owned(),
+                    table: cutter.row.table.id.clone(),
+                    diameter: cutter.diameter,
+                    size: cutter.diameter,
+                    assembly,
+                    because,
+                })
+            }
+            Err(why) => Err(why),
+        },
+        Err(why) => Err(why),
+    };
+    for (draft, hole) in drafts.iter_mut().zip(&part.holes) {
+        let Some(centre) = draft.steps.iter_mut().find(|one| one.step.operation == Operation::CentreDrill) else {
+            continue;
+        };
+        match &fitted {
+            Ok(tool) => centre.tool = Some(tool.clone()),
+            Err(why) => {
+                for note in why {
+                    findings.push(Finding::of_hole(Severity::Error, &hole.name, note.clone()));
+                }
+                draft.route = None;
+                draft.steps.clear();
+            }
+        }
+    }
+    Ok(())
+}
+
+fn widest_centre_drill(knowledge: &Knowledge) -> Result<Micrometres, KnowledgeError> {
+    let table = knowledge.table("A.14")?;
+    Ok(table.all_rows().filter_map(|row| row.length("diameter").ok()).max().unwrap_or_default())
+}
+
+/// Two uses are of one tool when cutter, setting and holder agree.
+fn same(a: &FittedTool, b: &FittedTool) -> bool {
+    a.designation == b.designation && a.table == b.table && a.size == b.size && a.assembly.holder == b.assembly.holder
+}
+
+/// Numbers the tools in the order in which the holes need them, and computes their corrections.
+pub(super) fn number_tools(
+    part: &Part,
+    drafts: Vec<Draft>,
+    shop: &Shop<'_>,
+    findings: &mut Vec<Finding>,
+) -> (Vec<HolePlan>, Vec<ToolPlan>) {
+    let mut tools: Vec<(usize, FittedTool)> = Vec::new();
+    for fitted in drafts.iter().flat_map(|draft| &draft.steps) {
+        if let Some(tool) = &fitted.tool
+            && !tools.iter().any(|(_, known)| same(known, tool))
+        {
+            tools.push((0, tool.clone()));
+        }
+    }
+    rank(&mut tools, &drafts);
+    tools.sort_by_key(|(rank, _)| *rank);
+    let tools: Vec<FittedTool> = tools.into_iter().map(|(_, tool)| tool).collect();
+    if tools.len() > shop.machine.magazine {
+        let note = Note::new("magazine-full").with("tools", tools.len()).with("places", shop.machine.magazine);
+        findings.push(Finding::of_part(Severity::Error, note));
+    }
+
+    let longest = tools.iter().map(|tool| tool.assembly.length).max().unwrap_or_default();
+    let plans = tools
+        .iter()
+        .zip(1..)
+        .map(|(tool, number)| ToolPlan {
+            number,
+            designation: tool.designation.clone(),
+            table: tool.table.clone(),
+            diameter_mm: tool.size,
+            holder: tool.assembly.holder.clone(),
+            holder_table: tool.assembly.holder_table.clone(),
+            overhang_mm: tool.assembly.overhang,
+            length_mm: tool.assembly.length,
+            corrector: number,
+            correction_mm: tool.assembly.length - longest,
+            book_correction_mm: longest - tool.assembly.length,
+            because: tool.because.clone(),
+        })
+        .collect();
+    let holes = drafts
+        .into_iter()
+        .zip(&part.holes)
+        .map(|(draft, hole)| HolePlan {
+            name: hole.name.clone(),
+            count: hole.at.len(),
+            route: draft.route,
+            transitions: draft.steps.into_iter().filter_map(|fitted| transition(fitted, &tools)).collect(),
+        })
+        .collect();
+    (holes, plans)
+}
+
+/// A tool's rank is the longest chain of tools before it in any hole.
+fn rank(tools: &mut [(usize, FittedTool)], drafts: &[Draft]) {
+    // Every pass can lengthen a chain by one; a chain longer than the tools would be a circle.
+    for _ in 0..tools.len() {
+        for draft in drafts {
+            let mut least = 0;
+            for tool in draft.steps.iter().filter_map(|fitted| fitted.tool.as_ref()) {
+                if let Some((rank, _)) = tools.iter_mut().find(|(_, known)| same(known, tool)) {
+                    *rank = (*rank).max(least);
+                    least = *rank + 1;
+                }
+            }
+        }
+    }
+}
+
+fn transition(fitted: Fitted, tools: &[FittedTool]) -> Option<Transition> {
+    let tool = fitted.tool?;
+    let number = tools.iter().zip(1..).find(|(known, _)| same(known, &tool)).map(|(_, number)| number)?;
+    let mut because = fitted.because;
+    because.extend(tool.because.clone());
+    Some(Transition {
+        operation: fitted.step.operation,
+        diameter_mm: fitted.step.diameter,
+        from_diameter_mm: fitted.step.from,
+        passes: fitted.step.passes,
+        travel_mm: fitted.travel,
+        tool: ToolRef { number, designation: tool.designation, table: tool.table, diameter_mm: tool.diameter },
+        holder: HolderRef {
+            designation: tool.assembly.holder,
+            table: tool.assembly.holder_table,
+            length_mm: tool.assembly.holder_length,
+        },
+        conditions: fitted.conditions,
+        because,
+    })
+}

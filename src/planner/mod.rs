@@ -1,0 +1,238 @@
+//! The planner: the one place where a later stage's refusal makes an earlier one try the next alternative.
+//!
+//! Holes are planned from the smallest up, because a drill of a smaller hole may be the first drill of a
+//! larger one. For each hole the candidates of [`crate::route::scheme`] are tried in order: diameters,
+//! cutters, holders and conditions either accept a candidate or refuse it with a reason, and the first
+//! one accepted is taken. Then the tools of the whole part are put together.
+
+mod fit;
+mod magazine;
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+use crate::note::{Because, Finding, Note, Severity};
+use crate::part::{Bottom, Hole, Part};
+use crate::plan::{CuttingMethod, Operation, Plan, Route, Times};
+use crate::route::scheme::{self, Candidates};
+use crate::route::{Candidate, diameters};
+use crate::shop::Shop;
+use crate::units::Micrometres;
+use crate::{sequence, setup, tooling};
+
+use fit::{Fitted, Fitting};
+
+/// A group of holes on the way: its candidate and fitted steps, when one was accepted.
+struct Draft {
+    route: Option<Route>,
+    steps: Vec<Fitted>,
+}
+
+/// Plans a part.
+///
+/// # Errors
+/// The knowledge base lacks something planning asks of it. A hole that cannot be made is a finding of
+/// the plan, not an error.
+pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result<Plan, KnowledgeError> {
+    let shop = Shop::new(part, method, knowledge)?;
+    let mut findings = Vec::new();
+    let mut in_magazine: Vec<Micrometres> = Vec::new();
+    let mut order: Vec<usize> = (0..part.holes.len()).collect();
+    order.sort_by_key(|&index| (part.holes[index].diameter.nominal, index));
+    let mut drafts: Vec<Option<Draft>> = part.holes.iter().map(|_| None).collect();
+    for index in order {
+        let draft = hole(&part.holes[index], part, &in_magazine, &shop, &mut findings)?;
+        in_magazine.extend(
+            draft
+                .steps
+                .iter()
+                .filter(|fitted| fitted.step.operation == Operation::Drill)
+                .map(|fitted| fitted.step.diameter),
+        );
+        drafts[index] = Some(draft);
+    }
+    let mut drafts: Vec<Draft> = drafts.into_iter().flatten().collect();
+    magazine::choose_centre_drill(part, &mut drafts, &shop, &mut findings)?;
+    let (holes, tools) = magazine::number_tools(part, drafts, &shop, &mut findings);
+
+    let clamping = match setup::clamping(part, &holes, &shop)? {
+        None => None,
+        Some(Ok(clamping)) => Some(clamping),
+        Some(Err(note)) => {
+            findings.push(Finding::of_part(Severity::Error, note));
+            None
+        }
+    };
+    let (visits, time) = match u32::try_from(tools.len()) {
+        Ok(count) if count > 0 => sequence::sequence(part, &holes, count, &shop.machine),
+        _ => (Vec::new(), Times::default()),
+    };
+    reach_of_table(part, &shop, &mut findings);
+    let mut plan =
+        Plan { part: part.clone(), cutting: method, holes, tools, clamping, sequence: visits, time, findings };
+    unconfirmed(&mut plan);
+    plan.findings.sort_by(|a, b| (a.severity, &a.hole, &a.note).cmp(&(b.severity, &b.hole, &b.note)));
+    plan.findings.dedup();
+    Ok(plan)
+}
+
+/// Plans one group of holes: the first candidate that every stage accepts.
+fn hole(
+    hole: &Hole,
+    part: &Part,
+    in_magazine: &[Micrometres],
+    shop: &Shop<'_>,
+    findings: &mut Vec<Finding>,
+) -> Result<Draft, KnowledgeError> {
+    let nothing = Draft { route: None, steps: Vec::new() };
+    let mut report = |severity, note| findings.push(Finding::of_hole(severity, &hole.name, note));
+    if !hole.not_planned.is_empty() {
+        report(Severity::Error, Note::new("feature-not-planned").with("keys", hole.not_planned.join(", ")));
+        return Ok(nothing);
+    }
+    if hole.bottom == Bottom::Flat {
+        report(Severity::Error, Note::new("flat-bottom-not-planned"));
+        return Ok(nothing);
+    }
+    let fitting = Fitting::new(hole, part, shop)?;
+    let drills = tooling::drill_diameters(|drill| fitting.drill_reach(drill), shop.knowledge, &shop.machine)?;
+    let candidates = match scheme::candidates(hole, part, &drills, shop)? {
+        Ok(candidates) => candidates,
+        Err(note) => {
+            report(Severity::Error, note);
+            return Ok(nothing);
+        }
+    };
+    let sizes =
+        diameters::Sizes { drills: &drills, in_magazine, smallest_bore: smallest_bore(shop)?, single_drill: false };
+    let mut refused = Vec::new();
+    for candidate in &candidates.schemes {
+        match try_candidate(candidate, hole, &sizes, &fitting, shop)? {
+            Ok(steps) => {
+                if candidate.finish_elsewhere || candidates.stages_end_elsewhere {
+                    report(Severity::Note, Note::new("finish-elsewhere").with("scheme", &candidate.scheme));
+                }
+                let route = route(candidate, &candidates, refused);
+                return Ok(Draft { route: Some(route), steps });
+            }
+            Err(note) => refused.push(note.with("scheme", &candidate.scheme)),
+        }
+    }
+    report(
+        Severity::Error,
+        Note::new("no-route").with("diameter", &hole.diameter.written).with("tried", refused.len()),
+    );
+    for note in refused {
+        report(Severity::Error, note);
+    }
+    Ok(nothing)
+}
+
+/// Tries a candidate with two drills where the rule prefers them, then with one.
+fn try_candidate(
+    candidate: &Candidate,
+    hole: &Hole,
+    sizes: &diameters::Sizes<'_>,
+    fitting: &Fitting<'_, '_>,
+    shop: &Shop<'_>,
+) -> Result<Result<Vec<Fitted>, Note>, KnowledgeError> {
+    let mut why = None;
+    for single_drill in [false, true] {
+        let sizes = diameters::Sizes { single_drill, ..*sizes };
+        let steps = match diameters::steps(&candidate.transitions, hole, &sizes, shop)? {
+            Ok(steps) => steps,
+            Err(note) => return Ok(Err(why.unwrap_or(note))),
+        };
+        let doubled = steps.iter().any(|step| step.operation == Operation::DrillOut);
+        match fitting.fit(steps)? {
+            Ok(mut fitted) => {
+                if doubled {
+                    fitting.compare_with_one_drill(&mut fitted)?;
+                }
+                return Ok(Ok(fitted));
+            }
+            Err(note) if !doubled => return Ok(Err(why.unwrap_or(note))),
+            Err(note) => why = Some(note),
+        }
+    }
+    Ok(Err(why.unwrap_or_else(|| Note::new("no-route"))))
+}
+
+fn route(candidate: &Candidate, candidates: &Candidates, refused: Vec<Note>) -> Route {
+    let mut because = vec![candidates.stages.clone()];
+    because.extend(candidate.because.clone());
+    if !refused.is_empty() {
+        because.push(Because {
+            table: candidate.table.clone(),
+            row: None,
+            source: None,
+            place: "planner".to_owned(),
+            unconfirmed: None,
+            note: Note::new("candidates-refused").with("count", refused.len()),
+            rejected: refused,
+        });
+    }
+    Route {
+        table: candidate.table.clone(),
+        scheme: candidate.scheme.clone(),
+        finish_elsewhere: candidate.finish_elsewhere,
+        centre_tolerance_mm: candidates.centre_tolerance,
+        because,
+    }
+}
+
+/// The smallest hole a boring bar of the catalogs enters.
+fn smallest_bore(shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
+    let bars = shop.knowledge.table("boring-bars")?;
+    Ok(bars.all_rows().filter_map(|row| row.length("diameter_min").ok()).min().unwrap_or_default())
+}
+
+/// The holes must lie within the table's travel.
+fn reach_of_table(part: &Part, shop: &Shop<'_>, findings: &mut Vec<Finding>) {
+    let points = || part.holes.iter().flat_map(|hole| &hole.at);
+    let axes = [
+        ("X", points().map(|point| point.x).collect::<Vec<_>>(), shop.machine.travel_x),
+        ("Y", points().map(|point| point.y).collect::<Vec<_>>(), shop.machine.travel_y),
+    ];
+    for (axis, values, travel) in axes {
+        if let (Some(low), Some(high)) = (values.iter().min(), values.iter().max())
+            && *high - *low > travel
+        {
+            let note = Note::new("beyond-travel").with("axis", axis).with("span", *high - *low).with("travel", travel);
+            findings.push(Finding::of_part(Severity::Error, note));
+        }
+    }
+}
+
+/// Every row the plan rests on that is not fully trusted, once each.
+fn unconfirmed(plan: &mut Plan) {
+    let mut found: Vec<Finding> = Vec::new();
+    let mut look = |because: &[Because], hole: Option<&str>| {
+        for reason in because {
+            let Some(why) = &reason.unconfirmed else { continue };
+            let note = Note::new("unconfirmed")
+                .with("table", &reason.table)
+                .with("row", reason.row.map_or_else(|| "-".to_owned(), |row| row.to_string()))
+                .with("why", why);
+            let known = found.iter().any(|finding| finding.note == note);
+            if !known {
+                found.push(Finding { severity: Severity::Doubtful, hole: hole.map(str::to_owned), note });
+            }
+        }
+    };
+    for hole in &plan.holes {
+        if let Some(route) = &hole.route {
+            look(&route.because, Some(&hole.name));
+        }
+        for transition in &hole.transitions {
+            look(&transition.because, Some(&hole.name));
+            look(&transition.conditions.because, Some(&hole.name));
+        }
+    }
+    for tool in &plan.tools {
+        look(&tool.because, None);
+    }
+    if let Some(clamping) = &plan.clamping {
+        look(&clamping.because, None);
+    }
+    plan.findings.extend(found);
+}

@@ -1,0 +1,294 @@
+//! Intermediate diameters: backwards from the finished hole, by the allowances of section 1.2.1.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::units::Unit;
+use crate::knowledge::{Input, RowRef};
+use crate::note::{Because, Note};
+use crate::part::Hole;
+use crate::plan::Operation;
+use crate::shop::Shop;
+use crate::units::Micrometres;
+
+use super::Step;
+
+/// Adjustable sizes are set in steps of 0.05 mm.
+const SETTING: i64 = 50;
+
+/// What a route is turned into steps with.
+#[derive(Clone, Copy, Debug)]
+pub struct Sizes<'a> {
+    /// Every drill that reaches, ascending.
+    pub drills: &'a [Micrometres],
+    /// Drills that are in the magazine anyway, for other holes.
+    pub in_magazine: &'a [Micrometres],
+    /// The smallest hole a boring bar of the catalogs enters.
+    pub smallest_bore: Micrometres,
+    /// Whether to drill in one pass although a first drill is at hand.
+    pub single_drill: bool,
+}
+
+/// The steps of a scheme for a hole, first to last; centring takes its spot later, when the drill is known.
+///
+/// # Errors
+/// The knowledge cannot answer. That no diameters work is not an error: the inner `Err` says why.
+pub fn steps(
+    transitions: &[Operation],
+    hole: &Hole,
+    sizes: &Sizes<'_>,
+    shop: &Shop<'_>,
+) -> Result<Result<Vec<Step>, Note>, KnowledgeError> {
+    let mut operations = Vec::new();
+    let mut replaced = Vec::new();
+    for &operation in transitions {
+        match stand_in(operation, hole, sizes, shop)? {
+            Ok((operation, reason)) => {
+                operations.push(operation);
+                replaced.push(reason);
+            }
+            Err(note) => return Ok(Err(note)),
+        }
+    }
+    let mut steps: Vec<Step> = Vec::new();
+    let mut after = hole.diameter.nominal;
+    for index in (0..operations.len()).rev() {
+        let operation = operations[index];
+        let previous = index.checked_sub(1).map(|before| operations[before]);
+        let step = match operation {
+            Operation::CentreDrill => step(operation, Micrometres::ZERO, Micrometres::ZERO),
+            Operation::Drill => match drill(after, steps.is_empty(), hole, sizes) {
+                Ok(diameter) => step(operation, diameter, Micrometres::ZERO),
+                Err(note) => return Ok(Err(note)),
+            },
+            Operation::RoughBore => match rough_bore(after, previous, sizes, shop)? {
+                Ok(step) => step,
+                Err(note) => return Ok(Err(note)),
+            },
+            Operation::CoreDrill
+            | Operation::RoughReam
+            | Operation::FinishReam
+            | Operation::SemiFinishBore
+            | Operation::FinishBore => match finishing(operation, after, previous, hole, sizes, shop)? {
+                Ok(step) => step,
+                Err(note) => return Ok(Err(note)),
+            },
+            other => return Ok(Err(Note::new("not-planned").with("operation", other.name()))),
+        };
+        after = step.from;
+        steps.push(Step { because: step.because.into_iter().chain(replaced[index].clone()).collect(), ..step });
+    }
+    steps.reverse();
+    two_passes(&mut steps, sizes, shop)?;
+    Ok(Ok(steps))
+}
+
+fn step(operation: Operation, diameter: Micrometres, from: Micrometres) -> Step {
+    Step { operation, diameter, nominal: diameter, from, passes: 1, because: Vec::new() }
+}
+
+/// What stands in where no boring bar enters, by the rule `too-small-to-bore`.
+fn stand_in(
+    operation: Operation,
+    hole: &Hole,
+    sizes: &Sizes<'_>,
+    shop: &Shop<'_>,
+) -> Result<Result<(Operation, Option<Because>), Note>, KnowledgeError> {
+    if !operation.is_boring() {
+        return Ok(Ok((operation, None)));
+    }
+    let enters = hole.diameter.nominal >= sizes.smallest_bore;
+    let rule = shop.knowledge.table("too-small-to-bore")?;
+    let answer = rule.decide(&[("operation", Input::Text(operation.name())), ("bar_enters", Input::Bool(enters))])?;
+    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, operation.name()))?;
+    let note = |code: &str| {
+        Note::new(code)
+            .with("operation", operation.name())
+            .with("diameter", hole.diameter.nominal)
+            .with("smallest", sizes.smallest_bore)
+    };
+    Ok(match row.text("operation_instead")? {
+        "same" => Ok((operation, None)),
+        "nothing" => Err(note("too-small-to-bore")),
+        other => match Operation::from_name(other) {
+            Some(other) => {
+                Ok((other, Some(Because::row(row, note("bored-by-stand-in").with("instead", other.name())))))
+            }
+            None => Err(note("too-small-to-bore")),
+        },
+    })
+}
+
+/// The drill that can make the hole itself: of its nominal diameter, or within its tolerance.
+pub fn final_drill(hole: &Hole, drills: &[Micrometres]) -> Option<Micrometres> {
+    let nominal = hole.diameter.nominal;
+    drills.iter().copied().find(|drill| *drill == nominal).or_else(|| {
+        drills.iter().copied().find(|drill| (hole.diameter.smallest()..=hole.diameter.largest()).contains(drill))
+    })
+}
+
+/// The drill before the next transition, or the one that ends the route.
+fn drill(after: Micrometres, last: bool, hole: &Hole, sizes: &Sizes<'_>) -> Result<Micrometres, Note> {
+    let found =
+        if last { final_drill(hole, sizes.drills) } else { sizes.drills.iter().copied().find(|drill| *drill == after) };
+    found.ok_or_else(|| {
+        let below = sizes.drills.iter().rev().find(|drill| **drill < after);
+        let above = sizes.drills.iter().find(|drill| **drill > after);
+        let show = |size: Option<&Micrometres>| size.map_or_else(|| "-".to_owned(), ToString::to_string);
+        Note::new("no-drill").with("diameter", after).with("below", show(below)).with("above", show(above))
+    })
+}
+
+/// The range of the allowance a transition removes, on diameter, and its aim.
+struct Allowance<'k> {
+    low: Micrometres,
+    high: Micrometres,
+    aim: Micrometres,
+    row: RowRef<'k>,
+}
+
+fn allowance<'k>(operation: Operation, nominal: Micrometres, shop: &Shop<'k>) -> Result<Allowance<'k>, KnowledgeError> {
+    let rule = shop.knowledge.table("allowance-before")?;
+    let answer = rule.decide(&[("operation", Input::Text(operation.name()))])?;
+    let choice = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, operation.name()))?;
+    let table = shop.knowledge.table("allowances")?;
+    let name = choice.text("allowance")?;
+    let row = table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
+    if let Ok(share) = row.number_in("share", Unit::None) {
+        // A share of the diameter: no range, so the nearest size of the catalog is right.
+        let aim = Micrometres::from_mm_rounded(nominal.to_mm() * share);
+        return Ok(Allowance { low: Micrometres::ZERO, high: aim + aim, aim, row });
+    }
+    let (low, high) = (row.length("minimum")?, row.length("maximum")?);
+    let share = choice.number_in("share", Unit::None)?;
+    let aim = low.to_mm() + (high - low).to_mm() * share;
+    Ok(Allowance { low, high, aim: Micrometres::from_mm_rounded(aim), row })
+}
+
+/// A transition that removes an allowance: the diameter before it is the aim of the range, or the drill
+/// nearest to the aim where a drill makes it.
+fn finishing(
+    operation: Operation,
+    after: Micrometres,
+    previous: Option<Operation>,
+    hole: &Hole,
+    sizes: &Sizes<'_>,
+    shop: &Shop<'_>,
+) -> Result<Result<Step, Note>, KnowledgeError> {
+    let allowance = allowance(operation, hole.diameter.nominal, shop)?;
+    let (smallest, largest) = (after - allowance.high, after - allowance.low);
+    let before = if previous == Some(Operation::Drill) {
+        let aim = after - allowance.aim;
+        let nearest = sizes
+            .drills
+            .iter()
+            .copied()
+            .filter(|drill| *drill >= smallest && *drill <= largest && *drill < after)
+            .min_by_key(|drill| ((*drill - aim).abs(), *drill));
+        match nearest {
+            Some(drill) => drill,
+            None => {
+                return Ok(Err(Note::new("no-drill-in-allowance")
+                    .with("operation", operation.name())
+                    .with("low", smallest)
+                    .with("high", largest)
+                    .with("diameter", after)));
+            }
+        }
+    } else {
+        let aim = (after - allowance.aim).micrometres();
+        // To the setting step, but never out of the range.
+        let set = Micrometres::new((aim + SETTING / 2).div_euclid(SETTING) * SETTING);
+        set.max(smallest).min(largest)
+    };
+    let note = Note::new("allowance")
+        .with("operation", operation.name())
+        .with("low", allowance.low)
+        .with("high", allowance.high)
+        .with("taken", after - before);
+    // Reamers and core drills of the catalog are ground to the size before the last one.
+    let fixed = operation.is_reaming() || operation == Operation::CoreDrill;
+    let nominal = if fixed { hole.diameter.nominal } else { after };
+    let mut because = vec![Because::row(allowance.row, note)];
+    if fixed && after != nominal {
+        let note = Note::new("ground-to-size").with("nominal", nominal).with("size", after);
+        because.push(Because::row(allowance.row, note));
+    }
+    Ok(Ok(Step { operation, diameter: after, nominal, from: before, passes: 1, because }))
+}
+
+/// Rough boring opens from the largest drill that leaves at least the smallest allowance, in as many
+/// equal passes as the largest allowance asks.
+fn rough_bore(
+    after: Micrometres,
+    previous: Option<Operation>,
+    sizes: &Sizes<'_>,
+    shop: &Shop<'_>,
+) -> Result<Result<Step, Note>, KnowledgeError> {
+    let allowance = allowance(Operation::RoughBore, after, shop)?;
+    if previous != Some(Operation::Drill) {
+        return Ok(Err(Note::new("not-planned").with("operation", "rough-bore")));
+    }
+    let largest = after - allowance.low;
+    let Some(before) = sizes
+        .drills
+        .iter()
+        .rev()
+        .copied()
+        .find(|drill| *drill <= largest && *drill >= sizes.smallest_bore.min(largest))
+    else {
+        return Ok(Err(Note::new("no-drill-before-boring")
+            .with("diameter", after)
+            .with("largest", largest)
+            .with("smallest", sizes.smallest_bore)));
+    };
+    let stock = (after - before).micrometres();
+    let passes = u32::try_from(stock.div_euclid(allowance.high.micrometres().max(1))).unwrap_or(0)
+        + u32::from(stock % allowance.high.micrometres().max(1) != 0);
+    let note = Note::new("rough-boring")
+        .with("low", allowance.low)
+        .with("high", allowance.high)
+        .with("stock", after - before)
+        .with("passes", passes);
+    Ok(Ok(Step {
+        operation: Operation::RoughBore,
+        diameter: after,
+        nominal: after,
+        from: before,
+        passes,
+        because: vec![Because::row(allowance.row, note)],
+    }))
+}
+
+/// Splits the drilling in two where the rule `two-pass-drilling` says so.
+fn two_passes(steps: &mut Vec<Step>, sizes: &Sizes<'_>, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
+    let Some(index) = steps.iter().position(|step| step.operation == Operation::Drill) else { return Ok(()) };
+    let diameter = steps[index].diameter;
+    let shares = shop.knowledge.table("first-drill")?;
+    let share = shares.row(0).ok_or_else(|| KnowledgeError::no_row(shares, "two-pass drilling"))?;
+    let bound = |column: &str| -> Result<Micrometres, KnowledgeError> {
+        Ok(Micrometres::from_mm_rounded(diameter.to_mm() * share.number_in(column, Unit::None)?))
+    };
+    let (low, high) = (bound("share_min")?, bound("share_max")?);
+    let inside = |drills: &[Micrometres]| drills.iter().copied().filter(|drill| (low..=high).contains(drill)).max();
+    let at_hand = inside(sizes.in_magazine);
+    let rule = shop.knowledge.table("two-pass-drilling")?;
+    let in_magazine = at_hand.is_some() && !sizes.single_drill;
+    let answer =
+        rule.decide(&[("diameter", Input::Length(diameter)), ("first_drill_in_magazine", Input::Bool(in_magazine))])?;
+    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this drill"))?;
+    let note = |code: &str| Note::new(code).with("diameter", diameter).with("low", low).with("high", high);
+    if row.int("passes")? < 2 {
+        steps[index].because.push(Because::row(row, note("one-pass")));
+        return Ok(());
+    }
+    // Above 30 mm with nothing at hand: the smallest drill of the range cuts with the least thrust.
+    let first = at_hand.or_else(|| sizes.drills.iter().copied().find(|drill| (low..=high).contains(drill)));
+    let Some(first) = first else { return Ok(()) };
+    let second = &mut steps[index];
+    second.operation = Operation::DrillOut;
+    second.from = first;
+    second.because.push(Because::row(row, note("two-passes").with("first", first)));
+    let mut drill = step(Operation::Drill, first, Micrometres::ZERO);
+    drill.because.push(Because::row(share, note("first-drill").with("first", first)));
+    steps.insert(index, drill);
+    Ok(())
+}

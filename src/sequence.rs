@@ -1,0 +1,68 @@
+//! The order of tools and the path of each over its points.
+//!
+//! Tools change in the order in which the first hole needs them (the parallel method of textbook 1.3.1:
+//! each tool goes round all its points, then the next is taken). The path is the book's rule, to the
+//! nearest point not yet visited, from the tool-change position and back.
+
+use crate::machine::Machine;
+use crate::part::{Part, Point};
+use crate::plan::{HolePlan, Stop, Times, Visit};
+use crate::units::{Micrometres, Minutes};
+
+/// Visits of every tool, in order, and where the time goes.
+pub fn sequence(part: &Part, holes: &[HolePlan], tools: u32, machine: &Machine<'_>) -> (Vec<Visit>, Times) {
+    let mut visits = Vec::new();
+    let mut times = Times::default();
+    let home = Point { x: machine.tool_change_at.0, y: machine.tool_change_at.1 };
+    for tool in 1..=tools {
+        let mut left: Vec<Stop> = Vec::new();
+        for (plan, hole) in holes.iter().zip(&part.holes) {
+            for (transition, step) in plan.transitions.iter().enumerate() {
+                if step.tool.number == tool {
+                    left.extend(hole.at.iter().map(|&at| Stop { hole: plan.name.clone(), transition, at }));
+                }
+            }
+        }
+        let mut stops = Vec::with_capacity(left.len());
+        let (mut here, mut rapid) = (home, 0.0);
+        while let Some(next) = nearest(here, &left) {
+            let stop = left.remove(next);
+            rapid += rapid_between(here, stop.at, machine).0;
+            rapid += withdrawal(&stop, holes, machine).0;
+            here = stop.at;
+            stops.push(stop);
+        }
+        rapid += rapid_between(here, home, machine).0;
+        let rapid = Minutes(rapid).rounded(3);
+        times.rapid_min = times.rapid_min + rapid;
+        visits.push(Visit { tool, stops, rapid_min: rapid });
+    }
+    times.machine_min = holes
+        .iter()
+        .flat_map(|plan| plan.transitions.iter().map(|step| step.conditions.machine_time_min.0 * plan.count as f64))
+        .map(Minutes)
+        .sum::<Minutes>()
+        .rounded(2);
+    times.tool_change_min = Minutes(machine.tool_change.0 * f64::from(tools)).rounded(2);
+    times.rapid_min = times.rapid_min.rounded(2);
+    times.total_min = (times.machine_min + times.rapid_min + times.tool_change_min).rounded(2);
+    (visits, times)
+}
+
+/// The nearest stop; among equals the first in the drawing's order, so that the path is repeatable.
+fn nearest(here: Point, left: &[Stop]) -> Option<usize> {
+    (0..left.len()).min_by_key(|&index| (here.distance(left[index].at), index))
+}
+
+/// Rapids move each axis at its own rate, so the slower axis decides.
+fn rapid_between(from: Point, to: Point, machine: &Machine<'_>) -> Minutes {
+    let along = (from.x - to.x).abs().max((from.y - to.y).abs());
+    Minutes(along.to_mm() / machine.rapid.0)
+}
+
+/// Rapid out of the hole after a pass, by the working travel, for every pass.
+fn withdrawal(stop: &Stop, holes: &[HolePlan], machine: &Machine<'_>) -> Minutes {
+    let step = holes.iter().find(|plan| plan.name == stop.hole).and_then(|plan| plan.transitions.get(stop.transition));
+    let (travel, passes) = step.map_or((Micrometres::ZERO, 0), |step| (step.travel_mm, step.passes));
+    Minutes(travel.to_mm() * f64::from(passes) / machine.rapid.0)
+}

@@ -1,0 +1,112 @@
+//! Clamping: the force that holds the part against the largest torque, and the screw that gives it.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::units::Unit;
+use crate::note::{Because, Note};
+use crate::part::{Part, Point};
+use crate::plan::{Clamping, HolePlan};
+use crate::shop::Shop;
+use crate::units::{Micrometres, NewtonMetres, Newtons};
+
+/// How far inside the blank's edge a proposed clamp presses, mm.
+const PROPOSED_INSET: Micrometres = Micrometres::from_mm(20);
+
+/// The clamping of a planned part: W = k·M/(f·d) (textbook 5.2 item 7), the largest over all holes.
+///
+/// d is the distance from the hole to the nearest clamp; k and f are rows of `clamping`. The force is
+/// divided over the clamps, and the screw is the smallest of `clamp-screws` that bears it at 80 MPa.
+///
+/// # Errors
+/// The knowledge cannot answer.
+pub fn clamping(
+    part: &Part,
+    holes: &[HolePlan],
+    shop: &Shop<'_>,
+) -> Result<Option<Result<Clamping, Note>>, KnowledgeError> {
+    let table = shop.knowledge.table("clamping")?;
+    let constant = |name: &str| -> Result<(f64, Because), KnowledgeError> {
+        let row = table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
+        let value = row.number_in("maximum", Unit::None)?;
+        Ok((value, Because::row(row, Note::new(name).with("value", value))))
+    };
+    let ((k, safety), (f, friction)) = (constant("safety")?, constant("friction")?);
+    let proposed = part.fixture.clamps.is_empty();
+    let clamps = if proposed { propose(part) } else { part.fixture.clamps.iter().map(|clamp| clamp.at).collect() };
+
+    let mut worst: Option<(f64, NewtonMetres, &str, Micrometres)> = None;
+    for (plan, hole) in holes.iter().zip(&part.holes) {
+        let torque = plan
+            .transitions
+            .iter()
+            .filter_map(|transition| transition.conditions.torque_n_m)
+            .fold(NewtonMetres(0.0), NewtonMetres::max);
+        for point in &hole.at {
+            let distance = clamps.iter().map(|clamp| clamp.distance(*point)).min().unwrap_or_default();
+            if torque.0 <= 0.0 || distance <= Micrometres::ZERO {
+                continue;
+            }
+            let force = k * torque.0 / (f * distance.to_mm() / 1000.0);
+            if worst.is_none_or(|(largest, ..)| force > largest) {
+                worst = Some((force, torque, &plan.name, distance));
+            }
+        }
+    }
+    let Some((force, torque, hole, distance)) = worst else { return Ok(None) };
+    let each = Newtons(force / clamps.len().max(1) as f64);
+    let screws = shop.knowledge.table("clamp-screws")?;
+    let strong =
+        |row: &crate::knowledge::RowRef<'_>| row.number_in("force_80", Unit::Newton).is_ok_and(|most| most >= each.0);
+    let Some(screw) = screws.all_rows().find(strong) else {
+        return Ok(Some(Err(Note::new("no-screw").with("force", each.rounded(0).0).with("clamps", clamps.len()))));
+    };
+    // A drawing that names its screws keeps them; the plan then says which screw would do.
+    let named = part.fixture.clamps.iter().find_map(|clamp| clamp.screw.clone());
+    let name = screw.text("thread")?.to_owned();
+    let shown = match &named {
+        Some(own) => screws.find("thread", own).unwrap_or(screw),
+        None => screw,
+    };
+    let note = Note::new("screw")
+        .with("needed", &name)
+        .with("taken", shown.text("thread")?)
+        .with("bears", shown.number_in("force_80", Unit::Newton)?);
+    let clamping = Clamping {
+        torque_n_m: torque,
+        hole: hole.to_owned(),
+        distance_mm: distance,
+        force_n: Newtons(force).rounded(0),
+        force_per_clamp_n: each.rounded(0),
+        screw: shown.text("thread")?.to_owned(),
+        clamps,
+        proposed,
+        safe_distance_mm: shown.length("safe_distance")?,
+        because: vec![safety, friction, Because::row(shown, note)],
+    };
+    let weak = shown.number_in("force_80", Unit::Newton)? < each.0;
+    if weak {
+        let note = Note::new("screw-too-weak")
+            .with("screw", &clamping.screw)
+            .with("bears", shown.number_in("force_80", Unit::Newton)?)
+            .with("force", clamping.force_per_clamp_n.0)
+            .with("needed", name);
+        return Ok(Some(Err(note)));
+    }
+    Ok(Some(Ok(clamping)))
+}
+
+/// A symmetric pair on the middle of two opposite sides: the pair whose nearest hole is farther.
+fn propose(part: &Part) -> Vec<Point> {
+    let (blank, datum) = (&part.blank, &part.datum);
+    let (left, front) = (datum.left, datum.front);
+    let (right, back) = (left + blank.length, front + blank.width);
+    let middle = Point { x: left + blank.length.half(), y: front + blank.width.half() };
+    let along_y =
+        vec![Point { x: middle.x, y: front + PROPOSED_INSET }, Point { x: middle.x, y: back - PROPOSED_INSET }];
+    let along_x =
+        vec![Point { x: left + PROPOSED_INSET, y: middle.y }, Point { x: right - PROPOSED_INSET, y: middle.y }];
+    let room = |pair: &[Point]| {
+        let holes = part.holes.iter().flat_map(|hole| &hole.at);
+        holes.flat_map(|hole| pair.iter().map(|clamp| clamp.distance(*hole))).min()
+    };
+    if room(&along_y) >= room(&along_x) { along_y } else { along_x }
+}

@@ -1,0 +1,150 @@
+//! Holders: which one takes a shank, how far the cutter stands out, how long the assembly is.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::table::Shank;
+use crate::knowledge::units::{Micrometres, Unit};
+use crate::knowledge::{Input, Knowledge, RowRef};
+use crate::machine::Machine;
+use crate::note::{Because, Note};
+
+use super::Cutter;
+
+/// A cutter in its holder.
+#[derive(Clone, Debug)]
+pub struct Assembly {
+    /// The holder's designation; the cutter's own when it carries the machine's taper.
+    pub holder: String,
+    /// The holder's table.
+    pub holder_table: String,
+    /// Length of the holder, from the spindle's face.
+    pub holder_length: Micrometres,
+    /// How far the cutter stands out of the holder.
+    pub overhang: Micrometres,
+    /// From the spindle's face to the tip.
+    pub length: Micrometres,
+    /// Why.
+    pub because: Vec<Because>,
+}
+
+/// Puts a cutter into the first holder that takes it.
+///
+/// # Errors
+/// The knowledge cannot answer. That no holder fits is not an error: the inner `Err` says why.
+pub fn assemble(
+    cutter: &Cutter<'_>,
+    knowledge: &Knowledge,
+    machine: &Machine<'_>,
+) -> Result<Result<Assembly, Vec<Note>>, KnowledgeError> {
+    let (overhang, overhang_because) = overhang(cutter, knowledge)?;
+    if cutter.head.shank == Shank::Taper {
+        let assembly = Assembly {
+            holder: cutter.designation.to_owned(),
+            holder_table: cutter.row.table.id.clone(),
+            holder_length: Micrometres::ZERO,
+            overhang,
+            length: overhang,
+            because: vec![overhang_because],
+        };
+        return Ok(within_reach(assembly, machine));
+    }
+    let rule = knowledge.table("holder-for-shank")?;
+    let answer = rule.decide(&[("shank", Input::Text(cutter.head.shank.name()))])?;
+    let family = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, cutter.head.shank.name()))?;
+    let table = knowledge.table(family.text("holders")?)?;
+    let mut rejected = Vec::new();
+    for row in table.all_rows() {
+        let designation = row.text("designation")?;
+        if let Some(why) = refuse(row, cutter) {
+            rejected.push(why.with("holder", designation));
+            continue;
+        }
+        let length = row.length("length")?;
+        let note = Note::new("holder").with("shank", cutter.head.shank.name());
+        let assembly = Assembly {
+            holder: designation.to_owned(),
+            holder_table: table.id.clone(),
+            holder_length: length,
+            overhang,
+            length: length + overhang,
+            because: vec![Because::row(row, note).over(rejected), overhang_because],
+        };
+        return Ok(within_reach(assembly, machine));
+    }
+    Ok(Err(rejected))
+}
+
+fn within_reach(assembly: Assembly, machine: &Machine<'_>) -> Result<Assembly, Vec<Note>> {
+    if assembly.length <= machine.overhang_max {
+        return Ok(assembly);
+    }
+    Err(vec![
+        Note::new("assembly-too-long")
+            .with("holder", &assembly.holder)
+            .with("length", assembly.length)
+            .with("limit", machine.overhang_max),
+    ])
+}
+
+/// Why a holder does not take the cutter.
+fn refuse(row: RowRef<'_>, cutter: &Cutter<'_>) -> Option<Note> {
+    match cutter.head.shank {
+        Shank::Cylindrical => {
+            let shank = cutter.row.length("shank_diameter").unwrap_or(cutter.diameter);
+            let (low, high) = (row.length("clamp_min").ok()?, row.length("clamp_max").ok()?);
+            (shank < low || shank > high)
+                .then(|| Note::new("shank-outside-clamp").with("shank", shank).with("low", low).with("high", high))
+        }
+        Shank::Morse => {
+            let (own, taken) = (cutter.row.int("morse").ok()?, row.int("morse").ok()?);
+            (own != taken).then(|| Note::new("other-morse").with("own", own).with("taken", taken))
+        }
+        Shank::Shell => {
+            let (own, taken) = (cutter.row.length("bore").ok()?, row.length("bore").ok()?);
+            (own != taken).then(|| Note::new("other-bore").with("own", own).with("taken", taken))
+        }
+        Shank::Taper => None,
+    }
+}
+
+/// How far the cutter stands out.
+///
+/// With a cylindrical shank L − seat + 2…3 mm (textbook 5.2 item 5); with a Morse shank the length
+/// outside the taper; a shell cutter sits on its arbor; a tool with the machine's taper stands out whole.
+fn overhang(cutter: &Cutter<'_>, knowledge: &Knowledge) -> Result<(Micrometres, Because), KnowledgeError> {
+    let row = cutter.row;
+    let own = |column: &str| row.length(column).map_err(KnowledgeError::from);
+    match cutter.head.shank {
+        Shank::Cylindrical => {
+            let clamping = knowledge.table("clamping")?;
+            let addition = clamping
+                .find("name", "overhang-addition")
+                .ok_or_else(|| KnowledgeError::no_row(clamping, "overhang-addition"))?;
+            let extra = Micrometres::from_mm_rounded(addition.number_in("maximum", Unit::None)?);
+            let length = own("length").or_else(|_| own("cutting_length"))?;
+            let free = match row.length("shank_length") {
+                Ok(shank) => length - shank,
+                Err(_) => own("flute_length").or_else(|_| own("cutting_length"))?,
+            };
+            let note = Note::new("overhang-cylindrical").with("free", free).with("extra", extra);
+            Ok((free + extra, Because::row(addition, note)))
+        }
+        Shank::Morse => {
+            let note = Note::new("overhang-morse");
+            let projection = match row.length("projection") {
+                Ok(projection) => projection,
+                Err(_) => own("length")? - taper_shank(row, knowledge)?,
+            };
+            Ok((projection, Because::row(row, note.with("projection", projection))))
+        }
+        Shank::Shell => Ok((own("length")?, Because::row(row, Note::new("overhang-shell")))),
+        Shank::Taper => Ok((own("length")?, Because::row(row, Note::new("overhang-taper")))),
+    }
+}
+
+/// The length of a Morse shank with tang, by the table `morse-tapers`.
+fn taper_shank(row: RowRef<'_>, knowledge: &Knowledge) -> Result<Micrometres, KnowledgeError> {
+    let tapers = knowledge.table("morse-tapers")?;
+    let number = row.int("morse")?;
+    let taper = tapers.all_rows().find(|taper| taper.int("morse") == Ok(number));
+    Ok(taper.ok_or_else(|| KnowledgeError::no_row(tapers, &number.to_string()))?.length("tang_length")?)
+}
