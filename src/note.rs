@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::knowledge::{RowRef, Source, Table};
+use crate::knowledge::{Answer, RowRef, Source, Table};
 
 /// A sentence of the program in no language: what it says, and its figures.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
@@ -109,6 +109,23 @@ impl Because {
         }
     }
 
+    /// A decision that rests on the answer of a decision table: its winner, and the rejected rows by the
+    /// first column that failed.
+    pub fn answer(answer: &Answer<'_>, note: Note) -> Self {
+        let mut by_column: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+        for (row, column) in answer.rejected() {
+            by_column.entry(&column.name).or_default().push(row.number());
+        }
+        let rejected = by_column
+            .into_iter()
+            .map(|(column, rows)| Note::new("rows-rejected").with("column", column).with("rows", runs(&rows)))
+            .collect();
+        match answer.winner() {
+            Some(row) => Self::row(row, note).over(rejected),
+            None => Self::table(answer.table(), note).over(rejected),
+        }
+    }
+
     /// A decision that rests on a whole table, such as that it has no row.
     pub fn table(table: &Table, note: Note) -> Self {
         Self {
@@ -133,4 +150,16 @@ impl Because {
     pub fn is_doubtful(&self) -> bool {
         self.unconfirmed.is_some() || self.source.as_deref() == Some(Source::NAMES[2].0)
     }
+}
+
+/// Row numbers with runs drawn together: `1-3, 5`.
+fn runs(rows: &[usize]) -> String {
+    let runs: Vec<String> = rows
+        .chunk_by(|a, b| a + 1 == *b)
+        .map(|run| match run {
+            [one] => one.to_string(),
+            _ => format!("{}-{}", run[0], run[run.len() - 1]),
+        })
+        .collect();
+    runs.join(", ")
 }

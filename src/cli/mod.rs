@@ -14,6 +14,7 @@ mod knowledge;
 mod lint;
 mod lookup;
 mod output;
+mod plan;
 mod record;
 mod sheet;
 mod table;
@@ -49,7 +50,7 @@ struct Global {
     /// Folder with catalogs/ and rules/ instead of the embedded knowledge
     #[arg(long, global = true, value_name = "DIR")]
     knowledge: Option<PathBuf>,
-    /// Form of the answer: text, json or csv, as far as the command has it
+    /// Form of the answer: text, json, yaml or csv, as far as the command has it
     #[arg(long, global = true, value_enum, hide_possible_values = true)]
     format: Option<Format>,
     /// Write the answer to a file, not to the screen
@@ -66,6 +67,8 @@ struct Global {
 /// The commands.
 #[derive(Debug, Subcommand)]
 enum Command {
+    Plan(plan::Args),
+    Explain(plan::ExplainArgs),
     Table(table::Args),
     Lookup(lookup::Args),
     Lint(lint::Args),
@@ -74,6 +77,8 @@ enum Command {
 impl Command {
     fn run(&self, context: &Context) -> Result<Outcome, CliError> {
         match self {
+            Self::Plan(args) => plan::run(args, context),
+            Self::Explain(args) => plan::explain(args, context),
             Self::Table(args) => table::run(args, context),
             Self::Lookup(args) => lookup::run(args, context),
             Self::Lint(args) => lint::run(args, context),
@@ -88,6 +93,8 @@ pub enum Format {
     Text,
     /// For programs.
     Json,
+    /// For programs and people.
+    Yaml,
     /// For spreadsheets.
     Csv,
 }
@@ -98,6 +105,7 @@ impl Format {
         match self {
             Self::Text => "text",
             Self::Json => "json",
+            Self::Yaml => "yaml",
             Self::Csv => "csv",
         }
     }
@@ -149,6 +157,17 @@ impl Context {
     pub fn emit_json(&self, answer: &impl Serialize) -> Result<(), CliError> {
         match serde_json::to_string_pretty(answer) {
             Ok(text) => self.emit(&(text + "\n")),
+            Err(error) => Err(output::unprintable(self.lang, error)),
+        }
+    }
+
+    /// Gives out the answer as YAML.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn emit_yaml(&self, answer: &impl Serialize) -> Result<(), CliError> {
+        match serde_yaml::to_string(answer) {
+            Ok(text) => self.emit(&text),
             Err(error) => Err(output::unprintable(self.lang, error)),
         }
     }

@@ -110,6 +110,13 @@ phrases! {
         "перезберіть програму або вкажіть теку з базою: --knowledge DIR",
         "build the program anew, or name a folder with --knowledge DIR";
 
+    cannot_read(path, error): "{path}: не вдалося прочитати: {error}", "{path}: cannot be read: {error}";
+    check_path(): "перевірте шлях до файлу", "check the path of the file";
+    not_utf8(path, byte): "{path}: байт {byte} не є текстом UTF-8", "{path}: byte {byte} is not UTF-8 text";
+    save_as_utf8(): "збережіть файл у кодуванні UTF-8", "save the file as UTF-8";
+    no_hole(path, name): "{path}: групи отворів `{name}` немає", "{path}: there is no group of holes `{name}`";
+    known(names): "є: {names}", "there are: {names}";
+
     not_a_pair(text): "`{text}` не має вигляду ключ=значення", "`{text}` is not of the form key=value";
     write_pair(example): "пишіть, наприклад, {example}", "write, for example, {example}";
     no_such_key(table, key): "таблиця {table} не має ключа `{key}`", "table {table} has no key `{key}`";
@@ -247,7 +254,7 @@ pub const HELP_UK: &[(&str, &str)] = &[
     ("technolog", "База знань і рушій правил для проектування технологічних процесів обробки отворів і валів"),
     ("technolog.lang", "Мова відповідей: uk або en (якщо не вказано, за змінною LANG, інакше uk)"),
     ("technolog.knowledge", "Тека з catalogs/ і rules/ замість вбудованої бази знань"),
-    ("technolog.format", "Формат відповіді: text, json або csv, що з них має команда"),
+    ("technolog.format", "Формат відповіді: text, json, yaml або csv, що з них має команда"),
     ("technolog.output", "Записати відповідь у файл, а не на екран"),
     ("technolog.help", "Показати цю довідку"),
     ("technolog.version", "Показати версію"),
@@ -257,6 +264,13 @@ pub const HELP_UK: &[(&str, &str)] = &[
     ("lookup.table", "Таблиця, наприклад A.8"),
     ("lookup.query", "Що відомо, за назвами граф: it=7 diameter=12 roughness=\"Ra 2.5\""),
     ("lookup.all", "Кожен відкинутий рядок поодинці, скільки б їх не було"),
+    ("plan", "Повний план обробки деталі: маршрут, інструмент, режими, закріплення, корекції, час"),
+    ("plan.part", "Файл деталі"),
+    ("plan.cutting", "Режими різання за формулами (formula) чи за картами прикладу (card)"),
+    ("explain", "Чому отвір обробляється саме так і чому не інакше"),
+    ("explain.part", "Файл деталі"),
+    ("explain.hole", "Назва групи отворів"),
+    ("explain.cutting", "Режими різання за формулами (formula) чи за картами прикладу (card)"),
     ("lint", "Доводить базу знань: прогалини, суперечності, мертві рядки, посилання, закони, приклади"),
 ];
 

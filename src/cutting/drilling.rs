@@ -2,7 +2,6 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Input;
-use crate::knowledge::units::Unit;
 use crate::note::{Because, Note};
 use crate::plan::{CuttingMethod, Operation};
 use crate::shop::Shop;
@@ -92,15 +91,10 @@ fn base(
     let tool = Input::Text(cut.tool_material);
     let (d, t) = (cut.diameter.to_mm(), cut.depth_of_cut());
 
-    let life_table = shop.knowledge.table("tool-life")?;
-    let life = life_table.decide(&[
-        ("operation", operation),
-        ("material_group", group),
-        ("tool_material", tool),
-        ("diameter", Input::Length(cut.diameter)),
-    ])?;
-    let Some(life) = life.winner() else { return Ok(Err(factors::missing(life_table, shop))) };
-    let tool_life = life.number_in("life", Unit::Minute)?;
+    let (tool_life, life) = match factors::tool_life(table_operation(cut.operation), cut, shop)? {
+        Ok(life) => life,
+        Err(note) => return Ok(Err(note)),
+    };
 
     let speed_table = shop.knowledge.table("cutting-speed")?;
     let speed = speed_table.decide(&[
@@ -115,7 +109,7 @@ fn base(
     let v = cv * libm::pow(d, q) / (libm::pow(tool_life, m) * libm::pow(t, x) * libm::pow(feed.0, y));
 
     let mut because = vec![
-        Because::row(life, Note::new("tool-life").with("minutes", tool_life)),
+        life,
         Because::row(
             speed,
             Note::new("speed-coefficients").with("cv", cv).with("q", q).with("x", x).with("y", y).with("m", m),

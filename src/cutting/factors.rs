@@ -104,6 +104,24 @@ pub(super) fn by_depth(id: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Result<Facto
     Ok(Ok((factor, Because::row(row, shown(id, factor)))))
 }
 
+/// Tool life by the handbook's table, or by `tool-life-beyond` where that has no cell.
+pub(super) fn tool_life(operation: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Result<Factor, KnowledgeError> {
+    let handbook = shop.knowledge.table("tool-life")?;
+    for table in [handbook, shop.knowledge.table("tool-life-beyond")?] {
+        let answer = table.decide(&[
+            ("operation", Input::Text(operation)),
+            ("material_group", Input::Text(shop.material.group)),
+            ("tool_material", Input::Text(cut.tool_material)),
+            ("diameter", Input::Length(cut.diameter)),
+        ])?;
+        if let Some(row) = answer.winner() {
+            let life = row.number_in("life", Unit::Minute)?;
+            return Ok(Ok((life, Because::row(row, Note::new("tool-life").with("minutes", life)))));
+        }
+    }
+    Ok(Err(missing(handbook, shop)))
+}
+
 /// Kpv: the skin of the blank.
 pub(super) fn surface(cut: &Cut<'_>, shop: &Shop<'_>) -> Result<Factor, KnowledgeError> {
     let table = shop.knowledge.table("skin-factor")?;

@@ -3,7 +3,7 @@
 use crate::error::KnowledgeError;
 use crate::knowledge::{Input, Knowledge, RowRef};
 use crate::note::{Because, Note};
-use crate::plan::Operation;
+use crate::plan::{CuttingMethod, Operation};
 use crate::shop::Shop;
 use crate::units::{Decimal, Micrometres, MillimetresPerRev, Unit};
 
@@ -41,7 +41,9 @@ pub(super) fn tabulated(cut: &Cut<'_>, shop: &Shop<'_>) -> Result<Result<Feed, N
         note = note.with("asked-at", diameter);
     }
     let mut because = vec![Because::row(row, note), Because::row(choice, Note::new("feed-choice"))];
-    if matches!(cut.operation, Operation::Drill | Operation::DrillOut) {
+    // The cards give the feed of the point itself; their corrections follow in `card`.
+    let by_formula = shop.method == CuttingMethod::Formula;
+    if by_formula && matches!(cut.operation, Operation::Drill | Operation::DrillOut) {
         match factors::by_depth("depth-feed-factor", cut, shop)? {
             Ok((factor, reason)) => {
                 feed *= factor;

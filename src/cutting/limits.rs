@@ -81,7 +81,7 @@ fn spindle_step(wanted: RevsPerMinute, shop: &Shop<'_>) -> Result<(RevsPerMinute
                 .with("above", above.0)
                 .with("excess", round_to(excess, 1))
                 .with("step", step.0);
-            Ok((step, "cutting-speed".to_owned(), Because::row(row, note)))
+            Ok((step, "cutting-speed".to_owned(), Because::answer(&answer, note)))
         }
         (Some(below), None) => Ok((*below, "spindle-speed-max".to_owned(), series("spindle-fastest", *below)?)),
         (None, Some(above)) => Ok((*above, "spindle-speed-min".to_owned(), series("spindle-slowest", *above)?)),

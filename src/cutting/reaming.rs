@@ -2,7 +2,6 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Input;
-use crate::knowledge::units::Unit;
 use crate::note::{Because, Note};
 use crate::shop::Shop;
 use crate::units::{MetresPerMinute, Minutes};
@@ -24,15 +23,10 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Result<Result<Draft, Note
     let group = Input::Text(shop.material.group);
     let tool = Input::Text(cut.tool_material);
 
-    let life_table = shop.knowledge.table("tool-life")?;
-    let life = life_table.decide(&[
-        ("operation", operation),
-        ("material_group", group),
-        ("tool_material", tool),
-        ("diameter", Input::Length(cut.diameter)),
-    ])?;
-    let Some(life) = life.winner() else { return Ok(Err(factors::missing(life_table, shop))) };
-    let tool_life = life.number_in("life", Unit::Minute)?;
+    let (tool_life, life) = match factors::tool_life("ream", cut, shop)? {
+        Ok(life) => life,
+        Err(note) => return Ok(Err(note)),
+    };
 
     let speed_table = shop.knowledge.table("cutting-speed")?;
     let speed = speed_table.decide(&[
@@ -51,7 +45,7 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Result<Result<Draft, Note
             * libm::pow(cut.depth_of_cut(), number(row, "x")?)
             * libm::pow(feed.feed.0, number(row, "y")?))
         * material;
-    because.push(Because::row(life, Note::new("tool-life").with("minutes", tool_life)));
+    because.push(life);
     because.push(Because::row(row, Note::new("speed-coefficients").with("cv", number(row, "cv")?)));
     because.push(reason);
     Ok(Ok(Draft {

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::knowledge::{Input, Knowledge};
-use crate::units::{ItGrade, Micrometres};
+use crate::units::{ItGrade, Micrometres, Unit};
 
 /// A diameter and what its tolerance amounts to.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -46,8 +46,9 @@ impl ToleratedDiameter {
     /// What is wrong, and what to write.
     pub fn parse(text: &str, knowledge: &Knowledge) -> Result<Self, String> {
         // Cyrillic Н looks like the Latin letter and is typed as often.
-        let text = text.trim().trim_start_matches(['Ø', '⌀']).replace(['Н', 'н'], "H");
-        let split = text.find(|c: char| c.is_alphabetic()).unwrap_or(text.len());
+        let text = text.trim().trim_start_matches(['Ø', '⌀', '∅', 'Ф', 'ф']).trim_start().replace(['Н', 'н'], "H");
+        // At the H, so that a letter typed for a digit before it is seen as such.
+        let split = text.rfind('H').or_else(|| text.find(char::is_alphabetic)).unwrap_or(text.len());
         let (size, field) = text.split_at(split);
         let nominal: Micrometres = size.trim().parse().map_err(|error| format!("{error}; write `10H12`"))?;
         if field.is_empty() {
@@ -63,6 +64,7 @@ impl ToleratedDiameter {
     }
 
     fn with_grade(nominal: Micrometres, grade: u8, written: String, knowledge: &Knowledge) -> Result<Self, String> {
+        in_range(nominal, knowledge)?;
         let it = ItGrade::new(grade)
             .filter(|grade| (6..=14).contains(&grade.number()))
             .ok_or_else(|| format!("grade {grade} is outside 6 to 14, which the tables A.8 and A.9 cover"))?;
@@ -73,26 +75,50 @@ impl ToleratedDiameter {
     /// From limits: the grade is the coarsest whose tolerance the limits still hold.
     ///
     /// # Errors
-    /// The limits are crossed or tighter than grade 6.
+    /// The limits are crossed, leave no hole or are tighter than grade 6.
     pub fn from_limits(
         nominal: Micrometres,
         upper: Micrometres,
         lower: Micrometres,
         knowledge: &Knowledge,
     ) -> Result<Self, String> {
+        in_range(nominal, knowledge)?;
         let given = upper - lower;
         if given <= Micrometres::ZERO {
             return Err(format!("the upper deviation {upper} must be above the lower {lower}"));
         }
+        if lower.abs().max(upper.abs()) >= nominal {
+            return Err(format!("the deviations {upper} and {lower} are not small beside Ø{nominal}; they are in mm"));
+        }
         for grade in (6..=14).rev() {
             let Some(it) = ItGrade::new(grade) else { continue };
             if tolerance_width(it, nominal, knowledge)? <= given {
-                let written = format!("{nominal} +{upper}/{lower}");
+                let written = format!("{nominal} {}/{}", signed(upper), signed(lower));
                 return Ok(Self { nominal, upper, lower, it, written });
             }
         }
         Err(format!("a tolerance of {given} mm is tighter than grade 6 at Ø{nominal}, the finest of the tables"))
     }
+}
+
+/// A deviation as drawings write it: with its sign, zero without.
+fn signed(deviation: Micrometres) -> String {
+    if deviation > Micrometres::ZERO { format!("+{deviation}") } else { deviation.to_string() }
+}
+
+/// A hole must be one that the drills and bars of the catalogs make (table `hole-defaults`).
+fn in_range(nominal: Micrometres, knowledge: &Knowledge) -> Result<(), String> {
+    let table = knowledge.table("hole-defaults").map_err(|error| error.to_string())?;
+    let bound = |name: &str| -> Result<Micrometres, String> {
+        let row = table.find("name", name).ok_or_else(|| format!("the table hole-defaults has no `{name}`"))?;
+        let value = row.number_in("value", Unit::None).map_err(|error| error.to_string())?;
+        Ok(Micrometres::from_mm_rounded(value))
+    };
+    let (smallest, largest) = (bound("smallest-diameter-mm")?, bound("largest-diameter-mm")?);
+    if nominal < smallest || nominal > largest {
+        return Err(format!("Ø{nominal} is outside Ø{smallest} to Ø{largest}, which the drills of the catalogs begin"));
+    }
+    Ok(())
 }
 
 /// The width of a grade at a size, by the table `it-grades` (ISO 286-1).

@@ -137,13 +137,9 @@ impl<'p, 'k> Fitting<'p, 'k> {
             through: self.hole.through,
             lead: self.lead,
         };
-        let cutter = match tooling::find_cutter(&need, self.shop.knowledge, &self.shop.machine)? {
-            Ok(cutter) => cutter,
+        let (cutter, assembly) = match tooling::find_tool(&need, self.shop.knowledge, &self.shop.machine)? {
+            Ok(found) => found,
             Err(why) => return Ok(Err(first_of(why, step.operation))),
-        };
-        let assembly = match tooling::assemble(&cutter, self.shop.knowledge, &self.shop.machine)? {
-            Ok(assembly) => assembly,
-            Err(why) => return Ok(Err(first_of(why, step.operation).with("tool", cutter.designation))),
         };
         let nose_radius = cutter.row.length("nose_radius").ok();
         let cut = Cut { nose_radius, ..self.cut(&step, follows, &cutter.head.material, travel) };

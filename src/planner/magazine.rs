@@ -21,7 +21,7 @@ pub(super) fn choose_centre_drill(
     findings: &mut Vec<Finding>,
 ) -> Result<(), KnowledgeError> {
     let widest = widest_centre_drill(shop.knowledge)?;
-    let mut needed = Micrometres::ZERO;
+    let (mut needed, mut shown) = (Micrometres::ZERO, String::new());
     for draft in &*drafts {
         let Some(centre) = draft.steps.iter().find(|one| one.step.operation == Operation::CentreDrill) else {
             continue;
@@ -29,12 +29,14 @@ pub(super) fn choose_centre_drill(
         let spot = centre.step.diameter;
         let first = draft.steps.iter().find(|one| one.step.operation == Operation::Drill).map(|one| one.step.diameter);
         let makes_chamfer = centre.because.iter().any(|reason| reason.note.code == "spot-by-chamfer");
-        let own = match first {
+        let (own, why) = match first {
             // Wider than the first drill, so that the drill enters on the cone and not on its rim.
-            Some(drill) if !makes_chamfer && drill < widest => drill + Micrometres::new(1),
-            _ => spot,
+            Some(drill) if !makes_chamfer && drill < widest => (drill + Micrometres::new(1), format!("> Ø{drill}")),
+            _ => (spot, format!(">= Ø{spot}")),
         };
-        needed = needed.max(own).max(spot);
+        if own > needed {
+            (needed, shown) = (own, why);
+        }
     }
     if needed == Micrometres::ZERO {
         return Ok(());
@@ -48,26 +50,19 @@ pub(super) fn choose_centre_drill(
         through: true,
         lead: "",
     };
-    let found = tooling::find_cutter(&need, shop.knowledge, &shop.machine)?;
-    let fitted = match found {
-        Ok(cutter) => match tooling::assemble(&cutter, shop.knowledge, &shop.machine)? {
-            Ok(assembly) => {
-                let why = Note::new("centre-drill-for-all").with("needed", needed);
-                let mut because = vec![Because { note: why, ..cutter.because.clone() }];
-                because.extend(assembly.because.clone());
-                Ok(FittedTool {
-                    designation: cutter.designation.to_owned(),
-                    table: cutter.row.table.id.clone(),
-                    diameter: cutter.diameter,
-                    size: cutter.diameter,
-                    assembly,
-                    because,
-                })
-            }
-            Err(why) => Err(why),
-        },
-        Err(why) => Err(why),
-    };
+    let fitted = tooling::find_tool(&need, shop.knowledge, &shop.machine)?.map(|(cutter, assembly)| {
+        let why = Note::new("centre-drill-for-all").with("needed", &shown);
+        let mut because = vec![Because { note: why, ..cutter.because.clone() }];
+        because.extend(assembly.because.clone());
+        FittedTool {
+            designation: cutter.designation.to_owned(),
+            table: cutter.row.table.id.clone(),
+            diameter: cutter.diameter,
+            size: cutter.diameter,
+            assembly,
+            because,
+        }
+    });
     for (draft, hole) in drafts.iter_mut().zip(&part.holes) {
         let Some(centre) = draft.steps.iter_mut().find(|one| one.step.operation == Operation::CentreDrill) else {
             continue;

@@ -94,7 +94,8 @@ fn hole(
         return Ok(nothing);
     }
     let fitting = Fitting::new(hole, part, shop)?;
-    let drills = tooling::drill_diameters(|drill| fitting.drill_reach(drill), shop.knowledge, &shop.machine)?;
+    let drills =
+        tooling::drill_diameters(|drill| fitting.drill_reach(drill), hole.through, shop.knowledge, &shop.machine)?;
     let candidates = match scheme::candidates(hole, part, &drills, shop)? {
         Ok(candidates) => candidates,
         Err(note) => {
@@ -110,6 +111,9 @@ fn hole(
             Ok(steps) => {
                 if candidate.finish_elsewhere || candidates.stages_end_elsewhere {
                     report(Severity::Note, Note::new("finish-elsewhere").with("scheme", &candidate.scheme));
+                }
+                if steps.iter().any(|fitted| fitted.step.operation.is_boring() && fitted.step.passes > 1) {
+                    report(Severity::Note, Note::new("bar-set-by-hand"));
                 }
                 let route = route(candidate, &candidates, refused);
                 return Ok(Draft { route: Some(route), steps });
@@ -138,7 +142,7 @@ fn try_candidate(
     let mut why = None;
     for single_drill in [false, true] {
         let sizes = diameters::Sizes { single_drill, ..*sizes };
-        let steps = match diameters::steps(&candidate.transitions, hole, &sizes, shop)? {
+        let steps = match diameters::steps(candidate, hole, &sizes, shop)? {
             Ok(steps) => steps,
             Err(note) => return Ok(Err(why.unwrap_or(note))),
         };

@@ -2,5 +2,13 @@
 
 pub mod grid;
 mod lang;
+pub mod sentences;
+mod why;
+mod words;
+
+pub mod sheet;
 
 pub use lang::Lang;
+pub use sentences::sentence;
+pub use why::explain;
+pub use words::{operation_noun, operation_verb};

@@ -9,7 +9,7 @@ use crate::plan::Operation;
 use crate::shop::Shop;
 use crate::units::Micrometres;
 
-use super::Step;
+use super::{Candidate, Step};
 
 /// Adjustable sizes are set in steps of 0.05 mm.
 const SETTING: i64 = 50;
@@ -32,35 +32,33 @@ pub struct Sizes<'a> {
 /// # Errors
 /// The knowledge cannot answer. That no diameters work is not an error: the inner `Err` says why.
 pub fn steps(
-    transitions: &[Operation],
+    candidate: &Candidate,
     hole: &Hole,
     sizes: &Sizes<'_>,
     shop: &Shop<'_>,
 ) -> Result<Result<Vec<Step>, Note>, KnowledgeError> {
-    let mut operations = Vec::new();
-    let mut replaced = Vec::new();
-    for &operation in transitions {
-        match stand_in(operation, hole, sizes, shop)? {
-            Ok((operation, reason)) => {
-                operations.push(operation);
-                replaced.push(reason);
-            }
-            Err(note) => return Ok(Err(note)),
-        }
-    }
+    let transitions = &candidate.transitions;
     let mut steps: Vec<Step> = Vec::new();
-    let mut after = hole.diameter.nominal;
-    for index in (0..operations.len()).rev() {
-        let operation = operations[index];
-        let previous = index.checked_sub(1).map(|before| operations[before]);
-        let step = match operation {
+    let (mut after, left) = finished(candidate, hole, shop)?;
+    for index in (0..transitions.len()).rev() {
+        let previous = index.checked_sub(1).map(|before| transitions[before]);
+        let (operation, replaced) = match stand_in(transitions[index], after, sizes, shop)? {
+            Ok(operation) => operation,
+            Err(note) => return Ok(Err(note)),
+        };
+        let mut step = match operation {
             Operation::CentreDrill => step(operation, Micrometres::ZERO, Micrometres::ZERO),
-            Operation::Drill => match drill(after, steps.is_empty(), hole, sizes) {
+            Operation::Drill => match drill(after, steps.is_empty(), candidate.finish_elsewhere, hole, sizes) {
                 Ok(diameter) => step(operation, diameter, Micrometres::ZERO),
                 Err(note) => return Ok(Err(note)),
             },
             Operation::RoughBore => match rough_bore(after, previous, sizes, shop)? {
-                Ok(step) => step,
+                Ok(mut chain) => {
+                    // All but the first of the chain stand behind it; the first is handled as any step.
+                    let first = chain.remove(0);
+                    steps.extend(chain.into_iter().rev());
+                    first
+                }
                 Err(note) => return Ok(Err(note)),
             },
             Operation::CoreDrill
@@ -74,11 +72,38 @@ pub fn steps(
             other => return Ok(Err(Note::new("not-planned").with("operation", other.name()))),
         };
         after = step.from;
-        steps.push(Step { because: step.because.into_iter().chain(replaced[index].clone()).collect(), ..step });
+        step.because.extend(replaced);
+        if steps.is_empty() {
+            step.because.extend(left.clone());
+        }
+        steps.push(step);
     }
     steps.reverse();
     two_passes(&mut steps, sizes, shop)?;
     Ok(Ok(steps))
+}
+
+/// The diameter the route ends at: the hole's, or smaller by the stock for a finish on another machine
+/// (rule `stock-for-elsewhere`).
+fn finished(
+    candidate: &Candidate,
+    hole: &Hole,
+    shop: &Shop<'_>,
+) -> Result<(Micrometres, Option<Because>), KnowledgeError> {
+    let nominal = hole.diameter.nominal;
+    if !candidate.finish_elsewhere {
+        return Ok((nominal, None));
+    }
+    let rule = shop.knowledge.table("stock-for-elsewhere")?;
+    let answer = rule.decide(&[("diameter", Input::Length(nominal))])?;
+    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this diameter"))?;
+    let allowances = shop.knowledge.table("allowances")?;
+    let mut stock = Micrometres::ZERO;
+    for name in row.texts("allowances")? {
+        let allowance = allowances.find("name", name).ok_or_else(|| KnowledgeError::no_row(allowances, name))?;
+        stock = stock + allowance.length("maximum")?;
+    }
+    Ok((nominal - stock, Some(Because::row(row, Note::new("stock-for-elsewhere").with("stock", stock)))))
 }
 
 fn step(operation: Operation, diameter: Micrometres, from: Micrometres) -> Step {
@@ -88,21 +113,21 @@ fn step(operation: Operation, diameter: Micrometres, from: Micrometres) -> Step 
 /// What stands in where no boring bar enters, by the rule `too-small-to-bore`.
 fn stand_in(
     operation: Operation,
-    hole: &Hole,
+    after: Micrometres,
     sizes: &Sizes<'_>,
     shop: &Shop<'_>,
 ) -> Result<Result<(Operation, Option<Because>), Note>, KnowledgeError> {
     if !operation.is_boring() {
         return Ok(Ok((operation, None)));
     }
-    let enters = hole.diameter.nominal >= sizes.smallest_bore;
+    let enters = after >= sizes.smallest_bore;
     let rule = shop.knowledge.table("too-small-to-bore")?;
     let answer = rule.decide(&[("operation", Input::Text(operation.name())), ("bar_enters", Input::Bool(enters))])?;
     let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, operation.name()))?;
     let note = |code: &str| {
         Note::new(code)
             .with("operation", operation.name())
-            .with("diameter", hole.diameter.nominal)
+            .with("diameter", after)
             .with("smallest", sizes.smallest_bore)
     };
     Ok(match row.text("operation_instead")? {
@@ -125,13 +150,24 @@ pub fn final_drill(hole: &Hole, drills: &[Micrometres]) -> Option<Micrometres> {
     })
 }
 
-/// The drill before the next transition, or the one that ends the route.
-fn drill(after: Micrometres, last: bool, hole: &Hole, sizes: &Sizes<'_>) -> Result<Micrometres, Note> {
-    let found =
-        if last { final_drill(hole, sizes.drills) } else { sizes.drills.iter().copied().find(|drill| *drill == after) };
+/// The drill before the next transition, or the one that ends the route: of the hole's size, or the
+/// largest that still leaves the stock for a finish elsewhere.
+fn drill(
+    after: Micrometres,
+    last: bool,
+    finish_elsewhere: bool,
+    hole: &Hole,
+    sizes: &Sizes<'_>,
+) -> Result<Micrometres, Note> {
+    let drills = sizes.drills;
+    let found = match (last, finish_elsewhere) {
+        (true, true) => drills.iter().rev().copied().find(|drill| *drill <= after),
+        (true, false) => final_drill(hole, drills),
+        (false, _) => drills.iter().copied().find(|drill| *drill == after),
+    };
     found.ok_or_else(|| {
-        let below = sizes.drills.iter().rev().find(|drill| **drill < after);
-        let above = sizes.drills.iter().find(|drill| **drill > after);
+        let below = drills.iter().rev().find(|drill| **drill < after);
+        let above = drills.iter().find(|drill| **drill > after);
         let show = |size: Option<&Micrometres>| size.map_or_else(|| "-".to_owned(), ToString::to_string);
         Note::new("no-drill").with("diameter", after).with("below", show(below)).with("above", show(above))
     })
@@ -215,47 +251,53 @@ fn finishing(
     Ok(Ok(Step { operation, diameter: after, nominal, from: before, passes: 1, because }))
 }
 
-/// Rough boring opens from the largest drill that leaves at least the smallest allowance, in as many
-/// equal passes as the largest allowance asks.
+/// Rough boring opens from the largest drill that leaves at least the smallest allowance. Where the bar
+/// for the final size does not enter that hole, slimmer bars open the way, one step each; each step is as
+/// many equal passes as the largest allowance asks.
 fn rough_bore(
     after: Micrometres,
     previous: Option<Operation>,
     sizes: &Sizes<'_>,
     shop: &Shop<'_>,
-) -> Result<Result<Step, Note>, KnowledgeError> {
+) -> Result<Result<Vec<Step>, Note>, KnowledgeError> {
     let allowance = allowance(Operation::RoughBore, after, shop)?;
     if previous != Some(Operation::Drill) {
         return Ok(Err(Note::new("not-planned").with("operation", "rough-bore")));
     }
     let largest = after - allowance.low;
-    let Some(before) = sizes
-        .drills
-        .iter()
-        .rev()
-        .copied()
-        .find(|drill| *drill <= largest && *drill >= sizes.smallest_bore.min(largest))
-    else {
+    let drill = sizes.drills.iter().rev().copied().find(|drill| *drill <= largest);
+    let Some(mut from) = drill else {
         return Ok(Err(Note::new("no-drill-before-boring")
             .with("diameter", after)
             .with("largest", largest)
             .with("smallest", sizes.smallest_bore)));
     };
-    let stock = (after - before).micrometres();
-    let passes = u32::try_from(stock.div_euclid(allowance.high.micrometres().max(1))).unwrap_or(0)
-        + u32::from(stock % allowance.high.micrometres().max(1) != 0);
-    let note = Note::new("rough-boring")
-        .with("low", allowance.low)
-        .with("high", allowance.high)
-        .with("stock", after - before)
-        .with("passes", passes);
-    Ok(Ok(Step {
-        operation: Operation::RoughBore,
-        diameter: after,
-        nominal: after,
-        from: before,
-        passes,
-        because: vec![Because::row(allowance.row, note)],
-    }))
+    let bars = shop.knowledge.table("boring-bars")?;
+    let mut chain = Vec::new();
+    while from < after {
+        let widest = bars
+            .all_rows()
+            .filter(|bar| bar.text("stage") == Ok("rough") && bar.length("bar_diameter").is_ok_and(|bar| bar < from))
+            .filter_map(|bar| bar.length("diameter_max").ok())
+            .max()
+            .unwrap_or_default();
+        if widest <= from {
+            return Ok(Err(Note::new("no-bar-enters").with("hole", from).with("diameter", after)));
+        }
+        let to = widest.min(after);
+        let stock = (to - from).micrometres();
+        let most = allowance.high.micrometres().max(1);
+        let passes = u32::try_from((stock + most - 1) / most).unwrap_or(u32::MAX);
+        let note = Note::new("rough-boring")
+            .with("low", allowance.low)
+            .with("high", allowance.high)
+            .with("stock", to - from)
+            .with("passes", passes);
+        let because = vec![Because::row(allowance.row, note)];
+        chain.push(Step { operation: Operation::RoughBore, diameter: to, nominal: to, from, passes, because });
+        from = to;
+    }
+    Ok(Ok(chain))
 }
 
 /// Splits the drilling in two where the rule `two-pass-drilling` says so.
@@ -277,7 +319,7 @@ fn two_passes(steps: &mut Vec<Step>, sizes: &Sizes<'_>, shop: &Shop<'_>) -> Resu
     let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this drill"))?;
     let note = |code: &str| Note::new(code).with("diameter", diameter).with("low", low).with("high", high);
     if row.int("passes")? < 2 {
-        steps[index].because.push(Because::row(row, note("one-pass")));
+        steps[index].because.push(Because::answer(&answer, note("one-pass")));
         return Ok(());
     }
     // Above 30 mm with nothing at hand: the smallest drill of the range cuts with the least thrust.
@@ -286,7 +328,7 @@ fn two_passes(steps: &mut Vec<Step>, sizes: &Sizes<'_>, shop: &Shop<'_>) -> Resu
     let second = &mut steps[index];
     second.operation = Operation::DrillOut;
     second.from = first;
-    second.because.push(Because::row(row, note("two-passes").with("first", first)));
+    second.because.push(Because::answer(&answer, note("two-passes").with("first", first)));
     let mut drill = step(Operation::Drill, first, Micrometres::ZERO);
     drill.because.push(Because::row(share, note("first-drill").with("first", first)));
     steps.insert(index, drill);

@@ -30,6 +30,7 @@ struct Cell<'k> {
     grade: ItGrade,
     roughness: Roughness,
     row: RowRef<'k>,
+    answer: Answer<'k>,
     because: Vec<Because>,
     finish_elsewhere: bool,
 }
@@ -56,6 +57,10 @@ pub fn candidates(
     let mut finer = Vec::new();
     for grade in (6..hole.diameter.it.number()).rev().filter_map(ItGrade::new) {
         for cell in cells(grade, hole, centre_tolerance, knowledge)?.filled {
+            // A finer grade that this machine only prepares does not hold the coarser one.
+            if cell.finish_elsewhere && !own.filled.iter().any(|own| own.finish_elsewhere) {
+                continue;
+            }
             let known = finer
                 .iter()
                 .chain(&own.filled)
@@ -66,12 +71,12 @@ pub fn candidates(
         }
     }
     let rule = knowledge.table("empty-cell")?;
-    let decision = rule.decide(&[
+    let answer = rule.decide(&[
         ("own_cell", Input::Bool(own.own_is_filled)),
         ("finer_roughness", Input::Bool(!own.own_is_filled && !own.filled.is_empty())),
         ("finer_grade", Input::Bool(!finer.is_empty())),
     ])?;
-    let decision = decision.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this cell"))?;
+    let decision = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this cell"))?;
     if decision.text("take")? == "nothing" {
         return Ok(Err(Note::new("no-scheme")
             .with("it", hole.diameter.it)
@@ -79,7 +84,7 @@ pub fn candidates(
             .with("centre", centre_tolerance)
             .with("columns", columns_of(&own.table_columns))));
     }
-    let taken = Because::row(decision, Note::new("cell").with("take", decision.text("take")?));
+    let taken = Because::answer(&answer, Note::new("cell").with("take", decision.text("take")?));
 
     let mut schemes = Vec::new();
     for cell in own.filled.into_iter().chain(finer) {
@@ -90,7 +95,7 @@ pub fn candidates(
             let mut because = because.clone();
             let note =
                 Note::new("scheme").with("scheme", &scheme).with("it", cell.grade).with("roughness", cell.roughness);
-            because.push(Because::row(cell.row, note));
+            because.push(Because::answer(&cell.answer, note));
             because.extend(reason);
             if let Some(candidate) = with_centring(scheme, &cell, because, hole, shop)? {
                 schemes.push(candidate);
@@ -133,11 +138,11 @@ fn stages(
     ])?;
     let note = |code: &str| Note::new(code).with("delta", delta).with("sigma", sigma).with("it", hole.diameter.it);
     Ok(match answer.winner() {
-        None => (Because::table(table, note("no-stages")), false),
+        None => (Because::answer(&answer, note("no-stages")), false),
         Some(row) => {
             let stages = row.texts("stages")?;
             let elsewhere = stages.contains(&"final-other");
-            (Because::row(row, note("stages").with("stages", stages.join(" + "))), elsewhere)
+            (Because::answer(&answer, note("stages").with("stages", stages.join(" + "))), elsewhere)
         }
     })
 }
@@ -171,8 +176,8 @@ fn cells<'k>(
     let columns = roughness_points(table, "roughness");
     let mut found = GradeCells { own_is_filled: false, filled: Vec::new(), table_columns: columns.clone() };
     for (position, roughness) in columns.into_iter().filter(|column| *column <= hole.roughness).enumerate() {
-        let answer = ask(table, asked_grade, hole.diameter.nominal, asked_centre, roughness)?;
-        let Some(row) = answer.winner() else { continue };
+        let cell = ask(table, asked_grade, hole.diameter.nominal, asked_centre, roughness)?;
+        let Some(row) = cell.winner() else { continue };
         found.own_is_filled |= position == 0;
         let note = Note::new("table-for-hole")
             .with("it", grade)
@@ -183,7 +188,8 @@ fn cells<'k>(
             grade,
             roughness,
             row,
-            because: vec![Because::row(choice, note)],
+            answer: cell,
+            because: vec![Because::answer(&answer, note)],
             finish_elsewhere: choice.flag("finish_elsewhere") || row.flag("finish_elsewhere"),
         });
     }
@@ -233,7 +239,7 @@ fn in_order(
     if row.text("take")? == "second" {
         schemes.reverse();
     }
-    Ok(schemes.into_iter().map(|scheme| (scheme, Some(Because::row(row, note.clone())))).collect())
+    Ok(schemes.into_iter().map(|scheme| (scheme, Some(Because::answer(&answer, note.clone())))).collect())
 }
 
 /// The scheme's transitions, with the centring that section 1.2.1 asks for.
@@ -259,7 +265,7 @@ fn with_centring(
     let asked = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this hole"))?;
     let has = transitions.first() == Some(&Operation::CentreDrill);
     let note = Note::new(if asked.flag("centre") { "centre" } else { "no-centre" }).with("ratio", ratio);
-    because.push(Because::row(asked, note));
+    because.push(Because::answer(&answer, note));
     if asked.flag("centre") && !has {
         let twins = knowledge.table("centred-twin")?;
         if let Some(twin) = twins.find("scheme", &name) {

@@ -2,9 +2,9 @@
 //! for every row of the right size that does not, the inequality that fails.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::table::{Shank, ToolHead};
+use crate::knowledge::table::ToolHead;
 use crate::knowledge::units::Micrometres;
-use crate::knowledge::{Input, Knowledge, RowRef, Table, Value};
+use crate::knowledge::{Input, Knowledge, RowRef, Table};
 use crate::machine::Machine;
 use crate::note::{Because, Note};
 use crate::plan::Operation;
@@ -43,20 +43,21 @@ pub struct CutterNeed<'a> {
     pub lead: &'a str,
 }
 
-/// The first cutter that fits, by the tables of the rule `tool-tables`.
+/// Every cutter that fits, in the order of the tables of the rule `tool-tables`, and why others of the
+/// right size do not.
 ///
 /// # Errors
-/// The knowledge cannot answer. That no cutter fits is not an error: the inner `Err` says why each did not.
-pub fn find_cutter<'k>(
+/// The knowledge cannot answer.
+pub(super) fn cutters<'k>(
     need: &CutterNeed<'_>,
     knowledge: &'k Knowledge,
     machine: &Machine<'_>,
-) -> Result<Result<Cutter<'k>, Vec<Note>>, KnowledgeError> {
+) -> Result<(Vec<Cutter<'k>>, Vec<Note>), KnowledgeError> {
     let rule = knowledge.table("tool-tables")?;
     let answer =
         rule.decide(&[("operation", Input::Text(need.operation.name())), ("diameter", Input::Length(need.nominal))])?;
     let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, need.operation.name()))?;
-    let mut rejected = Vec::new();
+    let (mut cutters, mut rejected) = (Vec::new(), Vec::new());
     for id in row.texts("tables")? {
         let table = knowledge.table(id)?;
         let Some(head) = &table.tool else { continue };
@@ -64,26 +65,24 @@ pub fn find_cutter<'k>(
             continue;
         }
         for candidate in fitting(table, need) {
-            match refuse(candidate, need, machine) {
-                Some(why) => rejected.push(why),
-                None => {
-                    let note =
-                        Note::new("cutter").with("operation", need.operation.name()).with("order", tables_of(row));
-                    return Ok(Ok(Cutter {
-                        row: candidate,
-                        head,
-                        designation: designation(candidate, need)?,
-                        diameter: own_diameter(candidate).unwrap_or(need.diameter),
-                        because: Because::row(candidate, note).over(rejected),
-                    }));
-                }
+            if let Some(why) = refuse(candidate, need, machine) {
+                rejected.push(why);
+                continue;
             }
+            let note = Note::new("cutter").with("operation", need.operation.name()).with("order", tables_of(row));
+            cutters.push(Cutter {
+                row: candidate,
+                head,
+                designation: designation(candidate, need)?,
+                diameter: own_diameter(candidate).unwrap_or(need.diameter),
+                because: Because::row(candidate, note),
+            });
         }
     }
-    if rejected.is_empty() {
+    if cutters.is_empty() && rejected.is_empty() {
         rejected.push(nothing_of_size(need, row, knowledge));
     }
-    Ok(Err(rejected))
+    Ok((cutters, rejected))
 }
 
 fn tables_of(row: RowRef<'_>) -> String {
@@ -185,41 +184,39 @@ fn sizes_of(row: RowRef<'_>) -> Vec<Micrometres> {
     ["diameter", "diameter_min", "diameter_max"].into_iter().filter_map(|column| row.length(column).ok()).collect()
 }
 
-/// The diameters of every drill that reaches that deep on this machine, ascending, each once.
+/// The diameters of every drill that this machine can hold and that reaches, ascending, each once.
 ///
 /// # Errors
 /// The knowledge cannot answer.
 pub fn drill_diameters(
     reach_of: impl Fn(Micrometres) -> Micrometres,
+    through: bool,
     knowledge: &Knowledge,
     machine: &Machine<'_>,
 ) -> Result<Vec<Micrometres>, KnowledgeError> {
-    let rule = knowledge.table("tool-tables")?;
-    let mut tables: Vec<&str> = Vec::new();
-    for row in rule.all_rows() {
-        for id in row.texts("tables")? {
-            if !tables.contains(&id) {
-                tables.push(id);
-            }
-        }
-    }
-    let mut diameters = Vec::new();
-    for id in tables {
-        let table = knowledge.table(id)?;
-        let drills = table.tool.as_ref().is_some_and(|head| head.operations.iter().any(|name| name == "drill"));
-        if !drills || table.tool.as_ref().is_some_and(|head| head.shank == Shank::Taper) {
-            continue;
-        }
-        for row in table.all_rows() {
-            if let (Some(Value::Length(diameter)), Ok(flute)) = (row.value("diameter"), row.length("flute_length"))
-                && *diameter <= machine.drill_max
-                && flute >= reach_of(*diameter)
-            {
-                diameters.push(*diameter);
-            }
-        }
-    }
+    let mut diameters: Vec<Micrometres> = knowledge
+        .tables()
+        .filter(|table| table.tool.as_ref().is_some_and(|head| head.operations.iter().any(|name| name == "drill")))
+        .flat_map(Table::all_rows)
+        .filter_map(own_diameter)
+        .filter(|diameter| *diameter <= machine.drill_max)
+        .collect();
     diameters.sort_unstable();
     diameters.dedup();
-    Ok(diameters)
+    let mut usable = Vec::with_capacity(diameters.len());
+    for diameter in diameters {
+        let need = CutterNeed {
+            operation: Operation::Drill,
+            diameter,
+            nominal: diameter,
+            enters: Micrometres::ZERO,
+            reach: reach_of(diameter),
+            through,
+            lead: "",
+        };
+        if super::find_tool(&need, knowledge, machine)?.is_ok() {
+            usable.push(diameter);
+        }
+    }
+    Ok(usable)
 }

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use saphyr_parser::{Event, Parser, ScalarStyle, Span};
+use saphyr_parser::{Event, Marker, Parser, ScalarStyle, Span};
 
 use crate::diagnostic::{Diagnostic, Place, nearest};
 
@@ -74,14 +74,34 @@ impl Node {
     }
 }
 
-/// Reads one YAML document. The tree is there unless the text is broken beyond reading; duplicate
-/// keys, anchors and tags are reported.
+/// The text of a file's bytes.
+///
+/// # Errors
+/// They are not UTF-8: the place is that of the first wrong byte.
+pub fn text_of(file: &str, bytes: Vec<u8>) -> Result<String, Diagnostic> {
+    String::from_utf8(bytes).map_err(|error| {
+        let sound = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        let sound = String::from_utf8_lossy(sound);
+        let last = sound.rsplit('\n').next().unwrap_or_default();
+        let place = Place {
+            file: Arc::from(file),
+            line: u32::try_from(sound.matches('\n').count() + 1).unwrap_or(u32::MAX),
+            column: u32::try_from(last.chars().count() + 1).unwrap_or(u32::MAX),
+            width: 1,
+        };
+        Diagnostic::error("not-utf8", "from here on it is not UTF-8 text", place).help("save the file as UTF-8")
+    })
+}
+
+/// Reads one YAML document. The tree is there unless the text is broken beyond reading or empty;
+/// duplicate keys are reported. Aliases are refused: their targets have other places.
 pub fn parse(file: &str, text: &str) -> (Option<Node>, Vec<Diagnostic>) {
     let mut builder = Builder {
         file: Arc::from(file),
         lines: text.lines().collect(),
         stack: Vec::new(),
         root: None,
+        broken: false,
         problems: vec![],
     };
     let mut documents = 0;
@@ -91,25 +111,33 @@ pub fn parse(file: &str, text: &str) -> (Option<Node>, Vec<Diagnostic>) {
                 documents += 1;
                 if documents > 1 {
                     let place = builder.place(span);
-                    builder.problems.push(Diagnostic::error("yaml", "a second document in one file", place));
+                    builder.problems.push(
+                        Diagnostic::error("yaml", "a second document in one file", place)
+                            .help("remove the line `---`, or make two files"),
+                    );
                     break;
                 }
             }
-            Ok((event, span)) => builder.event(event, span),
+            Ok((event, span)) => {
+                builder.event(event, span);
+                if builder.broken {
+                    return (None, builder.problems);
+                }
+            }
             Err(error) => {
-                let marker = *error.marker();
-                let place = builder.place(Span::empty(marker));
+                let place = builder.broken_at(*error.marker());
                 let message = format!("broken YAML: {}", error.info());
                 builder.problems.push(
                     Diagnostic::error("yaml", message, place)
-                        .help("mind the indentation, and quote values that hold any of `: , [ ] { } #`"),
+                        .help("indent with spaces, and quote values that hold any of `: , [ ] { } # *`"),
                 );
                 return (None, builder.problems);
             }
         }
     }
     if builder.root.is_none() {
-        builder.problems.push(Diagnostic::error("yaml", format!("{file} is empty"), None));
+        let place = Place { file: builder.file.clone(), line: 1, column: 1, width: 1 };
+        builder.problems.push(Diagnostic::error("yaml", "the file is empty", place));
     }
     (builder.root, builder.problems)
 }
@@ -125,6 +153,8 @@ struct Builder<'a> {
     lines: Vec<&'a str>,
     stack: Vec<Frame>,
     root: Option<Node>,
+    /// Whether what follows cannot be understood.
+    broken: bool,
     problems: Vec<Diagnostic>,
 }
 
@@ -134,13 +164,26 @@ impl Builder<'_> {
         let width = if end.line() == start.line() {
             end.col().saturating_sub(start.col())
         } else {
-            self.lines.get(start.line() - 1).map_or(1, |line| line.chars().count().saturating_sub(start.col()))
+            self.lines
+                .get(start.line().saturating_sub(1))
+                .map_or(1, |line| line.chars().count().saturating_sub(start.col()))
         };
         Place {
             file: self.file.clone(),
             line: u32::try_from(start.line()).unwrap_or(u32::MAX),
             column: u32::try_from(start.col() + 1).unwrap_or(u32::MAX),
             width: u32::try_from(width.max(1)).unwrap_or(1),
+        }
+    }
+
+    /// Where broken text is to be mended: where reading stopped, but for what is still open at the end
+    /// of the file, where it was opened.
+    fn broken_at(&self, marker: Marker) -> Place {
+        match self.stack.last() {
+            Some(Frame::Seq(_, opened) | Frame::Map(_, _, opened)) if marker.line() > self.lines.len() => {
+                opened.clone()
+            }
+            _ => self.place(Span::empty(marker)),
         }
     }
 
@@ -164,8 +207,11 @@ impl Builder<'_> {
                 None => {}
             },
             Event::Alias(_) => {
-                self.problems.push(Diagnostic::error("yaml", "aliases are not used in these files", place.clone()));
-                self.add(Node { kind: NodeKind::Scalar { text: String::new(), quoted: false }, place });
+                self.broken = true;
+                self.problems.push(
+                    Diagnostic::error("yaml", "aliases are not used in these files", place)
+                        .help("write the value out, or quote a text that begins with `*`"),
+                );
             }
             _ => {}
         }
@@ -176,7 +222,13 @@ impl Builder<'_> {
             None => self.root = Some(node),
             Some(Frame::Seq(items, _)) => items.push(node),
             Some(Frame::Map(entries, key, _)) => match key.take() {
-                None => self.problems.push(Diagnostic::error("yaml", "a key must be a plain word", node.place)),
+                None => {
+                    self.broken = true;
+                    self.problems.push(
+                        Diagnostic::error("yaml", "a key must be a plain word", node.place)
+                            .help("quote a text that begins with `{` or `[`"),
+                    );
+                }
                 Some(key) => match entries.iter().find(|(known, _)| known.text == key.text) {
                     Some((first, _)) => self.problems.push(
                         Diagnostic::error("duplicate-key", format!("the key `{}` stands twice", key.text), key.place)
@@ -286,8 +338,7 @@ impl<'n> Fields<'n> {
     pub fn need(&mut self, name: &str, problems: &mut Problems) -> Option<&'n Node> {
         let node = self.take(name);
         if node.is_none() {
-            let message = format!("the key `{name}` is missing");
-            problems.error::<()>("missing-key", message, self.place);
+            problems.error::<()>("missing-key", missing(name), self.place);
         }
         node
     }
@@ -301,16 +352,31 @@ impl<'n> Fields<'n> {
         rest
     }
 
-    /// Reports every field that nobody took; `known` are the right ones.
+    /// Reports every field that nobody took; `known` are the right ones. A mistyped key that was
+    /// needed is one mistake, not two: it is no longer reported as missing.
     pub fn finish(mut self, known: &[&str], problems: &mut Problems) {
-        for (key, _) in self.rest() {
-            let help = match nearest(&key.text, known.iter().copied()) {
+        for (key, node) in self.rest() {
+            let near = nearest(&key.text, known.iter().copied());
+            let help = match near {
+                _ if node.is_null() && key.text.bytes().all(|byte| byte.is_ascii_digit()) => {
+                    "write the decimal point of a number, not a comma".to_owned()
+                }
                 Some(near) => format!("did you mean `{near}`?"),
                 None => format!("known here: {}", known.join(", ")),
             };
+            if let Some(near) = near {
+                let place = Some(self.place);
+                problems.0.retain(|one| {
+                    one.code != "missing-key" || one.place.as_ref() != place || one.message != missing(near)
+                });
+            }
             problems.error_help::<()>("unknown-key", format!("unknown key `{}`", key.text), &key.place, help);
         }
     }
+}
+
+fn missing(name: &str) -> String {
+    format!("the key `{name}` is missing")
 }
 
 #[cfg(test)]
@@ -329,6 +395,39 @@ mod tests {
         let (root, problems) = parse("t.yaml", "a: 1\nb: [1, 2\n");
         assert!(root.is_none());
         assert!(problems[0].place.is_some(), "{problems:?}");
+    }
+
+    #[test]
+    fn what_is_left_open_is_shown_where_it_opens() {
+        for (text, place) in [("a: 1\nb: [1, 2\n", "t.yaml:2:4"), ("a: [1\nb: 2\n", "t.yaml:2:2")] {
+            assert_eq!(parse("t.yaml", text).1[0].place.as_ref().unwrap().to_string(), place, "{text}");
+        }
+    }
+
+    #[test]
+    fn one_slip_is_one_problem() {
+        for (text, code) in [
+            ("nam: 1\ndepth: 2\n", "unknown-key"),
+            ("name: {{x}}\ndepth: 2\n", "yaml"),
+            ("name: &n 1\ndepth: *n\n", "yaml"),
+            ("depth: 2\n", "missing-key"),
+        ] {
+            let (root, problems) = parse("t.yaml", text);
+            let mut problems = Problems(problems);
+            if let Some(root) = root {
+                let mut fields = problems.map(&root).unwrap();
+                let _ = (fields.need("name", &mut problems), fields.need("depth", &mut problems));
+                fields.finish(&["name", "depth"], &mut problems);
+            }
+            assert_eq!(problems.0.iter().map(|one| one.code).collect::<Vec<_>>(), [code], "{text}");
+        }
+    }
+
+    #[test]
+    fn the_first_byte_that_is_not_utf8_has_a_place() {
+        let problem = text_of("t.yaml", b"a: 1\nb: \xd0\xb0\xcf\xeb\n".to_vec()).unwrap_err();
+        assert_eq!(problem.place.unwrap().to_string(), "t.yaml:2:5");
+        assert_eq!(text_of("t.yaml", b"a: 1".to_vec()).unwrap(), "a: 1");
     }
 
     #[test]

@@ -1,0 +1,111 @@
+//! `technolog plan` and `technolog explain`: the plan of a part, and the reasons behind one hole.
+
+use std::borrow::Cow;
+use std::path::{Path, PathBuf};
+
+use technolog::knowledge::diagnostic::nearest;
+use technolog::knowledge::{Diagnostic, Knowledge};
+use technolog::part::read_part;
+use technolog::plan::{CuttingMethod, Plan};
+use technolog::{planner, report};
+
+use super::diagnostics::Texts;
+use super::{CliError, Context, Format, Outcome, knowledge, words};
+
+/// The whole plan of a part: route, tools, conditions, clamping, corrections, times
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// The part file
+    #[arg(value_name = "PART.yaml")]
+    part: PathBuf,
+    #[command(flatten)]
+    method: Method,
+}
+
+/// How cutting conditions are found.
+#[derive(Debug, clap::Args)]
+struct Method {
+    /// Cutting conditions by formula or by the worked example's card
+    #[arg(long, value_parser = ["formula", "card"], default_value = "formula")]
+    cutting: String,
+}
+
+impl Method {
+    fn method(&self) -> CuttingMethod {
+        if self.cutting == "card" { CuttingMethod::Card } else { CuttingMethod::Formula }
+    }
+}
+
+/// Plans a part.
+///
+/// # Errors
+/// The part file cannot be used; every mistake in it is told at once.
+pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
+    let format = context.format("plan", &[Format::Text, Format::Json, Format::Yaml])?;
+    let knowledge = knowledge::load(context)?;
+    let plan = make(&args.part, args.method.method(), &knowledge, context)?;
+    match format {
+        Format::Json => context.emit_json(&plan)?,
+        Format::Yaml => context.emit_yaml(&plan)?,
+        _ => context.emit(&report::sheet::page(&plan, &knowledge, context.lang))?,
+    }
+    Ok(if plan.has_errors() { Outcome::Findings } else { Outcome::Done })
+}
+
+/// Why one hole is made as it is, and why not otherwise
+#[derive(Debug, clap::Args)]
+pub struct ExplainArgs {
+    /// The part file
+    #[arg(value_name = "PART.yaml")]
+    part: PathBuf,
+    /// The name of the group of holes
+    #[arg(long, value_name = "NAME")]
+    hole: String,
+    #[command(flatten)]
+    method: Method,
+}
+
+/// Shows the reasons of one hole.
+///
+/// # Errors
+/// The part file cannot be used, or it has no such hole.
+pub fn explain(args: &ExplainArgs, context: &Context) -> Result<Outcome, CliError> {
+    let format = context.format("explain", &[Format::Text, Format::Json])?;
+    let knowledge = knowledge::load(context)?;
+    let plan = make(&args.part, args.method.method(), &knowledge, context)?;
+    let Some(hole) = plan.holes.iter().find(|hole| hole.name == args.hole) else {
+        let names: Vec<&str> = plan.holes.iter().map(|hole| hole.name.as_str()).collect();
+        let message = words::no_hole(context.lang, args.part.display(), &args.hole);
+        let help = match nearest(&args.hole, names.iter().copied()) {
+            Some(near) => words::did_you_mean(context.lang, near),
+            None => words::known(context.lang, names.join(", ")),
+        };
+        return Err(Diagnostic::error("unknown-hole", message, None).help(help).into());
+    };
+    match format {
+        Format::Json => context.emit_json(hole)?,
+        _ => context.emit(&report::explain(&plan, hole, context.lang))?,
+    }
+    Ok(if hole.route.is_none() { Outcome::Findings } else { Outcome::Done })
+}
+
+/// Reads and plans a part.
+fn make(path: &Path, method: CuttingMethod, knowledge: &Knowledge, context: &Context) -> Result<Plan, CliError> {
+    let shown = path.display().to_string();
+    let text = std::fs::read(path).map_err(|error| {
+        let message = words::cannot_read(context.lang, &shown, error);
+        CliError::from(Diagnostic::error("unreadable", message, None).help(words::check_path(context.lang)))
+    })?;
+    let text = String::from_utf8(text).map_err(|error| {
+        let message = words::not_utf8(context.lang, &shown, error.utf8_error().valid_up_to());
+        CliError::from(Diagnostic::error("not-utf8", message, None).help(words::save_as_utf8(context.lang)))
+    })?;
+    let part = read_part(&shown, &text, knowledge).map_err(|problems| CliError::Unusable {
+        problems,
+        texts: Texts::default().with(&shown, shown.clone(), Cow::Owned(text)),
+    })?;
+    planner::plan(&part, method, knowledge).map_err(|error| {
+        let message = error.to_string();
+        Diagnostic::error("knowledge", message, None).help(words::run_lint(context.lang)).into()
+    })
+}

@@ -1,0 +1,425 @@
+//! The words of notes: one sentence per code, in Ukrainian and English, with `{figures}` to fill in.
+//!
+//! A decision elsewhere in the program is a [`Note`], a code with its figures; only here does it become
+//! a sentence. A test finds every code the program uses and holds it against this table.
+
+use crate::note::Note;
+
+use super::Lang;
+
+/// A note as a sentence. A code without words shows itself with its figures, so that nothing is lost.
+pub fn sentence(note: &Note, lang: Lang) -> String {
+    let Some((_, uk, en)) = SENTENCES.iter().find(|(code, ..)| *code == note.code) else {
+        let figures: Vec<String> = note.params.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+        return format!("{} ({})", note.code, figures.join(", "));
+    };
+    let mut text = lang.pick(uk, en).to_owned();
+    for (name, value) in &note.params {
+        text = text.replace(&format!("{{{name}}}"), &shown(name, value, lang));
+    }
+    if let Some(more) = note.params.get("more") {
+        text.push_str(&lang.pick(" (і ще {} подібних)", " (and {} more like it)").replace("{}", more));
+    }
+    if let Some(scheme) = note.params.get("scheme").filter(|_| !uk.contains("{scheme}")) {
+        text = format!("{} {scheme}: {text}", lang.pick("схема", "scheme"));
+    }
+    text
+}
+
+/// Figures whose values are words of the program are translated too.
+fn shown(name: &str, value: &str, lang: Lang) -> String {
+    match name {
+        "operation" | "instead" => super::operation_noun(value, lang).to_owned(),
+        "take" | "by" | "name" | "shank" => term(value, lang).to_owned(),
+        "stages" => value.split(" + ").map(|stage| term(stage, lang)).collect::<Vec<_>>().join(" + "),
+        _ => value.to_owned(),
+    }
+}
+
+/// A word that stands in a table as an id.
+pub fn term(id: &str, lang: Lang) -> &str {
+    TERMS.iter().find(|(known, ..)| *known == id).map_or(id, |(_, uk, en)| lang.pick(uk, en))
+}
+
+const TERMS: &[(&str, &str, &str)] = &[
+    ("own-cell", "власна клітинка", "the cell itself"),
+    ("finer-roughness", "тонша шорсткість того ж квалітету", "a finer roughness of the same grade"),
+    ("finer-grade", "точніший квалітет", "a finer grade"),
+    ("first", "перша", "the first"),
+    ("second", "друга", "the second"),
+    ("thrust", "осьова сила", "thrust"),
+    ("spindle-torque", "крутний момент шпинделя", "spindle torque"),
+    ("spindle-power", "потужність шпинделя", "spindle power"),
+    ("cutting-speed", "швидкість різання", "cutting speed"),
+    ("spindle-speed-max", "найбільша частота", "top spindle speed"),
+    ("spindle-speed-min", "найменша частота", "lowest spindle speed"),
+    ("feed-max", "найбільша подача", "top feed"),
+    ("feed-min", "найменша подача", "lowest feed"),
+    ("speed", "швидкість", "speed"),
+    ("cylindrical", "циліндричний", "cylindrical"),
+    ("morse", "конус Морзе", "Morse taper"),
+    ("shell", "насадний", "shell"),
+    ("finish-nc", "чистова на верстаті з ЧПК", "finishing on the NC machine"),
+    ("rough-nc", "чорнова на верстаті з ЧПК", "roughing on the NC machine"),
+    ("final-other", "остаточна на іншому верстаті", "final machining on another machine"),
+];
+
+const SENTENCES: &[(&str, &str, &str)] = &[
+    // Schemes.
+    (
+        "stages",
+        "етапи: {stages} (Δ0 = {delta} мм, σс = {sigma} мм)",
+        "stages: {stages} (Δ0 = {delta} mm, σc = {sigma} mm)",
+    ),
+    ("no-stages", "для квалітету {it} етапів таблиця не дає", "the table gives no stages for grade {it}"),
+    (
+        "table-for-hole",
+        "квалітет {it} шукаємо в {table} за рядками квалітету {asked-it}, допуск міжосьової відстані {centre} мм",
+        "grade {it} is looked up in {table} by the rows of grade {asked-it}, centre tolerance {centre} mm",
+    ),
+    ("cell", "береться {take}", "taken: {take}"),
+    ("scheme", "схема {scheme} (квалітет {it}, {roughness})", "scheme {scheme} (grade {it}, {roughness})"),
+    ("which-of-two", "у клітинці {schemes}; береться {take}", "the cell offers {schemes}; taken: {take}"),
+    (
+        "centre",
+        "центрувати: у суцільному металі, глибина {ratio} діаметра",
+        "centre first: solid metal, {ratio} diameters deep",
+    ),
+    (
+        "no-centre",
+        "правило центрування не вимагає: глибина {ratio} діаметра",
+        "the rule asks for no centring: {ratio} diameters deep",
+    ),
+    ("twin", "схема {scheme} з центруванням - це схема {centred}", "scheme {scheme} with centring is scheme {centred}"),
+    (
+        "no-twin",
+        "схема {scheme} не має пари з центруванням; воно додається",
+        "scheme {scheme} has no centred twin; centring is added",
+    ),
+    ("transitions", "переходи схеми {scheme}", "the transitions of scheme {scheme}"),
+    ("candidates-refused", "перед нею відхилено схем: {count}", "schemes refused before it: {count}"),
+    (
+        "no-scheme",
+        "таблиці не дають схеми: квалітет {it}, {roughness}, допуск {centre} мм; графи шорсткості {columns}",
+        "the tables give no scheme: grade {it}, {roughness}, centre tolerance {centre} mm; roughness columns {columns}",
+    ),
+    (
+        "no-route",
+        "Ø{diameter}: жодна зі схем не здійсненна (відхилено {tried})",
+        "Ø{diameter}: no scheme can be carried out ({tried} refused)",
+    ),
+    (
+        "finish-elsewhere",
+        "за таблицями отвір остаточно обробляють на верстаті іншого типу; тут схема {scheme}",
+        "the tables finish this hole on a machine of another type; scheme {scheme} is what is done here",
+    ),
+    (
+        "grade-without-distance",
+        "centre_tolerance: IT{it} потребує двох отворів у групі; вкажіть ширину допуску в мм",
+        "centre_tolerance: IT{it} needs two holes in the group; give the width in mm",
+    ),
+    (
+        "grade-outside-table",
+        "IT{it} на міжосьовій відстані {distance} мм поза таблицею: {why}",
+        "IT{it} at a centre distance of {distance} mm is outside the table: {why}",
+    ),
+    ("feature-not-planned", "ця версія ще не проектує: {keys}", "this version reads but does not plan yet: {keys}"),
+    (
+        "flat-bottom-not-planned",
+        "плоске дно ця версія ще не проектує; свердло лишає конус",
+        "a flat bottom is not planned yet; a drill leaves a cone",
+    ),
+    ("not-planned", "{operation}: цей перехід тут не проектується", "{operation}: not planned here"),
+    ("rows-rejected", "рядки {rows}: не підійшла графа {column}", "rows {rows}: the column {column} did not match"),
+    // Diameters.
+    (
+        "allowance",
+        "{operation}: припуск {taken} мм на діаметр, діапазон {low}-{high} мм",
+        "{operation}: allowance {taken} mm on diameter, range {low}-{high} mm",
+    ),
+    (
+        "ground-to-size",
+        "інструмент Ø{nominal} каталогу, виконаний на розмір Ø{size}",
+        "the catalog's Ø{nominal} cutter, made to Ø{size}",
+    ),
+    (
+        "rough-boring",
+        "чорнове розточування: {stock} мм на діаметр за {passes} прох., по {low}-{high} мм",
+        "rough boring: {stock} mm on diameter in {passes} passes, {low}-{high} mm each at most",
+    ),
+    (
+        "stock-for-elsewhere",
+        "лишено {stock} мм на діаметр для іншого верстата",
+        "{stock} mm on diameter left for the other machine",
+    ),
+    ("one-pass", "свердлити Ø{diameter} за один перехід", "drill Ø{diameter} in one pass"),
+    (
+        "two-passes",
+        "свердлити у два переходи: спершу Ø{first}, далі Ø{diameter} (перше свердло {low}-{high} мм)",
+        "drill in two passes: Ø{first} first, then Ø{diameter} (first drill {low}-{high} mm)",
+    ),
+    ("first-drill", "перше свердло Ø{first}: 0,5-0,6 від Ø{diameter}", "first drill Ø{first}: 0.5-0.6 of Ø{diameter}"),
+    (
+        "two-passes-cost",
+        "проти одного свердла: час {time} хв на отвір, осьова сила {thrust} Н замість {one-thrust} Н",
+        "against one drill: {time} min per hole, thrust {thrust} N instead of {one-thrust} N",
+    ),
+    (
+        "bored-by-stand-in",
+        "Ø{diameter} замалий для оправки (від Ø{smallest}); замість розточування - {instead}",
+        "Ø{diameter} is too small for a boring bar (from Ø{smallest}); {instead} stands in for boring",
+    ),
+    (
+        "too-small-to-bore",
+        "{operation}: Ø{diameter} < Ø{smallest}, найменшого отвору для оправки",
+        "{operation}: Ø{diameter} < Ø{smallest}, the smallest hole a bar enters",
+    ),
+    (
+        "no-drill",
+        "немає свердла Ø{diameter}, що сягає дна; найближчі Ø{below} і Ø{above}",
+        "no drill Ø{diameter} that reaches; the nearest are Ø{below} and Ø{above}",
+    ),
+    (
+        "no-drill-in-allowance",
+        "{operation} до Ø{diameter}: немає свердла від Ø{low} до Ø{high}",
+        "{operation} to Ø{diameter}: no drill from Ø{low} to Ø{high}",
+    ),
+    (
+        "no-drill-before-boring",
+        "під розточування до Ø{diameter} немає свердла від Ø{smallest} до Ø{largest}",
+        "boring to Ø{diameter}: no drill from Ø{smallest} to Ø{largest}",
+    ),
+    (
+        "no-bar-enters",
+        "до Ø{diameter}: жодна оправка не входить в отвір Ø{hole}",
+        "to Ø{diameter}: no bar enters the hole Ø{hole}",
+    ),
+    (
+        "bar-set-by-hand",
+        "розточування за кілька проходів: між проходами оправку переналагоджують вручну; великі отвори доцільно фрезерувати (1.2.1)",
+        "boring in several passes: the bar is set anew by hand between them; large holes are better milled (1.2.1)",
+    ),
+    ("spot-by-drill", "лунка Ø{spot}: 0,6 від свердла Ø{drill}", "spot Ø{spot}: 0.6 of the drill Ø{drill}"),
+    ("spot-by-chamfer", "лунка Ø{spot} утворює і фаску", "spot Ø{spot} makes the chamfer too"),
+    ("travel", "недобіг {approach} мм, перебіг {overrun} мм", "approach {approach} mm, overrun {overrun} mm"),
+    // Tools.
+    ("cutter", "різальний інструмент за порядком таблиць: {order}", "cutter by the order of tables: {order}"),
+    (
+        "centre-drill-for-all",
+        "найменше свердло для центрування всіх груп отворів: {needed}",
+        "the smallest centring drill for all groups of holes: {needed}",
+    ),
+    (
+        "holder",
+        "перший допоміжний інструмент, що приймає хвостовик ({shank})",
+        "the first holder that takes the shank ({shank})",
+    ),
+    (
+        "overhang-cylindrical",
+        "виліт: {free} мм поза посадкою + {extra} мм",
+        "overhang: {free} mm outside the seat + {extra} mm",
+    ),
+    ("overhang-morse", "виліт: {projection} мм поза конусом", "overhang: {projection} mm outside the taper"),
+    ("overhang-shell", "насадний інструмент: виліт - його довжина", "shell cutter: it stands out by its own length"),
+    ("overhang-taper", "інструмент із хвостовиком верстата", "a tool with the machine's own taper"),
+    (
+        "does-not-reach",
+        "{tool} ({table}): робоча довжина {reach} < {needed} мм",
+        "{tool} ({table}): reach {reach} < {needed} mm",
+    ),
+    (
+        "drill-too-large",
+        "{tool} ({table}): Ø{diameter} > Ø{limit}, найбільшого свердла верстата",
+        "{tool} ({table}): Ø{diameter} > Ø{limit}, the machine's largest drill",
+    ),
+    (
+        "bar-does-not-enter",
+        "{tool} ({table}): оправка Ø{bar} не входить в отвір Ø{hole}",
+        "{tool} ({table}): the bar Ø{bar} does not enter the hole Ø{hole}",
+    ),
+    (
+        "no-cutter-of-size",
+        "{operation}: у таблицях {tables} немає Ø{diameter}; найближчі Ø{below} і Ø{above}",
+        "{operation}: the tables {tables} have no Ø{diameter}; the nearest are Ø{below} and Ø{above}",
+    ),
+    ("no-cutter", "{operation}: інструмента немає", "{operation}: no cutter"),
+    (
+        "shank-outside-clamp",
+        "{holder}: хвостовик Ø{shank} поза діапазоном {low}-{high} мм",
+        "{holder}: shank Ø{shank} is outside {low}-{high} mm",
+    ),
+    (
+        "other-morse",
+        "{holder}: конус Морзе {taken}, а в інструмента {own}",
+        "{holder}: Morse {taken}, the cutter has {own}",
+    ),
+    (
+        "other-bore",
+        "{holder}: посадка {taken} мм, а в інструмента {own} мм",
+        "{holder}: seat {taken} mm, the cutter has {own} mm",
+    ),
+    (
+        "assembly-too-long",
+        "{tool} у {holder}: довжина {length} > {limit} мм, найбільшого вильоту верстата",
+        "{tool} in {holder}: length {length} > {limit} mm, the machine's largest overhang",
+    ),
+    (
+        "magazine-full",
+        "інструментів {tools} > {places} місць магазина: зайві міняти вручну або ділити на дві установки",
+        "{tools} tools > {places} magazine places: change the rest by hand or split into two set-ups",
+    ),
+    // Conditions.
+    ("feed", "подача: верхня межа {upper} мм/об × {multiple}", "feed: upper end {upper} mm/rev × {multiple}"),
+    ("feed-choice", "звідки береться подача", "where the feed comes from"),
+    ("feed-before-finishing", "подача × {factor}: далі розвертання", "feed × {factor}: a reamer follows"),
+    ("depth-feed-factor", "подача × {factor} за глибиною", "feed × {factor} for the depth"),
+    ("depth-speed-factor", "швидкість × {factor} за глибиною", "speed × {factor} for the depth"),
+    ("material-speed-factor", "швидкість × {factor} за матеріалом", "speed × {factor} for the material"),
+    ("speed-alloy-factor", "швидкість × {factor} за сплавом", "speed × {factor} for the alloy"),
+    ("material-force-factor", "сили × {factor} за матеріалом", "forces × {factor} for the material"),
+    ("force-alloy-factor", "сили × {factor} за сплавом", "forces × {factor} for the alloy"),
+    ("surface-factor", "швидкість × {factor} за станом поверхні", "speed × {factor} for the surface"),
+    ("tool-life", "стійкість {minutes} хв", "tool life {minutes} min"),
+    ("speed-coefficients", "коефіцієнти швидкості, Cv = {cv}", "speed coefficients, Cv = {cv}"),
+    ("load-coefficients", "коефіцієнти моменту й осьової сили", "torque and thrust coefficients"),
+    ("boring-feed", "подача розточування {feed} мм/об", "boring feed {feed} mm/rev"),
+    ("boring-finish-feed", "подача за шорсткістю {feed} мм/об", "feed by roughness {feed} mm/rev"),
+    ("too-fine-to-bore", "{roughness} розточуванням не досягається", "{roughness} is beyond boring"),
+    (
+        "spindle-step",
+        "розрахункова частота {computed}; ступені {below} і {above} (вищий на {excess} %): {step} об/хв",
+        "computed {computed}; steps {below} and {above} ({excess} % above): {step} 1/min",
+    ),
+    (
+        "spindle-fastest",
+        "розрахункова частота {computed} вища за найбільшу: {step} об/хв",
+        "computed {computed} is above the top: {step} 1/min",
+    ),
+    (
+        "spindle-slowest",
+        "розрахункова частота {computed} нижча за найменшу: {step} об/хв",
+        "computed {computed} is below the lowest: {step} 1/min",
+    ),
+    (
+        "feed-reduced",
+        "подачу зменшено з {from} до {to} мм/об: {by}, межа {limit}",
+        "feed reduced from {from} to {to} mm/rev: {by}, limit {limit}",
+    ),
+    ("feed-held", "подачу обмежено {limit} мм/хв", "feed held at {limit} mm/min"),
+    (
+        "no-feed",
+        "{operation}: таблиця {table} не має подачі для матеріалу {material}",
+        "{operation}: table {table} has no feed for {material}",
+    ),
+    (
+        "no-figure",
+        "{operation}: таблиця {table} не має числа для матеріалу {material}",
+        "{operation}: table {table} has no figure for {material}",
+    ),
+    ("no-conditions", "{operation}: режими не визначаються", "{operation}: no conditions are known"),
+    (
+        "too-deep",
+        "{operation}: глибина {ratio} діаметра поза таблицею {table}",
+        "{operation}: {ratio} diameters deep is outside table {table}",
+    ),
+    ("card-calibration", "карта: {name} × {factor} від формули", "card: {name} × {factor} of the formula"),
+    (
+        "card-point",
+        "карта друкує тут V = {speed} м/хв, P = {thrust} Н, N = {power} кВт",
+        "the card prints V = {speed} m/min, P = {thrust} N, N = {power} kW here",
+    ),
+    (
+        "card-point-forces-differ",
+        "карта друкує тут V = {speed} м/хв, P = {thrust} Н, N = {power} кВт; силу й потужність формулою не відтворити, узято за формулою (більші)",
+        "the card prints V = {speed} m/min, P = {thrust} N, N = {power} kW here; the formula cannot reproduce force and power, its larger ones are kept",
+    ),
+    (
+        "card-corrections",
+        "поправки прикладу: швидкість × {product}, матеріал {material}",
+        "the example's factors: speed × {product}, material {material}",
+    ),
+    (
+        "card-other-material",
+        "поправки карт для матеріалу {material} невідомі",
+        "the cards' factors for {material} are not known",
+    ),
+    // Clamping, travel.
+    ("safety", "коефіцієнт запасу k = {value}", "safety factor k = {value}"),
+    ("friction", "коефіцієнт тертя f = {value}", "friction f = {value}"),
+    (
+        "screw",
+        "потрібен {needed}, узято {taken}: витримує {bears} Н",
+        "{needed} is needed, {taken} taken: bears {bears} N",
+    ),
+    (
+        "no-screw",
+        "жоден гвинт не витримує {force} Н на прихват ({clamps})",
+        "no screw bears {force} N per clamp ({clamps})",
+    ),
+    (
+        "screw-too-weak",
+        "гвинт {screw} витримує {bears} < {force} Н на прихват; потрібен {needed}",
+        "screw {screw} bears {bears} < {force} N per clamp; {needed} is needed",
+    ),
+    (
+        "beyond-travel",
+        "отвори по {axis} займають {span} > {travel} мм ходу стола",
+        "the holes span {span} > {travel} mm of travel along {axis}",
+    ),
+    ("unconfirmed", "не підтверджено: {table}, рядок {row}: {why}", "unconfirmed: {table}, row {row}: {why}"),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+    use std::path::Path;
+
+    /// Codes as the program writes them: `Note::new("code")`, and `note("code")` of local helpers.
+    fn codes_in(folder: &Path, codes: &mut BTreeSet<String>) {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                codes_in(&path, codes);
+                continue;
+            }
+            let text = std::fs::read_to_string(&path).unwrap();
+            for opening in ["Note::new(\"", " note(\"", "series(\"", "shown(\""] {
+                for rest in text.split(opening).skip(1) {
+                    let code = rest.split('"').next().unwrap();
+                    if !code.is_empty() && code.chars().all(|c| c.is_ascii_lowercase() || c == '-') {
+                        codes.insert(code.to_owned());
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn every_code_of_the_program_has_its_words() {
+        let mut codes = BTreeSet::new();
+        for room in ["route", "tooling", "cutting", "planner"] {
+            codes_in(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src").join(room), &mut codes);
+        }
+        assert!(codes.len() > 50, "the search for codes finds too few: {}", codes.len());
+        let unknown: Vec<_> = codes.iter().filter(|code| !SENTENCES.iter().any(|(known, ..)| known == code)).collect();
+        assert!(unknown.is_empty(), "codes without words: {unknown:?}");
+    }
+
+    #[test]
+    fn both_languages_use_the_same_figures() {
+        let figures = |text: &str| -> BTreeSet<String> {
+            text.split('{').skip(1).filter_map(|rest| rest.split('}').next()).map(str::to_owned).collect()
+        };
+        for (code, uk, en) in SENTENCES {
+            assert_eq!(figures(uk), figures(en), "{code}");
+        }
+    }
+
+    #[test]
+    fn a_figure_is_filled_in_and_the_failing_inequality_is_shown() {
+        let note =
+            Note::new("does-not-reach").with("tool", "X").with("table", "A.11").with("reach", 90).with("needed", 96);
+        assert_eq!(sentence(&note, Lang::En), "X (A.11): reach 90 < 96 mm");
+    }
+}

@@ -1,0 +1,34 @@
+//! Names of operations, headings and small words of the plan's page, in both languages.
+
+use super::Lang;
+
+const OPERATIONS: &[(&str, [&str; 2], [&str; 2])] = &[
+    ("centre-drill", ["Центрувати", "Centre"], ["центрування", "centring"]),
+    ("drill", ["Свердлити", "Drill"], ["свердління", "drilling"]),
+    ("drill-out", ["Розсвердлити", "Drill out"], ["розсвердлювання", "drilling out"]),
+    ("core-drill", ["Зенкерувати", "Core-drill"], ["зенкерування", "core drilling"]),
+    ("rough-bore", ["Розточити начорно", "Rough-bore"], ["чорнове розточування", "rough boring"]),
+    (
+        "semi-finish-bore",
+        ["Розточити напівначисто", "Semi-finish-bore"],
+        ["напівчистове розточування", "semi-finish boring"],
+    ),
+    ("finish-bore", ["Розточити начисто", "Finish-bore"], ["чистове розточування", "finish boring"]),
+    ("mill", ["Фрезерувати", "Mill"], ["фрезерування", "milling"]),
+    ("counterbore", ["Цекувати", "Counterbore"], ["цекування", "counterboring"]),
+    ("countersink", ["Зенкувати", "Countersink"], ["зенкування", "countersinking"]),
+    ("chamfer", ["Зняти фаску", "Chamfer"], ["зняття фаски", "chamfering"]),
+    ("rough-ream", ["Розвернути попередньо", "Rough-ream"], ["попереднє розвертання", "rough reaming"]),
+    ("finish-ream", ["Розвернути остаточно", "Finish-ream"], ["остаточне розвертання", "finish reaming"]),
+    ("tap", ["Нарізати різь", "Tap"], ["нарізання різі", "tapping"]),
+];
+
+/// The operation as an instruction: `Центрувати`, `Centre`.
+pub fn operation_verb(name: &str, lang: Lang) -> &str {
+    OPERATIONS.iter().find(|(known, ..)| *known == name).map_or(name, |(_, [uk, en], _)| lang.pick(uk, en))
+}
+
+/// The operation as a noun: `центрування`, `centring`.
+pub fn operation_noun(name: &str, lang: Lang) -> &str {
+    OPERATIONS.iter().find(|(known, ..)| *known == name).map_or(name, |(.., [uk, en])| lang.pick(uk, en))
+}
