@@ -29,6 +29,8 @@ pub struct Machine<'k> {
     pub travel_x: Micrometres,
     /// Travel of the table along Y, of the whole stroke.
     pub travel_y: Micrometres,
+    /// Largest mass of a part, kg.
+    pub load_max_kg: f64,
     /// Places of the magazine.
     pub magazine: usize,
     /// Time of one tool change.
@@ -63,6 +65,7 @@ impl<'k> Machine<'k> {
             rapid: MillimetresPerMinute(number("rapid-rate")?),
             travel_x: length("travel-x")?,
             travel_y: length("travel-y")?,
+            load_max_kg: number("load-mass-max")?,
             magazine: number("magazine-places")? as usize,
             tool_change: Minutes(number("tool-change-time")? / 60.0),
             tool_change_at: (length("tool-change-x")?, length("tool-change-y")?),

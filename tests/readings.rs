@@ -1,34 +1,40 @@
 //! Two independent readings of the source tables, held against each other cell by cell.
 //!
 //! The first reading is the shipped catalogs; the second is `tests/readings/*.csv`, made from the same
-//! sources by somebody who had only the column names. Where they differ, one of them is wrong or the
-//! source leaves a choice: every such cell stands in `tests/readings/settled.yaml` with the reading that
-//! was taken and why. A difference that is not listed fails, and so does a listed one that is gone.
+//! sources by somebody else, with the columns named alike and one more for `doubt`. Where they differ, one
+//! is wrong or the source leaves a choice: every such cell stands in `tests/readings/settled.yaml` with the
+//! reading that was taken and why. A difference that is not listed fails, and so does a listed one that is
+//! gone.
 //!
 //! Catalogs are paired by their key columns and compared cell by cell. Decision tables are compared by
 //! what they say: every input is cut at the ends of every test of both readings, and for each
 //! combination of the elementary intervals the rows that match must have the same outputs, however the
-//! rows are written. Texts that the second reading leaves empty, and prose, are not compared.
+//! rows are cut and the tests written. Prose is not compared, nor a text that the second reading left out.
 
 #![allow(clippy::unwrap_used, reason = "clippy allows it in tests, but not in the functions they share")]
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
+use std::fs::{self, File};
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 use technolog::knowledge::cell::parse_test;
+use technolog::knowledge::load::table_from_text;
 use technolog::knowledge::set::Set;
 use technolog::knowledge::table::{Cell, Kind};
 use technolog::knowledge::{Column, ColumnType, HitPolicy, Knowledge, Role, Table, Value};
 use technolog::shipped;
 
-/// The column of a difference that is a whole row, which one reading has and the other has not.
+/// The column that stands for a whole row, which one reading has and the other has not.
 const WHOLE_ROW: &str = "(row)";
 
-/// Where the two readings differ.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
-struct Difference {
+/// One reading of a table: rows of cells in the order of the table's columns.
+type Rows = Vec<Vec<Cell>>;
+
+/// What the two readings have in one place.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Pair {
     table: String,
     row: String,
     column: String,
@@ -36,8 +42,14 @@ struct Difference {
     second: String,
 }
 
+impl Pair {
+    fn differs(&self) -> bool {
+        self.first != self.second
+    }
+}
+
 /// A line of `settled.yaml`.
-#[derive(Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Settled {
     table: String,
@@ -52,110 +64,95 @@ struct Settled {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 enum Taken {
+    /// The catalog stands; the difference remains.
     First,
+    /// The catalog held what `first` says and was corrected; both readings now say `second`.
     Second,
-}
-
-/// One reading of a table: rows of cells in the order of the table's columns.
-type Rows = Vec<Vec<Cell>>;
-
-/// What comparing one table came to.
-struct Comparison<'t> {
-    table: &'t Table,
-    /// The columns that both readings have.
-    shared: BTreeSet<usize>,
-    cells: usize,
-    differences: BTreeSet<Difference>,
-}
-
-fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/readings")
 }
 
 #[test]
 fn the_two_readings_agree_but_for_what_is_settled() {
     let knowledge = Knowledge::from_sources(shipped::SOURCES).unwrap();
-    let mut differences = BTreeSet::new();
-    for path in second_readings() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/readings");
+    let mut pairs = BTreeSet::new();
+    for path in csv_files(&folder) {
         let table = knowledge.table(path.file_stem().unwrap().to_str().unwrap()).unwrap();
-        let comparison = compare(table, &path);
-        println!("{}: {} cells, {} differ", table.id, comparison.cells, comparison.differences.len());
-        differences.extend(comparison.differences);
+        let compared = compare(table, &read_second(table, File::open(&path).unwrap()));
+        let differing = compared.iter().filter(|pair| pair.differs()).count();
+        println!("{}: {} cells compared, {differing} differ", table.id, compared.len());
+        pairs.extend(compared);
     }
-
-    let text = fs::read_to_string(folder().join("settled.yaml")).unwrap();
-    let settled: Vec<Settled> = serde_yaml::from_str(&text).unwrap();
-    let mut listed = BTreeSet::new();
-    for line in settled {
-        assert!(!line.because.is_empty(), "{} {}: settled without a reason", line.table, line.row);
-        let Settled { table, row, column, first, second, .. } = line;
-        let difference = Difference { table, row, column, first, second };
-        assert!(listed.insert(difference.clone()), "listed twice: {difference:?}");
-    }
-    let shown = |differences: BTreeSet<&Difference>| -> String { differences.iter().map(|d| in_yaml(d)).collect() };
-    let unlisted = shown(differences.difference(&listed).collect());
-    let gone = shown(listed.difference(&differences).collect());
-    assert!(unlisted.is_empty(), "differences that settled.yaml does not list:\n{unlisted}");
-    assert!(gone.is_empty(), "settled.yaml lists differences that no longer exist:\n{gone}");
+    let settled = fs::read_to_string(folder.join("settled.yaml")).unwrap();
+    let faults = unsettled(&pairs, &serde_yaml::from_str::<Vec<Settled>>(&settled).unwrap());
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
-/// The CSV files, by name.
-fn second_readings() -> Vec<PathBuf> {
-    let mut paths: Vec<PathBuf> = fs::read_dir(folder()).unwrap().map(|entry| entry.unwrap().path()).collect();
+fn csv_files(folder: &Path) -> Vec<PathBuf> {
+    let mut paths: Vec<PathBuf> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     paths.retain(|path| path.extension().is_some_and(|extension| extension == "csv"));
     paths.sort();
     paths
 }
 
-/// A difference as a line of `settled.yaml`.
-fn in_yaml(difference: &Difference) -> String {
-    let Difference { table, row, column, first, second } = difference;
-    format!("- {{table: {table:?}, row: {row:?}, column: {column:?}, first: {first:?}, second: {second:?}}}\n")
-}
-
-fn compare<'t>(table: &'t Table, path: &Path) -> Comparison<'t> {
-    let (shared, second) = read_second(table, path);
-    let first: Rows = table.rows.iter().map(|row| row.cells.clone()).collect();
-    let mut comparison = Comparison { table, shared, cells: 0, differences: BTreeSet::new() };
-    match table.kind {
-        Kind::Catalog => comparison.catalog(&first, &second),
-        Kind::Decision => comparison.decision(&first, &second),
+/// Every difference that is not listed, and every line of the list that does not hold (any more).
+fn unsettled(pairs: &BTreeSet<Pair>, settled: &[Settled]) -> Vec<String> {
+    let mut open: BTreeSet<&Pair> = pairs.iter().filter(|pair| pair.differs()).collect();
+    let mut faults = Vec::new();
+    for line in settled {
+        let Settled { table, row, column, first, second, taken, because } = line.clone();
+        let listed = Pair { table, row, column, first, second };
+        let holds = match taken {
+            Taken::First => open.remove(&listed),
+            Taken::Second => pairs.contains(&Pair { first: listed.second.clone(), ..listed.clone() }),
+        };
+        if !holds {
+            faults.push(format!("settled.yaml lists what is no longer so: {}", in_yaml(&listed)));
+        }
+        if because.is_empty() {
+            faults.push(format!("settled.yaml gives no reason: {}", in_yaml(&listed)));
+        }
     }
-    comparison
+    faults.extend(open.into_iter().map(|pair| format!("settled.yaml does not list: {}", in_yaml(pair))));
+    faults
 }
 
-/// Reads the second reading as cells of the table's columns, and which columns can be compared.
-fn read_second(table: &Table, path: &Path) -> (BTreeSet<usize>, Rows) {
-    let mut reader = csv::Reader::from_path(path).unwrap();
+/// A difference as the beginning of a line of `settled.yaml`.
+fn in_yaml(pair: &Pair) -> String {
+    let Pair { table, row, column, first, second } = pair;
+    format!("{{table: {table:?}, row: {row:?}, column: {column:?}, first: {first:?}, second: {second:?}, ...")
+}
+
+/// The second reading as cells of the table's columns.
+struct Second {
+    /// The columns that it has.
+    columns: BTreeSet<usize>,
+    rows: Rows,
+}
+
+fn read_second(table: &Table, csv: impl Read) -> Second {
+    let mut reader = csv::Reader::from_reader(csv);
     let heads: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
+    let columns: Vec<Option<usize>> = heads.iter().map(|head| table.column_index(head)).collect();
+    for (head, column) in heads.iter().zip(&columns) {
+        assert!(column.is_some() || head == "doubt", "{}: no column `{head}`", table.id);
+    }
     let mut rows: Rows = Vec::new();
     for record in reader.records() {
         let record = record.unwrap();
-        let line = record.position().unwrap().line();
-        // A test that is left out matches anything; any other cell is then empty.
         let mut cells: Vec<Cell> = table.columns.iter().map(|column| read_cell(column, "").unwrap()).collect();
-        for (head, text) in heads.iter().zip(&record).filter(|(head, _)| *head != "doubt") {
-            let at = || format!("{}:{line}: column `{head}`", path.display());
-            let index = table.column_index(head).ok_or_else(|| format!("{}: no such column", at())).unwrap();
-            cells[index] =
-                read_cell(&table.columns[index], text).map_err(|problem| format!("{}: {problem}", at())).unwrap();
+        for (&index, text) in columns.iter().zip(&record).filter_map(|(index, text)| Some((index.as_ref()?, text))) {
+            let column = &table.columns[index];
+            cells[index] = read_cell(column, text)
+                .map_err(|problem| format!("{}: {record:?}: column `{}`: {problem}", table.id, column.name))
+                .unwrap();
         }
         rows.push(cells);
     }
-    let shared = heads
-        .iter()
-        .filter_map(|head| table.column_index(head))
-        .filter(|&index| {
-            let column = &table.columns[index];
-            let prose = column.name.ends_with("_uk") || column.name.ends_with("_en");
-            let left_empty = column.ty == ColumnType::Text && rows.iter().all(|row| row[index] == Cell::Empty);
-            !prose && !left_empty
-        })
-        .collect();
-    (shared, rows)
+    Second { columns: columns.into_iter().flatten().collect(), rows }
 }
 
-/// A cell of the second reading. The items of a list stand between spaces.
+/// A cell of the second reading. The items of a list stand between spaces; a test that is left out
+/// matches anything, any other cell is then empty.
 fn read_cell(column: &Column, text: &str) -> Result<Cell, String> {
     let text = text.trim();
     if column.role == Role::Input {
@@ -173,7 +170,136 @@ fn read_cell(column: &Column, text: &str) -> Result<Cell, String> {
     Ok(Cell::Value(value))
 }
 
-/// A cell as `settled.yaml` has it.
+/// Every place that both readings have, with what they have there.
+fn compare(table: &Table, second: &Second) -> BTreeSet<Pair> {
+    let first: Rows = table.rows.iter().map(|row| row.cells.clone()).collect();
+    let mut comparison = Comparison { table, pairs: BTreeSet::new() };
+    match table.kind {
+        Kind::Catalog => comparison.catalog(&first, second),
+        Kind::Decision => comparison.decision(&first, second),
+    }
+    comparison.pairs
+}
+
+struct Comparison<'t> {
+    table: &'t Table,
+    pairs: BTreeSet<Pair>,
+}
+
+impl Comparison<'_> {
+    fn pair(&mut self, row: &str, column: &str, first: String, second: String) {
+        let (table, row, column) = (self.table.id.clone(), row.to_owned(), column.to_owned());
+        self.pairs.insert(Pair { table, row, column, first, second });
+    }
+
+    fn whole_row(&mut self, row: &str, in_first: bool) {
+        let (there, missing) = ("there".to_owned(), "missing".to_owned());
+        let (first, second) = if in_first { (there, missing) } else { (missing, there) };
+        self.pair(row, WHOLE_ROW, first, second);
+    }
+
+    /// Pairs rows by the key columns and compares every other cell that can be.
+    fn catalog(&mut self, first: &Rows, second: &Second) {
+        let key: Vec<usize> = self.table.key.iter().map(|name| self.table.column_index(name).unwrap()).collect();
+        let by_key = |rows: &Rows| {
+            let mut named: BTreeMap<String, Vec<Cell>> = BTreeMap::new();
+            for cells in rows {
+                let name = key.iter().map(|&index| show(&cells[index])).collect::<Vec<_>>().join("; ");
+                assert!(named.insert(name.clone(), cells.clone()).is_none(), "{}: two rows {name}", self.table.id);
+            }
+            named
+        };
+        let (first, mut second_rows) = (by_key(first), by_key(&second.rows));
+        let fields: Vec<usize> = second.columns.iter().copied().filter(|index| !key.contains(index)).collect();
+        let mut missing = Vec::new();
+        for (name, cells) in &first {
+            match second_rows.remove(name) {
+                Some(other) => self.cells(name, &fields, cells, &other),
+                None => missing.push((name, cells)),
+            }
+        }
+        for (name, cells) in missing {
+            // A row that differs in nothing but its key is the same row under another name.
+            let same = |other: &Vec<Cell>| fields.iter().all(|&index| cells[index] == other[index]);
+            let renamed = second_rows.iter().find(|(_, other)| same(other)).map(|(other_name, _)| other_name.clone());
+            match renamed.and_then(|other_name| second_rows.remove(&other_name)) {
+                Some(other) => self.cells(name, &[key.as_slice(), fields.as_slice()].concat(), cells, &other),
+                None => self.whole_row(name, true),
+            }
+        }
+        for name in second_rows.keys() {
+            self.whole_row(name, false);
+        }
+    }
+
+    /// Compares the cells of a row in those columns.
+    fn cells(&mut self, row: &str, columns: &[usize], first: &[Cell], second: &[Cell]) {
+        for &index in columns {
+            let column = &self.table.columns[index];
+            let prose = column.name.ends_with("_uk") || column.name.ends_with("_en");
+            let left_out = column.ty == ColumnType::Text && !column.list && second[index] == Cell::Empty;
+            if !prose && !left_out {
+                let (first, second) = (show(&first[index]), show(&second[index]));
+                self.pair(row, &column.name.clone(), first, second);
+            }
+        }
+    }
+
+    /// Compares what both readings answer to every elementary combination of inputs.
+    fn decision(&mut self, first: &Rows, second: &Second) {
+        assert_eq!(self.table.hit, HitPolicy::Unique, "{}: only for rows that exclude each other", self.table.id);
+        let inputs: Vec<(usize, &Column)> = self.table.inputs().collect();
+        let outputs: Vec<(usize, &Column)> =
+            self.table.outputs().filter(|(index, _)| second.columns.contains(index)).collect();
+        let cut = |&(index, column): &(usize, &Column)| {
+            elementary(&column.allowed(), first.iter().chain(&second.rows).map(|row| &row[index]))
+        };
+        let axes: Vec<Vec<(i64, i64)>> = inputs.iter().map(cut).collect();
+
+        // Where the same rows stand against each other, as one set per input.
+        let mut regions: BTreeMap<(Vec<usize>, Vec<usize>), Vec<Set>> = BTreeMap::new();
+        let mut steps = vec![0; axes.len()];
+        loop {
+            let at: Vec<(i64, i64)> = axes.iter().zip(&steps).map(|(axis, &step)| axis[step]).collect();
+            let matches = |row: &[Cell]| {
+                inputs.iter().zip(&at).all(|(&(index, _), &(rank, _))| match &row[index] {
+                    Cell::Test(set, _) => set.contains(rank),
+                    _ => true,
+                })
+            };
+            let matching = |rows: &Rows| (0..rows.len()).filter(|&row| matches(&rows[row])).collect::<Vec<_>>();
+            let against = (matching(first), matching(&second.rows));
+            let region = regions.entry(against).or_insert_with(|| vec![Set::empty(); axes.len()]);
+            for (set, &(low, high)) in region.iter_mut().zip(&at) {
+                *set = set.union(&Set::interval(low, high));
+            }
+            if !advance(&mut steps, &axes) {
+                break;
+            }
+        }
+
+        for ((in_first, in_second), region) in regions {
+            let row = show_region(&inputs, &region);
+            match (in_first.is_empty(), in_second.is_empty()) {
+                (true, true) => {}
+                (false, false) => {
+                    for &(index, column) in &outputs {
+                        let answers = |rows: &Rows, matching: &[usize]| {
+                            let answers: BTreeSet<String> =
+                                matching.iter().map(|&row| show(&rows[row][index])).collect();
+                            answers.into_iter().collect::<Vec<_>>().join(" or ")
+                        };
+                        let (first, second) = (answers(first, &in_first), answers(&second.rows, &in_second));
+                        self.pair(&row, &column.name, first, second);
+                    }
+                }
+                (only_second, _) => self.whole_row(&row, !only_second),
+            }
+        }
+    }
+}
+
+/// A cell in one spelling: numbers without needless zeros, whatever the reading wrote.
 fn show(cell: &Cell) -> String {
     match cell {
         Cell::Empty => String::new(),
@@ -182,125 +308,17 @@ fn show(cell: &Cell) -> String {
     }
 }
 
-impl Comparison<'_> {
-    fn differ(&mut self, row: &str, column: &str, first: &str, second: &str) {
-        self.differences.insert(Difference {
-            table: self.table.id.clone(),
-            row: row.to_owned(),
-            column: column.to_owned(),
-            first: first.to_owned(),
-            second: second.to_owned(),
-        });
-    }
-
-    /// Pairs rows by the key columns and compares every shared cell.
-    fn catalog(&mut self, first: &Rows, second: &Rows) {
-        let key: Vec<usize> = self.table.key.iter().map(|name| self.table.column_index(name).unwrap()).collect();
-        let fields: Vec<usize> = self.shared.iter().copied().filter(|index| !key.contains(index)).collect();
-        let by_key = |rows: &Rows, reading: &str| {
-            let mut by_key: BTreeMap<String, Vec<Cell>> = BTreeMap::new();
-            for cells in rows {
-                let name = key.iter().map(|&index| show(&cells[index])).collect::<Vec<_>>().join("; ");
-                let before = by_key.insert(name.clone(), cells.clone());
-                assert!(before.is_none(), "{}: two rows `{name}` in the {reading} reading", self.table.id);
-            }
-            by_key
-        };
-        let (first, second) = (by_key(first, "first"), by_key(second, "second"));
-        for name in first.keys().chain(second.keys()).collect::<BTreeSet<_>>() {
-            match (first.get(name), second.get(name)) {
-                (Some(first), Some(second)) => {
-                    for &index in &fields {
-                        self.cells += 1;
-                        if first[index] != second[index] {
-                            let column = &self.table.columns[index].name;
-                            self.differ(name, column, &show(&first[index]), &show(&second[index]));
-                        }
-                    }
-                }
-                (Some(_), None) => self.differ(name, WHOLE_ROW, "there", ""),
-                (None, _) => self.differ(name, WHOLE_ROW, "", "there"),
-            }
-        }
-    }
-
-    /// Compares what both readings answer to every elementary combination of inputs.
-    fn decision(&mut self, first: &Rows, second: &Rows) {
-        assert_eq!(self.table.hit, HitPolicy::Unique, "{}: only rows that exclude each other", self.table.id);
-        let inputs: Vec<(usize, &Column)> = self.table.inputs().collect();
-        let axes: Vec<Vec<(i64, i64)>> = inputs
-            .iter()
-            .map(|&(index, column)| elementary(&column.allowed(), first.iter().chain(second).map(|row| &row[index])))
-            .collect();
-        // The regions where the same rows stand against each other, as one set per input.
-        let mut regions: BTreeMap<(Vec<usize>, Vec<usize>), Vec<Set>> = BTreeMap::new();
-        let mut place = vec![0; axes.len()];
-        loop {
-            let at: Vec<(i64, i64)> = axes.iter().zip(&place).map(|(axis, &step)| axis[step]).collect();
-            let matching = |rows: &Rows| -> Vec<usize> {
-                let matches = |row: &Vec<Cell>| {
-                    inputs.iter().zip(&at).all(|(&(index, _), &(rank, _))| match &row[index] {
-                        Cell::Test(set, _) => set.contains(rank),
-                        _ => true,
-                    })
-                };
-                (0..rows.len()).filter(|&row| matches(&rows[row])).collect()
-            };
-            let region =
-                regions.entry((matching(first), matching(second))).or_insert_with(|| vec![Set::empty(); axes.len()]);
-            for (set, &(low, high)) in region.iter_mut().zip(&at) {
-                *set = set.union(&Set::interval(low, high));
-            }
-            if !advance(&mut place, &axes) {
-                break;
-            }
-        }
-
-        let outputs: Vec<usize> =
-            self.shared.iter().copied().filter(|index| self.table.columns[*index].role == Role::Output).collect();
-        for ((in_first, in_second), region) in regions {
-            let name = show_region(&inputs, &region);
-            match (in_first.is_empty(), in_second.is_empty()) {
-                (true, true) => {}
-                (false, true) => self.differ(&name, WHOLE_ROW, "there", ""),
-                (true, false) => self.differ(&name, WHOLE_ROW, "", "there"),
-                (false, false) => {
-                    for &index in &outputs {
-                        self.cells += 1;
-                        let answers = |rows: &Rows, matching: &[usize]| -> BTreeSet<String> {
-                            matching.iter().map(|&row| show(&rows[row][index])).collect()
-                        };
-                        let (first, second) = (answers(first, &in_first), answers(second, &in_second));
-                        if first != second {
-                            let joined =
-                                |answers: BTreeSet<String>| answers.into_iter().collect::<Vec<_>>().join(" or ");
-                            self.differ(
-                                &name,
-                                &self.table.columns[index].name.clone(),
-                                &joined(first),
-                                &joined(second),
-                            );
-                        }
-                    }
-                }
-            }
-        }
-    }
-}
-
 /// The allowed ranks of an input, cut at the ends of every test.
 fn elementary<'c>(allowed: &Set, tests: impl Iterator<Item = &'c Cell>) -> Vec<(i64, i64)> {
-    let mut starts = BTreeSet::new();
+    let mut starts: BTreeSet<i64> = allowed.intervals().iter().map(|&(low, _)| low).collect();
     for test in tests {
         if let Cell::Test(set, _) = test {
-            for &(low, high) in set.intervals() {
-                starts.extend([Some(low), high.checked_add(1)].into_iter().flatten());
-            }
+            starts.extend(set.intervals().iter().map(|&(low, _)| low));
+            starts.extend(set.intervals().iter().filter_map(|&(_, high)| high.checked_add(1)));
         }
     }
     let mut parts = Vec::new();
     for &(low, high) in allowed.intervals() {
-        starts.insert(low);
         let inside: Vec<i64> = starts.range(low..=high).copied().collect();
         let ends = inside.iter().skip(1).map(|next| next - 1).chain([high]);
         parts.extend(inside.iter().copied().zip(ends));
@@ -309,8 +327,8 @@ fn elementary<'c>(allowed: &Set, tests: impl Iterator<Item = &'c Cell>) -> Vec<(
 }
 
 /// The next combination of steps, one per axis; false after the last.
-fn advance(place: &mut [usize], axes: &[Vec<(i64, i64)>]) -> bool {
-    for (step, axis) in place.iter_mut().zip(axes).rev() {
+fn advance(steps: &mut [usize], axes: &[Vec<(i64, i64)>]) -> bool {
+    for (step, axis) in steps.iter_mut().zip(axes).rev() {
         *step += 1;
         if *step < axis.len() {
             return true;
@@ -348,4 +366,105 @@ fn show_set(column: &Column, set: &Set) -> String {
         format!("{opening}{low}..{high}{closing}")
     };
     set.intervals().iter().map(interval).collect::<Vec<_>>().join(" | ")
+}
+
+const CATALOG: &str = "
+table: c
+title: {uk: к, en: c}
+kind: catalog
+place: nowhere
+key: [code]
+columns:
+  - {name: code, type: text}
+  - {name: diameter, type: length, unit: mm}
+  - {name: steps, type: int, list: true, optional: true}
+rows:
+  - {code: a, diameter: 3.50, steps: [1, 2], source: seed}
+  - {code: b, diameter: 4, source: seed}
+";
+
+const DECISION: &str = r#"
+table: d
+title: {uk: р, en: d}
+kind: decision
+hit: unique
+place: nowhere
+columns:
+  - {name: operation, type: enum, values: [drill, drill-out, ream], role: input}
+  - {name: diameter, type: length, unit: mm, role: input, domain: "(0..20]"}
+  - {name: life, type: number, unit: min, role: output}
+rows:
+  - {operation: drill | drill-out, diameter: <= 10, life: 15, source: seed}
+  - {operation: drill | drill-out, diameter: "(10..20]", life: 25, source: seed}
+"#;
+
+/// The differences of a small table, as column and what each reading has.
+fn differences(table: &str, csv: &str) -> Vec<(String, String)> {
+    let table = table_from_text("small.yaml", table).unwrap();
+    let pairs = compare(&table, &read_second(&table, csv.as_bytes()));
+    let differing = pairs.into_iter().filter(Pair::differs);
+    differing.map(|pair| (pair.row, format!("{}: {} / {}", pair.column, pair.first, pair.second))).collect()
+}
+
+#[test]
+fn catalogs_are_paired_by_key_and_compared_by_value() {
+    assert!(differences(CATALOG, "code,diameter,steps,doubt\nb,4.0,,\na,3.5,1 2,smudged\n").is_empty());
+    for (csv, row, difference) in [
+        ("code,diameter,steps\na,3.05,1 2\nb,4,\n", "a", "diameter: 3.5 / 3.05"),
+        ("code,diameter,steps\na,3.5,2 1\nb,4,\n", "a", "steps: 1, 2 / 2, 1"),
+        ("code,diameter,steps\na,3.5,1 2\nb,4,1\n", "b", "steps:  / 1"),
+        ("code,diameter,steps\na,3.5,1 2\n", "b", "(row): there / missing"),
+        ("code,diameter,steps\na,3.5,1 2\nb,4,\nc,5,\n", "c", "(row): missing / there"),
+        ("code,diameter,steps\na,3.5,1 2\nc,4,\n", "b", "code: b / c"),
+    ] {
+        assert_eq!(differences(CATALOG, csv), [(row.to_owned(), difference.to_owned())], "{csv}");
+    }
+}
+
+#[test]
+fn decision_tables_are_compared_by_what_they_say() {
+    let split = "operation,diameter,life\ndrill,(0..10],15\ndrill-out,[0.001..10],15.0\nnot(ream),> 10,25\n";
+    assert!(differences(DECISION, split).is_empty());
+    for (csv, row, difference) in [
+        (
+            "operation,diameter,life\nnot(ream),< 10,15\nnot(ream),>= 10,25\n",
+            "operation: drill | drill-out; diameter: 10",
+            "life: 15 / 25",
+        ),
+        (
+            "operation,diameter,life\nnot(ream),<= 10,15\ndrill,> 10,25\n",
+            "operation: drill-out; diameter: (10..20]",
+            "(row): there / missing",
+        ),
+    ] {
+        assert_eq!(differences(DECISION, csv), [(row.to_owned(), difference.to_owned())], "{csv}");
+    }
+}
+
+#[test]
+fn the_list_must_be_complete_and_current() {
+    let table = table_from_text("small.yaml", CATALOG).unwrap();
+    let pairs = compare(&table, &read_second(&table, "code,diameter\na,3.5\nb,5\n".as_bytes()));
+    let line = |row: &str, first: &str, second: &str, taken: Taken| Settled {
+        table: "c".to_owned(),
+        row: row.to_owned(),
+        column: "diameter".to_owned(),
+        first: first.to_owned(),
+        second: second.to_owned(),
+        taken,
+        because: "so".to_owned(),
+    };
+    let listed = line("b", "4", "5", Taken::First);
+    assert!(unsettled(&pairs, std::slice::from_ref(&listed)).is_empty());
+    assert!(unsettled(&pairs, &[listed.clone(), line("a", "3", "3.5", Taken::Second)]).is_empty());
+    for (list, fault) in [
+        (vec![], "does not list"),
+        (vec![listed.clone(), line("a", "3", "3.5", Taken::First)], "no longer so"),
+        (vec![listed.clone(), line("a", "3.5", "3", Taken::Second)], "no longer so"),
+        (vec![listed.clone(), listed.clone()], "no longer so"),
+        (vec![Settled { because: String::new(), ..listed.clone() }], "no reason"),
+    ] {
+        let faults = unsettled(&pairs, &list);
+        assert!(faults.len() == 1 && faults[0].contains(fault), "{faults:?}");
+    }
 }

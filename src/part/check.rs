@@ -130,10 +130,8 @@ fn apart(groups: &[Group], problems: &mut Problems) {
         let meetings: Vec<Meeting<'_>> =
             (0..group.points.len()).filter_map(|number| meeting(group, number, &groups[..index])).collect();
         let Some(first) = meetings.first() else { continue };
-        let (same_other, itself) = (
-            meetings.iter().all(|meeting| std::ptr::eq(meeting.other, first.other)),
-            std::ptr::eq(first.other, group),
-        );
+        let (same_other, itself) =
+            (meetings.iter().all(|meeting| std::ptr::eq(meeting.other, first.other)), std::ptr::eq(first.other, group));
         let every_one = meetings.len() + usize::from(itself) == group.points.len();
         if let (Some(at), true) = (&group.at, meetings.len() > 1 && same_other && every_one) {
             // Points copied from another group, or a wrong diameter: one mistake, not one in each point.

@@ -1,9 +1,10 @@
 //! What is to be made: a plate with holes, its blank and its material.
 //!
 //! [`read_part`] turns the user's YAML into these types and reports every mistake of the file at once,
-//! each with its place and remedy.
+//! each with its place and remedy. [`schema`] is the file's form for editors.
 
 mod check;
+pub mod file;
 mod read;
 mod tolerance;
 
@@ -12,6 +13,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::units::{ItGrade, Micrometres, Roughness};
 
+pub use file::schema;
 pub use read::read_part;
 pub use tolerance::{ToleratedDiameter, tolerance_width};
 

@@ -2,18 +2,21 @@
 
 use crate::knowledge::diagnostic::{Diagnostic, Place, Severity, nearest};
 use crate::knowledge::yaml::{Fields, Node, NodeKind, Problems, parse};
-use crate::knowledge::{Knowledge, Table};
+use crate::knowledge::{Column, Knowledge, Table};
 use crate::units::{Decimal, ItGrade, Micrometres};
 
-use super::check::{self, Placed};
+use super::check::{self, Group};
 use super::{
     Blank, BlankKind, Bottom, CentreTolerance, Clamp, Datum, Entry, Fixture, Hole, Part, Point, ToleratedDiameter,
 };
 
-const PART: &[&str] =
+/// The keys of a part.
+pub(super) const PART: &[&str] =
     &["part", "material", "blank", "machine", "datum", "entry", "fixture", "position_tolerance", "mass", "holes"];
-const BLANK: &[&str] = &["kind", "length", "width", "thickness"];
-const HOLE: &[&str] = &[
+/// The keys of a blank.
+pub(super) const BLANK: &[&str] = &["kind", "length", "width", "thickness"];
+/// The keys of a group of holes.
+pub(super) const HOLE: &[&str] = &[
     "name",
     "diameter",
     "depth",
@@ -34,9 +37,23 @@ const HOLE: &[&str] = &[
     "steps",
     "pattern",
 ];
-/// Keys of the format that this version reads and does not plan.
+/// The keys of a diameter given by its limits.
+pub(super) const DIAMETER: &[&str] = &["nominal", "upper", "lower"];
+/// The keys of a datum.
+pub(super) const DATUM: &[&str] = &["x", "y", "z"];
+/// The keys of a fixture.
+pub(super) const FIXTURE: &[&str] = &["height", "clamps"];
+/// The keys of a clamp.
+pub(super) const CLAMP: &[&str] = &["at", "screw"];
+/// The keys of a counterbore.
+pub(super) const COUNTERBORE: &[&str] = &["diameter", "depth"];
+/// The keys of a countersink.
+pub(super) const COUNTERSINK: &[&str] = &["diameter", "angle"];
+/// The kinds of patterns.
+pub(super) const PATTERN: &[&str] = &["grid", "line", "circle"];
+/// Keys of a group that this version reads and does not plan.
 const NOT_PLANNED: &[&str] =
-    &["cone", "thread", "counterbore", "countersink", "state_diameter", "outer_wall", "steps", "pattern"];
+    &["cone", "thread", "counterbore", "countersink", "state", "state_diameter", "outer_wall", "steps", "pattern"];
 
 /// Reads a part file.
 ///
@@ -65,7 +82,7 @@ impl Reader<'_> {
     fn part(&mut self, root: &Node) -> Option<Part> {
         let mut fields = self.problems.map(root)?;
         let name = self.need_text(&mut fields, "part");
-        let material = fields.need("material", self.problems).and_then(|node| self.known(node, "materials", "id"));
+        let material = fields.need("material", self.problems).and_then(|node| self.material(node));
         let blank = fields.need("blank", self.problems).and_then(|node| self.blank(node));
         let machine = fields.need("machine", self.problems).and_then(|node| self.machine(node));
         let datum_node = fields.take("datum");
@@ -87,15 +104,17 @@ impl Reader<'_> {
             }
             _ => None,
         };
+        let mut clamps = Vec::new();
         let fixture = match fixture_node {
-            Some(node) => self.fixture(node),
+            Some(node) => self.fixture(node, &mut clamps),
             None => Some(Fixture::default()),
         };
-        let holes = holes_node.map(|node| self.holes(node, blank.as_ref()));
-        if let (Some(holes), Some(blank), Some(datum)) = (&holes, &blank, &datum) {
-            check::geometry(holes, blank, datum, self.problems);
+        let groups = holes_node.map(|node| self.groups(node, blank.as_ref())).unwrap_or_default();
+        check::names(&groups, self.problems);
+        if let (Some(blank), Some(datum)) = (&blank, &datum) {
+            check::geometry(&groups, blank, datum, self.problems);
+            check::clamps(&clamps, &groups, blank, datum, self.problems);
         }
-        let holes = holes?;
         Some(Part {
             part: name?,
             material: material?,
@@ -106,12 +125,21 @@ impl Reader<'_> {
             fixture: fixture?,
             position_tolerance,
             mass_kg,
-            holes: holes.into_iter().map(|placed| placed.hole).collect(),
+            holes: groups.into_iter().map(|group| group.hole).collect::<Option<_>>()?,
         })
     }
 
     fn need_text(&mut self, fields: &mut Fields<'_>, name: &str) -> Option<String> {
-        fields.need(name, self.problems).and_then(|node| self.problems.text(node)).map(str::to_owned)
+        fields.need(name, self.problems).and_then(|node| self.name(node))
+    }
+
+    /// A text that is not empty.
+    fn name(&mut self, node: &Node) -> Option<String> {
+        let text = self.problems.text(node)?.trim();
+        if text.is_empty() {
+            return self.problems.error("bad-value", "a name must not be empty", &node.place);
+        }
+        Some(text.to_owned())
     }
 
     fn choice<T: Copy>(&mut self, node: &Node, choices: &[(&str, T)]) -> Option<T> {
@@ -120,8 +148,12 @@ impl Reader<'_> {
             return Some(*value);
         }
         let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
-        let message = format!("`{text}` is none of {}", names.join(", "));
-        self.problems.error("bad-value", message, &node.place)
+        let message = format!("`{text}` is not known here");
+        let help = match nearest(text, names.iter().copied()) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => format!("it may be {}", names.join(" or ")),
+        };
+        self.problems.error_help("bad-value", message, &node.place, help)
     }
 
     /// A length above zero.
@@ -142,40 +174,36 @@ impl Reader<'_> {
         Some(mass.to_f64())
     }
 
-    /// The key of a row in a catalog, or one of its aliases.
-    fn known(&mut self, node: &Node, table: &str, column: &str) -> Option<String> {
+    /// The id of a material, by itself or by an alias.
+    fn material(&mut self, node: &Node) -> Option<String> {
         let text = self.problems.text(node)?.to_owned();
-        let catalog: &Table = match self.knowledge.table(table) {
-            Ok(catalog) => catalog,
-            Err(error) => return self.problems.error("knowledge", error.to_string(), &node.place),
+        let names = |table: &str, column: &'static str| {
+            let rows = self.knowledge.table(table).into_iter().flat_map(Table::all_rows);
+            rows.filter_map(move |row| Some((row.text(column).ok()?, row.text("id").ok()?)))
         };
-        if catalog.find(column, &text).is_some() {
-            return Some(text);
+        let known: Vec<(&str, &str)> = names("materials", "id").chain(names("material-aliases", "alias")).collect();
+        if let Some((_, id)) = known.iter().find(|(name, _)| *name == text) {
+            return Some((*id).to_owned());
         }
-        let alias = self.knowledge.table("material-aliases").ok().and_then(|aliases| aliases.find("alias", &text));
-        if let Some(id) = alias.and_then(|row| row.text("id").ok()) {
-            return Some(id.to_owned());
-        }
-        let names: Vec<&str> = catalog.all_rows().filter_map(|row| row.text(column).ok()).collect();
-        let help = match nearest(&text, names.iter().copied()) {
-            Some(near) => format!("did you mean `{near}`? `technolog table {table}` lists them all"),
-            None => format!("`technolog table {table}` lists them"),
+        let help = match nearest(&text, known.iter().map(|(name, _)| *name)) {
+            Some(near) => format!("did you mean `{near}`? `technolog table materials` lists them all"),
+            None => "`technolog table materials` lists them".to_owned(),
         };
         self.problems.error_help("unknown-material", format!("unknown material `{text}`"), &node.place, help)
     }
 
     fn machine(&mut self, node: &Node) -> Option<String> {
         let text = self.problems.text(node)?.to_owned();
-        if self.knowledge.table(&format!("machine-{text}")).is_ok() {
+        // `machine-quantities` is the schema of the records, not a record.
+        let ids = self.knowledge.tables().filter_map(|table| table.id.strip_prefix("machine-"));
+        let known: Vec<&str> = ids.filter(|id| *id != "quantities").collect();
+        if known.contains(&text.as_str()) {
             return Some(text);
         }
-        let known: Vec<&str> = self
-            .knowledge
-            .tables()
-            .filter_map(|table| table.id.strip_prefix("machine-"))
-            .filter(|id| *id != "quantities")
-            .collect();
-        let help = format!("known machines: {}", known.join(", "));
+        let help = match nearest(&text.to_lowercase(), known.iter().copied()) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => format!("known machines: {}", known.join(", ")),
+        };
         self.problems.error_help("unknown-machine", format!("unknown machine `{text}`"), &node.place, help)
     }
 
@@ -198,7 +226,7 @@ impl Reader<'_> {
         let x = fields.take("x").map(|node| self.zero(node, ["left", "centre", "right"], blank.length));
         let y = fields.take("y").map(|node| self.zero(node, ["front", "centre", "back"], blank.width));
         let z = fields.take("z").map(|node| self.zero(node, ["bottom", "middle", "top"], blank.thickness));
-        fields.finish(&["x", "y", "z"], self.problems);
+        fields.finish(DATUM, self.problems);
         let left = x.unwrap_or(Some(-blank.length.half()))?;
         let front = y.unwrap_or(Some(-blank.width.half()))?;
         let bottom = z.unwrap_or(Some(-blank.thickness))?;
@@ -222,17 +250,20 @@ impl Reader<'_> {
         }
     }
 
-    fn fixture(&mut self, node: &Node) -> Option<Fixture> {
+    /// The fixture; `placed` takes the points of the clamps with their places.
+    fn fixture(&mut self, node: &Node, placed: &mut Vec<(Point, Place)>) -> Option<Fixture> {
         let mut fields = self.problems.map(node)?;
         let height = fields.take("height").and_then(|node| self.positive(node, "height"));
         let clamps_node = fields.take("clamps");
-        fields.finish(&["height", "clamps"], self.problems);
+        fields.finish(FIXTURE, self.problems);
         let mut clamps = Vec::new();
         for node in clamps_node.and_then(|node| self.problems.list(node)).unwrap_or_default() {
             let Some(mut fields) = self.problems.map(node) else { continue };
-            let at = fields.need("at", self.problems).and_then(|node| self.point(node));
+            let at_node = fields.need("at", self.problems);
+            let at = at_node.and_then(|node| self.point(node));
+            placed.extend(at.zip(at_node.map(|node| node.place.clone())));
             let screw = fields.take("screw").and_then(|node| self.screw(node));
-            fields.finish(&["at", "screw"], self.problems);
+            fields.finish(CLAMP, self.problems);
             clamps.extend(at.map(|at| Clamp { at, screw }));
         }
         Some(Fixture { height, clamps })
@@ -258,38 +289,35 @@ impl Reader<'_> {
             }
             other => {
                 let message = format!("a point has two coordinates [X, Y], not {}", other.len());
-                self.problems.error("bad-value", message, &node.place)
+                let help = "separate coordinates with a comma, decimals with a point";
+                self.problems.error_help("bad-value", message, &node.place, help)
             }
         }
     }
 
-    fn holes(&mut self, node: &Node, blank: Option<&Blank>) -> Vec<Placed> {
-        let mut holes: Vec<Placed> = Vec::new();
+    fn groups(&mut self, node: &Node, blank: Option<&Blank>) -> Vec<Group> {
         let items = self.problems.list(node).unwrap_or_default();
         if items.is_empty() && matches!(node.kind, NodeKind::Seq(_)) {
-            self.problems.error::<()>("bad-value", "the part has no holes", &node.place);
+            self.problems.error_help::<()>(
+                "bad-value",
+                "the part has no holes",
+                &node.place,
+                "give at least one group",
+            );
         }
-        for item in items {
-            let Some(placed) = self.hole(item, blank) else { continue };
-            if holes.iter().any(|known| known.hole.name == placed.hole.name) {
-                let message = format!("two groups of holes are named `{}`", placed.hole.name);
-                self.problems.error_help::<()>("duplicate-name", message, &item.place, "name each group once");
-            }
-            holes.push(placed);
-        }
-        holes
+        items.iter().filter_map(|item| self.group(item, blank)).collect()
     }
 
-    fn hole(&mut self, node: &Node, blank: Option<&Blank>) -> Option<Placed> {
+    fn group(&mut self, node: &Node, blank: Option<&Blank>) -> Option<Group> {
         let mut fields = self.problems.map(node)?;
-        let name = self.need_text(&mut fields, "name");
+        let name_node = fields.need("name", self.problems);
+        let name = name_node.and_then(|node| self.name(node));
         let diameter = fields.need("diameter", self.problems).and_then(|node| self.diameter(node));
         let through = match fields.take("through") {
             Some(node) => self.problems.boolean(node),
             None => Some(false),
         };
         let depth_node = fields.take("depth");
-        let depth_place = depth_node.map_or_else(|| node.place.clone(), |node| node.place.clone());
         let depth = match (depth_node, through, blank) {
             (Some(node), ..) => self.positive(node, "depth"),
             (None, Some(true), Some(blank)) => Some(blank.thickness),
@@ -313,43 +341,109 @@ impl Reader<'_> {
             Some(node) => self.problems.boolean(node),
             None => Some(false),
         };
-        let mut not_planned: Vec<String> =
-            NOT_PLANNED.iter().filter(|key| fields.take(key).is_some()).map(|&key| key.to_owned()).collect();
-        if let Some(state) = fields.take("state") {
-            let known = [("solid", false), ("cast", true), ("pre-machined", true)];
-            if self.choice(state, &known) == Some(true) {
-                not_planned.push("state".to_owned());
+        let mut not_planned = Vec::new();
+        for &key in NOT_PLANNED {
+            if let Some(node) = fields.take(key)
+                && self.asks_for_more(key, node)
+            {
+                not_planned.push(key.to_owned());
             }
         }
         let patterned = not_planned.iter().any(|key| key == "pattern");
         let at_node = if patterned { fields.take("at") } else { fields.need("at", self.problems) };
-        let (at, at_places) = at_node.map(|node| self.points(node)).unwrap_or_default();
+        if let (Some(node), true) = (at_node, patterned) {
+            let message = "`at` and `pattern` both say where the holes are";
+            self.problems.error_help::<()>("bad-value", message, &node.place, "keep one of them");
+        }
+        let points = at_node.map(|node| self.points(node)).unwrap_or_default();
         fields.finish(HOLE, self.problems);
-        Some(Placed {
-            hole: Hole {
-                name: name?,
-                diameter: diameter?,
-                depth: depth?,
-                through: through?,
-                bottom: bottom?,
-                roughness: roughness?,
-                centre_tolerance: centre_tolerance?,
+        let mut group = Group {
+            name: name.clone().zip(name_node.map(|node| node.place.clone())),
+            diameter: diameter.as_ref().map(|diameter| diameter.nominal),
+            depth: depth.zip(depth_node.map(|node| node.place.clone())),
+            through,
+            at: at_node.map(|node| node.place.clone()),
+            points,
+            hole: None,
+        };
+        if let (Some(name), Some(diameter), Some(depth), Some(through)) = (name, diameter, depth, through)
+            && let (Some(bottom), Some(roughness), Some(skin)) = (bottom, roughness, skin)
+            && let Some(centre_tolerance) = centre_tolerance
+        {
+            let at = group.points.iter().map(|(point, _)| *point).collect();
+            group.hole = Some(Hole {
+                name,
+                diameter,
+                depth,
+                through,
+                bottom,
+                roughness,
+                centre_tolerance,
                 chamfer,
-                skin: skin?,
+                skin,
                 not_planned,
                 at,
-            },
-            depth_place,
-            at_places,
-        })
+            });
+        }
+        Some(group)
     }
 
-    fn points(&mut self, node: &Node) -> (Vec<Point>, Vec<Place>) {
-        let items = self.problems.list(node).unwrap_or_default();
-        if items.is_empty() && matches!(node.kind, NodeKind::Seq(_)) {
-            self.problems.error::<()>("bad-value", "the group has no points", &node.place);
+    /// Checks a key that is not planned yet, and says whether its value asks for something.
+    fn asks_for_more(&mut self, key: &str, node: &Node) -> bool {
+        match key {
+            "thread" => self.name(node).is_some(),
+            "state" => {
+                let solid = self.choice(node, &[("solid", true), ("cast", false), ("pre-machined", false)]);
+                solid == Some(false)
+            }
+            "state_diameter" => self.positive(node, key).is_some(),
+            "outer_wall" => self.problems.boolean(node) == Some(true),
+            "counterbore" => self.feature(node, COUNTERBORE),
+            "countersink" => self.feature(node, COUNTERSINK),
+            "pattern" => self.pattern(node),
+            "steps" => {
+                let items = self.problems.list(node).unwrap_or_default();
+                items.iter().filter(|item| self.problems.map(item).is_some()).count() > 0
+            }
+            _ => self.problems.map(node).is_some(),
         }
-        items.iter().filter_map(|item| self.point(item).map(|point| (point, item.place.clone()))).unzip()
+    }
+
+    /// A feature at the entry: sizes that must all be there, mm or degrees.
+    fn feature(&mut self, node: &Node, sizes: &[&str]) -> bool {
+        let Some(mut fields) = self.problems.map(node) else { return false };
+        for name in sizes {
+            if let Some(node) = fields.need(name, self.problems) {
+                self.positive(node, name);
+            }
+        }
+        fields.finish(sizes, self.problems);
+        true
+    }
+
+    fn pattern(&mut self, node: &Node) -> bool {
+        let Some(mut fields) = self.problems.map(node) else { return false };
+        let kinds =
+            PATTERN.iter().filter(|kind| fields.take(kind).is_some_and(|node| self.problems.map(node).is_some()));
+        let count = kinds.count();
+        fields.finish(PATTERN, self.problems);
+        if count > 1 {
+            self.problems.error_help::<()>("bad-value", "a pattern is of one kind", &node.place, "keep one of them");
+        }
+        true
+    }
+
+    fn points(&mut self, node: &Node) -> Vec<(Point, Place)> {
+        let items = self.problems.list(node).unwrap_or_default();
+        let scalars = items.iter().all(|item| matches!(item.kind, NodeKind::Scalar { .. }));
+        if matches!(node.kind, NodeKind::Seq(_)) && scalars {
+            let message =
+                if items.is_empty() { "the group has no points" } else { "a list of points is expected here" };
+            let help = "give each point in brackets of its own: [[X, Y], [X, Y]]";
+            self.problems.error_help::<()>("bad-value", message, &node.place, help);
+            return Vec::new();
+        }
+        items.iter().filter_map(|item| self.point(item).map(|point| (point, item.place.clone()))).collect()
     }
 
     fn diameter(&mut self, node: &Node) -> Option<ToleratedDiameter> {
@@ -358,33 +452,147 @@ impl Reader<'_> {
             let nominal = fields.need("nominal", self.problems).and_then(|node| self.positive(node, "nominal"));
             let upper = fields.need("upper", self.problems).and_then(|node| self.problems.scalar(node));
             let lower = fields.need("lower", self.problems).and_then(|node| self.problems.scalar(node));
-            fields.finish(&["nominal", "upper", "lower"], self.problems);
+            fields.finish(DIAMETER, self.problems);
             ToleratedDiameter::from_limits(nominal?, upper?, lower?, self.knowledge)
         } else {
             ToleratedDiameter::parse(self.problems.text(node)?, self.knowledge)
         };
-        let diameter = match diameter {
-            Ok(diameter) => diameter,
-            Err(message) => return self.problems.error("bad-diameter", message, &node.place),
-        };
-        let (smallest, largest) = (Micrometres::from_mm(3), Micrometres::from_mm(80));
-        if diameter.nominal < smallest || diameter.nominal > largest {
-            let message = format!("Ø{} is outside Ø{smallest} to Ø{largest}", diameter.nominal);
-            let help = "no drill of the catalogs begins a hole outside this range";
-            return self.problems.error_help("bad-diameter", message, &node.place, help);
+        match diameter {
+            Ok(diameter) => Some(diameter),
+            Err(message) => self.problems.error("bad-diameter", message, &node.place),
         }
-        Some(diameter)
     }
 
     fn centre_tolerance(&mut self, node: &Node) -> Option<CentreTolerance> {
-        let text = self.problems.text(node)?;
-        if text.starts_with("IT") {
-            let it: ItGrade = self.problems.scalar(node)?;
-            if !(5..=14).contains(&it.number()) {
-                return self.problems.error("bad-value", format!("IT {it} is outside IT 5 to IT 14"), &node.place);
+        // Cyrillic ІТ looks like the Latin letters and is typed as often.
+        let text = self.problems.text(node)?.to_uppercase().replace('І', "I").replace('Т', "T");
+        if let Some(grade) = text.strip_prefix("IT") {
+            let it = grade.trim().parse().ok().and_then(ItGrade::new).filter(|it| (5..=14).contains(&it.number()));
+            if it.is_none() {
+                let message = format!("`{text}` is outside IT5 to IT14, which the table it-grades covers");
+                return self.problems.error("bad-value", message, &node.place);
             }
-            return Some(CentreTolerance::Grade { it });
+            return it.map(|it| CentreTolerance::Grade { it });
         }
-        self.positive(node, "centre_tolerance").map(CentreTolerance::Width)
+        let width = self.positive(node, "centre_tolerance")?;
+        // The columns of the scheme tables end there; such a figure is a slip of the decimal point.
+        let columns = self.knowledge.table("A.8").map(|table| table.columns.as_slice()).unwrap_or_default();
+        let domain = columns.iter().find(|column| column.name == "centre_tolerance").map(Column::allowed);
+        if domain.is_some_and(|domain| !domain.contains(width.micrometres())) {
+            let message = format!("{width} mm is coarser than any tolerance of the tables A.8 and A.9");
+            let help = "give the full width of the tolerance in mm, `0.46`, or a grade, `IT12`";
+            return self.problems.error_help("bad-value", message, &node.place, help);
+        }
+        Some(CentreTolerance::Width(width))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shipped;
+
+    const PART: &str = "part: П
+material: Сталь 45
+blank: {kind: plate, length: 200, width: 101.001, thickness: 40}
+machine: gf2171
+datum: {}
+holes:
+  - name: A
+    diameter: 10H12
+    depth: 30
+    roughness: Ra 12.5
+    centre_tolerance: 0.46
+    at: [[0, 0], [20, 0]]
+";
+
+    fn read(from: &str, to: &str) -> Part {
+        let text = PART.replacen(from, to, 1);
+        assert!(PART.contains(from), "{from}");
+        read_part("part", &text, &shipped::knowledge().unwrap()).unwrap_or_else(|problems| panic!("{to}: {problems:?}"))
+    }
+
+    fn um(value: i64) -> Micrometres {
+        Micrometres::new(value)
+    }
+
+    #[test]
+    fn what_is_left_out_has_its_default() {
+        let part = read("", "");
+        assert_eq!(part.material, "steel-45");
+        assert_eq!(part.datum, Datum { left: um(-100_000), front: um(-50_500), top: um(0) });
+        assert_eq!((part.entry, part.fixture), (Entry::Machined, Fixture::default()));
+        let hole = &part.holes[0];
+        assert!(!hole.through && !hole.skin && hole.bottom == Bottom::Free && hole.not_planned.is_empty());
+        assert_eq!(read("depth: 30", "through: true").holes[0].depth, um(40_000));
+    }
+
+    #[test]
+    fn a_diameter_is_read_with_its_field_or_its_limits() {
+        for (written, upper, lower, it, shown) in [
+            ("10H12", 150, 0, 12, "10H12"),
+            ("10Н12", 150, 0, 12, "10H12"),
+            ("Ø 10 H12", 150, 0, 12, "10 H12"),
+            ("10", 220, 0, 13, "10"),
+            ("{nominal: 10, upper: 0.15, lower: 0}", 150, 0, 12, "10 +0.15/0"),
+            // Between the grades 11 (0.09) and 12 (0.15) only the finer holds.
+            ("{nominal: 10, upper: 0.149, lower: 0}", 149, 0, 11, "10 +0.149/0"),
+            ("{nominal: 10, upper: -0.02, lower: -0.11}", -20, -110, 11, "10 -0.02/-0.11"),
+            ("{nominal: 10, upper: 0.05, lower: -0.05}", 50, -50, 11, "10 +0.05/-0.05"),
+        ] {
+            let diameter = &read("10H12", written).holes[0].diameter;
+            assert_eq!(diameter.nominal, um(10_000), "{written}");
+            assert_eq!((diameter.upper, diameter.lower), (um(upper), um(lower)), "{written}");
+            assert_eq!((diameter.it.number(), diameter.written.as_str()), (it, shown), "{written}");
+        }
+    }
+
+    #[test]
+    fn a_centre_tolerance_is_a_width_or_a_grade() {
+        let grade = CentreTolerance::Grade { it: ItGrade::new(12).unwrap() };
+        for written in ["IT12", "IT 12", "ІТ12", "it12"] {
+            assert_eq!(read("0.46", written).holes[0].centre_tolerance, grade, "{written}");
+        }
+        assert_eq!(read("", "").holes[0].centre_tolerance, CentreTolerance::Width(um(460)));
+    }
+
+    #[test]
+    fn a_zero_lies_at_a_side_or_at_a_distance_from_it() {
+        for (datum, left, front, top) in [
+            ("{x: left, y: front, z: bottom}", 0, 0, 40_000),
+            ("{x: right, y: back, z: top}", -200_000, -101_001, 0),
+            ("{x: centre, y: centre, z: middle}", -100_000, -50_500, 20_000),
+            ("{x: 100, y: 20, z: 40}", -100_000, -20_000, 0),
+        ] {
+            // At the zeros there is no hole, so that corners do not matter.
+            let text = PART.replace("{}", datum).replace("[[0, 0], [20, 0]]", "[[0, 0]]");
+            let (root, _) = parse("part", &text);
+            let mut problems = Problems::default();
+            let knowledge = shipped::knowledge().unwrap();
+            let mut reader = Reader { knowledge: &knowledge, problems: &mut problems };
+            let root = root.unwrap();
+            let blank = reader.blank(root.get("blank").unwrap()).unwrap();
+            let read = reader.datum(root.get("datum").unwrap(), &blank).unwrap();
+            assert_eq!(read, Datum { left: um(left), front: um(front), top: um(top) }, "{datum}");
+        }
+    }
+
+    #[test]
+    fn look_alike_letters_and_other_line_ends_are_read() {
+        let part = read("datum: {}", "fixture: {clamps: [{at: [50, 0], screw: М10}]}");
+        assert_eq!(part.fixture.clamps[0].screw.as_deref(), Some("M10"));
+        assert_eq!(read("Ra 12.5", "Rа 12.5").holes[0].roughness, "Ra 12.5".parse().unwrap());
+        let knowledge = shipped::knowledge().unwrap();
+        for text in [PART.replace('\n', "\r\n"), format!("\u{feff}{PART}")] {
+            assert_eq!(read_part("part", &text, &knowledge).unwrap(), read("", ""));
+        }
+    }
+
+    #[test]
+    fn a_key_that_asks_for_nothing_is_planned() {
+        let plain = read("    at:", "    outer_wall: false\n    state: solid\n    steps: []\n    thread:\n    at:");
+        assert!(plain.holes[0].not_planned.is_empty());
+        let asking = read("    at:", "    outer_wall: true\n    state: cast\n    thread: M8-6H\n    at:");
+        assert_eq!(asking.holes[0].not_planned, ["thread", "state", "outer_wall"]);
     }
 }

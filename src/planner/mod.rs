@@ -115,6 +115,11 @@ fn hole(
                 if steps.iter().any(|fitted| fitted.step.operation.is_boring() && fitted.step.passes > 1) {
                     report(Severity::Note, Note::new("bar-set-by-hand"));
                 }
+                let chamfered =
+                    steps.iter().flat_map(|fitted| &fitted.because).any(|why| why.note.code == "spot-by-chamfer");
+                if let (Some(chamfer), false) = (hole.chamfer, chamfered) {
+                    report(Severity::Wrong, Note::new("chamfer-not-planned").with("chamfer", chamfer));
+                }
                 let route = route(candidate, &candidates, refused);
                 return Ok(Draft { route: Some(route), steps });
             }
@@ -190,8 +195,12 @@ fn smallest_bore(shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
     Ok(bars.all_rows().filter_map(|row| row.length("diameter_min").ok()).min().unwrap_or_default())
 }
 
-/// The holes must lie within the table's travel.
+/// The blank must be light enough for the table, and the holes must lie within its travel.
 fn reach_of_table(part: &Part, shop: &Shop<'_>, findings: &mut Vec<Finding>) {
+    if let Some(mass) = part.mass_kg.filter(|mass| *mass > shop.machine.load_max_kg) {
+        let note = Note::new("too-heavy").with("mass", mass).with("limit", shop.machine.load_max_kg);
+        findings.push(Finding::of_part(Severity::Error, note));
+    }
     let points = || part.holes.iter().flat_map(|hole| &hole.at);
     let axes = [
         ("X", points().map(|point| point.x).collect::<Vec<_>>(), shop.machine.travel_x),
@@ -207,11 +216,15 @@ fn reach_of_table(part: &Part, shop: &Shop<'_>, findings: &mut Vec<Finding>) {
     }
 }
 
-/// Every row the plan rests on that is not fully trusted, once each.
+/// Every row the plan rests on that is not fully trusted, once each, and what a card could not give.
 fn unconfirmed(plan: &mut Plan) {
     let mut found: Vec<Finding> = Vec::new();
     let mut look = |because: &[Because], hole: Option<&str>| {
         for reason in because {
+            if reason.note.code == "card-point-forces-differ" {
+                let hole = hole.map(str::to_owned);
+                found.push(Finding { severity: Severity::Doubtful, hole, note: reason.note.clone() });
+            }
             let Some(why) = &reason.unconfirmed else { continue };
             let note = Note::new("unconfirmed")
                 .with("table", &reason.table)

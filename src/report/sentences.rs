@@ -125,6 +125,16 @@ const SENTENCES: &[(&str, &str, &str)] = &[
     ),
     ("feature-not-planned", "ця версія ще не проектує: {keys}", "this version reads but does not plan yet: {keys}"),
     (
+        "chamfer-not-planned",
+        "фаску {chamfer} мм тут не знімає центрування (лише до Ø15); окремий перехід ця версія ще не проектує",
+        "the chamfer of {chamfer} mm is not made by centring here (only up to Ø15); a transition of its own is not planned yet",
+    ),
+    (
+        "too-heavy",
+        "маса {mass} > {limit} кг, найбільшої для верстата",
+        "mass {mass} > {limit} kg, the most the machine takes",
+    ),
+    (
         "flat-bottom-not-planned",
         "плоске дно ця версія ще не проектує; свердло лишає конус",
         "a flat bottom is not planned yet; a drill leaves a cone",

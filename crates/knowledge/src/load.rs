@@ -101,6 +101,7 @@ impl Loader<'_> {
             laws,
             tool,
             file: self.file.to_owned(),
+            columns_line: columns_node.map_or(1, |node| node.place.line),
             index: std::sync::OnceLock::new(),
         })
     }

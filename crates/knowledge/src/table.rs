@@ -223,6 +223,8 @@ pub struct Table {
     pub tool: Option<ToolHead>,
     /// The file it was read from.
     pub file: String,
+    /// The line where its columns begin, from 1.
+    pub columns_line: u32,
     /// The compiled form of its tests.
     #[serde(skip)]
     pub(crate) index: OnceLock<Index>,

@@ -25,6 +25,9 @@ pub(super) fn check(table: &Table, knowledge: &Knowledge, findings: &mut Vec<Dia
         findings
             .push(Diagnostic::error("no-laws", message, None).help("at least `rising` of a length over the diameter"));
     }
+    if table.tool.is_some() {
+        plausible_lengths(table, findings);
+    }
     for law in &table.laws {
         let broken = match law.name.as_str() {
             "rising" => rising(table, law),
@@ -41,6 +44,20 @@ pub(super) fn check(table: &Table, knowledge: &Knowledge, findings: &mut Vec<Dia
             Err(message) => {
                 let message = format!("table {}: law `{}`: {message}", table.id, law.name);
                 findings.push(Diagnostic::error("bad-law", message, law.place.clone()));
+            }
+        }
+    }
+}
+
+/// Lengths of a cutter lie between a tenth of a millimetre and a metre, whatever unit its table is in.
+fn plausible_lengths(table: &Table, findings: &mut Vec<Diagnostic>) {
+    for (index, column) in table.columns.iter().enumerate() {
+        for row in 0..table.rows.len() {
+            if let Cell::Value(Value::Length(length)) = &table.rows[row].cells[index]
+                && !(100..=1_000_000).contains(&length.micrometres())
+            {
+                let message = format!("{} is {length} mm, which no cutter measures", column.name);
+                findings.push(broken(table, row, index, message));
             }
         }
     }
@@ -91,7 +108,10 @@ fn rising(table: &Table, law: &Law) -> Broken {
         let (mut smallest, mut largest) = (i64::MIN, i64::MIN);
         for same in rows.chunk_by(|a, b| a.0 == b.0) {
             let (low, high) = (same[0], same[same.len() - 1]);
-            for (bound, (_, own, row)) in [(smallest, low), (largest, high)] {
+            let bounds = [(largest, high), (smallest, low)];
+            // One row is its own smallest and largest; the stricter bound says it once.
+            let bounds = if same.len() == 1 { &bounds[..1] } else { &bounds[..] };
+            for &(bound, (_, own, row)) in bounds {
                 if own < bound {
                     let shown = &table.columns[value];
                     let message = format!(

@@ -7,6 +7,7 @@
 pub mod cases;
 mod coverage;
 mod laws;
+mod names;
 mod overlap;
 mod references;
 mod region;
@@ -25,7 +26,11 @@ pub fn lint(knowledge: &Knowledge) -> Vec<Diagnostic> {
         references::check(table, knowledge, &mut findings);
         laws::check(table, knowledge, &mut findings);
     }
+    names::check(knowledge, &mut findings);
     cases::check(knowledge, &mut findings);
     findings.sort_by(|a, b| a.place.cmp(&b.place).then_with(|| a.message.cmp(&b.message)));
     findings
 }
+
+#[cfg(test)]
+mod tests;

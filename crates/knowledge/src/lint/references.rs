@@ -7,10 +7,32 @@ use crate::diagnostic::{Diagnostic, nearest};
 use crate::knowledge::Knowledge;
 use crate::table::{Cell, Table};
 
+/// The name by which a column refers to the ids of the tables themselves: `refers: {table: tables, column: id}`.
+const TABLES: &str = "tables";
+
+/// Ids of tables that do not exist.
+fn check_tables(table: &Table, index: usize, knowledge: &Knowledge, findings: &mut Vec<Diagnostic>) {
+    for (row, content) in table.rows.iter().enumerate() {
+        let Cell::Value(value) = &content.cells[index] else { continue };
+        for id in value.items().iter().map(ToString::to_string).filter(|id| knowledge.table(id).is_err()) {
+            let message = format!("table {}, row {}: there is no table `{id}`", table.id, row + 1);
+            let finding = Diagnostic::error("dangling-reference", message, cell_place(table, row, index));
+            findings.push(match nearest(&id, knowledge.tables().map(|table| table.id.as_str())) {
+                Some(near) => finding.help(format!("the nearest is `{near}`")),
+                None => finding,
+            });
+        }
+    }
+}
+
 /// Values of a column with `refers` that the other table does not have.
 pub(super) fn check(table: &Table, knowledge: &Knowledge, findings: &mut Vec<Diagnostic>) {
     for (index, column) in table.columns.iter().enumerate() {
         let Some((other, field)) = &column.refers else { continue };
+        if other == TABLES {
+            check_tables(table, index, knowledge, findings);
+            continue;
+        }
         let target =
             knowledge.table(other).ok().and_then(|target| target.column_index(field).map(|field| (target, field)));
         let Some((target, field_index)) = target else {

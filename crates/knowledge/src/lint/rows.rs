@@ -24,6 +24,11 @@ pub(super) fn row_place(table: &Table, row: usize) -> Place {
     Place { file: table.file.as_str().into(), line: row.line, column: first.map_or(1, |place| place.column), width: 1 }
 }
 
+/// Where the columns of a table are declared: the place of what is wrong with one of them.
+pub(super) fn head_place(table: &Table) -> Place {
+    Place { file: table.file.as_str().into(), line: table.columns_line, column: 1, width: 1 }
+}
+
 /// Where a cell stands, or its row when it is left out.
 pub(super) fn cell_place(table: &Table, row: usize, column: usize) -> Place {
     table.rows[row].places.get(column).cloned().flatten().unwrap_or_else(|| row_place(table, row))

@@ -1,0 +1,43 @@
+//! Proof: a column name means one thing. A quantity of one name stands in one unit in every table, so
+//! that a unit mistyped in one of them shows against the others.
+
+use std::collections::BTreeMap;
+
+use crate::column::{Column, ColumnType};
+use crate::diagnostic::Diagnostic;
+use crate::knowledge::Knowledge;
+use crate::table::Table;
+use crate::units::Unit;
+
+/// From so many tables on, what most of them say is taken for right.
+const MANY: usize = 3;
+
+/// Columns whose unit differs from that of the same name in most other tables.
+pub(super) fn check(knowledge: &Knowledge, findings: &mut Vec<Diagnostic>) {
+    let mut uses: BTreeMap<&str, Vec<(&Table, &Column)>> = BTreeMap::new();
+    for table in knowledge.tables() {
+        for column in &table.columns {
+            if matches!(column.ty, ColumnType::Length | ColumnType::Number) {
+                uses.entry(&column.name).or_default().push((table, column));
+            }
+        }
+    }
+    for (name, columns) in uses {
+        let mut by_unit: BTreeMap<Unit, usize> = BTreeMap::new();
+        for (_, column) in &columns {
+            *by_unit.entry(column.unit).or_default() += 1;
+        }
+        let Some((&usual, &count)) = by_unit.iter().max_by_key(|(_, count)| **count) else { continue };
+        if by_unit.len() < 2 || count < MANY {
+            continue;
+        }
+        for (table, _) in columns.iter().filter(|(_, column)| column.unit != usual) {
+            let message =
+                format!("table {}: the column `{name}` is not in `{usual}`, as in {count} other tables", table.id);
+            findings.push(
+                Diagnostic::error("wrong-unit", message, super::rows::head_place(table))
+                    .help("mend the unit, or give the quantity a name of its own"),
+            );
+        }
+    }
+}

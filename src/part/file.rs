@@ -1,0 +1,477 @@
+//! The part file as its author writes it: the source of docs/part.schema.json, which editors use for
+//! completion and hints.
+//!
+//! These types say which keys there are, what they hold and in which units. [`super::read_part`] reads
+//! the file itself, because it says where every mistake stands; tests hold the two together.
+
+use schemars::{JsonSchema, Schema, schema_for};
+use serde::Deserialize;
+use serde_json::{Map, Value};
+
+use super::{BlankKind, Bottom, Entry};
+
+/// The JSON Schema of a part file.
+pub fn schema() -> Schema {
+    schema_for!(PartFile)
+}
+
+/// A part to be planned by `technolog plan`. All lengths are in mm with a decimal point and at most
+/// three decimal places.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PartFile {
+    /// Name of the part.
+    pub part: Name,
+    /// Material: an id of `technolog table materials` (`steel-45`) or another name of it (`Сталь 45`, `C45`).
+    pub material: Name,
+    /// What the part is made from.
+    pub blank: Blank,
+    /// The machine's id: `gf2171`.
+    pub machine: String,
+    /// Where the zeros of X, Y and Z lie; else in the middle of the top face.
+    pub datum: Option<Datum>,
+    /// The face that the tools enter; `machined` unless said.
+    pub entry: Option<Entry>,
+    /// How the part is held.
+    pub fixture: Option<Fixture>,
+    /// Permitted position error Δ0 of table A.6, mm; else the centre tolerance of each group.
+    pub position_tolerance: Option<Size>,
+    /// Mass of the blank, kg.
+    pub mass: Option<Mass>,
+    /// The groups of equal holes.
+    #[schemars(length(min = 1))]
+    pub holes: Vec<Hole>,
+}
+
+/// The blank, with the hole axes along Z.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Blank {
+    /// Its kind.
+    pub kind: BlankKind,
+    /// Along X, mm.
+    pub length: Size,
+    /// Along Y, mm.
+    pub width: Size,
+    /// Along Z, mm.
+    pub thickness: Size,
+}
+
+/// Where the part's zeros lie: a side by its word, or the zero's distance from the left, front or
+/// bottom side, mm.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Datum {
+    /// Zero of X: `left`, `centre` (unless said), `right`, or its distance from the left side, mm.
+    pub x: Option<ZeroX>,
+    /// Zero of Y: `front`, `centre` (unless said), `back`, or its distance from the front side, mm.
+    pub y: Option<ZeroY>,
+    /// Zero of Z: `top` (unless said), `middle`, `bottom`, or its distance from the bottom, mm.
+    pub z: Option<ZeroZ>,
+}
+
+/// Zero of X.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum ZeroX {
+    /// By a side's word.
+    Side(SideX),
+    /// By its distance from the left side, mm.
+    Distance(Coordinate),
+}
+
+/// Zero of Y.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum ZeroY {
+    /// By a side's word.
+    Side(SideY),
+    /// By its distance from the front side, mm.
+    Distance(Coordinate),
+}
+
+/// Zero of Z.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum ZeroZ {
+    /// By a side's word.
+    Side(SideZ),
+    /// By its distance from the bottom, mm.
+    Distance(Coordinate),
+}
+
+/// Sides along X.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[allow(missing_docs)] // the words of the format
+pub enum SideX {
+    Left,
+    Centre,
+    Right,
+}
+
+/// Sides along Y.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[allow(missing_docs)] // the words of the format
+pub enum SideY {
+    Front,
+    Centre,
+    Back,
+}
+
+/// Sides along Z.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[allow(missing_docs)] // the words of the format
+pub enum SideZ {
+    Bottom,
+    Middle,
+    Top,
+}
+
+/// How the part is held.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Fixture {
+    /// Height of the fixture under the part, mm.
+    pub height: Option<Size>,
+    /// The clamps; without them a symmetric pair is proposed.
+    pub clamps: Option<Vec<Clamp>>,
+}
+
+/// A clamp.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Clamp {
+    /// Where it presses, `[X, Y]`, mm: on the blank, and not on a hole.
+    pub at: [Coordinate; 2],
+    /// Its screw, M6 to M24: `M10`; else the smallest that bears the force.
+    #[schemars(regex(pattern = r"^[MМ][0-9]+$"))]
+    pub screw: Option<String>,
+}
+
+/// A group of equal holes.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("oneOf" = [{"required": ["at"]}, {"required": ["pattern"]}]))]
+#[schemars(extend("anyOf" = [{"required": ["depth"]}, {"required": ["through"]}]))]
+pub struct Hole {
+    /// Name of the group, unique in the part.
+    pub name: Name,
+    /// Diameter with its tolerance: `10H12` (Ø3 to Ø80, H6 to H14), `10` for a free size (grade 13), or
+    /// `{nominal: 10, upper: 0.15, lower: 0}`.
+    pub diameter: Diameter,
+    /// Depth of the full diameter, mm; of a through hole the thickness of the blank, and may be left out.
+    pub depth: Option<Size>,
+    /// Whether the hole goes through; `false` unless said.
+    pub through: Option<bool>,
+    /// Bottom of a blind hole; `free` unless said.
+    pub bottom: Option<Bottom>,
+    /// Roughness limit, micrometres: `Ra 12.5`, or `Rz` of 80, 40, 20, 10, 6.3 or 3.2.
+    #[schemars(regex(pattern = r"^[Rr]([aAаА][ =]*[0-9]+(\.[0-9]{1,3})?|[zZ][ =]*(80|40|20|10|6\.3|3\.2))$"))]
+    pub roughness: String,
+    /// Full width of the tolerance on centre distances, mm, up to 10; or `IT5` to `IT14`: that grade at
+    /// the smallest centre distance of the group.
+    pub centre_tolerance: CentreTolerance,
+    /// Chamfer at the entry, mm.
+    pub chamfer: Option<Size>,
+    /// Whether the tool cuts through a casting or forging skin; `false` unless said.
+    pub skin: Option<bool>,
+    /// The centres: `[[X, Y], [X, Y]]`, mm.
+    #[schemars(length(min = 1))]
+    pub at: Option<Vec<[Coordinate; 2]>>,
+    /// A pattern of centres instead of `at`. Read, not planned yet.
+    pub pattern: Option<Pattern>,
+    /// A conical hole. Read, not planned yet.
+    pub cone: Option<Map<String, Value>>,
+    /// Thread: `M8-6H`. Read, not planned yet.
+    #[schemars(length(min = 1))]
+    pub thread: Option<String>,
+    /// Counterbore at the entry. Read, not planned yet.
+    pub counterbore: Option<Counterbore>,
+    /// Countersink at the entry. Read, not planned yet.
+    pub countersink: Option<Countersink>,
+    /// State of the hole in the blank; `solid` unless said. `cast` and `pre-machined` are read, not
+    /// planned yet.
+    pub state: Option<State>,
+    /// Diameter of a cast or pre-machined hole, mm. Read, not planned yet.
+    pub state_diameter: Option<Size>,
+    /// Whether the hole is in an outer wall; `false` unless said. Read, not planned yet.
+    pub outer_wall: Option<bool>,
+    /// Steps of a stepped hole, from the entry face inwards. Read, not planned yet.
+    pub steps: Option<Vec<Map<String, Value>>>,
+}
+
+/// A diameter with its tolerance.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Diameter {
+    /// Size and field, `10H12`.
+    Field(#[schemars(regex(pattern = r"^[Ø⌀∅Фф]? *[0-9]+(\.[0-9]{1,3})?( *[HНн](6|7|8|9|10|11|12|13|14))?$"))] String),
+    /// A free size, mm: grade 13.
+    Free(#[schemars(range(min = 3, max = 80))] f64),
+    /// Size and deviations.
+    Limits(Limits),
+}
+
+/// A diameter by its deviations; the grade is the coarsest whose tolerance they hold.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Limits {
+    /// Nominal diameter, mm, 3 to 80.
+    #[schemars(range(min = 3, max = 80))]
+    pub nominal: f64,
+    /// Upper deviation, mm, with its sign; above the lower.
+    pub upper: Coordinate,
+    /// Lower deviation, mm, with its sign.
+    pub lower: Coordinate,
+}
+
+/// The tolerance on centre distances.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum CentreTolerance {
+    /// Its full width, mm.
+    Width(#[schemars(range(max = 10), extend("exclusiveMinimum" = 0))] f64),
+    /// A grade at the smallest centre distance of the group.
+    Grade(#[schemars(regex(pattern = r"^[IiІі][TtТт] *(5|6|7|8|9|10|11|12|13|14)$"))] String),
+}
+
+/// A pattern of centres, of one kind.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("maxProperties" = 1))]
+pub struct Pattern {
+    /// Rows and columns.
+    pub grid: Option<Map<String, Value>>,
+    /// Points of a line.
+    pub line: Option<Map<String, Value>>,
+    /// Points of a circle.
+    pub circle: Option<Map<String, Value>>,
+}
+
+/// A counterbore.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Counterbore {
+    /// Its diameter, mm.
+    pub diameter: Size,
+    /// Its depth, mm.
+    pub depth: Size,
+}
+
+/// A countersink.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Countersink {
+    /// Its largest diameter, mm.
+    pub diameter: Size,
+    /// Its full angle, degrees.
+    pub angle: Angle,
+}
+
+/// State of a hole in the blank.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum State {
+    /// Solid metal.
+    Solid,
+    /// Cast or forged.
+    Cast,
+    /// Machined beforehand.
+    PreMachined,
+}
+
+/// A text; a bare number is one too (`45`).
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Name {
+    /// As text.
+    Text(#[schemars(length(min = 1))] String),
+    /// As number.
+    Number(f64),
+}
+
+/// A length above zero, mm.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(transparent)]
+#[schemars(extend("exclusiveMinimum" = 0))]
+pub struct Size(pub f64);
+
+/// A coordinate or deviation, mm.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(transparent)]
+pub struct Coordinate(pub f64);
+
+/// An angle above zero, degrees.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(transparent)]
+#[schemars(extend("exclusiveMinimum" = 0))]
+pub struct Angle(pub f64);
+
+/// A mass above zero, kg.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(transparent)]
+#[schemars(extend("exclusiveMinimum" = 0))]
+pub struct Mass(pub f64);
+
+#[cfg(test)]
+mod tests {
+    use std::path::PathBuf;
+
+    use super::super::read;
+    use super::*;
+    use crate::knowledge::Knowledge;
+    use crate::shipped;
+
+    /// Every key of the format.
+    const FULL: &str = r"
+part: Плита
+material: 45
+blank: {kind: plate, length: 500, width: 300, thickness: 40.5}
+machine: gf2171
+datum: {x: left, y: 150, z: top}
+entry: rough
+fixture: {height: 60, clamps: [{at: [250, -130], screw: М10}, {at: [250, 130]}]}
+position_tolerance: 0.1
+mass: 46.5
+holes:
+  - name: A
+    diameter: {nominal: 10, upper: 0.15, lower: 0}
+    depth: 20
+    through: false
+    bottom: flat
+    roughness: Rz 80
+    centre_tolerance: IT12
+    chamfer: 1
+    skin: true
+    at: [[50, 0], [100, 0]]
+    cone: {taper: 0.02}
+    thread: M8-6H
+    counterbore: {diameter: 15, depth: 9}
+    countersink: {diameter: 12, angle: 90}
+    state: pre-machined
+    state_diameter: 8
+    outer_wall: true
+    steps: [{diameter: 12, depth: 5}]
+  - {name: 2, diameter: 20Н12, through: true, roughness: Ra 12.5, centre_tolerance: 0.46, pattern: {line: {count: 3}}}
+  - {name: C, diameter: 12.5, through: true, roughness: Ra 12.5, centre_tolerance: 0.46, at: [[400, 0]], state: solid}
+";
+
+    fn root(path: &str) -> PathBuf {
+        PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(path)
+    }
+
+    fn knowledge() -> Knowledge {
+        shipped::knowledge().unwrap()
+    }
+
+    fn keys(pointer: &str) -> Vec<String> {
+        let schema = serde_json::to_value(schema()).unwrap();
+        let properties = schema.pointer(pointer).unwrap_or_else(|| panic!("{pointer}"));
+        let mut keys: Vec<String> = properties["properties"].as_object().unwrap().keys().cloned().collect();
+        keys.sort();
+        keys
+    }
+
+    #[test]
+    fn the_schema_in_docs_is_the_generated_one() {
+        let path = root("docs/part.schema.json");
+        let generated = serde_json::to_string_pretty(&schema()).unwrap() + "\n";
+        if std::env::var_os("UPDATE_SCHEMA").is_some() {
+            std::fs::write(&path, &generated).unwrap();
+        }
+        let kept = std::fs::read_to_string(&path).unwrap_or_default();
+        assert!(kept == generated, "docs/part.schema.json is old: run `UPDATE_SCHEMA=1 cargo test schema`");
+    }
+
+    #[test]
+    fn the_schema_has_the_keys_that_the_reader_knows() {
+        for (pointer, known) in [
+            ("", read::PART),
+            ("/$defs/Blank", read::BLANK),
+            ("/$defs/Datum", read::DATUM),
+            ("/$defs/Fixture", read::FIXTURE),
+            ("/$defs/Clamp", read::CLAMP),
+            ("/$defs/Hole", read::HOLE),
+            ("/$defs/Limits", read::DIAMETER),
+            ("/$defs/Counterbore", read::COUNTERBORE),
+            ("/$defs/Countersink", read::COUNTERSINK),
+            ("/$defs/Pattern", read::PATTERN),
+        ] {
+            let mut known: Vec<String> = known.iter().map(|&key| key.to_owned()).collect();
+            known.sort();
+            assert_eq!(keys(pointer), known, "{pointer}");
+        }
+    }
+
+    #[test]
+    fn every_object_of_the_schema_is_closed_and_every_key_described() {
+        let schema = serde_json::to_value(schema()).unwrap();
+        let objects = schema["$defs"].as_object().unwrap().iter().map(|(name, object)| (name.as_str(), object));
+        for (name, object) in objects.chain([("PartFile", &schema)]).filter(|(_, object)| object["type"] == "object") {
+            assert_eq!(object["additionalProperties"], false, "{name}");
+            for (key, property) in object["properties"].as_object().unwrap() {
+                assert!(property["description"].is_string(), "{name}.{key}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_examples_fit_the_schema_types_and_the_reader() {
+        let knowledge = knowledge();
+        let mut seen = 0;
+        for entry in std::fs::read_dir(root("examples")).unwrap() {
+            let path = entry.unwrap().path();
+            let text = std::fs::read_to_string(&path).unwrap();
+            // The folder holds shafts and plans too.
+            if path.extension().is_none_or(|extension| extension != "yaml") || !text.contains("\npart:") {
+                continue;
+            }
+            serde_yaml::from_str::<PartFile>(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+            super::super::read_part("example", &text, &knowledge).unwrap();
+            seen += 1;
+        }
+        assert!(seen > 0);
+    }
+
+    #[test]
+    fn a_part_with_every_key_fits_the_schema_types_and_the_reader() {
+        let part = super::super::read_part("full", FULL, &knowledge()).unwrap();
+        assert_eq!(part.material, "steel-45");
+        assert_eq!(part.holes[0].not_planned.len(), 8);
+        assert_eq!(part.holes[2].not_planned, [""; 0]);
+        serde_yaml::from_str::<PartFile>(FULL).unwrap();
+        let used = |keys: &[&str]| keys.iter().all(|key| FULL.contains(&format!("{key}:")));
+        assert!(used(read::PART) && used(read::HOLE));
+    }
+
+    #[test]
+    fn the_schema_types_and_the_reader_refuse_the_same_forms() {
+        let knowledge = knowledge();
+        for (from, to) in [
+            ("mass:", "masse:"),
+            ("thickness:", "thick:"),
+            ("kind: plate", "kind: bar"),
+            ("x: left", "x: top"),
+            ("entry: rough", "entry: raw"),
+            ("height: 60", "hight: 60"),
+            ("at: [250, 130]", "at: [250, 130, 0]"),
+            ("lower: 0", "low: 0"),
+            ("bottom: flat", "bottom: round"),
+            ("through: false", "through: no"),
+            ("depth: 9", "deep: 9"),
+            ("angle: 90", "angel: 90"),
+            ("state: pre-machined", "state: forged"),
+            ("line:", "row:"),
+            ("at: [[50, 0], [100, 0]]", "at: [50, 0]"),
+            ("    roughness: Rz 80\n", ""),
+        ] {
+            let text = FULL.replacen(from, to, 1);
+            assert_ne!(text, FULL, "{from}");
+            assert!(serde_yaml::from_str::<PartFile>(&text).is_err(), "{to}");
+            assert!(super::super::read_part("full", &text, &knowledge).is_err(), "{to}");
+        }
+    }
+}
