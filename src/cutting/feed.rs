@@ -1,13 +1,13 @@
 //! Where a feed comes from: the rule `feed-choice` names the table and the multiple.
 
-use crate::error::KnowledgeError;
+use crate::error::{KnowledgeError, Tried};
 use crate::knowledge::{Input, Knowledge, RowRef};
 use crate::note::{Because, Note};
 use crate::plan::{CuttingMethod, Operation};
 use crate::shop::Shop;
 use crate::units::{Decimal, Micrometres, MillimetresPerRev, Unit};
 
-use super::{Cut, factors};
+use super::{Cut, factors, figures};
 
 /// A feed and the rows behind it.
 pub(super) struct Feed {
@@ -16,7 +16,7 @@ pub(super) struct Feed {
 }
 
 /// The tabulated feed of a drill, core drill or reamer with its corrections.
-pub(super) fn tabulated(cut: &Cut<'_>, shop: &Shop<'_>) -> Result<Result<Feed, Note>, KnowledgeError> {
+pub(super) fn tabulated(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Feed> {
     let knowledge = shop.knowledge;
     let rule = knowledge.table("feed-choice")?;
     let choice =
@@ -25,14 +25,9 @@ pub(super) fn tabulated(cut: &Cut<'_>, shop: &Shop<'_>) -> Result<Result<Feed, N
     let multiple = multiple(choice, knowledge)?;
     let table = knowledge.table(choice.text("feed_table")?)?;
     let (diameter, clamped) = inside_domain(cut.diameter, table);
-    let answer = table.decide(&[
-        ("material_group", Input::Text(shop.material.group)),
-        ("hardness", Input::Number(shop.material.hardness, Unit::Brinell)),
-        ("diameter", Input::Length(diameter)),
-    ])?;
-    let Some(row) = answer.winner() else {
-        return Ok(Err(Note::new("no-feed").with("table", &table.id).with("material", shop.material.designation())));
-    };
+    let hardness = Input::Number(shop.material.hardness, Unit::Brinell);
+    let figures = figures::ask(&table.id, &[("hardness", hardness), ("diameter", Input::Length(diameter))], shop)?;
+    let row = figures.row;
     let upper =
         row.number_in("feed_max", Unit::MillimetrePerRev).or_else(|_| row.number_in("feed", Unit::MillimetrePerRev))?;
     let mut feed = upper * multiple;
@@ -40,17 +35,14 @@ pub(super) fn tabulated(cut: &Cut<'_>, shop: &Shop<'_>) -> Result<Result<Feed, N
     if clamped {
         note = note.with("asked-at", diameter);
     }
-    let mut because = vec![Because::row(row, note), Because::row(choice, Note::new("feed-choice"))];
+    let mut because = figures.because(note);
+    because.push(Because::row(choice, Note::new("feed-choice")));
     // The cards give the feed of the point itself; their corrections follow in `card`.
     let by_formula = shop.method == CuttingMethod::Formula;
     if by_formula && matches!(cut.operation, Operation::Drill | Operation::DrillOut) {
-        match factors::by_depth("depth-feed-factor", cut, shop)? {
-            Ok((factor, reason)) => {
-                feed *= factor;
-                because.push(reason);
-            }
-            Err(note) => return Ok(Err(note)),
-        }
+        let (factor, reason) = factors::by_depth("depth-feed-factor", cut, shop)?;
+        feed *= factor;
+        because.push(reason);
         if cut.reamer_follows {
             let table = knowledge.table("feed-factor")?;
             let condition = "before-accurate-finishing-or-tapping";
@@ -60,7 +52,7 @@ pub(super) fn tabulated(cut: &Cut<'_>, shop: &Shop<'_>) -> Result<Result<Feed, N
             because.push(Because::row(row, Note::new("feed-before-finishing").with("factor", factor)));
         }
     }
-    Ok(Ok(Feed { feed: MillimetresPerRev(feed), because }))
+    Ok(Feed { feed: MillimetresPerRev(feed), because })
 }
 
 fn multiple(choice: RowRef<'_>, knowledge: &Knowledge) -> Result<f64, KnowledgeError> {

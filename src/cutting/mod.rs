@@ -8,10 +8,11 @@ mod card;
 mod drilling;
 mod factors;
 mod feed;
+mod figures;
 mod limits;
 mod reaming;
 
-use crate::error::KnowledgeError;
+use crate::error::{Refusal, Tried};
 use crate::note::{Because, Note};
 use crate::plan::{Conditions, Operation};
 use crate::shop::Shop;
@@ -97,21 +98,17 @@ impl PowerLaw {
 /// Conditions of a cut on the machine at hand.
 ///
 /// # Errors
-/// The knowledge cannot answer. That a table has no figure for this material is not an error: the
-/// inner `Err` says which.
-pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Result<Result<Conditions, Note>, KnowledgeError> {
+/// A table has no figure for this material, or the knowledge cannot answer at all.
+pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Conditions> {
     let draft = match cut.operation {
         Operation::CentreDrill | Operation::Drill | Operation::DrillOut | Operation::CoreDrill => {
-            drilling::draft(cut, shop)?
+            drilling::draft(cut, shop)
         }
-        Operation::RoughReam | Operation::FinishReam => reaming::draft(cut, shop)?,
-        Operation::RoughBore | Operation::SemiFinishBore | Operation::FinishBore => boring::draft(cut, shop)?,
-        _ => Err(Note::new("no-conditions").with("operation", cut.operation.name())),
+        Operation::RoughReam | Operation::FinishReam => reaming::draft(cut, shop),
+        Operation::RoughBore | Operation::SemiFinishBore | Operation::FinishBore => boring::draft(cut, shop),
+        _ => Err(Refusal::Not(Note::new("no-conditions"))),
     };
-    let draft = match draft {
-        Ok(draft) => draft,
-        Err(note) => return Ok(Err(note)),
-    };
+    let draft = draft.map_err(|refusal| refusal.with("operation", cut.operation.name()))?;
     let held = limits::hold(&draft, cut.diameter, shop)?;
     let feed_rate = MillimetresPerMinute(held.feed.0 * held.rpm.0);
     let torque = draft.loads.torque.map(|law| NewtonMetres(law.at(held.feed)));
@@ -126,7 +123,7 @@ pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Result<Result<Conditions, N
     };
     let mut because = draft.because;
     because.extend(held.because);
-    Ok(Ok(Conditions {
+    Ok(Conditions {
         depth_of_cut_mm: crate::units::round_to(cut.depth_of_cut(), 3),
         feed_mm_per_rev: held.feed.rounded(3),
         speed_m_per_min: speed_at(held.rpm, cut.diameter).rounded(2),
@@ -141,7 +138,7 @@ pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Result<Result<Conditions, N
         computed_speed_m_per_min: draft.speed.rounded(2),
         card: draft.card,
         because,
-    }))
+    })
 }
 
 /// Spindle speed n = 1000·V/(π·D), 1/min (textbook Appendix Г item 7; V in m/min, D in mm).

@@ -1,7 +1,7 @@
 //! Gives the steps of one hole their cutters, holders and conditions, or says why one cannot have them.
 
 use crate::cutting::{self, Cut};
-use crate::error::KnowledgeError;
+use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::Input;
 use crate::knowledge::units::Unit;
 use crate::note::{Because, Note};
@@ -82,27 +82,23 @@ impl<'p, 'k> Fitting<'p, 'k> {
     }
 
     /// Fits every step; the first that cannot be fitted says why.
-    pub fn fit(&self, steps: Vec<Step>) -> Result<Result<Vec<Fitted>, Note>, KnowledgeError> {
+    pub fn fit(&self, steps: Vec<Step>) -> Tried<Vec<Fitted>> {
         let drill = steps.iter().find(|step| step.operation == Operation::Drill).map(|step| step.diameter);
         let mut fitted = Vec::with_capacity(steps.len());
         for index in 0..steps.len() {
             let follows = steps.get(index + 1).map(|step| step.operation);
             let step = steps[index].clone();
-            let result = if step.operation == Operation::CentreDrill {
+            fitted.push(if step.operation == Operation::CentreDrill {
                 self.centre(step, drill.unwrap_or(self.hole.diameter.nominal))?
             } else {
                 self.one(step, follows)?
-            };
-            match result {
-                Ok(one) => fitted.push(one),
-                Err(note) => return Ok(Err(note)),
-            }
+            });
         }
-        Ok(Ok(fitted))
+        Ok(fitted)
     }
 
     /// Centring: the spot by the rule `centre-spot`; its tool is chosen for the whole part.
-    fn centre(&self, step: Step, drill: Micrometres) -> Result<Result<Fitted, Note>, KnowledgeError> {
+    fn centre(&self, step: Step, drill: Micrometres) -> Tried<Fitted> {
         let rule = self.shop.knowledge.table("centre-spot")?;
         let diameter = self.hole.diameter.nominal;
         let answer = rule
@@ -117,16 +113,13 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let travel = self.approach + depth;
         let step = Step { diameter: spot, nominal: spot, ..step };
         let cut = Cut { depth, travel, ..self.cut(&step, None, "HSS", travel) };
-        let conditions = match cutting::conditions(&cut, self.shop)? {
-            Ok(conditions) => conditions,
-            Err(note) => return Ok(Err(note.with("operation", step.operation.name()))),
-        };
+        let conditions = cutting::conditions(&cut, self.shop)?;
         let because = vec![Because::row(row, note)];
-        Ok(Ok(Fitted { step, tool: None, travel, conditions, because }))
+        Ok(Fitted { step, tool: None, travel, conditions, because })
     }
 
     /// One step that is not centring.
-    fn one(&self, step: Step, follows: Option<Operation>) -> Result<Result<Fitted, Note>, KnowledgeError> {
+    fn one(&self, step: Step, follows: Option<Operation>) -> Tried<Fitted> {
         let (travel, reach) = self.travel(&step);
         let need = CutterNeed {
             operation: step.operation,
@@ -137,16 +130,11 @@ impl<'p, 'k> Fitting<'p, 'k> {
             through: self.hole.through,
             lead: self.lead,
         };
-        let (cutter, assembly) = match tooling::find_tool(&need, self.shop.knowledge, &self.shop.machine)? {
-            Ok(found) => found,
-            Err(why) => return Ok(Err(first_of(why, step.operation))),
-        };
+        let (cutter, assembly) = tooling::find_tool(&need, self.shop.knowledge, &self.shop.machine)?
+            .map_err(|why| Refusal::Not(first_of(why, step.operation)))?;
         let nose_radius = cutter.row.length("nose_radius").ok();
         let cut = Cut { nose_radius, ..self.cut(&step, follows, &cutter.head.material, travel) };
-        let conditions = match cutting::conditions(&cut, self.shop)? {
-            Ok(conditions) => conditions,
-            Err(note) => return Ok(Err(note.with("operation", step.operation.name()))),
-        };
+        let conditions = cutting::conditions(&cut, self.shop)?;
         let mut because = step.because.clone();
         because.extend(self.shared.clone());
         let mut tool_because = vec![cutter.because.clone()];
@@ -159,7 +147,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             assembly,
             because: tool_because,
         };
-        Ok(Ok(Fitted { step, tool: Some(tool), travel, conditions, because }))
+        Ok(Fitted { step, tool: Some(tool), travel, conditions, because })
     }
 
     fn cut<'c>(&'c self, step: &Step, follows: Option<Operation>, material: &'c str, travel: Micrometres) -> Cut<'c> {
@@ -205,7 +193,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let (travel, _) = self.travel(&single);
         let follows = fitted.get(second + 1).map(|one| one.step.operation);
         let cut = self.cut(&single, follows, "HSS", travel);
-        let Ok(one) = cutting::conditions(&cut, self.shop)? else { return Ok(()) };
+        let Ok(one) = cutting::conditions(&cut, self.shop) else { return Ok(()) };
         let pair = &fitted[second.saturating_sub(1)..=second];
         let time: f64 = pair.iter().map(|step| step.conditions.machine_time_min.0).sum();
         let thrust = pair

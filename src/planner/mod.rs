@@ -8,7 +8,7 @@
 mod fit;
 mod magazine;
 
-use crate::error::KnowledgeError;
+use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Finding, Note, Severity};
 use crate::part::{Bottom, Hole, Part};
@@ -96,7 +96,7 @@ fn hole(
     let fitting = Fitting::new(hole, part, shop)?;
     let drills =
         tooling::drill_diameters(|drill| fitting.drill_reach(drill), hole.through, shop.knowledge, &shop.machine)?;
-    let candidates = match scheme::candidates(hole, part, &drills, shop)? {
+    let candidates = match Refusal::split(scheme::candidates(hole, part, &drills, shop))? {
         Ok(candidates) => candidates,
         Err(note) => {
             report(Severity::Error, note);
@@ -107,7 +107,7 @@ fn hole(
         diameters::Sizes { drills: &drills, in_magazine, smallest_bore: smallest_bore(shop)?, single_drill: false };
     let mut refused = Vec::new();
     for candidate in &candidates.schemes {
-        match try_candidate(candidate, hole, &sizes, &fitting, shop)? {
+        match Refusal::split(try_candidate(candidate, hole, &sizes, &fitting, shop))? {
             Ok(steps) => {
                 if candidate.finish_elsewhere || candidates.stages_end_elsewhere {
                     report(Severity::Note, Note::new("finish-elsewhere").with("scheme", &candidate.scheme));
@@ -143,27 +143,24 @@ fn try_candidate(
     sizes: &diameters::Sizes<'_>,
     fitting: &Fitting<'_, '_>,
     shop: &Shop<'_>,
-) -> Result<Result<Vec<Fitted>, Note>, KnowledgeError> {
-    let mut why = None;
-    for single_drill in [false, true] {
-        let sizes = diameters::Sizes { single_drill, ..*sizes };
-        let steps = match diameters::steps(candidate, hole, &sizes, shop)? {
-            Ok(steps) => steps,
-            Err(note) => return Ok(Err(why.unwrap_or(note))),
-        };
-        let doubled = steps.iter().any(|step| step.operation == Operation::DrillOut);
-        match fitting.fit(steps)? {
-            Ok(mut fitted) => {
-                if doubled {
-                    fitting.compare_with_one_drill(&mut fitted)?;
-                }
-                return Ok(Ok(fitted));
-            }
-            Err(note) if !doubled => return Ok(Err(why.unwrap_or(note))),
-            Err(note) => why = Some(note),
-        }
+) -> Tried<Vec<Fitted>> {
+    let steps = diameters::steps(candidate, hole, sizes, shop)?;
+    if !steps.iter().any(|step| step.operation == Operation::DrillOut) {
+        return fitting.fit(steps);
     }
-    Ok(Err(why.unwrap_or_else(|| Note::new("no-route"))))
+    match fitting.fit(steps) {
+        Ok(mut fitted) => {
+            fitting.compare_with_one_drill(&mut fitted)?;
+            Ok(fitted)
+        }
+        Err(Refusal::Not(why)) => {
+            let single = diameters::Sizes { single_drill: true, ..*sizes };
+            let steps = diameters::steps(candidate, hole, &single, shop)?;
+            // The first reason is the one to tell: the second attempt is only a way around it.
+            fitting.fit(steps).map_err(|_| Refusal::Not(why))
+        }
+        Err(error) => Err(error),
+    }
 }
 
 fn route(candidate: &Candidate, candidates: &Candidates, refused: Vec<Note>) -> Route {

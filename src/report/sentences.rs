@@ -322,6 +322,11 @@ const SENTENCES: &[(&str, &str, &str)] = &[
         "{operation}: table {table} has no feed for {material}",
     ),
     (
+        "stand-in",
+        "{table} не має числа для матеріалу {material}; береться {group}",
+        "{table} has no figure for {material}; {group} stands in",
+    ),
+    (
         "no-figure",
         "{operation}: таблиця {table} не має числа для матеріалу {material}",
         "{operation}: table {table} has no figure for {material}",

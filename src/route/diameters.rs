@@ -1,6 +1,6 @@
 //! Intermediate diameters: backwards from the finished hole, by the allowances of section 1.2.1.
 
-use crate::error::KnowledgeError;
+use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::units::Unit;
 use crate::knowledge::{Input, RowRef};
 use crate::note::{Because, Note};
@@ -31,45 +31,32 @@ pub struct Sizes<'a> {
 ///
 /// # Errors
 /// The knowledge cannot answer. That no diameters work is not an error: the inner `Err` says why.
-pub fn steps(
-    candidate: &Candidate,
-    hole: &Hole,
-    sizes: &Sizes<'_>,
-    shop: &Shop<'_>,
-) -> Result<Result<Vec<Step>, Note>, KnowledgeError> {
+pub fn steps(candidate: &Candidate, hole: &Hole, sizes: &Sizes<'_>, shop: &Shop<'_>) -> Tried<Vec<Step>> {
     let transitions = &candidate.transitions;
     let mut steps: Vec<Step> = Vec::new();
     let (mut after, left) = finished(candidate, hole, shop)?;
     for index in (0..transitions.len()).rev() {
         let previous = index.checked_sub(1).map(|before| transitions[before]);
-        let (operation, replaced) = match stand_in(transitions[index], after, sizes, shop)? {
-            Ok(operation) => operation,
-            Err(note) => return Ok(Err(note)),
-        };
+        let (operation, replaced) = stand_in(transitions[index], after, sizes, shop)?;
         let mut step = match operation {
             Operation::CentreDrill => step(operation, Micrometres::ZERO, Micrometres::ZERO),
-            Operation::Drill => match drill(after, steps.is_empty(), candidate.finish_elsewhere, hole, sizes) {
-                Ok(diameter) => step(operation, diameter, Micrometres::ZERO),
-                Err(note) => return Ok(Err(note)),
-            },
-            Operation::RoughBore => match rough_bore(after, previous, sizes, shop)? {
-                Ok(mut chain) => {
-                    // All but the first of the chain stand behind it; the first is handled as any step.
-                    let first = chain.remove(0);
-                    steps.extend(chain.into_iter().rev());
-                    first
-                }
-                Err(note) => return Ok(Err(note)),
-            },
+            Operation::Drill => {
+                let diameter = drill(after, steps.is_empty(), candidate.finish_elsewhere, hole, sizes)?;
+                step(operation, diameter, Micrometres::ZERO)
+            }
+            Operation::RoughBore => {
+                // All but the first of the chain stand behind it; the first is handled as any step.
+                let mut chain = rough_bore(after, previous, sizes, shop)?;
+                let first = chain.remove(0);
+                steps.extend(chain.into_iter().rev());
+                first
+            }
             Operation::CoreDrill
             | Operation::RoughReam
             | Operation::FinishReam
             | Operation::SemiFinishBore
-            | Operation::FinishBore => match finishing(operation, after, previous, hole, sizes, shop)? {
-                Ok(step) => step,
-                Err(note) => return Ok(Err(note)),
-            },
-            other => return Ok(Err(Note::new("not-planned").with("operation", other.name()))),
+            | Operation::FinishBore => finishing(operation, after, previous, hole, sizes, shop)?,
+            other => return Err(Refusal::Not(Note::new("not-planned").with("operation", other.name()))),
         };
         after = step.from;
         step.because.extend(replaced);
@@ -80,7 +67,7 @@ pub fn steps(
     }
     steps.reverse();
     two_passes(&mut steps, sizes, shop)?;
-    Ok(Ok(steps))
+    Ok(steps)
 }
 
 /// The diameter the route ends at: the hole's, or smaller by the stock for a finish on another machine
@@ -116,9 +103,9 @@ fn stand_in(
     after: Micrometres,
     sizes: &Sizes<'_>,
     shop: &Shop<'_>,
-) -> Result<Result<(Operation, Option<Because>), Note>, KnowledgeError> {
+) -> Tried<(Operation, Option<Because>)> {
     if !operation.is_boring() {
-        return Ok(Ok((operation, None)));
+        return Ok((operation, None));
     }
     let enters = after >= sizes.smallest_bore;
     let rule = shop.knowledge.table("too-small-to-bore")?;
@@ -130,16 +117,14 @@ fn stand_in(
             .with("diameter", after)
             .with("smallest", sizes.smallest_bore)
     };
-    Ok(match row.text("operation_instead")? {
-        "same" => Ok((operation, None)),
-        "nothing" => Err(note("too-small-to-bore")),
-        other => match Operation::from_name(other) {
-            Some(other) => {
-                Ok((other, Some(Because::row(row, note("bored-by-stand-in").with("instead", other.name())))))
-            }
-            None => Err(note("too-small-to-bore")),
-        },
-    })
+    let instead = row.text("operation_instead")?;
+    match (instead, Operation::from_name(instead)) {
+        ("same", _) => Ok((operation, None)),
+        (_, Some(other)) => {
+            Ok((other, Some(Because::row(row, note("bored-by-stand-in").with("instead", other.name())))))
+        }
+        _ => Err(Refusal::Not(note("too-small-to-bore"))),
+    }
 }
 
 /// The drill that can make the hole itself: of its nominal diameter, or within its tolerance.
@@ -152,13 +137,7 @@ pub fn final_drill(hole: &Hole, drills: &[Micrometres]) -> Option<Micrometres> {
 
 /// The drill before the next transition, or the one that ends the route: of the hole's size, or the
 /// largest that still leaves the stock for a finish elsewhere.
-fn drill(
-    after: Micrometres,
-    last: bool,
-    finish_elsewhere: bool,
-    hole: &Hole,
-    sizes: &Sizes<'_>,
-) -> Result<Micrometres, Note> {
+fn drill(after: Micrometres, last: bool, finish_elsewhere: bool, hole: &Hole, sizes: &Sizes<'_>) -> Tried<Micrometres> {
     let drills = sizes.drills;
     let found = match (last, finish_elsewhere) {
         (true, true) => drills.iter().rev().copied().find(|drill| *drill <= after),
@@ -169,7 +148,8 @@ fn drill(
         let below = drills.iter().rev().find(|drill| **drill < after);
         let above = drills.iter().find(|drill| **drill > after);
         let show = |size: Option<&Micrometres>| size.map_or_else(|| "-".to_owned(), ToString::to_string);
-        Note::new("no-drill").with("diameter", after).with("below", show(below)).with("above", show(above))
+        let note = Note::new("no-drill").with("diameter", after);
+        Refusal::Not(note.with("below", show(below)).with("above", show(above)))
     })
 }
 
@@ -208,7 +188,7 @@ fn finishing(
     hole: &Hole,
     sizes: &Sizes<'_>,
     shop: &Shop<'_>,
-) -> Result<Result<Step, Note>, KnowledgeError> {
+) -> Tried<Step> {
     let allowance = allowance(operation, hole.diameter.nominal, shop)?;
     let (smallest, largest) = (after - allowance.high, after - allowance.low);
     let before = if previous == Some(Operation::Drill) {
@@ -222,11 +202,13 @@ fn finishing(
         match nearest {
             Some(drill) => drill,
             None => {
-                return Ok(Err(Note::new("no-drill-in-allowance")
-                    .with("operation", operation.name())
-                    .with("low", smallest)
-                    .with("high", largest)
-                    .with("diameter", after)));
+                return Err(Refusal::Not(
+                    Note::new("no-drill-in-allowance")
+                        .with("operation", operation.name())
+                        .with("low", smallest)
+                        .with("high", largest)
+                        .with("diameter", after),
+                ));
             }
         }
     } else {
@@ -248,29 +230,26 @@ fn finishing(
         let note = Note::new("ground-to-size").with("nominal", nominal).with("size", after);
         because.push(Because::row(allowance.row, note));
     }
-    Ok(Ok(Step { operation, diameter: after, nominal, from: before, passes: 1, because }))
+    Ok(Step { operation, diameter: after, nominal, from: before, passes: 1, because })
 }
 
 /// Rough boring opens from the largest drill that leaves at least the smallest allowance. Where the bar
 /// for the final size does not enter that hole, slimmer bars open the way, one step each; each step is as
 /// many equal passes as the largest allowance asks.
-fn rough_bore(
-    after: Micrometres,
-    previous: Option<Operation>,
-    sizes: &Sizes<'_>,
-    shop: &Shop<'_>,
-) -> Result<Result<Vec<Step>, Note>, KnowledgeError> {
+fn rough_bore(after: Micrometres, previous: Option<Operation>, sizes: &Sizes<'_>, shop: &Shop<'_>) -> Tried<Vec<Step>> {
     let allowance = allowance(Operation::RoughBore, after, shop)?;
     if previous != Some(Operation::Drill) {
-        return Ok(Err(Note::new("not-planned").with("operation", "rough-bore")));
+        return Err(Refusal::Not(Note::new("not-planned").with("operation", "rough-bore")));
     }
     let largest = after - allowance.low;
     let drill = sizes.drills.iter().rev().copied().find(|drill| *drill <= largest);
     let Some(mut from) = drill else {
-        return Ok(Err(Note::new("no-drill-before-boring")
-            .with("diameter", after)
-            .with("largest", largest)
-            .with("smallest", sizes.smallest_bore)));
+        return Err(Refusal::Not(
+            Note::new("no-drill-before-boring")
+                .with("diameter", after)
+                .with("largest", largest)
+                .with("smallest", sizes.smallest_bore),
+        ));
     };
     let bars = shop.knowledge.table("boring-bars")?;
     let mut chain = Vec::new();
@@ -282,7 +261,7 @@ fn rough_bore(
             .max()
             .unwrap_or_default();
         if widest <= from {
-            return Ok(Err(Note::new("no-bar-enters").with("hole", from).with("diameter", after)));
+            return Err(Refusal::Not(Note::new("no-bar-enters").with("hole", from).with("diameter", after)));
         }
         let to = widest.min(after);
         let stock = (to - from).micrometres();
@@ -297,7 +276,7 @@ fn rough_bore(
         chain.push(Step { operation: Operation::RoughBore, diameter: to, nominal: to, from, passes, because });
         from = to;
     }
-    Ok(Ok(chain))
+    Ok(chain)
 }
 
 /// Splits the drilling in two where the rule `two-pass-drilling` says so.

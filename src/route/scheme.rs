@@ -1,6 +1,6 @@
 //! Which schemes the tables A.6, A.8 and A.9 give a hole, best first.
 
-use crate::error::KnowledgeError;
+use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::query::roughness_points;
 use crate::knowledge::units::Unit;
 use crate::knowledge::{Answer, Input, Knowledge, QueryError, RowRef};
@@ -40,17 +40,9 @@ struct Cell<'k> {
 ///
 /// # Errors
 /// The knowledge cannot answer, or the centre tolerance names a grade at no distance.
-pub fn candidates(
-    hole: &Hole,
-    part: &Part,
-    drills: &[Micrometres],
-    shop: &Shop<'_>,
-) -> Result<Result<Candidates, Note>, KnowledgeError> {
+pub fn candidates(hole: &Hole, part: &Part, drills: &[Micrometres], shop: &Shop<'_>) -> Tried<Candidates> {
     let knowledge = shop.knowledge;
-    let centre_tolerance = match centre_tolerance(hole, knowledge) {
-        Ok(width) => width,
-        Err(note) => return Ok(Err(note)),
-    };
+    let centre_tolerance = centre_tolerance(hole, knowledge).map_err(Refusal::Not)?;
     let (stages, stages_end_elsewhere) = stages(hole, part, centre_tolerance, shop)?;
 
     let own = cells(hole.diameter.it, hole, centre_tolerance, knowledge)?;
@@ -78,11 +70,13 @@ pub fn candidates(
     ])?;
     let decision = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this cell"))?;
     if decision.text("take")? == "nothing" {
-        return Ok(Err(Note::new("no-scheme")
-            .with("it", hole.diameter.it)
-            .with("roughness", hole.roughness)
-            .with("centre", centre_tolerance)
-            .with("columns", columns_of(&own.table_columns))));
+        return Err(Refusal::Not(
+            Note::new("no-scheme")
+                .with("it", hole.diameter.it)
+                .with("roughness", hole.roughness)
+                .with("centre", centre_tolerance)
+                .with("columns", columns_of(&own.table_columns)),
+        ));
     }
     let taken = Because::answer(&answer, Note::new("cell").with("take", decision.text("take")?));
 
@@ -102,7 +96,7 @@ pub fn candidates(
             }
         }
     }
-    Ok(Ok(Candidates { schemes, centre_tolerance, stages, stages_end_elsewhere }))
+    Ok(Candidates { schemes, centre_tolerance, stages, stages_end_elsewhere })
 }
 
 /// The width of the tolerance on centre distances; a grade is taken at the group's smallest distance.

@@ -76,7 +76,13 @@ impl Set {
                 }
             }
         }
-        Self::from_intervals(both)
+        // Ascending and none touching, because the intervals of either set are.
+        Self(both)
+    }
+
+    /// Whether nothing is in both.
+    pub fn is_disjoint(&self, other: &Self) -> bool {
+        self.0.iter().all(|&(a, b)| other.0.iter().all(|&(c, d)| b < c || d < a))
     }
 
     /// What is in either.
@@ -134,6 +140,9 @@ mod tests {
                 prop_assert_eq!(a.difference(&b).contains(x), a.contains(x) && !b.contains(x));
             }
             prop_assert_eq!(a.is_subset(&b), (-30..30).all(|x| !a.contains(x) || b.contains(x)));
+            prop_assert_eq!(a.is_disjoint(&b), a.intersection(&b).is_empty());
+            let both = a.intersection(&b);
+            prop_assert_eq!(&Set::from_intervals(both.intervals().to_vec()), &both);
         }
     }
 }

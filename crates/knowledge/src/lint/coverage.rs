@@ -1,6 +1,6 @@
 //! Proof: every input of the domain has a row or a declared gap, and no declaration is wider than its gap.
 
-use super::region::{self, Region};
+use super::region;
 use crate::diagnostic::{Diagnostic, Place};
 use crate::table::{Kind, Table};
 
@@ -12,34 +12,32 @@ pub(super) fn check(table: &Table, findings: &mut Vec<Diagnostic>) {
     if table.kind != Kind::Decision || table.inputs().any(|(_, column)| column.is_unbounded()) {
         return;
     }
-    let rows: Vec<Region> = table.rows.iter().map(|row| region::of_row(table, row)).collect();
-    let mut covered = rows.clone();
+    let rows = region::of_rows(table);
     for (index, gap) in table.uncovered.iter().enumerate() {
         let place = gap.place.clone();
         for (row, own) in rows.iter().enumerate() {
-            let both = region::intersection(&gap.sets, own);
-            if !region::is_empty(&both) {
+            if !region::is_disjoint(&gap.sets, own) {
                 let message = format!(
                     "table {}: the declared gap is wider than the gap: row {} answers {}",
                     table.id,
                     row + 1,
-                    region::witness(table, &both)
+                    region::witness(table, &region::intersection(&gap.sets, own))
                 );
                 findings.push(Diagnostic::error("wide-gap", message, place.clone()).help("narrow the declaration"));
                 break;
             }
         }
-        let others: Vec<Region> = table.uncovered[..index].iter().map(|gap| gap.sets.clone()).collect();
-        if region::is_empty(&gap.sets) || region::minus(&gap.sets, &others).is_empty() {
+        let before = table.uncovered[..index].iter().map(|gap| &gap.sets);
+        if region::is_empty(&gap.sets) || region::minus(&gap.sets, before).is_empty() {
             let message = format!("table {}: this declared gap declares nothing", table.id);
             findings.push(
                 Diagnostic::error("wide-gap", message, place)
                     .help("it lies outside the domain or inside the declarations before it; remove it"),
             );
         }
-        covered.push(gap.sets.clone());
     }
-    let gaps = region::minus(&region::domain(table), &covered);
+    let declared = table.uncovered.iter().map(|gap| &gap.sets);
+    let gaps = region::minus(&region::domain(table), rows.iter().chain(declared));
     for gap in gaps.iter().take(LISTED) {
         let message = format!("table {}: no row for {}", table.id, region::witness(table, gap));
         findings.push(

@@ -1,6 +1,6 @@
 //! Proof: rows that match the same input do not contradict each other, partial overlaps included.
 
-use super::region::{self, Region};
+use super::region;
 use super::rows::row_place;
 use crate::diagnostic::Diagnostic;
 use crate::table::{HitPolicy, Kind, Table};
@@ -17,11 +17,10 @@ pub(super) fn check(table: &Table, findings: &mut Vec<Diagnostic>) {
     if table.kind != Kind::Decision {
         return;
     }
-    let boxes: Vec<Region> = table.rows.iter().map(|row| region::of_row(table, row)).collect();
+    let boxes = region::of_rows(table);
     for later in 0..boxes.len() {
         for earlier in 0..later {
-            let both = region::intersection(&boxes[earlier], &boxes[later]);
-            if region::is_empty(&both) {
+            if region::is_disjoint(&boxes[earlier], &boxes[later]) {
                 continue;
             }
             let same = table.same_outputs(earlier, later);
@@ -43,7 +42,7 @@ pub(super) fn check(table: &Table, findings: &mut Vec<Diagnostic>) {
                     earlier + 1,
                     table.rows[earlier].line,
                     later + 1,
-                    region::witness(table, &both)
+                    region::witness(table, &region::intersection(&boxes[earlier], &boxes[later]))
                 );
                 findings.push(
                     Diagnostic::error("overlap", message, row_place(table, later))

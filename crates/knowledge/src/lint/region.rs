@@ -13,7 +13,7 @@ pub(super) fn domain(table: &Table) -> Region {
 }
 
 /// The box of a row, inside the domain.
-pub(super) fn of_row(table: &Table, row: &Row) -> Region {
+fn of_row(table: &Table, row: &Row) -> Region {
     table
         .inputs()
         .map(|(index, column)| match &row.cells[index] {
@@ -21,6 +21,11 @@ pub(super) fn of_row(table: &Table, row: &Row) -> Region {
             _ => column.allowed(),
         })
         .collect()
+}
+
+/// The boxes of all rows, in their order.
+pub(super) fn of_rows(table: &Table) -> Vec<Region> {
+    table.rows.iter().map(|row| of_row(table, row)).collect()
 }
 
 /// Whether a box holds nothing.
@@ -33,18 +38,23 @@ pub(super) fn intersection(a: &[Set], b: &[Set]) -> Region {
     a.iter().zip(b).map(|(a, b)| a.intersection(b)).collect()
 }
 
+/// Whether nothing is in both boxes.
+pub(super) fn is_disjoint(a: &[Set], b: &[Set]) -> bool {
+    a.iter().zip(b).any(|(a, b)| a.is_disjoint(b))
+}
+
 /// Whether the first box lies inside the second.
 pub(super) fn is_inside(a: &[Set], b: &[Set]) -> bool {
     a.iter().zip(b).all(|(a, b)| a.is_subset(b))
 }
 
 /// What is left of a box after taking others away, as disjoint boxes.
-pub(super) fn minus(region: &Region, others: &[Region]) -> Vec<Region> {
+pub(super) fn minus<'r>(region: &Region, others: impl IntoIterator<Item = &'r Region>) -> Vec<Region> {
     let mut left = vec![region.clone()];
     for other in others {
         let mut next = Vec::new();
         for piece in left {
-            if is_empty(&intersection(&piece, other)) {
+            if is_disjoint(&piece, other) {
                 next.push(piece);
                 continue;
             }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::region;
+use super::region::{self, Region};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::table::{Cell, HitPolicy, Kind, Table};
 
@@ -48,6 +48,7 @@ fn decision(table: &Table, findings: &mut Vec<Diagnostic>) {
             .help("give the column a `domain`"),
         );
     }
+    let boxes = region::of_rows(table);
     for (row, content) in table.rows.iter().enumerate() {
         for (index, column) in table.inputs() {
             let Cell::Test(set, text) = &content.cells[index] else { continue };
@@ -67,30 +68,27 @@ fn decision(table: &Table, findings: &mut Vec<Diagnostic>) {
                 findings.push(Diagnostic::error("outside-domain", message, cell_place(table, row, index)));
             }
         }
-        for (other, earlier) in table.rows[..row].iter().enumerate() {
-            if region::of_row(table, content) == region::of_row(table, earlier) && table.same_outputs(row, other) {
+        for (other, earlier) in boxes[..row].iter().enumerate() {
+            if boxes[row] == *earlier && table.same_outputs(row, other) {
                 let message = format!("table {}: row {} says the same as row {}", table.id, row + 1, other + 1);
                 findings.push(
                     Diagnostic::error("duplicate-row", message, row_place(table, row)).help("remove one of them"),
                 );
             }
         }
-        dead(table, row, findings);
+        dead(table, row, &boxes, findings);
     }
 }
 
 /// A row that can never win under the table's hit policy.
-fn dead(table: &Table, row: usize, findings: &mut Vec<Diagnostic>) {
-    let own = region::of_row(table, &table.rows[row]);
-    let stronger: Vec<_> = match table.hit {
-        HitPolicy::First => (0..row).collect(),
-        HitPolicy::Priority => {
-            (0..table.rows.len()).filter(|&other| table.rows[other].priority > table.rows[row].priority).collect()
-        }
-        _ => Vec::new(),
+fn dead(table: &Table, row: usize, boxes: &[Region], findings: &mut Vec<Diagnostic>) {
+    let stronger = |other: usize| match table.hit {
+        HitPolicy::First => other < row,
+        HitPolicy::Priority => table.rows[other].priority > table.rows[row].priority,
+        _ => false,
     };
-    let boxes: Vec<_> = stronger.iter().map(|&other| region::of_row(table, &table.rows[other])).collect();
-    if region::is_empty(&own) || region::minus(&own, &boxes).is_empty() {
+    let others = boxes.iter().enumerate().filter(|(other, _)| stronger(*other)).map(|(_, others)| others);
+    if region::is_empty(&boxes[row]) || region::minus(&boxes[row], others).is_empty() {
         let message = format!("table {}: row {} can never win", table.id, row + 1);
         findings.push(
             Diagnostic::error("dead-row", message, row_place(table, row))

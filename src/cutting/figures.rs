@@ -1,0 +1,75 @@
+//! Asking the cutting tables: the material's own row, or by the rule `stand-in-material` another group's,
+//! marked as such. There is one way to a figure, and it never guesses silently.
+
+use crate::error::{KnowledgeError, Refusal, Tried};
+use crate::knowledge::units::Unit;
+use crate::knowledge::{Input, RowRef, Table};
+use crate::note::{Because, Note};
+use crate::shop::Shop;
+
+/// A row of a cutting table.
+pub(super) struct Figures<'k> {
+    pub row: RowRef<'k>,
+    /// Why another group's row stands in; absent for the material's own.
+    pub stand_in: Option<Because>,
+}
+
+impl Figures<'_> {
+    /// Whether the row is the material's own, so that the material's factor applies to it.
+    pub fn own(&self) -> bool {
+        self.stand_in.is_none()
+    }
+
+    /// The reasons: the row, and the stand-in rule where one was needed.
+    pub fn because(&self, note: Note) -> Vec<Because> {
+        std::iter::once(Because::row(self.row, note)).chain(self.stand_in.clone()).collect()
+    }
+}
+
+/// The row of a table for the shop's material; `others` are the inputs beside the material group.
+pub(super) fn ask<'k>(id: &str, others: &[(&str, Input<'_>)], shop: &Shop<'k>) -> Tried<Figures<'k>> {
+    let table = shop.knowledge.table(id)?;
+    if let Some(row) = decide(table, others, shop.material.group)? {
+        return Ok(Figures { row, stand_in: None });
+    }
+    if let Some((group, because)) = stand_in(id, shop)?
+        && let Some(row) = decide(table, others, group)?
+    {
+        return Ok(Figures { row, stand_in: Some(because) });
+    }
+    Err(missing(table, shop))
+}
+
+/// The group whose figures stand in for the shop's material in a table, by the rule.
+pub(super) fn stand_in<'k>(id: &str, shop: &Shop<'k>) -> Result<Option<(&'k str, Because)>, KnowledgeError> {
+    let rule = shop.knowledge.table("stand-in-material")?;
+    if !rule.inputs().any(|(_, column)| column.values.iter().any(|value| value == id)) {
+        return Ok(None);
+    }
+    let answer = rule.decide(&[("of_table", Input::Text(id)), ("material_group", Input::Text(shop.material.group))])?;
+    let Some(row) = answer.winner() else { return Ok(None) };
+    let group = row.text("group")?;
+    let note =
+        Note::new("stand-in").with("table", id).with("group", group).with("material", shop.material.designation());
+    Ok(Some((group, Because::row(row, note))))
+}
+
+fn decide<'k>(
+    table: &'k Table,
+    others: &[(&str, Input<'_>)],
+    group: &str,
+) -> Result<Option<RowRef<'k>>, KnowledgeError> {
+    let mut inputs = vec![("material_group", Input::Text(group))];
+    inputs.extend_from_slice(others);
+    Ok(table.decide(&inputs)?.winner())
+}
+
+/// A table has no figure for this material, and nothing stands in.
+pub(super) fn missing(table: &Table, shop: &Shop<'_>) -> Refusal {
+    Refusal::Not(Note::new("no-figure").with("table", &table.id).with("material", shop.material.designation()))
+}
+
+/// A plain number of a row.
+pub(super) fn number(row: RowRef<'_>, column: &str) -> Result<f64, KnowledgeError> {
+    Ok(row.number_in(column, Unit::None)?)
+}

@@ -1,0 +1,423 @@
+//! Laws that hold for every table and every part, tried on random ones.
+//!
+//! - An index finds what a scan of the rows finds.
+//! - A part file is read or refused with places inside it; nothing makes the reader panic.
+//! - A part that can be read can be planned: every hole has a route whose steps follow from one another,
+//!   with tools of the catalogs and loads the machine bears, or an error that says why not.
+//! - A plan survives JSON and YAML.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "clippy allows it in tests, but not in the functions they share")]
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::LazyLock;
+
+use proptest::prelude::*;
+use technolog::knowledge::load::table_from_text;
+use technolog::knowledge::table::Cell;
+use technolog::knowledge::{ColumnType, Input, Knowledge, Table, Value};
+use technolog::machine::Machine;
+use technolog::note::Severity;
+use technolog::part::{Hole, Part, read_part};
+use technolog::plan::{CuttingMethod, HolePlan, Operation, Plan, Transition};
+use technolog::units::{Decimal, ItGrade, Micrometres, Unit};
+use technolog::{planner, shipped};
+
+static KNOWLEDGE: LazyLock<Knowledge> = LazyLock::new(|| shipped::knowledge().unwrap());
+
+// ---------------------------------------------------------------------------------------------------
+// An index finds what a scan finds.
+
+/// The types a random column may have, each with how it stands in a table file.
+const COLUMNS: [(ColumnType, &str); 5] = [
+    (ColumnType::Int, "type: int"),
+    (ColumnType::Length, "type: length, unit: mm"),
+    (ColumnType::Number, "type: number, unit: kW"),
+    (ColumnType::It, "type: it"),
+    (ColumnType::Enum, "type: enum, values: [v1, v2, v3, v4, v5, v6]"),
+];
+
+/// A value of a random column: 1 to 18, or the enum's values.
+fn shown(ty: ColumnType, value: i64) -> String {
+    if ty == ColumnType::Enum { format!("v{}", (value - 1) % 6 + 1) } else { value.to_string() }
+}
+
+/// A test of a cell over the values 1 to 18.
+fn test(ty: ColumnType) -> BoxedStrategy<String> {
+    let value = move || (1_i64..=18).prop_map(move |value| shown(ty, value));
+    let plain = prop_oneof![Just("-".to_owned()), value()];
+    let simple = if ty == ColumnType::Enum {
+        plain.boxed()
+    } else {
+        let ends = (1_i64..=15, 2_i64..4, any::<bool>(), any::<bool>());
+        let interval = ends.prop_map(|(low, width, open, closed)| {
+            let (start, end) = (if open { '(' } else { '[' }, if closed { ']' } else { ')' });
+            format!("{start}{low}..{}{end}", low + width)
+        });
+        let bound = (prop::sample::select(vec!["<=", "<", ">=", ">"]), value());
+        prop_oneof![plain, interval, bound.prop_map(|(sign, value)| format!("{sign} {value}"))].boxed()
+    };
+    let several = prop::collection::vec(simple, 1..4).prop_map(|tests| tests.join(" | "));
+    prop_oneof![3 => several.clone(), 1 => several.prop_map(|tests| format!("not({tests})"))].boxed()
+}
+
+/// A decision table of two or three inputs, and questions to it.
+fn tables() -> impl Strategy<Value = (Vec<ColumnType>, String, Vec<Vec<i64>>)> {
+    prop::collection::vec(0..COLUMNS.len(), 2..=3).prop_flat_map(|picked| {
+        let types: Vec<ColumnType> = picked.iter().map(|&index| COLUMNS[index].0).collect();
+        let row = types.iter().map(|&ty| test(ty)).collect::<Vec<_>>();
+        let rows = prop::collection::vec(row, 0..140);
+        let questions = prop::collection::vec(prop::collection::vec(1_i64..=18, types.len()), 1..12);
+        (Just(picked), rows, questions).prop_map(move |(picked, rows, questions)| {
+            let mut text =
+                String::from("table: t\ntitle: {uk: т, en: t}\nkind: decision\nhit: collect\nplace: here\ncolumns:\n");
+            for (number, index) in picked.iter().enumerate() {
+                text.push_str(&format!("  - {{name: c{number}, {}, role: input}}\n", COLUMNS[*index].1));
+            }
+            text.push_str("  - {name: out, type: int, role: output}\n");
+            text.push_str(if rows.is_empty() { "rows: []\n" } else { "rows:\n" });
+            for (number, tests) in rows.iter().enumerate() {
+                let cells = tests.iter().enumerate().map(|(column, test)| format!("c{column}: \"{test}\", "));
+                text.push_str(&format!("  - {{{}out: {number}, source: seed}}\n", cells.collect::<String>()));
+            }
+            (picked.iter().map(|&index| COLUMNS[index].0).collect(), text, questions)
+        })
+    })
+}
+
+/// A value as the query takes it, and as the sets of the cells rank it.
+fn input(ty: ColumnType, value: i64, text: &str) -> (Input<'_>, i64) {
+    match ty {
+        ColumnType::Int => (Input::Int(value), value),
+        ColumnType::Length => (Input::Length(Micrometres::from_mm(value)), value * 1000),
+        ColumnType::Number => (Input::Number(Decimal::from_int(value), Unit::Kilowatt), value * 1_000_000),
+        ColumnType::It => (Input::Grade(ItGrade::new(u8::try_from(value).unwrap()).unwrap()), value),
+        _ => (Input::Text(text), (value - 1) % 6),
+    }
+}
+
+/// The first column whose set does not hold the value, or nothing when the row matches.
+fn scan(table: &Table, row: usize, ranks: &[i64]) -> Option<String> {
+    let tests = table.inputs().zip(ranks);
+    let failing = tests.into_iter().find(|((index, _), rank)| match &table.rows[row].cells[*index] {
+        Cell::Test(set, _) => !set.contains(**rank),
+        _ => false,
+    });
+    failing.map(|((_, column), _)| column.name.clone())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 96, ..ProptestConfig::default() })]
+
+    #[test]
+    fn an_index_finds_what_a_scan_finds((types, text, questions) in tables()) {
+        let table = table_from_text("t.yaml", &text).unwrap_or_else(|problems| panic!("{problems:?}\n{text}"));
+        for question in questions {
+            let texts: Vec<String> = types.iter().zip(&question).map(|(&ty, &value)| shown(ty, value)).collect();
+            let names: Vec<String> = (0..types.len()).map(|column| format!("c{column}")).collect();
+            let (mut inputs, mut ranks) = (Vec::new(), Vec::new());
+            for (column, &ty) in types.iter().enumerate() {
+                let (value, rank) = input(ty, question[column], &texts[column]);
+                inputs.push((names[column].as_str(), value));
+                ranks.push(rank);
+            }
+            let answer = table.decide(&inputs).unwrap();
+            let scanned: Vec<Option<String>> = (0..table.rows.len()).map(|row| scan(&table, row, &ranks)).collect();
+
+            let winners: Vec<usize> = answer.winners().map(|row| row.index).collect();
+            let matching: Vec<usize> = (0..scanned.len()).filter(|&row| scanned[row].is_none()).collect();
+            prop_assert_eq!(winners, matching);
+            let rejected: Vec<(usize, &str)> =
+                answer.rejected().map(|(row, column)| (row.index, column.name.as_str())).collect();
+            let once: BTreeMap<usize, &str> = rejected.iter().copied().collect();
+            prop_assert_eq!(once.len(), rejected.len(), "a row is rejected twice");
+            let failing: BTreeMap<usize, &str> =
+                scanned.iter().enumerate().filter_map(|(row, why)| Some((row, why.as_deref()?))).collect();
+            prop_assert_eq!(once, failing);
+        }
+    }
+}
+
+// ---------------------------------------------------------------------------------------------------
+// Parts.
+
+/// A group of holes as it stands in a part file, without its points.
+fn group() -> impl Strategy<Value = String> {
+    let size = prop_oneof![
+        (3_i64..=80).prop_map(|mm| mm * 1000),
+        (6_i64..=160).prop_map(|half| half * 500),
+        (30_i64..=800).prop_map(|tenth| tenth * 100),
+        (3_000_i64..=80_000),
+    ];
+    let depth = prop_oneof![Just(None), (1_i64..=39_999).prop_map(Some), (1_i64..=39).prop_map(|mm| Some(mm * 1000))];
+    let roughness = prop::sample::select(vec![
+        "Ra 25", "Ra 12.5", "Rz 80", "Ra 6.3", "Rz 40", "Ra 3.2", "Rz 20", "Ra 2.5", "Ra 1.25", "Ra 0.63", "Ra 0.1",
+    ]);
+    let centres = prop::sample::select(vec![
+        "0.01", "0.05", "0.051", "0.1", "0.3", "0.301", "0.46", "1", "10", "IT5", "IT7", "IT9", "IT12", "IT14",
+    ]);
+    let extras = prop::sample::select(vec!["", "", "", ", chamfer: 1", ", skin: true", ", chamfer: 2.5, skin: true"]);
+    (size, 7_u8..=14, depth, roughness, centres, extras).prop_map(|(size, grade, depth, roughness, centres, extras)| {
+        let depth = depth.map_or("through: true".to_owned(), |depth| format!("depth: {}", Micrometres::new(depth)));
+        format!(
+            "diameter: {}H{grade}, {depth}, roughness: {roughness}, centre_tolerance: {centres}{extras}",
+            Micrometres::new(size)
+        )
+    })
+}
+
+/// A valid part file: up to five groups on a grid of 100 mm, so that even Ø80 keeps apart.
+fn part_files() -> impl Strategy<Value = String> {
+    let grid: Vec<(i64, i64)> = (-4..=4).flat_map(|x| (-1..=1).map(move |y| (x * 100, y * 100))).collect();
+    let materials: Vec<String> =
+        KNOWLEDGE.table("materials").unwrap().all_rows().map(|row| row.text("id").unwrap().to_owned()).collect();
+    let heads = prop::sample::select(vec![
+        "",
+        "entry: rough\n",
+        "position_tolerance: 0.04\nmass: 30\n",
+        "mass: 900\nfixture: {height: 60, clamps: [{at: [-450, -180]}, {at: [450, 180], screw: M24}]}\n",
+        "fixture: {clamps: [{at: [0, 190], screw: M6}]}\n",
+    ]);
+    let groups = prop::collection::vec((group(), 1_usize..=5), 1..=5);
+    (prop::sample::select(materials), heads, groups, Just(grid).prop_shuffle()).prop_map(
+        |(material, head, groups, points)| {
+            let mut text = format!(
+                "part: P\nmaterial: {material}\nmachine: gf2171\n{head}\
+                 blank: {{kind: plate, length: 1000, width: 400, thickness: 40}}\nholes:\n"
+            );
+            let mut points = points.into_iter();
+            for (number, (group, count)) in groups.into_iter().enumerate() {
+                let at: Vec<String> = points.by_ref().take(count).map(|(x, y)| format!("[{x}, {y}]")).collect();
+                text.push_str(&format!("  - {{name: H{number}, {group}, at: [{}]}}\n", at.join(", ")));
+            }
+            text
+        },
+    )
+}
+
+fn read(text: &str) -> Part {
+    read_part("part.yaml", text, &KNOWLEDGE).unwrap_or_else(|problems| panic!("{problems:?}\n{text}"))
+}
+
+fn planned(part: &Part, method: CuttingMethod) -> Plan {
+    planner::plan(part, method, &KNOWLEDGE).unwrap_or_else(|error| panic!("{error}\n{part:?}"))
+}
+
+/// Whether a table has a row of that designation, in whichever of its columns.
+fn designated(table: &str, designation: &str) -> bool {
+    let Ok(table) = KNOWLEDGE.table(table) else { return false };
+    let columns: Vec<&str> = table
+        .columns
+        .iter()
+        .map(|column| column.name.as_str())
+        .filter(|name| name.starts_with("designation"))
+        .collect();
+    let held =
+        |column: &str| table.all_rows().any(|row| row.value(column).and_then(Value::as_text) == Some(designation));
+    columns.iter().any(|column| held(column))
+}
+
+/// Each step begins with what the one before left; the first begins in solid metal, the last leaves the hole.
+fn chain(hole: &Hole, plan: &HolePlan) -> Result<(), TestCaseError> {
+    let mut before = Micrometres::ZERO;
+    for (number, step) in plan.transitions.iter().enumerate() {
+        if step.operation == Operation::CentreDrill {
+            prop_assert_eq!(number, 0, "centring comes first");
+            prop_assert!(step.diameter_mm > Micrometres::ZERO);
+            continue;
+        }
+        prop_assert_eq!(step.from_diameter_mm, before, "{:?}", step.operation);
+        prop_assert!(step.diameter_mm > before, "{:?} does not open the hole", step.operation);
+        if before == Micrometres::ZERO {
+            prop_assert_eq!(step.operation, Operation::Drill);
+        }
+        before = step.diameter_mm;
+    }
+    let elsewhere = plan.route.as_ref().is_some_and(|route| route.finish_elsewhere);
+    prop_assert!(before <= hole.diameter.largest(), "{} ends at {before}", hole.diameter);
+    prop_assert!(elsewhere || before >= hole.diameter.smallest(), "{} ends at {before}", hole.diameter);
+    Ok(())
+}
+
+/// Tools of the catalogs, conditions that are numbers and that the machine bears.
+fn sound(step: &Transition, plan: &Plan, machine: &Machine<'_>) -> Result<(), TestCaseError> {
+    let what = format!("{:?} of {}", step.operation, step.diameter_mm);
+    prop_assert!(designated(&step.tool.table, &step.tool.designation), "{what}: no {:?}", step.tool);
+    prop_assert!(designated(&step.holder.table, &step.holder.designation), "{what}: no {:?}", step.holder);
+    let tool = plan.tools.iter().find(|tool| tool.number == step.tool.number);
+    prop_assert!(tool.is_some_and(|tool| tool.designation == step.tool.designation), "{what}");
+    prop_assert!(step.passes >= 1 && step.travel_mm > Micrometres::ZERO, "{what}");
+    let it = &step.conditions;
+    for figure in [
+        it.depth_of_cut_mm,
+        it.feed_mm_per_rev.0,
+        it.speed_m_per_min.0,
+        it.feed_mm_per_min.0,
+        it.machine_time_min.0,
+        it.tool_life_min.0,
+        it.computed_speed_m_per_min.0,
+    ] {
+        prop_assert!(figure.is_finite() && figure > 0.0, "{what}: {it:?}");
+    }
+    prop_assert!(machine.spindle_steps.contains(&it.spindle_rpm), "{what}: {:?}", it.spindle_rpm);
+    // Half of the last printed place above the limit.
+    let within = |value: Option<f64>, limit: f64, place: f64| value.is_none_or(|it| it > 0.0 && it <= limit + place);
+    prop_assert!(within(Some(it.feed_mm_per_min.0), machine.feed_max.0, 0.05), "{what}: {it:?}");
+    prop_assert!(within(it.axial_force_n.map(|it| it.0), machine.thrust.0, 0.5), "{what}: {it:?}");
+    prop_assert!(within(it.torque_n_m.map(|it| it.0), machine.spindle_torque.0, 0.005), "{what}: {it:?}");
+    prop_assert!(within(it.power_kw.map(|it| it.0), machine.spindle_power.0, 0.005), "{what}: {it:?}");
+    Ok(())
+}
+
+/// Every point gets every transition of its group once, and in their order.
+fn visited(part: &Part, plan: &Plan) -> Result<(), TestCaseError> {
+    let mut done: BTreeMap<(&str, _), Vec<usize>> = BTreeMap::new();
+    for visit in &plan.sequence {
+        for stop in &visit.stops {
+            done.entry((&stop.hole, stop.at)).or_default().push(stop.transition);
+        }
+    }
+    for (hole, own) in part.holes.iter().zip(&plan.holes) {
+        for point in &hole.at {
+            let stops = done.remove(&(hole.name.as_str(), *point)).unwrap_or_default();
+            prop_assert_eq!(stops, (0..own.transitions.len()).collect::<Vec<_>>(), "{} {:?}", hole.name, point);
+        }
+    }
+    prop_assert!(done.is_empty(), "{done:?}");
+    Ok(())
+}
+
+fn lawful(part: &Part, plan: &Plan) -> Result<(), TestCaseError> {
+    let machine = Machine::find(&KNOWLEDGE, &part.machine).unwrap();
+    prop_assert_eq!(plan.holes.len(), part.holes.len());
+    for (hole, own) in part.holes.iter().zip(&plan.holes) {
+        prop_assert_eq!(&hole.name, &own.name);
+        prop_assert_eq!(own.route.is_some(), !own.transitions.is_empty(), "{}", own.name);
+        if own.route.is_none() {
+            let told = plan.findings.iter().any(|finding| {
+                finding.severity == Severity::Error && finding.hole.as_deref() == Some(own.name.as_str())
+            });
+            prop_assert!(told, "{} is not planned, and nobody says why", own.name);
+            continue;
+        }
+        chain(hole, own)?;
+        for step in &own.transitions {
+            sound(step, plan, &machine)?;
+        }
+    }
+    let numbers: BTreeSet<u32> = plan.tools.iter().map(|tool| tool.number).collect();
+    prop_assert_eq!(numbers.len(), plan.tools.len());
+    let longest = plan.tools.iter().map(|tool| tool.length_mm).max().unwrap_or_default();
+    for tool in &plan.tools {
+        prop_assert_eq!(tool.correction_mm, tool.length_mm - longest);
+        prop_assert!(tool.length_mm <= machine.overhang_max, "{tool:?}");
+    }
+    visited(part, plan)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 64, ..ProptestConfig::default() })]
+
+    #[test]
+    fn every_part_that_can_be_read_can_be_planned(text in part_files()) {
+        let part = read(&text);
+        for method in [CuttingMethod::Formula, CuttingMethod::Card] {
+            let plan = planned(&part, method);
+            lawful(&part, &plan).map_err(|error| TestCaseError::fail(format!("{error}\n{text}")))?;
+            prop_assert_eq!(&planned(&part, method), &plan, "the same part, another plan");
+        }
+    }
+
+    #[test]
+    fn a_plan_survives_json_and_yaml(text in part_files()) {
+        let plan = planned(&read(&text), CuttingMethod::Formula);
+        let json = serde_json::to_string(&plan).unwrap();
+        prop_assert_eq!(&serde_json::from_str::<Plan>(&json).unwrap(), &plan);
+        let yaml = serde_yaml::to_string(&plan).unwrap();
+        prop_assert_eq!(&serde_yaml::from_str::<Plan>(&yaml).unwrap(), &plan);
+    }
+}
+
+// ---------------------------------------------------------------------------------------------------
+// Spoilt part files.
+
+/// Something to put into a part file where it does not belong.
+fn litter() -> impl Strategy<Value = String> {
+    let known = vec![
+        "",
+        "-",
+        "-1",
+        "0",
+        "1e9",
+        "99999999999",
+        ".5",
+        ",",
+        ":",
+        ": ",
+        "\n",
+        "\t",
+        "  ",
+        "- ",
+        "[",
+        "]",
+        "{",
+        "}",
+        "#",
+        "'",
+        "\"",
+        "&a ",
+        "*a",
+        "!!str ",
+        "---\n",
+        "null",
+        "true",
+        "Ø",
+        "Н",
+        "IT",
+        "mm",
+        "\u{feff}",
+        "\r",
+        "\u{0}",
+        "%",
+        "|",
+        ">",
+        "? ",
+        "at: ",
+        "name: A",
+        "holes: []\n",
+    ];
+    prop_oneof![4 => prop::sample::select(known).prop_map(str::to_owned), 1 => any::<char>().prop_map(String::from)]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 512, ..ProptestConfig::default() })]
+
+    #[test]
+    fn a_spoilt_part_file_is_read_or_refused_with_places_inside_it(
+        text in part_files(),
+        spoils in prop::collection::vec((any::<prop::sample::Index>(), 0_usize..6, litter()), 1..4),
+    ) {
+        let mut characters: Vec<char> = text.chars().collect();
+        for (index, cut, litter) in spoils {
+            let at = index.index(characters.len() + 1);
+            let end = (at + cut).min(characters.len());
+            characters.splice(at..end, litter.chars());
+        }
+        let text: String = characters.into_iter().collect();
+        let lines: Vec<&str> = text.split(['\n', '\r']).collect();
+        match read_part("part.yaml", &text, &KNOWLEDGE) {
+            Ok(part) => {
+                planned(&part, CuttingMethod::Formula);
+            }
+            Err(problems) => {
+                prop_assert!(!problems.is_empty());
+                for problem in problems {
+                    let place = problem.place.as_ref();
+                    prop_assert!(place.is_some(), "{problem:?}\n{text}");
+                    let line = place.map_or(0, |place| place.line);
+                    prop_assert!(line >= 1 && line as usize <= lines.len() + 1, "{problem:?}\n{text}");
+                    prop_assert!(!problem.message.is_empty());
+                }
+            }
+        }
+    }
+}
