@@ -31,9 +31,12 @@ pub(super) fn draft(
         Ok(factor)
     };
     let speed = MetresPerMinute(base.speed * calibrated("speed")?);
-    let thrust_factor = if cut.operation == Operation::DrillOut { 1.0 } else { calibrated("thrust")? };
+    // Drilling-out forces of the card are not those of the formula; nothing is calibrated on one point.
+    let (thrust_factor, power_factor) =
+        if cut.operation == Operation::DrillOut { (1.0, 1.0) } else { (calibrated("thrust")?, calibrated("power")?) };
     let thrust = base.loads.thrust.map(|law| PowerLaw { factor: law.factor * thrust_factor, ..law });
-    let power = base.loads.torque.map(|law| power_of(NewtonMetres(law.at(feed)), rpm_at(speed, cut.diameter)));
+    let rpm = rpm_at(speed, cut.diameter);
+    let power = base.loads.torque.map(|law| Kilowatts(power_of(NewtonMetres(law.at(feed)), rpm).0 * power_factor));
     let card = CardPoint {
         feed_mm_per_rev: feed.rounded(3),
         speed_m_per_min: speed.rounded(2),
