@@ -37,6 +37,8 @@ pub struct Machine<'k> {
     pub tool_change: Minutes,
     /// Where the table stands for a tool change.
     pub tool_change_at: (Micrometres, Micrometres),
+    /// Number of the spindle's 7:24 taper.
+    pub taper: i64,
     /// Largest drill.
     pub drill_max: Micrometres,
     /// Largest overhang of a tool from the spindle's face.
@@ -69,6 +71,7 @@ impl<'k> Machine<'k> {
             magazine: number("magazine-places")? as usize,
             tool_change: Minutes(number("tool-change-time")? / 60.0),
             tool_change_at: (length("tool-change-x")?, length("tool-change-y")?),
+            taper: number("spindle-taper")? as i64,
             drill_max: length("drill-diameter-max")?,
             overhang_max: length("tool-overhang-max")?,
             position_accuracy: length("position-accuracy")?,

@@ -13,7 +13,9 @@ use crate::units::{Micrometres, Minutes};
 pub fn sequence(part: &Part, holes: &[HolePlan], tools: u32, machine: &Machine<'_>) -> (Vec<Visit>, Times) {
     let mut visits = Vec::new();
     let mut times = Times::default();
-    let home = Point { x: machine.tool_change_at.0, y: machine.tool_change_at.1 };
+    // The machine's zero is over the middle of the table, where the middle of the blank is set up.
+    let middle = part.middle();
+    let home = Point { x: middle.x + machine.tool_change_at.0, y: middle.y + machine.tool_change_at.1 };
     for tool in 1..=tools {
         let mut left: Vec<Stop> = Vec::new();
         for (plan, hole) in holes.iter().zip(&part.holes) {

@@ -83,6 +83,10 @@ pub fn clamping(
         because: vec![safety, friction, Because::row(shown, note)],
     };
     let weak = shown.number_in("force_80", Unit::Newton)? < each.0;
+    if let Some((name, distance, needed)) = blocked(part, &clamping.clamps) {
+        let note = Note::new("clamp-near-hole").with("distance", distance).with("needed", needed).with("hole", name);
+        return Ok(Some(Err(note)));
+    }
     if weak {
         let note = Note::new("screw-too-weak")
             .with("screw", &clamping.screw)
@@ -94,19 +98,31 @@ pub fn clamping(
     Ok(Some(Ok(clamping)))
 }
 
-/// A symmetric pair on the middle of two opposite sides: the pair whose nearest hole is farther.
+/// A hole so near a clamp that the tool would run into it: the clamp's half width is the inset.
+fn blocked<'p>(part: &'p Part, clamps: &[Point]) -> Option<(&'p str, Micrometres, Micrometres)> {
+    part.holes.iter().find_map(|hole| {
+        let needed = hole.diameter.nominal.half() + PROPOSED_INSET;
+        let nearest = hole.at.iter().flat_map(|at| clamps.iter().map(|clamp| clamp.distance(*at))).min()?;
+        (nearest < needed).then_some((hole.name.as_str(), nearest, needed))
+    })
+}
+
+/// A symmetric pair on two opposite sides: of the pairs at a tenth of the side each, the one whose nearest
+/// hole is farthest; the middles of the sides come first among equals.
 fn propose(part: &Part) -> Vec<Point> {
-    let (blank, datum) = (&part.blank, &part.datum);
-    let (left, front) = (datum.left, datum.front);
-    let (right, back) = (left + blank.length, front + blank.width);
-    let middle = Point { x: left + blank.length.half(), y: front + blank.width.half() };
-    let along_y =
-        vec![Point { x: middle.x, y: front + PROPOSED_INSET }, Point { x: middle.x, y: back - PROPOSED_INSET }];
-    let along_x =
-        vec![Point { x: left + PROPOSED_INSET, y: middle.y }, Point { x: right - PROPOSED_INSET, y: middle.y }];
-    let room = |pair: &[Point]| {
-        let holes = part.holes.iter().flat_map(|hole| &hole.at);
-        holes.flat_map(|hole| pair.iter().map(|clamp| clamp.distance(*hole))).min()
+    let (blank, middle) = (&part.blank, part.middle());
+    let across = (blank.width - PROPOSED_INSET - PROPOSED_INSET).half();
+    let along = (blank.length - PROPOSED_INSET - PROPOSED_INSET).half();
+    let pair = |x: Micrometres, y: Micrometres| {
+        vec![Point { x: middle.x - x, y: middle.y - y }, Point { x: middle.x + x, y: middle.y + y }]
     };
-    if room(&along_y) >= room(&along_x) { along_y } else { along_x }
+    let shifts = [0, 1, -1, 2, -2, 3, -3, 4, -4];
+    let sides =
+        shifts.iter().flat_map(|&tenths| [pair(along.ratio(tenths, 5), across), pair(along, across.ratio(tenths, 5))]);
+    let room = |pair: &[Point]| {
+        let holes = part.holes.iter().flat_map(|hole| hole.at.iter().map(|at| (*at, hole.diameter.nominal.half())));
+        holes.flat_map(|(at, radius)| pair.iter().map(move |clamp| clamp.distance(at) - radius)).min()
+    };
+    // The first of the best: `max_by_key` would take the last.
+    sides.rev().max_by_key(|pair| room(pair)).unwrap_or_default()
 }

@@ -35,10 +35,14 @@ fn cases() -> Vec<Case> {
     paths.sort();
     let stray = paths.iter().find(|path| !path.with_extension("yaml").exists());
     assert!(stray.is_none(), "{stray:?} expects something of no part");
-    paths.iter().filter(|path| path.extension().is_some_and(|extension| extension == "yaml")).map(case).collect()
+    paths
+        .iter()
+        .filter(|path| path.extension().is_some_and(|extension| extension == "yaml"))
+        .map(|path| case(path))
+        .collect()
 }
 
-fn case(path: &PathBuf) -> Case {
+fn case(path: &Path) -> Case {
     let name = path.file_stem().unwrap().to_str().unwrap().to_owned();
     let beside = path.with_extension("expected");
     let expected = fs::read_to_string(&beside).unwrap_or_else(|error| panic!("{}: {error}", beside.display()));
@@ -50,7 +54,7 @@ fn case(path: &PathBuf) -> Case {
         Mistake { place: next(), code: next(), words: next() }
     });
     let exit = exit.unwrap_or_else(|| panic!("{name}: the first line must be `exit 2`"));
-    Case { exit, mistakes: mistakes.collect(), path: path.clone(), name }
+    Case { exit, mistakes: mistakes.collect(), path: path.to_path_buf(), name }
 }
 
 /// The mistakes of a file: place, code, and all that is said.

@@ -328,6 +328,23 @@ proptest! {
     }
 
     #[test]
+    #[ignore = "steps are computed back from the nominal diameter, which such a tolerance does not hold"]
+    fn a_hole_ends_inside_deviations_on_one_side_of_its_nominal(
+        size in 4_i64..=40, lower in 1_i64..300, width in 60_i64..400, below in any::<bool>()
+    ) {
+        let (upper, lower) = if below { (-lower, -lower - width) } else { (lower + width, lower) };
+        let (upper, lower) = (Micrometres::new(upper), Micrometres::new(lower));
+        let text = format!(
+            "part: P\nmaterial: steel-45\nmachine: gf2171\n\
+             blank: {{kind: plate, length: 100, width: 100, thickness: 20}}\nholes:\n  \
+             - {{name: A, diameter: {{nominal: {size}, upper: {upper}, lower: {lower}}}, through: true, \
+             roughness: Ra 12.5, centre_tolerance: 0.46, at: [[0, 0]]}}\n"
+        );
+        let part = read(&text);
+        lawful(&part, &planned(&part, CuttingMethod::Formula))?;
+    }
+
+    #[test]
     fn a_plan_survives_json_and_yaml(text in part_files()) {
         let plan = planned(&read(&text), CuttingMethod::Formula);
         let json = serde_json::to_string(&plan).unwrap();

@@ -47,8 +47,11 @@ const DRILL_OUT: Expected = Expected {
     tool: ("035-2301-1060", "A.12"),
     holder: SLEEVE,
 };
-/// Both groups with their points (Appendix Г, item 4 and its program; the contract's example).
-const GROUPS: [(&str, &[Expected], &[[i64; 2]]); 2] = [
+/// A group: its name, its transitions and its points.
+type Group = (&'static str, &'static [Expected], &'static [[i64; 2]]);
+
+/// Both groups (Appendix Г, item 4 and its program; the contract's example).
+const GROUPS: [Group; 2] = [
     ("A", &[CENTRE, DRILL], &[[-200, -100], [-200, 0], [-200, 100], [200, -100], [200, 0], [200, 100]]),
     ("B", &[CENTRE, DRILL, DRILL_OUT], &[[-175, -50], [-175, 50], [175, 50], [175, -50]]),
 ];
@@ -600,6 +603,32 @@ fn the_readmes_give_the_two_commands_and_real_output() {
             assert!(commands.iter().any(|command| command.starts_with(verb)), "{name} shows no `{verb}`");
         }
     }
+}
+
+/// `table`, row N: every row that the page on the worked example cites is one the plan rests on.
+#[test]
+fn the_rows_of_the_page_are_rows_of_the_plan() {
+    fn collect(value: &Value, rows: &mut BTreeSet<(String, u64)>) {
+        if let (Some(table), Some(row)) = (value["table"].as_str(), value["row"].as_u64()) {
+            rows.insert((table.to_owned(), row));
+        }
+        match value {
+            Value::Array(items) => items.iter().for_each(|item| collect(item, rows)),
+            Value::Object(fields) => fields.values().for_each(|field| collect(field, rows)),
+            _ => {}
+        }
+    }
+    let mut rows = BTreeSet::new();
+    METHODS.iter().for_each(|method| collect(&plan(method), &mut rows));
+    let page = document("docs/worked-example.md");
+    let mut cited = 0;
+    for (at, mark) in page.match_indices("`, row ") {
+        let table = page[..at].rsplit('`').next().unwrap_or_default();
+        let digits = page[at + mark.len()..].split(|c: char| !c.is_ascii_digit()).next().unwrap_or_default();
+        assert!(rows.contains(&(table.to_owned(), digits.parse().unwrap())), "`{table}`, row {digits}");
+        cited += 1;
+    }
+    assert!(cited > 10, "only {cited} rows cited");
 }
 
 /// The targets of a document's links.

@@ -183,6 +183,13 @@ pub enum CentreTolerance {
     },
 }
 
+impl Part {
+    /// The middle of the blank's top face.
+    pub fn middle(&self) -> Point {
+        Point { x: self.datum.left + self.blank.length.half(), y: self.datum.front + self.blank.width.half() }
+    }
+}
+
 impl Hole {
     /// The smallest distance between two centres of the group, if it has two.
     pub fn smallest_centre_distance(&self) -> Option<Micrometres> {

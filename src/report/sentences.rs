@@ -264,6 +264,22 @@ const SENTENCES: &[(&str, &str, &str)] = &[
         "{holder}: Morse {taken}, the cutter has {own}",
     ),
     (
+        "other-taper",
+        "{holder}: конус 7:24 № {own}, а в шпинделя № {spindle}",
+        "{holder}: 7:24 No. {own}, the spindle has No. {spindle}",
+    ),
+    ("stands-out-too-little", "{holder}: виліт {reach} < {needed} мм", "{holder}: it stands out {reach} < {needed} mm"),
+    (
+        "arbor-does-not-enter",
+        "{holder}: оправка Ø{arbor} не входить в отвір Ø{hole}",
+        "{holder}: the arbor Ø{arbor} does not enter the hole Ø{hole}",
+    ),
+    (
+        "clamp-near-hole",
+        "прихват за {distance} мм від осі отвору, менше {needed} мм",
+        "a clamp is {distance} mm from the hole's axis, less than {needed} mm",
+    ),
+    (
         "other-bore",
         "{holder}: посадка {taken} мм, а в інструмента {own} мм",
         "{holder}: seat {taken} mm, the cutter has {own} mm",

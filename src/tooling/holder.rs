@@ -7,7 +7,7 @@ use crate::knowledge::{Input, Knowledge, RowRef};
 use crate::machine::Machine;
 use crate::note::{Because, Note};
 
-use super::Cutter;
+use super::{Cutter, CutterNeed};
 
 /// A cutter in its holder.
 #[derive(Clone, Debug)]
@@ -32,6 +32,7 @@ pub struct Assembly {
 /// The knowledge cannot answer. That no holder fits is not an error: the inner `Err` says why.
 pub fn assemble(
     cutter: &Cutter<'_>,
+    need: &CutterNeed<'_>,
     knowledge: &Knowledge,
     machine: &Machine<'_>,
 ) -> Result<Result<Assembly, Vec<Note>>, KnowledgeError> {
@@ -54,11 +55,12 @@ pub fn assemble(
     let mut rejected = Vec::new();
     for row in table.all_rows() {
         let designation = row.text("designation")?;
-        if let Some(why) = refuse(row, cutter) {
+        let length = row.length("length")?;
+        let why = refuse(row, cutter, machine).or_else(|| too_short(row, cutter, length, overhang, need));
+        if let Some(why) = why {
             rejected.push(why.with("holder", designation));
             continue;
         }
-        let length = row.length("length")?;
         let note = Note::new("holder").with("shank", cutter.head.shank.name());
         let assembly = Assembly {
             holder: designation.to_owned(),
@@ -86,7 +88,12 @@ fn within_reach(assembly: Assembly, machine: &Machine<'_>) -> Result<Assembly, V
 }
 
 /// Why a holder does not take the cutter.
-fn refuse(row: RowRef<'_>, cutter: &Cutter<'_>) -> Option<Note> {
+fn refuse(row: RowRef<'_>, cutter: &Cutter<'_>, machine: &Machine<'_>) -> Option<Note> {
+    if let Ok(taper) = row.int("taper")
+        && taper != machine.taper
+    {
+        return Some(Note::new("other-taper").with("own", taper).with("spindle", machine.taper));
+    }
     match cutter.head.shank {
         Shank::Cylindrical => {
             let shank = cutter.row.length("shank_diameter").unwrap_or(cutter.diameter);
@@ -104,6 +111,24 @@ fn refuse(row: RowRef<'_>, cutter: &Cutter<'_>) -> Option<Note> {
         }
         Shank::Taper => None,
     }
+}
+
+/// Whether what stands out of the spindle is too short for the hole, or too thick to enter it.
+fn too_short(
+    row: RowRef<'_>,
+    cutter: &Cutter<'_>,
+    length: Micrometres,
+    overhang: Micrometres,
+    need: &CutterNeed<'_>,
+) -> Option<Note> {
+    let shell = cutter.head.shank == Shank::Shell;
+    // A shell cutter is followed into the hole by its arbor; any other cutter must reach by itself.
+    let reach = if shell { length + overhang } else { overhang };
+    if reach < need.reach {
+        return Some(Note::new("stands-out-too-little").with("reach", reach).with("needed", need.reach));
+    }
+    let thick = row.length("max_diameter").ok().filter(|thick| shell && *thick >= need.diameter);
+    thick.map(|thick| Note::new("arbor-does-not-enter").with("arbor", thick).with("hole", need.diameter))
 }
 
 /// How far the cutter stands out.

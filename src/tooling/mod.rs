@@ -22,7 +22,7 @@ pub fn find_tool<'k>(
 ) -> Result<Result<(Cutter<'k>, Assembly), Vec<Note>>, KnowledgeError> {
     let (cutters, mut rejected) = cutter::cutters(need, knowledge, machine)?;
     for cutter in cutters {
-        match holder::assemble(&cutter, knowledge, machine)? {
+        match holder::assemble(&cutter, need, knowledge, machine)? {
             Ok(assembly) => {
                 let because = Because { rejected, ..cutter.because.clone() };
                 return Ok(Ok((Cutter { because, ..cutter }, assembly)));

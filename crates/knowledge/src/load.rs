@@ -4,7 +4,9 @@ use crate::cell::{TestError, parse_test};
 use crate::column::{Column, ColumnType, Label, Role};
 use crate::diagnostic::{Diagnostic, Place, Severity};
 use crate::set::Set;
-use crate::table::{Cell, Correction, HitPolicy, Kind, Law, Row, Shank, Source, Table, ToolHead, Uncovered};
+use crate::table::{
+    Cell, Correction, HitPolicy, Kind, Law, OPERATIONS, Row, Shank, Source, Table, ToolHead, Uncovered,
+};
 use crate::units::Unit;
 use crate::value::Value;
 use crate::yaml::{Fields, Node, NodeKind, Problems, parse};
@@ -154,7 +156,7 @@ impl Loader<'_> {
 
     fn tool(&mut self, node: &Node) -> Option<ToolHead> {
         let mut fields = self.problems.map(node)?;
-        let operations = fields.need("operations", self.problems).map(|node| self.texts(node));
+        let operations = fields.need("operations", self.problems).map(|node| self.operations(node));
         let shank = match fields.need("shank", self.problems) {
             Some(node) => self.named(node, &Shank::NAMES),
             None => None,
@@ -167,6 +169,12 @@ impl Loader<'_> {
         let teeth = fields.take("teeth").and_then(|node| self.problems.scalar(node));
         fields.finish(&["operations", "shank", "material", "point_angle", "teeth"], self.problems);
         Some(ToolHead { operations: operations?, shank: shank?, material: material?.to_owned(), point_angle, teeth })
+    }
+
+    fn operations(&mut self, node: &Node) -> Vec<String> {
+        let known = OPERATIONS.map(|name| (name, name));
+        let items = self.problems.list(node).unwrap_or_default();
+        items.iter().filter_map(|item| self.named(item, &known)).map(str::to_owned).collect()
     }
 
     fn laws(&mut self, node: &Node) -> Vec<Law> {

@@ -175,6 +175,24 @@ impl Shank {
     }
 }
 
+/// The transitions of hole machining, as tables name them (ISO 5419, ISO 13399).
+pub const OPERATIONS: [&str; 14] = [
+    "centre-drill",
+    "drill",
+    "drill-out",
+    "core-drill",
+    "rough-bore",
+    "semi-finish-bore",
+    "finish-bore",
+    "mill",
+    "counterbore",
+    "countersink",
+    "chamfer",
+    "rough-ream",
+    "finish-ream",
+    "tap",
+];
+
 /// What a table of cutters says of all its rows.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ToolHead {
