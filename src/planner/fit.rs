@@ -2,15 +2,15 @@
 
 use crate::cutting::{self, Cut};
 use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::knowledge::Input;
 use crate::knowledge::units::Unit;
+use crate::knowledge::{Input, Knowledge};
 use crate::note::{Because, Note};
 use crate::part::{Entry, Hole, Part};
 use crate::plan::{Conditions, Operation};
 use crate::route::Step;
 use crate::shop::Shop;
 use crate::tooling::{self, Assembly, CutterNeed};
-use crate::units::{Micrometres, round_to};
+use crate::units::{Decimal, Micrometres, round_to};
 
 /// A step with what it is done with.
 #[derive(Clone, Debug)]
@@ -41,6 +41,9 @@ pub(super) struct Fitting<'p, 'k> {
     shop: &'p Shop<'k>,
     approach: Micrometres,
     overrun: Micrometres,
+    /// Point angles, degrees.
+    drill_point: f64,
+    core_drill_point: f64,
     surface: &'k str,
     lead: &'k str,
     shared: Vec<Because>,
@@ -70,6 +73,8 @@ impl<'p, 'k> Fitting<'p, 'k> {
             shop,
             approach,
             overrun,
+            drill_point: point_angle(knowledge, Operation::Drill),
+            core_drill_point: point_angle(knowledge, Operation::CoreDrill),
             surface: surface.text("surface")?,
             lead: lead.text("lead")?,
             shared: vec![Because::row(travel, note)],
@@ -78,7 +83,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
 
     /// How deep a drill of that diameter must reach: depth, point and overrun.
     pub fn drill_reach(&self, diameter: Micrometres) -> Micrometres {
-        self.hole.depth + cone(diameter, 118.0) + self.overrun
+        self.hole.depth + cone(diameter, self.drill_point) + self.overrun
     }
 
     /// Fits every step; the first that cannot be fitted says why.
@@ -171,8 +176,8 @@ impl<'p, 'k> Fitting<'p, 'k> {
     /// Working travel of one pass, and how far the cutter must reach into the hole.
     fn travel(&self, step: &Step) -> (Micrometres, Micrometres) {
         let lead = match step.operation {
-            Operation::Drill | Operation::DrillOut => cone(step.diameter, 118.0),
-            Operation::CoreDrill => cone(step.diameter - step.from, 120.0),
+            Operation::Drill | Operation::DrillOut => cone(step.diameter, self.drill_point),
+            Operation::CoreDrill => cone(step.diameter - step.from, self.core_drill_point),
             _ => Micrometres::ZERO,
         };
         let reach = self.hole.depth + lead + self.overrun;
@@ -211,6 +216,18 @@ impl<'p, 'k> Fitting<'p, 'k> {
         fitted[second].because.push(Because::table(table, note));
         Ok(())
     }
+}
+
+/// The sharpest point among the tables of an operation's cutters, degrees: the longest cone, so that every
+/// one of them clears the hole. 180, a flat end, where no table names an angle.
+fn point_angle(knowledge: &Knowledge, operation: Operation) -> f64 {
+    knowledge
+        .tables()
+        .filter_map(|table| table.tool.as_ref())
+        .filter(|head| head.operations.iter().any(|name| name == operation.name()))
+        .filter_map(|head| head.point_angle)
+        .min()
+        .map_or(180.0, Decimal::to_f64)
 }
 
 /// Height of a cone over a diameter: d/2 / tan(φ/2), the point of a drill or the lead of a core drill.
