@@ -13,9 +13,7 @@ use crate::units::{Micrometres, Minutes};
 pub fn sequence(part: &Part, holes: &[HolePlan], tools: u32, machine: &Machine<'_>) -> (Vec<Visit>, Times) {
     let mut visits = Vec::new();
     let mut times = Times::default();
-    // The machine's zero is over the middle of the table, where the middle of the blank is set up.
-    let middle = part.middle();
-    let home = Point { x: middle.x + machine.tool_change_at.0, y: middle.y + machine.tool_change_at.1 };
+    let home = tool_change_point(part, machine);
     for tool in 1..=tools {
         let mut left: Vec<Stop> = Vec::new();
         for (plan, hole) in holes.iter().zip(&part.holes) {
@@ -49,6 +47,13 @@ pub fn sequence(part: &Part, holes: &[HolePlan], tools: u32, machine: &Machine<'
     times.rapid_min = times.rapid_min.rounded(2);
     times.total_min = (times.machine_min + times.rapid_min + times.tool_change_min).rounded(2);
     (visits, times)
+}
+
+/// Where the spindle stands over the part when tools are changed: the machine's zero is over the middle of
+/// the table, and the middle of the blank is set up there.
+pub fn tool_change_point(part: &Part, machine: &Machine<'_>) -> Point {
+    let middle = part.middle();
+    Point { x: middle.x + machine.tool_change_at.0, y: middle.y + machine.tool_change_at.1 }
 }
 
 /// The nearest stop; among equals the first in the drawing's order, so that the path is repeatable.

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 use technolog::knowledge::diagnostic::nearest;
+use technolog::knowledge::yaml::text_of;
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::part::read_part;
 use technolog::plan::{CuttingMethod, Plan};
@@ -96,10 +97,7 @@ fn make(path: &Path, method: CuttingMethod, knowledge: &Knowledge, context: &Con
         let message = words::cannot_read(context.lang, &shown, error);
         CliError::from(Diagnostic::error("unreadable", message, None).help(words::check_path(context.lang)))
     })?;
-    let text = String::from_utf8(text).map_err(|error| {
-        let message = words::not_utf8(context.lang, &shown, error.utf8_error().valid_up_to());
-        CliError::from(Diagnostic::error("not-utf8", message, None).help(words::save_as_utf8(context.lang)))
-    })?;
+    let text = text_of(&shown, text)?;
     let part = read_part(&shown, &text, knowledge).map_err(|problems| CliError::Unusable {
         problems,
         texts: Texts::default().with(&shown, shown.clone(), Cow::Owned(text)),

@@ -112,8 +112,6 @@ phrases! {
 
     cannot_read(path, error): "{path}: не вдалося прочитати: {error}", "{path}: cannot be read: {error}";
     check_path(): "перевірте шлях до файлу", "check the path of the file";
-    not_utf8(path, byte): "{path}: байт {byte} не є текстом UTF-8", "{path}: byte {byte} is not UTF-8 text";
-    save_as_utf8(): "збережіть файл у кодуванні UTF-8", "save the file as UTF-8";
     no_hole(path, name): "{path}: групи отворів `{name}` немає", "{path}: there is no group of holes `{name}`";
     known(names): "є: {names}", "there are: {names}";
 

@@ -55,7 +55,16 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
         because.extend(figures.because(Note::new("load-coefficients")));
         loads.torque = Some(PowerLaw { factor: force * cut.diameter.to_mm() / 2000.0, exponent: number(row, "y")? });
     }
-    Ok(Draft { feed, speed: MetresPerMinute(speed), tool_life: Minutes(life), loads, because, card: None })
+    Ok(Draft {
+        feed,
+        speed: MetresPerMinute(speed),
+        tool_life: Minutes(life),
+        life_exponent: number(row, "m")?,
+        coolant: None,
+        loads,
+        because,
+        card: None,
+    })
 }
 
 /// The feed of a boring pass by the rule-bearing table `boring-feed`: roughing by its own figure, the

@@ -15,11 +15,13 @@ use crate::units::{Kilowatts, MetresPerMinute, MillimetresPerRev, NewtonMetres, 
 use super::drilling::Base;
 use super::{Cut, Draft, Loads, PowerLaw, power_of, rpm_at};
 
-/// Conditions by the card: its point for steel, then the worked example's factors of the material group.
+/// Conditions by the card: its point for steel, then the worked example's factors of the material group;
+/// `loads` are those of the formula for the material at hand.
 pub(super) fn draft(
     cut: &Cut<'_>,
     feed: MillimetresPerRev,
     base: &Base,
+    loads: Loads,
     mut because: Vec<Because>,
     shop: &Shop<'_>,
 ) -> Result<Draft, KnowledgeError> {
@@ -37,27 +39,26 @@ pub(super) fn draft(
     let thrust = base.loads.thrust.map(|law| PowerLaw { factor: law.factor * thrust_factor, ..law });
     let rpm = rpm_at(speed, cut.diameter);
     let power = base.loads.torque.map(|law| Kilowatts(power_of(NewtonMetres(law.at(feed)), rpm).0 * power_factor));
+    because.extend(known_point(cut, feed, shop)?);
+    let (product, material) = corrections(shop, &mut because)?;
+    let force = thrust.map(|law| Newtons(law.at(feed)));
     let card = CardPoint {
         feed_mm_per_rev: feed.rounded(3),
         speed_m_per_min: speed.rounded(2),
-        axial_force_n: thrust.map(|law| Newtons(law.at(feed)).rounded(0)),
+        axial_force_n: force.map(|force| force.rounded(0)),
         power_kw: power.map(|power| power.rounded(3)),
+        axial_force_by_book_n: force.map(|force| Newtons(force.0 / material).rounded(0)),
+        power_by_book_kw: power.map(|power| Kilowatts(power.0 / material).rounded(2)),
     };
-    because.extend(known_point(cut, feed, shop)?);
-
-    let (product, material) = corrections(shop, &mut because)?;
-    let feed = MillimetresPerRev(feed.0 * material);
-    // The card's factors act on its thrust and power at its own feed, so the laws are anchored there.
-    let eased = |law: PowerLaw| PowerLaw { factor: law.factor / material / libm::pow(material, law.exponent), ..law };
+    // The worked example divides force and power by the factor by which it raises the feed. What the
+    // machine and the clamps must bear is the formula's load at the feed really taken.
     Ok(Draft {
-        feed,
+        feed: MillimetresPerRev(feed.0 * material),
         speed: MetresPerMinute(speed.0 * product),
         tool_life: base.tool_life,
-        loads: Loads {
-            torque: base.loads.torque.map(eased),
-            thrust: thrust.map(eased),
-            power: power.map(|power| Kilowatts(power.0 / material)),
-        },
+        life_exponent: base.life_exponent,
+        coolant: base.coolant,
+        loads,
         because,
         card: Some(card),
     })

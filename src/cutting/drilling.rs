@@ -7,7 +7,7 @@ use crate::plan::{CuttingMethod, Operation};
 use crate::shop::Shop;
 use crate::units::{MetresPerMinute, MillimetresPerRev, Minutes};
 
-use super::figures::{self, number};
+use super::figures::{self, coolant, number};
 use super::{Cut, Draft, Loads, PowerLaw, card, factors, feed};
 
 /// The operation by which the coefficient tables know this transition: centring is drilling.
@@ -29,8 +29,16 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
     let mut because = feed.because;
     let base = base(cut, feed.feed, shop)?;
     because.extend(base.because.clone());
+    let mut force = 1.0;
+    if base.own_loads {
+        let (factor, reason) = factors::material_force("drilling", cut, shop)?;
+        force = factor;
+        because.push(reason);
+    }
+    let scaled = |law: PowerLaw| PowerLaw { factor: law.factor * force, ..law };
+    let loads = Loads { torque: base.loads.torque.map(scaled), thrust: base.loads.thrust.map(scaled) };
     if shop.method == CuttingMethod::Card && cut.operation != Operation::CoreDrill {
-        return Ok(card::draft(cut, feed.feed, &base, because, shop)?);
+        return Ok(card::draft(cut, feed.feed, &base, loads, because, shop)?);
     }
     // A row that stands in is that of its own reference material; the factor of ours would not fit it.
     let mut corrections = Vec::new();
@@ -46,16 +54,16 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
         speed *= factor;
         because.push(reason);
     }
-    let mut force = 1.0;
-    if base.own_loads {
-        let (factor, reason) = factors::material_force("drilling", cut, shop)?;
-        force = factor;
-        because.push(reason);
-    }
-    let scaled = |law: PowerLaw| PowerLaw { factor: law.factor * force, ..law };
-    let loads = Loads { torque: base.loads.torque.map(scaled), thrust: base.loads.thrust.map(scaled), power: None };
-    let (feed, speed) = (feed.feed, MetresPerMinute(speed));
-    Ok(Draft { feed, speed, tool_life: base.tool_life, loads, because, card: None })
+    Ok(Draft {
+        feed: feed.feed,
+        speed: MetresPerMinute(speed),
+        tool_life: base.tool_life,
+        life_exponent: base.life_exponent,
+        coolant: base.coolant,
+        loads,
+        because,
+        card: None,
+    })
 }
 
 /// Speed and loads before any correction: for steel at σB = 750 MPa.
@@ -66,6 +74,10 @@ pub(super) struct Base {
     /// Whether the speed row is the material's own.
     pub own_speed: bool,
     pub tool_life: Minutes,
+    /// m of V ~ 1/T^m.
+    pub life_exponent: f64,
+    /// Whether the speed is for cutting with coolant, where the row says.
+    pub coolant: Option<bool>,
     pub loads: Loads,
     /// Whether the row of loads is the material's own.
     pub own_loads: bool,
@@ -100,5 +112,14 @@ fn base(cut: &Cut<'_>, feed: MillimetresPerRev, shop: &Shop<'_>) -> Tried<Base> 
         own_loads = figures.own();
         because.extend(figures.because(Note::new("load-coefficients")));
     }
-    Ok(Base { speed: v, own_speed: speed.own(), tool_life: Minutes(tool_life), loads, own_loads, because })
+    Ok(Base {
+        speed: v,
+        own_speed: speed.own(),
+        tool_life: Minutes(tool_life),
+        life_exponent: m,
+        coolant: coolant(speed.row),
+        loads,
+        own_loads,
+        because,
+    })
 }

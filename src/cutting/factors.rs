@@ -102,12 +102,19 @@ pub(super) fn by_depth(id: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Factor
     if table.inputs().any(|(_, column)| column.name == "operation") {
         inputs.push(("operation", Input::Text(cut.operation.name())));
     }
-    let too_deep = || Refusal::Not(Note::new("too-deep").with("table", &table.id).with("ratio", round_to(ratio, 2)));
-    let answer = match table.decide(&inputs) {
-        Err(QueryError::OutOfDomain { .. }) => return Err(too_deep()),
-        answer => answer?,
+    let found = match table.decide(&inputs) {
+        Err(QueryError::OutOfDomain { .. }) => None,
+        answer => answer?.winner(),
     };
-    let row = answer.winner().ok_or_else(too_deep)?;
+    let row = match found {
+        Some(row) => row,
+        None => {
+            let beyond = shop.knowledge.table("depth-beyond")?;
+            let answer = beyond.decide(&[("of_table", Input::Text(id)), ("depth_ratio", plain(ratio))])?;
+            let note = Note::new("too-deep").with("table", id).with("ratio", round_to(ratio, 2));
+            answer.winner().ok_or(Refusal::Not(note))?
+        }
+    };
     let factor = number(row, "factor")?;
     Ok((factor, Because::row(row, shown(id, factor))))
 }

@@ -3,7 +3,7 @@
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::units::Unit;
-use crate::knowledge::{Input, RowRef, Table};
+use crate::knowledge::{Input, RowRef, Table, Value};
 use crate::note::{Because, Note};
 use crate::shop::Shop;
 
@@ -72,4 +72,9 @@ pub(super) fn missing(table: &Table, shop: &Shop<'_>) -> Refusal {
 /// A plain number of a row.
 pub(super) fn number(row: RowRef<'_>, column: &str) -> Result<f64, KnowledgeError> {
     Ok(row.number_in(column, Unit::None)?)
+}
+
+/// Whether a speed row is for cutting with coolant; nothing where it does not say.
+pub(super) fn coolant(row: RowRef<'_>) -> Option<bool> {
+    row.value("coolant").map(|value| *value == Value::Bool(true))
 }

@@ -63,6 +63,9 @@ struct Draft {
     feed: MillimetresPerRev,
     speed: MetresPerMinute,
     tool_life: Minutes,
+    /// m of V ~ 1/T^m, to turn another speed back into a tool life.
+    life_exponent: f64,
+    coolant: Option<bool>,
     loads: Loads,
     because: Vec<Because>,
     card: Option<crate::plan::CardPoint>,
@@ -73,8 +76,6 @@ struct Draft {
 struct Loads {
     torque: Option<PowerLaw>,
     thrust: Option<PowerLaw>,
-    /// Power where a card gives it itself, at the draft's feed; else it follows from the torque.
-    power: Option<Kilowatts>,
 }
 
 /// `factor · s^exponent`.
@@ -112,21 +113,15 @@ pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Conditions> {
     let held = limits::hold(&draft, cut.diameter, shop)?;
     let feed_rate = MillimetresPerMinute(held.feed.0 * held.rpm.0);
     let torque = draft.loads.torque.map(|law| NewtonMetres(law.at(held.feed)));
-    let scale = held.rpm.0 / rpm_at(draft.speed, cut.diameter).0;
-    let power = match draft.loads.power {
-        Some(power) => Some(Kilowatts(power.0 * scale)),
-        None => torque.map(|torque| power_of(torque, held.rpm)),
-    };
-    let torque = match (draft.loads.power, power) {
-        (Some(_), Some(power)) => Some(NewtonMetres(power.0 * 9750.0 / held.rpm.0)),
-        _ => torque,
-    };
+    let power = torque.map(|torque| power_of(torque, held.rpm));
+    let speed = speed_at(held.rpm, cut.diameter);
+    let tool_life = Minutes(draft.tool_life.0 * libm::pow(draft.speed.0 / speed.0, 1.0 / draft.life_exponent));
     let mut because = draft.because;
     because.extend(held.because);
     Ok(Conditions {
         depth_of_cut_mm: crate::units::round_to(cut.depth_of_cut(), 3),
         feed_mm_per_rev: held.feed.rounded(3),
-        speed_m_per_min: speed_at(held.rpm, cut.diameter).rounded(2),
+        speed_m_per_min: speed.rounded(2),
         spindle_rpm: held.rpm,
         feed_mm_per_min: feed_rate.rounded(1),
         axial_force_n: draft.loads.thrust.map(|law| Newtons(law.at(held.feed)).rounded(0)),
@@ -134,7 +129,8 @@ pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Conditions> {
         power_kw: power.map(|power| power.rounded(2)),
         machine_time_min: Minutes(cut.travel.to_mm() * f64::from(cut.passes.max(1)) / feed_rate.0).rounded(3),
         limited_by: held.limited_by,
-        tool_life_min: draft.tool_life,
+        tool_life_min: tool_life.rounded(0),
+        coolant: draft.coolant,
         computed_speed_m_per_min: draft.speed.rounded(2),
         card: draft.card,
         because,

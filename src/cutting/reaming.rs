@@ -6,7 +6,7 @@ use crate::note::Note;
 use crate::shop::Shop;
 use crate::units::{MetresPerMinute, Minutes};
 
-use super::figures::{self, number};
+use super::figures::{self, coolant, number};
 use super::{Cut, Draft, Loads, factors, feed};
 
 /// V = Cv·D^q / (T^m·t^x·s^y)·Kv (Косилова/Мещеряков т.2 table 29; facts 1.2).
@@ -35,6 +35,14 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
         speed *= factor;
         because.push(reason);
     }
-    let (feed, speed) = (feed.feed, MetresPerMinute(speed));
-    Ok(Draft { feed, speed, tool_life: Minutes(tool_life), loads: Loads::default(), because, card: None })
+    Ok(Draft {
+        feed: feed.feed,
+        speed: MetresPerMinute(speed),
+        tool_life: Minutes(tool_life),
+        life_exponent: number(row, "m")?,
+        coolant: coolant(row),
+        loads: Loads::default(),
+        because,
+        card: None,
+    })
 }

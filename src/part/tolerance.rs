@@ -30,6 +30,15 @@ impl fmt::Display for ToleratedDiameter {
 }
 
 impl ToleratedDiameter {
+    /// The diameter to aim at: the nominal where the limits permit it, else the middle between them.
+    pub fn target(&self) -> Micrometres {
+        if (self.smallest()..=self.largest()).contains(&self.nominal) {
+            self.nominal
+        } else {
+            (self.smallest() + self.largest()).half()
+        }
+    }
+
     /// The largest permitted diameter.
     pub fn largest(&self) -> Micrometres {
         self.nominal + self.upper

@@ -221,8 +221,11 @@ pub struct Conditions {
     pub machine_time_min: Minutes,
     /// What held the conditions back: `cutting-speed`, `spindle-speed-max`, `spindle-power`, …
     pub limited_by: String,
-    /// Tool life the speed is for, min.
+    /// Tool life at the speed of the spindle step, min: T·(V/Vstep)^(1/m).
     pub tool_life_min: Minutes,
+    /// Whether the speed is for cutting with coolant; absent where the figures do not say.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub coolant: Option<bool>,
     /// The speed before the spindle's step was chosen, m/min.
     pub computed_speed_m_per_min: MetresPerMinute,
     /// What the normative card would print; only with the card method.
@@ -243,6 +246,11 @@ pub struct CardPoint {
     pub axial_force_n: Option<Newtons>,
     /// Power, kW.
     pub power_kw: Option<Kilowatts>,
+    /// Axial force after the worked example's material factor, N. The example divides by the factor by
+    /// which it raises the feed; the plan's own force is the formula's at the feed taken.
+    pub axial_force_by_book_n: Option<Newtons>,
+    /// Power after the worked example's material factor, kW.
+    pub power_by_book_kw: Option<Kilowatts>,
 }
 
 /// A tool in the magazine.

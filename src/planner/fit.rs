@@ -41,6 +41,10 @@ pub(super) struct Fitting<'p, 'k> {
     shop: &'p Shop<'k>,
     approach: Micrometres,
     overrun: Micrometres,
+    /// The widest spot a centring drill of the catalogs makes.
+    widest_spot: Micrometres,
+    /// The spot as a share of the drill, where it makes no chamfer.
+    spot_share: f64,
     /// Point angles, degrees.
     drill_point: f64,
     core_drill_point: f64,
@@ -73,6 +77,8 @@ impl<'p, 'k> Fitting<'p, 'k> {
             shop,
             approach,
             overrun,
+            widest_spot: widest_spot(knowledge)?,
+            spot_share: spot_share(knowledge)?,
             drill_point: point_angle(knowledge, Operation::Drill),
             core_drill_point: point_angle(knowledge, Operation::CoreDrill),
             surface: surface.text("surface")?,
@@ -87,7 +93,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
     }
 
     /// Fits every step; the first that cannot be fitted says why.
-    pub fn fit(&self, steps: Vec<Step>) -> Tried<Vec<Fitted>> {
+    pub fn fit(&self, steps: Vec<Step>, finish_elsewhere: bool) -> Tried<Vec<Fitted>> {
         let drill = steps.iter().find(|step| step.operation == Operation::Drill).map(|step| step.diameter);
         let mut fitted = Vec::with_capacity(steps.len());
         for index in 0..steps.len() {
@@ -96,7 +102,8 @@ impl<'p, 'k> Fitting<'p, 'k> {
             fitted.push(if step.operation == Operation::CentreDrill {
                 self.centre(step, drill.unwrap_or(self.hole.diameter.nominal))?
             } else {
-                self.one(step, follows)?
+                let last = follows.is_none() && !finish_elsewhere;
+                self.one(step, follows, last)?
             });
         }
         Ok(fitted)
@@ -110,8 +117,10 @@ impl<'p, 'k> Fitting<'p, 'k> {
             .decide(&[("chamfer", Input::Bool(self.hole.chamfer.is_some())), ("diameter", Input::Length(diameter))])?;
         let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this hole"))?;
         let (spot, code) = match (row.text("spot")?, self.hole.chamfer) {
-            ("chamfer", Some(chamfer)) => (diameter + chamfer + chamfer, "spot-by-chamfer"),
-            _ => (Micrometres::from_mm_rounded(drill.to_mm() * row.number_in("share", Unit::None)?), "spot-by-drill"),
+            ("chamfer", Some(chamfer)) if diameter + chamfer + chamfer <= self.widest_spot => {
+                (diameter + chamfer + chamfer, "spot-by-chamfer")
+            }
+            _ => (Micrometres::from_mm_rounded(drill.to_mm() * self.spot_share), "spot-by-drill"),
         };
         let note = Note::new(code).with("spot", spot).with("drill", drill);
         let depth = spot.half();
@@ -124,7 +133,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
     }
 
     /// One step that is not centring.
-    fn one(&self, step: Step, follows: Option<Operation>) -> Tried<Fitted> {
+    fn one(&self, step: Step, follows: Option<Operation>, last: bool) -> Tried<Fitted> {
         let (travel, reach) = self.travel(&step);
         let need = CutterNeed {
             operation: step.operation,
@@ -139,6 +148,10 @@ impl<'p, 'k> Fitting<'p, 'k> {
             .map_err(|why| Refusal::Not(first_of(why, step.operation)))?;
         let nose_radius = cutter.row.length("nose_radius").ok();
         let cut = Cut { nose_radius, ..self.cut(&step, follows, &cutter.head.material, travel) };
+        // The surface asked for is left by a last single pass; passes before it, and stock for another
+        // machine, need no finish feed.
+        let roughness = (last && step.passes == 1).then_some(self.hole.roughness);
+        let cut = Cut { roughness, ..cut };
         let conditions = cutting::conditions(&cut, self.shop)?;
         let mut because = step.because.clone();
         because.extend(self.shared.clone());
@@ -156,7 +169,6 @@ impl<'p, 'k> Fitting<'p, 'k> {
     }
 
     fn cut<'c>(&'c self, step: &Step, follows: Option<Operation>, material: &'c str, travel: Micrometres) -> Cut<'c> {
-        let last = follows.is_none() && step.operation != Operation::CentreDrill;
         Cut {
             operation: step.operation,
             diameter: step.diameter,
@@ -166,7 +178,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             travel,
             tool_material: material,
             nose_radius: None,
-            roughness: last.then_some(self.hole.roughness),
+            roughness: None,
             reamer_follows: follows.is_some_and(Operation::is_reaming),
             blind: !self.hole.through,
             surface: self.surface,
@@ -182,6 +194,26 @@ impl<'p, 'k> Fitting<'p, 'k> {
         };
         let reach = self.hole.depth + lead + self.overrun;
         (self.approach + reach, reach)
+    }
+
+    /// What the tools do beyond the hole: a drill's point through a blind hole's floor, a spot deeper than
+    /// the hole.
+    pub fn beyond(&self, fitted: &[Fitted], thickness: Micrometres) -> Vec<Note> {
+        let mut notes = Vec::new();
+        for one in fitted {
+            let step = &one.step;
+            let (depth, limit, code) = match step.operation {
+                Operation::Drill | Operation::DrillOut if !self.hole.through => {
+                    (self.hole.depth + cone(step.diameter, self.drill_point), thickness, "point-breaks-through")
+                }
+                Operation::CentreDrill => (step.diameter.half(), self.hole.depth, "spot-too-deep"),
+                _ => continue,
+            };
+            if depth >= limit {
+                notes.push(Note::new(code).with("depth", depth).with("limit", limit).with("diameter", step.diameter));
+            }
+        }
+        notes
     }
 
     /// Says what the second drill costs in time and saves in thrust against one drill of full size.
@@ -207,7 +239,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             .fold(0.0, |most: f64, force| most.max(force.0));
         let table = self.shop.knowledge.table("two-pass-drilling")?;
         let note = Note::new("two-passes-cost")
-            .with("time", round_to(time - one.machine_time_min.0, 3))
+            .with("time", format!("{:+.3}", time - one.machine_time_min.0))
             .with("thrust", round_to(thrust, 0))
             .with(
                 "one-thrust",
@@ -216,6 +248,19 @@ impl<'p, 'k> Fitting<'p, 'k> {
         fitted[second].because.push(Because::table(table, note));
         Ok(())
     }
+}
+
+/// The widest centring drill of table A.14.
+fn widest_spot(knowledge: &Knowledge) -> Result<Micrometres, KnowledgeError> {
+    let table = knowledge.table("A.14")?;
+    Ok(table.all_rows().filter_map(|row| row.length("diameter").ok()).max().unwrap_or_default())
+}
+
+/// The share of the drill that a spot without a chamfer has, by the rule `centre-spot`.
+fn spot_share(knowledge: &Knowledge) -> Result<f64, KnowledgeError> {
+    let rule = knowledge.table("centre-spot")?;
+    let row = rule.find("spot", "share-of-drill").ok_or_else(|| KnowledgeError::no_row(rule, "share-of-drill"))?;
+    Ok(row.number_in("share", Unit::None)?)
 }
 
 /// The sharpest point among the tables of an operation's cutters, degrees: the longest cone, so that every

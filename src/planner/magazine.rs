@@ -32,6 +32,7 @@ pub(super) fn choose_centre_drill(
         let (own, why) = match first {
             // Wider than the first drill, so that the drill enters on the cone and not on its rim.
             Some(drill) if !makes_chamfer && drill < widest => (drill + Micrometres::new(1), format!("> Ø{drill}")),
+            Some(_) if !makes_chamfer => (widest, format!("Ø{widest}")),
             _ => (spot, format!(">= Ø{spot}")),
         };
         if own > needed {

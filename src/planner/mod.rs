@@ -12,11 +12,11 @@ use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Finding, Note, Severity};
 use crate::part::{Bottom, Hole, Part};
-use crate::plan::{CuttingMethod, Operation, Plan, Route, Times};
+use crate::plan::{Clamping, CuttingMethod, Operation, Plan, Route, Times};
 use crate::route::scheme::{self, Candidates};
 use crate::route::{Candidate, diameters};
 use crate::shop::Shop;
-use crate::units::Micrometres;
+use crate::units::{Micrometres, round_to};
 use crate::{sequence, setup, tooling};
 
 use fit::{Fitted, Fitting};
@@ -56,7 +56,10 @@ pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result
 
     let clamping = match setup::clamping(part, &holes, &shop)? {
         None => None,
-        Some(Ok(clamping)) => Some(clamping),
+        Some(Ok(clamping)) => {
+            findings.extend(start_point(part, &clamping, &shop));
+            Some(clamping)
+        }
         Some(Err(note)) => {
             findings.push(Finding::of_part(Severity::Error, note));
             None
@@ -115,6 +118,9 @@ fn hole(
                 if steps.iter().any(|fitted| fitted.step.operation.is_boring() && fitted.step.passes > 1) {
                     report(Severity::Note, Note::new("bar-set-by-hand"));
                 }
+                for note in fitting.beyond(&steps, part.blank.thickness) {
+                    report(Severity::Error, note);
+                }
                 let chamfered =
                     steps.iter().flat_map(|fitted| &fitted.because).any(|why| why.note.code == "spot-by-chamfer");
                 if let (Some(chamfer), false) = (hole.chamfer, chamfered) {
@@ -146,9 +152,9 @@ fn try_candidate(
 ) -> Tried<Vec<Fitted>> {
     let steps = diameters::steps(candidate, hole, sizes, shop)?;
     if !steps.iter().any(|step| step.operation == Operation::DrillOut) {
-        return fitting.fit(steps);
+        return fitting.fit(steps, candidate.finish_elsewhere);
     }
-    match fitting.fit(steps) {
+    match fitting.fit(steps, candidate.finish_elsewhere) {
         Ok(mut fitted) => {
             fitting.compare_with_one_drill(&mut fitted)?;
             Ok(fitted)
@@ -157,7 +163,7 @@ fn try_candidate(
             let single = diameters::Sizes { single_drill: true, ..*sizes };
             let steps = diameters::steps(candidate, hole, &single, shop)?;
             // The first reason is the one to tell: the second attempt is only a way around it.
-            fitting.fit(steps).map_err(|_| Refusal::Not(why))
+            fitting.fit(steps, candidate.finish_elsewhere).map_err(|_| Refusal::Not(why))
         }
         Err(error) => Err(error),
     }
@@ -190,6 +196,18 @@ fn route(candidate: &Candidate, candidates: &Candidates, refused: Vec<Note>) -> 
 fn smallest_bore(shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
     let bars = shop.knowledge.table("boring-bars")?;
     Ok(bars.all_rows().filter_map(|row| row.length("diameter_min").ok()).min().unwrap_or_default())
+}
+
+/// The tool-change position against the safe distance from a clamp's screw (textbook 1.11).
+fn start_point(part: &Part, clamping: &Clamping, shop: &Shop<'_>) -> Option<Finding> {
+    let start = sequence::tool_change_point(part, &shop.machine);
+    let nearest = clamping.clamps.iter().map(|clamp| clamp.distance(start)).min()?;
+    (nearest < clamping.safe_distance_mm).then(|| {
+        let note = Note::new("start-near-clamp")
+            .with("distance", round_to(nearest.to_mm(), 0))
+            .with("needed", clamping.safe_distance_mm);
+        Finding::of_part(Severity::Note, note)
+    })
 }
 
 /// The blank must be light enough for the table, and the holes must lie within its travel.
@@ -227,9 +245,11 @@ fn unconfirmed(plan: &mut Plan) {
                 .with("table", &reason.table)
                 .with("row", reason.row.map_or_else(|| "-".to_owned(), |row| row.to_string()))
                 .with("why", why);
-            let known = found.iter().any(|finding| finding.note == note);
-            if !known {
-                found.push(Finding { severity: Severity::Doubtful, hole: hole.map(str::to_owned), note });
+            match found.iter_mut().find(|finding| finding.note == note) {
+                // Said of several groups, it is said of the part.
+                Some(known) if known.hole.as_deref() != hole => known.hole = None,
+                Some(_) => {}
+                None => found.push(Finding { severity: Severity::Doubtful, hole: hole.map(str::to_owned), note }),
             }
         }
     };

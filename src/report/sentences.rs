@@ -87,8 +87,8 @@ const SENTENCES: &[(&str, &str, &str)] = &[
     ),
     (
         "no-centre",
-        "правило центрування не вимагає: глибина {ratio} діаметра",
-        "the rule asks for no centring: {ratio} diameters deep",
+        "центрування не потрібне: квалітет {it}, Ø{diameter}, глибина {ratio} D",
+        "no centring is asked for: grade {it}, Ø{diameter}, {ratio} D deep",
     ),
     ("twin", "схема {scheme} з центруванням - це схема {centred}", "scheme {scheme} with centring is scheme {centred}"),
     (
@@ -128,6 +128,16 @@ const SENTENCES: &[(&str, &str, &str)] = &[
         "chamfer-not-planned",
         "фаску {chamfer} мм тут не знімає центрування (лише до Ø15); окремий перехід ця версія ще не проектує",
         "the chamfer of {chamfer} mm is not made by centring here (only up to Ø15); a transition of its own is not planned yet",
+    ),
+    (
+        "point-breaks-through",
+        "вершина свердла Ø{diameter} сягає {depth} >= {limit} мм товщини заготовки: глухий отвір проб’ється",
+        "the point of the drill Ø{diameter} reaches {depth} >= {limit} mm, the blank's thickness: the blind hole breaks through",
+    ),
+    (
+        "spot-too-deep",
+        "лунка Ø{diameter} глибиною {depth} >= {limit} мм, глибини отвору",
+        "the spot Ø{diameter} is {depth} >= {limit} mm deep, the depth of the hole",
     ),
     (
         "too-heavy",
@@ -275,8 +285,13 @@ const SENTENCES: &[(&str, &str, &str)] = &[
         "{holder}: the arbor Ø{arbor} does not enter the hole Ø{hole}",
     ),
     (
+        "start-near-clamp",
+        "точка заміни інструмента за {distance} мм від прихоплювача, менше безпечних {needed} мм: потрібні упори для ключа (1.11)",
+        "the tool-change point is {distance} mm from a clamp, less than the safe {needed} mm: stops for the wrench are needed (1.11)",
+    ),
+    (
         "clamp-near-hole",
-        "прихват за {distance} мм від осі отвору, менше {needed} мм",
+        "прихоплювач за {distance} мм від осі отвору, менше {needed} мм",
         "a clamp is {distance} mm from the hole's axis, less than {needed} mm",
     ),
     (
@@ -350,7 +365,7 @@ const SENTENCES: &[(&str, &str, &str)] = &[
     ("no-conditions", "{operation}: режими не визначаються", "{operation}: no conditions are known"),
     (
         "too-deep",
-        "{operation}: глибина {ratio} діаметра поза таблицею {table}",
+        "{operation}: глибина {ratio} D поза таблицею {table}",
         "{operation}: {ratio} diameters deep is outside table {table}",
     ),
     ("card-calibration", "карта: {name} × {factor} від формули", "card: {name} × {factor} of the formula"),
@@ -361,8 +376,8 @@ const SENTENCES: &[(&str, &str, &str)] = &[
     ),
     (
         "card-point-forces-differ",
-        "карта друкує тут V = {speed} м/хв, P = {thrust} Н, N = {power} кВт; силу й потужність формулою не відтворити, узято за формулою (більші)",
-        "the card prints V = {speed} m/min, P = {thrust} N, N = {power} kW here; the formula cannot reproduce force and power, its larger ones are kept",
+        "карта друкує тут V = {speed} м/хв, P = {thrust} Н, N = {power} кВт; силу й потужність формула не відтворює; навантаження взято за формулою",
+        "the card prints V = {speed} m/min, P = {thrust} N, N = {power} kW here; the formula does not reproduce force and power; the loads are the formula's",
     ),
     (
         "card-corrections",
@@ -384,12 +399,12 @@ const SENTENCES: &[(&str, &str, &str)] = &[
     ),
     (
         "no-screw",
-        "жоден гвинт не витримує {force} Н на прихват ({clamps})",
+        "жоден гвинт не витримує {force} Н на прихоплювач ({clamps})",
         "no screw bears {force} N per clamp ({clamps})",
     ),
     (
         "screw-too-weak",
-        "гвинт {screw} витримує {bears} < {force} Н на прихват; потрібен {needed}",
+        "гвинт {screw} витримує {bears} < {force} Н на прихоплювач; потрібен {needed}",
         "screw {screw} bears {bears} < {force} N per clamp; {needed} is needed",
     ),
     (

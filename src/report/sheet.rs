@@ -227,7 +227,7 @@ fn conditions(plan: &Plan, lang: Lang) -> String {
             "P, Н",
             "M, Н·м",
             "N, кВт",
-            "To, хв",
+            "To, хв/отв.",
         ],
         Lang::En => [
             "Hole",
@@ -241,7 +241,7 @@ fn conditions(plan: &Plan, lang: Lang) -> String {
             "P, N",
             "M, N·m",
             "N, kW",
-            "Tm, min",
+            "Tm, min/hole",
         ],
     };
     let mut text = table(&head, &rows);
@@ -306,14 +306,14 @@ fn clamping(plan: &Plan, lang: Lang) -> String {
     let lines = match lang {
         Lang::Uk => [
             format!(
-                "Найбільший момент {} Н·м, отвір {}, до прихвата {} мм: W = k·M/(f·d) = {} Н",
+                "Найбільший момент {} Н·м, отвір {}, до прихоплювача {} мм: W = k·M/(f·d) = {} Н",
                 number(clamping.torque_n_m.0, 2, lang),
                 clamping.hole,
-                mm(clamping.distance_mm, lang),
+                number(clamping.distance_mm.to_mm(), 1, lang),
                 number(clamping.force_n.0, 0, lang)
             ),
             format!(
-                "Прихвати {}{proposed}: по {} Н, гвинт {}{}, вихідна точка не ближче {} мм",
+                "Прихоплювачі {}{proposed}: по {} Н, гвинт {}{}, вихідна точка не ближче {} мм",
                 points.join(", "),
                 number(clamping.force_per_clamp_n.0, 0, lang),
                 clamping.screw,
@@ -326,7 +326,7 @@ fn clamping(plan: &Plan, lang: Lang) -> String {
                 "Largest torque {} N·m, hole {}, {} mm from its clamp: W = k·M/(f·d) = {} N",
                 number(clamping.torque_n_m.0, 2, lang),
                 clamping.hole,
-                mm(clamping.distance_mm, lang),
+                number(clamping.distance_mm.to_mm(), 1, lang),
                 number(clamping.force_n.0, 0, lang)
             ),
             format!(

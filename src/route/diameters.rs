@@ -77,12 +77,12 @@ fn finished(
     hole: &Hole,
     shop: &Shop<'_>,
 ) -> Result<(Micrometres, Option<Because>), KnowledgeError> {
-    let nominal = hole.diameter.nominal;
+    let target = hole.diameter.target();
     if !candidate.finish_elsewhere {
-        return Ok((nominal, None));
+        return Ok((target, None));
     }
     let rule = shop.knowledge.table("stock-for-elsewhere")?;
-    let answer = rule.decide(&[("diameter", Input::Length(nominal))])?;
+    let answer = rule.decide(&[("diameter", Input::Length(target))])?;
     let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this diameter"))?;
     let allowances = shop.knowledge.table("allowances")?;
     let mut stock = Micrometres::ZERO;
@@ -90,7 +90,7 @@ fn finished(
         let allowance = allowances.find("name", name).ok_or_else(|| KnowledgeError::no_row(allowances, name))?;
         stock = stock + allowance.length("maximum")?;
     }
-    Ok((nominal - stock, Some(Because::row(row, Note::new("stock-for-elsewhere").with("stock", stock)))))
+    Ok((target - stock, Some(Because::row(row, Note::new("stock-for-elsewhere").with("stock", stock)))))
 }
 
 fn step(operation: Operation, diameter: Micrometres, from: Micrometres) -> Step {
@@ -129,10 +129,9 @@ fn stand_in(
 
 /// The drill that can make the hole itself: of its nominal diameter, or within its tolerance.
 pub fn final_drill(hole: &Hole, drills: &[Micrometres]) -> Option<Micrometres> {
-    let nominal = hole.diameter.nominal;
-    drills.iter().copied().find(|drill| *drill == nominal).or_else(|| {
-        drills.iter().copied().find(|drill| (hole.diameter.smallest()..=hole.diameter.largest()).contains(drill))
-    })
+    let target = hole.diameter.target();
+    let permitted = |drill: &Micrometres| (hole.diameter.smallest()..=hole.diameter.largest()).contains(drill);
+    drills.iter().copied().find(|drill| *drill == target).or_else(|| drills.iter().copied().find(permitted))
 }
 
 /// The drill before the next transition, or the one that ends the route: of the hole's size, or the

@@ -82,8 +82,8 @@ pub fn candidates(hole: &Hole, part: &Part, drills: &[Micrometres], shop: &Shop<
 
     let mut schemes = Vec::new();
     for cell in own.filled.into_iter().chain(finer) {
-        let mut because = vec![taken.clone()];
-        because.extend(cell.because.clone());
+        let mut because = cell.because.clone();
+        because.push(taken.clone());
         let position = part.position_tolerance.unwrap_or(centre_tolerance);
         for (scheme, reason) in in_order(&cell, hole, position, drills, knowledge)? {
             let mut because = because.clone();
@@ -258,7 +258,10 @@ fn with_centring(
     ])?;
     let asked = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this hole"))?;
     let has = transitions.first() == Some(&Operation::CentreDrill);
-    let note = Note::new(if asked.flag("centre") { "centre" } else { "no-centre" }).with("ratio", ratio);
+    let note = Note::new(if asked.flag("centre") { "centre" } else { "no-centre" })
+        .with("ratio", ratio)
+        .with("it", hole.diameter.it)
+        .with("diameter", hole.diameter.nominal);
     because.push(Because::answer(&answer, note));
     if asked.flag("centre") && !has {
         let twins = knowledge.table("centred-twin")?;
