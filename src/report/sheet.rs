@@ -94,6 +94,9 @@ fn holes_of(plan: &Plan, name: &str, lang: Lang) -> String {
 
 /// The route in the form of the worked example: one line per transition of a group, in the order of work.
 fn route(plan: &Plan, lang: Lang) -> String {
+    if plan.sequence.is_empty() {
+        return String::new();
+    }
     let mut rows = vec![vec!["1".to_owned(), lang.pick("Встановити заготовку", "Set up the blank").to_owned()]];
     for visit in &plan.sequence {
         let mut done: Vec<(&str, usize)> = Vec::new();
@@ -124,7 +127,21 @@ fn route(plan: &Plan, lang: Lang) -> String {
         lang.pick("Різальний інструмент", "Cutter"),
     ];
     let title = lang.pick("005 Багатоінструментальна з ЧПК", "005 Multi-tool NC operation");
-    format!("{title}\n{}", table(&head, &rows))
+    format!("{title}\n{}{}", table(&head, &rows), visits(plan, lang))
+}
+
+/// The points of each tool in the order of its path.
+fn visits(plan: &Plan, lang: Lang) -> String {
+    let mut text = format!("{}\n", lang.pick("Обхід отворів:", "Order over the holes:"));
+    for visit in &plan.sequence {
+        let stops: Vec<String> = visit
+            .stops
+            .iter()
+            .map(|stop| format!("{} [{};{}]", stop.hole, mm(stop.at.x, lang), mm(stop.at.y, lang)))
+            .collect();
+        text.push_str(&grid::paragraph(&format!("T{}: {}", visit.tool, stops.join(", ")), 2));
+    }
+    text
 }
 
 fn step(plan: &Plan, name: &str, transition: &Transition, number: usize, lang: Lang) -> Vec<String> {
@@ -227,7 +244,7 @@ fn conditions(plan: &Plan, lang: Lang) -> String {
             "P, Н",
             "M, Н·м",
             "N, кВт",
-            "To, хв/отв.",
+            "To, хв",
         ],
         Lang::En => [
             "Hole",
@@ -241,12 +258,29 @@ fn conditions(plan: &Plan, lang: Lang) -> String {
             "P, N",
             "M, N·m",
             "N, kW",
-            "Tm, min/hole",
+            "Tm, min",
         ],
     };
     let mut text = table(&head, &rows);
+    let once = lang.pick("To - на один отвір.", "Tm is for one hole.");
+    text.push_str(&grid::paragraph(&format!("{once} {}", coolant(plan, lang)), 2));
     text.push_str(&limits(plan, lang));
     text
+}
+
+/// Which transitions the speeds take coolant for; the tables do not say it of every transition.
+fn coolant(plan: &Plan, lang: Lang) -> String {
+    let mut names: Vec<&str> = Vec::new();
+    for transition in plan.holes.iter().flat_map(|hole| &hole.transitions) {
+        let name = operation_noun(transition.operation.name(), lang);
+        if transition.conditions.coolant == Some(true) && !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    match names.as_slice() {
+        [] => String::new(),
+        _ => format!("{}: {}.", lang.pick("З охолодженням", "With coolant"), names.join(", ")),
+    }
 }
 
 fn condition_row(hole: &str, transition: &Transition, conditions: &Conditions, lang: Lang) -> Vec<String> {
