@@ -6,6 +6,7 @@
 mod check;
 pub mod file;
 mod read;
+mod read_holes;
 mod tolerance;
 
 use schemars::JsonSchema;
