@@ -1,4 +1,4 @@
-//! Sentences as data: a code and its parameters. The words stand in one place, [`crate::report::words`].
+//! Sentences as data: a code and its parameters. The words stand in one place, [`crate::report::sentences`].
 
 use std::collections::BTreeMap;
 
