@@ -87,7 +87,7 @@ pub fn explain(args: &ExplainArgs, context: &Context) -> Result<Outcome, CliErro
         Format::Json => context.emit_json(hole)?,
         _ => context.emit(&report::explain(&plan, hole, context.lang))?,
     }
-    Ok(if hole.route.is_none() { Outcome::Findings } else { Outcome::Done })
+    Ok(if plan.has_errors_of(&hole.name) { Outcome::Findings } else { Outcome::Done })
 }
 
 /// Reads and plans a part.

@@ -117,9 +117,14 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// Whether a hole could not be planned.
+    /// Whether something was found wrong: a hole that cannot be made, a limit exceeded.
     pub fn has_errors(&self) -> bool {
         self.findings.iter().any(|finding| finding.severity <= Severity::Wrong)
+    }
+
+    /// Whether something was found wrong with one group of holes.
+    pub fn has_errors_of(&self, hole: &str) -> bool {
+        self.findings.iter().any(|finding| finding.severity <= Severity::Wrong && finding.hole.as_deref() == Some(hole))
     }
 }
 
