@@ -83,6 +83,9 @@ pub struct Because {
     pub source: Option<String>,
     /// Where it stands.
     pub place: String,
+    /// From what the row was inferred, where it was.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub reason: Option<String>,
     /// Why the row is not fully trusted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unconfirmed: Option<String>,
@@ -103,6 +106,7 @@ impl Because {
             row: Some(row.number()),
             source: Some(content.source.to_string()),
             place: row.place().to_owned(),
+            reason: content.reason.clone(),
             unconfirmed: content.unconfirmed.clone(),
             note,
             rejected: Vec::new(),
@@ -133,6 +137,7 @@ impl Because {
             row: None,
             source: None,
             place: table.place.clone(),
+            reason: None,
             unconfirmed: None,
             note,
             rejected: Vec::new(),

@@ -155,7 +155,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let conditions = cutting::conditions(&cut, self.shop)?;
         let mut because = step.because.clone();
         because.extend(self.shared.clone());
-        let mut tool_because = vec![cutter.because.clone()];
+        let mut tool_because = vec![cutter.order.clone(), cutter.because.clone()];
         tool_because.extend(assembly.because.clone());
         let tool = FittedTool {
             designation: cutter.designation.to_owned(),

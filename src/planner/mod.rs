@@ -178,6 +178,7 @@ fn route(candidate: &Candidate, candidates: &Candidates, refused: Vec<Note>) -> 
             row: None,
             source: None,
             place: "planner".to_owned(),
+            reason: None,
             unconfirmed: None,
             note: Note::new("candidates-refused").with("count", refused.len()),
             rejected: refused,

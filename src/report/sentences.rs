@@ -223,7 +223,12 @@ const SENTENCES: &[(&str, &str, &str)] = &[
     ("spot-by-chamfer", "лунка Ø{spot} утворює і фаску", "spot Ø{spot} makes the chamfer too"),
     ("travel", "недобіг {approach} мм, перебіг {overrun} мм", "approach {approach} mm, overrun {overrun} mm"),
     // Tools.
-    ("cutter", "різальний інструмент за порядком таблиць: {order}", "cutter by the order of tables: {order}"),
+    (
+        "tool-tables",
+        "{operation}: інструмент шукаємо в таблицях {order}",
+        "{operation}: the cutter is looked for in the tables {order}",
+    ),
+    ("cutter", "перший інструмент, що підходить", "the first cutter that fits"),
     (
         "centre-drill-for-all",
         "найменше свердло для центрування всіх груп отворів: {needed}",

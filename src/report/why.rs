@@ -60,6 +60,9 @@ fn one(reason: &Because, lang: Lang) -> String {
     let source = reason.source.as_ref().map_or_else(String::new, |source| format!(", {source}"));
     let place = format!("{}{row}{source}: {}", reason.table, reason.place);
     let mut text = grid::paragraph(&format!("- {} [{place}]", sentence(&reason.note, lang)), 2);
+    if let Some(why) = &reason.reason {
+        text.push_str(&grid::paragraph(&format!("{}: {why}", lang.pick("підстава", "because")), 4));
+    }
     if let Some(why) = &reason.unconfirmed {
         text.push_str(&grid::paragraph(&format!("* {}: {why}", lang.pick("не підтверджено", "unconfirmed")), 4));
     }

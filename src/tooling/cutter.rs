@@ -22,6 +22,8 @@ pub struct Cutter<'k> {
     pub diameter: Micrometres,
     /// How it was chosen.
     pub because: Because,
+    /// Why its table is asked in this order.
+    pub order: Because,
 }
 
 /// What is asked of a cutter.
@@ -69,13 +71,15 @@ pub(super) fn cutters<'k>(
                 rejected.push(why);
                 continue;
             }
-            let note = Note::new("cutter").with("operation", need.operation.name()).with("order", tables_of(row));
+            let note =
+                |code: &str| Note::new(code).with("operation", need.operation.name()).with("order", tables_of(row));
             cutters.push(Cutter {
                 row: candidate,
                 head,
                 designation: designation(candidate, need)?,
                 diameter: own_diameter(candidate).unwrap_or(need.diameter),
-                because: Because::row(candidate, note),
+                because: Because::row(candidate, note("cutter")),
+                order: Because::row(row, note("tool-tables")),
             });
         }
     }
