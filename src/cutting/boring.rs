@@ -7,7 +7,7 @@ use crate::note::{Because, Note};
 use crate::shop::Shop;
 use crate::units::{MetresPerMinute, Micrometres, MillimetresPerRev, Minutes, Roughness};
 
-use super::feed::feed_input;
+use super::figures::feed_input;
 use super::figures::{self, number};
 use super::{Cut, Draft, Loads, PowerLaw, factors};
 

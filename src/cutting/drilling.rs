@@ -90,7 +90,7 @@ fn base(cut: &Cut<'_>, feed: MillimetresPerRev, shop: &Shop<'_>) -> Tried<Base> 
     let (d, t) = (cut.diameter.to_mm(), cut.depth_of_cut());
 
     let (tool_life, mut because) = factors::tool_life(table_operation(cut.operation), cut, shop)?;
-    let speed = figures::ask("cutting-speed", &[operation, tool, ("feed", feed::feed_input(feed))], shop)?;
+    let speed = figures::ask("cutting-speed", &[operation, tool, ("feed", figures::feed_input(feed))], shop)?;
     let coefficient = |name: &str| number(speed.row, name);
     let (cv, q, x, y, m) =
         (coefficient("cv")?, coefficient("q")?, coefficient("x")?, coefficient("y")?, coefficient("m")?);

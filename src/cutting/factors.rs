@@ -7,8 +7,7 @@ use crate::note::{Because, Note};
 use crate::shop::Shop;
 
 use super::Cut;
-use super::feed::plain;
-use super::figures::{self, missing, number};
+use super::figures::{self, missing, number, plain};
 
 /// A factor and the row behind it.
 pub(super) type Factor = (f64, Because);

@@ -5,7 +5,7 @@ use crate::knowledge::{Input, Knowledge, RowRef};
 use crate::note::{Because, Note};
 use crate::plan::{CuttingMethod, Operation};
 use crate::shop::Shop;
-use crate::units::{Decimal, Micrometres, MillimetresPerRev, Unit};
+use crate::units::{Micrometres, MillimetresPerRev, Unit};
 
 use super::{Cut, factors, figures};
 
@@ -71,14 +71,4 @@ fn inside_domain(diameter: Micrometres, table: &crate::knowledge::Table) -> (Mic
         Some((first, _)) if diameter.micrometres() < first.0 => (Micrometres::new(first.0), true),
         _ => (diameter, false),
     }
-}
-
-/// A number without a unit, for a query.
-pub(super) fn plain(value: f64) -> Input<'static> {
-    Input::Number(Decimal::from_f64_rounded(value), Unit::None)
-}
-
-/// A feed, for a query.
-pub(super) fn feed_input(feed: MillimetresPerRev) -> Input<'static> {
-    Input::Number(Decimal::from_f64_rounded(feed.0), Unit::MillimetrePerRev)
 }

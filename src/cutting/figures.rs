@@ -2,7 +2,7 @@
 //! marked as such. There is one way to a figure, and it never guesses silently.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::knowledge::units::Unit;
+use crate::knowledge::units::{Decimal, MillimetresPerRev, Unit};
 use crate::knowledge::{Input, RowRef, Table, Value};
 use crate::note::{Because, Note};
 use crate::shop::Shop;
@@ -77,4 +77,14 @@ pub(super) fn number(row: RowRef<'_>, column: &str) -> Result<f64, KnowledgeErro
 /// Whether a speed row is for cutting with coolant; nothing where it does not say.
 pub(super) fn coolant(row: RowRef<'_>) -> Option<bool> {
     row.value("coolant").map(|value| *value == Value::Bool(true))
+}
+
+/// A number without a unit, for a query.
+pub(super) fn plain(value: f64) -> Input<'static> {
+    Input::Number(Decimal::from_f64_rounded(value), Unit::None)
+}
+
+/// A feed, for a query.
+pub(super) fn feed_input(feed: MillimetresPerRev) -> Input<'static> {
+    Input::Number(Decimal::from_f64_rounded(feed.0), Unit::MillimetrePerRev)
 }

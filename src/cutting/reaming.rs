@@ -21,7 +21,7 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
     let others = [
         ("operation", Input::Text("ream")),
         ("tool_material", Input::Text(cut.tool_material)),
-        ("feed", feed::feed_input(feed.feed)),
+        ("feed", figures::feed_input(feed.feed)),
     ];
     let figures = figures::ask("cutting-speed", &others, shop)?;
     let row = figures.row;
