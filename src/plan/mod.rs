@@ -346,3 +346,14 @@ pub struct Times {
     /// All of it, min.
     pub total_min: Minutes,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Operation;
+    use crate::knowledge::table::OPERATIONS;
+
+    #[test]
+    fn the_plan_and_the_tool_tables_name_the_same_operations() {
+        assert_eq!(Operation::NAMES.map(|(name, _)| name), OPERATIONS);
+    }
+}
