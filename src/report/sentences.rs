@@ -150,7 +150,7 @@ const SENTENCES: &[(&str, &str, &str)] = &[
         "a flat bottom is not planned yet; a drill leaves a cone",
     ),
     ("not-planned", "{operation}: цей перехід тут не проектується", "{operation}: not planned here"),
-    ("rows-rejected", "рядки {rows}: не підійшла графа {column}", "rows {rows}: the column {column} did not match"),
+    ("rows-rejected", "рядки за графою {column}: {rows}", "rows by the column {column}: {rows}"),
     // Diameters.
     (
         "allowance",
@@ -196,8 +196,8 @@ const SENTENCES: &[(&str, &str, &str)] = &[
     ),
     (
         "no-drill",
-        "немає свердла Ø{diameter}, що сягає дна; найближчі Ø{below} і Ø{above}",
-        "no drill Ø{diameter} that reaches; the nearest are Ø{below} and Ø{above}",
+        "немає свердла Ø{diameter}, що сягає дна; найближчі {below} і {above}",
+        "no drill Ø{diameter} that reaches; the nearest are {below} and {above}",
     ),
     (
         "no-drill-in-allowance",
@@ -264,8 +264,8 @@ const SENTENCES: &[(&str, &str, &str)] = &[
     ),
     (
         "no-cutter-of-size",
-        "{operation}: у таблицях {tables} немає Ø{diameter}; найближчі Ø{below} і Ø{above}",
-        "{operation}: the tables {tables} have no Ø{diameter}; the nearest are Ø{below} and Ø{above}",
+        "{operation}: у таблицях {tables} немає Ø{diameter}; найближчі {below} і {above}",
+        "{operation}: the tables {tables} have no Ø{diameter}; the nearest are {below} and {above}",
     ),
     ("no-cutter", "{operation}: інструмента немає", "{operation}: no cutter"),
     (

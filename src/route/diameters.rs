@@ -146,7 +146,7 @@ fn drill(after: Micrometres, last: bool, finish_elsewhere: bool, hole: &Hole, si
     found.ok_or_else(|| {
         let below = drills.iter().rev().find(|drill| **drill < after);
         let above = drills.iter().find(|drill| **drill > after);
-        let show = |size: Option<&Micrometres>| size.map_or_else(|| "-".to_owned(), ToString::to_string);
+        let show = |size: Option<&Micrometres>| size.map_or_else(|| "-".to_owned(), |size| format!("Ø{size}"));
         let note = Note::new("no-drill").with("diameter", after);
         Refusal::Not(note.with("below", show(below)).with("above", show(above)))
     })

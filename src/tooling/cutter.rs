@@ -174,7 +174,7 @@ fn nothing_of_size(need: &CutterNeed<'_>, rule: RowRef<'_>, knowledge: &Knowledg
         .collect();
     let below = sizes.iter().filter(|size| **size < need.nominal).max();
     let above = sizes.iter().filter(|size| **size > need.nominal).min();
-    let show = |size: Option<&Micrometres>| size.map_or_else(|| "-".to_owned(), ToString::to_string);
+    let show = |size: Option<&Micrometres>| size.map_or_else(|| "-".to_owned(), |size| format!("Ø{size}"));
     Note::new("no-cutter-of-size")
         .with("operation", need.operation.name())
         .with("diameter", need.nominal)
