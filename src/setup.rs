@@ -8,9 +8,6 @@ use crate::plan::{Clamping, HolePlan};
 use crate::shop::Shop;
 use crate::units::{Micrometres, NewtonMetres, Newtons};
 
-/// How far inside the blank's edge a proposed clamp presses, mm.
-const PROPOSED_INSET: Micrometres = Micrometres::from_mm(20);
-
 /// The clamping of a planned part: W = k·M/(f·d) (textbook 5.2 item 7), the largest over all holes.
 ///
 /// d is the distance from the hole to the nearest clamp; k and f are rows of `clamping`. The force is
@@ -30,8 +27,10 @@ pub fn clamping(
         Ok((value, Because::row(row, Note::new(name).with("value", value))))
     };
     let ((k, safety), (f, friction)) = (constant("safety")?, constant("friction")?);
+    let inset = shop.convention("clamp-inset-mm")?;
     let proposed = part.fixture.clamps.is_empty();
-    let clamps = if proposed { propose(part) } else { part.fixture.clamps.iter().map(|clamp| clamp.at).collect() };
+    let clamps =
+        if proposed { propose(part, inset) } else { part.fixture.clamps.iter().map(|clamp| clamp.at).collect() };
 
     let mut worst: Option<(f64, NewtonMetres, &str, Micrometres)> = None;
     for (plan, hole) in holes.iter().zip(&part.holes) {
@@ -83,7 +82,7 @@ pub fn clamping(
         because: vec![safety, friction, Because::row(shown, note)],
     };
     let weak = shown.number_in("force_80", Unit::Newton)? < each.0;
-    if let Some((name, distance, needed)) = blocked(part, &clamping.clamps) {
+    if let Some((name, distance, needed)) = blocked(part, &clamping.clamps, inset) {
         let note = Note::new("clamp-near-hole").with("distance", distance).with("needed", needed).with("hole", name);
         return Ok(Some(Err(note)));
     }
@@ -99,9 +98,9 @@ pub fn clamping(
 }
 
 /// A hole so near a clamp that the tool would run into it: the clamp's half width is the inset.
-fn blocked<'p>(part: &'p Part, clamps: &[Point]) -> Option<(&'p str, Micrometres, Micrometres)> {
+fn blocked<'p>(part: &'p Part, clamps: &[Point], inset: Micrometres) -> Option<(&'p str, Micrometres, Micrometres)> {
     part.holes.iter().find_map(|hole| {
-        let needed = hole.diameter.nominal.half() + PROPOSED_INSET;
+        let needed = hole.diameter.nominal.half() + inset;
         let nearest = hole.at.iter().flat_map(|at| clamps.iter().map(|clamp| clamp.distance(*at))).min()?;
         (nearest < needed).then_some((hole.name.as_str(), nearest, needed))
     })
@@ -109,10 +108,10 @@ fn blocked<'p>(part: &'p Part, clamps: &[Point]) -> Option<(&'p str, Micrometres
 
 /// A symmetric pair on two opposite sides: of the pairs at a tenth of the side each, the one whose nearest
 /// hole is farthest; the middles of the sides come first among equals.
-fn propose(part: &Part) -> Vec<Point> {
+fn propose(part: &Part, inset: Micrometres) -> Vec<Point> {
     let (blank, middle) = (&part.blank, part.middle());
-    let across = (blank.width - PROPOSED_INSET - PROPOSED_INSET).half();
-    let along = (blank.length - PROPOSED_INSET - PROPOSED_INSET).half();
+    let across = (blank.width - inset - inset).half();
+    let along = (blank.length - inset - inset).half();
     let pair = |x: Micrometres, y: Micrometres| {
         vec![Point { x: middle.x - x, y: middle.y - y }, Point { x: middle.x + x, y: middle.y + y }]
     };

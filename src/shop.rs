@@ -6,6 +6,7 @@ use crate::machine::Machine;
 use crate::material::Material;
 use crate::part::Part;
 use crate::plan::CuttingMethod;
+use crate::units::{Micrometres, Unit};
 
 /// The knowledge, the machine at hand and the material.
 #[derive(Clone, Debug)]
@@ -21,6 +22,16 @@ pub struct Shop<'k> {
 }
 
 impl<'k> Shop<'k> {
+    /// A length of the conventions in `hole-defaults`, whose names end in `-mm`.
+    ///
+    /// # Errors
+    /// The table does not name it.
+    pub fn convention(&self, name: &str) -> Result<Micrometres, KnowledgeError> {
+        let table = self.knowledge.table("hole-defaults")?;
+        let row = table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
+        Ok(Micrometres::from_mm_rounded(row.number_in("value", Unit::None)?))
+    }
+
     /// The shop a part is planned in.
     ///
     /// # Errors

@@ -49,7 +49,7 @@ impl ToleratedDiameter {
         self.nominal + self.lower
     }
 
-    /// Reads `10H12`; a bare number is a free size, which the textbook counts as grade 13 (1.1).
+    /// Reads `10H12`; a bare number is a free size, of the grade `free-size-grade` of `hole-defaults` (textbook 1.1).
     ///
     /// # Errors
     /// What is wrong, and what to write.
@@ -61,7 +61,8 @@ impl ToleratedDiameter {
         let (size, field) = text.split_at(split);
         let nominal: Micrometres = size.trim().parse().map_err(|error| format!("{error}; write `10H12`"))?;
         if field.is_empty() {
-            return Self::with_grade(nominal, 13, nominal.to_string(), knowledge);
+            let grade = convention("free-size-grade", knowledge)? as u8;
+            return Self::with_grade(nominal, grade, nominal.to_string(), knowledge);
         }
         let Some(grade) = field.strip_prefix('H').and_then(|grade| grade.parse::<u8>().ok()) else {
             return Err(format!(
@@ -117,17 +118,19 @@ fn signed(deviation: Micrometres) -> String {
 
 /// A hole must be one that the drills and bars of the catalogs make (table `hole-defaults`).
 fn in_range(nominal: Micrometres, knowledge: &Knowledge) -> Result<(), String> {
-    let table = knowledge.table("hole-defaults").map_err(|error| error.to_string())?;
-    let bound = |name: &str| -> Result<Micrometres, String> {
-        let row = table.find("name", name).ok_or_else(|| format!("the table hole-defaults has no `{name}`"))?;
-        let value = row.number_in("value", Unit::None).map_err(|error| error.to_string())?;
-        Ok(Micrometres::from_mm_rounded(value))
-    };
+    let bound = |name: &str| convention(name, knowledge).map(Micrometres::from_mm_rounded);
     let (smallest, largest) = (bound("smallest-diameter-mm")?, bound("largest-diameter-mm")?);
     if nominal < smallest || nominal > largest {
         return Err(format!("Ø{nominal} is outside Ø{smallest} to Ø{largest}, which the drills of the catalogs begin"));
     }
     Ok(())
+}
+
+/// A figure of the table `hole-defaults`.
+fn convention(name: &str, knowledge: &Knowledge) -> Result<f64, String> {
+    let table = knowledge.table("hole-defaults").map_err(|error| error.to_string())?;
+    let row = table.find("name", name).ok_or_else(|| format!("the table hole-defaults has no `{name}`"))?;
+    row.number_in("value", Unit::None).map_err(|error| error.to_string())
 }
 
 /// The width of a grade at a size, by the table `it-grades` (ISO 286-1).

@@ -11,9 +11,6 @@ use crate::units::Micrometres;
 
 use super::{Candidate, Step};
 
-/// Adjustable sizes are set in steps of 0.05 mm.
-const SETTING: i64 = 50;
-
 /// What a route is turned into steps with.
 #[derive(Clone, Copy, Debug)]
 pub struct Sizes<'a> {
@@ -213,7 +210,8 @@ fn finishing(
     } else {
         let aim = (after - allowance.aim).micrometres();
         // To the setting step, but never out of the range.
-        let set = Micrometres::new((aim + SETTING / 2).div_euclid(SETTING) * SETTING);
+        let step = shop.convention("setting-step-mm")?.micrometres().max(1);
+        let set = Micrometres::new((aim + step / 2).div_euclid(step) * step);
         set.max(smallest).min(largest)
     };
     let note = Note::new("allowance")
