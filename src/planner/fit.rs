@@ -3,7 +3,7 @@
 use crate::cutting::{self, Cut};
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::units::Unit;
-use crate::knowledge::{Input, Knowledge};
+use crate::knowledge::{Input, Knowledge, RowRef};
 use crate::note::{Because, Note};
 use crate::part::{Entry, Hole, Part};
 use crate::plan::{Conditions, Operation};
@@ -42,9 +42,7 @@ pub(super) struct Fitting<'p, 'k> {
     approach: Micrometres,
     overrun: Micrometres,
     /// The widest spot a centring drill of the catalogs makes.
-    widest_spot: Micrometres,
-    /// The spot as a share of the drill, where it makes no chamfer.
-    spot_share: f64,
+    pub(super) widest_spot: Micrometres,
     /// Point angles, degrees.
     drill_point: f64,
     core_drill_point: f64,
@@ -78,7 +76,6 @@ impl<'p, 'k> Fitting<'p, 'k> {
             approach,
             overrun,
             widest_spot: widest_spot(knowledge)?,
-            spot_share: spot_share(knowledge)?,
             drill_point: point_angle(knowledge, Operation::Drill),
             core_drill_point: point_angle(knowledge, Operation::CoreDrill),
             surface: surface.text("surface")?,
@@ -113,16 +110,24 @@ impl<'p, 'k> Fitting<'p, 'k> {
     fn centre(&self, step: Step, drill: Micrometres) -> Tried<Fitted> {
         let rule = self.shop.knowledge.table("centre-spot")?;
         let diameter = self.hole.diameter.nominal;
-        let answer = rule
-            .decide(&[("chamfer", Input::Bool(self.hole.chamfer.is_some())), ("diameter", Input::Length(diameter))])?;
-        let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this hole"))?;
-        let (spot, code) = match (row.text("spot")?, self.hole.chamfer) {
-            ("chamfer", Some(chamfer)) if diameter + chamfer + chamfer <= self.widest_spot => {
-                (diameter + chamfer + chamfer, "spot-by-chamfer")
-            }
-            _ => (Micrometres::from_mm_rounded(drill.to_mm() * self.spot_share), "spot-by-drill"),
+        let ask = |chamfer: bool| -> Result<RowRef<'_>, KnowledgeError> {
+            let answer = rule.decide(&[("chamfer", Input::Bool(chamfer)), ("diameter", Input::Length(diameter))])?;
+            answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this hole"))
         };
-        let note = Note::new(code).with("spot", spot).with("drill", drill);
+        let row = ask(self.hole.chamfer.is_some())?;
+        let by_chamfer = row.text("spot")? == "chamfer";
+        let wide = self.hole.chamfer.map(|chamfer| diameter + chamfer + chamfer);
+        let (row, spot, note) = match wide.filter(|spot| by_chamfer && *spot <= self.widest_spot) {
+            Some(spot) => (row, spot, Note::new("spot-by-chamfer")),
+            None => {
+                // Where no centring drill is wide enough for the chamfer, the spot is that of a hole without one.
+                let row = if by_chamfer { ask(false)? } else { row };
+                let share = row.number_in("share", Unit::None)?;
+                let spot = Micrometres::from_mm_rounded(drill.to_mm() * share);
+                (row, spot, Note::new("spot-by-drill").with("share", share))
+            }
+        };
+        let note = note.with("spot", spot).with("drill", drill);
         let depth = spot.half();
         let travel = self.approach + depth;
         let step = Step { diameter: spot, nominal: spot, ..step };
@@ -254,13 +259,6 @@ impl<'p, 'k> Fitting<'p, 'k> {
 fn widest_spot(knowledge: &Knowledge) -> Result<Micrometres, KnowledgeError> {
     let table = knowledge.table("A.14")?;
     Ok(table.all_rows().filter_map(|row| row.length("diameter").ok()).max().unwrap_or_default())
-}
-
-/// The share of the drill that a spot without a chamfer has, by the rule `centre-spot`.
-fn spot_share(knowledge: &Knowledge) -> Result<f64, KnowledgeError> {
-    let rule = knowledge.table("centre-spot")?;
-    let row = rule.find("spot", "share-of-drill").ok_or_else(|| KnowledgeError::no_row(rule, "share-of-drill"))?;
-    Ok(row.number_in("share", Unit::None)?)
 }
 
 /// The sharpest point among the tables of an operation's cutters, degrees: the longest cone, so that every

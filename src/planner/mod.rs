@@ -124,7 +124,10 @@ fn hole(
                 let chamfered =
                     steps.iter().flat_map(|fitted| &fitted.because).any(|why| why.note.code == "spot-by-chamfer");
                 if let (Some(chamfer), false) = (hole.chamfer, chamfered) {
-                    report(Severity::Wrong, Note::new("chamfer-not-planned").with("chamfer", chamfer));
+                    report(
+                        Severity::Wrong,
+                        Note::new("chamfer-not-planned").with("chamfer", chamfer).with("widest", fitting.widest_spot),
+                    );
                 }
                 let route = route(candidate, &candidates, refused);
                 return Ok(Draft { route: Some(route), steps });

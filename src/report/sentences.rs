@@ -32,6 +32,7 @@ fn shown(name: &str, value: &str, lang: Lang) -> String {
         "operation" | "instead" => super::operation_noun(value, lang).to_owned(),
         "take" | "by" | "name" | "shank" => term(value, lang).to_owned(),
         "stages" => value.split(" + ").map(|stage| term(stage, lang)).collect::<Vec<_>>().join(" + "),
+        "share" | "share-min" | "share-max" => lang.pick(&value.replace('.', ","), value).to_owned(),
         _ => value.to_owned(),
     }
 }
@@ -126,8 +127,8 @@ const SENTENCES: &[(&str, &str, &str)] = &[
     ("feature-not-planned", "ця версія ще не проектує: {keys}", "this version reads but does not plan yet: {keys}"),
     (
         "chamfer-not-planned",
-        "фаску {chamfer} мм тут не знімає центрування (лише до Ø15); окремий перехід ця версія ще не проектує",
-        "the chamfer of {chamfer} mm is not made by centring here (only up to Ø15); a transition of its own is not planned yet",
+        "фаску {chamfer} мм тут не знімає центрування (правило centre-spot, найширше центрувальне свердло Ø{widest}); окремий перехід ця версія ще не проектує",
+        "the chamfer of {chamfer} mm is not made by centring here (rule centre-spot, widest centring drill Ø{widest}); a transition of its own is not planned yet",
     ),
     (
         "point-breaks-through",
@@ -178,7 +179,11 @@ const SENTENCES: &[(&str, &str, &str)] = &[
         "свердлити у два переходи: спершу Ø{first}, далі Ø{diameter} (перше свердло {low}-{high} мм)",
         "drill in two passes: Ø{first} first, then Ø{diameter} (first drill {low}-{high} mm)",
     ),
-    ("first-drill", "перше свердло Ø{first}: 0,5-0,6 від Ø{diameter}", "first drill Ø{first}: 0.5-0.6 of Ø{diameter}"),
+    (
+        "first-drill",
+        "перше свердло Ø{first}: {share-min}-{share-max} від Ø{diameter}",
+        "first drill Ø{first}: {share-min}-{share-max} of Ø{diameter}",
+    ),
     (
         "two-passes-cost",
         "проти одного свердла: час {time} хв на отвір, осьова сила {thrust} Н замість {one-thrust} Н",
@@ -219,7 +224,7 @@ const SENTENCES: &[(&str, &str, &str)] = &[
         "розточування за кілька проходів: між проходами оправку переналагоджують вручну; великі отвори доцільно фрезерувати (1.2.1)",
         "boring in several passes: the bar is set anew by hand between them; large holes are better milled (1.2.1)",
     ),
-    ("spot-by-drill", "лунка Ø{spot}: 0,6 від свердла Ø{drill}", "spot Ø{spot}: 0.6 of the drill Ø{drill}"),
+    ("spot-by-drill", "лунка Ø{spot}: {share} від свердла Ø{drill}", "spot Ø{spot}: {share} of the drill Ø{drill}"),
     ("spot-by-chamfer", "лунка Ø{spot} утворює і фаску", "spot Ø{spot} makes the chamfer too"),
     ("travel", "недобіг {approach} мм, перебіг {overrun} мм", "approach {approach} mm, overrun {overrun} mm"),
     // Tools.

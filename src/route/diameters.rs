@@ -282,10 +282,8 @@ fn two_passes(steps: &mut Vec<Step>, sizes: &Sizes<'_>, shop: &Shop<'_>) -> Resu
     let diameter = steps[index].diameter;
     let shares = shop.knowledge.table("first-drill")?;
     let share = shares.row(0).ok_or_else(|| KnowledgeError::no_row(shares, "two-pass drilling"))?;
-    let bound = |column: &str| -> Result<Micrometres, KnowledgeError> {
-        Ok(Micrometres::from_mm_rounded(diameter.to_mm() * share.number_in(column, Unit::None)?))
-    };
-    let (low, high) = (bound("share_min")?, bound("share_max")?);
+    let (share_min, share_max) = (share.number_in("share_min", Unit::None)?, share.number_in("share_max", Unit::None)?);
+    let [low, high] = [share_min, share_max].map(|share| Micrometres::from_mm_rounded(diameter.to_mm() * share));
     let inside = |drills: &[Micrometres]| drills.iter().copied().filter(|drill| (low..=high).contains(drill)).max();
     let at_hand = inside(sizes.in_magazine);
     let rule = shop.knowledge.table("two-pass-drilling")?;
@@ -306,7 +304,8 @@ fn two_passes(steps: &mut Vec<Step>, sizes: &Sizes<'_>, shop: &Shop<'_>) -> Resu
     second.from = first;
     second.because.push(Because::answer(&answer, note("two-passes").with("first", first)));
     let mut drill = step(Operation::Drill, first, Micrometres::ZERO);
-    drill.because.push(Because::row(share, note("first-drill").with("first", first)));
+    let note = note("first-drill").with("first", first).with("share-min", share_min).with("share-max", share_max);
+    drill.because.push(Because::row(share, note));
     steps.insert(index, drill);
     Ok(())
 }
