@@ -7,7 +7,7 @@ use crate::units::ItGrade;
 
 use super::check::Group;
 use super::read::{COUNTERBORE, COUNTERSINK, DIAMETER, HOLE, NOT_PLANNED, PATTERN, Reader};
-use super::{Blank, Bottom, CentreTolerance, Hole, Point, ToleratedDiameter};
+use super::{Blank, BlankHole, Bottom, CentreTolerance, Hole, Point, ToleratedDiameter};
 
 impl Reader<'_> {
     pub(super) fn groups(&mut self, node: &Node, blank: Option<&Blank>) -> Vec<Group> {
@@ -96,7 +96,15 @@ impl Reader<'_> {
                 centre_tolerance,
                 chamfer,
                 skin,
-                not_planned,
+                thread: None,
+                cone: None,
+                counterbore: None,
+                countersink: None,
+                face: None,
+                groove: None,
+                state: BlankHole::Solid,
+                outer_wall: false,
+                steps: Vec::new(),
                 at,
             });
         }

@@ -88,10 +88,6 @@ fn hole(
 ) -> Result<Draft, KnowledgeError> {
     let nothing = Draft { route: None, steps: Vec::new() };
     let mut report = |severity, note| findings.push(Finding::of_hole(severity, &hole.name, note));
-    if !hole.not_planned.is_empty() {
-        report(Severity::Error, Note::new("feature-not-planned").with("keys", hole.not_planned.join(", ")));
-        return Ok(nothing);
-    }
     if hole.bottom == Bottom::Flat {
         report(Severity::Error, Note::new("flat-bottom-not-planned"));
         return Ok(nothing);
