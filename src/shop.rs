@@ -6,7 +6,7 @@ use crate::machine::Machine;
 use crate::material::Material;
 use crate::part::Part;
 use crate::plan::CuttingMethod;
-use crate::units::{Micrometres, Unit};
+use crate::units::{Micrometres, Roughness, Unit};
 
 /// The knowledge, the machine at hand and the material.
 #[derive(Clone, Debug)]
@@ -22,6 +22,24 @@ pub struct Shop<'k> {
 }
 
 impl<'k> Shop<'k> {
+    /// A share of the conventions in `hole-defaults`.
+    ///
+    /// # Errors
+    /// The table does not name it.
+    pub fn share(&self, name: &str) -> Result<f64, KnowledgeError> {
+        let table = self.knowledge.table("hole-defaults")?;
+        let row = table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
+        Ok(row.number_in("value", Unit::None)?)
+    }
+
+    /// A roughness of the conventions in `hole-defaults`, whose names end in `-ra-um`.
+    ///
+    /// # Errors
+    /// The table does not name it.
+    pub fn roughness(&self, name: &str) -> Result<Roughness, KnowledgeError> {
+        Ok(Roughness::from_ra_nanometres((self.share(name)? * 1000.0) as u32))
+    }
+
     /// A length of the conventions in `hole-defaults`, whose names end in `-mm`.
     ///
     /// # Errors

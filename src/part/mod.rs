@@ -335,6 +335,14 @@ impl Part {
 }
 
 impl Hole {
+    /// The thread of its main cylinder, or of the step of that number, from 1.
+    pub fn thread_at(&self, step: Option<usize>) -> Option<&Thread> {
+        match step {
+            None => self.thread.as_ref(),
+            Some(number) => self.steps.get(number.checked_sub(1)?)?.thread.as_ref(),
+        }
+    }
+
     /// The smallest distance between two centres of the group, if it has two.
     pub fn smallest_centre_distance(&self) -> Option<Micrometres> {
         let points = &self.at;

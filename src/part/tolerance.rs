@@ -73,6 +73,17 @@ impl ToleratedDiameter {
         Self::with_grade(nominal, grade, text, knowledge)
     }
 
+    /// A size without a tolerance, such as a counterbore's: of the grade `free-size-grade`, whatever its size.
+    ///
+    /// # Errors
+    /// The size is outside the table `it-grades`.
+    pub fn free(nominal: Micrometres, knowledge: &Knowledge) -> Result<Self, String> {
+        let number = convention("free-size-grade", knowledge)? as u8;
+        let it = ItGrade::new(number).ok_or_else(|| format!("grade {number} is outside 1 to 18"))?;
+        let upper = tolerance_width(it, nominal, knowledge)?;
+        Ok(Self { nominal, upper, lower: Micrometres::ZERO, it, written: nominal.to_string() })
+    }
+
     fn with_grade(nominal: Micrometres, grade: u8, written: String, knowledge: &Knowledge) -> Result<Self, String> {
         in_range(nominal, knowledge)?;
         let it = ItGrade::new(grade)
