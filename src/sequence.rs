@@ -5,7 +5,7 @@
 //! nearest point not yet visited, from the tool-change position and back.
 
 use crate::machine::Machine;
-use crate::part::{Part, Point};
+use crate::part::{Face, Part, Point};
 use crate::plan::{HolePlan, Stop, Times, Visit};
 use crate::units::{Micrometres, Minutes};
 
@@ -14,15 +14,21 @@ pub fn sequence(part: &Part, holes: &[HolePlan], tools: u32, machine: &Machine<'
     let mut visits = Vec::new();
     let mut times = Times::default();
     let home = tool_change_point(part, machine);
-    for tool in 1..=tools {
+    let mut changes = 0_u32;
+    let setups = [(1, Face::Entry), (2, Face::Back)];
+    for ((setup, face), tool) in setups.into_iter().flat_map(|setup| (1..=tools).map(move |tool| (setup, tool))) {
         let mut left: Vec<Stop> = Vec::new();
         for (plan, hole) in holes.iter().zip(&part.holes) {
             for (transition, step) in plan.transitions.iter().enumerate() {
-                if step.tool.number == tool {
+                if step.tool.number == tool && step.face == face && !step.elsewhere {
                     left.extend(hole.at.iter().map(|&at| Stop { hole: plan.name.clone(), transition, at }));
                 }
             }
         }
+        if left.is_empty() {
+            continue;
+        }
+        changes += 1;
         let mut stops = Vec::with_capacity(left.len());
         let (mut here, mut rapid) = (home, 0.0);
         while let Some(next) = nearest(here, &left) {
@@ -35,15 +41,18 @@ pub fn sequence(part: &Part, holes: &[HolePlan], tools: u32, machine: &Machine<'
         rapid += rapid_between(here, home, machine).0;
         let rapid = Minutes(rapid).rounded(3);
         times.rapid_min = times.rapid_min + rapid;
-        visits.push(Visit { tool, stops, rapid_min: rapid });
+        visits.push(Visit { tool, setup, stops, rapid_min: rapid });
     }
     times.machine_min = holes
         .iter()
-        .flat_map(|plan| plan.transitions.iter().map(|step| step.conditions.machine_time_min.0 * plan.count as f64))
+        .flat_map(|plan| {
+            let own = plan.transitions.iter().filter(|step| !step.elsewhere);
+            own.map(|step| step.conditions.machine_time_min.0 * plan.count as f64)
+        })
         .map(Minutes)
         .sum::<Minutes>()
         .rounded(2);
-    times.tool_change_min = Minutes(machine.tool_change.0 * f64::from(tools)).rounded(2);
+    times.tool_change_min = Minutes(machine.tool_change.0 * f64::from(changes)).rounded(2);
     times.rapid_min = times.rapid_min.rounded(2);
     times.total_min = (times.machine_min + times.rapid_min + times.tool_change_min).rounded(2);
     (visits, times)

@@ -343,7 +343,14 @@ impl CutterNeed<'_> {
     }
 }
 
-/// How deep a cutter goes by its own table: what is named first of these columns.
+/// How deep a cutter goes by its own table: what is named first of these columns. A tap whose shank is
+/// thinner than the hole under its thread follows it in, as far as it stands out of its chuck.
 fn reach_of(row: RowRef<'_>) -> Option<Micrometres> {
+    if let (Ok(pitch), Ok(diameter), Ok(shank)) =
+        (row.length("pitch"), row.length("diameter"), row.length("shank_diameter"))
+        && shank < diameter - pitch
+    {
+        return row.length("length").ok();
+    }
     ["reach", "flute_length", "projection", "cutting_length"].into_iter().find_map(|column| row.length(column).ok())
 }

@@ -42,7 +42,7 @@ pub fn assemble(
     knowledge: &Knowledge,
     machine: &Machine<'_>,
 ) -> Result<Result<Assembly, Vec<Note>>, KnowledgeError> {
-    let (overhang, overhang_because) = overhang(cutter, knowledge)?;
+    let (overhang, overhang_because) = overhang(cutter, need, knowledge)?;
     let taper = Link {
         kind: "taper-7-24".to_owned(),
         designation: machine.taper.to_string(),
@@ -74,6 +74,7 @@ pub fn assemble(
     let answer = rule.decide(&[
         ("shank", Input::Text(cutter.head.shank.name())),
         ("drawbar", Input::Bool(drawbar)),
+        ("tap", Input::Bool(need.operation == Operation::Tap)),
     ])?;
     let family = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, cutter.head.shank.name()))?;
     let table = knowledge.table(family.text("holders")?)?;
@@ -148,6 +149,12 @@ fn refuse(row: RowRef<'_>, cutter: &Cutter<'_>, machine: &Machine<'_>) -> Option
         return Some(Note::new("other-taper").with("own", taper).with("spindle", machine.taper));
     }
     match cutter.head.shank {
+        Shank::Cylindrical if row.table.column_index("thread_min").is_some() => {
+            let (low, high) = (row.length("thread_min").ok()?, row.length("thread_max").ok()?);
+            let thread = cutter.diameter;
+            (thread < low || thread > high)
+                .then(|| Note::new("thread-outside-chuck").with("thread", thread).with("low", low).with("high", high))
+        }
         Shank::Cylindrical => {
             let shank = cutter.row.length("shank_diameter").unwrap_or(cutter.diameter);
             let (low, high) = (row.length("clamp_min").ok()?, row.length("clamp_max").ok()?);
@@ -188,9 +195,22 @@ fn too_short(
 ///
 /// With a cylindrical shank L − seat + 2…3 mm (textbook 5.2 item 5); with a Morse shank the length
 /// outside the taper; a shell cutter sits on its arbor; a tool with the machine's taper stands out whole.
-fn overhang(cutter: &Cutter<'_>, knowledge: &Knowledge) -> Result<(Micrometres, Because), KnowledgeError> {
+fn overhang(
+    cutter: &Cutter<'_>,
+    need: &CutterNeed<'_>,
+    knowledge: &Knowledge,
+) -> Result<(Micrometres, Because), KnowledgeError> {
     let row = cutter.row;
     let own = |column: &str| row.length(column).map_err(KnowledgeError::from);
+    if need.operation == Operation::Tap {
+        let conventions = knowledge.table("hole-defaults")?;
+        let clamped = conventions
+            .find("name", "tap-clamp-diameters")
+            .ok_or_else(|| KnowledgeError::no_row(conventions, "tap-clamp-diameters"))?;
+        let held = own("shank_diameter")?.to_mm() * clamped.number_in("value", Unit::None)?;
+        let free = own("length")? - Micrometres::from_mm_rounded(held);
+        return Ok((free, Because::row(clamped, Note::new("overhang-tap").with("free", free))));
+    }
     match cutter.head.shank {
         Shank::Cylindrical => {
             let clamping = knowledge.table("clamping")?;
