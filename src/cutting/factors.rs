@@ -67,9 +67,7 @@ fn steel_class(tool_material: &str, shop: &Shop<'_>) -> Tried<f64> {
     if let Some(factor) = ask(tool_material)? {
         return Ok(factor);
     }
-    let rule = shop.knowledge.table("stand-in-tool-material")?;
-    let answer = rule.decide(&[("of_table", Input::Text(&table.id)), ("tool_material", Input::Text(tool_material))])?;
-    let instead = answer.winner().map(|row| row.text("instead")).transpose()?;
+    let instead = figures::stand_in_tool_material(&table.id, tool_material, shop)?.map(|(instead, _)| instead);
     instead.map(ask).transpose()?.flatten().ok_or_else(|| missing(table, shop))
 }
 

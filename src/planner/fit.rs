@@ -187,6 +187,9 @@ impl<'p, 'k> Fitting<'p, 'k> {
             reamer_follows: follows.is_some_and(Operation::is_reaming),
             blind: !self.hole.through,
             surface: self.surface,
+            it: Some(self.hole.diameter.it),
+            pitch: None,
+            cutter: None,
         }
     }
 
