@@ -242,6 +242,9 @@ fn reaming_by_hand() {
     let carbide = Cut { tool_material: "carbide", ..last };
     near(feed(Cut { it: ItGrade::new(7), ..carbide }, "cast-iron-sch20"), 1.82);
     near(feed(carbide, "cast-iron-sch20"), 1.456);
+    // In steel too, with the material exponent of HSS: T = 30:
+    // 100.6·20^0.3 / (30^0.4·0.7^0.65)·1.2224 = 100.6·2.456 / (3.898·0.7931)·1.2224 = 97.7 m/min.
+    near(conditions(&Cut { it: None, ..carbide }, "steel-45").computed_speed_m_per_min.0, 97.7);
     // In iron an HSS reamer takes the carbide row of forces, and says so.
     let iron = conditions(&last, "cast-iron-sch20");
     assert!(iron.torque_n_m.is_some() && codes(&iron).contains(&"stand-in-tool-material"));

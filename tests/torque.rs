@@ -6,7 +6,7 @@
 //! - **Machinery's Handbook**, 31st edition, pages 1152-1153 (Machining Power, tables 7-9):
 //!   T = 0.05·Kd·Ff·FT·B·W + 0.007·Kd·D²·J·W, N; M = 0.000025·Kd·Ff·FM·A·W, N·m. Standard point, c/d = 0.18:
 //!   A = 1.085, B = 1.355, J = 0.030; a sharp drill, W = 1. Kd = 24 000 for steel of HB 200 is from memory of
-//!   table 6; Shaw and Oxford (1957), on whose formula it rests, have 23 300 for alloy steel of HB 200
+//!   table 6 (the number of the inch formula, and with it both formulas give the same load at Ø22.2 mm); Shaw and Oxford (1957), on whose formula it rests, have 23 300 for alloy steel of HB 200
 //!   (Fundamentals of Tool Design, chapter 3);
 //! - **Tungaloy**, general catalogue 2020-2021, page L068, twist drill: Mc = K·D²·(0.630 + 16.84·f)/100, N·m;
 //!   Tc = 570·K·D·f^0.85, N, with K = 1.45 for a steel of 630 MPa, HB 197 (SMn438).

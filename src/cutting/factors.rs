@@ -18,8 +18,16 @@ pub(super) type Factor = (f64, Because);
 /// alloys: a figure of their class. (Косилова/Мещеряков т.2, facts 1.5.)
 pub(super) fn material_speed(process: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Factor> {
     let table = shop.knowledge.table("speed-material-exponent")?;
-    let answer = table.decide(&material_inputs(process, cut, shop))?;
-    let Some(row) = answer.winner() else { return factor_of_one(&table.id, shop) };
+    let (row, stand_in) = match table.decide(&material_inputs(process, cut.tool_material, shop))?.winner() {
+        Some(row) => (row, None),
+        None => {
+            let other = figures::stand_in_tool_material(&table.id, cut.tool_material, shop)?;
+            let Some((instead, because)) = other else { return factor_of_one(&table.id, shop) };
+            let answer = table.decide(&material_inputs(process, instead, shop))?;
+            let Some(row) = answer.winner() else { return factor_of_one(&table.id, shop) };
+            (row, Some(because))
+        }
+    };
     let (strength, hardness) = (shop.material.strength.to_f64(), shop.material.hardness.to_f64());
     let (ratio, class) = match row.text("reference")? {
         "strength-750" => (750.0 / strength, steel_class(cut.tool_material, shop)?),
@@ -28,13 +36,18 @@ pub(super) fn material_speed(process: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> T
         _ => return alloy("speed-alloy-factor", shop),
     };
     let factor = class * libm::pow(ratio, number(row, "exponent")?);
-    Ok((factor, Because::row(row, shown("material-speed-factor", factor))))
+    let note = shown("material-speed-factor", factor);
+    let because = match stand_in {
+        Some(because) => Because { note, ..because },
+        None => Because::row(row, note),
+    };
+    Ok((factor, because))
 }
 
 /// Kmp: how the material moves forces. Steel (σB/750)^n, grey iron (HB/190)^n, malleable (HB/150)^n.
 pub(super) fn material_force(process: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Factor> {
     let table = shop.knowledge.table("force-material-exponent")?;
-    let answer = table.decide(&material_inputs(process, cut, shop))?;
+    let answer = table.decide(&material_inputs(process, cut.tool_material, shop))?;
     let Some(row) = answer.winner() else { return factor_of_one(&table.id, shop) };
     let (strength, hardness) = (shop.material.strength.to_f64(), shop.material.hardness.to_f64());
     let ratio = match row.text("reference")? {
@@ -47,10 +60,10 @@ pub(super) fn material_force(process: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> T
     Ok((factor, Because::row(row, shown("material-force-factor", factor))))
 }
 
-fn material_inputs<'a>(process: &'a str, cut: &Cut<'a>, shop: &Shop<'a>) -> [(&'static str, Input<'a>); 4] {
+fn material_inputs<'a>(process: &'a str, tool_material: &'a str, shop: &Shop<'a>) -> [(&'static str, Input<'a>); 4] {
     [
         ("process", Input::Text(process)),
-        ("tool_material", Input::Text(cut.tool_material)),
+        ("tool_material", Input::Text(tool_material)),
         ("material_group", Input::Text(shop.material.group)),
         ("strength", Input::Number(shop.material.strength, Unit::Megapascal)),
     ]

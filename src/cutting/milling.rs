@@ -5,7 +5,7 @@ use crate::knowledge::units::Unit;
 use crate::knowledge::{Input, RowRef};
 use crate::note::{Because, Note};
 use crate::shop::Shop;
-use crate::units::{Decimal, MetresPerMinute, MillimetresPerRev, Minutes, round_to};
+use crate::units::{Decimal, MetresPerMinute, Micrometres, MillimetresPerRev, Minutes, round_to};
 
 use super::figures::{self, missing, number};
 use super::{Cut, CutterShape, Draft, Loads, Motion, PowerLaw, factors};
@@ -24,7 +24,10 @@ const MILL: &str = "end";
 /// so its feed is smaller too: s = sz·z·(d1 - D)/d1, mm/rev, with d1 the diameter that the first and
 /// narrowest pass leaves; all passes are made with it.
 pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
-    let mill = cut.cutter.ok_or_else(|| Refusal::Not(Note::new("no-cutter-shape")))?;
+    let whole = |mill: &CutterShape| {
+        mill.teeth > 0 && mill.diameter > Micrometres::ZERO && mill.cutting_length > Micrometres::ZERO
+    };
+    let mill = cut.cutter.filter(whole).ok_or_else(|| Refusal::Not(Note::new("no-cutter-shape")))?;
     if mill.diameter >= cut.from {
         let note = Note::new("mill-does-not-enter").with("diameter", mill.diameter).with("hole", cut.from);
         return Err(Refusal::Not(note));
@@ -142,7 +145,7 @@ fn rounds(cut: &Cut<'_>, mill: CutterShape, shop: &Shop<'_>) -> Result<(Rounds, 
 /// In how many equal parts, at least one, a length is cut so that none is longer than `longest`.
 fn parts(length: f64, longest: f64) -> u32 {
     // A micrometre of slack, so that 10 mm in steps of 5 are two parts whatever the last bit says.
-    (1..).find(|parts| length <= f64::from(*parts) * longest + 0.001).unwrap_or(1)
+    libm::ceil((length - 0.001) / longest).max(1.0) as u32
 }
 
 /// sz by the mill's diameter (table `end-mill-feed`); of the last pass less, for the roughness it must

@@ -84,11 +84,10 @@ fn corrected_feed(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Feed> {
     if let Some(row) = blind.filter(|_| cut.blind) {
         let limit = |name| row.number_in(name, Unit::MillimetrePerRev);
         let (low, high) = (limit("blind_feed_min")?, limit("blind_feed_max")?);
-        let held = feed.max(low).min(high);
-        if held < feed || held > feed {
+        if !(low..=high).contains(&feed) {
             because.push(Because::row(row, Note::new("reaming-feed-blind").with("low", low).with("high", high)));
         }
-        feed = held;
+        feed = feed.max(low).min(high);
     }
     Ok(Feed { feed: MillimetresPerRev(feed), because })
 }
@@ -100,7 +99,7 @@ fn torque(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<(Option<PowerLaw>, Vec<Becaus
     };
     let row = figures.row;
     let mut because = figures.because(Note::new("reaming-load-coefficients"));
-    let teeth = match cut.cutter {
+    let teeth = match cut.cutter.filter(|cutter| cutter.teeth > 0) {
         Some(cutter) => f64::from(cutter.teeth),
         None => {
             let table = shop.knowledge.table("reamer-teeth")?;
