@@ -106,6 +106,13 @@ fn milling_by_hand() {
     assert_eq!(found.axial_force_n, None);
 }
 
+/// Chromium steel 40Х of 980 MPa has its own exponent in milling: (750/980)^1.45 = 0.6785 in place of 1.2224.
+#[test]
+fn milling_of_chromium_steel_by_hand() {
+    let cut = Cut { cutter: Some(MILL), ..cut(Operation::Mill, 50.0, 60.0) };
+    near(conditions(&cut, "steel-40x").computed_speed_m_per_min.0, 66.79 / 1.2224 * 0.6785);
+}
+
 #[test]
 fn a_thick_stock_is_milled_in_passes_and_a_stated_surface_with_a_smaller_feed() {
     // 25 mm per side in passes of at most 10: three of 8.333 mm.
