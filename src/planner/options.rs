@@ -59,7 +59,6 @@ impl Options {
 /// What the routes of one group are found with.
 struct Finder<'a, 'k> {
     hole: &'a Hole,
-    part: &'a Part,
     task: &'a Task,
     fitting: &'a Fitting<'a, 'k>,
     question: Question<'a>,
@@ -105,7 +104,6 @@ pub(super) fn options(
     };
     let finder = Finder {
         hole,
-        part,
         task: &task,
         fitting: &fitting,
         question,

@@ -38,7 +38,7 @@ pub(super) fn of_row(
     let knowledge = shop.knowledge;
     let found = if let Ok(number) = row.int("a1") {
         let table = knowledge.table("A.1")?;
-        table.find("no", &number.to_string()).ok_or_else(|| KnowledgeError::no_row(table, &number.to_string()))?
+        table.all_rows().find(|row| row.int("no") == Ok(number)).ok_or_else(|| KnowledgeError::no_row(table, &number.to_string()))?
     } else if let Ok(method) = row.text("a2") {
         let table = knowledge.table("A.2")?;
         table.find("method", method).ok_or_else(|| KnowledgeError::no_row(table, method))?
@@ -85,7 +85,9 @@ pub fn write(
         } else {
             step.operation
         };
-        let answer = if known(&state) { Some(after(&state, step.diameter, shop)?) } else { None };
+        // A centring spot has no diameter yet: the rule is asked with the cylinder's.
+        let asked = if step.diameter > Micrometres::ZERO { step.diameter } else { bore.diameter.nominal };
+        let answer = if known(&state) { Some(after(&state, asked, shop)?) } else { None };
         let row = answer.as_ref().and_then(|answer| {
             answer.winners().find(|row| row.text("operation") == Ok(operation.name()))
         });

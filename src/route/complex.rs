@@ -52,7 +52,8 @@ pub fn candidates(question: &Question<'_>, counterbored: bool, shop: &Shop<'_>) 
     let (centre, centring) = centre_first(question.bore, shop)?;
     let mut found = Vec::new();
     for number in row.texts("complex")? {
-        let complex = complexes.find("complex", number).ok_or_else(|| KnowledgeError::no_row(complexes, number))?;
+        let own = complexes.all_rows().find(|row| row.int("complex").is_ok_and(|own| own.to_string() == number));
+        let complex = own.ok_or_else(|| KnowledgeError::no_row(complexes, number))?;
         let mut transitions: Vec<Operation> = complex
             .texts("transitions")?
             .into_iter()

@@ -217,7 +217,7 @@ impl Backwards<'_, '_> {
 
     /// The drill that ends a route: of the hole's size, or the largest that leaves the stock for a finish
     /// elsewhere.
-    fn last_drill(self, finish_elsewhere: bool) -> Tried<Step> {
+    pub fn last_drill(self, finish_elsewhere: bool) -> Tried<Step> {
         let drills = self.sizes.drills;
         let found = if finish_elsewhere {
             drills.iter().rev().copied().find(|drill| *drill <= self.after)

@@ -5,7 +5,7 @@ use crate::knowledge::query::roughness_points;
 use crate::knowledge::units::Unit;
 use crate::knowledge::{Answer, Input, Knowledge, QueryError, RowRef};
 use crate::note::{Because, Note};
-use crate::part::{BlankHole, Part};
+use crate::part::BlankHole;
 use crate::plan::{Operation, Way};
 use crate::shop::Shop;
 use crate::units::{Decimal, ItGrade, Micrometres, Roughness};

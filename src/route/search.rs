@@ -33,8 +33,6 @@ const LONGEST: usize = 7;
 /// A state of the cylinder.
 #[derive(Clone, Debug)]
 struct State {
-    /// As the rule `next-transition` names it.
-    name: String,
     /// The diameter there; zero in solid metal.
     diameter: Micrometres,
 }
@@ -107,7 +105,7 @@ fn graph_failed(bore: &Bore) -> Note {
 }
 
 /// Whether a transition leaves a flat floor or shoulder.
-pub(super) const fn leaves_flat(operation: Operation) -> bool {
+pub const fn leaves_flat(operation: Operation) -> bool {
     operation.is_boring() || matches!(operation, Operation::Mill | Operation::Counterbore)
 }
 
@@ -167,7 +165,7 @@ impl<'a, 'k> Graph<'a, 'k> {
     /// The finished cylinder, with every transition that reaches grade and roughness leading to it.
     fn goal(&mut self) -> Tried<NodeIndex> {
         let target = self.bore.diameter.target();
-        let goal = self.states.add_node(State { name: "goal".to_owned(), diameter: target });
+        let goal = self.states.add_node(State { diameter: target });
         for row in self.rule.all_rows() {
             let Some((it, roughness, _)) = accuracy::of_row(row, self.shop)? else { continue };
             if it > self.bore.diameter.it || roughness > self.bore.roughness {
@@ -243,7 +241,7 @@ impl<'a, 'k> Graph<'a, 'k> {
         if let Some(known) = self.known.get(&key) {
             return Ok(*known);
         }
-        let node = self.states.add_node(State { name: name.to_owned(), diameter });
+        let node = self.states.add_node(State { diameter });
         self.known.insert(key, node);
         if name == accuracy::start(self.bore) {
             self.start = Some(node);

@@ -3,7 +3,6 @@
 use crate::error::{Refusal, Tried};
 use crate::note::{Because, Note};
 use crate::plan::Operation;
-use crate::units::Micrometres;
 
 use super::super::Step;
 use super::{Backwards, allowance};
