@@ -1,0 +1,267 @@
+//! What a hole has beside its cylinders: openings at the entry, a groove, and its state in the blank.
+
+use crate::knowledge::diagnostic::Place;
+use crate::knowledge::yaml::{Fields, Node, NodeKind};
+use crate::units::{Decimal, Micrometres};
+
+use super::check::Span;
+use super::keys::{CONE, COUNTERBORE, COUNTERSINK, FACE, GROOVE};
+use super::read::Reader;
+use super::{BlankHole, Cone, Counterbore, Countersink, Groove};
+
+/// Millionths in a thousandth: decimals are exact to the one, angles to the other.
+const MILLIONTHS_IN_THOUSANDTH: i64 = 1000;
+/// Half a turn, thousandths of a degree.
+const HALF_TURN: i64 = 180_000;
+/// The angle of a countersink that gives none, thousandths of a degree: that of the usual screw head.
+const COUNTERSINK_ANGLE: u32 = 90_000;
+
+/// The features of a group, each with the place its mistakes are reported at.
+#[derive(Default)]
+pub(super) struct Features {
+    pub cone: Option<(Cone, Place)>,
+    pub counterbore: Option<(Counterbore, Place)>,
+    pub countersink: Option<(Countersink, Place)>,
+    pub face: Option<(Micrometres, Place)>,
+    pub groove: Option<(Groove, Place)>,
+    pub state: BlankHole,
+    pub state_diameter: Option<Place>,
+    pub outer_wall: bool,
+}
+
+impl Features {
+    /// What they cut out beside the cylinders. A face is no opening: faces may meet, and run off an edge.
+    pub fn spans(&self) -> Vec<Span> {
+        let mut spans = Vec::new();
+        // A cone narrows at once: only its mouth counts.
+        let mouths =
+            [self.cone.as_ref().map(|(it, _)| it.diameter), self.countersink.as_ref().map(|(it, _)| it.diameter)];
+        spans.extend(
+            mouths.into_iter().flatten().map(|diameter| Span::new(diameter, Micrometres::ZERO, Micrometres::new(1))),
+        );
+        if let Some((counterbore, _)) = &self.counterbore {
+            spans.push(Span::new(counterbore.diameter, Micrometres::ZERO, counterbore.depth));
+        }
+        if let Some((groove, _)) = &self.groove {
+            spans.push(Span::new(groove.diameter, groove.depth, groove.depth + groove.width));
+        }
+        spans
+    }
+}
+
+impl Reader<'_> {
+    pub(super) fn features(&mut self, fields: &mut Fields<'_>) -> Features {
+        let mut features = Features {
+            cone: self.placed(fields, "cone", Self::cone),
+            counterbore: self.placed(fields, "counterbore", Self::counterbore),
+            countersink: self.placed(fields, "countersink", Self::countersink),
+            face: self.placed(fields, "face", Self::face),
+            groove: self.placed(fields, "groove", Self::groove),
+            ..Features::default()
+        };
+        self.state(fields, &mut features);
+        features
+    }
+
+    fn placed<T>(
+        &mut self,
+        fields: &mut Fields<'_>,
+        name: &str,
+        read: impl FnOnce(&mut Self, &Node) -> Option<T>,
+    ) -> Option<(T, Place)> {
+        let node = fields.take(name)?;
+        Some((read(self, node)?, node.place.clone()))
+    }
+
+    fn need_size(&mut self, fields: &mut Fields<'_>, name: &str) -> Option<Micrometres> {
+        fields.need(name, self.problems).and_then(|node| self.positive(node, name))
+    }
+
+    fn cone(&mut self, node: &Node) -> Option<Cone> {
+        let mut fields = self.problems.map(node)?;
+        let diameter = self.need_size(&mut fields, "diameter");
+        let angle_node = fields.take("angle");
+        let taper_node = fields.take("taper");
+        let angle = match (angle_node, taper_node) {
+            (Some(angle), None) => self.angle(angle),
+            (None, Some(taper)) => self.taper(taper),
+            (Some(_), Some(taper)) => {
+                let message = "`angle` and `taper` both say how fast the cone narrows";
+                self.problems.error_help("bad-value", message, &taper.place, "keep one of them")
+            }
+            (None, None) => {
+                let help = "or `taper`, the difference of the diameters over the length";
+                self.problems.error_help("missing-key", "the key `angle` is missing", &node.place, help)
+            }
+        };
+        fields.finish(CONE, self.problems);
+        Some(Cone { diameter: diameter?, angle_millideg: angle? })
+    }
+
+    fn counterbore(&mut self, node: &Node) -> Option<Counterbore> {
+        let mut fields = self.problems.map(node)?;
+        let (diameter, depth) = (self.need_size(&mut fields, "diameter"), self.need_size(&mut fields, "depth"));
+        fields.finish(COUNTERBORE, self.problems);
+        Some(Counterbore { diameter: diameter?, depth: depth? })
+    }
+
+    fn countersink(&mut self, node: &Node) -> Option<Countersink> {
+        let mut fields = self.problems.map(node)?;
+        let diameter = self.need_size(&mut fields, "diameter");
+        let angle = fields.take("angle").map_or(Some(COUNTERSINK_ANGLE), |node| self.angle(node));
+        fields.finish(COUNTERSINK, self.problems);
+        Some(Countersink { diameter: diameter?, angle_millideg: angle? })
+    }
+
+    fn face(&mut self, node: &Node) -> Option<Micrometres> {
+        if !matches!(node.kind, NodeKind::Map(_)) {
+            return self.positive(node, "face");
+        }
+        let mut fields = self.problems.map(node)?;
+        let diameter = self.need_size(&mut fields, "diameter");
+        fields.finish(FACE, self.problems);
+        diameter
+    }
+
+    fn groove(&mut self, node: &Node) -> Option<Groove> {
+        let mut fields = self.problems.map(node)?;
+        let diameter = self.need_size(&mut fields, "diameter");
+        let (width, depth) = (self.need_size(&mut fields, "width"), self.need_size(&mut fields, "depth"));
+        fields.finish(GROOVE, self.problems);
+        Some(Groove { diameter: diameter?, width: width?, depth: depth? })
+    }
+
+    /// A full angle between 0 and 180 degrees, as thousandths of a degree.
+    fn angle(&mut self, node: &Node) -> Option<u32> {
+        let angle: Decimal = self.problems.scalar(node)?;
+        let thousandths = angle.millionths() / MILLIONTHS_IN_THOUSANDTH;
+        let exact = angle.millionths() % MILLIONTHS_IN_THOUSANDTH == 0;
+        match u32::try_from(thousandths) {
+            Ok(millideg) if exact && 0 < thousandths && thousandths < HALF_TURN => Some(millideg),
+            _ => {
+                let message = format!("an angle of {angle}: it must lie between 0 and 180 degrees");
+                let help = "give the full angle of the cone in degrees, with at most three decimal places";
+                self.problems.error_help("bad-value", message, &node.place, help)
+            }
+        }
+    }
+
+    /// The full angle of a taper, the difference of two diameters over the length between them: twice the
+    /// arctangent of its half.
+    fn taper(&mut self, node: &Node) -> Option<u32> {
+        let text = self.problems.text(node)?;
+        let help = "give the difference of the diameters over the length between them: 0.02 for 1:50";
+        let taper: Decimal = match text.parse() {
+            Ok(taper) => taper,
+            Err(error) => return self.problems.error_help("bad-value", format!("{error}"), &node.place, help),
+        };
+        let millideg = (2.0 * libm::atan(taper.to_f64() / 2.0).to_degrees() * 1000.0).round() as i64;
+        match u32::try_from(millideg) {
+            Ok(angle) if 0 < millideg && millideg < HALF_TURN => Some(angle),
+            _ => self.problems.error_help("bad-value", format!("a taper of {taper} is no cone"), &node.place, help),
+        }
+    }
+
+    /// `state`, `state_diameter` and `outer_wall`, which hang together.
+    fn state(&mut self, fields: &mut Fields<'_>, features: &mut Features) {
+        type Kind = Option<fn(Micrometres) -> BlankHole>;
+        let choices: &[(&str, Kind)] =
+            &[("solid", None), ("cast", Some(BlankHole::Cast)), ("pre-machined", Some(BlankHole::PreMachined))];
+        let kind = fields.take("state").map_or(Some(None), |node| self.choice(node, choices));
+        let wall_node = fields.take("outer_wall");
+        let outer_wall = wall_node.and_then(|node| self.problems.boolean(node)) == Some(true);
+        let remedy = "say `state: cast` or `state: pre-machined`, or leave it out";
+        let diameter_node = match kind {
+            Some(Some(_)) => fields.need("state_diameter", self.problems),
+            _ => fields.take("state_diameter"),
+        };
+        let diameter = diameter_node.and_then(|node| self.positive(node, "state_diameter"));
+        match kind {
+            Some(Some(make)) => {
+                features.outer_wall = outer_wall;
+                features.state = diameter.map_or(BlankHole::Solid, make);
+                features.state_diameter = diameter_node.map(|node| node.place.clone());
+            }
+            Some(None) => {
+                if let Some(node) = diameter_node {
+                    let message = "`state_diameter` is given, but the blank is solid there";
+                    self.problems.error_help::<()>("bad-value", message, &node.place, remedy);
+                }
+                if let (Some(node), true) = (wall_node, outer_wall) {
+                    let message = "`outer_wall: true` is for holes that are in the blank, and the blank is solid there";
+                    self.problems.error_help::<()>("bad-value", message, &node.place, remedy);
+                }
+            }
+            None => {}
+        }
+    }
+
+    /// Holds the features against the hole's cylinders, given from the entry face inwards; `smallest` is
+    /// the smallest that the narrowest of them may become.
+    pub(super) fn fit_features(&mut self, features: &Features, cylinders: &[Span], smallest: Micrometres) {
+        let Some(entry) = cylinders.first() else { return };
+        let end = cylinders.last().map_or(entry.to, |last| last.to);
+        let mut widest = entry.diameter;
+        let mut openings: Vec<(&str, Micrometres, Option<Micrometres>, &Place)> = Vec::new();
+        if let Some((cone, place)) = &features.cone {
+            openings.push(("cone", cone.diameter, cone_depth(cone.diameter, entry, cone.angle_millideg), place));
+        }
+        if let Some((sink, place)) = &features.countersink {
+            openings.push(("countersink", sink.diameter, cone_depth(sink.diameter, entry, sink.angle_millideg), place));
+        }
+        if let Some((bore, place)) = &features.counterbore {
+            // Unlike a cone, it must leave some of the hole.
+            openings.push(("counterbore", bore.diameter, Some(bore.depth + Micrometres::new(1)), place));
+        }
+        for (name, diameter, depth, place) in openings {
+            if diameter <= entry.diameter {
+                self.too_narrow(name, diameter, entry.diameter, place);
+            } else if depth.is_some_and(|depth| depth > entry.to) {
+                let deep = match &features.counterbore {
+                    Some((bore, _)) if name == "counterbore" => bore.depth,
+                    _ => depth.unwrap_or_default(),
+                };
+                let message = format!("the {name} is {deep} deep, and Ø{} only to {}", entry.diameter, entry.to);
+                self.problems.error_help::<()>("too-deep", message, place, "make it shallower than the hole");
+            }
+            widest = widest.max(diameter);
+        }
+        if let Some((diameter, place)) = &features.face
+            && *diameter <= widest
+        {
+            self.too_narrow("face", *diameter, widest, place);
+        }
+        if let Some((groove, place)) = &features.groove {
+            let (from, to) = (groove.depth, groove.depth + groove.width);
+            let around =
+                cylinders.iter().filter(|span| span.from < to && from < span.to).map(|span| span.diameter).max();
+            if to > end {
+                let message = format!("the groove reaches to {to}, and the hole only to {end}");
+                let help = "`depth` counts from the entry face to its nearer side";
+                self.problems.error_help::<()>("too-deep", message, place, help);
+            } else if let Some(around) = around.filter(|around| groove.diameter <= *around) {
+                self.too_narrow("groove", groove.diameter, around, place);
+            }
+        }
+        if let (Some(diameter), Some(place)) = (features.state.diameter(), &features.state_diameter)
+            && diameter >= smallest
+        {
+            let message = format!("the hole in the blank is Ø{diameter}, and the finished one may be Ø{smallest}");
+            let help = "give the diameter that stands in the blank; it leaves something to cut";
+            self.problems.error_help::<()>("bad-diameter", message, place, help);
+        }
+    }
+
+    fn too_narrow(&mut self, name: &str, diameter: Micrometres, hole: Micrometres, place: &Place) {
+        let message = format!("the {name} is Ø{diameter}, and the hole there Ø{hole}");
+        self.problems.error_help::<()>("too-narrow", message, place, "make it wider than the hole, or leave it out");
+    }
+}
+
+/// How deep a cone reaches from a mouth to a hole's diameter. A hundredth less than computed: an angle is
+/// rounded on drawings, and a cone of the whole depth must not seem too long for that.
+fn cone_depth(mouth: Micrometres, hole: &Span, angle_millideg: u32) -> Option<Micrometres> {
+    let half_angle = (f64::from(angle_millideg) / 2000.0).to_radians();
+    let depth_mm = (mouth - hole.diameter).to_mm() / 2.0 / libm::tan(half_angle);
+    Some(Micrometres::from_mm_rounded(depth_mm * 0.99))
+}

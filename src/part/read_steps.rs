@@ -1,0 +1,356 @@
+//! Stepped holes: the cylinders as written, from the entry face inwards, and the main one among them.
+
+use crate::knowledge::diagnostic::Place;
+use crate::knowledge::yaml::{Fields, Node};
+use crate::units::{Micrometres, Roughness};
+
+use super::check::Span;
+use super::keys::STEP;
+use super::read::Reader;
+use super::{Bottom, Face, HoleStep, Thread, ToleratedDiameter, thread};
+
+/// What a group or a step says of its diameter.
+pub(super) struct Sized {
+    pub diameter: ToleratedDiameter,
+    pub thread: Option<Thread>,
+    pub place: Place,
+}
+
+/// What the group says beside its steps.
+pub(super) struct Whole<'a> {
+    /// Its own diameter or thread, if it gives one.
+    pub own: Option<Sized>,
+    pub through: bool,
+    /// The blank's thickness, or a blind hole's `depth`.
+    pub depth: Option<Micrometres>,
+    /// The roughness of cylinders that give none: absent, unreadable or given.
+    pub roughness: Option<Option<Roughness>>,
+    pub bottom: Option<Bottom>,
+    pub chamfer: Option<(Micrometres, Place)>,
+    /// Where the group begins.
+    pub place: &'a Place,
+}
+
+/// The cylinders of a hole: the main one, and the wider ones beside it.
+pub(super) struct Cylinders {
+    pub diameter: ToleratedDiameter,
+    pub thread: Option<Thread>,
+    pub depth: Micrometres,
+    pub bottom: Bottom,
+    pub roughness: Roughness,
+    pub chamfer: Option<Micrometres>,
+    pub steps: Vec<HoleStep>,
+    /// All of them, from the entry face inwards.
+    pub spans: Vec<Span>,
+}
+
+/// A cylinder as it is written.
+struct Cylinder {
+    diameter: ToleratedDiameter,
+    thread: Option<Thread>,
+    roughness: Roughness,
+    bottom: Option<Bottom>,
+    chamfer: Option<Micrometres>,
+    /// From the entry face, mm.
+    end: Micrometres,
+    place: Place,
+}
+
+impl Cylinder {
+    const fn nominal(&self) -> Micrometres {
+        self.diameter.nominal
+    }
+
+    fn step(self, face: Face, depth: Micrometres) -> HoleStep {
+        HoleStep {
+            diameter: self.diameter,
+            face,
+            depth,
+            bottom: self.bottom.unwrap_or(Bottom::Flat),
+            roughness: self.roughness,
+            thread: self.thread,
+            chamfer: self.chamfer,
+        }
+    }
+}
+
+/// The help for every slip in the depths of steps.
+const DEPTH_OR_LENGTH: &str = "`depth` counts from the entry face to the end of the step, `length` is the step's own";
+
+impl Reader<'_> {
+    /// The diameter and the thread of a hole or a step; a thread says its diameter itself.
+    pub(super) fn sized(&mut self, fields: &mut Fields<'_>, required: bool) -> Option<Sized> {
+        let thread_node = fields.take("thread");
+        let diameter_node = match thread_node {
+            None if required => fields.need("diameter", self.problems),
+            _ => fields.take("diameter"),
+        };
+        let Some(node) = thread_node else {
+            let node = diameter_node?;
+            return Some(Sized { diameter: self.diameter(node)?, thread: None, place: node.place.clone() });
+        };
+        let threaded = match thread::read(self.problems.text(node)?, self.knowledge) {
+            Ok(threaded) => threaded,
+            Err(error) => return self.problems.error_help(error.code, error.message, &node.place, error.help),
+        };
+        let (thread, hole) = (threaded.thread, threaded.hole);
+        if let Some(stated) = diameter_node {
+            let text = self.problems.text(stated)?;
+            let size = text.trim().trim_start_matches(['Ø', '⌀', '∅', 'Ф', 'ф']).trim_start().parse();
+            if size != Ok(thread.size) && size != Ok(hole) {
+                let (written, nominal) = (&thread.written, thread.size);
+                let message =
+                    format!("`diameter` is {text}, but {written} is Ø{nominal} and the hole under it Ø{hole}");
+                let help = "leave `diameter` out: the thread says it";
+                return self.problems.error_help("bad-diameter", message, &stated.place, help);
+            }
+        }
+        match ToleratedDiameter::under_thread(hole, &thread.written, self.knowledge) {
+            Ok(diameter) => Some(Sized { diameter, thread: Some(thread), place: node.place.clone() }),
+            Err(message) => self.problems.error("bad-diameter", message, &node.place),
+        }
+    }
+
+    /// The roughness of a thread whose drawing gives none.
+    pub(super) fn thread_roughness(&mut self, place: &Place) -> Option<Roughness> {
+        match thread::roughness(self.knowledge) {
+            Ok(roughness) => Some(roughness),
+            Err(message) => self.problems.error("bad-value", message, place),
+        }
+    }
+
+    /// The cylinders of a stepped hole.
+    pub(super) fn steps(&mut self, items: &[Node], whole: Whole<'_>) -> Option<Cylinders> {
+        let mut cylinders = Vec::new();
+        // The end of the step before; unknown after a mistake.
+        let mut start = Some(Micrometres::ZERO);
+        for (index, item) in items.iter().enumerate() {
+            let (cylinder, end) = self.step(item, index + 1, index + 1 == items.len(), start, &whole);
+            cylinders.push(cylinder);
+            start = end;
+        }
+        let mut cylinders: Vec<Cylinder> = cylinders.into_iter().collect::<Option<_>>()?;
+        let written_end = cylinders.last()?.end;
+        let inner = self.innermost(&mut cylinders, &whole)?;
+        if !inner && let Some(depth) = whole.depth.filter(|depth| *depth != written_end) {
+            let what = if whole.through { "the blank is" } else { "the hole is" };
+            let deep = if whole.through { "thick" } else { "deep" };
+            let message = format!("the steps end at {written_end}, but {what} {depth} {deep}");
+            let place = &cylinders.last()?.place;
+            return self.problems.error_help("bad-depth", message, place, DEPTH_OR_LENGTH);
+        }
+        self.narrows(&cylinders, whole.through)?;
+        self.arrange(cylinders, whole)
+    }
+
+    /// One step, and where it ends.
+    fn step(
+        &mut self,
+        node: &Node,
+        number: usize,
+        last: bool,
+        start: Option<Micrometres>,
+        whole: &Whole<'_>,
+    ) -> (Option<Cylinder>, Option<Micrometres>) {
+        let Some(mut fields) = self.problems.map(node) else { return (None, None) };
+        let sized = self.sized(&mut fields, true);
+        let end = self.step_end(&mut fields, number, last, start, whole);
+        let roughness = match (fields.take("roughness"), whole.roughness) {
+            (Some(node), _) => self.problems.scalar(node),
+            (None, Some(default)) => default,
+            (None, None) => match &sized {
+                Some(Sized { thread: Some(_), place, .. }) => self.thread_roughness(place),
+                Some(_) => self.problems.error_help(
+                    "missing-key",
+                    "the key `roughness` is missing",
+                    &node.place,
+                    "give it here, or to the hole for all steps",
+                ),
+                None => None,
+            },
+        };
+        let bottoms = &[("flat", Bottom::Flat), ("free", Bottom::Free)];
+        let bottom = fields.take("bottom").and_then(|node| self.choice(node, bottoms));
+        let chamfer = fields.take("chamfer").and_then(|node| self.positive(node, "chamfer"));
+        fields.finish(STEP, self.problems);
+        let cylinder = sized.zip(end).zip(roughness).map(|((sized, end), roughness)| Cylinder {
+            diameter: sized.diameter,
+            thread: sized.thread,
+            roughness,
+            bottom,
+            chamfer,
+            end,
+            place: node.place.clone(),
+        });
+        (cylinder, end)
+    }
+
+    fn step_end(
+        &mut self,
+        fields: &mut Fields<'_>,
+        number: usize,
+        last: bool,
+        start: Option<Micrometres>,
+        whole: &Whole<'_>,
+    ) -> Option<Micrometres> {
+        match (fields.take("depth"), fields.take("length")) {
+            (Some(_), Some(node)) => {
+                let message = "`depth` and `length` both say where the step ends";
+                self.problems.error_help("bad-value", message, &node.place, "keep one of them")
+            }
+            (None, Some(node)) => {
+                let length = self.positive(node, "length")?;
+                Some(start? + length)
+            }
+            (Some(node), None) => {
+                let end = self.positive(node, "depth")?;
+                if let Some(start) = start.filter(|start| end <= *start) {
+                    let message = format!("step {number} ends at {end}, and the one before it at {start}");
+                    return self.problems.error_help("bad-depth", message, &node.place, DEPTH_OR_LENGTH);
+                }
+                Some(end)
+            }
+            (None, None) if last && whole.through => {
+                let end = whole.depth?;
+                if let Some(start) = start.filter(|start| end <= *start) {
+                    let message = format!("the step before the last ends at {start}, and the blank is {end} thick");
+                    return self.problems.error_help("bad-depth", message, fields.place, DEPTH_OR_LENGTH);
+                }
+                Some(end)
+            }
+            (None, None) => {
+                let message = "the key `depth` is missing";
+                let help = "or `length`; only the last step of a through hole may leave both out";
+                self.problems.error_help("missing-key", message, fields.place, help)
+            }
+        }
+    }
+
+    /// Holds the group's own diameter against the steps: it is the narrowest of them, or the cylinder that
+    /// goes on behind the last, which is then added. Says whether it was.
+    fn innermost(&mut self, cylinders: &mut Vec<Cylinder>, whole: &Whole<'_>) -> Option<bool> {
+        let Some(own) = &whole.own else { return Some(false) };
+        let nominal = own.diameter.nominal;
+        let narrowest = cylinders.iter().map(Cylinder::nominal).min()?;
+        let fault = if nominal < narrowest {
+            None
+        } else if nominal > narrowest {
+            let (shown, help) = (&own.diameter, "leave it out, or give the narrowest");
+            Some((format!("{shown} of the hole is wider than Ø{narrowest}, its narrowest step"), help))
+        } else {
+            let main = cylinders.iter_mut().find(|one| one.nominal() == narrowest)?;
+            let same_field = (main.diameter.upper, main.diameter.lower) == (own.diameter.upper, own.diameter.lower);
+            let (ours, theirs) = (&own.diameter, &main.diameter);
+            let differ =
+                Some((format!("{ours} of the hole is {theirs} in its step"), "write it once, or the same twice"));
+            match (&own.thread, &main.thread) {
+                (Some(thread), Some(known)) if thread.id != known.id => differ,
+                (Some(thread), _) => {
+                    main.thread = Some(thread.clone());
+                    main.diameter = own.diameter.clone();
+                    return Some(false);
+                }
+                (None, None) if !same_field => differ,
+                (None, _) => return Some(false),
+            }
+        };
+        if let Some((message, help)) = fault {
+            return self.problems.error_help("bad-diameter", message, &own.place, help);
+        }
+        let last = cylinders.last()?.end;
+        let Some(depth) = whole.depth else {
+            // Without a readable blank the depth of a through hole is not known, and that is reported there.
+            if !whole.through {
+                let help = "the hole's own diameter goes on behind the last step: say how deep";
+                self.problems.error_help::<()>("missing-key", "the key `depth` is missing", whole.place, help);
+            }
+            return None;
+        };
+        if depth <= last {
+            let message = format!(
+                "the steps end at {last}, which leaves nothing of a hole {depth} deep for its own {}",
+                own.diameter
+            );
+            let place = cylinders.last()?.place.clone();
+            return self.problems.error_help("bad-depth", message, &place, DEPTH_OR_LENGTH);
+        }
+        let roughness = match whole.roughness {
+            Some(stated) => stated?,
+            None if own.thread.is_some() => self.thread_roughness(&own.place)?,
+            None => {
+                let help = "the hole's own diameter goes on behind the last step";
+                return self.problems.error_help("missing-key", "the key `roughness` is missing", whole.place, help);
+            }
+        };
+        cylinders.push(Cylinder {
+            diameter: own.diameter.clone(),
+            thread: own.thread.clone(),
+            roughness,
+            bottom: None,
+            chamfer: None,
+            end: depth,
+            place: own.place.clone(),
+        });
+        Some(true)
+    }
+
+    /// The cylinders narrow towards the main one from each side.
+    fn narrows(&mut self, cylinders: &[Cylinder], through: bool) -> Option<()> {
+        let mut sound = Some(());
+        for (index, cylinder) in cylinders.iter().enumerate() {
+            let wide = cylinder.nominal();
+            if index > 0 && cylinders[index - 1].nominal() == wide {
+                let message = format!("step {} is Ø{wide} like the one before it", index + 1);
+                sound = self.problems.error_help("bad-diameter", message, &cylinder.place, "join the two");
+                continue;
+            }
+            let narrower = |others: &[Cylinder]| others.iter().any(|other| other.nominal() < wide);
+            if narrower(&cylinders[..index]) && (!through || narrower(&cylinders[index + 1..])) {
+                let message = format!("step {} is Ø{wide}, wider than what leads to it", index + 1);
+                let help = "no axial tool reaches an inner chamber; give it as `groove`";
+                sound = self.problems.error_help("inner-step", message, &cylinder.place, help);
+            }
+        }
+        sound
+    }
+
+    /// Makes the narrowest cylinder the main one; those before it are entered from the entry face, those
+    /// behind it from the back.
+    fn arrange(&mut self, mut cylinders: Vec<Cylinder>, whole: Whole<'_>) -> Option<Cylinders> {
+        if let (Some((chamfer, place)), Some(first)) = (whole.chamfer, cylinders.first_mut()) {
+            if let Some(own) = first.chamfer.filter(|own| *own != chamfer) {
+                let message = format!("the chamfer at the entry is {chamfer} here and {own} in the first step");
+                self.problems.error_help::<()>("bad-value", message, &place, "keep one of them");
+            }
+            first.chamfer = Some(chamfer);
+        }
+        let mut spans = Vec::new();
+        let mut start = Micrometres::ZERO;
+        for cylinder in &cylinders {
+            spans.push(Span::new(cylinder.nominal(), start, cylinder.end));
+            start = cylinder.end;
+        }
+        let depth = start;
+        let narrowest = cylinders.iter().map(Cylinder::nominal).min()?;
+        let main = cylinders.iter().position(|one| one.nominal() == narrowest)?;
+        let mut behind = cylinders.split_off(main);
+        let main = behind.remove(0);
+        let back_starts = spans.iter().skip(spans.len() - behind.len()).map(|span| span.from);
+        let entry = cylinders.into_iter().map(|one| {
+            let end = one.end;
+            one.step(Face::Entry, end)
+        });
+        let back = behind.into_iter().zip(back_starts).map(|(one, from)| one.step(Face::Back, depth - from));
+        Some(Cylinders {
+            diameter: main.diameter,
+            thread: main.thread,
+            depth,
+            // The innermost end is the hole's bottom, not a shoulder: the hole's default holds.
+            bottom: main.bottom.or(whole.bottom).unwrap_or_default(),
+            roughness: main.roughness,
+            chamfer: main.chamfer,
+            steps: entry.chain(back).collect(),
+            spans,
+        })
+    }
+}
