@@ -265,3 +265,108 @@ fn cone_depth(mouth: Micrometres, hole: &Span, angle_millideg: u32) -> Option<Mi
     let depth_mm = (mouth - hole.diameter).to_mm() / 2.0 / libm::tan(half_angle);
     Some(Micrometres::from_mm_rounded(depth_mm * 0.99))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::part::{Hole, read_part};
+    use crate::shipped;
+
+    /// A blind hole Ø10H12, 30 mm deep, with these keys; its mistakes as text.
+    fn read(keys: &str) -> Result<Hole, Vec<String>> {
+        let text = format!(
+            "part: P\nmaterial: steel-45\nmachine: gf2171\nblank: {{kind: plate, length: 200, width: 100, thickness: 40}}\n\
+             holes:\n  - {{name: A, diameter: 10H12, depth: 30, roughness: Ra 12.5, centre_tolerance: 0.5, at: [[0, 0]], {keys}}}\n"
+        );
+        match read_part("part", &text, &shipped::knowledge().unwrap()) {
+            Ok(mut part) => Ok(part.holes.remove(0)),
+            Err(problems) => Err(problems.iter().map(ToString::to_string).collect()),
+        }
+    }
+
+    fn um(mm: i64) -> Micrometres {
+        Micrometres::from_mm(mm)
+    }
+
+    #[test]
+    fn every_feature_is_read() {
+        let hole = read(
+            "counterbore: {diameter: 15, depth: 9}, countersink: {diameter: 12}, face: 24, \
+             groove: {diameter: 11, width: 2, depth: 12.5}, state: cast, state_diameter: 6, outer_wall: true",
+        )
+        .unwrap();
+        assert_eq!(hole.counterbore, Some(Counterbore { diameter: um(15), depth: um(9) }));
+        assert_eq!(hole.countersink, Some(Countersink { diameter: um(12), angle_millideg: 90_000 }));
+        assert_eq!((hole.face, read("face: {diameter: 24}").unwrap().face), (Some(um(24)), Some(um(24))));
+        assert_eq!(hole.groove, Some(Groove { diameter: um(11), width: um(2), depth: Micrometres::new(12_500) }));
+        assert_eq!((hole.state, hole.outer_wall), (BlankHole::Cast(um(6)), true));
+        let pre = read("state: pre-machined, state_diameter: 9.999").unwrap();
+        assert_eq!((pre.state, pre.outer_wall), (BlankHole::PreMachined(Micrometres::new(9_999)), false));
+    }
+
+    #[test]
+    fn a_taper_is_an_angle() {
+        for (keys, angle) in [
+            ("{diameter: 10.6, taper: 0.02}", 1_146),
+            ("{diameter: 12, angle: 60.5}", 60_500),
+            ("{diameter: 12, taper: 2}", 90_000),
+            // To the bottom exactly.
+            ("{diameter: 11.5, taper: 0.05}", 2_864),
+        ] {
+            assert_eq!(read(&format!("cone: {keys}")).unwrap().cone.unwrap().angle_millideg, angle, "{keys}");
+        }
+    }
+
+    #[test]
+    fn what_is_wrong_with_a_feature_is_said_once() {
+        for (keys, words) in [
+            ("counterbore: {diameter: 10, depth: 5}", "[too-narrow]"),
+            ("counterbore: {diameter: 15, depth: 30}", "counterbore is 30 deep, and Ø10 only to 30"),
+            ("counterbore: {diameter: 15}", "`depth` is missing"),
+            ("countersink: {diameter: 9}", "[too-narrow]"),
+            ("countersink: {diameter: 20, angle: 10}", "[too-deep]"),
+            ("countersink: {diameter: 20, angle: 180}", "between 0 and 180"),
+            ("countersink: {diameter: 20, angle: 90.0001}", "three decimal places"),
+            ("countersink: {diameter: 20, angle: -90}", "between 0 and 180"),
+            ("cone: {diameter: 10, angle: 60}", "[too-narrow]"),
+            ("cone: {diameter: 12, taper: 0.02}", "[too-deep]"),
+            ("cone: {diameter: 12}", "`taper`"),
+            ("cone: {diameter: 12, taper: 0.2, angle: 3}", "keep one of them"),
+            ("cone: {diameter: 12, taper: 1:50}", "0.02 for 1:50"),
+            ("cone: {diameter: 12, taper: 0}", "no cone"),
+            ("face: 10", "[too-narrow]"),
+            ("countersink: {diameter: 20}, face: 20", "the hole there Ø20"),
+            ("groove: {diameter: 10, width: 2, depth: 5}", "[too-narrow]"),
+            ("groove: {diameter: 12, width: 2, depth: 29}", "reaches to 31"),
+            ("state: cast", "`state_diameter` is missing"),
+            ("state: cast, state_diameter: 10", "[bad-diameter]"),
+            ("state: cast, state_diameter: -1", "above zero"),
+            ("state_diameter: 5", "the blank is solid"),
+            ("state: solid, outer_wall: true", "the blank is solid"),
+            ("state: forged, state_diameter: 5, outer_wall: true", "`forged` is not known"),
+        ] {
+            let problems = read(keys).map(|hole| panic!("{keys}: {hole:?}")).unwrap_err();
+            assert_eq!(problems.len(), 1, "{keys}: {problems:?}");
+            assert!(problems[0].contains(words), "{keys}: {problems:?}");
+        }
+    }
+
+    #[test]
+    fn features_of_a_stepped_hole_are_held_against_its_first_step() {
+        let steps = "steps: [{diameter: 20, length: 10}, {diameter: 10H12, length: 20}]";
+        assert!(
+            read(&format!(
+                "{steps}, counterbore: {{diameter: 30, depth: 5}}, groove: {{diameter: 11, width: 2, depth: 15}}"
+            ))
+            .is_ok()
+        );
+        for wrong in [
+            "counterbore: {diameter: 15, depth: 5}",
+            "counterbore: {diameter: 30, depth: 10}",
+            "countersink: {diameter: 20}",
+            "groove: {diameter: 15, width: 2, depth: 9}",
+        ] {
+            assert_eq!(read(&format!("{steps}, {wrong}")).unwrap_err().len(), 1, "{wrong}");
+        }
+    }
+}

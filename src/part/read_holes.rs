@@ -29,8 +29,10 @@ impl Reader<'_> {
         let mut fields = self.problems.map(node)?;
         let name_node = fields.need("name", self.problems);
         let name = name_node.and_then(|node| self.name(node));
-        let steps = fields.take("steps").and_then(|node| self.problems.list(node)).unwrap_or_default();
-        let stepped = !steps.is_empty();
+        let steps_node = fields.take("steps");
+        let steps = steps_node.and_then(|node| self.problems.list(node)).unwrap_or_default();
+        // An empty list asks for nothing; what is no list was meant to say the diameters.
+        let stepped = steps_node.is_some_and(|node| !matches!(&node.kind, NodeKind::Seq(items) if items.is_empty()));
         let sized = self.sized(&mut fields, !stepped);
         let through = match fields.take("through") {
             Some(node) => self.problems.boolean(node),

@@ -354,3 +354,162 @@ impl Reader<'_> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::part::{Bottom, Face, Hole, read_part};
+    use crate::shipped;
+    use crate::units::Micrometres;
+
+    /// A group with these keys in a plate 40 mm thick; its mistakes as text.
+    fn read(keys: &str) -> Result<Hole, Vec<String>> {
+        let text = format!(
+            "part: P\nmaterial: steel-45\nmachine: gf2171\nblank: {{kind: plate, length: 200, width: 100, thickness: 40}}\n\
+             holes:\n  - {{name: A, centre_tolerance: 0.5, at: [[0, 0]], {keys}}}\n"
+        );
+        match read_part("part", &text, &shipped::knowledge().unwrap()) {
+            Ok(mut part) => Ok(part.holes.remove(0)),
+            Err(problems) => Err(problems.iter().map(ToString::to_string).collect()),
+        }
+    }
+
+    fn um(mm: i64) -> Micrometres {
+        Micrometres::from_mm(mm)
+    }
+
+    /// The steps beside the main cylinder: diameter, face, depth.
+    fn steps(hole: &Hole) -> Vec<(Micrometres, Face, Micrometres)> {
+        hole.steps.iter().map(|step| (step.diameter.nominal, step.face, step.depth)).collect()
+    }
+
+    #[test]
+    fn the_narrowest_cylinder_is_the_main_one() {
+        let (ra, entry, back) = ("roughness: Ra 12.5", Face::Entry, Face::Back);
+        for (keys, diameter, depth, through, expected) in [
+            (
+                "steps: [{diameter: 20, length: 10}, {diameter: 10H12, length: 15}]",
+                10,
+                25,
+                false,
+                vec![(20, entry, 10)],
+            ),
+            (
+                "steps: [{diameter: 20, depth: 10}, {diameter: 10, depth: 25}], depth: 25",
+                10,
+                25,
+                false,
+                vec![(20, entry, 10)],
+            ),
+            ("through: true, steps: [{diameter: 20, depth: 10}, {diameter: 10}]", 10, 40, true, vec![(20, entry, 10)]),
+            ("through: true, steps: [{diameter: 10, depth: 30}, {diameter: 20}]", 10, 40, true, vec![(20, back, 10)]),
+            (
+                "through: true, steps: [{diameter: 30, length: 5}, {diameter: 20, length: 5}, {diameter: 10, length: 12}, \
+                 {diameter: 15, depth: 30}, {diameter: 25}]",
+                10,
+                40,
+                true,
+                vec![(30, entry, 5), (20, entry, 10), (15, back, 18), (25, back, 10)],
+            ),
+            // The hole's own diameter, among the steps and behind the last.
+            (
+                "diameter: 10, through: true, steps: [{diameter: 20, depth: 10}, {diameter: 10}]",
+                10,
+                40,
+                true,
+                vec![(20, entry, 10)],
+            ),
+            ("diameter: 10, through: true, steps: [{diameter: 20, depth: 10}]", 10, 40, true, vec![(20, entry, 10)]),
+            ("diameter: 10, depth: 30, steps: [{diameter: 20, depth: 10}]", 10, 30, false, vec![(20, entry, 10)]),
+        ] {
+            let hole = read(&format!("{ra}, {keys}")).unwrap_or_else(|problems| panic!("{keys}: {problems:?}"));
+            assert_eq!((hole.diameter.nominal, hole.depth, hole.through), (um(diameter), um(depth), through), "{keys}");
+            let expected: Vec<_> = expected.into_iter().map(|(wide, face, deep)| (um(wide), face, um(deep))).collect();
+            assert_eq!(steps(&hole), expected, "{keys}");
+        }
+    }
+
+    #[test]
+    fn a_step_has_what_it_says_and_else_what_the_hole_says() {
+        let hole = read(
+            "roughness: Ra 12.5, chamfer: 1, depth: 30, bottom: flat, steps: [{diameter: 30H11, depth: 5, bottom: free}, \
+             {diameter: 20, depth: 10, roughness: Ra 2.5, chamfer: 0.5}, {diameter: 10, depth: 30}]",
+        )
+        .unwrap();
+        let [first, second] = hole.steps.as_slice() else { panic!("{:?}", hole.steps) };
+        assert_eq!(
+            (first.bottom, first.chamfer, first.roughness),
+            (Bottom::Free, Some(um(1)), "Ra 12.5".parse().unwrap())
+        );
+        assert_eq!((second.bottom, second.roughness), (Bottom::Flat, "Ra 2.5".parse().unwrap()));
+        assert_eq!(second.chamfer, Some(Micrometres::new(500)));
+        assert_eq!((hole.bottom, hole.chamfer, first.diameter.written.as_str()), (Bottom::Flat, None, "30H11"));
+    }
+
+    #[test]
+    fn a_thread_says_the_diameter_of_its_hole_and_its_step() {
+        for keys in ["", "diameter: 8, ", "diameter: 6.8, ", "diameter: Ø8, roughness: Ra 6.3, "] {
+            let hole = read(&format!("{keys}thread: M8-6H, depth: 20")).unwrap();
+            let diameter = &hole.diameter;
+            assert_eq!((diameter.nominal, diameter.upper), (Micrometres::new(6_800), Micrometres::new(36)), "{keys}");
+            assert_eq!((diameter.it.number(), diameter.to_string().as_str()), (9, "M8-6H"), "{keys}");
+            assert_eq!(hole.roughness, "Ra 6.3".parse().unwrap());
+            assert_eq!(hole.thread.map(|thread| thread.id).as_deref(), Some("M8"));
+        }
+        assert_eq!(read("thread: M3, depth: 8").unwrap().diameter.nominal, Micrometres::new(2_500));
+        let stepped =
+            read("through: true, steps: [{thread: M20, length: 15}, {diameter: 10, roughness: Ra 12.5}]").unwrap();
+        assert_eq!(stepped.steps[0].thread.as_ref().unwrap().id, "M20");
+        assert_eq!((stepped.steps[0].diameter.nominal, stepped.thread), (Micrometres::new(17_500), None));
+        let own = read("thread: M8, through: true, steps: [{diameter: 20, length: 15, roughness: Ra 12.5}]").unwrap();
+        assert_eq!((own.diameter.nominal, own.depth), (Micrometres::new(6_800), um(40)));
+        assert!(own.thread.is_some() && own.steps[0].thread.is_none());
+    }
+
+    #[test]
+    fn what_is_wrong_with_steps_is_said_once() {
+        let ra = "roughness: Ra 12.5";
+        for (keys, words) in [
+            ("steps: [{diameter: 20, depth: 10}, {diameter: 10, depth: 5}]", "`length` is the step's own"),
+            (
+                "depth: 30, steps: [{diameter: 20, depth: 10}, {diameter: 10, depth: 20}]",
+                "end at 20, but the hole is 30",
+            ),
+            (
+                "through: true, steps: [{diameter: 20, depth: 10}, {diameter: 10, length: 20}]",
+                "end at 30, but the blank is 40",
+            ),
+            ("through: true, steps: [{diameter: 20, depth: 40}, {diameter: 10}]", "[bad-depth]"),
+            ("steps: [{diameter: 20, depth: 10}, {diameter: 10}]", "only the last step of a through hole"),
+            ("steps: [{diameter: 20, depth: 10, length: 10}]", "keep one of them"),
+            ("steps: [{depth: 10}]", "`diameter` is missing"),
+            ("steps: [{diameter: 20, depth: 10}, {diameter: 20, depth: 20}]", "join the two"),
+            ("steps: [{diameter: 10, depth: 10}, {diameter: 20, depth: 20}]", "[inner-step]"),
+            (
+                "through: true, steps: [{diameter: 10, depth: 10}, {diameter: 20, depth: 20}, {diameter: 8}]",
+                "[inner-step]",
+            ),
+            (
+                "through: true, steps: [{diameter: 10, depth: 9}, {diameter: 20, depth: 20}, {diameter: 10}]",
+                "give it as `groove`",
+            ),
+            ("diameter: 20, steps: [{diameter: 20, depth: 10}, {diameter: 10, depth: 20}]", "wider than Ø10"),
+            (
+                "diameter: 10H7, steps: [{diameter: 20, depth: 10}, {diameter: 10, depth: 20}]",
+                "Ø10H7 of the hole is Ø10 in",
+            ),
+            ("diameter: 10, steps: [{diameter: 20, depth: 10}]", "`depth` is missing"),
+            ("diameter: 10, depth: 10, steps: [{diameter: 20, depth: 10}]", "leaves nothing"),
+            ("steps: [{diameter: 20, depth: 10, deep: 1}]", "[unknown-key]"),
+            ("chamfer: 1, steps: [{diameter: 20, depth: 10, chamfer: 2}]", "2 in the first step"),
+            ("steps: 5", "a list is expected"),
+            ("thread: M8, diameter: 7, depth: 20", "M8 is Ø8 and the hole under it Ø6.8"),
+            ("thread: M9, depth: 20", "[unknown-thread]"),
+        ] {
+            let problems = read(&format!("{ra}, {keys}")).map(|hole| panic!("{keys}: {hole:?}")).unwrap_err();
+            assert_eq!(problems.len(), 1, "{keys}: {problems:?}");
+            assert!(problems[0].contains(words), "{keys}: {problems:?}");
+        }
+        let without = read("depth: 10, steps: [{diameter: 20, depth: 10}]").unwrap_err();
+        assert!(without[0].contains("`roughness` is missing") && without.len() == 1, "{without:?}");
+    }
+}

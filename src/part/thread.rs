@@ -123,7 +123,7 @@ fn nearest_size(size: Micrometres, table: &Table) -> String {
         Some(((known - size).abs(), name))
     };
     let known: Vec<(Micrometres, String)> = table.all_rows().filter_map(named).collect();
-    match (known.iter().min(), known.first(), known.last()) {
+    match (known.iter().min_by_key(|(distance, _)| *distance), known.first(), known.last()) {
         (Some((_, near)), Some((_, first)), Some((_, last))) => {
             format!("the nearest known is `{near}`; `technolog table tap-drills` lists them, {first} to {last}")
         }
@@ -168,6 +168,7 @@ fn conical(text: &str, rest: &str, knowledge: &Knowledge) -> Result<ThreadedHole
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::knowledge::SourceFile;
     use crate::shipped;
 
     #[test]
@@ -215,5 +216,34 @@ mod tests {
     #[test]
     fn a_thread_without_roughness_is_as_rough_as_a_tap_leaves_it() {
         assert_eq!(roughness(&shipped::knowledge().unwrap()).unwrap(), "Ra 6.3".parse().unwrap());
+    }
+
+    #[test]
+    fn a_conical_thread_is_looked_up_by_its_figures() {
+        let table = "table: conical-threads
+title: {uk: Р, en: T}
+kind: catalog
+place: p
+result: [drill]
+key: [thread]
+columns:
+  - {name: thread, type: text}
+  - {name: size, type: length, unit: mm}
+  - {name: pitch, type: length, unit: mm}
+  - {name: drill, type: length, unit: mm}
+rows:
+  - {thread: K1/2, size: 21.223, pitch: 1.814, drill: 18.5, source: standard}
+  - {thread: K1 1/4, size: 41.985, pitch: 2.209, drill: 38.5, source: standard}
+";
+        let knowledge = Knowledge::from_sources(&[SourceFile { path: "catalogs/t.yaml", text: table }]).unwrap();
+        for (text, id) in [("К1/2\"", "K1/2"), ("K1/2", "K1/2"), ("К 1/2″", "K1/2"), ("K 1 1/4\"", "K1 1/4")] {
+            let read = read(text, &knowledge).unwrap();
+            assert_eq!((read.thread.id.as_str(), read.thread.written.as_str()), (id, text));
+            assert_eq!(read.thread.kind, ThreadKind::Conical);
+        }
+        assert_eq!(read("K1/2", &knowledge).unwrap().hole, Micrometres::new(18_500));
+        let error = read("K1/3", &knowledge).unwrap_err();
+        assert_eq!(error.code, "unknown-thread");
+        assert!(error.help.contains("`K1/2`"), "{error:?}");
     }
 }
