@@ -4,9 +4,11 @@
 //! each with its place and remedy. [`schema`] is the file's form for editors.
 
 mod check;
+mod check_features;
 pub mod file;
 mod keys;
 mod read;
+mod read_diameter;
 mod read_features;
 mod read_holes;
 mod read_pattern;

@@ -6,10 +6,11 @@ use crate::knowledge::yaml::{Fields, Node, NodeKind};
 use crate::units::{ItGrade, Micrometres, Roughness};
 
 use super::check::{Centres, Group, Span};
-use super::keys::{DIAMETER, HOLE};
+use super::keys::HOLE;
 use super::read::Reader;
-use super::read_steps::{Cylinders, Sized, Whole};
-use super::{Blank, Bottom, CentreTolerance, Hole, Point, ToleratedDiameter};
+use super::read_diameter::Sized;
+use super::read_steps::{Cylinders, Whole};
+use super::{Blank, Bottom, CentreTolerance, Hole, Point};
 
 impl Reader<'_> {
     pub(super) fn groups(&mut self, node: &Node, blank: Option<&Blank>) -> Vec<Group> {
@@ -186,23 +187,6 @@ impl Reader<'_> {
             return Vec::new();
         }
         items.iter().filter_map(|item| self.point(item).map(|point| (point, item.place.clone()))).collect()
-    }
-
-    pub(super) fn diameter(&mut self, node: &Node) -> Option<ToleratedDiameter> {
-        let diameter = if matches!(node.kind, NodeKind::Map(_)) {
-            let mut fields = self.problems.map(node)?;
-            let nominal = fields.need("nominal", self.problems).and_then(|node| self.positive(node, "nominal"));
-            let upper = fields.need("upper", self.problems).and_then(|node| self.problems.scalar(node));
-            let lower = fields.need("lower", self.problems).and_then(|node| self.problems.scalar(node));
-            fields.finish(DIAMETER, self.problems);
-            ToleratedDiameter::from_limits(nominal?, upper?, lower?, self.knowledge)
-        } else {
-            ToleratedDiameter::parse(self.problems.text(node)?, self.knowledge)
-        };
-        match diameter {
-            Ok(diameter) => Some(diameter),
-            Err(message) => self.problems.error("bad-diameter", message, &node.place),
-        }
     }
 
     fn centre_tolerance(&mut self, node: &Node) -> Option<CentreTolerance> {
