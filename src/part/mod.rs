@@ -4,9 +4,16 @@
 //! each with its place and remedy. [`schema`] is the file's form for editors.
 
 mod check;
+mod check_features;
 pub mod file;
+mod keys;
 mod read;
+mod read_diameter;
+mod read_features;
 mod read_holes;
+mod read_pattern;
+mod read_steps;
+mod thread;
 mod tolerance;
 
 use schemars::JsonSchema;
@@ -345,7 +352,25 @@ impl Hole {
 
     /// The smallest distance between two centres of the group, if it has two.
     pub fn smallest_centre_distance(&self) -> Option<Micrometres> {
-        let points = &self.at;
-        points.iter().enumerate().flat_map(|(index, a)| points[index + 1..].iter().map(|b| a.distance(*b))).min()
+        let extent = |coordinate: fn(&Point) -> Micrometres| {
+            let (least, most) = (self.at.iter().map(coordinate).min()?, self.at.iter().map(coordinate).max()?);
+            Some(most - least)
+        };
+        // Sorted along the longer side, the search for a nearer point can end early: patterns have thousands.
+        let along: fn(&Point) -> Micrometres =
+            if extent(|point| point.x) >= extent(|point| point.y) { |point| point.x } else { |point| point.y };
+        let mut points = self.at.clone();
+        points.sort_by_key(along);
+        let mut smallest: Option<Micrometres> = None;
+        for (index, point) in points.iter().enumerate() {
+            for other in &points[index + 1..] {
+                if smallest.is_some_and(|smallest| along(other) - along(point) > smallest) {
+                    break;
+                }
+                let distance = point.distance(*other);
+                smallest = Some(smallest.map_or(distance, |smallest| smallest.min(distance)));
+            }
+        }
+        smallest
     }
 }
