@@ -246,6 +246,9 @@ impl<'p, 'k> Fitting<'p, 'k> {
     }
 
     fn outfit(&self, step: &Step, follows: Option<Operation>, last: bool) -> Tried<Outfit> {
+        // Another machine has other limits, which are not known here.
+        let other = step.elsewhere.then(|| self.shop.without_limits());
+        let shop = other.as_ref().unwrap_or(self.shop);
         let (travel, reach) = self.travel(step);
         if step.operation == Operation::Mill {
             self.round_enough(step)?;
@@ -266,9 +269,9 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let found = match step.also {
             Some(wide) => {
                 let pilot = reach - self.opening_depth();
-                tooling::find_step_drill(&need, wide, pilot, self.shop.knowledge, &self.shop.machine)?
+                tooling::find_step_drill(&need, wide, pilot, shop.knowledge, &shop.machine)?
             }
-            None => tooling::find_tool(&need, self.shop.knowledge, &self.shop.machine)?,
+            None => tooling::find_tool(&need, shop.knowledge, &shop.machine)?,
         };
         let (cutter, assembly) = found.map_err(|why| Refusal::Not(first_of(why, step.operation)))?;
         // A step drill goes on until its wide part is as deep as the opening.
@@ -286,7 +289,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             cutter: cutter_shape(&cutter),
             ..self.cut(step, follows, &cutter.head.material, travel)
         };
-        let conditions = cutting::conditions(&cut, self.shop)?;
+        let conditions = cutting::conditions(&cut, shop)?;
         let mut because = vec![cutter.order.clone(), cutter.because.clone()];
         because.extend(assembly.because.clone());
         let tool = FittedTool {

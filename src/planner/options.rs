@@ -132,6 +132,7 @@ pub(super) fn options(
             finder.search(&mut options)?;
         }
     }
+    finder.boring_stands_back(&mut options)?;
     if let Some((_, because)) = rough_face {
         for choice in &mut options.choices {
             choice.candidate.because.push(because.clone());
@@ -176,8 +177,11 @@ impl Finder<'_, '_> {
         let mut taken = None;
         for candidate in found.into_iter().flatten() {
             if let Some(first) = &taken {
-                let why = Note::new("ranked-later").with("first", first);
-                options.refused.push(refused(&candidate, why));
+                let later = refused(&candidate, Note::new("ranked-later").with("first", first));
+                let own = *first == format!("{} {}", candidate.table, candidate.scheme);
+                if !own && !options.refused.contains(&later) {
+                    options.refused.push(later);
+                }
                 continue;
             }
             if self.weigh(&candidate, options)? {
@@ -243,14 +247,18 @@ impl Finder<'_, '_> {
             options.refused.push(refused(candidate, why));
             return Ok(false);
         }
-        let steps = match Refusal::split(self.carried_out(candidate))? {
-            Ok(steps) => steps,
-            Err(why) => {
+        // With a cutter for each opening, and with a step drill for hole and opening at once.
+        let plain = Refusal::split(self.carried_out(candidate, false))?;
+        let joined = if self.may_join(candidate) { Refusal::split(self.carried_out(candidate, true))?.ok() } else { None };
+        let plain = match (plain, &joined) {
+            (Ok(steps), _) => Some(steps),
+            (Err(_), Some(_)) => None,
+            (Err(why), None) => {
                 options.refused.push(refused(candidate, why));
                 return Ok(false);
             }
         };
-        for steps in std::iter::once(steps.clone()).chain(self.with_step_drill(&steps)?) {
+        for steps in plain.into_iter().chain(joined) {
             let choice = self.choice(candidate, steps);
             let twin = options.choices.iter().find(|known| same(known, &choice));
             match twin {
@@ -267,21 +275,44 @@ impl Finder<'_, '_> {
 
     /// Whether a rule of section 1.2 keeps a route out that no scheme table gives.
     fn barred(&self, candidate: &Candidate) -> Result<Option<Note>, KnowledgeError> {
-        if candidate.way == Way::Tables {
+        if candidate.way == Way::Tables || candidate.transitions.iter().any(|operation| operation.is_boring()) {
             return Ok(None);
         }
+        let position = self.question.position;
+        Ok(self.boring_asked()?.then(|| Note::new("position-asks-boring").with("position", position)))
+    }
+
+    /// Where the position does not ask for boring, the routes of complexes and search that bore stand back
+    /// while another route can be carried out.
+    fn boring_stands_back(&self, options: &mut Options) -> Result<(), KnowledgeError> {
+        let bores = |choice: &Choice| choice.candidate.transitions.iter().any(|operation| operation.is_boring());
+        let stands_back = |choice: &Choice| choice.candidate.way != Way::Tables && bores(choice);
+        let other = options.choices.iter().any(|choice| choice.meets && !stands_back(choice));
+        if !other || self.boring_asked()? {
+            return Ok(());
+        }
+        let (back, kept): (Vec<Choice>, Vec<Choice>) = options.choices.drain(..).partition(stands_back);
+        options.choices = kept;
+        for choice in back {
+            let why = Note::new("boring-not-asked").with("position", self.question.position);
+            let operations = Options::operations(&choice);
+            options.refused.push(Alternative { operations, meets: choice.meets, ..refused(&choice.candidate, why) });
+        }
+        Ok(())
+    }
+
+    /// Whether the position of the axis asks for boring, by the rule `boring-for-position`.
+    fn boring_asked(&self) -> Result<bool, KnowledgeError> {
         let rule = self.shop.knowledge.table("boring-for-position")?;
         let enters = self.task.main.diameter.nominal >= self.sizes.smallest_bore;
         let position = self.question.position;
         let answer = rule.decide(&[("position", Input::Length(position)), ("bar_enters", Input::Bool(enters))])?;
         let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this position"))?;
-        let bores = candidate.transitions.iter().any(|operation| operation.is_boring());
-        Ok((row.text("boring")? == "asked" && !bores)
-            .then(|| Note::new("position-asks-boring").with("position", position)))
+        Ok(row.text("boring")? == "asked")
     }
 
     /// The steps of the whole hole by a candidate: as the rules prefer, else with one drill, else bored.
-    fn carried_out(&self, candidate: &Candidate) -> Tried<Vec<Fitted>> {
+    fn carried_out(&self, candidate: &Candidate, joined: bool) -> Tried<Vec<Fitted>> {
         let mut first_why = None;
         for (single_drill, bore_large) in [(false, false), (true, false), (false, true), (true, true)] {
             let sizes = Sizes { single_drill, bore_large, ..self.sizes };
@@ -293,7 +324,7 @@ impl Finder<'_, '_> {
                 }
             };
             let both = steps.iter().any(|step| step.operation == Operation::DrillOut);
-            match Refusal::split(self.whole(steps, candidate))? {
+            match Refusal::split(self.whole(steps, candidate, joined))? {
                 Ok(mut fitted) => {
                     if both {
                         self.fitting.compare_with_one_drill(&mut fitted)?;
@@ -311,16 +342,17 @@ impl Finder<'_, '_> {
 
     /// Adds openings, edges and the floor to the steps of the main cylinder, in the order of section 1.1.2,
     /// and fits them all.
-    fn whole(&self, mut steps: Vec<Step>, candidate: &Candidate) -> Tried<Vec<Fitted>> {
+    fn whole(&self, mut steps: Vec<Step>, candidate: &Candidate, joined: bool) -> Tried<Vec<Fitted>> {
         let main = &self.task.main;
         accuracy::write(&mut steps, main, candidate.promise, self.position, self.shop)?;
         self.flat_floor(&mut steps)?;
         for step in &mut steps {
             step.elsewhere |= step.operation == Operation::Tap && !self.shop.machine.can_tap;
         }
+        let also = if joined { self.join(&mut steps)? } else { None };
         let roughed = roughed(&steps);
         let mut before = [roughed, roughed];
-        for (index, bore) in self.task.wider.iter().enumerate() {
+        for (index, bore) in self.task.wider.iter().enumerate().filter(|_| also != Some(Feature::Counterbore)) {
             let side = usize::from(bore.place.face == Face::Back);
             let opening = self.open(index, bore, before[side])?;
             before[side] = opening
@@ -334,6 +366,9 @@ impl Finder<'_, '_> {
         let centred = steps.iter().any(|step| step.operation == Operation::CentreDrill);
         let made = if centred { self.fitting.edge_by_centring()? } else { None };
         for edge in self.task.edges.iter().filter(|edge| Some(**edge) != made) {
+            if also == Some(edge.feature) {
+                continue;
+            }
             let mut step = openings::edge(edge, edge.around, self.shop)?;
             // A face that no counterbore of the catalogs cuts is milled round.
             if edge.feature == Feature::Face
@@ -366,9 +401,6 @@ impl Finder<'_, '_> {
     /// A flat floor: the drill stops where its point touches it, and an end mill goes round on it.
     fn flat_floor(&self, steps: &mut Vec<Step>) -> Tried<()> {
         if !self.task.main.flat {
-            return Ok(());
-        }
-        if steps.iter().any(|step| search::leaves_flat(step.operation)) {
             return Ok(());
         }
         let Some(last) = steps.iter().rposition(|step| {
@@ -412,13 +444,15 @@ impl Finder<'_, '_> {
         let question = Question { bore, ..self.question };
         let sizes = Sizes { start: Some(start), ..self.sizes };
         let cost = |steps: Vec<Step>| self.cost(steps);
-        let mut best: Option<(Minutes, Vec<Step>)> = None;
+        let asked = self.boring_asked()?;
+        let mut best: Option<((bool, Minutes), Vec<Step>)> = None;
         let mut why = None;
         for candidate in openings::candidates(bore, &question, &sizes, &cost, self.shop)? {
             for bore_large in [false, true] {
                 let sizes = Sizes { bore_large, ..sizes };
                 let made = diameters::steps(&candidate, bore, &sizes, self.shop).and_then(|mut steps| {
-                    accuracy::write(&mut steps, bore, candidate.promise, self.position, self.shop)?;
+                    accuracy::write(&mut steps, bore, candidate.promise, self.position.following(), self.shop)?;
+                    cone_above_shoulder(&mut steps, bore, start, self.fitting);
                     for step in &mut steps {
                         step.elsewhere |= step.operation == Operation::Tap && !self.shop.machine.can_tap;
                     }
@@ -426,11 +460,13 @@ impl Finder<'_, '_> {
                 });
                 match Refusal::split(made)? {
                     Ok((minutes, mut steps)) => {
-                        if best.as_ref().is_none_or(|(least, _)| minutes.0 < least.0) {
+                        let bores = !asked && steps.iter().any(|step| step.operation.is_boring());
+                        let better = |(least, time): (bool, Minutes)| (bores, minutes.0) < (least, time.0);
+                        if best.as_ref().is_none_or(|(least, _)| better(*least)) {
                             if let Some(first) = steps.first_mut() {
                                 first.because.extend(candidate.because.clone());
                             }
-                            best = Some((minutes, steps));
+                            best = Some(((bores, minutes), steps));
                         }
                         break;
                     }
@@ -444,29 +480,36 @@ impl Finder<'_, '_> {
         best.map(|(_, steps)| steps).ok_or_else(|| Refusal::Not(why.unwrap_or_else(none)))
     }
 
-    /// The same steps with a step drill, where one makes the drilled hole and its opening with one stroke.
-    fn with_step_drill(&self, fitted: &[Fitted]) -> Result<Option<Vec<Fitted>>, KnowledgeError> {
-        let steps: Vec<Step> = fitted.iter().map(|one| one.step.clone()).collect();
-        let of_main = |step: &&Step| step.place.feature == Feature::Bore && step.operation != Operation::CentreDrill;
-        let drill = steps.iter().position(|step| step.operation == Operation::Drill);
-        let opening = steps.iter().position(|step| {
-            matches!(step.operation, Operation::Counterbore | Operation::Chamfer)
-                && matches!(step.place.feature, Feature::Counterbore | Feature::Chamfer)
-        });
-        let (Some(drill), Some(opening)) = (drill, opening) else { return Ok(None) };
-        if steps.iter().filter(of_main).count() != 1 || self.task.wider.len() > 1 || !self.task.main.place.through {
-            return Ok(None);
+    /// Whether a step drill may make the hole and its opening at once: a through hole that is only drilled,
+    /// with one counterbore, or with a chamfer.
+    fn may_join(&self, candidate: &Candidate) -> bool {
+        let cuts = |operation: &&Operation| !matches!(operation, Operation::CentreDrill | Operation::Tap);
+        let counterbored = self.hole.counterbore.is_some() && self.task.wider.len() == 1;
+        let chamfered = self.task.wider.is_empty() && self.task.edges.iter().any(|edge| edge.feature == Feature::Chamfer);
+        self.task.main.place.through
+            && (counterbored || chamfered)
+            && candidate.transitions.iter().filter(cuts).eq([&Operation::Drill])
+    }
+
+    /// Lets the drill make the opening too; which one, or why no step drill does.
+    fn join(&self, steps: &mut [Step]) -> Tried<Option<Feature>> {
+        let Some(drill) = steps.iter_mut().find(|step| step.operation == Operation::Drill) else {
+            return Err(Refusal::Not(Note::new("no-step-drill")));
+        };
+        let (feature, wide) = match self.hole.counterbore {
+            Some(counterbore) => (Feature::Counterbore, Some(counterbore.diameter)),
+            None => {
+                let chamfer = self.task.edges.iter().find(|edge| edge.feature == Feature::Chamfer);
+                let chamfer = chamfer.map(|edge| edge.diameter).unwrap_or_default();
+                (Feature::Chamfer, self.chamfering_drill(drill.diameter, chamfer)?)
+            }
+        };
+        let none = || Note::new("no-step-drill").with("narrow", drill.diameter).with("wide", wide.unwrap_or_default());
+        if wide.is_none() {
+            return Err(Refusal::Not(none()));
         }
-        let mut joined = steps.clone();
-        joined[drill].also = Some(joined[opening].diameter);
-        if joined[opening].operation == Operation::Chamfer {
-            let Some(wide) = self.chamfering_drill(joined[drill].diameter, joined[opening].diameter)? else {
-                return Ok(None);
-            };
-            joined[drill].also = Some(wide);
-        }
-        joined.remove(opening);
-        Ok(Refusal::split(self.fitting.fit(joined, false))?.ok())
+        drill.also = wide;
+        Ok(Some(feature))
     }
 
     /// The wide diameter of a drill of A.15 that makes the chamfer too.
@@ -506,6 +549,17 @@ impl Finder<'_, '_> {
         let placed = candidate.way != Way::Search
             || reached.position_mm.is_none_or(|position| position <= self.question.position);
         graded && smooth && placed
+    }
+}
+
+/// Over a flat shoulder a drill stops where the rim of its point touches it; what is left is cut flat after it.
+fn cone_above_shoulder(steps: &mut [Step], bore: &Bore, start: Micrometres, fitting: &Fitting<'_, '_>) {
+    if !bore.flat {
+        return;
+    }
+    for step in steps.iter_mut().filter(|step| step.operation == Operation::DrillOut) {
+        let point = fitting.point(step.diameter) - fitting.point(start);
+        step.place.depth = (step.place.depth - point).max(Micrometres::new(1));
     }
 }
 

@@ -157,6 +157,12 @@ impl Position {
         })
     }
 
+    /// Of a cylinder that is opened along the axis of another.
+    #[must_use]
+    pub fn following(self) -> Self {
+        Self { drilled: false, ..self }
+    }
+
     fn of(self, centred: bool, guided: bool) -> Option<Micrometres> {
         match (guided, self.drilled, centred) {
             (true, ..) => Some(self.bored),

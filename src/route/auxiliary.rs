@@ -84,7 +84,9 @@ pub fn candidates(question: &Question<'_>, kind: Kind, shop: &Shop<'_>) -> Tried
             scheme: scheme.to_owned(),
             transitions: Vec::new(),
             finish_elsewhere: false,
-            promise: Some(super::Promise { it: question.bore.diameter.it, roughness: None }),
+            // A.10 promises nothing of the hole under a thread.
+            promise: (kind != Kind::Thread)
+                .then_some(super::Promise { it: question.bore.diameter.it, roughness: None }),
             because: vec![Because::answer(&answer, note)],
         };
         if let Some(mut candidate) = with_transitions(candidate, question.bore, shop)? {

@@ -152,6 +152,9 @@ impl Backwards<'_, '_> {
             Operation::RoughBore => this.rough_bore()?,
             Operation::Mill => vec![this.mill()?],
             Operation::Tap => vec![this.tap()?],
+            Operation::Counterbore if this.after_drill() && this.sizes.start.is_some() => {
+                vec![this.step(this.drill_to_open()?)]
+            }
             Operation::DrillOut | Operation::Counterbore => vec![this.step(this.start()?)],
             Operation::CoreDrill
             | Operation::RoughReam
@@ -185,7 +188,18 @@ impl Backwards<'_, '_> {
 
     /// Whether the transition before is a drill, whose sizes are those of the catalogs.
     fn after_drill(self) -> bool {
-        self.previous == Some(Operation::Drill)
+        matches!(self.previous, Some(Operation::Drill | Operation::DrillOut))
+    }
+
+    /// The largest drill that leaves a mill or counterbore something to cut.
+    fn drill_to_open(self) -> Tried<Micrometres> {
+        let largest = self.after - self.shop.convention("mill-clearance-mm")?;
+        let start = self.sizes.start.unwrap_or_default();
+        let drill = self.sizes.drills.iter().rev().copied().find(|drill| *drill <= largest && *drill > start);
+        drill.ok_or_else(|| {
+            let note = Note::new("no-drill-before").with("operation", self.operation.name());
+            Refusal::Not(note.with("diameter", self.after).with("largest", largest))
+        })
     }
 
     /// What stands in where no boring bar enters, by the rule `too-small-to-bore`.

@@ -36,7 +36,7 @@ pub fn candidates(
         Ok(routes) => found.extend(routes),
         Err(why) => failed = failed.or(Some(why)),
     }
-    found.retain(|candidate| !bore.flat || candidate.transitions.iter().any(|operation| leaves_flat(*operation)));
+    found.retain(|candidate| !bore.flat || cuts_shoulder(&candidate.transitions));
     if let Some(thread) = &bore.thread {
         for candidate in &mut found {
             candidate.transitions.push(Operation::Tap);
@@ -51,6 +51,18 @@ pub fn candidates(
         return Err(Refusal::Not(why));
     }
     Ok(found)
+}
+
+/// Whether transitions leave a flat shoulder: what comes first is cut flat over its whole width, by a
+/// counterbore or a mill where a drill went before, else also by boring.
+fn cuts_shoulder(transitions: &[Operation]) -> bool {
+    match transitions {
+        [Operation::DrillOut | Operation::Drill, next, ..] => {
+            matches!(next, Operation::Mill | Operation::Counterbore)
+        }
+        [first, ..] => leaves_flat(*first),
+        [] => false,
+    }
 }
 
 /// The step that cuts an edge: a chamfer, a countersink, a cone or a face. `around` is the diameter of the

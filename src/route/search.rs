@@ -87,15 +87,14 @@ pub fn candidates(
             operations.push(edge.operation);
             rows.push(edge.row);
         }
-        if !bore.flat || operations.iter().any(|operation| leaves_flat(*operation)) || bore.before.is_solid() {
-            routes.push((minutes, operations, rows));
-        }
+        routes.push((minutes, operations, rows));
     }
     routes.sort_by(|a, b| a.0.total_cmp(&b.0).then_with(|| a.1.cmp(&b.1)));
     routes.dedup_by(|a, b| a.1 == b.1);
     routes.truncate(MOST);
     if routes.is_empty() {
-        return Err(Refusal::Not(graph_failed(bore)));
+        let failed = graph.failed.into_iter().next();
+        return Err(Refusal::Not(failed.unwrap_or_else(|| graph_failed(bore))));
     }
     routes.into_iter().map(|(_, operations, rows)| candidate(operations, &rows, shop)).collect()
 }

@@ -18,7 +18,7 @@ impl Backwards<'_, '_> {
         let largest = after - allowance.low;
         let mut from = match previous {
             None => self.start()?,
-            Some(Operation::Drill) => sizes.drills.iter().rev().copied().find(|drill| *drill <= largest).ok_or_else(
+            Some(Operation::Drill | Operation::DrillOut) => sizes.drills.iter().rev().copied().find(|drill| *drill <= largest).ok_or_else(
                 || {
                     Refusal::Not(
                         Note::new("no-drill-before-boring")
@@ -64,19 +64,7 @@ impl Backwards<'_, '_> {
     /// Milling by contour: after a drill from the largest one that leaves the mill something to cut; at the
     /// beginning from what is there.
     pub(super) fn mill(self) -> Tried<Step> {
-        let Self { after, previous, sizes, shop, .. } = self;
-        let from = match previous {
-            Some(Operation::Drill) => {
-                let largest = after - shop.convention("mill-clearance-mm")?;
-                let drill = sizes.drills.iter().rev().copied().find(|drill| *drill <= largest);
-                drill.ok_or_else(|| {
-                    Refusal::Not(
-                        Note::new("no-drill-before-milling").with("diameter", after).with("largest", largest),
-                    )
-                })?
-            }
-            _ => self.start()?,
-        };
+        let from = if self.after_drill() { self.drill_to_open()? } else { self.start()? };
         Ok(self.step(from))
     }
 }
