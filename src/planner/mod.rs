@@ -112,6 +112,9 @@ fn draft(
     if choice.candidate.finish_elsewhere || options.stages_end_elsewhere {
         report(Severity::Note, Note::new("finish-elsewhere").with("scheme", &choice.candidate.scheme));
     }
+    if options.not_bored {
+        report(Severity::Doubtful, Note::new("not-bored"));
+    }
     if !choice.meets {
         report(Severity::Doubtful, Note::new("route-misses").with("scheme", &choice.candidate.scheme));
     }

@@ -45,6 +45,8 @@ pub(super) struct Options {
     pub stages: Option<Because>,
     /// Whether A.6 finishes the hole on another machine.
     pub stages_end_elsewhere: bool,
+    /// Whether the position asks for boring and no boring tool can be used.
+    pub not_bored: bool,
     /// What no axial tool makes, and openings that nothing opens.
     pub impossible: Vec<Note>,
 }
@@ -243,10 +245,6 @@ impl Finder<'_, '_> {
 
     /// Tries a candidate, files it under what can be done or what cannot, and says whether it can.
     fn weigh(&self, candidate: &Candidate, options: &mut Options) -> Result<bool, KnowledgeError> {
-        if let Some(why) = self.barred(candidate)? {
-            options.refused.push(refused(candidate, why));
-            return Ok(false);
-        }
         // With a cutter for each opening, and with a step drill for hole and opening at once.
         let plain = Refusal::split(self.carried_out(candidate, false))?;
         let joined = if self.may_join(candidate) { Refusal::split(self.carried_out(candidate, true))?.ok() } else { None };
@@ -273,28 +271,23 @@ impl Finder<'_, '_> {
         Ok(true)
     }
 
-    /// Whether a rule of section 1.2 keeps a route out that no scheme table gives.
-    fn barred(&self, candidate: &Candidate) -> Result<Option<Note>, KnowledgeError> {
-        if candidate.way == Way::Tables || candidate.transitions.iter().any(|operation| operation.is_boring()) {
-            return Ok(None);
-        }
-        let position = self.question.position;
-        Ok(self.boring_asked()?.then(|| Note::new("position-asks-boring").with("position", position)))
-    }
-
-    /// Where the position does not ask for boring, the routes of complexes and search that bore stand back
-    /// while another route can be carried out.
+    /// Section 1.2 on boring (rule `boring-for-position`): where the position asks for it, routes of complexes
+    /// and search that do not bore stand back; where it does not, those that bore; in both cases only while
+    /// another route can be carried out.
     fn boring_stands_back(&self, options: &mut Options) -> Result<(), KnowledgeError> {
+        let asked = self.boring_asked()?;
         let bores = |choice: &Choice| choice.candidate.transitions.iter().any(|operation| operation.is_boring());
-        let stands_back = |choice: &Choice| choice.candidate.way != Way::Tables && bores(choice);
+        let stands_back = |choice: &Choice| choice.candidate.way != Way::Tables && bores(choice) != asked;
         let other = options.choices.iter().any(|choice| choice.meets && !stands_back(choice));
-        if !other || self.boring_asked()? {
+        if !other {
+            options.not_bored = asked && !options.choices.iter().any(bores);
             return Ok(());
         }
         let (back, kept): (Vec<Choice>, Vec<Choice>) = options.choices.drain(..).partition(stands_back);
         options.choices = kept;
+        let code = if asked { "position-asks-boring" } else { "boring-not-asked" };
         for choice in back {
-            let why = Note::new("boring-not-asked").with("position", self.question.position);
+            let why = Note::new(code).with("position", self.question.position);
             let operations = Options::operations(&choice);
             options.refused.push(Alternative { operations, meets: choice.meets, ..refused(&choice.candidate, why) });
         }
@@ -350,17 +343,12 @@ impl Finder<'_, '_> {
             step.elsewhere |= step.operation == Operation::Tap && !self.shop.machine.can_tap;
         }
         let also = if joined { self.join(&mut steps)? } else { None };
-        let roughed = roughed(&steps);
-        let mut before = [roughed, roughed];
+        let opened_from = roughed(&steps);
+        let mut before = [opened_from, opened_from];
         for (index, bore) in self.task.wider.iter().enumerate().filter(|_| also != Some(Feature::Counterbore)) {
             let side = usize::from(bore.place.face == Face::Back);
             let opening = self.open(index, bore, before[side])?;
-            before[side] = opening
-                .iter()
-                .filter(|step| step.operation != Operation::Tap)
-                .map(|step| step.diameter)
-                .max()
-                .unwrap_or(before[side]);
+            before[side] = roughed(&opening);
             steps.extend(opening);
         }
         let centred = steps.iter().any(|step| step.operation == Operation::CentreDrill);
@@ -568,7 +556,7 @@ fn roughed(steps: &[Step]) -> Micrometres {
     let rough = |step: &&Step| {
         matches!(
             step.operation,
-            Operation::Drill | Operation::DrillOut | Operation::Mill | Operation::RoughBore
+            Operation::Drill | Operation::DrillOut | Operation::Mill | Operation::RoughBore | Operation::Counterbore
         )
     };
     let last = steps.iter().filter(rough).map(|step| step.diameter).max();

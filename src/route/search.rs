@@ -46,6 +46,9 @@ struct Edge {
     row: usize,
 }
 
+/// Time, transitions and rows of a path.
+type Found = (f64, Vec<Operation>, Vec<usize>);
+
 /// What an edge costs: the time of its steps, or why they cannot be done.
 pub type Cost<'a> = dyn Fn(Vec<Step>) -> Tried<Minutes> + 'a;
 
@@ -66,28 +69,36 @@ pub fn candidates(
         let failed = graph.failed.into_iter().next();
         return Err(Refusal::Not(failed.unwrap_or_else(|| graph_failed(bore))));
     };
-    let paths = all_simple_paths::<Vec<_>, _, std::collections::hash_map::RandomState>(
+    let mut paths: Vec<Vec<NodeIndex>> = all_simple_paths::<Vec<_>, _, std::collections::hash_map::RandomState>(
         &graph.states,
         start,
         goal,
         0,
         Some(LONGEST),
-    );
-    let mut routes: Vec<(f64, Vec<Operation>, Vec<usize>)> = Vec::new();
+    )
+    .collect();
+    // Parallel edges give the same nodes several times.
+    paths.sort_unstable();
+    paths.dedup();
+    let mut routes: Vec<Found> = Vec::new();
     for path in paths {
-        let (mut minutes, mut operations, mut rows) = (0.0, Vec::new(), Vec::new());
+        let mut open: Vec<Found> = vec![(0.0, Vec::new(), Vec::new())];
         for pair in path.windows(2) {
-            // Of several transitions between two states the quickest; they differ only in their operation.
-            let edge = graph.states.edges_connecting(pair[0], pair[1]).map(|edge| edge.weight());
-            let Some(edge) = edge.min_by(|a, b| a.minutes.total_cmp(&b.minutes).then(a.operation.cmp(&b.operation)))
-            else {
-                continue;
-            };
-            minutes += edge.minutes;
-            operations.push(edge.operation);
-            rows.push(edge.row);
+            let edges: Vec<&Edge> =
+                graph.states.edges_connecting(pair[0], pair[1]).map(|edge| edge.weight()).collect();
+            open = open
+                .into_iter()
+                .flat_map(|(minutes, operations, rows)| {
+                    edges.iter().map(move |edge| {
+                        let (mut operations, mut rows) = (operations.clone(), rows.clone());
+                        operations.push(edge.operation);
+                        rows.push(edge.row);
+                        (minutes + edge.minutes, operations, rows)
+                    })
+                })
+                .collect();
         }
-        routes.push((minutes, operations, rows));
+        routes.extend(open);
     }
     routes.sort_by(|a, b| a.0.total_cmp(&b.0).then_with(|| a.1.cmp(&b.1)));
     routes.dedup_by(|a, b| a.1 == b.1);
