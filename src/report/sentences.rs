@@ -7,9 +7,16 @@ use crate::note::Note;
 
 use super::Lang;
 
+mod routes;
+
+/// Every sentence.
+fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'static str)> {
+    SENTENCES.iter().chain(routes::SENTENCES)
+}
+
 /// A note as a sentence. A code without words shows itself with its figures, so that nothing is lost.
 pub fn sentence(note: &Note, lang: Lang) -> String {
-    let Some((_, uk, en)) = SENTENCES.iter().find(|(code, ..)| *code == note.code) else {
+    let Some((_, uk, en)) = sentences().find(|(code, ..)| *code == note.code) else {
         let figures: Vec<String> = note.params.iter().map(|(name, value)| format!("{name} = {value}")).collect();
         return format!("{} ({})", note.code, figures.join(", "));
     };
@@ -30,6 +37,10 @@ pub fn sentence(note: &Note, lang: Lang) -> String {
 fn shown(name: &str, value: &str, lang: Lang) -> String {
     match name {
         "operation" | "instead" => super::operation_noun(value, lang).to_owned(),
+        "transitions" => {
+            value.split(", ").map(|name| super::operation_noun(name, lang)).collect::<Vec<_>>().join(", ")
+        }
+        "kind" => term(value, lang).to_owned(),
         "take" | "by" | "name" | "shank" => term(value, lang).to_owned(),
         "stages" => value.split(" + ").map(|stage| term(stage, lang)).collect::<Vec<_>>().join(" + "),
         "share" | "share-min" | "share-max" => lang.pick(&value.replace('.', ","), value).to_owned(),
@@ -63,6 +74,17 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("shell", "насадний", "shell"),
     ("finish-nc", "чистова на верстаті з ЧПК", "finishing on the NC machine"),
     ("rough-nc", "чорнова на верстаті з ЧПК", "roughing on the NC machine"),
+    ("counterbored", "цекований", "counterbored"),
+    ("smooth", "гладкий", "smooth"),
+    ("countersunk", "зенкований", "countersunk"),
+    ("threaded", "нарізний", "threaded"),
+    ("precise", "точний", "precise"),
+    ("thread-cylindrical", "циліндрична різь", "cylindrical thread"),
+    ("thread-conical", "конічна різь", "conical thread"),
+    ("counterbore", "цеківка", "counterbore"),
+    ("countersink-90", "зенківка 90°", "countersink of 90°"),
+    ("countersink-other", "зенківка іншого кута", "countersink of another angle"),
+    ("drill-strength", "міцність свердла", "strength of the drill"),
     ("final-other", "остаточна на іншому верстаті", "final machining on another machine"),
 ];
 
@@ -99,7 +121,6 @@ const SENTENCES: &[(&str, &str, &str)] = &[
         "scheme {scheme} has no centred twin; centring is added",
     ),
     ("transitions", "переходи схеми {scheme}", "the transitions of scheme {scheme}"),
-    ("candidates-refused", "перед нею відхилено схем: {count}", "schemes refused before it: {count}"),
     (
         "no-scheme",
         "таблиці не дають схеми: квалітет {it}, {roughness}, допуск {centre} мм; графи шорсткості {columns}",
@@ -125,12 +146,6 @@ const SENTENCES: &[(&str, &str, &str)] = &[
         "IT{it} на міжосьовій відстані {distance} мм поза таблицею: {why}",
         "IT{it} at a centre distance of {distance} mm is outside the table: {why}",
     ),
-    ("feature-not-planned", "ця версія ще не проектує: {keys}", "this version reads but does not plan yet: {keys}"),
-    (
-        "chamfer-not-planned",
-        "фаску {chamfer} мм тут не знімає центрування (правило centre-spot, найширше центрувальне свердло Ø{widest}); окремий перехід ця версія ще не проектує",
-        "the chamfer of {chamfer} mm is not made by centring here (rule centre-spot, widest centring drill Ø{widest}); a transition of its own is not planned yet",
-    ),
     (
         "point-breaks-through",
         "вершина свердла Ø{diameter} сягає {depth} >= {limit} мм товщини заготовки: глухий отвір проб’ється",
@@ -145,11 +160,6 @@ const SENTENCES: &[(&str, &str, &str)] = &[
         "too-heavy",
         "маса {mass} > {limit} кг, найбільшої для верстата",
         "mass {mass} > {limit} kg, the most the machine takes",
-    ),
-    (
-        "flat-bottom-not-planned",
-        "плоске дно ця версія ще не проектує; свердло лишає конус",
-        "a flat bottom is not planned yet; a drill leaves a cone",
     ),
     ("not-planned", "{operation}: цей перехід тут не проектується", "{operation}: not planned here"),
     ("rows-rejected", "рядки за графою {column}: {rows}", "rows by the column {column}: {rows}"),
@@ -314,11 +324,6 @@ const SENTENCES: &[(&str, &str, &str)] = &[
         "assembly-too-long",
         "{tool} у {holder}: довжина {length} > {limit} мм, найбільшого вильоту верстата",
         "{tool} in {holder}: length {length} > {limit} mm, the machine's largest overhang",
-    ),
-    (
-        "magazine-full",
-        "інструментів {tools} > {places} місць магазина: зайві міняти вручну або ділити на дві установки",
-        "{tools} tools > {places} magazine places: change the rest by hand or split into two set-ups",
     ),
     // Conditions.
     ("feed", "подача: верхня межа {upper} мм/об × {multiple}", "feed: upper end {upper} mm/rev × {multiple}"),
@@ -517,7 +522,7 @@ mod tests {
             codes_in(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src").join(room), &mut codes);
         }
         assert!(codes.len() > 50, "the search for codes finds too few: {}", codes.len());
-        let unknown: Vec<_> = codes.iter().filter(|code| !SENTENCES.iter().any(|(known, ..)| known == code)).collect();
+        let unknown: Vec<_> = codes.iter().filter(|code| !sentences().any(|(known, ..)| known == code)).collect();
         assert!(unknown.is_empty(), "codes without words: {unknown:?}");
     }
 
@@ -526,7 +531,7 @@ mod tests {
         let figures = |text: &str| -> BTreeSet<String> {
             text.split('{').skip(1).filter_map(|rest| rest.split('}').next()).map(str::to_owned).collect()
         };
-        for (code, uk, en) in SENTENCES {
+        for (code, uk, en) in sentences() {
             assert_eq!(figures(uk), figures(en), "{code}");
         }
     }

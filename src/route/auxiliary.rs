@@ -67,7 +67,7 @@ pub fn candidates(question: &Question<'_>, kind: Kind, shop: &Shop<'_>) -> Tried
         ("centre_tolerance", Input::Length(question.centre_tolerance)),
     ])?;
     let Some(row) = answer.winner() else {
-        let note = Note::new("no-auxiliary-scheme").with("hole", name).with("diameter", diameter);
+        let note = Note::new("no-auxiliary-scheme").with("kind", name).with("diameter", diameter);
         return Err(Refusal::Not(note.with("centre", question.centre_tolerance)));
     };
     let starred = row.texts("if_drill_differs").unwrap_or_default();
@@ -77,7 +77,7 @@ pub fn candidates(question: &Question<'_>, kind: Kind, shop: &Shop<'_>) -> Tried
         if starred.contains(&scheme) && drill {
             continue;
         }
-        let note = Note::new("auxiliary-scheme").with("scheme", scheme).with("hole", name);
+        let note = Note::new("auxiliary-scheme").with("scheme", scheme).with("kind", name);
         let candidate = Candidate {
             way: Way::Tables,
             table: table.id.clone(),

@@ -60,7 +60,7 @@ pub fn candidates(question: &Question<'_>, counterbored: bool, shop: &Shop<'_>) 
             .filter_map(Operation::from_name)
             .filter(|operation| !matches!(operation, Operation::Chamfer | Operation::Counterbore))
             .collect();
-        let note = Note::new("complex").with("complex", number).with("hole", kind);
+        let note = Note::new("complex").with("complex", number).with("kind", kind);
         let mut because = vec![Because::answer(&answer, note), centring.clone()];
         let mut scheme = number.to_owned();
         if centre && transitions.first() != Some(&Operation::CentreDrill) {
