@@ -238,8 +238,8 @@ impl<'a, 'k> Chooser<'a, 'k> {
             let more = total.0 - time.0;
             let why = match (winner.meets, other.meets) {
                 (true, false) => Note::new("lost-by-accuracy"),
-                _ if more > 5e-4 => Note::new("lost-by-time").with("more", format!("{more:.3}")),
-                _ if more < -5e-4 => Note::new("lost-by-places").with("less", format!("{:.3}", -more)),
+                _ if more > 5e-4 => Note::new("lost-by-time").with("slower", format!("{more:.3}")),
+                _ if more < -5e-4 => Note::new("lost-by-places").with("quicker", format!("{:.3}", -more)),
                 _ => Note::new("lost-by-order"),
             };
             alternatives.push(Alternative {

@@ -43,7 +43,8 @@ fn shown(name: &str, value: &str, lang: Lang) -> String {
         "kind" => term(value, lang).to_owned(),
         "take" | "by" | "name" | "shank" => term(value, lang).to_owned(),
         "stages" => value.split(" + ").map(|stage| term(stage, lang)).collect::<Vec<_>>().join(" + "),
-        "share" | "share-min" | "share-max" => lang.pick(&value.replace('.', ","), value).to_owned(),
+        // A decimal number as people write it; designations and table names are none.
+        _ if value.parse::<f64>().is_ok() => lang.pick(&value.replace('.', ","), value).to_owned(),
         _ => value.to_owned(),
     }
 }

@@ -39,12 +39,12 @@ fn table(head: &[&str], rows: &[Vec<String>]) -> String {
 }
 
 /// A number as people write it: a comma in Ukrainian, no trailing zeros.
-fn number(value: f64, places: u32, lang: Lang) -> String {
+pub(crate) fn number(value: f64, places: u32, lang: Lang) -> String {
     let text = round_to(value, places).to_string();
     lang.pick(&text.replace('.', ","), &text).to_owned()
 }
 
-fn mm(value: Micrometres, lang: Lang) -> String {
+pub(crate) fn mm(value: Micrometres, lang: Lang) -> String {
     let text = value.to_string();
     lang.pick(&text.replace('.', ","), &text).to_owned()
 }

@@ -3,6 +3,7 @@
 use crate::note::Because;
 use crate::plan::{HolePlan, Plan};
 
+use super::sheet::{mm, number};
 use super::{Lang, grid, operation_verb, sentence};
 
 /// The reasons of one group of holes.
@@ -31,7 +32,7 @@ pub fn explain(plan: &Plan, hole: &HolePlan, lang: Lang) -> String {
             "\n{}. {} Ø{} — T{} {}, {}\n",
             index + 1,
             operation_verb(transition.operation.name(), lang),
-            transition.diameter_mm,
+            mm(transition.diameter_mm, lang),
             transition.tool.number,
             transition.tool.designation,
             transition.holder.designation
@@ -41,11 +42,11 @@ pub fn explain(plan: &Plan, hole: &HolePlan, lang: Lang) -> String {
         text.push_str(&grid::paragraph(
             &format!(
                 "s = {} {}, V = {} {}, n = {} {}",
-                conditions.feed_mm_per_rev.0,
+                number(conditions.feed_mm_per_rev.0, 3, lang),
                 lang.pick("мм/об", "mm/rev"),
-                conditions.speed_m_per_min.0,
+                number(conditions.speed_m_per_min.0, 2, lang),
                 lang.pick("м/хв", "m/min"),
-                conditions.spindle_rpm.0,
+                number(conditions.spindle_rpm.0, 1, lang),
                 lang.pick("об/хв", "1/min")
             ),
             2,

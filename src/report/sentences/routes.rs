@@ -72,11 +72,11 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "milled to Ø{diameter}: the machine's roundness {roundness} > {most} mm, its share of the tolerance",
     ),
     // Why a route lost.
-    ("lost-by-time", "повільніше на {more} хв", "slower by {more} min"),
+    ("lost-by-time", "повільніше на {slower} хв", "slower by {slower} min"),
     (
         "lost-by-places",
-        "швидше на {less} хв, але потребує більше місць у магазині, якого не вистачає",
-        "quicker by {less} min, but takes more places of a magazine that does not suffice",
+        "швидше на {quicker} хв, але потребує більше місць у магазині, якого не вистачає",
+        "quicker by {quicker} min, but takes more places of a magazine that does not suffice",
     ),
     (
         "lost-by-accuracy",

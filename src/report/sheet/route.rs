@@ -161,9 +161,9 @@ fn choices(plan: &Plan, lang: Lang) -> String {
         let required = requirement(plan, &hole.name, lang);
         let winner = route_name(route.way, &route.table, &route.scheme, lang);
         let time = number(route.time_min.0, 2, lang);
-        let against = match (route.runner_up(), route.margin_min) {
-            (Some(other), Some(margin)) => runner_up(other, margin.0, lang),
-            _ => lang.pick("іншого здійсненного маршруту немає", "no other route can be carried out").to_owned(),
+        let against = match route.runner_up() {
+            Some(other) => runner_up(other, lang),
+            None => lang.pick("іншого здійсненного маршруту немає", "no other route can be carried out").to_owned(),
         };
         let minutes = lang.pick("хв", "min");
         text.push_str(&grid::paragraph(&format!("{}: {required}; {winner}, {time} {minutes}; {against}", hole.name), 2));
@@ -190,23 +190,11 @@ fn requirement(plan: &Plan, name: &str, lang: Lang) -> String {
     }
 }
 
-fn runner_up(other: &Alternative, margin: f64, lang: Lang) -> String {
+fn runner_up(other: &Alternative, lang: Lang) -> String {
     let operations: Vec<&str> =
         other.operations.iter().map(|(operation, _)| operation_noun(operation.name(), lang)).collect();
     let name = route_name(other.way, &other.table, &other.scheme, lang);
-    format!(
-        "{} {name} ({}), {} {}: {}",
-        lang.pick("далі", "next"),
-        operations.join(", "),
-        signed(margin, lang),
-        lang.pick("хв", "min"),
-        sentence(&other.why, lang)
-    )
-}
-
-fn signed(value: f64, lang: Lang) -> String {
-    let text = number(value, 2, lang);
-    if value >= 0.0 { format!("+{text}") } else { text }
+    format!("{} {name} ({}): {}", lang.pick("далі", "next"), operations.join(", "), sentence(&other.why, lang))
 }
 
 /// The routes that were not taken, each with why it lost, for `explain`.
