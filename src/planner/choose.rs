@@ -96,10 +96,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
     }
 
     fn taken(&self) -> impl Iterator<Item = &Choice> {
-        self.options
-            .iter()
-            .zip(&self.chosen)
-            .filter_map(|(options, chosen)| options.as_ref()?.choices.get((*chosen)?))
+        self.options.iter().zip(&self.chosen).filter_map(|(options, chosen)| options.as_ref()?.choices.get((*chosen)?))
     }
 
     /// Reconsiders every group beside all the others until nothing gets better; then, if the magazine does not

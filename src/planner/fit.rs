@@ -88,12 +88,7 @@ pub(super) struct Fitting<'p, 'k> {
 
 impl<'p, 'k> Fitting<'p, 'k> {
     /// Approach, overrun, surface and reamer lead by their rules.
-    pub fn new(
-        hole: &'p Hole,
-        edges: &'p [Edge],
-        part: &'p Part,
-        shop: &'p Shop<'k>,
-    ) -> Result<Self, KnowledgeError> {
+    pub fn new(hole: &'p Hole, edges: &'p [Edge], part: &'p Part, shop: &'p Shop<'k>) -> Result<Self, KnowledgeError> {
         let knowledge = shop.knowledge;
         let entry = if part.entry == Entry::Rough { "rough" } else { "machined" };
         let rule = knowledge.table("approach")?;
@@ -315,9 +310,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let Some(roundness) = self.shop.machine.roundness else { return Ok(()) };
         let tolerance = match step.place.step {
             Some(number) => self.hole.steps.get(number - 1).map(|step| (&step.diameter.upper, &step.diameter.lower)),
-            None if step.place.feature == Feature::Bore => {
-                Some((&self.hole.diameter.upper, &self.hole.diameter.lower))
-            }
+            None if step.place.feature == Feature::Bore => Some((&self.hole.diameter.upper, &self.hole.diameter.lower)),
             None => None,
         };
         let target = match step.place.step {

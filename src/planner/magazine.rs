@@ -167,7 +167,9 @@ fn rank(tools: &mut [(usize, FittedTool)], drafts: &[Draft]) {
     for _ in 0..tools.len() {
         for draft in drafts {
             let mut least = 0;
-            for tool in draft.steps.iter().filter(|fitted| !fitted.step.elsewhere).filter_map(|fitted| fitted.tool.as_ref()) {
+            for tool in
+                draft.steps.iter().filter(|fitted| !fitted.step.elsewhere).filter_map(|fitted| fitted.tool.as_ref())
+            {
                 if let Some((rank, _)) = tools.iter_mut().find(|(_, known)| same(known, tool)) {
                     *rank = (*rank).max(least);
                     least = *rank + 1;

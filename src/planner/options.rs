@@ -94,8 +94,7 @@ pub(super) fn options(
     let loss = rough_face.as_ref().map_or(0.0, |(loss, _)| *loss);
     let centre_tolerance = Micrometres::from_mm_rounded(written.to_mm() / (1.0 + loss));
     let position = part.position_tolerance.unwrap_or(written);
-    let question =
-        Question { bore: main, centre_tolerance, position, outer_wall: hole.outer_wall, drills: &drills };
+    let question = Question { bore: main, centre_tolerance, position, outer_wall: hole.outer_wall, drills: &drills };
     let sizes = Sizes {
         drills: &drills,
         in_magazine,
@@ -247,7 +246,8 @@ impl Finder<'_, '_> {
     fn weigh(&self, candidate: &Candidate, options: &mut Options) -> Result<bool, KnowledgeError> {
         // With a cutter for each opening, and with a step drill for hole and opening at once.
         let plain = Refusal::split(self.carried_out(candidate, false))?;
-        let joined = if self.may_join(candidate) { Refusal::split(self.carried_out(candidate, true))?.ok() } else { None };
+        let joined =
+            if self.may_join(candidate) { Refusal::split(self.carried_out(candidate, true))?.ok() } else { None };
         let plain = match (plain, &joined) {
             (Ok(steps), _) => Some(steps),
             (Err(_), Some(_)) => None,
@@ -359,9 +359,7 @@ impl Finder<'_, '_> {
             }
             let mut step = openings::edge(edge, edge.around, self.shop)?;
             // A face that no counterbore of the catalogs cuts is milled round.
-            if edge.feature == Feature::Face
-                && Refusal::split(self.fitting.one(step.clone(), None, false))?.is_err()
-            {
+            if edge.feature == Feature::Face && Refusal::split(self.fitting.one(step.clone(), None, false))?.is_err() {
                 step.operation = Operation::Mill;
             }
             steps.push(step);
@@ -391,9 +389,9 @@ impl Finder<'_, '_> {
         if !self.task.main.flat {
             return Ok(());
         }
-        let Some(last) = steps.iter().rposition(|step| {
-            matches!(step.operation, Operation::Drill | Operation::DrillOut)
-        }) else {
+        let Some(last) =
+            steps.iter().rposition(|step| matches!(step.operation, Operation::Drill | Operation::DrillOut))
+        else {
             return Ok(());
         };
         let (diameter, depth) = (steps[last].diameter, steps[last].place.depth);
@@ -473,7 +471,8 @@ impl Finder<'_, '_> {
     fn may_join(&self, candidate: &Candidate) -> bool {
         let cuts = |operation: &&Operation| !matches!(operation, Operation::CentreDrill | Operation::Tap);
         let counterbored = self.hole.counterbore.is_some() && self.task.wider.len() == 1;
-        let chamfered = self.task.wider.is_empty() && self.task.edges.iter().any(|edge| edge.feature == Feature::Chamfer);
+        let chamfered =
+            self.task.wider.is_empty() && self.task.edges.iter().any(|edge| edge.feature == Feature::Chamfer);
         self.task.main.place.through
             && (counterbored || chamfered)
             && candidate.transitions.iter().filter(cuts).eq([&Operation::Drill])
@@ -501,7 +500,11 @@ impl Finder<'_, '_> {
     }
 
     /// The wide diameter of a drill of A.15 that makes the chamfer too.
-    fn chamfering_drill(&self, drill: Micrometres, chamfer: Micrometres) -> Result<Option<Micrometres>, KnowledgeError> {
+    fn chamfering_drill(
+        &self,
+        drill: Micrometres,
+        chamfer: Micrometres,
+    ) -> Result<Option<Micrometres>, KnowledgeError> {
         let table = self.shop.knowledge.table("A.15")?;
         let rows = table.all_rows().filter(|row| row.length("diameter") == Ok(drill));
         Ok(rows.filter_map(|row| row.length("step_diameter").ok()).find(|wide| *wide >= chamfer))
@@ -528,9 +531,11 @@ impl Finder<'_, '_> {
             return true;
         }
         let main = &self.task.main;
-        let last = steps.iter().rev().map(|fitted| &fitted.step).find(|step| {
-            step.place.feature == Feature::Bore && !step.elsewhere && step.achieved.is_some()
-        });
+        let last = steps
+            .iter()
+            .rev()
+            .map(|fitted| &fitted.step)
+            .find(|step| step.place.feature == Feature::Bore && !step.elsewhere && step.achieved.is_some());
         let Some(reached) = last.and_then(|step| step.achieved) else { return false };
         let graded = reached.it.is_some_and(|it| it <= main.diameter.it) || main.thread.is_some();
         let smooth = reached.roughness.is_some_and(|own| own <= main.roughness) || main.thread.is_some();
@@ -614,9 +619,7 @@ fn smallest_bore(shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
 fn hops(hole: &Hole, shop: &Shop<'_>) -> Minutes {
     let mut points = hole.at.clone();
     points.sort_unstable();
-    let way: f64 = points
-        .windows(2)
-        .map(|pair| (pair[0].x - pair[1].x).abs().max((pair[0].y - pair[1].y).abs()).to_mm())
-        .sum();
+    let way: f64 =
+        points.windows(2).map(|pair| (pair[0].x - pair[1].x).abs().max((pair[0].y - pair[1].y).abs()).to_mm()).sum();
     Minutes(way / shop.machine.rapid.0)
 }

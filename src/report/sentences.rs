@@ -37,9 +37,7 @@ pub fn sentence(note: &Note, lang: Lang) -> String {
 fn shown(name: &str, value: &str, lang: Lang) -> String {
     match name {
         "operation" | "instead" => super::operation_noun(value, lang).to_owned(),
-        "transitions" => {
-            value.split(", ").map(|name| super::operation_noun(name, lang)).collect::<Vec<_>>().join(", ")
-        }
+        "transitions" => value.split(", ").map(|name| super::operation_noun(name, lang)).collect::<Vec<_>>().join(", "),
         "kind" => term(value, lang).to_owned(),
         "take" | "by" | "name" | "shank" => term(value, lang).to_owned(),
         "stages" => value.split(" + ").map(|stage| term(stage, lang)).collect::<Vec<_>>().join(" + "),

@@ -17,7 +17,10 @@ pub fn explain(plan: &Plan, hole: &HolePlan, lang: Lang) -> String {
             text.push_str(&format!("{} {} ({})\n", lang.pick("Схема", "Scheme"), route.scheme, route.table));
             text.push_str(&reasons(&route.because, lang));
             if !route.alternatives.is_empty() {
-                text.push_str(&format!("\n{}\n", lang.pick("Інші маршрути і чому не вони", "Other routes, and why not they")));
+                text.push_str(&format!(
+                    "\n{}\n",
+                    lang.pick("Інші маршрути і чому не вони", "Other routes, and why not they")
+                ));
                 text.push_str(&super::sheet::route::alternatives(route, lang));
             }
         }

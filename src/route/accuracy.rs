@@ -21,11 +21,7 @@ pub(super) fn start(bore: &Bore) -> &'static str {
 }
 
 /// The answer of `next-transition` to a state and the diameter the transition leaves.
-pub(super) fn after<'k>(
-    state: &str,
-    diameter: Micrometres,
-    shop: &Shop<'k>,
-) -> Result<Answer<'k>, KnowledgeError> {
+pub(super) fn after<'k>(state: &str, diameter: Micrometres, shop: &Shop<'k>) -> Result<Answer<'k>, KnowledgeError> {
     let rule = shop.knowledge.table("next-transition")?;
     Ok(rule.decide(&[("after", Input::Text(state)), ("diameter", Input::Length(diameter))])?)
 }
@@ -38,7 +34,10 @@ pub(super) fn of_row(
     let knowledge = shop.knowledge;
     let found = if let Ok(number) = row.int("a1") {
         let table = knowledge.table("A.1")?;
-        table.all_rows().find(|row| row.int("no") == Ok(number)).ok_or_else(|| KnowledgeError::no_row(table, &number.to_string()))?
+        table
+            .all_rows()
+            .find(|row| row.int("no") == Ok(number))
+            .ok_or_else(|| KnowledgeError::no_row(table, &number.to_string()))?
     } else if let Ok(method) = row.text("a2") {
         let table = knowledge.table("A.2")?;
         table.find("method", method).ok_or_else(|| KnowledgeError::no_row(table, method))?
@@ -88,9 +87,9 @@ pub fn write(
         // A centring spot has no diameter yet: the rule is asked with the cylinder's.
         let asked = if step.diameter > Micrometres::ZERO { step.diameter } else { bore.diameter.nominal };
         let answer = if known(&state) { Some(after(&state, asked, shop)?) } else { None };
-        let row = answer.as_ref().and_then(|answer| {
-            answer.winners().find(|row| row.text("operation") == Ok(operation.name()))
-        });
+        let row = answer
+            .as_ref()
+            .and_then(|answer| answer.winners().find(|row| row.text("operation") == Ok(operation.name())));
         if let Some(row) = row {
             row.text("leaves")?.clone_into(&mut state);
             reached = of_row(row, shop)?;

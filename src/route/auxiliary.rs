@@ -8,8 +8,8 @@ use crate::plan::{Operation, Way};
 use crate::shop::Shop;
 use crate::units::Micrometres;
 
-use super::scheme::{Question, with_transitions};
 use super::Candidate;
+use super::scheme::{Question, with_transitions};
 
 /// What A.10 is asked about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -90,9 +90,7 @@ pub fn candidates(question: &Question<'_>, kind: Kind, shop: &Shop<'_>) -> Tried
             because: vec![Because::answer(&answer, note)],
         };
         if let Some(mut candidate) = with_transitions(candidate, question.bore, shop)? {
-            candidate
-                .transitions
-                .retain(|operation| !matches!(operation, Operation::Counterbore | Operation::Chamfer));
+            candidate.transitions.retain(|operation| !matches!(operation, Operation::Counterbore | Operation::Chamfer));
             found.push(candidate);
         }
     }

@@ -7,8 +7,8 @@ use crate::plan::{Operation, Way};
 use crate::shop::Shop;
 use crate::units::Micrometres;
 
-use super::scheme::{Question, centre_first};
 use super::Candidate;
+use super::scheme::{Question, centre_first};
 
 /// The kind of hole that A.4 files a cylinder under, and the diameter it is asked with.
 fn kind(question: &Question<'_>, counterbored: bool) -> Option<(&'static str, Micrometres)> {
@@ -35,7 +35,8 @@ fn kind(question: &Question<'_>, counterbored: bool) -> Option<(&'static str, Mi
 pub fn candidates(question: &Question<'_>, counterbored: bool, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
     let table = shop.knowledge.table("A.4")?;
     let refuse = |code: &str| {
-        let note = Note::new(code).with("it", question.bore.diameter.it).with("diameter", question.bore.diameter.nominal);
+        let note =
+            Note::new(code).with("it", question.bore.diameter.it).with("diameter", question.bore.diameter.nominal);
         Refusal::Not(note.with("centre", question.centre_tolerance))
     };
     let Some((kind, diameter)) = kind(question, counterbored) else { return Err(refuse("no-complex-group")) };
@@ -75,8 +76,7 @@ pub fn candidates(question: &Question<'_>, counterbored: bool, shop: &Shop<'_>) 
             transitions,
             finish_elsewhere: false,
             // A.4 promises the grades of its groups: 7 to 9 for the precise ones; surface is the chain's.
-            promise: (kind != "threaded")
-                .then_some(super::Promise { it: question.bore.diameter.it, roughness: None }),
+            promise: (kind != "threaded").then_some(super::Promise { it: question.bore.diameter.it, roughness: None }),
             because,
         });
     }

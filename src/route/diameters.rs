@@ -342,12 +342,7 @@ pub fn final_drill(diameter: &ToleratedDiameter, drills: &[Micrometres]) -> Opti
 }
 
 /// Splits the drilling in two where the rule `two-pass-drilling` or the handbook says so.
-fn two_passes(
-    steps: &mut Vec<Step>,
-    bore: &Bore,
-    sizes: &Sizes<'_>,
-    shop: &Shop<'_>,
-) -> Result<(), KnowledgeError> {
+fn two_passes(steps: &mut Vec<Step>, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
     let Some(index) = steps.iter().position(|step| step.operation == Operation::Drill) else { return Ok(()) };
     let diameter = steps[index].diameter;
     if let Some(row) = handbook::row(bore, shop)?

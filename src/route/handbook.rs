@@ -23,11 +23,7 @@ pub(super) fn row<'k>(bore: &Bore, shop: &Shop<'k>) -> Result<Option<RowRef<'k>>
 
 /// The diameter the handbook has before a transition: the rough reamer's before the finish reamer that
 /// follows one, the core drill's or bore's before the first reamer, the last drill's before those.
-pub(super) fn before(
-    row: RowRef<'_>,
-    operation: Operation,
-    previous: Option<Operation>,
-) -> Option<Micrometres> {
+pub(super) fn before(row: RowRef<'_>, operation: Operation, previous: Option<Operation>) -> Option<Micrometres> {
     let column = match (operation, previous?) {
         (Operation::FinishReam, Operation::RoughReam) => "rough_ream",
         (Operation::FinishReam | Operation::RoughReam, Operation::CoreDrill) => "core_drill",

@@ -153,7 +153,13 @@ pub fn stages(
 pub fn own_cell(question: &Question<'_>, knowledge: &Knowledge) -> Result<Vec<String>, KnowledgeError> {
     let own = cells(question.bore.diameter.it, question, knowledge)?;
     let first = own.filled.first().filter(|_| own.own_is_filled);
-    Ok(first.map(|cell| cell.row.texts("schemes")).transpose()?.unwrap_or_default().into_iter().map(str::to_owned).collect())
+    Ok(first
+        .map(|cell| cell.row.texts("schemes"))
+        .transpose()?
+        .unwrap_or_default()
+        .into_iter()
+        .map(str::to_owned)
+        .collect())
 }
 
 /// The filled cells of one grade.
@@ -240,7 +246,10 @@ fn in_order(
     let rule = knowledge.table("which-of-two-schemes")?;
     let answer = rule.decide(&[
         ("for_other_drill", Input::Bool(!starred.is_empty())),
-        ("drill_of_that_diameter", Input::Bool(super::diameters::final_drill(&question.bore.diameter, question.drills).is_some())),
+        (
+            "drill_of_that_diameter",
+            Input::Bool(super::diameters::final_drill(&question.bore.diameter, question.drills).is_some()),
+        ),
         ("position", Input::Length(question.position)),
     ])?;
     let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this cell"))?;

@@ -57,12 +57,7 @@ pub type Cost<'a> = dyn Fn(Vec<Step>) -> Tried<Minutes> + 'a;
 /// # Errors
 /// The knowledge cannot answer, or no path leads to the finished cylinder; the refusal names the transition
 /// nearest to the end that failed.
-pub fn candidates(
-    bore: &Bore,
-    sizes: &Sizes<'_>,
-    cost: &Cost<'_>,
-    shop: &Shop<'_>,
-) -> Tried<Vec<Candidate>> {
+pub fn candidates(bore: &Bore, sizes: &Sizes<'_>, cost: &Cost<'_>, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
     let mut graph = Graph::new(bore, sizes, cost, shop)?;
     let goal = graph.goal()?;
     let Some(start) = graph.start else {
@@ -84,8 +79,7 @@ pub fn candidates(
     for path in paths {
         let mut open: Vec<Found> = vec![(0.0, Vec::new(), Vec::new())];
         for pair in path.windows(2) {
-            let edges: Vec<&Edge> =
-                graph.states.edges_connecting(pair[0], pair[1]).map(|edge| edge.weight()).collect();
+            let edges: Vec<&Edge> = graph.states.edges_connecting(pair[0], pair[1]).map(|edge| edge.weight()).collect();
             open = open
                 .into_iter()
                 .flat_map(|(minutes, operations, rows)| {
@@ -211,14 +205,8 @@ impl<'a, 'k> Graph<'a, 'k> {
             if !answer.winners().any(|winner| winner.index == row.index) {
                 continue;
             }
-            let question = Backwards {
-                operation,
-                after,
-                previous,
-                bore: self.bore,
-                sizes: self.sizes,
-                shop: self.shop,
-            };
+            let question =
+                Backwards { operation, after, previous, bore: self.bore, sizes: self.sizes, shop: self.shop };
             let steps = if last && operation == Operation::Drill {
                 question.last_drill(false).map(|step| vec![step])
             } else {

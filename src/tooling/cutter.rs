@@ -89,7 +89,8 @@ pub(super) fn cutters<'k>(
             if ground {
                 let own = own_diameter(candidate).unwrap_or_default();
                 because.note = Note::new("cutter-ground-down").with("own", own).with("size", need.diameter);
-                because.unconfirmed = Some("the catalogs have no cutter of this size; it must be ground to order".to_owned());
+                because.unconfirmed =
+                    Some("the catalogs have no cutter of this size; it must be ground to order".to_owned());
             }
             cutters.push(Cutter {
                 row: candidate,
@@ -195,9 +196,8 @@ fn fitting<'k>(table: &'k Table, need: &CutterNeed<'_>, ground: bool) -> Vec<Row
         }
         Operation::Tap => rows.filter(|row| row.text("thread").ok() == need.thread).collect(),
         _ if ground => {
-            let mut found: Vec<RowRef<'k>> = rows
-                .filter(|row| own(row) > need.nominal && own(row) - need.nominal <= need.grind_limit)
-                .collect();
+            let mut found: Vec<RowRef<'k>> =
+                rows.filter(|row| own(row) > need.nominal && own(row) - need.nominal <= need.grind_limit).collect();
             found.sort_by_key(|row| (own(row), row.index));
             found
         }

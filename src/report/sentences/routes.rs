@@ -21,7 +21,11 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "А.4 не має групи для отвору квалітету {it}, Ø{diameter}, допуск {centre} мм: вона для суцільного металу, квалітети 7-9 та 12 і грубіші",
         "A.4 has no group for a hole of grade {it}, Ø{diameter}, tolerance {centre} mm: it is for solid metal, grades 7-9 and 12 and coarser",
     ),
-    ("searched", "знайдено пошуком за станами отвору: {transitions}", "found by the search over the states: {transitions}"),
+    (
+        "searched",
+        "знайдено пошуком за станами отвору: {transitions}",
+        "found by the search over the states: {transitions}",
+    ),
     ("searched-step", "можливий перехід: {operation}", "a transition that may follow: {operation}"),
     (
         "no-path",
@@ -150,11 +154,7 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "Ø{diameter}: жоден інструмент не лишає плоского торця уступу",
         "Ø{diameter}: no cutter leaves a flat shoulder",
     ),
-    (
-        "no-opening",
-        "Ø{diameter}: нічим розкрити з Ø{start}",
-        "Ø{diameter}: nothing opens it from Ø{start}",
-    ),
+    ("no-opening", "Ø{diameter}: нічим розкрити з Ø{start}", "Ø{diameter}: nothing opens it from Ø{start}"),
     (
         "step-too-deep",
         "ступінь глибиною {depth} >= {limit} мм, товщини заготовки",
@@ -165,11 +165,7 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "канавку Ø{diameter} шириною {width} мм на глибині {depth} мм осьовий інструмент не обробляє: потрібен різець на іншому верстаті",
         "no axial tool makes the groove Ø{diameter}, {width} mm wide, {depth} mm deep: it needs a recessing tool on another machine",
     ),
-    (
-        "thread-chamfer",
-        "фаска під різь на крок {pitch} мм",
-        "a chamfer of the pitch, {pitch} mm, for the thread",
-    ),
+    ("thread-chamfer", "фаска під різь на крок {pitch} мм", "a chamfer of the pitch, {pitch} mm, for the thread"),
     ("thread-of-step", "різь {thread} на ступені", "thread {thread} on the step"),
     (
         "tap-elsewhere",
@@ -187,17 +183,17 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "ступінчасте свердло Ø{narrow}/Ø{wide} робить обидва діаметри за один хід",
         "a step drill Ø{narrow}/Ø{wide} makes both diameters with one stroke",
     ),
-    (
-        "no-step-drill",
-        "немає ступінчастого свердла Ø{narrow}/Ø{wide}",
-        "there is no step drill Ø{narrow}/Ø{wide}",
-    ),
+    ("no-step-drill", "немає ступінчастого свердла Ø{narrow}/Ø{wide}", "there is no step drill Ø{narrow}/Ø{wide}"),
     (
         "cutter-ground-down",
         "у каталогах немає цього розміру: Ø{own} перешліфувати на Ø{size}",
         "the catalogs lack this size: Ø{own} ground down to Ø{size}",
     ),
-    ("mill-too-large", "{tool} ({table}): фреза Ø{diameter} > Ø{limit}", "{tool} ({table}): mill Ø{diameter} > Ø{limit}"),
+    (
+        "mill-too-large",
+        "{tool} ({table}): фреза Ø{diameter} > Ø{limit}",
+        "{tool} ({table}): mill Ø{diameter} > Ø{limit}",
+    ),
     (
         "tool-too-wide",
         "{tool} ({table}): Ø{diameter} > Ø{limit}, найбільшого в магазині",

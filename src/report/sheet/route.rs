@@ -166,23 +166,30 @@ fn choices(plan: &Plan, lang: Lang) -> String {
             None => lang.pick("іншого здійсненного маршруту немає", "no other route can be carried out").to_owned(),
         };
         let minutes = lang.pick("хв", "min");
-        text.push_str(&grid::paragraph(&format!("{}: {required}; {winner}, {time} {minutes}; {against}", hole.name), 2));
+        text.push_str(&grid::paragraph(
+            &format!("{}: {required}; {winner}, {time} {minutes}; {against}", hole.name),
+            2,
+        ));
     }
     if text.is_empty() {
         return text;
     }
-    format!("{}\n{text}", lang.pick("Вимоги, вибраний маршрут і другий за ним:", "Required, the route taken, and the runner-up:"))
+    format!(
+        "{}\n{text}",
+        lang.pick("Вимоги, вибраний маршрут і другий за ним:", "Required, the route taken, and the runner-up:")
+    )
 }
 
 /// What the drawing asks of a group: grade, roughness, centre tolerance.
 fn requirement(plan: &Plan, name: &str, lang: Lang) -> String {
     let Some(hole) = hole(plan, name) else { return String::new() };
     let shown = |diameter: &ToleratedDiameter| format!("IT{}", diameter.it);
-    let centre: Micrometres =
-        plan.holes.iter().find(|own| own.name == name).and_then(|own| own.route.as_ref()).map_or(
-            Micrometres::ZERO,
-            |route: &Route| route.centre_tolerance_mm,
-        );
+    let centre: Micrometres = plan
+        .holes
+        .iter()
+        .find(|own| own.name == name)
+        .and_then(|own| own.route.as_ref())
+        .map_or(Micrometres::ZERO, |route: &Route| route.centre_tolerance_mm);
     let centre = format!("{} {}", lang.pick("міжцентрова", "centres"), mm(centre, lang));
     match &hole.thread {
         Some(thread) => format!("{}, {centre}", thread.written),

@@ -18,16 +18,16 @@ impl Backwards<'_, '_> {
         let largest = after - allowance.low;
         let mut from = match previous {
             None => self.start()?,
-            Some(Operation::Drill | Operation::DrillOut) => sizes.drills.iter().rev().copied().find(|drill| *drill <= largest).ok_or_else(
-                || {
+            Some(Operation::Drill | Operation::DrillOut) => {
+                sizes.drills.iter().rev().copied().find(|drill| *drill <= largest).ok_or_else(|| {
                     Refusal::Not(
                         Note::new("no-drill-before-boring")
                             .with("diameter", after)
                             .with("largest", largest)
                             .with("smallest", sizes.smallest_bore),
                     )
-                },
-            )?,
+                })?
+            }
             Some(_) => after - allowance.aim,
         };
         let bars = shop.knowledge.table("boring-bars")?;
