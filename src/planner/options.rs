@@ -58,6 +58,9 @@ impl Options {
     }
 }
 
+/// The steps that open a wider cylinder, or why nothing does.
+type Opened = Result<Vec<Step>, Note>;
+
 /// What the routes of one group are found with.
 struct Finder<'a, 'k> {
     hole: &'a Hole,
@@ -68,7 +71,7 @@ struct Finder<'a, 'k> {
     position: accuracy::Position,
     shop: &'a Shop<'k>,
     /// The best way to open each wider cylinder from a diameter.
-    opened: RefCell<BTreeMap<(usize, Micrometres), Result<Vec<Step>, Note>>>,
+    opened: RefCell<BTreeMap<(usize, Micrometres), Opened>>,
     hops: Minutes,
 }
 
