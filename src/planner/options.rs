@@ -509,8 +509,8 @@ impl Finder<'_, '_> {
         chamfer: Micrometres,
     ) -> Result<Option<Micrometres>, KnowledgeError> {
         let table = self.shop.knowledge.table("A.15")?;
-        let rows = table.all_rows().filter(|row| row.length("diameter") == Ok(drill));
-        Ok(rows.filter_map(|row| row.length("step_diameter").ok()).find(|wide| *wide >= chamfer))
+        let rows = table.all_rows().filter(|row| row.length_if_any("diameter") == Some(drill));
+        Ok(rows.filter_map(|row| row.length_if_any("step_diameter")).find(|wide| *wide >= chamfer))
     }
 
     fn choice(&self, candidate: &Candidate, steps: Vec<Fitted>) -> Choice {
@@ -615,7 +615,7 @@ fn none(way: Way, table: &str, why: Note) -> Alternative {
 /// The smallest hole a boring bar of the catalogs enters.
 fn smallest_bore(shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
     let bars = shop.knowledge.table("boring-bars")?;
-    Ok(bars.all_rows().filter_map(|row| row.length("diameter_min").ok()).min().unwrap_or_default())
+    Ok(bars.all_rows().filter_map(|row| row.length_if_any("diameter_min")).min().unwrap_or_default())
 }
 
 /// Rapids from hole to hole of one group, by one tool: for weighing routes, not the path itself.

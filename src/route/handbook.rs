@@ -18,7 +18,7 @@ pub(super) fn row<'k>(bore: &Bore, shop: &Shop<'k>) -> Result<Option<RowRef<'k>>
         return Ok(None);
     }
     let table = shop.knowledge.table("step-diameters")?;
-    Ok(table.all_rows().find(|row| row.length("diameter") == Ok(bore.diameter.nominal)))
+    Ok(table.all_rows().find(|row| row.length_if_any("diameter") == Some(bore.diameter.nominal)))
 }
 
 /// The diameter the handbook has before a transition: the rough reamer's before the finish reamer that

@@ -122,7 +122,7 @@ pub(super) fn step_drills<'k>(
     for table in knowledge.tables().filter(|table| table.column_index("step_diameter").is_some()) {
         let Some(head) = &table.tool else { continue };
         for row in table.all_rows() {
-            if own_diameter(row) != Some(need.diameter) || row.length("step_diameter") != Ok(wide) {
+            if own_diameter(row) != Some(need.diameter) || row.length_if_any("step_diameter") != Some(wide) {
                 continue;
             }
             let designation = designation(row, need)?;
@@ -155,7 +155,7 @@ fn tables_of(row: RowRef<'_>) -> String {
 
 /// The diameter printed for a cutter of one size; nothing for a boring bar, which is set.
 fn own_diameter(row: RowRef<'_>) -> Option<Micrometres> {
-    row.length("diameter").ok()
+    row.length_if_any("diameter")
 }
 
 /// Rows of the right size: for centring every wider one; for boring the bar's range; for milling what
@@ -240,7 +240,7 @@ fn reach_of_reamer(row: RowRef<'_>) -> Option<Micrometres> {
     if let Ok(projection) = row.length("projection") {
         return Some(projection);
     }
-    let length = row.length("length").ok()?;
+    let length = row.length_if_any("length")?;
     match row.length("shank_length") {
         Ok(shank) => Some(length - shank),
         // A shell reamer goes as deep as its arbor, which the holder checks.
@@ -281,7 +281,7 @@ fn nothing_of_size(need: &CutterNeed<'_>, rule: RowRef<'_>, knowledge: &Knowledg
 
 /// The sizes a row stands for: a cutter's diameter, a boring bar's range.
 fn sizes_of(row: RowRef<'_>) -> Vec<Micrometres> {
-    ["diameter", "diameter_min", "diameter_max"].into_iter().filter_map(|column| row.length(column).ok()).collect()
+    ["diameter", "diameter_min", "diameter_max"].into_iter().filter_map(|column| row.length_if_any(column)).collect()
 }
 
 /// A drill size with how deep it can be driven on a machine.
@@ -346,11 +346,11 @@ impl CutterNeed<'_> {
 /// How deep a cutter goes by its own table: what is named first of these columns. A tap whose shank is
 /// thinner than the hole under its thread follows it in, as far as it stands out of its chuck.
 fn reach_of(row: RowRef<'_>) -> Option<Micrometres> {
-    if let (Ok(pitch), Ok(diameter), Ok(shank)) =
-        (row.length("pitch"), row.length("diameter"), row.length("shank_diameter"))
+    if let (Some(pitch), Some(diameter), Some(shank)) =
+        (row.length_if_any("pitch"), row.length_if_any("diameter"), row.length_if_any("shank_diameter"))
         && shank < diameter - pitch
     {
-        return row.length("length").ok();
+        return row.length_if_any("length");
     }
-    ["reach", "flute_length", "projection", "cutting_length"].into_iter().find_map(|column| row.length(column).ok())
+    ["reach", "flute_length", "projection", "cutting_length"].into_iter().find_map(|column| row.length_if_any(column))
 }

@@ -150,14 +150,14 @@ fn refuse(row: RowRef<'_>, cutter: &Cutter<'_>, machine: &Machine<'_>) -> Option
     }
     match cutter.head.shank {
         Shank::Cylindrical if row.table.column_index("thread_min").is_some() => {
-            let (low, high) = (row.length("thread_min").ok()?, row.length("thread_max").ok()?);
+            let (low, high) = (row.length_if_any("thread_min")?, row.length_if_any("thread_max")?);
             let thread = cutter.diameter;
             (thread < low || thread > high)
                 .then(|| Note::new("thread-outside-chuck").with("thread", thread).with("low", low).with("high", high))
         }
         Shank::Cylindrical => {
             let shank = cutter.row.length("shank_diameter").unwrap_or(cutter.diameter);
-            let (low, high) = (row.length("clamp_min").ok()?, row.length("clamp_max").ok()?);
+            let (low, high) = (row.length_if_any("clamp_min")?, row.length_if_any("clamp_max")?);
             (shank < low || shank > high)
                 .then(|| Note::new("shank-outside-clamp").with("shank", shank).with("low", low).with("high", high))
         }
@@ -166,7 +166,7 @@ fn refuse(row: RowRef<'_>, cutter: &Cutter<'_>, machine: &Machine<'_>) -> Option
             (own != taken).then(|| Note::new("other-morse").with("own", own).with("taken", taken))
         }
         Shank::Shell => {
-            let (own, taken) = (cutter.row.length("bore").ok()?, row.length("bore").ok()?);
+            let (own, taken) = (cutter.row.length_if_any("bore")?, row.length_if_any("bore")?);
             (own != taken).then(|| Note::new("other-bore").with("own", own).with("taken", taken))
         }
         Shank::Taper => None,
@@ -187,7 +187,7 @@ fn too_short(
     if reach < need.reach {
         return Some(Note::new("stands-out-too-little").with("reach", reach).with("needed", need.reach));
     }
-    let thick = row.length("max_diameter").ok().filter(|thick| shell && *thick >= need.diameter);
+    let thick = row.length_if_any("max_diameter").filter(|thick| shell && *thick >= need.diameter);
     thick.map(|thick| Note::new("arbor-does-not-enter").with("arbor", thick).with("hole", need.diameter))
 }
 

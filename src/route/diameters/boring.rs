@@ -38,7 +38,7 @@ impl Backwards<'_, '_> {
                 .filter(|bar| {
                     bar.text("stage") == Ok("rough") && bar.length("bar_diameter").is_ok_and(|bar| bar < from)
                 })
-                .filter_map(|bar| bar.length("diameter_max").ok())
+                .filter_map(|bar| bar.length_if_any("diameter_max"))
                 .max()
                 .unwrap_or_default();
             if widest <= from {
