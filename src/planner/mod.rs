@@ -99,11 +99,8 @@ fn draft(
     let (Some(weighed), Some(choice)) = (weighed, chosen.and_then(|chosen| options.choices.get(chosen))) else {
         let written = &hole.diameter.written;
         report(Severity::Error, Note::new("no-route").with("diameter", written).with("tried", options.refused.len()));
-        for other in &options.refused {
-            let mut note = other.why.clone();
-            if !other.scheme.is_empty() {
-                note = note.with("scheme", &other.scheme);
-            }
+        for (note, schemes) in by_reason(options) {
+            let note = if schemes.is_empty() { note } else { note.with("scheme", schemes.join(", ")) };
             report(Severity::Error, note);
         }
         return Ok(Draft { route: None, steps: Vec::new() });
@@ -133,6 +130,19 @@ fn draft(
         report(Severity::Error, note);
     }
     Ok(Draft { route: Some(route(choice, options, weighed)), steps })
+}
+
+/// Why the routes of a group were refused: each reason once, with the schemes it kept out.
+fn by_reason(options: &Options) -> Vec<(Note, Vec<String>)> {
+    let mut reasons: Vec<(Note, Vec<String>)> = Vec::new();
+    for other in &options.refused {
+        let scheme = (!other.scheme.is_empty()).then(|| other.scheme.clone());
+        match reasons.iter_mut().find(|(note, _)| *note == other.why) {
+            Some((_, schemes)) => schemes.extend(scheme.filter(|scheme| !schemes.contains(scheme))),
+            None => reasons.push((other.why.clone(), scheme.into_iter().collect())),
+        }
+    }
+    reasons
 }
 
 fn route(choice: &Choice, options: &Options, weighed: Weighed) -> Route {

@@ -73,6 +73,10 @@ struct Finder<'a, 'k> {
     /// The best way to open each wider cylinder from a diameter.
     opened: RefCell<BTreeMap<(usize, Micrometres), Opened>>,
     hops: Minutes,
+    /// The step that cuts each edge, or why none does.
+    edges: Vec<Result<Step, Note>>,
+    /// The edge that centring makes.
+    centred_edge: Option<bores::Edge>,
 }
 
 /// Every route of a group of holes.
@@ -116,6 +120,8 @@ pub(super) fn options(
         shop,
         opened: RefCell::new(BTreeMap::new()),
         hops: hops(hole, shop),
+        edges: edges(&task, &fitting, shop)?,
+        centred_edge: fitting.edge_by_centring()?,
     };
     let kind = finder.auxiliary_kind();
     let stage_name = kind.map_or("plain", Kind::stage_name);
@@ -128,6 +134,11 @@ pub(super) fn options(
         impossible: task.impossible.clone(),
         ..Options::default()
     };
+    for (edge, step) in task.edges.iter().zip(&finder.edges) {
+        if let (Err(why), true) = (step, Some(*edge) != finder.centred_edge) {
+            options.impossible.push(why.clone());
+        }
+    }
     finder.tables(kind, &mut options)?;
     let elsewhere = options.choices.iter().any(|choice| choice.candidate.finish_elsewhere);
     if !elsewhere {
@@ -356,16 +367,14 @@ impl Finder<'_, '_> {
         }
         let centred = steps.iter().any(|step| step.operation == Operation::CentreDrill);
         let made = if centred { self.fitting.edge_by_centring()? } else { None };
-        for edge in self.task.edges.iter().filter(|edge| Some(**edge) != made) {
-            if also == Some(edge.feature) {
-                continue;
+        for (edge, step) in self.task.edges.iter().zip(&self.edges).filter(|(edge, _)| Some(**edge) != made) {
+            match step {
+                _ if also == Some(edge.feature) => {}
+                Ok(step) => steps.push(step.clone()),
+                // What centring makes in other routes is not made in this one.
+                Err(why) if Some(*edge) == self.centred_edge => return Err(Refusal::Not(why.clone())),
+                Err(_) => {}
             }
-            let mut step = openings::edge(edge, edge.around, self.shop)?;
-            // A face that no counterbore of the catalogs cuts is milled round.
-            if edge.feature == Feature::Face && Refusal::split(self.fitting.one(step.clone(), None, false))?.is_err() {
-                step.operation = Operation::Mill;
-            }
-            steps.push(step);
         }
         order::sort(&mut steps, self.shop)?;
         self.below_steps(&mut steps);
@@ -546,6 +555,26 @@ impl Finder<'_, '_> {
             || reached.position_mm.is_none_or(|position| position <= self.question.position);
         graded && smooth && placed
     }
+}
+
+/// The step that cuts each edge of a hole, or why none does; a face that no counterbore of the catalogs cuts
+/// is milled round.
+fn edges(task: &Task, fitting: &Fitting<'_, '_>, shop: &Shop<'_>) -> Result<Vec<Result<Step, Note>>, KnowledgeError> {
+    let mut steps = Vec::with_capacity(task.edges.len());
+    for edge in &task.edges {
+        let cut = |operation: Option<Operation>| -> Tried<Step> {
+            let mut step = openings::edge(edge, edge.around, shop)?;
+            step.operation = operation.unwrap_or(step.operation);
+            fitting.one(step.clone(), None, false)?;
+            Ok(step)
+        };
+        let mut found = Refusal::split(cut(None))?;
+        if edge.feature == Feature::Face && found.is_err() {
+            found = Refusal::split(cut(Some(Operation::Mill)))?;
+        }
+        steps.push(found);
+    }
+    Ok(steps)
 }
 
 /// Over a flat shoulder a drill stops where the rim of its point touches it; what is left is cut flat after it.

@@ -3,7 +3,7 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::table::ToolHead;
-use crate::knowledge::units::{Micrometres, Unit};
+use crate::knowledge::units::{Decimal, Micrometres, Unit};
 use crate::knowledge::{Input, Knowledge, RowRef, Table};
 use crate::machine::Machine;
 use crate::note::{Because, Note};
@@ -261,6 +261,12 @@ fn designation<'k>(row: RowRef<'k>, need: &CutterNeed<'_>) -> Result<&'k str, Kn
 
 /// No row has that size: says so, with the nearest sizes below and above.
 fn nothing_of_size(need: &CutterNeed<'_>, rule: RowRef<'_>, knowledge: &Knowledge) -> Note {
+    if let Some(angle) = need.angle_millideg {
+        return no_cone(need, angle, rule, knowledge);
+    }
+    if let Some(thread) = need.thread.filter(|_| need.operation == Operation::Tap) {
+        return Note::new("no-tap").with("thread", thread).with("tables", tables_of(rule));
+    }
     let sizes: Vec<Micrometres> = rule
         .texts("tables")
         .unwrap_or_default()
@@ -277,6 +283,34 @@ fn nothing_of_size(need: &CutterNeed<'_>, rule: RowRef<'_>, knowledge: &Knowledg
         .with("below", show(below))
         .with("above", show(above))
         .with("tables", tables_of(rule))
+}
+
+/// No cutter has that angle, or none of that angle is wide enough: what there is.
+fn no_cone(need: &CutterNeed<'_>, angle: u32, rule: RowRef<'_>, knowledge: &Knowledge) -> Note {
+    let rows = rule
+        .texts("tables")
+        .unwrap_or_default()
+        .into_iter()
+        .filter_map(|id| knowledge.table(id).ok())
+        .flat_map(|table| table.all_rows().collect::<Vec<_>>());
+    let cutters: Vec<(u32, Micrometres)> = rows
+        .filter_map(|row| {
+            let own = (row.number_in("cone_angle", Unit::Degree).ok()? * 1000.0) as u32;
+            Some((own, own_diameter(row)?))
+        })
+        .collect();
+    let degrees = |angle: u32| Decimal::from_f64_rounded(f64::from(angle) / 1000.0).to_string();
+    let widest = cutters.iter().filter(|(own, _)| *own == angle).map(|(_, diameter)| *diameter).max();
+    let note = |code: &str| {
+        Note::new(code).with("angle", degrees(angle)).with("diameter", need.diameter).with("tables", tables_of(rule))
+    };
+    if let Some(widest) = widest {
+        return note("no-cone-so-wide").with("widest", widest).with("hole", need.enters);
+    }
+    let mut angles: Vec<u32> = cutters.into_iter().map(|(own, _)| own).collect();
+    angles.sort_unstable();
+    angles.dedup();
+    note("no-cone-of-angle").with("angles", angles.into_iter().map(degrees).collect::<Vec<_>>().join(", "))
 }
 
 /// The sizes a row stands for: a cutter's diameter, a boring bar's range.

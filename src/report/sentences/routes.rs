@@ -204,6 +204,22 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "комплект з {holder}: маса {mass} > {limit} кг",
         "assembly with {holder}: mass {mass} > {limit} kg",
     ),
+    ("no-tap", "немає мітчика {thread} у таблицях {tables}", "no tap {thread} in the tables {tables}"),
+    (
+        "no-cone-of-angle",
+        "немає конічної зенківки {angle}° (до Ø{diameter}); у {tables} є {angles}°",
+        "no countersink of {angle}° (to Ø{diameter}); {tables} has {angles}°",
+    ),
+    (
+        "no-cone-so-wide",
+        "немає зенківки {angle}° до Ø{diameter} для отвору Ø{hole}: найбільша в {tables} Ø{widest}",
+        "no countersink of {angle}° to Ø{diameter} for a hole Ø{hole}: the widest of {tables} is Ø{widest}",
+    ),
+    (
+        "edge-not-cut",
+        "{operation} до Ø{diameter} не здійснити: {why}",
+        "{operation} to Ø{diameter} cannot be done: {why}",
+    ),
     ("overhang-tap", "виліт мітчика {free} мм", "a tap stands out {free} mm"),
     (
         "thread-outside-chuck",
