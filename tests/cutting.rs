@@ -221,7 +221,7 @@ fn a_thin_drill_is_fed_as_far_as_it_bears() {
     let shallow = |diameter| Cut { depth: mm(diameter), travel: mm(10.0), ..cut(Operation::Drill, 0.0, diameter) };
     let thin = conditions(&shallow(2.0), "steel-45");
     near(thin.feed_mm_per_rev.0, 0.0631);
-    near(thin.torque_n_m.unwrap().0, 0.13);
+    near(thin.torque_n_m.unwrap().0, 0.128);
     assert_eq!(thin.limited_by, "drill-strength");
     let thicker = conditions(&shallow(6.0), "steel-45");
     near(thicker.feed_mm_per_rev.0, 0.15);

@@ -174,8 +174,8 @@ pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Conditions> {
         // A tap's feed rate is pitch times speed to the last digit, or the thread is torn.
         feed_mm_per_min: feed_rate.rounded(if draft.motion.synchronous { 3 } else { 1 }),
         axial_force_n: draft.loads.thrust.map(|law| Newtons(law.at(held.feed)).rounded(0)),
-        torque_n_m: torque.map(|torque| torque.rounded(2)),
-        power_kw: power.map(|power| power.rounded(2)),
+        torque_n_m: torque.map(|torque| torque.rounded(3)),
+        power_kw: power.map(|power| power.rounded(4)),
         machine_time_min: Minutes(draft.motion.path / feed_rate.0).rounded(3),
         limited_by: held.limited_by,
         tool_life_min: tool_life.rounded(0),
