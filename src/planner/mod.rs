@@ -14,7 +14,7 @@ use crate::error::{KnowledgeError, Refusal};
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Finding, Note, Severity};
 use crate::part::{Face, Hole, Part};
-use crate::plan::{Clamping, CuttingMethod, Operation, Plan, Route, Times};
+use crate::plan::{Clamping, CuttingMethod, Operation, Plan, Route};
 use crate::shop::Shop;
 use crate::units::round_to;
 use crate::{sequence, setup, tooling};
@@ -67,10 +67,7 @@ pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result
             None
         }
     };
-    let (visits, time) = match u32::try_from(tools.len()) {
-        Ok(count) if count > 0 => sequence::sequence(part, &holes, count, &shop.machine),
-        _ => (Vec::new(), Times::default()),
-    };
+    let (visits, time) = sequence::sequence(part, &holes, &shop.machine);
     reach_of_table(part, &shop, &mut findings);
     let mut plan =
         Plan { part: part.clone(), cutting: method, holes, tools, clamping, sequence: visits, time, findings };

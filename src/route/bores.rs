@@ -41,6 +41,8 @@ pub struct Bore {
     pub flat: bool,
     /// Its thread.
     pub thread: Option<Thread>,
+    /// Where the thread ends, below the face: a blind hole is drilled deeper than that.
+    pub thread_depth: Micrometres,
 }
 
 /// What is there before a cylinder is made.
@@ -96,13 +98,18 @@ const RIGHT: u32 = 90_000;
 /// The knowledge lacks a convention.
 pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, KnowledgeError> {
     let thickness = part.blank.thickness;
+    // A tap's first teeth cut no full thread: a blind hole is drilled deeper by that.
+    let runout = match hole.thread.as_ref().filter(|_| !hole.through) {
+        Some(thread) => Micrometres::from_mm_rounded(thread.pitch.to_mm() * shop.share("thread-runout-pitches")?),
+        None => Micrometres::ZERO,
+    };
     let main = Bore {
         place: Place {
             feature: Feature::Bore,
             step: None,
             face: Face::Entry,
             start: Micrometres::ZERO,
-            depth: hole.depth,
+            depth: hole.depth + runout,
             through: hole.through,
         },
         diameter: hole.diameter.clone(),
@@ -110,6 +117,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
         before: Before::Blank(hole.state),
         flat: !hole.through && hole.bottom == Bottom::Flat,
         thread: hole.thread.clone(),
+        thread_depth: hole.depth,
     };
     let mut wider = Vec::new();
     let mut edges = Vec::new();
@@ -133,6 +141,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
                 before: Before::Own,
                 flat: step.bottom == Bottom::Flat,
                 thread: step.thread.clone(),
+                thread_depth: step.depth,
             });
             let chamfer = step.chamfer.or(thread_chamfer(step.thread.as_ref(), shop)?);
             if let Some(chamfer) = chamfer {
@@ -158,6 +167,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
             before: Before::Own,
             flat: true,
             thread: None,
+            thread_depth: counterbore.depth,
         });
     }
     // What stands at the entry edge: the widest cylinder there.

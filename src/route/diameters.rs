@@ -264,7 +264,7 @@ impl Backwards<'_, '_> {
         let thread = self.bore.thread.as_ref();
         let thread = thread.ok_or_else(|| Refusal::Not(Note::new("no-thread-to-tap")))?;
         let step = self.step(self.bore.diameter.target());
-        let place = super::Place { feature: crate::plan::Feature::Thread, ..step.place };
+        let place = super::Place { feature: crate::plan::Feature::Thread, depth: self.bore.thread_depth, ..step.place };
         Ok(Step { place, pitch: Some(thread.pitch), ..step })
     }
 
