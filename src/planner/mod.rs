@@ -2,8 +2,8 @@
 //!
 //! Holes are planned from the smallest up, because a drill of a smaller hole may be the first drill of a
 //! larger one. For each hole the candidates of the three ways ([`crate::route`]) are turned into steps with
-//! tools and conditions, or refused with a reason ([`options`]); the routes of all holes are chosen together,
-//! so that they share their tools ([`choose`]). Then the tools of the whole part are put together.
+//! tools and conditions, or refused with a reason (`options`); the routes of all holes are chosen together,
+//! so that they share their tools (`choose`). Then the tools of the whole part are put together.
 
 mod choose;
 mod fit;
