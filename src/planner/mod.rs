@@ -9,6 +9,7 @@ mod choose;
 mod fit;
 mod magazine;
 mod options;
+mod whole;
 
 use crate::error::{KnowledgeError, Refusal};
 use crate::knowledge::Knowledge;
