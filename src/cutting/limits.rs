@@ -6,7 +6,7 @@ use crate::knowledge::{Input, RowRef};
 use crate::note::{Because, Note};
 use crate::plan::Operation;
 use crate::shop::Shop;
-use crate::units::{Decimal, MillimetresPerRev, RevsPerMinute, round_to};
+use crate::units::{Decimal, MetresPerMinute, MillimetresPerRev, RevsPerMinute, round_to};
 
 use super::{Cut, Draft, PowerLaw, rpm_at};
 
@@ -24,6 +24,29 @@ struct Bound<'k> {
     limit: f64,
     name: &'static str,
     row: RowRef<'k>,
+}
+
+/// Holds the speed of milling and tapping with high-speed steel to what shops drive, by the rule
+/// `practice-speed`; whether it was held.
+pub(super) fn practice(draft: &mut Draft, cut: &Cut<'_>, shop: &Shop<'_>) -> Result<bool, KnowledgeError> {
+    if !matches!(cut.operation, Operation::Mill | Operation::Tap) {
+        return Ok(false);
+    }
+    let rule = shop.knowledge.table("practice-speed")?;
+    let answer = rule.decide(&[
+        ("operation", Input::Text(cut.operation.name())),
+        ("tool_material", Input::Text(cut.tool_material)),
+        ("material_group", Input::Text(shop.material.group)),
+    ])?;
+    let Some(row) = answer.winner() else { return Ok(false) };
+    let limit = row.number_in("limit", Unit::MetrePerMinute)?;
+    if draft.speed.0 <= limit {
+        return Ok(false);
+    }
+    let note = Note::new("practice-speed").with("formula", round_to(draft.speed.0, 1)).with("limit", limit);
+    draft.because.push(Because::row(row, note));
+    draft.speed = MetresPerMinute(limit);
+    Ok(true)
 }
 
 /// Chooses the spindle step and holds the feed inside drill strength, thrust, torque, power and feed range.

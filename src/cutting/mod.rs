@@ -157,13 +157,16 @@ pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Conditions> {
         Operation::Mill => milling::draft(cut, shop),
         Operation::Tap => tapping::draft(cut, shop),
     };
-    let draft = draft.map_err(|refusal| refusal.with("operation", cut.operation.name()))?;
+    let mut draft = draft.map_err(|refusal| refusal.with("operation", cut.operation.name()))?;
+    // The life belongs to the formula's speed, whatever practice makes of it.
+    let formula_speed = draft.speed;
+    let practice = limits::practice(&mut draft, cut, shop)?;
     let held = limits::hold(&draft, cut, shop).map_err(|refusal| refusal.with("operation", cut.operation.name()))?;
     let feed_rate = MillimetresPerMinute(held.feed.0 * held.rpm.0);
     let torque = draft.loads.torque.map(|law| NewtonMetres(law.at(held.feed)));
     let power = torque.map(|torque| power_of(torque, held.rpm));
     let speed = speed_at(held.rpm, draft.motion.turned);
-    let tool_life = Minutes(draft.tool_life.0 * libm::pow(draft.speed.0 / speed.0, 1.0 / draft.life_exponent));
+    let tool_life = Minutes(draft.tool_life.0 * libm::pow(formula_speed.0 / speed.0, 1.0 / draft.life_exponent));
     let mut because = draft.because;
     because.extend(held.because);
     Ok(Conditions {
@@ -177,10 +180,14 @@ pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Conditions> {
         torque_n_m: torque.map(|torque| torque.rounded(3)),
         power_kw: power.map(|power| power.rounded(4)),
         machine_time_min: Minutes(draft.motion.path / feed_rate.0).rounded(3),
-        limited_by: held.limited_by,
+        limited_by: if practice && held.limited_by == "cutting-speed" {
+            "practice-speed".to_owned()
+        } else {
+            held.limited_by
+        },
         tool_life_min: tool_life.rounded(0),
         coolant: draft.coolant,
-        computed_speed_m_per_min: draft.speed.rounded(2),
+        computed_speed_m_per_min: formula_speed.rounded(2),
         card: draft.card,
         because,
     })

@@ -2,6 +2,7 @@
 
 use crate::knowledge::diagnostic::Place;
 use crate::knowledge::yaml::{Fields, Node, NodeKind};
+use crate::units::Micrometres;
 use crate::units::Roughness;
 
 use super::keys::DIAMETER;
@@ -13,6 +14,14 @@ pub(super) struct Sized {
     pub diameter: ToleratedDiameter,
     pub thread: Option<Thread>,
     pub place: Place,
+}
+
+impl Sized {
+    /// The diameter it takes away: under a thread the thread's own.
+    pub fn widest(&self) -> Micrometres {
+        let nominal = self.diameter.nominal;
+        self.thread.as_ref().map_or(nominal, |thread| thread.size.max(nominal))
+    }
 }
 
 impl Reader<'_> {

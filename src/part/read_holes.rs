@@ -147,7 +147,7 @@ impl Reader<'_> {
         };
         let depth = depth?;
         Some(Cylinders {
-            spans: vec![Span::new(sized.diameter.nominal, Micrometres::ZERO, depth)],
+            spans: vec![Span::new(sized.widest(), Micrometres::ZERO, depth)],
             diameter: sized.diameter,
             thread: sized.thread,
             depth,

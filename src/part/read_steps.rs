@@ -55,6 +55,11 @@ impl Cylinder {
         self.diameter.nominal
     }
 
+    /// The diameter it takes away: under a thread the thread's own.
+    fn widest(&self) -> Micrometres {
+        self.thread.as_ref().map_or(self.nominal(), |thread| thread.size.max(self.nominal()))
+    }
+
     fn step(self, face: Face, depth: Micrometres) -> HoleStep {
         HoleStep {
             diameter: self.diameter,
@@ -280,7 +285,7 @@ impl Reader<'_> {
         let mut spans = Vec::new();
         let mut start = Micrometres::ZERO;
         for cylinder in &cylinders {
-            spans.push(Span::new(cylinder.nominal(), start, cylinder.end));
+            spans.push(Span::new(cylinder.widest(), start, cylinder.end));
             start = cylinder.end;
         }
         let depth = start;

@@ -60,6 +60,7 @@ struct Key {
     passes: u32,
     also: Option<Micrometres>,
     angle: Option<u32>,
+    within: Option<Micrometres>,
     reamer_follows: bool,
     last: bool,
 }
@@ -164,8 +165,13 @@ impl<'p, 'k> Fitting<'p, 'k> {
     /// countersink of 90° around the main cylinder, where a centring drill of the catalogs is wide enough.
     pub fn edge_by_centring(&self) -> Result<Option<Edge>, KnowledgeError> {
         let around = self.hole.diameter.nominal;
+        // A face that is cut after it would take the spot away.
+        if self.edges.iter().any(|edge| edge.feature == Feature::Face) {
+            return Ok(None);
+        }
         let edge = self.edges.iter().find(|edge| {
             edge.face == Face::Entry
+                && edge.start == Micrometres::ZERO
                 && matches!(edge.feature, Feature::Chamfer | Feature::Countersink)
                 && edge.angle_millideg == CENTRING_ANGLE
                 && edge.around == around
@@ -222,6 +228,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             passes: step.passes,
             also: step.also,
             angle: step.angle_millideg,
+            within: step.within,
             reamer_follows: follows.is_some_and(Operation::is_reaming),
             last,
         };
@@ -245,6 +252,8 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let other = step.elsewhere.then(|| self.shop.without_limits());
         let shop = other.as_ref().unwrap_or(self.shop);
         let (travel, reach) = self.travel(step);
+        // How far a tap of that machine would reach is not known here either.
+        let reach = if step.elsewhere { Micrometres::ZERO } else { reach };
         if step.operation == Operation::Mill {
             self.round_enough(step)?;
         }
@@ -258,13 +267,16 @@ impl<'p, 'k> Fitting<'p, 'k> {
             lead: self.lead,
             thread: self.hole.thread_at(step.place.step).map(|thread| thread.id.as_str()),
             angle_millideg: step.angle_millideg,
+            within: step.within,
             clearance: self.clearance,
             grind_limit: self.grind_limit,
         };
         let found = match step.also {
             Some(wide) => {
                 let pilot = reach - self.opening_depth();
-                tooling::find_step_drill(&need, wide, pilot, shop.knowledge, &shop.machine)?
+                let counterbored = self.hole.counterbore.is_some();
+                let opening = if counterbored { Operation::Counterbore } else { Operation::Chamfer };
+                tooling::find_step_drill(&need, wide, pilot, opening, shop.knowledge, &shop.machine)?
             }
             None => tooling::find_tool(&need, shop.knowledge, &shop.machine)?,
         };
@@ -283,6 +295,12 @@ impl<'p, 'k> Fitting<'p, 'k> {
             roughness,
             cutter: cutter_shape(&cutter),
             ..self.cut(step, follows, &cutter.head.material, travel)
+        };
+        // On a floor the mill cuts as far as its own radius.
+        let cut = if step.operation == Operation::Mill && step.from == step.diameter {
+            Cut { from: (step.diameter - cutter.diameter).max(cutter.diameter + Micrometres::new(1)), ..cut }
+        } else {
+            cut
         };
         let conditions = cutting::conditions(&cut, shop)?;
         let mut because = vec![cutter.order.clone(), cutter.because.clone()];
@@ -471,10 +489,14 @@ fn cone(diameter: Micrometres, angle_deg: f64) -> Micrometres {
     Micrometres::from_mm_rounded(diameter.to_mm() / 2.0 / libm::tan((angle_deg / 2.0).to_radians()))
 }
 
-/// The reason of the first candidate stands for all; how many there were is said with it.
+/// One reason stands for all, how many there were is said with it: the first that is about the cutter and
+/// not about a holder that takes other shanks.
 fn first_of(why: Vec<Note>, operation: Operation) -> Note {
+    const MISMATCHES: [&str; 5] =
+        ["shank-outside-clamp", "other-morse", "other-bore", "other-taper", "thread-outside-chuck"];
     let count = why.len();
-    let first = why.into_iter().next().unwrap_or_else(|| Note::new("no-cutter"));
+    let telling = why.iter().position(|note| !MISMATCHES.contains(&note.code.as_str())).unwrap_or_default();
+    let first = why.into_iter().nth(telling).unwrap_or_else(|| Note::new("no-cutter"));
     let first = if first.params.contains_key("operation") { first } else { first.with("operation", operation.name()) };
     if count > 1 { first.with("more", count - 1) } else { first }
 }

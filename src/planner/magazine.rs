@@ -52,6 +52,7 @@ pub(super) fn choose_centre_drill(
         lead: "",
         thread: None,
         angle_millideg: None,
+        within: None,
         clearance: Micrometres::ZERO,
         grind_limit: Micrometres::ZERO,
     };

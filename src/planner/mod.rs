@@ -73,7 +73,19 @@ pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result
     let mut plan =
         Plan { part: part.clone(), cutting: method, holes, tools, clamping, sequence: visits, time, findings };
     unconfirmed(&mut plan);
-    plan.findings.sort_by(|a, b| (a.severity, &a.hole, &a.note).cmp(&(b.severity, &b.hole, &b.note)));
+    plan.findings.sort_by(|a, b| {
+        let key = |finding: &Finding| {
+            let row = finding.note.params.get("row").and_then(|row| row.parse::<usize>().ok());
+            (
+                finding.severity,
+                finding.hole.clone(),
+                finding.note.code.clone(),
+                finding.note.params.get("table").cloned(),
+                row,
+            )
+        };
+        key(a).cmp(&key(b)).then_with(|| a.note.cmp(&b.note))
+    });
     plan.findings.dedup();
     Ok(plan)
 }
@@ -95,8 +107,10 @@ fn draft(
         report(Severity::Error, note.clone());
     }
     let (Some(weighed), Some(choice)) = (weighed, chosen.and_then(|chosen| options.choices.get(chosen))) else {
-        let written = &hole.diameter.written;
-        report(Severity::Error, Note::new("no-route").with("diameter", written).with("tried", options.refused.len()));
+        report(
+            Severity::Error,
+            Note::new("no-route").with("diameter", &hole.diameter).with("tried", options.refused.len()),
+        );
         for (note, schemes) in by_reason(options) {
             let note = if schemes.is_empty() { note } else { note.with("scheme", schemes.join(", ")) };
             report(Severity::Error, note);
@@ -111,7 +125,7 @@ fn draft(
         report(Severity::Doubtful, Note::new("not-bored"));
     }
     if !choice.meets {
-        report(Severity::Doubtful, Note::new("route-misses").with("scheme", &choice.candidate.scheme));
+        report(Severity::Wrong, Note::new("route-misses").with("scheme", &choice.candidate.scheme));
     }
     if steps.iter().any(|fitted| fitted.step.operation.is_boring() && fitted.step.passes > 1) {
         report(Severity::Note, Note::new("bar-set-by-hand"));

@@ -90,7 +90,7 @@ pub(super) fn options(
         single_drill: false,
         bore_large: false,
     };
-    let finder = Finder {
+    let mut finder = Finder {
         hole,
         task: &task,
         fitting: &fitting,
@@ -100,6 +100,7 @@ pub(super) fn options(
         shop,
         opened: RefCell::new(BTreeMap::new()),
         hops: hops(hole, shop),
+        level_floor: true,
         edges: edges(&task, &fitting, shop)?,
         centred_edge: fitting.edge_by_centring()?,
     };
@@ -119,12 +120,21 @@ pub(super) fn options(
             options.impossible.push(why.clone());
         }
     }
-    finder.tables(kind, &mut options)?;
-    let elsewhere = options.choices.iter().any(|choice| choice.candidate.finish_elsewhere);
-    if !elsewhere {
-        finder.complexes(&mut options)?;
-        if main.thread.is_none() {
-            finder.search(&mut options)?;
+    finder.every_way(kind, &mut options)?;
+    if options.choices.is_empty() && main.flat {
+        // Where no mill levels the floor the hole is planned with the drill's cone, and the plan says why.
+        let telling = ["no-mill-enters", "mill-does-not-enter", "does-not-reach", "too-shallow-for-flat"];
+        let of_mill = |note: &&Note| {
+            telling.contains(&note.code.as_str())
+                && note.params.get("operation").is_none_or(|name| name == Operation::Mill.name())
+        };
+        let why = options.refused.iter().map(|other| &other.why).find(of_mill).cloned();
+        finder.level_floor = false;
+        let refused = std::mem::take(&mut options.refused);
+        finder.every_way(kind, &mut options)?;
+        match (why, options.choices.is_empty()) {
+            (Some(why), false) => options.impossible.extend([Note::new("floor-not-flat"), why]),
+            _ => options.refused = refused,
         }
     }
     finder.boring_stands_back(&mut options)?;
@@ -141,7 +151,8 @@ impl Finder<'_, '_> {
     fn auxiliary_kind(&self) -> Option<Kind> {
         let main = &self.task.main;
         if main.thread.is_some() {
-            return Some(Kind::Thread);
+            // A.10 begins in solid metal.
+            return main.before.is_solid().then_some(Kind::Thread);
         }
         if main.diameter.it.number() < 12 || !main.before.is_solid() || !self.hole.steps.is_empty() {
             return None;
@@ -151,6 +162,16 @@ impl Finder<'_, '_> {
         }
         let sink = self.hole.countersink.map(|sink| sink.angle_millideg).or(self.hole.cone.map(|c| c.angle_millideg));
         sink.map(|angle| if angle == 90_000 { Kind::Countersink90 } else { Kind::CountersinkOther })
+    }
+
+    /// The three ways; what the tables finish on another machine is not weighed against the others.
+    fn every_way(&self, kind: Option<Kind>, options: &mut Options) -> Result<(), KnowledgeError> {
+        self.tables(kind, options)?;
+        if options.choices.iter().any(|choice| choice.candidate.finish_elsewhere) {
+            return Ok(());
+        }
+        self.complexes(options)?;
+        self.search(options)
     }
 
     /// The first scheme of the tables that can be carried out; what the tables rank behind it is not weighed
@@ -205,7 +226,11 @@ impl Finder<'_, '_> {
         match Refusal::split(search::candidates(main, &self.sizes, &cost, self.shop))? {
             Err(why) => options.refused.push(none(Way::Search, "next-transition", why)),
             Ok(routes) => {
-                for candidate in routes {
+                for mut candidate in routes {
+                    if main.thread.is_some() {
+                        candidate.transitions.push(Operation::Tap);
+                        candidate.scheme.push_str(" + tap");
+                    }
                     self.weigh(&candidate, options)?;
                 }
             }

@@ -34,6 +34,8 @@ pub(super) struct Finder<'a, 'k> {
     pub hops: Minutes,
     /// The step that cuts each edge, or why none does.
     pub edges: Vec<Result<Step, Note>>,
+    /// Whether a flat floor is made, where one is asked; not where no mill can.
+    pub level_floor: bool,
     /// The edge that centring makes.
     pub centred_edge: Option<bores::Edge>,
 }
@@ -95,12 +97,17 @@ impl Finder<'_, '_> {
     /// and fits them all.
     fn whole(&self, mut steps: Vec<Step>, candidate: &Candidate, joined: bool) -> Tried<Vec<Fitted>> {
         let main = &self.task.main;
-        accuracy::write(&mut steps, main, candidate.promise, self.position, self.shop)?;
-        self.flat_floor(&mut steps)?;
+        let promise = candidate.promise.filter(|_| !candidate.finish_elsewhere);
+        accuracy::write(&mut steps, main, promise, self.position, self.shop)?;
+        if self.level_floor {
+            self.flat_floor(&mut steps)?;
+        }
         for step in &mut steps {
             step.elsewhere |= step.operation == Operation::Tap && !self.shop.machine.can_tap;
         }
-        let also = if joined { self.join(&mut steps)? } else { None };
+        let centred = steps.iter().any(|step| step.operation == Operation::CentreDrill);
+        let made = if centred { self.fitting.edge_by_centring()? } else { None };
+        let also = if joined { self.join(&mut steps, made.is_some())? } else { None };
         let opened_from = roughed(&steps);
         let mut before = [opened_from, opened_from];
         for (index, bore) in self.task.wider.iter().enumerate().filter(|_| also != Some(Feature::Counterbore)) {
@@ -109,8 +116,6 @@ impl Finder<'_, '_> {
             before[side] = roughed(&opening);
             steps.extend(opening);
         }
-        let centred = steps.iter().any(|step| step.operation == Operation::CentreDrill);
-        let made = if centred { self.fitting.edge_by_centring()? } else { None };
         for (edge, step) in self.task.edges.iter().zip(&self.edges).filter(|(edge, _)| Some(**edge) != made) {
             match step {
                 _ if also == Some(edge.feature) => {}
@@ -212,9 +217,8 @@ impl Finder<'_, '_> {
                         }
                         break;
                     }
-                    Err(note) => {
-                        why.get_or_insert(note);
-                    }
+                    // The search comes last, and its reason says what no way could do.
+                    Err(note) => why = Some(note),
                 }
             }
         }
@@ -235,12 +239,13 @@ impl Finder<'_, '_> {
     }
 
     /// Lets the drill make the opening too; which one, or why no step drill does.
-    fn join(&self, steps: &mut [Step]) -> Tried<Option<Feature>> {
+    fn join(&self, steps: &mut [Step], centring_makes_edge: bool) -> Tried<Option<Feature>> {
         let Some(drill) = steps.iter_mut().find(|step| step.operation == Operation::Drill) else {
             return Err(Refusal::Not(Note::new("no-step-drill")));
         };
         let (feature, wide) = match self.hole.counterbore {
             Some(counterbore) => (Feature::Counterbore, Some(counterbore.diameter)),
+            None if centring_makes_edge => return Err(Refusal::Not(Note::new("chamfered-by-centring"))),
             None => {
                 let chamfer = self.task.edges.iter().find(|edge| edge.feature == Feature::Chamfer);
                 let chamfer = chamfer.map(|edge| edge.diameter).unwrap_or_default();

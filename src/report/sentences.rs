@@ -41,6 +41,17 @@ fn shown(name: &str, value: &str, lang: Lang) -> String {
         "kind" => term(value, lang).to_owned(),
         "take" | "by" | "name" | "shank" => term(value, lang).to_owned(),
         "stages" => value.split(" + ").map(|stage| term(stage, lang)).collect::<Vec<_>>().join(" + "),
+        "scheme" | "same" | "first" => value
+            .split(" + ")
+            .map(|part| {
+                if part == "centre" {
+                    super::operation_noun("centre-drill", lang)
+                } else {
+                    super::operation_noun(part, lang)
+                }
+            })
+            .collect::<Vec<_>>()
+            .join(" + "),
         // A decimal number as people write it; designations and table names are none.
         _ if value.parse::<f64>().is_ok() => lang.pick(&value.replace('.', ","), value).to_owned(),
         _ => value.to_owned(),
@@ -58,6 +69,7 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("finer-grade", "точніший квалітет", "a finer grade"),
     ("first", "перша", "the first"),
     ("second", "друга", "the second"),
+    ("practice-speed", "практика цеху", "shop practice"),
     ("drill-strength", "міцність свердла", "strength of the drill"),
     ("thrust", "осьова сила", "thrust"),
     ("spindle-torque", "крутний момент шпинделя", "spindle torque"),
@@ -83,6 +95,7 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("counterbore", "цеківка", "counterbore"),
     ("countersink-90", "зенківка 90°", "countersink of 90°"),
     ("countersink-other", "зенківка іншого кута", "countersink of another angle"),
+    ("practice-speed", "практика цеху", "shop practice"),
     ("drill-strength", "міцність свердла", "strength of the drill"),
     ("final-other", "остаточна на іншому верстаті", "final machining on another machine"),
 ];
@@ -127,8 +140,8 @@ const SENTENCES: &[(&str, &str, &str)] = &[
     ),
     (
         "no-route",
-        "Ø{diameter}: жодна зі схем не здійсненна (відхилено {tried})",
-        "Ø{diameter}: no scheme can be carried out ({tried} refused)",
+        "{diameter}: жодна зі схем не здійсненна (відхилено {tried})",
+        "{diameter}: no scheme can be carried out ({tried} refused)",
     ),
     (
         "finish-elsewhere",
@@ -175,8 +188,8 @@ const SENTENCES: &[(&str, &str, &str)] = &[
     ),
     (
         "rough-boring",
-        "чорнове розточування: {stock} мм на діаметр за {passes} прох., по {low}-{high} мм",
-        "rough boring: {stock} mm on diameter in {passes} passes, {low}-{high} mm each at most",
+        "чорнове розточування: {stock} мм на діаметр за проходів: {passes}, по {low}-{high} мм",
+        "rough boring: {stock} mm on diameter in passes: {passes}, {low}-{high} mm each at most",
     ),
     (
         "stock-for-elsewhere",

@@ -131,6 +131,7 @@ fn conditions(plan: &Plan, lang: Lang) -> String {
             // Groups that share a transition in all its figures share its line.
             let same = rows.iter_mut().find(|known: &&mut Vec<String>| known[1..] == row[1..]);
             match same {
+                Some(known) if known[0].split(", ").any(|name| name == hole.name) => {}
                 Some(known) => known[0] = format!("{}, {}", known[0], hole.name),
                 None => rows.push(row),
             }
@@ -219,7 +220,11 @@ fn limits(plan: &Plan, lang: Lang) -> String {
             let name = operation_noun(transition.operation.name(), lang);
             if conditions.limited_by != "cutting-speed" {
                 let by = term(&conditions.limited_by, lang);
-                lines.push(format!("{} {}: {} {by}", hole.name, name, lang.pick("обмежує", "limited by")));
+                let size = mm(transition.diameter_mm, lang);
+                let line = format!("{} {name} Ø{size}: {} {by}", hole.name, lang.pick("обмежує", "limited by"));
+                if !lines.contains(&line) {
+                    lines.push(line);
+                }
             }
             if let Some(card) = &conditions.card {
                 let optional =

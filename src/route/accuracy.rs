@@ -3,20 +3,21 @@
 use crate::error::KnowledgeError;
 use crate::knowledge::{Answer, Input, RowRef};
 use crate::note::{Because, Note};
-use crate::part::{CentreTolerance, Entry, Hole, Part};
+use crate::part::{BlankHole, CentreTolerance, Entry, Hole, Part};
 use crate::plan::{Achieved, Operation};
 use crate::shop::Shop;
 use crate::units::{ItGrade, Micrometres, Roughness, Unit};
 
-use super::bores::Bore;
+use super::bores::{Before, Bore};
 use super::{Promise, Step};
 
 /// The state a cylinder is in before anything is done to it, as the rule `next-transition` names it.
 pub(super) fn start(bore: &Bore) -> &'static str {
     match bore.before {
-        super::bores::Before::Own => "own-cylinder",
-        before if before.is_solid() => "solid",
-        super::bores::Before::Blank(_) => "blank-hole",
+        Before::Own => "own-cylinder",
+        Before::Blank(BlankHole::Solid) => "solid",
+        Before::Blank(BlankHole::Cast(_)) => "cast-hole",
+        Before::Blank(BlankHole::PreMachined(_)) => "pre-machined-hole",
     }
 }
 
@@ -107,6 +108,10 @@ pub fn write(
             step.because.push(because);
         }
         if let (Some(promise), true) = (promise, Some(index) == last) {
+            if let (Some(own), true) = (it, it.is_some_and(|own| own > promise.it)) {
+                let note = Note::new("promised").with("it", promise.it).with("own", own);
+                step.because.push(Because::table(shop.knowledge.table("A.1")?, note));
+            }
             it = Some(it.map_or(promise.it, |it| it.min(promise.it)));
             let promised = promise.roughness;
             roughness = match (roughness, promised) {
@@ -120,7 +125,7 @@ pub fn write(
 }
 
 fn known(state: &str) -> bool {
-    !matches!(state, "finished" | "counterbored" | "")
+    !matches!(state, "finished" | "")
 }
 
 /// Whether a tool of this operation makes its own axis and does not follow the hole before it.

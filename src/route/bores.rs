@@ -8,7 +8,7 @@ use crate::note::{Because, Note};
 use crate::part::{BlankHole, Bottom, Face, Hole, Part, Thread, ToleratedDiameter};
 use crate::plan::Feature;
 use crate::shop::Shop;
-use crate::units::{Micrometres, Roughness, Unit};
+use crate::units::{ItGrade, Micrometres, Roughness, Unit};
 
 use super::Place;
 
@@ -70,6 +70,8 @@ pub struct Edge {
     pub face: Face,
     /// How far below the face its widest circle lies.
     pub start: Micrometres,
+    /// The cylinder above it, through which the cutter enters; absent at the face.
+    pub within: Option<Micrometres>,
     /// The cylinder it is cut at, before its finishing.
     pub around: Micrometres,
     /// Its widest diameter.
@@ -126,7 +128,9 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
         let mut own: Vec<(usize, &crate::part::HoleStep)> =
             hole.steps.iter().enumerate().filter(|(_, step)| step.face == face).collect();
         own.sort_by_key(|(_, step)| step.diameter.nominal);
-        for (index, step) in own {
+        for (position, (index, step)) in own.iter().copied().enumerate() {
+            // Its edge lies at the floor of the cylinder around it, or at the face.
+            let edge_at = own.get(position + 1).map(|(_, around)| (around.depth, around.diameter.nominal));
             wider.push(Bore {
                 place: Place {
                     feature: Feature::Step,
@@ -139,13 +143,14 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
                 diameter: step.diameter.clone(),
                 roughness: step.roughness,
                 before: Before::Own,
-                flat: step.bottom == Bottom::Flat,
+                // A tapped hole ends in the cone of its drill.
+                flat: step.bottom == Bottom::Flat && step.thread.is_none(),
                 thread: step.thread.clone(),
                 thread_depth: step.depth,
             });
             let chamfer = step.chamfer.or(thread_chamfer(step.thread.as_ref(), shop)?);
             if let Some(chamfer) = chamfer {
-                edges.push(chamfer_edge(face, step.diameter.nominal, chamfer));
+                edges.push(chamfer_edge(face, edge_at, step.diameter.nominal, chamfer));
             }
         }
     }
@@ -182,6 +187,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
             feature: Feature::Countersink,
             face: Face::Entry,
             start: Micrometres::ZERO,
+            within: None,
             around: outermost,
             diameter: sink.diameter,
             angle_millideg: sink.angle_millideg,
@@ -192,20 +198,40 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
             feature: Feature::Cone,
             face: Face::Entry,
             start: Micrometres::ZERO,
+            within: None,
             around: hole.diameter.nominal,
             diameter: cone.diameter,
             angle_millideg: cone.angle_millideg,
         });
     }
-    let chamfer = hole.chamfer.or(thread_chamfer(hole.thread.as_ref(), shop)?);
-    if let (Some(chamfer), None) = (chamfer, hole.countersink) {
-        edges.push(chamfer_edge(Face::Entry, outermost, chamfer));
+    // The main cylinder's own edge lies at the floor of the narrowest cylinder around it, or at the face.
+    let above = wider
+        .iter()
+        .filter(|bore| bore.place.face == Face::Entry)
+        .min_by_key(|bore| bore.diameter.nominal)
+        .map(|bore| (bore.place.depth, bore.diameter.nominal));
+    let main_edge = |chamfer: Micrometres| chamfer_edge(Face::Entry, above, hole.diameter.nominal, chamfer);
+    match (hole.chamfer, hole.countersink) {
+        // Over a counterbore the chamfer of a hole without steps is that of the entry.
+        (Some(chamfer), None) if hole.counterbore.is_some() && hole.steps.is_empty() => {
+            edges.push(chamfer_edge(Face::Entry, None, outermost, chamfer));
+        }
+        (Some(chamfer), None) => edges.push(main_edge(chamfer)),
+        (Some(chamfer), Some(_)) => impossible.push(Note::new("chamfer-in-countersink").with("chamfer", chamfer)),
+        (None, _) => {}
+    }
+    let own_chamfer = hole.chamfer.is_some() && (hole.counterbore.is_none() || !hole.steps.is_empty());
+    if let (Some(chamfer), false) = (thread_chamfer(hole.thread.as_ref(), shop)?, own_chamfer)
+        && (hole.countersink.is_none() || above.is_some())
+    {
+        edges.push(main_edge(chamfer));
     }
     if let Some(face) = hole.face {
         edges.push(Edge {
             feature: Feature::Face,
             face: Face::Entry,
             start: Micrometres::ZERO,
+            within: None,
             around: outermost,
             diameter: face,
             angle_millideg: 2 * RIGHT,
@@ -226,11 +252,13 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
     Ok(Task { main, wider, edges, impossible })
 }
 
-fn chamfer_edge(face: Face, around: Micrometres, chamfer: Micrometres) -> Edge {
+/// `at` is how deep the edge lies, and the diameter of the cylinder above it, through which the cutter enters.
+fn chamfer_edge(face: Face, at: Option<(Micrometres, Micrometres)>, around: Micrometres, chamfer: Micrometres) -> Edge {
     Edge {
         feature: Feature::Chamfer,
         face,
-        start: Micrometres::ZERO,
+        start: at.map_or(Micrometres::ZERO, |(depth, _)| depth),
+        within: at.map(|(_, diameter)| diameter),
         around,
         diameter: around + chamfer + chamfer,
         angle_millideg: RIGHT,
@@ -252,6 +280,20 @@ fn thread_chamfer(thread: Option<&Thread>, shop: &Shop<'_>) -> Result<Option<Mic
 }
 
 impl Bore {
+    /// Grade and roughness its own surface must have: under a thread what drilling leaves, as A.10 drills it.
+    ///
+    /// # Errors
+    /// A.1 lacks its first row.
+    pub fn asks(&self, shop: &Shop<'_>) -> Result<(ItGrade, Roughness), KnowledgeError> {
+        if self.thread.is_none() {
+            return Ok((self.diameter.it, self.roughness));
+        }
+        let table = shop.knowledge.table("A.1")?;
+        let drilled = table.row(0).ok_or_else(|| KnowledgeError::no_row(table, "drilling"))?;
+        let ra = drilled.number_in("ra_coarsest", Unit::Micrometre)?;
+        Ok((drilled.grade("it_coarsest")?, Roughness::from_ra_nanometres((ra * 1000.0) as u32)))
+    }
+
     /// Why a chamfer is there although the drawing has none.
     pub fn chamfer_reason(&self, shop: &Shop<'_>) -> Option<Because> {
         let thread = self.thread.as_ref()?;

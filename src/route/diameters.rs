@@ -5,7 +5,7 @@ use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::Input;
 use crate::knowledge::units::Unit;
 use crate::note::{Because, Note};
-use crate::part::ToleratedDiameter;
+use crate::part::{ThreadKind, ToleratedDiameter};
 use crate::plan::Operation;
 use crate::shop::Shop;
 use crate::units::Micrometres;
@@ -256,6 +256,10 @@ impl Backwards<'_, '_> {
         let below = self.sizes.drills.iter().rev().find(|drill| **drill < self.after);
         let above = self.sizes.drills.iter().find(|drill| **drill > self.after);
         let show = |size: Option<&Micrometres>| size.map_or_else(|| "-".to_owned(), |size| format!("Ø{size}"));
+        let most = self.shop.machine.drill_max;
+        if self.after > most {
+            return Note::new("no-drill-so-large").with("diameter", self.after).with("limit", most);
+        }
         Note::new("no-drill").with("diameter", self.after).with("below", show(below)).with("above", show(above))
     }
 
@@ -264,7 +268,17 @@ impl Backwards<'_, '_> {
         let thread = self.bore.thread.as_ref();
         let thread = thread.ok_or_else(|| Refusal::Not(Note::new("no-thread-to-tap")))?;
         let step = self.step(self.bore.diameter.target());
-        let place = super::Place { feature: crate::plan::Feature::Thread, depth: self.bore.thread_depth, ..step.place };
+        // A conical tap goes to its main plane, however deep the hole.
+        let length = match thread.kind {
+            ThreadKind::Conical => {
+                let table = self.shop.knowledge.table("conical-threads")?;
+                table.find("thread", &thread.id).and_then(|row| row.length_if_any("thread_length"))
+            }
+            ThreadKind::Cylindrical => None,
+        };
+        let depth = length.map_or(self.bore.thread_depth, |length| length.min(self.bore.thread_depth));
+        let through = step.place.through && length.is_none();
+        let place = super::Place { feature: crate::plan::Feature::Thread, depth, through, ..step.place };
         Ok(Step { place, pitch: Some(thread.pitch), ..step })
     }
 
@@ -302,6 +316,14 @@ impl Backwards<'_, '_> {
                         .with("high", largest)
                         .with("diameter", after),
                 )
+            })?
+        } else if previous == Some(Operation::Counterbore) {
+            let inside = |size: &Micrometres| *size >= smallest && *size <= largest;
+            let sizes = super::openings::counterbores(after, shop)?;
+            let nearest = sizes.into_iter().filter(inside).min_by_key(|size| ((*size - aim).abs(), *size));
+            nearest.ok_or_else(|| {
+                let note = Note::new("no-counterbore-in-allowance").with("operation", operation.name());
+                Refusal::Not(note.with("low", smallest).with("high", largest).with("diameter", after))
             })?
         } else if advised == Some(aim) {
             aim

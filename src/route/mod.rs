@@ -86,6 +86,8 @@ pub struct Step {
     pub pitch: Option<Micrometres>,
     /// Full angle of a cone, thousandths of a degree.
     pub angle_millideg: Option<u32>,
+    /// The cylinder above it that its cutter must pass; absent where there is none.
+    pub within: Option<Micrometres>,
     /// What a step drill makes with the same stroke.
     pub also: Option<Micrometres>,
     /// Whether it is done on another machine.
@@ -108,6 +110,7 @@ impl Step {
             passes: 1,
             pitch: None,
             angle_millideg: None,
+            within: None,
             also: None,
             elsewhere: false,
             achieved: None,

@@ -1,6 +1,7 @@
 //! The rest of a hole: wider cylinders, and the edges and faces at its ends.
 
-use crate::error::{Refusal, Tried};
+use crate::error::{KnowledgeError, Refusal, Tried};
+use crate::knowledge::Input;
 use crate::note::{Because, Note};
 use crate::plan::{Feature, Operation};
 use crate::shop::Shop;
@@ -9,7 +10,7 @@ use crate::units::Micrometres;
 use super::bores::{Bore, Edge};
 use super::diameters::Sizes;
 use super::scheme::{self, Question};
-use super::search::{self, Cost, leaves_flat};
+use super::search::{self, Cost, cuts_shoulder};
 use super::{Candidate, Place, Step};
 
 /// The candidates of a wider cylinder: for a step of the drawing those of the tables for a hole that is
@@ -34,7 +35,8 @@ pub fn candidates(
     }
     match Refusal::split(search::candidates(bore, sizes, cost, shop))? {
         Ok(routes) => found.extend(routes),
-        Err(why) => failed = failed.or(Some(why)),
+        // The search has tried everything; its reason tells more than that a table has no cell.
+        Err(why) => failed = Some(why),
     }
     found.retain(|candidate| !bore.flat || cuts_shoulder(&candidate.transitions));
     if let Some(thread) = &bore.thread {
@@ -47,22 +49,38 @@ pub fn candidates(
         }
     }
     if found.is_empty() {
-        let why = failed.unwrap_or_else(|| Note::new("no-flat-opening").with("diameter", bore.diameter.nominal));
-        return Err(Refusal::Not(why));
+        return Err(Refusal::Not(match failed {
+            Some(why) if !bore.flat => why,
+            _ => no_flat_opening(bore, shop)?,
+        }));
     }
     Ok(found)
 }
 
-/// Whether transitions leave a flat shoulder: what comes first is cut flat over its whole width, by a
-/// counterbore or a mill where a drill went before, else also by boring.
-fn cuts_shoulder(transitions: &[Operation]) -> bool {
-    match transitions {
-        [Operation::DrillOut | Operation::Drill, next, ..] => {
-            matches!(next, Operation::Mill | Operation::Counterbore)
-        }
-        [first, ..] => leaves_flat(*first),
-        [] => false,
+/// The sizes of the catalogs' counterbores for about that diameter.
+///
+/// # Errors
+/// The knowledge cannot answer.
+pub(super) fn counterbores(diameter: Micrometres, shop: &Shop<'_>) -> Result<Vec<Micrometres>, KnowledgeError> {
+    let rule = shop.knowledge.table("tool-tables")?;
+    let operation = Operation::Counterbore.name();
+    let answer = rule.decide(&[("operation", Input::Text(operation)), ("diameter", Input::Length(diameter))])?;
+    let mut sizes = Vec::new();
+    for id in answer.winner().map(|row| row.texts("tables")).transpose()?.unwrap_or_default() {
+        sizes.extend(shop.knowledge.table(id)?.all_rows().filter_map(|row| row.length_if_any("diameter")));
     }
+    Ok(sizes)
+}
+
+/// No cutter leaves this shoulder flat: the nearest counterbores of the catalogs.
+fn no_flat_opening(bore: &Bore, shop: &Shop<'_>) -> Result<Note, KnowledgeError> {
+    let asked = bore.diameter.nominal;
+    let sizes = counterbores(asked, shop)?;
+    let show = |size: Option<Micrometres>| size.map_or_else(|| "-".to_owned(), |size| format!("Ø{size}"));
+    Ok(Note::new("no-flat-opening")
+        .with("diameter", asked)
+        .with("below", show(sizes.iter().copied().filter(|size| *size < asked).max()))
+        .with("above", show(sizes.iter().copied().filter(|size| *size > asked).min())))
 }
 
 /// The step that cuts an edge: a chamfer, a countersink, a cone or a face. `around` is the diameter of the
@@ -86,7 +104,7 @@ pub fn edge(edge: &Edge, around: Micrometres, shop: &Shop<'_>) -> Tried<Step> {
         Feature::Chamfer => Operation::Chamfer,
         _ => Operation::Countersink,
     };
-    let mut step = Step::plain(operation, place, edge.diameter, around);
+    let mut step = Step { within: edge.within, ..Step::plain(operation, place, edge.diameter, around) };
     if edge.feature != Feature::Face {
         step.angle_millideg = Some(edge.angle_millideg);
     }

@@ -2,7 +2,7 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Input;
-use crate::plan::{Feature, Operation};
+use crate::plan::Feature;
 use crate::shop::Shop;
 
 use super::Step;
@@ -19,9 +19,9 @@ pub fn sort(steps: &mut Vec<Step>, shop: &Shop<'_>) -> Result<(), KnowledgeError
     // one of the same chain: rough boring after core drilling stays after it.
     let mut least: Vec<(Feature, Option<usize>, i64)> = Vec::new();
     for step in steps.drain(..) {
-        let own = if step.place.feature == Feature::Face { Operation::Counterbore } else { step.operation };
-        let answer = rule.decide(&[("operation", Input::Text(own.name()))])?;
-        let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, own.name()))?;
+        let face = step.place.feature == Feature::Face;
+        let answer = rule.decide(&[("operation", Input::Text(step.operation.name())), ("face", Input::Bool(face))])?;
+        let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, step.operation.name()))?;
         let mut rank = row.int("rank")?;
         let key = (step.place.feature, step.place.step);
         match least.iter_mut().find(|(feature, number, _)| (*feature, *number) == key) {

@@ -21,7 +21,7 @@ use crate::plan::{Operation, Way};
 use crate::shop::Shop;
 use crate::units::{Micrometres, Minutes};
 
-use super::bores::Bore;
+use super::bores::{Before, Bore};
 use super::diameters::{Backwards, Sizes};
 use super::{Candidate, Step, accuracy};
 
@@ -61,8 +61,7 @@ pub fn candidates(bore: &Bore, sizes: &Sizes<'_>, cost: &Cost<'_>, shop: &Shop<'
     let mut graph = Graph::new(bore, sizes, cost, shop)?;
     let goal = graph.goal()?;
     let Some(start) = graph.start else {
-        let failed = graph.failed.into_iter().next();
-        return Err(Refusal::Not(failed.unwrap_or_else(|| graph_failed(bore))));
+        return Err(Refusal::Not(telling(graph.failed, bore)));
     };
     let mut paths: Vec<Vec<NodeIndex>> = all_simple_paths::<Vec<_>, _, std::collections::hash_map::RandomState>(
         &graph.states,
@@ -92,20 +91,36 @@ pub fn candidates(bore: &Bore, sizes: &Sizes<'_>, cost: &Cost<'_>, shop: &Shop<'
                 })
                 .collect();
         }
-        routes.extend(open);
+        // A shoulder that must be flat keeps the others out before the quickest are picked.
+        let flat = bore.flat && bore.before == Before::Own;
+        routes.extend(open.into_iter().filter(|(_, operations, _)| !flat || cuts_shoulder(operations)));
     }
     routes.sort_by(|a, b| a.0.total_cmp(&b.0).then_with(|| a.1.cmp(&b.1)));
     routes.dedup_by(|a, b| a.1 == b.1);
     routes.truncate(MOST);
     if routes.is_empty() {
-        let failed = graph.failed.into_iter().next();
-        return Err(Refusal::Not(failed.unwrap_or_else(|| graph_failed(bore))));
+        return Err(Refusal::Not(telling(graph.failed, bore)));
     }
     routes.into_iter().map(|(_, operations, rows)| candidate(operations, &rows, shop)).collect()
 }
 
-fn graph_failed(bore: &Bore) -> Note {
-    Note::new("no-path").with("it", bore.diameter.it).with("roughness", bore.roughness)
+/// The reason nearest to the end of the route that speaks of a tool or a stock, not of the search itself.
+fn telling(failed: Vec<Note>, bore: &Bore) -> Note {
+    let own = |note: &Note| matches!(note.code.as_str(), "state-unreachable" | "bored-by-another" | "no-hole-to-open");
+    let no_path = || Note::new("no-path").with("it", bore.diameter.it).with("roughness", bore.roughness);
+    failed.into_iter().find(|note| !own(note)).unwrap_or_else(no_path)
+}
+
+/// Whether transitions leave a flat shoulder: what comes first is cut flat over its whole width, by a
+/// counterbore or a mill where a drill went before, else also by boring.
+pub(super) fn cuts_shoulder(transitions: &[Operation]) -> bool {
+    match transitions {
+        [Operation::DrillOut | Operation::Drill, next, ..] => {
+            matches!(next, Operation::Mill | Operation::Counterbore)
+        }
+        [first, ..] => leaves_flat(*first),
+        [] => false,
+    }
 }
 
 /// Whether a transition leaves a flat floor or shoulder.
@@ -170,9 +185,10 @@ impl<'a, 'k> Graph<'a, 'k> {
     fn goal(&mut self) -> Tried<NodeIndex> {
         let target = self.bore.diameter.target();
         let goal = self.states.add_node(State { diameter: target });
+        let (asked_it, asked_roughness) = self.bore.asks(self.shop)?;
         for row in self.rule.all_rows() {
             let Some((it, roughness, _)) = accuracy::of_row(row, self.shop)? else { continue };
-            if it > self.bore.diameter.it || roughness > self.bore.roughness {
+            if it > asked_it || roughness > asked_roughness {
                 continue;
             }
             self.enter(goal, row, true)?;

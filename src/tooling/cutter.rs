@@ -47,6 +47,8 @@ pub struct CutterNeed<'a> {
     pub thread: Option<&'a str>,
     /// Full angle of a cone, thousandths of a degree.
     pub angle_millideg: Option<u32>,
+    /// The wider cylinder through which it reaches its place; absent at a face.
+    pub within: Option<Micrometres>,
     /// Room between an end mill and the hole it goes round in.
     pub clearance: Micrometres,
     /// By how much a reamer or core drill of the catalog may be ground down.
@@ -116,11 +118,16 @@ pub(super) fn step_drills<'k>(
     need: &CutterNeed<'_>,
     wide: Micrometres,
     pilot: Micrometres,
+    opening: Operation,
     knowledge: &'k Knowledge,
 ) -> Result<(Vec<Cutter<'k>>, Vec<Note>), KnowledgeError> {
     let (mut cutters, mut rejected) = (Vec::new(), Vec::new());
     for table in knowledge.tables().filter(|table| table.column_index("step_diameter").is_some()) {
         let Some(head) = &table.tool else { continue };
+        // A flat step for screw heads, or a cone for the chamfer of a thread.
+        if !head.operations.iter().any(|operation| operation == opening.name()) {
+            continue;
+        }
         for row in table.all_rows() {
             if own_diameter(row) != Some(need.diameter) || row.length_if_any("step_diameter") != Some(wide) {
                 continue;
@@ -220,6 +227,16 @@ fn refuse(row: RowRef<'_>, need: &CutterNeed<'_>, machine: &Machine<'_>) -> Opti
     if let Some(own) = own_diameter(row).filter(|own| *own > machine.tool_diameter_max) {
         return Some(note("tool-too-wide").with("diameter", own).with("limit", machine.tool_diameter_max));
     }
+    if let (Some(own), Some(within)) = (own_diameter(row), need.within)
+        && own >= within
+    {
+        return Some(note("does-not-pass").with("diameter", own).with("within", within));
+    }
+    if need.operation == Operation::Counterbore
+        && let Some(pilot) = row.length_if_any("pilot_bore").filter(|pilot| *pilot > need.enters)
+    {
+        return Some(note("pilot-wider-than-hole").with("pilot", pilot).with("hole", need.enters));
+    }
     if need.operation.is_boring()
         && let Ok(bar) = row.length("bar_diameter")
         && bar >= need.enters
@@ -263,6 +280,9 @@ fn designation<'k>(row: RowRef<'k>, need: &CutterNeed<'_>) -> Result<&'k str, Kn
 fn nothing_of_size(need: &CutterNeed<'_>, rule: RowRef<'_>, knowledge: &Knowledge) -> Note {
     if let Some(angle) = need.angle_millideg {
         return no_cone(need, angle, rule, knowledge);
+    }
+    if need.operation == Operation::Mill {
+        return Note::new("no-mill-enters").with("hole", need.enters).with("clearance", need.clearance);
     }
     if let Some(thread) = need.thread.filter(|_| need.operation == Operation::Tap) {
         return Note::new("no-tap").with("thread", thread).with("tables", tables_of(rule));
@@ -371,6 +391,7 @@ impl CutterNeed<'_> {
             lead: "",
             thread: None,
             angle_millideg: None,
+            within: None,
             clearance: Micrometres::ZERO,
             grind_limit: Micrometres::ZERO,
         }

@@ -7,6 +7,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::machine::Machine;
 use crate::note::{Because, Note};
+use crate::plan::Operation;
 use crate::units::Micrometres;
 
 pub use cutter::{Cutter, CutterNeed, DrillSize, drill_sizes};
@@ -26,7 +27,7 @@ pub fn find_tool<'k>(
 }
 
 /// The step drill that makes a hole and its wider opening with one stroke: of both diameters, its narrow
-/// part long enough to pass through.
+/// part long enough to pass through, its wide part of the form that the opening asks.
 ///
 /// # Errors
 /// As of [`find_tool`].
@@ -34,10 +35,11 @@ pub fn find_step_drill<'k>(
     need: &CutterNeed<'_>,
     wide: Micrometres,
     pilot: Micrometres,
+    opening: Operation,
     knowledge: &'k Knowledge,
     machine: &Machine<'_>,
 ) -> Result<Result<(Cutter<'k>, Assembly), Vec<Note>>, KnowledgeError> {
-    let (cutters, rejected) = cutter::step_drills(need, wide, pilot, knowledge)?;
+    let (cutters, rejected) = cutter::step_drills(need, wide, pilot, opening, knowledge)?;
     first_that_fits(cutters, rejected, need, knowledge, machine)
 }
 

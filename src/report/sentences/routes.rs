@@ -125,6 +125,11 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "{operation} до Ø{diameter}: немає свердла, що лишає припуск (до Ø{largest})",
         "{operation} to Ø{diameter}: no drill leaves it stock (up to Ø{largest})",
     ),
+    (
+        "no-counterbore-in-allowance",
+        "{operation} до Ø{diameter}: немає цеківки Ø{low}-{high} під припуск",
+        "{operation} to Ø{diameter}: no counterbore of Ø{low}-{high} leaves the allowance",
+    ),
     ("no-hole-to-open", "{operation}: немає отвору, який розкривати", "{operation}: there is no hole to open"),
     (
         "opened-already",
@@ -145,14 +150,19 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "flat floor: the drill stops at {stop} mm, a mill levels it at {depth} mm",
     ),
     (
+        "floor-not-flat",
+        "плоского дна не зробити: лишається конус свердла",
+        "the floor cannot be made flat: the drill's cone stays",
+    ),
+    (
         "too-shallow-for-flat",
         "отвір глибиною {depth} мм мілкіший за вершину свердла Ø{diameter}",
         "the hole is {depth} mm deep, shallower than the point of the drill Ø{diameter}",
     ),
     (
         "no-flat-opening",
-        "Ø{diameter}: жоден інструмент не лишає плоского торця уступу",
-        "Ø{diameter}: no cutter leaves a flat shoulder",
+        "Ø{diameter}: жоден інструмент не лишає плоского торця уступу; найближчі цеківки {below} і {above}",
+        "Ø{diameter}: no cutter leaves a flat shoulder; the nearest counterbores are {below} and {above}",
     ),
     ("no-opening", "Ø{diameter}: нічим розкрити з Ø{start}", "Ø{diameter}: nothing opens it from Ø{start}"),
     (
@@ -174,8 +184,8 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
     ),
     (
         "second-setup",
-        "ступені зі зворотного боку: другий установ після перевертання; координати - від першого",
-        "steps from the back face: a second set-up after turning the part over; coordinates are those of the first",
+        "ступені зі зворотного боку: другий установ після перевертання; координати - від першого; час перевертання не враховано",
+        "steps from the back face: a second set-up after turning the part over; coordinates are those of the first; the time of turning it over is not counted",
     ),
     // Tools.
     (
@@ -204,6 +214,46 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "комплект з {holder}: маса {mass} > {limit} кг",
         "assembly with {holder}: mass {mass} > {limit} kg",
     ),
+    (
+        "practice-speed",
+        "швидкість за формулою {formula} м/хв; практика цеху з швидкорізальною сталлю - до {limit} м/хв",
+        "the formula gives {formula} m/min; shops drive high-speed steel at up to {limit} m/min",
+    ),
+    (
+        "does-not-pass",
+        "{tool} ({table}): Ø{diameter} >= Ø{within} ступеня, крізь який він мав би пройти",
+        "{tool} ({table}): Ø{diameter} >= Ø{within} of the step it would have to pass",
+    ),
+    (
+        "pilot-wider-than-hole",
+        "{tool} ({table}): отвір під цапфу Ø{pilot} > Ø{hole}: середина лишиться невирізаною",
+        "{tool} ({table}): its pilot bore Ø{pilot} > Ø{hole}: the middle would be left standing",
+    ),
+    (
+        "chamfered-by-centring",
+        "фаску тут знімає центрування: ступінчасте свердло зайве",
+        "centring makes the chamfer here: a step drill has nothing to add",
+    ),
+    (
+        "chamfer-in-countersink",
+        "фаска {chamfer} мм і зенківка на тому самому краї: лишіть одну",
+        "a chamfer of {chamfer} mm and a countersink at the same edge: keep one of them",
+    ),
+    (
+        "promised",
+        "таблиця схем обіцяє квалітет {it}; за А.1 цей ланцюг дає {own}",
+        "the scheme table promises grade {it}; by A.1 this chain gives {own}",
+    ),
+    (
+        "no-drill-so-large",
+        "свердло Ø{diameter} > Ø{limit}, найбільшого для верстата",
+        "a drill Ø{diameter} > Ø{limit}, the largest the machine takes",
+    ),
+    (
+        "no-mill-enters",
+        "жодна кінцева фреза не входить в отвір Ø{hole} із зазором {clearance} мм; найменша Ø10",
+        "no end mill enters the hole Ø{hole} with {clearance} mm of room; the smallest is Ø10",
+    ),
     ("no-tap", "немає мітчика {thread} у таблицях {tables}", "no tap {thread} in the tables {tables}"),
     (
         "no-cone-of-angle",
@@ -228,7 +278,7 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
     ),
     (
         "magazine-reloaded",
-        "{tools} інструментів на {places} місць: T{first}-T{last} ставлять вручну, коли попередні відпрацювали ({loads} завантаження магазину)",
-        "{tools} tools for {places} places: T{first} to T{last} are loaded by hand when those before are done ({loads} loads of the magazine)",
+        "{tools} інструментів на {places} місць: з T{first} по T{last} ставлять вручну, коли попередні відпрацювали (завантажень магазину: {loads}; час ручної заміни не враховано)",
+        "{tools} tools for {places} places: from T{first} to T{last} they are loaded by hand when those before are done ({loads} loads of the magazine; the time of changing by hand is not counted)",
     ),
 ];

@@ -38,6 +38,7 @@ pub(super) fn section(plan: &Plan, lang: Lang) -> String {
         for transition in hole.transitions.iter().filter(|transition| transition.elsewhere) {
             rows.push(step(plan, hole, transition, rows.len() + 1, lang));
         }
+        rows.extend(finish_elsewhere(plan, hole, rows.len() + 1, lang));
     }
     for row in &mut rows {
         row.resize(6, String::new());
@@ -53,6 +54,26 @@ pub(super) fn section(plan: &Plan, lang: Lang) -> String {
     let title = lang.pick("005 Багатоінструментальна з ЧПК", "005 Multi-tool NC operation");
     let shown = if rows.len() > 2 { table(&head, &rows) } else { String::new() };
     format!("{title}\n{shown}{}{}", visits(plan, lang), choices(plan, lang))
+}
+
+/// What the tables finish on another machine, with the stock left for it.
+fn finish_elsewhere(plan: &Plan, own: &HolePlan, number: usize, lang: Lang) -> Option<Vec<String>> {
+    let route = own.route.as_ref().filter(|route| route.finish_elsewhere)?;
+    let last = own.transitions.iter().rev().find(|transition| transition.feature == Feature::Bore)?;
+    let hole = hole(plan, &own.name)?;
+    let stock = hole.diameter.target() - last.diameter_mm;
+    let text = format!(
+        "{} {} {} ({}), {} {} {}",
+        lang.pick("Остаточно обробити на іншому верстаті", "Finish on another machine:"),
+        hole.at.len(),
+        format_args!("{} {}", lang.pick("отв.", "holes"), hole.diameter),
+        own.name,
+        lang.pick("припуск на діаметр", "stock on diameter"),
+        mm(stock, lang),
+        lang.pick("мм", "mm")
+    );
+    let scheme = route_name(route.way, &route.table, &route.scheme, lang);
+    Some(vec![number.to_string(), text, scheme, "-".to_owned()])
 }
 
 /// The points of each tool in the order of its path.
@@ -73,27 +94,34 @@ fn hole<'p>(plan: &'p Plan, name: &str) -> Option<&'p Hole> {
     plan.part.holes.iter().find(|hole| hole.name == name)
 }
 
-fn holes_of(plan: &Plan, name: &str, lang: Lang) -> String {
+/// The holes of a group and the cylinder that a transition works on: `6 отв. Ø10H12 (A)`.
+fn holes_of(plan: &Plan, name: &str, transition: &Transition, lang: Lang) -> String {
     hole(plan, name).map_or_else(String::new, |hole| {
-        format!(
-            "{} {} {}",
-            hole.at.len(),
-            lang.pick("отв.", if hole.at.len() == 1 { "hole" } else { "holes" }),
-            hole.diameter
-        )
+        let step = transition.step.and_then(|number| hole.steps.get(number.checked_sub(1)?));
+        let thread = hole.thread_at(transition.step).filter(|_| transition.operation == Operation::Tap);
+        let size = match (thread, step) {
+            (Some(thread), _) => thread.written.clone(),
+            (None, Some(step)) => step.diameter.to_string(),
+            (None, None) => hole.diameter.to_string(),
+        };
+        let holes = lang.pick("отв.", if hole.at.len() == 1 { "hole" } else { "holes" });
+        format!("{} {holes} {size} ({name})", hole.at.len())
     })
 }
 
 fn step(plan: &Plan, own: &HolePlan, transition: &Transition, number: usize, lang: Lang) -> Vec<String> {
     let name = own.name.as_str();
     let operation = transition.operation.name();
-    let finished = hole(plan, name).is_some_and(|hole| hole.diameter.nominal == transition.diameter_mm);
+    let finished = hole(plan, name).is_some_and(|hole| {
+        let step = transition.step.and_then(|number| hole.steps.get(number.checked_sub(1)?));
+        step.map_or(hole.diameter.nominal, |step| step.diameter.nominal) == transition.diameter_mm
+    });
     let size = mm(transition.diameter_mm, lang);
     let to = if transition.operation == Operation::CentreDrill {
         format!(", {} Ø{size}", lang.pick("лунка", "spot"))
-    } else if let Some(thread) = thread(plan, name, transition) {
-        format!(", {thread}")
-    } else if transition.feature == Feature::Bore && finished {
+    } else if transition.operation == Operation::Tap
+        || (matches!(transition.feature, Feature::Bore | Feature::Step) && finished)
+    {
         String::new()
     } else {
         format!(" {} Ø{size}", lang.pick("до", "to"))
@@ -117,17 +145,12 @@ fn step(plan: &Plan, own: &HolePlan, transition: &Transition, number: usize, lan
     let place = if transition.elsewhere { "-".to_owned() } else { format!("T{}", transition.tool.number) };
     vec![
         number.to_string(),
-        format!("{} {}{to}{more}", operation_verb(operation, lang), holes_of(plan, name, lang)),
+        format!("{} {}{to}{more}", operation_verb(operation, lang), holes_of(plan, name, transition, lang)),
         own.route.as_ref().map_or_else(String::new, |route| route_name(route.way, &route.table, &route.scheme, lang)),
         place,
         format!("{}{}", transition.tool.designation, mark(&transition.because)),
         achieved(transition.achieved.as_ref()),
     ]
-}
-
-fn thread(plan: &Plan, name: &str, transition: &Transition) -> Option<String> {
-    let thread = hole(plan, name)?.thread_at(transition.step)?;
-    (transition.operation == Operation::Tap).then(|| thread.written.clone())
 }
 
 /// Grade and roughness, as far as the tables say.
