@@ -371,13 +371,18 @@ impl<'p, 'k> Fitting<'p, 'k> {
         }
     }
 
-    /// Working travel of one pass, and how far the cutter must reach below its face.
-    fn travel(&self, step: &Step) -> (Micrometres, Micrometres) {
-        let lead = match step.operation {
+    /// How far a tool's point goes beyond the full diameter.
+    pub fn lead(&self, step: &Step) -> Micrometres {
+        match step.operation {
             Operation::Drill | Operation::DrillOut => cone(step.diameter, self.drill_point),
             Operation::CoreDrill => cone(step.diameter - step.from, self.core_drill_point),
             _ => Micrometres::ZERO,
-        };
+        }
+    }
+
+    /// Working travel of one pass, and how far the cutter must reach below its face.
+    fn travel(&self, step: &Step) -> (Micrometres, Micrometres) {
+        let lead = self.lead(step);
         let (approach, overrun, _) = self.travels(step.place.through);
         let reach = step.place.depth + lead + *overrun;
         (*approach + reach - step.place.start, reach)

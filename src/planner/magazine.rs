@@ -3,7 +3,7 @@
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Finding, Note, Severity};
-use crate::part::Part;
+use crate::part::{Face, Part};
 use crate::plan::{HolderRef, HolePlan, Operation, ToolPlan, ToolRef, Transition};
 use crate::shop::Shop;
 use crate::tooling::{self, CutterNeed};
@@ -113,7 +113,12 @@ pub(super) fn number_tools(
         }
     }
     rank(&mut tools, &drafts);
-    tools.sort_by_key(|(rank, _)| *rank);
+    // What is used from the back face only comes after everything of the first set-up.
+    let of_back = |tool: &FittedTool| {
+        let entry = drafts.iter().flat_map(|draft| &draft.steps).filter(|one| one.step.place.face == Face::Entry);
+        !entry.filter_map(|one| one.tool.as_ref()).any(|known| same(known, tool))
+    };
+    tools.sort_by_key(|(rank, tool)| (of_back(tool), *rank));
     let tools: Vec<FittedTool> = tools.into_iter().map(|(_, tool)| tool).collect();
     let places = shop.machine.magazine.max(1);
     if tools.len() > places {

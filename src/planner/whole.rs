@@ -145,28 +145,25 @@ impl Finder<'_, '_> {
         }
     }
 
-    /// A flat floor: the drill stops where its point touches it, and an end mill goes round on it.
+    /// A flat floor: drills and core drills stop where their points touch it, and an end mill goes round on it.
     fn flat_floor(&self, steps: &mut Vec<Step>) -> Tried<()> {
         if !self.task.main.flat {
             return Ok(());
         }
-        let Some(last) =
-            steps.iter().rposition(|step| matches!(step.operation, Operation::Drill | Operation::DrillOut))
-        else {
-            return Ok(());
-        };
-        let (diameter, depth) = (steps[last].diameter, steps[last].place.depth);
-        let stop = depth - self.fitting.point(diameter);
-        if stop <= Micrometres::ZERO {
-            let note = Note::new("too-shallow-for-flat").with("depth", depth).with("diameter", diameter);
-            return Err(Refusal::Not(note));
-        }
-        let whole = steps[last].place;
-        for step in &mut steps[..=last] {
-            if step.operation != Operation::CentreDrill {
-                step.place.depth = stop;
+        let pointed =
+            |step: &Step| matches!(step.operation, Operation::Drill | Operation::DrillOut | Operation::CoreDrill);
+        let Some(last) = steps.iter().rposition(pointed) else { return Ok(()) };
+        let (diameter, depth, whole) = (steps[last].diameter, steps[last].place.depth, steps[last].place);
+        for step in steps[..=last].iter_mut().filter(|step| pointed(step)) {
+            let stop = depth - self.fitting.lead(step);
+            if stop <= Micrometres::ZERO {
+                let note = Note::new("too-shallow-for-flat").with("depth", depth).with("diameter", step.diameter);
+                return Err(Refusal::Not(note));
             }
+            step.place.depth = stop;
         }
+        let stop = steps[..=last].iter().filter(|step| pointed(step)).map(|step| step.place.depth).min();
+        let stop = stop.unwrap_or(depth);
         let mut floor = Step::plain(Operation::Mill, whole, diameter, diameter);
         floor.place.start = stop;
         floor.because.push(Because::table(

@@ -41,21 +41,17 @@ fn shown(name: &str, value: &str, lang: Lang) -> String {
         "kind" => term(value, lang).to_owned(),
         "take" | "by" | "name" | "shank" => term(value, lang).to_owned(),
         "stages" => value.split(" + ").map(|stage| term(stage, lang)).collect::<Vec<_>>().join(" + "),
-        "scheme" | "same" | "first" => value
-            .split(" + ")
-            .map(|part| {
-                if part == "centre" {
-                    super::operation_noun("centre-drill", lang)
-                } else {
-                    super::operation_noun(part, lang)
-                }
-            })
-            .collect::<Vec<_>>()
-            .join(" + "),
+        "scheme" | "same" | "first" => scheme_name(value, lang),
         // A decimal number as people write it; designations and table names are none.
         _ if value.parse::<f64>().is_ok() => lang.pick(&value.replace('.', ","), value).to_owned(),
         _ => value.to_owned(),
     }
+}
+
+/// A scheme as people read it: `04 + centre`, or the transitions that a search found.
+pub fn scheme_name(scheme: &str, lang: Lang) -> String {
+    let part = |part| super::operation_noun(if part == "centre" { "centre-drill" } else { part }, lang);
+    scheme.split(" + ").map(part).collect::<Vec<_>>().join(" + ")
 }
 
 /// A word that stands in a table as an id.

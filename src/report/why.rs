@@ -3,6 +3,7 @@
 use crate::note::Because;
 use crate::plan::{HolePlan, Plan};
 
+use super::sentences::scheme_name;
 use super::sheet::{mm, number};
 use super::{Lang, grid, operation_verb, sentence};
 
@@ -14,7 +15,12 @@ pub fn explain(plan: &Plan, hole: &HolePlan, lang: Lang) -> String {
     text.push_str(&format!("{title} {} {}\n\n", hole.name, diameter.unwrap_or_default()));
     match &hole.route {
         Some(route) => {
-            text.push_str(&format!("{} {} ({})\n", lang.pick("Схема", "Scheme"), route.scheme, route.table));
+            text.push_str(&format!(
+                "{} {} ({})\n",
+                lang.pick("Схема", "Scheme"),
+                scheme_name(&route.scheme, lang),
+                route.table
+            ));
             text.push_str(&reasons(&route.because, lang));
             if !route.alternatives.is_empty() {
                 text.push_str(&format!(

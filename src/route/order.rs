@@ -23,7 +23,13 @@ pub fn sort(steps: &mut Vec<Step>, shop: &Shop<'_>) -> Result<(), KnowledgeError
         let answer = rule.decide(&[("operation", Input::Text(step.operation.name())), ("face", Input::Bool(face))])?;
         let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, step.operation.name()))?;
         let mut rank = row.int("rank")?;
-        let key = (step.place.feature, step.place.step);
+        // A thread is cut into its own cylinder.
+        let feature = match (step.place.feature, step.place.step) {
+            (Feature::Thread, None) => Feature::Bore,
+            (Feature::Thread, Some(_)) => Feature::Step,
+            (feature, _) => feature,
+        };
+        let key = (feature, step.place.step);
         match least.iter_mut().find(|(feature, number, _)| (*feature, *number) == key) {
             Some((.., least)) => {
                 rank = rank.max(*least);

@@ -5,6 +5,7 @@ use crate::part::{Face, Hole, ToleratedDiameter};
 use crate::plan::{Achieved, Alternative, Feature, HolePlan, Operation, Plan, Route, Transition, Way};
 use crate::units::Micrometres;
 
+use super::super::sentences::scheme_name;
 use super::{Lang, grid, mark, mm, number, operation_noun, operation_verb, sentence, table};
 
 /// The route in the form of the worked example: one line per transition of a group, in the order of work.
@@ -166,11 +167,12 @@ fn route_name(way: Way, table: &str, scheme: &str, lang: Lang) -> String {
     if scheme.is_empty() {
         return table.to_owned();
     }
+    let name = scheme_name(scheme, lang);
     match way {
-        Way::Tables => format!("{table} {scheme}"),
-        Way::Complexes => format!("{table} {} {scheme}", lang.pick("комплекс", "complex")),
-        Way::Search if scheme.chars().next().is_some_and(|first| first.is_ascii_digit()) => {
-            format!("{} ({table} {scheme})", lang.pick("пошук", "search"))
+        Way::Tables => format!("{table} {name}"),
+        Way::Complexes => format!("{table} {} {name}", lang.pick("комплекс", "complex")),
+        Way::Search if scheme.starts_with(|first: char| first.is_ascii_digit()) => {
+            format!("{} ({table} {name})", lang.pick("пошук", "search"))
         }
         Way::Search => lang.pick("пошук", "search").to_owned(),
     }
