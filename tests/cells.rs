@@ -217,7 +217,7 @@ fn every_cell_of_a9_gives_its_scheme() {
 
 /// A hole of grade 13 with a counterbore: its keys and its diameter.
 fn counterbored(diameter: f64, wide: u32) -> (String, f64) {
-    let keys = format!("diameter: {diameter}H13, roughness: Ra 12.5, counterbore: {{diameter: {wide}, depth: 6}}");
+    let keys = format!("diameter: {diameter}H13, roughness: Ra 12.5, counterbore: {{diameter: {wide}, depth: 8}}");
     (keys, diameter)
 }
 
