@@ -63,7 +63,7 @@ fn plain_hole(random: &mut Random) -> (String, Micrometres) {
 }
 
 /// Holes tried, and how many of them must have a route.
-const TRIED: usize = 600;
+const TRIED: usize = 400;
 const ENOUGH: f64 = 0.95;
 
 #[test]
@@ -215,7 +215,7 @@ fn ranked(plan: &Plan) -> Result<(), TestCaseError> {
             let keys: Vec<(bool, f64)> = timed.iter().map(|(meets, time, _)| (!meets, *time)).collect();
             prop_assert!(
                 keys.windows(2)
-                    .all(|pair| pair[0].0 < pair[1].0 || (pair[0].0 == pair[1].0 && pair[0].1 <= pair[1].1 + 1.5e-3)),
+                    .all(|pair| pair[0].0 <= pair[1].0 && (pair[0].0 != pair[1].0 || pair[0].1 <= pair[1].1 + 1.5e-3)),
                 "{}: {keys:?}",
                 hole.name
             );
@@ -294,7 +294,7 @@ fn rearranged(text: &str, order: &[prop::sample::Index]) -> String {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 16, ..ProptestConfig::default() })]
 
     #[test]
     fn the_ranking_does_not_depend_on_the_order_of_a_file(
@@ -344,7 +344,7 @@ fn plain_parts() -> impl Strategy<Value = String> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 32, ..ProptestConfig::default() })]
 
     #[test]
     fn holes_with_any_features_have_lawful_plans(text in holes::part_files()) {

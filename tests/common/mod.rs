@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "clippy allows it in tests, but not in the functions they share")]
 
 pub mod holes;
+pub mod kinds;
 pub mod lawful;
 
 use std::collections::BTreeMap;
