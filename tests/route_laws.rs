@@ -3,7 +3,8 @@
 //! - At least 95 % of random solid holes Ø3-30, IT 9-14, up to 5 diameters deep, get a complete route on the
 //!   ГФ2171 without an error; each of the others has a finding that says what is missing.
 //! - A hole with any of the features of the part format has a lawful plan: tools of the catalogs, no limit of
-//!   the machine exceeded, every transition opens the hole further.
+//!   the machine exceeded, every transition opens the hole further, from a
+//!   diameter that an earlier one left.
 //! - The allowances lie inside section 1.2.1.
 //! - The ranking is a total order: it does not depend on the order of the groups nor of the keys of a file.
 
@@ -18,7 +19,8 @@ use common::{KNOWLEDGE, holes, planned, read};
 use proptest::prelude::*;
 use technolog::machine::Machine;
 use technolog::note::Severity;
-use technolog::plan::{CuttingMethod, Feature, HolePlan, Operation, Plan};
+use technolog::part::Hole;
+use technolog::plan::{CuttingMethod, Feature, HolePlan, Operation, Plan, Transition};
 use technolog::units::Micrometres;
 
 /// The same numbers in every run (a linear congruence; its high bits are even enough here).
@@ -293,6 +295,24 @@ fn rearranged(text: &str, order: &[prop::sample::Index]) -> String {
     format!("{head}holes:\n{}", groups.concat())
 }
 
+/// Every transition cuts from a diameter that is there: one that an earlier transition left, or the blank's.
+fn there_before(hole: &Hole, plan: &HolePlan) -> Result<(), TestCaseError> {
+    let cylinder = |step: &&Transition| {
+        matches!(step.feature, Feature::Bore | Feature::Step | Feature::Counterbore | Feature::Thread)
+            && step.operation != Operation::CentreDrill
+    };
+    for (at, step) in plan.transitions.iter().enumerate().filter(|(_, step)| cylinder(step)) {
+        let from = step.from_diameter_mm;
+        let made = plan.transitions[..at].iter().filter(cylinder).any(|earlier| {
+            let here = earlier.feature == Feature::Bore || earlier.face == step.face;
+            here && (earlier.diameter_mm == from || earlier.also_diameter_mm == Some(from))
+        });
+        let there = made || from == Micrometres::ZERO || hole.state.diameter() == Some(from);
+        prop_assert!(there, "{} {:?} {}: nothing left {from}", hole.name, step.operation, step.diameter_mm);
+    }
+    Ok(())
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 16, ..ProptestConfig::default() })]
 
@@ -364,6 +384,7 @@ proptest! {
                 sound(step, &plan, &machine).map_err(|error| TestCaseError::fail(format!("{error}\n{text}")))?;
             }
             within_allowances(own).map_err(|error| TestCaseError::fail(format!("{error}\n{text}")))?;
+            there_before(hole, own).map_err(|error| TestCaseError::fail(format!("{error}\n{text}")))?;
         }
         grows(&plan).map_err(|error| TestCaseError::fail(format!("{error}\n{text}")))?;
         for tool in &plan.tools {

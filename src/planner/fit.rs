@@ -83,6 +83,7 @@ pub(super) struct Fitting<'p, 'k> {
     surface: &'k str,
     lead: &'k str,
     clearance: Micrometres,
+    floor_clearance: Micrometres,
     grind_limit: Micrometres,
     known: RefCell<BTreeMap<Key, Result<Outfit, Note>>>,
 }
@@ -121,6 +122,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             surface: surface.text("surface")?,
             lead: lead.text("lead")?,
             clearance: shop.convention("mill-clearance-mm")?,
+            floor_clearance: shop.convention("floor-clearance-mm")?,
             grind_limit: shop.convention("cutter-grind-limit-mm")?,
             known: RefCell::new(BTreeMap::new()),
         })
@@ -268,14 +270,14 @@ impl<'p, 'k> Fitting<'p, 'k> {
             thread: self.hole.thread_at(step.place.step).map(|thread| thread.id.as_str()),
             angle_millideg: step.angle_millideg,
             within: step.within,
-            clearance: self.clearance,
+            below: self.step_above(step),
+            clearance: if step.from == step.diameter { self.floor_clearance } else { self.clearance },
             grind_limit: self.grind_limit,
         };
         let found = match step.also {
             Some(wide) => {
                 let pilot = reach - self.opening_depth();
-                let counterbored = self.hole.counterbore.is_some();
-                let opening = if counterbored { Operation::Counterbore } else { Operation::Chamfer };
+                let opening = if self.flat_opening().is_some() { Operation::Counterbore } else { Operation::Chamfer };
                 tooling::find_step_drill(&need, wide, pilot, opening, shop.knowledge, &shop.machine)?
             }
             None => tooling::find_tool(&need, shop.knowledge, &shop.machine)?,
@@ -316,11 +318,24 @@ impl<'p, 'k> Fitting<'p, 'k> {
         Ok(Outfit { tool, travel, conditions })
     }
 
-    /// How deep the wide part of a step drill goes: the counterbore, or the edge it chamfers.
+    /// Where a step of the main cylinder begins below wider ones, and the diameter of the narrowest of those.
+    fn step_above(&self, step: &Step) -> Option<(Micrometres, Micrometres)> {
+        let main = step.place.step.is_none() && step.place.start > Micrometres::ZERO;
+        let wider = self.hole.steps.iter().filter(|step| step.face == Face::Entry).map(|step| step.diameter.nominal);
+        let around = wider.chain(self.hole.counterbore.map(|counterbore| counterbore.diameter)).min()?;
+        (main && step.operation == Operation::Tap).then_some((step.place.start, around))
+    }
+
+    /// How deep the wide part of a step drill goes: the counterbore or step, or the edge it chamfers.
     fn opening_depth(&self) -> Micrometres {
-        let counterbore = self.hole.counterbore.map(|counterbore| counterbore.depth);
         let edge = || self.edges.iter().find(|edge| edge.face == Face::Entry).map(|edge| edge.depth(Micrometres::ZERO));
-        counterbore.or_else(edge).unwrap_or_default()
+        self.flat_opening().or_else(edge).unwrap_or_default()
+    }
+
+    /// The depth of the counterbore or step at the entry, if there is one.
+    fn flat_opening(&self) -> Option<Micrometres> {
+        let step = self.hole.steps.iter().find(|step| step.face == Face::Entry);
+        self.hole.counterbore.map(|counterbore| counterbore.depth).or(step.map(|step| step.depth))
     }
 
     /// A milled cylinder is as round as the machine makes it, which may take a share of the tolerance.

@@ -53,6 +53,7 @@ pub(super) fn choose_centre_drill(
         thread: None,
         angle_millideg: None,
         within: None,
+        below: None,
         clearance: Micrometres::ZERO,
         grind_limit: Micrometres::ZERO,
     };

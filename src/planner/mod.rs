@@ -106,6 +106,9 @@ fn draft(
     for note in &options.impossible {
         report(Severity::Error, note.clone());
     }
+    for note in &options.remarks {
+        report(Severity::Note, note.clone());
+    }
     let (Some(weighed), Some(choice)) = (weighed, chosen.and_then(|chosen| options.choices.get(chosen))) else {
         report(
             Severity::Error,
@@ -129,6 +132,11 @@ fn draft(
     }
     if steps.iter().any(|fitted| fitted.step.operation.is_boring() && fitted.step.passes > 1) {
         report(Severity::Note, Note::new("bar-set-by-hand"));
+    }
+    for why in steps.iter().flat_map(|fitted| &fitted.because) {
+        if why.note.code == "step-finished-elsewhere" {
+            report(Severity::Note, why.note.clone());
+        }
     }
     if let Some(tap) = steps.iter().find(|fitted| fitted.step.elsewhere && fitted.step.operation == Operation::Tap) {
         let thread = hole.thread_at(tap.step.place.step).map_or("", |thread| thread.written.as_str());

@@ -50,6 +50,8 @@ pub(super) struct Options {
     pub not_bored: bool,
     /// What no axial tool makes, and openings that nothing opens.
     pub impossible: Vec<Note>,
+    /// What the drawing does not ask for and cannot be done either.
+    pub remarks: Vec<Note>,
 }
 
 impl Options {
@@ -100,6 +102,7 @@ pub(super) fn options(
         shop,
         opened: RefCell::new(BTreeMap::new()),
         hops: hops(hole, shop),
+        drilled: accuracy::drilled(shop)?,
         level_floor: true,
         edges: edges(&task, &fitting, shop)?,
         centred_edge: fitting.edge_by_centring()?,
@@ -117,7 +120,8 @@ pub(super) fn options(
     };
     for (edge, step) in task.edges.iter().zip(&finder.edges) {
         if let (Err(why), true) = (step, Some(*edge) != finder.centred_edge) {
-            options.impossible.push(why.clone());
+            let list = if edge.asked { &mut options.impossible } else { &mut options.remarks };
+            list.push(why.clone());
         }
     }
     finder.every_way(kind, &mut options)?;
@@ -171,6 +175,10 @@ impl Finder<'_, '_> {
             return Ok(());
         }
         self.complexes(options)?;
+        // How a hole in solid metal is made for a thread A.10 says, down to where it bores; nothing reaches beyond.
+        if self.task.main.thread.is_some() && self.task.main.before.is_solid() {
+            return Ok(());
+        }
         self.search(options)
     }
 
@@ -208,8 +216,11 @@ impl Finder<'_, '_> {
     }
 
     fn complexes(&self, options: &mut Options) -> Result<(), KnowledgeError> {
-        let counterbored = self.hole.counterbore.is_some();
-        match Refusal::split(complex::candidates(&self.question, counterbored, self.shop))? {
+        let openings = complex::Openings {
+            counterbored: self.hole.counterbore.is_some(),
+            countersunk: self.hole.countersink.is_some(),
+        };
+        match Refusal::split(complex::candidates(&self.question, openings, self.shop))? {
             Err(why) => options.refused.push(none(Way::Complexes, "A.4", why)),
             Ok(complexes) => {
                 for candidate in complexes {
@@ -258,8 +269,10 @@ impl Finder<'_, '_> {
             match twin {
                 Some(twin) => {
                     let why = Note::new("same-as").with("table", &twin.candidate.table);
-                    let why = why.with("same", &twin.candidate.scheme);
-                    options.refused.push(refused(candidate, why));
+                    let same = refused(candidate, why.with("same", &twin.candidate.scheme));
+                    if !options.refused.contains(&same) {
+                        options.refused.push(same);
+                    }
                 }
                 None => options.choices.push(choice),
             }
@@ -274,9 +287,10 @@ impl Finder<'_, '_> {
         let asked = self.boring_asked()?;
         let bores = |choice: &Choice| choice.candidate.transitions.iter().any(|operation| operation.is_boring());
         let stands_back = |choice: &Choice| choice.candidate.way != Way::Tables && bores(choice) != asked;
+        options.not_bored = !asked && self.close()?;
         let other = options.choices.iter().any(|choice| choice.meets && !stands_back(choice));
         if !other {
-            options.not_bored = asked && !options.choices.iter().any(bores);
+            options.not_bored = self.close()? && !options.choices.iter().any(bores);
             return Ok(());
         }
         let (back, kept): (Vec<Choice>, Vec<Choice>) = options.choices.drain(..).partition(stands_back);
@@ -290,10 +304,18 @@ impl Finder<'_, '_> {
         Ok(())
     }
 
+    /// Whether the position asks for boring if a bar entered.
+    fn close(&self) -> Result<bool, KnowledgeError> {
+        self.asks_for_boring(true)
+    }
+
     /// Whether the position of the axis asks for boring, by the rule `boring-for-position`.
     pub fn boring_asked(&self) -> Result<bool, KnowledgeError> {
+        self.asks_for_boring(self.task.main.diameter.nominal >= self.sizes.smallest_bore)
+    }
+
+    fn asks_for_boring(&self, enters: bool) -> Result<bool, KnowledgeError> {
         let rule = self.shop.knowledge.table("boring-for-position")?;
-        let enters = self.task.main.diameter.nominal >= self.sizes.smallest_bore;
         let position = self.question.position;
         let answer = rule.decide(&[("position", Input::Length(position)), ("bar_enters", Input::Bool(enters))])?;
         let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this position"))?;

@@ -13,7 +13,7 @@ use crate::route::diameters::{self, Sizes};
 use crate::route::scheme::Question;
 use crate::route::{Candidate, Step, accuracy, openings, order};
 use crate::shop::Shop;
-use crate::units::{Micrometres, Minutes};
+use crate::units::{ItGrade, Micrometres, Minutes};
 
 use super::fit::{Fitted, Fitting};
 
@@ -34,6 +34,8 @@ pub(super) struct Finder<'a, 'k> {
     pub hops: Minutes,
     /// The step that cuts each edge, or why none does.
     pub edges: Vec<Result<Step, Note>>,
+    /// The finest grade that drilling holds, by A.1.
+    pub drilled: ItGrade,
     /// Whether a flat floor is made, where one is asked; not where no mill can.
     pub level_floor: bool,
     /// The edge that centring makes.
@@ -110,7 +112,7 @@ impl Finder<'_, '_> {
         let also = if joined { self.join(&mut steps, made.is_some())? } else { None };
         let opened_from = roughed(&steps);
         let mut before = [opened_from, opened_from];
-        for (index, bore) in self.task.wider.iter().enumerate().filter(|_| also != Some(Feature::Counterbore)) {
+        for (index, bore) in self.task.wider.iter().enumerate().filter(|(_, bore)| also != Some(bore.place.feature)) {
             let side = usize::from(bore.place.face == Face::Back);
             let opening = self.open(index, bore, before[side])?;
             before[side] = roughed(&opening);
@@ -196,6 +198,12 @@ impl Finder<'_, '_> {
                 let sizes = Sizes { bore_large, ..sizes };
                 let made = diameters::steps(&candidate, bore, &sizes, self.shop).and_then(|mut steps| {
                     accuracy::write(&mut steps, bore, candidate.promise, self.position.following(), self.shop)?;
+                    if candidate.finish_elsewhere
+                        && let Some(last) = steps.last_mut()
+                    {
+                        let note = Note::new("step-finished-elsewhere").with("diameter", &bore.diameter);
+                        last.because.push(Because::table(self.shop.knowledge.table("A.8")?, note));
+                    }
                     cone_above_shoulder(&mut steps, bore, start, self.fitting);
                     for step in &mut steps {
                         step.elsewhere |= step.operation == Operation::Tap && !self.shop.machine.can_tap;
@@ -224,15 +232,21 @@ impl Finder<'_, '_> {
     }
 
     /// Whether a step drill may make the hole and its opening at once: a through hole that is only drilled,
-    /// with one counterbore, or with a chamfer.
+    /// with one flat opening that drilling holds, or with a chamfer.
     pub fn may_join(&self, candidate: &Candidate) -> bool {
         let cuts = |operation: &&Operation| !matches!(operation, Operation::CentreDrill | Operation::Tap);
-        let counterbored = self.hole.counterbore.is_some() && self.task.wider.len() == 1;
         let chamfered =
             self.task.wider.is_empty() && self.task.edges.iter().any(|edge| edge.feature == Feature::Chamfer);
         self.task.main.place.through
-            && (counterbored || chamfered)
+            && (self.drilled_opening().is_some() || chamfered)
             && candidate.transitions.iter().filter(cuts).eq([&Operation::Drill])
+    }
+
+    /// The one wider cylinder of a hole, where a step drill's flat step holds its grade.
+    fn drilled_opening(&self) -> Option<&Bore> {
+        let [bore] = self.task.wider.as_slice() else { return None };
+        let drilled = bore.diameter.it >= self.drilled && bore.thread.is_none();
+        (bore.place.face == Face::Entry && bore.flat && drilled).then_some(bore)
     }
 
     /// Lets the drill make the opening too; which one, or why no step drill does.
@@ -240,8 +254,8 @@ impl Finder<'_, '_> {
         let Some(drill) = steps.iter_mut().find(|step| step.operation == Operation::Drill) else {
             return Err(Refusal::Not(Note::new("no-step-drill")));
         };
-        let (feature, wide) = match self.hole.counterbore {
-            Some(counterbore) => (Feature::Counterbore, Some(counterbore.diameter)),
+        let (feature, wide) = match self.drilled_opening() {
+            Some(bore) => (bore.place.feature, Some(bore.diameter.nominal)),
             None if centring_makes_edge => return Err(Refusal::Not(Note::new("chamfered-by-centring"))),
             None => {
                 let chamfer = self.task.edges.iter().find(|edge| edge.feature == Feature::Chamfer);

@@ -133,6 +133,16 @@ pub(super) const fn guides(operation: Operation) -> bool {
     operation.is_boring() || matches!(operation, Operation::Mill)
 }
 
+/// The finest grade that drilling holds: row 1 of A.1.
+///
+/// # Errors
+/// The knowledge lacks it.
+pub fn drilled(shop: &Shop<'_>) -> Result<ItGrade, KnowledgeError> {
+    let table = shop.knowledge.table("A.1")?;
+    let row = table.row(0).ok_or_else(|| KnowledgeError::no_row(table, "drilling"))?;
+    Ok(row.grade("it_finest")?)
+}
+
 /// What the position of an axis is worth, by the table `position-accuracy` and the machine.
 #[derive(Clone, Copy, Debug)]
 pub struct Position {

@@ -72,6 +72,8 @@ pub struct Edge {
     pub start: Micrometres,
     /// The cylinder above it, through which the cutter enters; absent at the face.
     pub within: Option<Micrometres>,
+    /// Whether the drawing asks for it; a thread's own chamfer is ours.
+    pub asked: bool,
     /// The cylinder it is cut at, before its finishing.
     pub around: Micrometres,
     /// Its widest diameter.
@@ -150,7 +152,8 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
             });
             let chamfer = step.chamfer.or(thread_chamfer(step.thread.as_ref(), shop)?);
             if let Some(chamfer) = chamfer {
-                edges.push(chamfer_edge(face, edge_at, step.diameter.nominal, chamfer));
+                let edge = chamfer_edge(face, edge_at, step.diameter.nominal, chamfer);
+                edges.push(Edge { asked: step.chamfer.is_some(), ..edge });
             }
         }
     }
@@ -188,6 +191,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
             face: Face::Entry,
             start: Micrometres::ZERO,
             within: None,
+            asked: true,
             around: outermost,
             diameter: sink.diameter,
             angle_millideg: sink.angle_millideg,
@@ -199,6 +203,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
             face: Face::Entry,
             start: Micrometres::ZERO,
             within: None,
+            asked: true,
             around: hole.diameter.nominal,
             diameter: cone.diameter,
             angle_millideg: cone.angle_millideg,
@@ -224,7 +229,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
     if let (Some(chamfer), false) = (thread_chamfer(hole.thread.as_ref(), shop)?, own_chamfer)
         && (hole.countersink.is_none() || above.is_some())
     {
-        edges.push(main_edge(chamfer));
+        edges.push(Edge { asked: false, ..main_edge(chamfer) });
     }
     if let Some(face) = hole.face {
         edges.push(Edge {
@@ -232,6 +237,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
             face: Face::Entry,
             start: Micrometres::ZERO,
             within: None,
+            asked: true,
             around: outermost,
             diameter: face,
             angle_millideg: 2 * RIGHT,
@@ -259,6 +265,7 @@ fn chamfer_edge(face: Face, at: Option<(Micrometres, Micrometres)>, around: Micr
         face,
         start: at.map_or(Micrometres::ZERO, |(depth, _)| depth),
         within: at.map(|(_, diameter)| diameter),
+        asked: true,
         around,
         diameter: around + chamfer + chamfer,
         angle_millideg: RIGHT,

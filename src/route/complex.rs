@@ -10,14 +10,24 @@ use crate::units::Micrometres;
 use super::Candidate;
 use super::scheme::{Question, centre_first};
 
+/// What the hole opens into at its entry.
+#[derive(Clone, Copy, Debug)]
+pub struct Openings {
+    /// A counterbore.
+    pub counterbored: bool,
+    /// A countersink.
+    pub countersunk: bool,
+}
+
 /// The kind of hole that A.4 files a cylinder under, and the diameter it is asked with.
-fn kind(question: &Question<'_>, counterbored: bool) -> Option<(&'static str, Micrometres)> {
+fn kind(question: &Question<'_>, openings: Openings) -> Option<(&'static str, Micrometres)> {
     let bore = question.bore;
     let diameter = bore.diameter.nominal;
     match (&bore.thread, bore.diameter.it.number()) {
         _ if !bore.before.is_solid() => None,
         (Some(thread), _) => Some(("threaded", thread.size)),
-        (None, 12..) if counterbored => Some(("counterbored", diameter)),
+        (None, 12..) if openings.counterbored => Some(("counterbored", diameter)),
+        (None, 12..) if openings.countersunk => Some(("countersunk", diameter)),
         (None, 12..) => Some(("smooth", diameter)),
         // Group 5 of A.4 are the holes of grade 7 to 9; 10 and 11 stand in no group.
         (None, 7..=9) => Some(("precise", diameter)),
@@ -32,14 +42,14 @@ fn kind(question: &Question<'_>, counterbored: bool) -> Option<(&'static str, Mi
 ///
 /// # Errors
 /// The knowledge cannot answer, or A.4 has no complex for it.
-pub fn candidates(question: &Question<'_>, counterbored: bool, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
+pub fn candidates(question: &Question<'_>, openings: Openings, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
     let table = shop.knowledge.table("A.4")?;
     let refuse = |code: &str| {
         let note =
             Note::new(code).with("it", question.bore.diameter.it).with("diameter", question.bore.diameter.nominal);
         Refusal::Not(note.with("centre", question.centre_tolerance))
     };
-    let Some((kind, diameter)) = kind(question, counterbored) else { return Err(refuse("no-complex-group")) };
+    let Some((kind, diameter)) = kind(question, openings) else { return Err(refuse("no-complex-group")) };
     let answer = match table.decide(&[
         ("hole", Input::Text(kind)),
         ("diameter", Input::Length(diameter)),

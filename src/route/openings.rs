@@ -39,6 +39,10 @@ pub fn candidates(
         Err(why) => failed = Some(why),
     }
     found.retain(|candidate| !bore.flat || cuts_shoulder(&candidate.transitions));
+    // What can be finished here is not left for another machine.
+    if found.iter().any(|candidate| !candidate.finish_elsewhere) {
+        found.retain(|candidate| !candidate.finish_elsewhere);
+    }
     if let Some(thread) = &bore.thread {
         for candidate in &mut found {
             candidate.transitions.push(Operation::Tap);

@@ -49,6 +49,9 @@ pub struct CutterNeed<'a> {
     pub angle_millideg: Option<u32>,
     /// The wider cylinder through which it reaches its place; absent at a face.
     pub within: Option<Micrometres>,
+    /// Where its cut begins below the face, and how wide the hole is above that: a shank that passes there
+    /// need not be counted.
+    pub below: Option<(Micrometres, Micrometres)>,
     /// Room between an end mill and the hole it goes round in.
     pub clearance: Micrometres,
     /// By how much a reamer or core drill of the catalog may be ground down.
@@ -249,7 +252,12 @@ fn refuse(row: RowRef<'_>, need: &CutterNeed<'_>, machine: &Machine<'_>) -> Opti
     let reach = reach_of(row)?;
     // A reamer's teeth are shorter than the hole; it is its neck that must reach.
     let reach = if need.operation.is_reaming() { reach_of_reamer(row).unwrap_or(reach) } else { reach };
-    (reach < need.reach).then(|| note("does-not-reach").with("reach", reach).with("needed", need.reach))
+    let passes = |around: Micrometres| row.length_if_any("shank_diameter").is_some_and(|shank| shank < around);
+    let needed = match need.below {
+        Some((start, around)) if passes(around) => need.reach - start,
+        _ => need.reach,
+    };
+    (reach < needed).then(|| note("does-not-reach").with("reach", reach).with("needed", needed))
 }
 
 /// How deep a reamer goes: to the end of its neck, which is all that stands out of the holder.
@@ -392,6 +400,7 @@ impl CutterNeed<'_> {
             thread: None,
             angle_millideg: None,
             within: None,
+            below: None,
             clearance: Micrometres::ZERO,
             grind_limit: Micrometres::ZERO,
         }

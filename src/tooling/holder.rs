@@ -70,7 +70,8 @@ pub fn assemble(
     }
     let rule = knowledge.table("holder-for-shank")?;
     // End mills with a Morse shank are drawn in by a thread, drills are driven by a tang.
-    let drawbar = cutter.head.shank == Shank::Morse && need.operation == Operation::Mill;
+    let mills = cutter.head.operations.iter().any(|operation| operation == Operation::Mill.name());
+    let drawbar = cutter.head.shank == Shank::Morse && mills;
     let answer = rule.decide(&[
         ("shank", Input::Text(cutter.head.shank.name())),
         ("drawbar", Input::Bool(drawbar)),

@@ -130,6 +130,11 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "{operation} до Ø{diameter}: немає цеківки Ø{low}-{high} під припуск",
         "{operation} to Ø{diameter}: no counterbore of Ø{low}-{high} leaves the allowance",
     ),
+    (
+        "step-finished-elsewhere",
+        "ступінь {diameter} за таблицями остаточно обробляють на іншому верстаті; тут лишено припуск",
+        "the tables finish the step {diameter} on another machine; stock is left for it here",
+    ),
     ("no-hole-to-open", "{operation}: немає отвору, який розкривати", "{operation}: there is no hole to open"),
     (
         "opened-already",
