@@ -2,7 +2,8 @@
 //!
 //! `cargo bench` runs all of it; `cargo bench -- query` one group. The targets, each for one core:
 //! a million explained decisions a second, the proof of everything under 100 ms, loading under 3 ms,
-//! a whole `technolog plan` under 20 ms.
+//! a whole `technolog plan` under 20 ms, a part of a thousand holes of forty kinds under 1 s, growing linearly
+//! with the kinds.
 
 #![allow(clippy::unwrap_used, reason = "a bench that cannot begin has nothing to measure")]
 
@@ -13,6 +14,9 @@ use technolog::knowledge::{Column, ColumnType, Input, Knowledge, Table, lint, lo
 use technolog::plan::CuttingMethod;
 use technolog::units::{ItGrade, Micrometres, Roughness};
 use technolog::{part, planner, shipped};
+
+#[path = "../tests/common/kinds.rs"]
+mod kinds;
 
 /// Questions per iteration, all different, so that neither branches nor caches learn one answer.
 const QUESTIONS: usize = 1024;
@@ -42,6 +46,18 @@ fn main() {
             planner::plan(&part, CuttingMethod::default(), &knowledge)
         });
     });
+
+    // All of them 25 holes a kind: the time a kind is the throughput, which stays as the kinds grow.
+    let mut many = criterion.benchmark_group("plan-kinds");
+    many.sample_size(20);
+    for number in [10, 20, 40] {
+        let part = part::read_part("kinds.yaml", &kinds::part_of_kinds(number), &knowledge).unwrap();
+        many.throughput(Throughput::Elements(number as u64));
+        many.bench_function(number.to_string(), |bench| {
+            bench.iter(|| planner::plan(black_box(&part), CuttingMethod::default(), &knowledge));
+        });
+    }
+    many.finish();
     criterion.final_summary();
 }
 

@@ -17,6 +17,12 @@ pub enum KnowledgeError {
 }
 
 impl KnowledgeError {
+    /// A table does not hold what is asked of it, for that reason.
+    pub fn lacks(table: &str, why: &str) -> Self {
+        let table = table.to_owned();
+        Self::Table(TableError { table, file: String::new(), row: String::new(), problem: why.to_owned() })
+    }
+
     /// A table has no row where it must have one.
     pub fn no_row(table: &crate::knowledge::Table, wanted: &str) -> Self {
         Self::Table(TableError {

@@ -43,8 +43,22 @@ pub struct Machine<'k> {
     pub drill_max: Micrometres,
     /// Largest overhang of a tool from the spindle's face.
     pub overhang_max: Micrometres,
+    /// Largest end mill.
+    pub end_mill_max: Micrometres,
+    /// Largest tool of any kind: the face mill.
+    pub tool_diameter_max: Micrometres,
+    /// Largest mass of a tool with its holder, kg.
+    pub tool_mass_max_kg: f64,
     /// Accuracy of position along an axis: σc of table A.6.
     pub position_accuracy: Micrometres,
+    /// Roundness of a cylinder milled by contour; absent where the record does not say.
+    pub roundness: Option<Micrometres>,
+    /// Whether it cuts threads with a tap.
+    pub can_tap: bool,
+    /// Whether its control interpolates circles.
+    pub contouring: bool,
+    /// Cost of a minute, in the record's currency, where it is given.
+    pub minute_rate: Option<f64>,
 }
 
 impl<'k> Machine<'k> {
@@ -74,7 +88,14 @@ impl<'k> Machine<'k> {
             taper: number("spindle-taper")? as i64,
             drill_max: length("drill-diameter-max")?,
             overhang_max: length("tool-overhang-max")?,
+            end_mill_max: length("end-mill-diameter-max")?,
+            tool_diameter_max: length("face-mill-diameter-max")?,
+            tool_mass_max_kg: number("tool-mass-max")?,
             position_accuracy: length("position-accuracy")?,
+            roundness: length("roundness-accuracy").ok(),
+            can_tap: number("can-tap")? > 0.0,
+            contouring: number("contouring")? > 0.0,
+            minute_rate: number("minute-rate").ok(),
         })
     }
 

@@ -5,48 +5,76 @@
 //! nearest point not yet visited, from the tool-change position and back.
 
 use crate::machine::Machine;
-use crate::part::{Part, Point};
+use crate::part::{Face, Part, Point};
 use crate::plan::{HolePlan, Stop, Times, Visit};
 use crate::units::{Micrometres, Minutes};
 
 /// Visits of every tool, in order, and where the time goes.
-pub fn sequence(part: &Part, holes: &[HolePlan], tools: u32, machine: &Machine<'_>) -> (Vec<Visit>, Times) {
+///
+/// A tool is taken when every hole that needs it has come to it. Where two holes need two tools in opposite
+/// orders, the lower number is taken first and comes back later for the other hole.
+pub fn sequence(part: &Part, holes: &[HolePlan], machine: &Machine<'_>) -> (Vec<Visit>, Times) {
     let mut visits = Vec::new();
     let mut times = Times::default();
-    let home = tool_change_point(part, machine);
-    for tool in 1..=tools {
-        let mut left: Vec<Stop> = Vec::new();
-        for (plan, hole) in holes.iter().zip(&part.holes) {
-            for (transition, step) in plan.transitions.iter().enumerate() {
-                if step.tool.number == tool {
+    for (setup, face) in [(1, Face::Entry), (2, Face::Back)] {
+        // What is still to be done to each group, last first.
+        let mut to_do: Vec<Vec<usize>> = holes
+            .iter()
+            .map(|plan| {
+                let own = plan.transitions.iter().enumerate().rev();
+                own.filter(|(_, step)| step.face == face && !step.elsewhere).map(|(index, _)| index).collect()
+            })
+            .collect();
+        while let Some(tool) = next_tool(holes, &to_do) {
+            let mut left: Vec<Stop> = Vec::new();
+            for ((plan, hole), to_do) in holes.iter().zip(&part.holes).zip(&mut to_do) {
+                while let Some(transition) = to_do.pop_if(|index| tool_of(plan, *index) == Some(tool)) {
                     left.extend(hole.at.iter().map(|&at| Stop { hole: plan.name.clone(), transition, at }));
                 }
             }
+            let visit = visit(tool, setup, left, holes, part, machine);
+            times.rapid_min = times.rapid_min + visit.rapid_min;
+            visits.push(visit);
         }
-        let mut stops = Vec::with_capacity(left.len());
-        let (mut here, mut rapid) = (home, 0.0);
-        while let Some(next) = nearest(here, &left) {
-            let stop = left.remove(next);
-            rapid += rapid_between(here, stop.at, machine).0;
-            rapid += withdrawal(&stop, holes, machine).0;
-            here = stop.at;
-            stops.push(stop);
-        }
-        rapid += rapid_between(here, home, machine).0;
-        let rapid = Minutes(rapid).rounded(3);
-        times.rapid_min = times.rapid_min + rapid;
-        visits.push(Visit { tool, stops, rapid_min: rapid });
     }
     times.machine_min = holes
         .iter()
-        .flat_map(|plan| plan.transitions.iter().map(|step| step.conditions.machine_time_min.0 * plan.count as f64))
+        .flat_map(|plan| {
+            let own = plan.transitions.iter().filter(|step| !step.elsewhere);
+            own.map(|step| step.conditions.machine_time_min.0 * plan.count as f64)
+        })
         .map(Minutes)
         .sum::<Minutes>()
         .rounded(2);
-    times.tool_change_min = Minutes(machine.tool_change.0 * f64::from(tools)).rounded(2);
+    times.tool_change_min = Minutes(machine.tool_change.0 * visits.len() as f64).rounded(2);
     times.rapid_min = times.rapid_min.rounded(2);
     times.total_min = (times.machine_min + times.rapid_min + times.tool_change_min).rounded(2);
     (visits, times)
+}
+
+/// The lowest tool that some group needs next.
+fn next_tool(holes: &[HolePlan], to_do: &[Vec<usize>]) -> Option<u32> {
+    holes.iter().zip(to_do).filter_map(|(plan, to_do)| tool_of(plan, *to_do.last()?)).min()
+}
+
+fn tool_of(plan: &HolePlan, transition: usize) -> Option<u32> {
+    plan.transitions.get(transition).map(|step| step.tool.number)
+}
+
+/// A tool's way over its stops, from the tool-change position and back.
+fn visit(tool: u32, setup: u32, mut left: Vec<Stop>, holes: &[HolePlan], part: &Part, machine: &Machine<'_>) -> Visit {
+    let home = tool_change_point(part, machine);
+    let mut stops = Vec::with_capacity(left.len());
+    let (mut here, mut rapid) = (home, 0.0);
+    while let Some(next) = nearest(here, &left) {
+        let stop = left.remove(next);
+        rapid += rapid_between(here, stop.at, machine).0;
+        rapid += withdrawal(&stop, holes, machine).0;
+        here = stop.at;
+        stops.push(stop);
+    }
+    rapid += rapid_between(here, home, machine).0;
+    Visit { tool, setup, stops, rapid_min: Minutes(rapid).rounded(3) }
 }
 
 /// Where the spindle stands over the part when tools are changed: the machine's zero is over the middle of

@@ -6,7 +6,7 @@ use crate::machine::Machine;
 use crate::material::Material;
 use crate::part::Part;
 use crate::plan::CuttingMethod;
-use crate::units::{Micrometres, Unit};
+use crate::units::{Kilowatts, Micrometres, NewtonMetres, Roughness, Unit};
 
 /// The knowledge, the machine at hand and the material.
 #[derive(Clone, Debug)]
@@ -22,6 +22,24 @@ pub struct Shop<'k> {
 }
 
 impl<'k> Shop<'k> {
+    /// A share of the conventions in `hole-defaults`.
+    ///
+    /// # Errors
+    /// The table does not name it.
+    pub fn share(&self, name: &str) -> Result<f64, KnowledgeError> {
+        let table = self.knowledge.table("hole-defaults")?;
+        let row = table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
+        Ok(row.number_in("value", Unit::None)?)
+    }
+
+    /// A roughness of the conventions in `hole-defaults`, whose names end in `-ra-um`.
+    ///
+    /// # Errors
+    /// The table does not name it.
+    pub fn roughness(&self, name: &str) -> Result<Roughness, KnowledgeError> {
+        Ok(Roughness::from_ra_nanometres((self.share(name)? * 1000.0) as u32))
+    }
+
     /// A length of the conventions in `hole-defaults`, whose names end in `-mm`.
     ///
     /// # Errors
@@ -30,6 +48,20 @@ impl<'k> Shop<'k> {
         let table = self.knowledge.table("hole-defaults")?;
         let row = table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
         Ok(Micrometres::from_mm_rounded(row.number_in("value", Unit::None)?))
+    }
+
+    /// The same shop as if its machine bore any load and any tool: for what is done on another machine, whose
+    /// limits are not known. Its spindle steps stay, as a guide.
+    #[must_use]
+    pub fn without_limits(&self) -> Self {
+        let mut shop = self.clone();
+        let machine = &mut shop.machine;
+        machine.overhang_max = Micrometres::new(i64::MAX / 4);
+        machine.tool_mass_max_kg = f64::INFINITY;
+        machine.tool_diameter_max = machine.overhang_max;
+        machine.spindle_torque = NewtonMetres(f64::INFINITY);
+        machine.spindle_power = Kilowatts(f64::INFINITY);
+        shop
     }
 
     /// The shop a part is planned in.

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde::Deserialize;
 use technolog::part::read_part;
-use technolog::plan::CuttingMethod;
+use technolog::plan::{CuttingMethod, HolePlan, Way};
 use technolog::{planner, shipped};
 
 #[derive(Deserialize)]
@@ -38,6 +38,19 @@ impl Hole {
     }
 }
 
+/// The route that the scheme tables give, whether it was taken or another was quicker: its scheme, its
+/// transitions, and whether the hole is finished elsewhere.
+fn table_route(hole: &HolePlan) -> Option<(String, Vec<&'static str>, bool)> {
+    let route = hole.route.as_ref()?;
+    if route.way == Way::Tables {
+        let operations = hole.transitions.iter().map(|step| step.operation.name()).collect();
+        return Some((route.scheme.clone(), operations, route.finish_elsewhere));
+    }
+    let other = route.alternatives.iter().find(|other| other.way == Way::Tables && other.time_min.is_some())?;
+    let operations = other.operations.iter().map(|(operation, _)| operation.name()).collect();
+    Some((other.scheme.clone(), operations, false))
+}
+
 #[test]
 fn the_planner_finds_the_routes_that_the_tables_give() {
     let knowledge = shipped::knowledge().unwrap();
@@ -51,14 +64,11 @@ fn the_planner_finds_the_routes_that_the_tables_give() {
             );
             let part = read_part("case", &case.hole.part(), &knowledge).unwrap();
             let plan = planner::plan(&part, CuttingMethod::Formula, &knowledge).unwrap();
-            let hole = &plan.holes[0];
-            let scheme = hole.route.as_ref().map_or("none", |route| route.scheme.as_str());
-            let operations: Vec<&str> = hole.transitions.iter().map(|step| step.operation.name()).collect();
+            let found = table_route(&plan.holes[0]);
+            let (scheme, operations, elsewhere) = found.unwrap_or_else(|| ("none".to_owned(), Vec::new(), false));
             assert_eq!(scheme, case.scheme, "{what}");
             assert_eq!(operations, case.operations, "{what}");
-            let elsewhere = hole.route.as_ref().is_some_and(|route| route.finish_elsewhere);
             assert_eq!(elsewhere, case.elsewhere, "{what}");
-            assert_eq!(plan.has_errors(), case.scheme == "none", "{what}: {:?}", plan.findings);
             cases += 1;
         }
     }

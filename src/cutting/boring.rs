@@ -9,7 +9,7 @@ use crate::units::{MetresPerMinute, Micrometres, MillimetresPerRev, Minutes, Rou
 
 use super::figures::feed_input;
 use super::figures::{self, number};
-use super::{Cut, Draft, Loads, PowerLaw, factors};
+use super::{Cut, Draft, Loads, Motion, PowerLaw, factors};
 
 /// Turning formulas, speed × 0.9 for internal work (Косилова/Мещеряков т.2; facts 1.8).
 ///
@@ -62,6 +62,7 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
         life_exponent: number(row, "m")?,
         coolant: None,
         loads,
+        motion: Motion::along_axis(cut),
         because,
         card: None,
     })

@@ -13,7 +13,7 @@ use crate::shop::Shop;
 use crate::units::{Kilowatts, MetresPerMinute, MillimetresPerRev, NewtonMetres, Newtons};
 
 use super::drilling::Base;
-use super::{Cut, Draft, Loads, PowerLaw, power_of, rpm_at};
+use super::{Cut, Draft, Loads, Motion, PowerLaw, power_of, rpm_at};
 
 /// Conditions by the card: its point for steel, then the worked example's factors of the material group;
 /// `loads` are those of the formula for the material at hand.
@@ -59,6 +59,7 @@ pub(super) fn draft(
         life_exponent: base.life_exponent,
         coolant: base.coolant,
         loads,
+        motion: Motion::along_axis(cut),
         because,
         card: Some(card),
     })

@@ -7,8 +7,9 @@ use crate::plan::{CuttingMethod, Operation};
 use crate::shop::Shop;
 use crate::units::{MetresPerMinute, MillimetresPerRev, Minutes};
 
+use super::feed::{self, Feed};
 use super::figures::{self, coolant, number};
-use super::{Cut, Draft, Loads, PowerLaw, card, factors, feed};
+use super::{Cut, Draft, Loads, Motion, PowerLaw, card, factors};
 
 /// The operation by which the coefficient tables know this transition: centring is drilling.
 fn table_operation(operation: Operation) -> &'static str {
@@ -25,7 +26,11 @@ fn table_operation(operation: Operation) -> &'static str {
 /// - M = 10·Cm·D^q·t^x·s^y·Kp, N·m; P = 10·Cp·D^q·t^x·s^y·Kp, N;
 /// - D, t in mm, s in mm/rev, T in min.
 pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
-    let feed = feed::tabulated(cut, shop)?;
+    by_tables(cut, feed::tabulated(cut, shop)?, shop)
+}
+
+/// The same for a feed found elsewhere: the tools that have no coefficients of their own take this way.
+pub(super) fn by_tables(cut: &Cut<'_>, feed: Feed, shop: &Shop<'_>) -> Tried<Draft> {
     let mut because = feed.because;
     let base = base(cut, feed.feed, shop)?;
     because.extend(base.because.clone());
@@ -61,6 +66,7 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
         life_exponent: base.life_exponent,
         coolant: base.coolant,
         loads,
+        motion: Motion::along_axis(cut),
         because,
         card: None,
     })

@@ -2,7 +2,7 @@
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::units::{Unit, round_to};
-use crate::knowledge::{Input, QueryError};
+use crate::knowledge::{Input, QueryError, RowRef};
 use crate::note::{Because, Note};
 use crate::shop::Shop;
 
@@ -14,27 +14,44 @@ pub(super) type Factor = (f64, Because);
 
 /// Kmv: how the material moves the speed.
 ///
-/// Steel: Kg·(750/σB)^nv. Grey iron (190/HB)^nv, malleable iron (150/HB)^nv. Copper and aluminium
+/// Steel: Kg·(750/σB)^nv, in milling with the class's own nv where it has one. Grey iron (190/HB)^nv, malleable iron (150/HB)^nv. Copper and aluminium
 /// alloys: a figure of their class. (Косилова/Мещеряков т.2, facts 1.5.)
 pub(super) fn material_speed(process: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Factor> {
     let table = shop.knowledge.table("speed-material-exponent")?;
-    let answer = table.decide(&material_inputs(process, cut, shop))?;
-    let Some(row) = answer.winner() else { return factor_of_one(&table.id, shop) };
+    let (row, stand_in) = match table.decide(&material_inputs(process, cut.tool_material, shop))?.winner() {
+        Some(row) => (row, None),
+        None => {
+            let other = figures::stand_in_tool_material(&table.id, cut.tool_material, shop)?;
+            let Some((instead, because)) = other else { return factor_of_one(&table.id, shop) };
+            let answer = table.decide(&material_inputs(process, instead, shop))?;
+            let Some(row) = answer.winner() else { return factor_of_one(&table.id, shop) };
+            (row, Some(because))
+        }
+    };
     let (strength, hardness) = (shop.material.strength.to_f64(), shop.material.hardness.to_f64());
+    let mut exponent = number(row, "exponent")?;
+    let mut because = stand_in.unwrap_or_else(|| Because::row(row, Note::new("material-speed-factor")));
     let (ratio, class) = match row.text("reference")? {
-        "strength-750" => (750.0 / strength, steel_class(cut.tool_material, shop)?),
+        "strength-750" => {
+            let class = steel_class(cut.tool_material, shop)?;
+            if process == "milling" && class.value("milling_exponent").is_some() {
+                exponent = number(class, "milling_exponent")?;
+                because = Because::row(class, Note::new("material-speed-factor"));
+            }
+            (750.0 / strength, number(class, "factor")?)
+        }
         "hardness-190" => (190.0 / hardness, 1.0),
         "hardness-150" => (150.0 / hardness, 1.0),
         _ => return alloy("speed-alloy-factor", shop),
     };
-    let factor = class * libm::pow(ratio, number(row, "exponent")?);
-    Ok((factor, Because::row(row, shown("material-speed-factor", factor))))
+    let factor = class * libm::pow(ratio, exponent);
+    Ok((factor, Because { note: shown("material-speed-factor", factor), ..because }))
 }
 
 /// Kmp: how the material moves forces. Steel (σB/750)^n, grey iron (HB/190)^n, malleable (HB/150)^n.
 pub(super) fn material_force(process: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Factor> {
     let table = shop.knowledge.table("force-material-exponent")?;
-    let answer = table.decide(&material_inputs(process, cut, shop))?;
+    let answer = table.decide(&material_inputs(process, cut.tool_material, shop))?;
     let Some(row) = answer.winner() else { return factor_of_one(&table.id, shop) };
     let (strength, hardness) = (shop.material.strength.to_f64(), shop.material.hardness.to_f64());
     let ratio = match row.text("reference")? {
@@ -47,29 +64,26 @@ pub(super) fn material_force(process: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> T
     Ok((factor, Because::row(row, shown("material-force-factor", factor))))
 }
 
-fn material_inputs<'a>(process: &'a str, cut: &Cut<'a>, shop: &Shop<'a>) -> [(&'static str, Input<'a>); 4] {
+fn material_inputs<'a>(process: &'a str, tool_material: &'a str, shop: &Shop<'a>) -> [(&'static str, Input<'a>); 4] {
     [
         ("process", Input::Text(process)),
-        ("tool_material", Input::Text(cut.tool_material)),
+        ("tool_material", Input::Text(tool_material)),
         ("material_group", Input::Text(shop.material.group)),
         ("strength", Input::Number(shop.material.strength, Unit::Megapascal)),
     ]
 }
 
-/// Kg: the class of the steel; for carbide by the rule `stand-in-tool-material`.
-fn steel_class(tool_material: &str, shop: &Shop<'_>) -> Tried<f64> {
+/// The class of the steel, with its Kg; for carbide by the rule `stand-in-tool-material`.
+fn steel_class<'k>(tool_material: &str, shop: &Shop<'k>) -> Tried<RowRef<'k>> {
     let table = shop.knowledge.table("speed-steel-class")?;
-    let ask = |tool: &str| -> Result<Option<f64>, KnowledgeError> {
+    let ask = |tool: &str| -> Result<Option<RowRef<'k>>, KnowledgeError> {
         let class = ("steel_class", Input::Text(shop.material.steel_class));
-        let answer = table.decide(&[class, ("tool_material", Input::Text(tool))])?;
-        answer.winner().map(|row| number(row, "factor")).transpose()
+        Ok(table.decide(&[class, ("tool_material", Input::Text(tool))])?.winner())
     };
-    if let Some(factor) = ask(tool_material)? {
-        return Ok(factor);
+    if let Some(row) = ask(tool_material)? {
+        return Ok(row);
     }
-    let rule = shop.knowledge.table("stand-in-tool-material")?;
-    let answer = rule.decide(&[("of_table", Input::Text(&table.id)), ("tool_material", Input::Text(tool_material))])?;
-    let instead = answer.winner().map(|row| row.text("instead")).transpose()?;
+    let instead = figures::stand_in_tool_material(&table.id, tool_material, shop)?.map(|(instead, _)| instead);
     instead.map(ask).transpose()?.flatten().ok_or_else(|| missing(table, shop))
 }
 

@@ -3,21 +3,22 @@
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::units::{Decimal, MillimetresPerRev, Unit};
-use crate::knowledge::{Input, RowRef, Table, Value};
+use crate::knowledge::{Input, QueryError, RowRef, Table, Value};
 use crate::note::{Because, Note};
+use crate::plan::Operation;
 use crate::shop::Shop;
 
 /// A row of a cutting table.
 pub(super) struct Figures<'k> {
     pub row: RowRef<'k>,
-    /// Why another group's row stands in; absent for the material's own.
-    pub stand_in: Option<Because>,
+    /// Why another group's or tool material's row stands in; empty for the material's own.
+    pub stand_in: Vec<Because>,
 }
 
 impl Figures<'_> {
     /// Whether the row is the material's own, so that the material's factor applies to it.
     pub fn own(&self) -> bool {
-        self.stand_in.is_none()
+        self.stand_in.is_empty()
     }
 
     /// The reasons: the row, and the stand-in rule where one was needed.
@@ -30,14 +31,41 @@ impl Figures<'_> {
 pub(super) fn ask<'k>(id: &str, others: &[(&str, Input<'_>)], shop: &Shop<'k>) -> Tried<Figures<'k>> {
     let table = shop.knowledge.table(id)?;
     if let Some(row) = decide(table, others, shop.material.group)? {
-        return Ok(Figures { row, stand_in: None });
+        return Ok(Figures { row, stand_in: Vec::new() });
     }
     if let Some((group, because)) = stand_in(id, shop)?
         && let Some(row) = decide(table, others, group)?
     {
-        return Ok(Figures { row, stand_in: Some(because) });
+        return Ok(Figures { row, stand_in: vec![because] });
     }
     Err(missing(table, shop))
+}
+
+/// The row of a table for the shop's material and a tool material; where it has none for that tool, the row
+/// of the tool material that the rule `stand-in-tool-material` names.
+pub(super) fn ask_of_tool<'k>(id: &str, tool_material: &str, shop: &Shop<'k>) -> Tried<Figures<'k>> {
+    let refusal = match ask(id, &[("tool_material", Input::Text(tool_material))], shop) {
+        Err(Refusal::Not(note)) => note,
+        found => return found,
+    };
+    let (instead, because) = stand_in_tool_material(id, tool_material, shop)?.ok_or(Refusal::Not(refusal))?;
+    let mut figures = ask(id, &[("tool_material", Input::Text(instead))], shop)?;
+    figures.stand_in.push(because);
+    Ok(figures)
+}
+
+/// The tool material whose figures stand in for another in a table, by the rule.
+pub(super) fn stand_in_tool_material<'k>(
+    id: &str,
+    tool_material: &str,
+    shop: &Shop<'k>,
+) -> Result<Option<(&'k str, Because)>, KnowledgeError> {
+    let rule = shop.knowledge.table("stand-in-tool-material")?;
+    let answer = rule.decide(&[("of_table", Input::Text(id)), ("tool_material", Input::Text(tool_material))])?;
+    let Some(row) = answer.winner() else { return Ok(None) };
+    let instead = row.text("instead")?;
+    let note = Note::new("stand-in-tool-material").with("table", id).with("tool", tool_material).with("other", instead);
+    Ok(Some((instead, Because::row(row, note))))
 }
 
 /// The group whose figures stand in for the shop's material in a table, by the rule.
@@ -54,6 +82,17 @@ pub(super) fn stand_in<'k>(id: &str, shop: &Shop<'k>) -> Result<Option<(&'k str,
     Ok(Some((group, Because::row(row, note))))
 }
 
+/// The transition whose figures stand in for one that has none, by the rule `stand-in-operation`.
+pub(super) fn stand_in_operation(operation: Operation, shop: &Shop<'_>) -> Tried<(Operation, Because)> {
+    let rule = shop.knowledge.table("stand-in-operation")?;
+    let answer = rule.decide(&[("operation", Input::Text(operation.name()))])?;
+    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, operation.name()))?;
+    let instead = row.text("instead")?;
+    let instead = Operation::from_name(instead).ok_or_else(|| KnowledgeError::no_row(rule, instead))?;
+    let note = Note::new("stand-in-operation").with("operation", operation.name()).with("instead", instead.name());
+    Ok((instead, Because::row(row, note)))
+}
+
 fn decide<'k>(
     table: &'k Table,
     others: &[(&str, Input<'_>)],
@@ -61,7 +100,11 @@ fn decide<'k>(
 ) -> Result<Option<RowRef<'k>>, KnowledgeError> {
     let mut inputs = vec![("material_group", Input::Text(group))];
     inputs.extend_from_slice(others);
-    Ok(table.decide(&inputs)?.winner())
+    match table.decide(&inputs) {
+        // A figure beyond the table's reach is one that the table does not have.
+        Err(QueryError::OutOfDomain { .. }) => Ok(None),
+        answer => Ok(answer?.winner()),
+    }
 }
 
 /// A table has no figure for this material, and nothing stands in.

@@ -1,13 +1,14 @@
 //! What the machine lets through: spindle step, feed range, thrust, torque, power.
 
-use crate::error::KnowledgeError;
-use crate::knowledge::Input;
+use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::units::Unit;
+use crate::knowledge::{Input, RowRef};
 use crate::note::{Because, Note};
+use crate::plan::Operation;
 use crate::shop::Shop;
-use crate::units::{Decimal, Micrometres, MillimetresPerRev, RevsPerMinute, round_to};
+use crate::units::{Decimal, MetresPerMinute, MillimetresPerRev, RevsPerMinute, round_to};
 
-use super::{Draft, rpm_at};
+use super::{Cut, Draft, PowerLaw, rpm_at};
 
 /// Conditions within the machine's limits.
 pub(super) struct Held {
@@ -17,33 +18,71 @@ pub(super) struct Held {
     pub because: Vec<Because>,
 }
 
-/// Chooses the spindle step and holds the feed inside thrust, torque, power and feed range.
-pub(super) fn hold(draft: &Draft, diameter: Micrometres, shop: &Shop<'_>) -> Result<Held, KnowledgeError> {
+/// A load that must stay below a limit, and the row that sets the limit.
+struct Bound<'k> {
+    law: Option<PowerLaw>,
+    limit: f64,
+    name: &'static str,
+    row: RowRef<'k>,
+}
+
+/// Holds the speed of milling and tapping with high-speed steel to what shops drive, by the rule
+/// `practice-speed`; whether it was held.
+pub(super) fn practice(draft: &mut Draft, cut: &Cut<'_>, shop: &Shop<'_>) -> Result<bool, KnowledgeError> {
+    if !matches!(cut.operation, Operation::Mill | Operation::Tap) {
+        return Ok(false);
+    }
+    let rule = shop.knowledge.table("practice-speed")?;
+    let answer = rule.decide(&[
+        ("operation", Input::Text(cut.operation.name())),
+        ("tool_material", Input::Text(cut.tool_material)),
+        ("material_group", Input::Text(shop.material.group)),
+    ])?;
+    let Some(row) = answer.winner() else { return Ok(false) };
+    let limit = row.number_in("limit", Unit::MetrePerMinute)?;
+    if draft.speed.0 <= limit {
+        return Ok(false);
+    }
+    let note = Note::new("practice-speed").with("formula", round_to(draft.speed.0, 1)).with("limit", limit);
+    draft.because.push(Because::row(row, note));
+    draft.speed = MetresPerMinute(limit);
+    Ok(true)
+}
+
+/// Chooses the spindle step and holds the feed inside drill strength, thrust, torque, power and feed range.
+pub(super) fn hold(draft: &Draft, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Held> {
+    if draft.motion.synchronous {
+        return synchronous(draft, shop);
+    }
     let machine = &shop.machine;
-    let wanted = rpm_at(draft.speed, diameter);
+    let wanted = rpm_at(draft.speed, draft.motion.turned);
     let (rpm, mut limited_by, reason) = spindle_step(wanted, shop)?;
     let mut feed = draft.feed;
     let mut because = vec![reason];
     let torque_of_power = 9750.0 * machine.spindle_power.0 / rpm.0;
     let loads = draft.loads;
+    let of_machine = |law, limit, name, quantity| -> Result<Bound<'_>, KnowledgeError> {
+        Ok(Bound { law, limit, name, row: machine.row(quantity)? })
+    };
     let bounds = [
-        (loads.thrust, machine.thrust.0, "thrust", "thrust-z-max"),
-        (loads.torque, machine.spindle_torque.0, "spindle-torque", "spindle-torque-max"),
-        (loads.torque, torque_of_power, "spindle-power", "spindle-power"),
+        drill_strength(draft, cut, shop)?,
+        Some(of_machine(loads.thrust, machine.thrust.0, "thrust", "thrust-z-max")?),
+        Some(of_machine(loads.torque, machine.spindle_torque.0, "spindle-torque", "spindle-torque-max")?),
+        Some(of_machine(loads.torque, torque_of_power, "spindle-power", "spindle-power")?),
     ];
-    for (law, limit, name, quantity) in bounds {
-        if let Some(law) = law
-            && law.at(feed) > limit
+    for bound in bounds.into_iter().flatten() {
+        if let Some(law) = bound.law
+            && law.at(feed) > bound.limit
         {
             let before = feed;
-            feed = law.feed_at(limit);
-            name.clone_into(&mut limited_by);
+            feed = law.feed_at(bound.limit);
+            bound.name.clone_into(&mut limited_by);
             let note = Note::new("feed-reduced")
-                .with("by", name)
+                .with("by", bound.name)
                 .with("from", round_to(before.0, 3))
                 .with("to", round_to(feed.0, 3))
-                .with("limit", round_to(limit, 1));
-            because.push(Because::row(machine.row(quantity)?, note));
+                .with("limit", round_to(bound.limit, 1));
+            because.push(Because::row(bound.row, note));
         }
     }
     for (outside, limit, name) in [
@@ -57,6 +96,55 @@ pub(super) fn hold(draft: &Draft, diameter: Micrometres, shop: &Shop<'_>) -> Res
         }
     }
     Ok(Held { feed, rpm, limited_by, because })
+}
+
+/// What a thin drill bears by itself (textbook 1.2.1, l. 223-226: below 10 mm the drill's own strength
+/// limits the feed).
+///
+/// Permissible torque Mp = k·d³·τ/1000, N·m, with the polar section modulus k·d³ of the fluted section, mm³,
+/// and the permissible shear stress τ, MPa (table `drill-strength`).
+fn drill_strength<'k>(draft: &Draft, cut: &Cut<'_>, shop: &Shop<'k>) -> Result<Option<Bound<'k>>, KnowledgeError> {
+    if !matches!(cut.operation, Operation::CentreDrill | Operation::Drill | Operation::DrillOut) {
+        return Ok(None);
+    }
+    let table = shop.knowledge.table("drill-strength")?;
+    let Some(row) = table.find("tool_material", cut.tool_material) else { return Ok(None) };
+    if cut.diameter >= row.length("below_diameter")? {
+        return Ok(None);
+    }
+    let d = cut.diameter.to_mm();
+    let modulus = row.number_in("modulus_factor", Unit::None)? * d * d * d;
+    let limit = modulus * row.number_in("shear_stress", Unit::Megapascal)? / 1000.0;
+    Ok(Some(Bound { law: draft.loads.torque, limit, name: "drill-strength", row }))
+}
+
+/// Holds a tap: its feed is its pitch and cannot give way, so the spindle does.
+///
+/// The fastest step not above the computed speed at which power and feed rate suffice; the torque of a tap
+/// does not depend on speed, and where it is beyond the spindle the tap is refused.
+fn synchronous(draft: &Draft, shop: &Shop<'_>) -> Tried<Held> {
+    let machine = &shop.machine;
+    let wanted = rpm_at(draft.speed, draft.motion.turned);
+    let torque = draft.loads.torque.map_or(0.0, |law| law.at(draft.feed));
+    if torque > machine.spindle_torque.0 {
+        let note = Note::new("torque-beyond-spindle")
+            .with("torque", round_to(torque, 1))
+            .with("limit", machine.spindle_torque.0);
+        return Err(Refusal::Not(note));
+    }
+    let mut limited_by = "cutting-speed";
+    for step in machine.spindle_steps.iter().rev().filter(|step| step.0 <= wanted.0) {
+        if torque * step.0 / 9750.0 > machine.spindle_power.0 {
+            limited_by = "spindle-power";
+        } else if draft.feed.0 * step.0 > machine.feed_max.0 {
+            limited_by = "feed-max";
+        } else {
+            let note = Note::new("spindle-step-below").with("computed", round_to(wanted.0, 1)).with("step", step.0);
+            let because = vec![Because::row(machine.row("spindle-speeds")?, note)];
+            return Ok(Held { feed: draft.feed, rpm: *step, limited_by: limited_by.to_owned(), because });
+        }
+    }
+    Err(Refusal::Not(Note::new("no-step-below").with("computed", round_to(wanted.0, 1))))
 }
 
 /// The step of the spindle's series for a computed speed, by the rule `spindle-step`.

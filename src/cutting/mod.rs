@@ -5,20 +5,23 @@
 
 mod boring;
 mod card;
+mod countersinking;
 mod drilling;
 mod factors;
 mod feed;
 mod figures;
 mod limits;
+mod milling;
 mod reaming;
+mod tapping;
 
-use crate::error::{Refusal, Tried};
-use crate::note::{Because, Note};
+use crate::error::Tried;
+use crate::note::Because;
 use crate::plan::{Conditions, Operation};
 use crate::shop::Shop;
 use crate::units::{
-    Kilowatts, MetresPerMinute, Micrometres, MillimetresPerMinute, MillimetresPerRev, Minutes, NewtonMetres, Newtons,
-    RevsPerMinute, Roughness,
+    ItGrade, Kilowatts, MetresPerMinute, Micrometres, MillimetresPerMinute, MillimetresPerRev, Minutes, NewtonMetres,
+    Newtons, RevsPerMinute, Roughness,
 };
 
 /// What is cut.
@@ -26,11 +29,11 @@ use crate::units::{
 pub struct Cut<'a> {
     /// The transition.
     pub operation: Operation,
-    /// The diameter it leaves; for centring that of the spot.
+    /// The diameter it leaves; for centring that of the spot, for a cone its widest, for a thread its nominal.
     pub diameter: Micrometres,
     /// The diameter before it; zero in solid metal.
     pub from: Micrometres,
-    /// Passes of the tool.
+    /// Passes of the tool; milling adds to them what the mill's diameter asks for.
     pub passes: u32,
     /// Depth of the hole.
     pub depth: Micrometres,
@@ -48,6 +51,23 @@ pub struct Cut<'a> {
     pub blind: bool,
     /// The surface of the blank: a value of the table `skin-factor`.
     pub surface: &'a str,
+    /// The grade of the hole's tolerance; a final reaming pass is fed by it.
+    pub it: Option<ItGrade>,
+    /// Pitch of the thread, for tapping.
+    pub pitch: Option<Micrometres>,
+    /// The mill, for milling.
+    pub cutter: Option<CutterShape>,
+}
+
+/// What the conditions of milling need of a mill.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CutterShape {
+    /// Its own diameter, not that of the hole.
+    pub diameter: Micrometres,
+    /// Teeth, z.
+    pub teeth: u32,
+    /// Length of its cutting edges along the axis.
+    pub cutting_length: Micrometres,
 }
 
 impl Cut<'_> {
@@ -67,8 +87,34 @@ struct Draft {
     life_exponent: f64,
     coolant: Option<bool>,
     loads: Loads,
+    motion: Motion,
     because: Vec<Because>,
     card: Option<crate::plan::CardPoint>,
+}
+
+/// How the tool moves: what the spindle turns, how deep it cuts and how far it is fed.
+#[derive(Clone, Copy, Debug)]
+struct Motion {
+    /// The diameter at which the cutting speed is meant: the hole's, or the mill's own.
+    turned: Micrometres,
+    /// Depth of cut of one pass, mm.
+    depth_of_cut: f64,
+    /// Length of all moves at the working feed, mm.
+    path: f64,
+    /// Whether the feed per revolution is bound to the spindle, as by a thread's pitch.
+    synchronous: bool,
+}
+
+impl Motion {
+    /// A tool of the hole's diameter fed along its axis, as often as there are passes.
+    fn along_axis(cut: &Cut<'_>) -> Self {
+        Self {
+            turned: cut.diameter,
+            depth_of_cut: cut.depth_of_cut(),
+            path: cut.travel.to_mm() * f64::from(cut.passes.max(1)),
+            synchronous: false,
+        }
+    }
 }
 
 /// Torque and thrust as power laws of the feed, so that a limit can be turned back into a feed.
@@ -105,33 +151,43 @@ pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Conditions> {
         Operation::CentreDrill | Operation::Drill | Operation::DrillOut | Operation::CoreDrill => {
             drilling::draft(cut, shop)
         }
+        Operation::Counterbore | Operation::Countersink | Operation::Chamfer => countersinking::draft(cut, shop),
         Operation::RoughReam | Operation::FinishReam => reaming::draft(cut, shop),
         Operation::RoughBore | Operation::SemiFinishBore | Operation::FinishBore => boring::draft(cut, shop),
-        _ => Err(Refusal::Not(Note::new("no-conditions"))),
+        Operation::Mill => milling::draft(cut, shop),
+        Operation::Tap => tapping::draft(cut, shop),
     };
-    let draft = draft.map_err(|refusal| refusal.with("operation", cut.operation.name()))?;
-    let held = limits::hold(&draft, cut.diameter, shop)?;
+    let mut draft = draft.map_err(|refusal| refusal.with("operation", cut.operation.name()))?;
+    // The life belongs to the formula's speed, whatever practice makes of it.
+    let formula_speed = draft.speed;
+    let practice = limits::practice(&mut draft, cut, shop)?;
+    let held = limits::hold(&draft, cut, shop).map_err(|refusal| refusal.with("operation", cut.operation.name()))?;
     let feed_rate = MillimetresPerMinute(held.feed.0 * held.rpm.0);
     let torque = draft.loads.torque.map(|law| NewtonMetres(law.at(held.feed)));
     let power = torque.map(|torque| power_of(torque, held.rpm));
-    let speed = speed_at(held.rpm, cut.diameter);
-    let tool_life = Minutes(draft.tool_life.0 * libm::pow(draft.speed.0 / speed.0, 1.0 / draft.life_exponent));
+    let speed = speed_at(held.rpm, draft.motion.turned);
+    let tool_life = Minutes(draft.tool_life.0 * libm::pow(formula_speed.0 / speed.0, 1.0 / draft.life_exponent));
     let mut because = draft.because;
     because.extend(held.because);
     Ok(Conditions {
-        depth_of_cut_mm: crate::units::round_to(cut.depth_of_cut(), 3),
+        depth_of_cut_mm: crate::units::round_to(draft.motion.depth_of_cut, 3),
         feed_mm_per_rev: held.feed.rounded(3),
         speed_m_per_min: speed.rounded(2),
         spindle_rpm: held.rpm,
-        feed_mm_per_min: feed_rate.rounded(1),
+        // A tap's feed rate is pitch times speed to the last digit, or the thread is torn.
+        feed_mm_per_min: feed_rate.rounded(if draft.motion.synchronous { 3 } else { 1 }),
         axial_force_n: draft.loads.thrust.map(|law| Newtons(law.at(held.feed)).rounded(0)),
-        torque_n_m: torque.map(|torque| torque.rounded(2)),
-        power_kw: power.map(|power| power.rounded(2)),
-        machine_time_min: Minutes(cut.travel.to_mm() * f64::from(cut.passes.max(1)) / feed_rate.0).rounded(3),
-        limited_by: held.limited_by,
+        torque_n_m: torque.map(|torque| torque.rounded(3)),
+        power_kw: power.map(|power| power.rounded(4)),
+        machine_time_min: Minutes(draft.motion.path / feed_rate.0).rounded(3),
+        limited_by: if practice && held.limited_by == "cutting-speed" {
+            "practice-speed".to_owned()
+        } else {
+            held.limited_by
+        },
         tool_life_min: tool_life.rounded(0),
         coolant: draft.coolant,
-        computed_speed_m_per_min: draft.speed.rounded(2),
+        computed_speed_m_per_min: formula_speed.rounded(2),
         card: draft.card,
         because,
     })

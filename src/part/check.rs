@@ -1,21 +1,48 @@
 //! What must hold between the values of a part: names unique, holes inside the blank, points apart,
 //! clamps on the blank and beside the holes.
 
+use std::collections::BTreeMap;
+use std::fmt;
+
 use crate::knowledge::diagnostic::Place;
 use crate::knowledge::yaml::Problems;
 use crate::units::Micrometres;
 
 use super::{Blank, Datum, Hole, Point};
 
+/// A stretch of a hole along its axis that has one diameter; depths count from the entry face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Span {
+    pub diameter: Micrometres,
+    pub from: Micrometres,
+    pub to: Micrometres,
+}
+
+impl Span {
+    /// The end of a hole whose depth could not be read: beyond every blank.
+    pub const FAR: Micrometres = Micrometres::from_mm(1_000_000_000);
+
+    pub const fn new(diameter: Micrometres, from: Micrometres, to: Micrometres) -> Self {
+        Self { diameter, from, to }
+    }
+}
+
+/// The key that says where the holes of a group are.
+pub(super) struct Centres {
+    pub place: Place,
+    /// Whether it is a pattern, whose points have no places of their own.
+    pub pattern: bool,
+}
+
 /// A group of holes as far as it could be read, with the places its mistakes are reported at, so that
 /// a slip in one key does not hide a slip in another.
 pub(super) struct Group {
     pub name: Option<(String, Place)>,
-    pub diameter: Option<Micrometres>,
+    /// What a hole of the group cuts out, with its openings and its groove; nothing if that is not known.
+    pub spans: Vec<Span>,
     pub depth: Option<(Micrometres, Place)>,
     pub through: Option<bool>,
-    /// The list of points.
-    pub at: Option<Place>,
+    pub at: Option<Centres>,
     pub points: Vec<(Point, Place)>,
     /// The whole, when nothing of it was missing.
     pub hole: Option<Hole>,
@@ -24,6 +51,24 @@ pub(super) struct Group {
 impl Group {
     fn label(&self) -> &str {
         self.name.as_ref().map_or("?", |(name, _)| name)
+    }
+
+    /// The widest diameter anywhere in the hole.
+    fn widest(&self) -> Option<Micrometres> {
+        self.spans.iter().map(|span| span.diameter).max()
+    }
+
+    /// The widest diameter at the entry face.
+    fn mouth(&self) -> Option<Micrometres> {
+        self.spans.iter().filter(|span| span.from == Micrometres::ZERO).map(|span| span.diameter).max()
+    }
+
+    /// How far apart the centres of a hole of this group and of another must be: where both are at one
+    /// depth, half their diameters together.
+    fn needs(&self, other: &Self) -> Option<Micrometres> {
+        let pairs = self.spans.iter().flat_map(|own| other.spans.iter().map(move |theirs| (own, theirs)));
+        let beside = pairs.filter(|(own, theirs)| own.from < theirs.to && theirs.from < own.to);
+        beside.map(|(own, theirs)| (own.diameter + theirs.diameter).half()).max()
     }
 }
 
@@ -61,7 +106,7 @@ pub(super) fn clamps(
             problems.error_help::<()>("outside-blank", message, place, extent(blank, datum));
         }
         let under = groups.iter().find(|group| {
-            let radius = group.diameter.unwrap_or_default().half();
+            let radius = group.mouth().unwrap_or_default().half();
             group.points.iter().any(|(hole, _)| hole.distance(*point) < radius)
         });
         if let Some(group) = under {
@@ -84,16 +129,26 @@ fn depth(group: &Group, blank: &Blank, problems: &mut Problems) {
 }
 
 fn inside(group: &Group, blank: &Blank, datum: &Datum, problems: &mut Problems) {
-    let Some(diameter) = group.diameter else { return };
+    let Some(diameter) = group.widest() else { return };
     let outside: Vec<&(Point, Place)> =
         group.points.iter().filter(|(point, _)| reaches_out(*point, diameter.half(), blank, datum)).collect();
     let what = format!("hole {}: Ø{diameter}", group.label());
-    if let (Some(at), true) = (&group.at, outside.len() > 1 && outside.len() == group.points.len()) {
+    if let (Some(at), Some((first, _)), true) = (&group.at, outside.first(), outside.len() > 1) {
         // All of them: one mistake, in the datum or the blank, not one in each point.
-        let message = format!("{what} is not inside the blank at any of its {} points", outside.len());
-        let help = format!("{}; `datum` says where its zeros lie", extent(blank, datum));
-        problems.error_help::<()>("outside-blank", message, at, help);
-        return;
+        if outside.len() == group.points.len() {
+            let message = format!("{what} is not inside the blank at any of its {} points", outside.len());
+            let help = format!("{}; `datum` says where its zeros lie", extent(blank, datum));
+            problems.error_help::<()>("outside-blank", message, &at.place, help);
+            return;
+        }
+        // One mistake too: a pattern has no points to mend one by one.
+        if at.pattern {
+            let (number, all) = (outside.len(), group.points.len());
+            let first = format!("the first at [{}, {}]", first.x, first.y);
+            let message = format!("{what} is not inside the blank at {number} of its {all} points, {first}");
+            problems.error_help::<()>("outside-blank", message, &at.place, extent(blank, datum));
+            return;
+        }
     }
     for (point, place) in outside {
         let message = format!("{what} at [{}, {}] is not inside the blank", point.x, point.y);
@@ -126,9 +181,9 @@ struct Meeting<'g> {
 }
 
 fn apart(groups: &[Group], problems: &mut Problems) {
+    let mut cells = Cells::new(groups);
     for (index, group) in groups.iter().enumerate() {
-        let meetings: Vec<Meeting<'_>> =
-            (0..group.points.len()).filter_map(|number| meeting(group, number, &groups[..index])).collect();
+        let meetings = cells.meetings(index);
         let Some(first) = meetings.first() else { continue };
         let (same_other, itself) =
             (meetings.iter().all(|meeting| std::ptr::eq(meeting.other, first.other)), std::ptr::eq(first.other, group));
@@ -142,20 +197,19 @@ fn apart(groups: &[Group], problems: &mut Problems) {
                 format!("every hole of {name} runs into hole {other} at line {}", first.other_place.line)
             };
             let help = format!("mind the diameter, and the points: {}", first.gap());
-            problems.error_help::<()>("holes-meet", message, at, help);
+            problems.error_help::<()>("holes-meet", message, &at.place, help);
+            continue;
+        }
+        if let Some(at) = group.at.as_ref().filter(|at| at.pattern && meetings.len() > 1) {
+            let (number, all) = (meetings.len(), group.points.len());
+            let message =
+                format!("{number} of the {all} holes of {} run into others; the first: {first}", group.label());
+            problems.error_help::<()>("holes-meet", message, &at.place, first.gap());
             continue;
         }
         for meeting in meetings {
-            let Meeting { point, place, other, other_place, .. } = meeting;
-            let message = format!(
-                "hole {} at [{}, {}] runs into hole {} at line {}",
-                group.label(),
-                point.x,
-                point.y,
-                other.label(),
-                other_place.line
-            );
-            problems.error_help::<()>("holes-meet", message, place, meeting.gap());
+            let message = format!("hole {} {meeting}", group.label());
+            problems.error_help::<()>("holes-meet", message, meeting.place, meeting.gap());
         }
     }
 }
@@ -166,18 +220,137 @@ impl Meeting<'_> {
     }
 }
 
-/// The first hole of the groups before, or of the points before in its own group, that a hole runs into.
-fn meeting<'g>(group: &'g Group, number: usize, before: &'g [Group]) -> Option<Meeting<'g>> {
-    let (point, place) = &group.points[number];
-    let diameter = group.diameter?;
-    let others = before.iter().map(|other| (other, other.points.as_slice()));
-    others.chain([(group, &group.points[..number])]).find_map(|(other, points)| {
-        let needed = (diameter + other.diameter?).half();
-        points.iter().find_map(|(other_point, other_place)| {
-            // Most holes are far apart along one axis; that costs no root.
-            let (x, y) = ((point.x - other_point.x).abs(), (point.y - other_point.y).abs());
-            let distance = Some(point.distance(*other_point)).filter(|_| x < needed && y < needed)?;
-            (distance < needed).then_some(Meeting { point: *point, place, other, other_place, distance, needed })
-        })
-    })
+impl fmt::Display for Meeting<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { point, other, other_place, .. } = self;
+        write!(f, "at [{}, {}] runs into hole {} at line {}", point.x, point.y, other.label(), other_place.line)
+    }
+}
+
+/// A square of the top face, by its column and row.
+type Cell = (i64, i64);
+/// A hole, by its group and its point, in the order of the file.
+type HoleNumber = (usize, usize);
+
+/// The holes that were looked at, by squares as wide as the widest hole: a hole can only run into those
+/// of its own square and of the eight around it.
+struct Cells<'g> {
+    groups: &'g [Group],
+    width: i64,
+    holes: BTreeMap<Cell, Vec<HoleNumber>>,
+}
+
+impl<'g> Cells<'g> {
+    fn new(groups: &'g [Group]) -> Self {
+        let widest = groups.iter().filter_map(Group::widest).max().unwrap_or_default();
+        Self { groups, width: widest.micrometres().max(1), holes: BTreeMap::new() }
+    }
+
+    /// For every hole of a group the first of those before it that it runs into.
+    fn meetings(&mut self, index: usize) -> Vec<Meeting<'g>> {
+        let groups = self.groups;
+        let group = &groups[index];
+        let needed: Vec<Option<Micrometres>> = groups[..=index].iter().map(|other| group.needs(other)).collect();
+        let mut meetings = Vec::new();
+        for (number, (point, place)) in group.points.iter().enumerate() {
+            let (column, row) = self.cell(*point);
+            let around = (column - 1..=column + 1).flat_map(|column| (row - 1..=row + 1).map(move |row| (column, row)));
+            // In a square the holes stand in the order of the file, so that its first is its earliest.
+            let met = around.filter_map(|cell| {
+                self.holes.get(&cell)?.iter().find_map(|&(other, at)| {
+                    let (needed, (other_point, _)) = (needed[other]?, &groups[other].points[at]);
+                    // Most holes are far apart along one axis; that costs no root.
+                    let (x, y) = ((point.x - other_point.x).abs(), (point.y - other_point.y).abs());
+                    let distance = Some(point.distance(*other_point)).filter(|_| x < needed && y < needed)?;
+                    (distance < needed).then_some(((other, at), distance, needed))
+                })
+            });
+            if let Some(((other, at), distance, needed)) = met.min() {
+                let (other, other_place) = (&groups[other], &groups[other].points[at].1);
+                meetings.push(Meeting { point: *point, place, other, other_place, distance, needed });
+            }
+            self.holes.entry((column, row)).or_default().push((index, number));
+        }
+        meetings
+    }
+
+    const fn cell(&self, point: Point) -> Cell {
+        (point.x.micrometres().div_euclid(self.width), point.y.micrometres().div_euclid(self.width))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::part::read_part;
+    use crate::shipped;
+
+    const HEAD: &str = "part: P
+material: steel-45
+blank: {kind: plate, length: 1000, width: 1000, thickness: 40}
+machine: gf2171
+datum: {x: left, y: front}
+holes:
+";
+
+    fn problems(holes: &str) -> Vec<String> {
+        let knowledge = shipped::knowledge().unwrap();
+        let problems = read_part("part", &format!("{HEAD}{holes}"), &knowledge).err().unwrap_or_default();
+        problems.iter().map(ToString::to_string).collect()
+    }
+
+    fn hole(name: &str, keys: &str) -> String {
+        format!("  - {{name: {name}, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, {keys}}}\n")
+    }
+
+    #[test]
+    fn holes_meet_where_both_are_at_one_depth() {
+        // Wide at the entry, beside one that is wide at the back.
+        let entry = hole("A", "steps: [{diameter: 30, length: 15}, {diameter: 10}], at: [[100, 100]]");
+        let back =
+            |x: i64| hole("B", &format!("steps: [{{diameter: 10, length: 25}}, {{diameter: 30}}], at: [[{x}, 100]]"));
+        assert_eq!(problems(&format!("{entry}{}", back(121))), [""; 0]);
+        assert_eq!(problems(&format!("{entry}{}", back(119))).len(), 1);
+        for opening in
+            ["counterbore: {diameter: 30, depth: 5}", "countersink: {diameter: 30}", "cone: {diameter: 30, angle: 90}"]
+        {
+            let wide = hole("A", &format!("diameter: 10, {opening}, at: [[100, 100]]"));
+            let plain = |x: i64| hole("B", &format!("diameter: 10, at: [[{x}, 100]]"));
+            assert_eq!(problems(&format!("{wide}{}", plain(121))), [""; 0], "{opening}");
+            assert_eq!(problems(&format!("{wide}{}", plain(119))).len(), 1, "{opening}");
+            let edge = hole("A", &format!("diameter: 10, {opening}, at: [[14, 100]]"));
+            assert!(problems(&edge)[0].contains("Ø30 at [14, 100]"), "{opening}");
+        }
+        assert_eq!(problems(&hole("A", "diameter: 10, face: 30, at: [[10, 10], [30, 10]]")), [""; 0]);
+    }
+
+    #[test]
+    fn the_first_hole_of_the_file_that_is_run_into_is_named() {
+        let three = ["A", "B", "C"].map(|name| hole(name, "diameter: 80, at: [[500, 500]]")).concat();
+        let found = problems(&three);
+        assert_eq!(found.len(), 2);
+        assert!(found.iter().all(|one| one.contains("into hole A at line 7")), "{found:?}");
+    }
+
+    #[test]
+    fn a_mistake_in_a_pattern_is_told_once() {
+        let grid = |step: &str| format!("pattern: {{grid: {{start: [100, 100], columns: 10, rows: 3, step: {step}}}}}");
+        let outside = problems(&hole("A", &format!("diameter: 10, {}", grid("[100, 20]"))));
+        assert_eq!(outside.len(), 1);
+        assert!(outside[0].contains("3 of its 30 points, the first at [1000, 100]"), "{outside:?}");
+        let meeting = problems(&hole("A", &format!("diameter: 20, {}", grid("[15, 25]"))));
+        assert_eq!(meeting.len(), 1);
+        assert!(
+            meeting[0].contains("27 of the 30 holes of A run into others; the first: at [115, 100]"),
+            "{meeting:?}"
+        );
+    }
+
+    #[test]
+    fn a_thousand_holes_beside_a_wide_one_are_all_looked_at() {
+        let wide = hole("W", "diameter: 80, at: [[900, 900]]");
+        let many = hole("M", "diameter: 3, pattern: {grid: {start: [10, 10], columns: 40, rows: 25, step: 5}}");
+        assert_eq!(problems(&format!("{wide}{many}")), [""; 0]);
+        let one_more = hole("O", "diameter: 3, at: [[206, 131]]");
+        assert!(problems(&format!("{wide}{many}{one_more}"))[0].contains("runs into hole M"));
+    }
 }

@@ -4,11 +4,13 @@
 //! These types say which keys there are, what they hold and in which units. [`super::read_part`] reads
 //! the file itself, because it says where every mistake stands; tests hold the two together.
 
+pub mod hole;
+
 use schemars::{JsonSchema, Schema, schema_for};
 use serde::Deserialize;
-use serde_json::{Map, Value};
 
-use super::{BlankKind, Bottom, Entry};
+use super::{BlankKind, Entry};
+use hole::Hole;
 
 /// The JSON Schema of a part file.
 pub fn schema() -> Schema {
@@ -151,138 +153,6 @@ pub struct Clamp {
     pub screw: Option<String>,
 }
 
-/// A group of equal holes.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(extend("oneOf" = [{"required": ["at"]}, {"required": ["pattern"]}]))]
-#[schemars(extend("anyOf" = [{"required": ["depth"]}, {"required": ["through"]}]))]
-pub struct Hole {
-    /// Name of the group, unique in the part.
-    pub name: Name,
-    /// Diameter with its tolerance: `10H12` (Ø3 to Ø80, H6 to H14), `10` for a free size (grade 13), or
-    /// `{nominal: 10, upper: 0.15, lower: 0}`.
-    pub diameter: Diameter,
-    /// Depth of the full diameter, mm; of a through hole the thickness of the blank, and may be left out.
-    pub depth: Option<Size>,
-    /// Whether the hole goes through; `false` unless said.
-    pub through: Option<bool>,
-    /// Bottom of a blind hole; `free` unless said.
-    pub bottom: Option<Bottom>,
-    /// Roughness limit, micrometres: `Ra 12.5`, or `Rz` of 80, 40, 20, 10, 6.3 or 3.2.
-    #[schemars(regex(pattern = r"^[Rr]([aAаА][ =]*[0-9]+(\.[0-9]{1,3})?|[zZ][ =]*(80|40|20|10|6\.3|3\.2))$"))]
-    pub roughness: String,
-    /// Full width of the tolerance on centre distances, mm, up to 10; or `IT5` to `IT14`: that grade at
-    /// the smallest centre distance of the group.
-    pub centre_tolerance: CentreTolerance,
-    /// Chamfer at the entry, mm.
-    pub chamfer: Option<Size>,
-    /// Whether the tool cuts through a casting or forging skin; `false` unless said.
-    pub skin: Option<bool>,
-    /// The centres: `[[X, Y], [X, Y]]`, mm.
-    #[schemars(length(min = 1))]
-    pub at: Option<Vec<[Coordinate; 2]>>,
-    /// A pattern of centres instead of `at`. Read, not planned yet.
-    pub pattern: Option<Pattern>,
-    /// A conical hole. Read, not planned yet.
-    pub cone: Option<Map<String, Value>>,
-    /// Thread: `M8-6H`. Read, not planned yet.
-    #[schemars(length(min = 1))]
-    pub thread: Option<String>,
-    /// Counterbore at the entry. Read, not planned yet.
-    pub counterbore: Option<Counterbore>,
-    /// Countersink at the entry. Read, not planned yet.
-    pub countersink: Option<Countersink>,
-    /// State of the hole in the blank; `solid` unless said. `cast` and `pre-machined` are read, not
-    /// planned yet.
-    pub state: Option<State>,
-    /// Diameter of a cast or pre-machined hole, mm. Read, not planned yet.
-    pub state_diameter: Option<Size>,
-    /// Whether the hole is in an outer wall; `false` unless said. Read, not planned yet.
-    pub outer_wall: Option<bool>,
-    /// Steps of a stepped hole, from the entry face inwards. Read, not planned yet.
-    pub steps: Option<Vec<Map<String, Value>>>,
-}
-
-/// A diameter with its tolerance.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(untagged)]
-pub enum Diameter {
-    /// Size and field, `10H12`.
-    Field(#[schemars(regex(pattern = r"^[Ø⌀∅Фф]? *[0-9]+(\.[0-9]{1,3})?( *[HНн](6|7|8|9|10|11|12|13|14))?$"))] String),
-    /// A free size, mm: grade 13.
-    Free(#[schemars(range(min = 3, max = 80))] f64),
-    /// Size and deviations.
-    Limits(Limits),
-}
-
-/// A diameter by its deviations; the grade is the coarsest whose tolerance they hold.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Limits {
-    /// Nominal diameter, mm, 3 to 80.
-    #[schemars(range(min = 3, max = 80))]
-    pub nominal: f64,
-    /// Upper deviation, mm, with its sign; above the lower.
-    pub upper: Coordinate,
-    /// Lower deviation, mm, with its sign.
-    pub lower: Coordinate,
-}
-
-/// The tolerance on centre distances.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(untagged)]
-pub enum CentreTolerance {
-    /// Its full width, mm.
-    Width(#[schemars(range(max = 10), extend("exclusiveMinimum" = 0))] f64),
-    /// A grade at the smallest centre distance of the group.
-    Grade(#[schemars(regex(pattern = r"^[IiІі][TtТт] *(5|6|7|8|9|10|11|12|13|14)$"))] String),
-}
-
-/// A pattern of centres, of one kind.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(extend("maxProperties" = 1))]
-pub struct Pattern {
-    /// Rows and columns.
-    pub grid: Option<Map<String, Value>>,
-    /// Points of a line.
-    pub line: Option<Map<String, Value>>,
-    /// Points of a circle.
-    pub circle: Option<Map<String, Value>>,
-}
-
-/// A counterbore.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Counterbore {
-    /// Its diameter, mm.
-    pub diameter: Size,
-    /// Its depth, mm.
-    pub depth: Size,
-}
-
-/// A countersink.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Countersink {
-    /// Its largest diameter, mm.
-    pub diameter: Size,
-    /// Its full angle, degrees.
-    pub angle: Angle,
-}
-
-/// State of a hole in the blank.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum State {
-    /// Solid metal.
-    Solid,
-    /// Cast or forged.
-    Cast,
-    /// Machined beforehand.
-    PreMachined,
-}
-
 /// A text; a bare number is one too (`45`).
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(untagged)]
@@ -304,11 +174,16 @@ pub struct Size(pub f64);
 #[serde(transparent)]
 pub struct Coordinate(pub f64);
 
-/// An angle above zero, degrees.
+/// The full angle of a cone, between 0 and 180 degrees.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(transparent)]
-#[schemars(extend("exclusiveMinimum" = 0))]
+#[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 180))]
 pub struct Angle(pub f64);
+
+/// A direction in the plane of the top face, degrees counter-clockwise from +X.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(transparent)]
+pub struct Direction(pub f64);
 
 /// A mass above zero, kg.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
@@ -320,7 +195,7 @@ pub struct Mass(pub f64);
 mod tests {
     use std::path::PathBuf;
 
-    use super::super::read;
+    use super::super::keys;
     use super::*;
     use crate::knowledge::Knowledge;
     use crate::shipped;
@@ -338,7 +213,7 @@ position_tolerance: 0.1
 mass: 46.5
 holes:
   - name: A
-    diameter: {nominal: 10, upper: 0.15, lower: 0}
+    diameter: 6.8
     depth: 20
     through: false
     bottom: flat
@@ -347,16 +222,38 @@ holes:
     chamfer: 1
     skin: true
     at: [[50, 0], [100, 0]]
-    cone: {taper: 0.02}
     thread: M8-6H
     counterbore: {diameter: 15, depth: 9}
-    countersink: {diameter: 12, angle: 90}
+    countersink: {diameter: 17, angle: 90}
+    face: {diameter: 24}
+    groove: {diameter: 9, width: 2, depth: 12}
     state: pre-machined
-    state_diameter: 8
+    state_diameter: 5
     outer_wall: true
-    steps: [{diameter: 12, depth: 5}]
-  - {name: 2, diameter: 20Н12, through: true, roughness: Ra 12.5, centre_tolerance: 0.46, pattern: {line: {count: 3}}}
+  - name: 2
+    diameter: 20Н12
+    through: true
+    roughness: Ra 12.5
+    centre_tolerance: 0.46
+    pattern: {line: {start: [150, 0], count: 3, step: 30.5, angle: 30}}
+    cone: {diameter: 20.6, taper: 0.02}
+    face: 24
   - {name: C, diameter: 12.5, through: true, roughness: Ra 12.5, centre_tolerance: 0.46, at: [[400, 0]], state: solid}
+  - name: D
+    through: true
+    centre_tolerance: 0.46
+    steps:
+      - {diameter: 12, depth: 5, roughness: Ra 6.3, bottom: free, chamfer: 0.5}
+      - {thread: M8, length: 10}
+      - {diameter: 20H9, roughness: Ra 2.5}
+    pattern: {grid: {start: [50, 50], columns: 2, rows: 2, step: [30, 40], angle: 0}}
+  - name: E
+    diameter: {nominal: 6, upper: 0.15, lower: 0}
+    depth: 20
+    roughness: Ra 12.5
+    centre_tolerance: 0.46
+    pattern: {circle: {centre: [400, 80], diameter: 60, count: 6, start_angle: 15}}
+    cone: {diameter: 8, angle: 60}
 ";
 
     fn root(path: &str) -> PathBuf {
@@ -389,16 +286,23 @@ holes:
     #[test]
     fn the_schema_has_the_keys_that_the_reader_knows() {
         for (pointer, known) in [
-            ("", read::PART),
-            ("/$defs/Blank", read::BLANK),
-            ("/$defs/Datum", read::DATUM),
-            ("/$defs/Fixture", read::FIXTURE),
-            ("/$defs/Clamp", read::CLAMP),
-            ("/$defs/Hole", read::HOLE),
-            ("/$defs/Limits", read::DIAMETER),
-            ("/$defs/Counterbore", read::COUNTERBORE),
-            ("/$defs/Countersink", read::COUNTERSINK),
-            ("/$defs/Pattern", read::PATTERN),
+            ("", keys::PART),
+            ("/$defs/Blank", keys::BLANK),
+            ("/$defs/Datum", keys::DATUM),
+            ("/$defs/Fixture", keys::FIXTURE),
+            ("/$defs/Clamp", keys::CLAMP),
+            ("/$defs/Hole", keys::HOLE),
+            ("/$defs/Limits", keys::DIAMETER),
+            ("/$defs/Counterbore", keys::COUNTERBORE),
+            ("/$defs/Countersink", keys::COUNTERSINK),
+            ("/$defs/Pattern", keys::PATTERN),
+            ("/$defs/Grid", keys::GRID),
+            ("/$defs/Line", keys::LINE),
+            ("/$defs/Circle", keys::CIRCLE),
+            ("/$defs/Cone", keys::CONE),
+            ("/$defs/FaceKeys", keys::FACE),
+            ("/$defs/Groove", keys::GROOVE),
+            ("/$defs/Step", keys::STEP),
         ] {
             let mut known: Vec<String> = known.iter().map(|&key| key.to_owned()).collect();
             known.sort();
@@ -440,11 +344,10 @@ holes:
     fn a_part_with_every_key_fits_the_schema_types_and_the_reader() {
         let part = super::super::read_part("full", FULL, &knowledge()).unwrap();
         assert_eq!(part.material, "steel-45");
-        assert_eq!(part.holes[0].not_planned.len(), 8);
-        assert_eq!(part.holes[2].not_planned, [""; 0]);
+        assert_eq!(part.holes.iter().map(|hole| hole.at.len()).collect::<Vec<_>>(), [2, 3, 1, 4, 6]);
         serde_yaml::from_str::<PartFile>(FULL).unwrap();
         let used = |keys: &[&str]| keys.iter().all(|key| FULL.contains(&format!("{key}:")));
-        assert!(used(read::PART) && used(read::HOLE));
+        assert!([keys::PART, keys::HOLE, keys::STEP, keys::GRID, keys::CIRCLE, keys::CONE].into_iter().all(used));
     }
 
     #[test]
@@ -463,10 +366,17 @@ holes:
             ("through: false", "through: no"),
             ("depth: 9", "deep: 9"),
             ("angle: 90", "angel: 90"),
+            ("width: 2", "wide: 2"),
+            ("taper: 0.02", "tapper: 0.02"),
+            ("length: 10", "lenght: 10"),
+            ("columns: 2", "colums: 2"),
+            ("columns: 2", "columns: 2.5"),
+            ("start_angle: 15", "angle: 15"),
+            ("face: 24", "face: {}"),
             ("state: pre-machined", "state: forged"),
             ("line:", "row:"),
+            ("step: 30.5", "step: [1, 2]"),
             ("at: [[50, 0], [100, 0]]", "at: [50, 0]"),
-            ("    roughness: Rz 80\n", ""),
         ] {
             let text = FULL.replacen(from, to, 1);
             assert_ne!(text, FULL, "{from}");

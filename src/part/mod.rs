@@ -4,9 +4,16 @@
 //! each with its place and remedy. [`schema`] is the file's form for editors.
 
 mod check;
+mod check_features;
 pub mod file;
+mod keys;
 mod read;
+mod read_diameter;
+mod read_features;
 mod read_holes;
+mod read_pattern;
+mod read_steps;
+mod thread;
 mod tolerance;
 
 use schemars::JsonSchema;
@@ -154,10 +161,153 @@ pub struct Hole {
     pub chamfer: Option<Micrometres>,
     /// Whether the material around it carries a casting or forging skin.
     pub skin: bool,
-    /// Keys of the format that this version reads but does not plan yet, such as `thread`.
-    pub not_planned: Vec<String>,
+    /// Its thread; `diameter` is then that of the hole under the thread.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub thread: Option<Thread>,
+    /// The cone it opens into at the entry; `diameter` is then that of its narrow end.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cone: Option<Cone>,
+    /// Counterbore at the entry.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub counterbore: Option<Counterbore>,
+    /// Countersink at the entry.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub countersink: Option<Countersink>,
+    /// A face around the entry, cut flat: its diameter, mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub face: Option<Micrometres>,
+    /// A groove inside it, which no axial tool makes.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub groove: Option<Groove>,
+    /// What stands in the blank where the hole shall be.
+    #[serde(default)]
+    pub state: BlankHole,
+    /// Whether a cast or pre-machined hole lies in an outer wall (tables A.8, A.9).
+    #[serde(default)]
+    pub outer_wall: bool,
+    /// The wider cylinders of a stepped hole beside the main one, from the entry face inwards.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub steps: Vec<HoleStep>,
     /// The centres.
     pub at: Vec<Point>,
+}
+
+/// A thread.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Thread {
+    /// As the drawing writes it: `M8-6H`, `К1/2"`.
+    pub written: String,
+    /// Its kind.
+    pub kind: ThreadKind,
+    /// The id its tap is known by in the catalogs: `M8`, `M8x1`, `K1/2`.
+    pub id: String,
+    /// Nominal diameter; of a conical thread its outer diameter in the main plane, mm.
+    pub size: Micrometres,
+    /// Pitch, mm.
+    pub pitch: Micrometres,
+}
+
+/// Kinds of threads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ThreadKind {
+    /// Metric, cylindrical.
+    Cylindrical,
+    /// Conical, in inches.
+    Conical,
+}
+
+/// A conical opening.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Cone {
+    /// Its diameter at the entry, mm.
+    pub diameter: Micrometres,
+    /// Its full angle, thousandths of a degree.
+    pub angle_millideg: u32,
+}
+
+/// A counterbore: a flat-bottomed opening at the entry.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Counterbore {
+    /// Its diameter, mm.
+    pub diameter: Micrometres,
+    /// Its depth from the entry face, mm.
+    pub depth: Micrometres,
+}
+
+/// A countersink: a conical opening at the entry for a screw head.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Countersink {
+    /// Its largest diameter, mm.
+    pub diameter: Micrometres,
+    /// Its full angle, thousandths of a degree.
+    pub angle_millideg: u32,
+}
+
+/// A groove inside a hole.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Groove {
+    /// Its diameter, mm.
+    pub diameter: Micrometres,
+    /// Its width along the axis, mm.
+    pub width: Micrometres,
+    /// From the entry face to its nearer side, mm.
+    pub depth: Micrometres,
+}
+
+/// What stands in the blank where a hole shall be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum BlankHole {
+    /// Solid metal.
+    #[default]
+    Solid,
+    /// A cast or forged hole of that diameter, mm.
+    Cast(Micrometres),
+    /// A hole machined beforehand, of that diameter, mm.
+    PreMachined(Micrometres),
+}
+
+impl BlankHole {
+    /// The diameter of the hole in the blank, if there is one.
+    pub const fn diameter(self) -> Option<Micrometres> {
+        match self {
+            Self::Solid => None,
+            Self::Cast(diameter) | Self::PreMachined(diameter) => Some(diameter),
+        }
+    }
+}
+
+/// The face a step is entered from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Face {
+    /// The face of the first set-up.
+    #[default]
+    Entry,
+    /// The opposite face, after turning the part over.
+    Back,
+}
+
+/// A cylinder of a stepped hole that is wider than the main one.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct HoleStep {
+    /// Diameter with its tolerance.
+    pub diameter: ToleratedDiameter,
+    /// The face it is entered from.
+    pub face: Face,
+    /// From that face to its bottom, mm.
+    pub depth: Micrometres,
+    /// Its shoulder: flat, or the cone of a drill.
+    pub bottom: Bottom,
+    /// Roughness limit.
+    pub roughness: Roughness,
+    /// Its thread.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub thread: Option<Thread>,
+    /// Chamfer at its edge, mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub chamfer: Option<Micrometres>,
 }
 
 /// The bottom of a blind hole.
@@ -192,9 +342,35 @@ impl Part {
 }
 
 impl Hole {
+    /// The thread of its main cylinder, or of the step of that number, from 1.
+    pub fn thread_at(&self, step: Option<usize>) -> Option<&Thread> {
+        match step {
+            None => self.thread.as_ref(),
+            Some(number) => self.steps.get(number.checked_sub(1)?)?.thread.as_ref(),
+        }
+    }
+
     /// The smallest distance between two centres of the group, if it has two.
     pub fn smallest_centre_distance(&self) -> Option<Micrometres> {
-        let points = &self.at;
-        points.iter().enumerate().flat_map(|(index, a)| points[index + 1..].iter().map(|b| a.distance(*b))).min()
+        let extent = |coordinate: fn(&Point) -> Micrometres| {
+            let (least, most) = (self.at.iter().map(coordinate).min()?, self.at.iter().map(coordinate).max()?);
+            Some(most - least)
+        };
+        // Sorted along the longer side, the search for a nearer point can end early: patterns have thousands.
+        let along: fn(&Point) -> Micrometres =
+            if extent(|point| point.x) >= extent(|point| point.y) { |point| point.x } else { |point| point.y };
+        let mut points = self.at.clone();
+        points.sort_by_key(along);
+        let mut smallest: Option<Micrometres> = None;
+        for (index, point) in points.iter().enumerate() {
+            for other in &points[index + 1..] {
+                if smallest.is_some_and(|smallest| along(other) - along(point) > smallest) {
+                    break;
+                }
+                let distance = point.distance(*other);
+                smallest = Some(smallest.map_or(distance, |smallest| smallest.min(distance)));
+            }
+        }
+        smallest
     }
 }

@@ -6,52 +6,8 @@ use crate::knowledge::{Knowledge, Table};
 use crate::units::{Decimal, Micrometres};
 
 use super::check;
+use super::keys::{BLANK, CLAMP, DATUM, FIXTURE, PART};
 use super::{Blank, BlankKind, Clamp, Datum, Entry, Fixture, Part, Point};
-
-/// The keys of a part.
-pub(super) const PART: &[&str] =
-    &["part", "material", "blank", "machine", "datum", "entry", "fixture", "position_tolerance", "mass", "holes"];
-/// The keys of a blank.
-pub(super) const BLANK: &[&str] = &["kind", "length", "width", "thickness"];
-/// The keys of a group of holes.
-pub(super) const HOLE: &[&str] = &[
-    "name",
-    "diameter",
-    "depth",
-    "through",
-    "bottom",
-    "roughness",
-    "centre_tolerance",
-    "chamfer",
-    "skin",
-    "at",
-    "cone",
-    "thread",
-    "counterbore",
-    "countersink",
-    "state",
-    "state_diameter",
-    "outer_wall",
-    "steps",
-    "pattern",
-];
-/// The keys of a diameter given by its limits.
-pub(super) const DIAMETER: &[&str] = &["nominal", "upper", "lower"];
-/// The keys of a datum.
-pub(super) const DATUM: &[&str] = &["x", "y", "z"];
-/// The keys of a fixture.
-pub(super) const FIXTURE: &[&str] = &["height", "clamps"];
-/// The keys of a clamp.
-pub(super) const CLAMP: &[&str] = &["at", "screw"];
-/// The keys of a counterbore.
-pub(super) const COUNTERBORE: &[&str] = &["diameter", "depth"];
-/// The keys of a countersink.
-pub(super) const COUNTERSINK: &[&str] = &["diameter", "angle"];
-/// The kinds of patterns.
-pub(super) const PATTERN: &[&str] = &["grid", "line", "circle"];
-/// Keys of a group that this version reads and does not plan.
-pub(super) const NOT_PLANNED: &[&str] =
-    &["cone", "thread", "counterbore", "countersink", "state", "state_diameter", "outer_wall", "steps", "pattern"];
 
 /// Reads a part file.
 ///
@@ -60,7 +16,7 @@ pub(super) const NOT_PLANNED: &[&str] =
 pub fn read_part(file: &str, text: &str, knowledge: &Knowledge) -> Result<Part, Vec<Diagnostic>> {
     let (root, diagnostics) = parse(file, text);
     let mut problems = Problems(diagnostics);
-    let part = root.and_then(|root| Reader { knowledge, problems: &mut problems }.part(&root));
+    let part = root.and_then(|root| Reader::new(knowledge, &mut problems).part(&root));
     let broken = problems.0.iter().any(|problem| problem.severity == Severity::Error);
     match part {
         Some(part) if !broken => Ok(part),
@@ -74,6 +30,14 @@ pub fn read_part(file: &str, text: &str, knowledge: &Knowledge) -> Result<Part, 
 pub(super) struct Reader<'a> {
     pub(super) knowledge: &'a Knowledge,
     pub(super) problems: &'a mut Problems,
+    /// Points that the patterns read so far have made.
+    pub(super) pattern_points: usize,
+}
+
+impl<'a> Reader<'a> {
+    pub(super) const fn new(knowledge: &'a Knowledge, problems: &'a mut Problems) -> Self {
+        Self { knowledge, problems, pattern_points: 0 }
+    }
 }
 
 impl Reader<'_> {
@@ -297,7 +261,7 @@ impl Reader<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::part::{Bottom, CentreTolerance};
+    use crate::part::{BlankHole, Bottom, CentreTolerance};
     use crate::shipped;
     use crate::units::ItGrade;
 
@@ -332,7 +296,8 @@ holes:
         assert_eq!(part.datum, Datum { left: um(-100_000), front: um(-50_500), top: um(0) });
         assert_eq!((part.entry, part.fixture), (Entry::Machined, Fixture::default()));
         let hole = &part.holes[0];
-        assert!(!hole.through && !hole.skin && hole.bottom == Bottom::Free && hole.not_planned.is_empty());
+        assert!(!hole.through && !hole.skin && hole.bottom == Bottom::Free);
+        assert!(hole.thread.is_none() && hole.steps.is_empty() && hole.state == BlankHole::Solid && !hole.outer_wall);
         assert_eq!(read("depth: 30", "through: true").holes[0].depth, um(40_000));
     }
 
@@ -378,7 +343,7 @@ holes:
             let (root, _) = parse("part", &text);
             let mut problems = Problems::default();
             let knowledge = shipped::knowledge().unwrap();
-            let mut reader = Reader { knowledge: &knowledge, problems: &mut problems };
+            let mut reader = Reader::new(&knowledge, &mut problems);
             let root = root.unwrap();
             let blank = reader.blank(root.get("blank").unwrap()).unwrap();
             let read = reader.datum(root.get("datum").unwrap(), &blank).unwrap();
@@ -398,10 +363,8 @@ holes:
     }
 
     #[test]
-    fn a_key_that_asks_for_nothing_is_planned() {
-        let plain = read("    at:", "    outer_wall: false\n    state: solid\n    steps: []\n    thread:\n    at:");
-        assert!(plain.holes[0].not_planned.is_empty());
-        let asking = read("    at:", "    outer_wall: true\n    state: cast\n    thread: M8-6H\n    at:");
-        assert_eq!(asking.holes[0].not_planned, ["thread", "state", "outer_wall"]);
+    fn a_key_that_asks_for_nothing_changes_nothing() {
+        let asked = read("    at:", "    outer_wall: false\n    state: solid\n    steps: []\n    thread:\n    at:");
+        assert_eq!(asked, read("", ""));
     }
 }

@@ -2,12 +2,15 @@
 
 use crate::knowledge::Column;
 use crate::knowledge::diagnostic::Place;
-use crate::knowledge::yaml::{Node, NodeKind};
-use crate::units::ItGrade;
+use crate::knowledge::yaml::{Fields, Node, NodeKind};
+use crate::units::{ItGrade, Micrometres, Roughness};
 
-use super::check::Group;
-use super::read::{COUNTERBORE, COUNTERSINK, DIAMETER, HOLE, NOT_PLANNED, PATTERN, Reader};
-use super::{Blank, Bottom, CentreTolerance, Hole, Point, ToleratedDiameter};
+use super::check::{Centres, Group, Span};
+use super::keys::HOLE;
+use super::read::Reader;
+use super::read_diameter::Sized;
+use super::read_steps::{Cylinders, Whole};
+use super::{Blank, Bottom, CentreTolerance, Hole, Point};
 
 impl Reader<'_> {
     pub(super) fn groups(&mut self, node: &Node, blank: Option<&Blank>) -> Vec<Group> {
@@ -27,7 +30,11 @@ impl Reader<'_> {
         let mut fields = self.problems.map(node)?;
         let name_node = fields.need("name", self.problems);
         let name = name_node.and_then(|node| self.name(node));
-        let diameter = fields.need("diameter", self.problems).and_then(|node| self.diameter(node));
+        let steps_node = fields.take("steps");
+        let steps = steps_node.and_then(|node| self.problems.list(node)).unwrap_or_default();
+        // An empty list asks for nothing; what is no list was meant to say the diameters.
+        let stepped = steps_node.is_some_and(|node| !matches!(&node.kind, NodeKind::Seq(items) if items.is_empty()));
+        let sized = self.sized(&mut fields, !stepped);
         let through = match fields.take("through") {
             Some(node) => self.problems.boolean(node),
             None => Some(false),
@@ -36,7 +43,7 @@ impl Reader<'_> {
         let depth = match (depth_node, through, blank) {
             (Some(node), ..) => self.positive(node, "depth"),
             (None, Some(true), Some(blank)) => Some(blank.thickness),
-            (None, Some(false), _) => self.problems.error_help(
+            (None, Some(false), _) if !stepped => self.problems.error_help(
                 "missing-key",
                 "the key `depth` is missing",
                 fields.place,
@@ -46,106 +53,127 @@ impl Reader<'_> {
         };
         let bottom = match fields.take("bottom") {
             Some(node) => self.choice(node, &[("flat", Bottom::Flat), ("free", Bottom::Free)]),
-            None => Some(Bottom::default()),
+            None => None,
         };
-        let roughness = fields.need("roughness", self.problems).and_then(|node| self.problems.scalar(node));
+        // A thread has a roughness of its own, and steps may each have one.
+        let free = stepped || node.get("thread").is_some_and(|thread| !thread.is_null());
+        let roughness = if free { fields.take("roughness") } else { fields.need("roughness", self.problems) };
+        let roughness = roughness.map(|node| self.problems.scalar(node));
         let centre_tolerance =
             fields.need("centre_tolerance", self.problems).and_then(|node| self.centre_tolerance(node));
-        let chamfer = fields.take("chamfer").and_then(|node| self.positive(node, "chamfer"));
+        let chamfer_node = fields.take("chamfer");
+        let chamfer = chamfer_node.and_then(|node| Some((self.positive(node, "chamfer")?, node.place.clone())));
         let skin = match fields.take("skin") {
             Some(node) => self.problems.boolean(node),
             None => Some(false),
         };
-        let mut not_planned = Vec::new();
-        for &key in NOT_PLANNED {
-            if let Some(node) = fields.take(key)
-                && self.asks_for_more(key, node)
-            {
-                not_planned.push(key.to_owned());
-            }
-        }
-        let patterned = not_planned.iter().any(|key| key == "pattern");
-        let at_node = if patterned { fields.take("at") } else { fields.need("at", self.problems) };
-        if let (Some(node), true) = (at_node, patterned) {
-            let message = "`at` and `pattern` both say where the holes are";
-            self.problems.error_help::<()>("bad-value", message, &node.place, "keep one of them");
-        }
-        let points = at_node.map(|node| self.points(node)).unwrap_or_default();
+        let features = self.features(&mut fields);
+        let (at, points) = self.centres(&mut fields);
+        let place = fields.place;
         fields.finish(HOLE, self.problems);
+
+        let alone = sized.as_ref().filter(|_| !stepped).map(|sized| sized.diameter.clone());
+        let cylinders = if stepped {
+            let through = through.unwrap_or(true);
+            // A `depth` of a through hole that is not the thickness is reported at the key itself.
+            let depth = if through { blank.map(|blank| blank.thickness) } else { depth };
+            let whole = Whole { own: sized, through, depth, roughness, bottom, chamfer, place };
+            self.steps(steps, whole)
+        } else {
+            self.cylinder(sized, depth, roughness, bottom, chamfer)
+        };
+        let narrowest = cylinders.as_ref().map(|known| &known.diameter).or(alone.as_ref());
+        let mut spans = match (&cylinders, &alone) {
+            (Some(known), _) => known.spans.clone(),
+            (None, Some(diameter)) => vec![Span::new(diameter.nominal, Micrometres::ZERO, depth.unwrap_or(Span::FAR))],
+            (None, None) => Vec::new(),
+        };
+        if let Some(diameter) = narrowest {
+            self.fit_features(&features, &spans, diameter.smallest());
+            spans.extend(features.spans());
+        }
+
         let mut group = Group {
             name: name.clone().zip(name_node.map(|node| node.place.clone())),
-            diameter: diameter.as_ref().map(|diameter| diameter.nominal),
+            spans,
             depth: depth.zip(depth_node.map(|node| node.place.clone())),
             through,
-            at: at_node.map(|node| node.place.clone()),
+            at,
             points,
             hole: None,
         };
-        if let (Some(name), Some(diameter), Some(depth), Some(through)) = (name, diameter, depth, through)
-            && let (Some(bottom), Some(roughness), Some(skin)) = (bottom, roughness, skin)
-            && let Some(centre_tolerance) = centre_tolerance
+        if let (Some(name), Some(cylinders), Some(through)) = (name, cylinders, through)
+            && let (Some(skin), Some(centre_tolerance)) = (skin, centre_tolerance)
         {
-            let at = group.points.iter().map(|(point, _)| *point).collect();
             group.hole = Some(Hole {
                 name,
-                diameter,
-                depth,
+                diameter: cylinders.diameter,
+                depth: cylinders.depth,
                 through,
-                bottom,
-                roughness,
+                bottom: cylinders.bottom,
+                roughness: cylinders.roughness,
                 centre_tolerance,
-                chamfer,
+                chamfer: cylinders.chamfer,
                 skin,
-                not_planned,
-                at,
+                thread: cylinders.thread,
+                cone: features.cone.map(|(cone, _)| cone),
+                counterbore: features.counterbore.map(|(counterbore, _)| counterbore),
+                countersink: features.countersink.map(|(countersink, _)| countersink),
+                face: features.face.map(|(face, _)| face),
+                groove: features.groove.map(|(groove, _)| groove),
+                state: features.state,
+                outer_wall: features.outer_wall,
+                steps: cylinders.steps,
+                at: group.points.iter().map(|(point, _)| *point).collect(),
             });
         }
         Some(group)
     }
 
-    /// Checks a key that is not planned yet, and says whether its value asks for something.
-    fn asks_for_more(&mut self, key: &str, node: &Node) -> bool {
-        match key {
-            "thread" => self.name(node).is_some(),
-            "state" => {
-                let solid = self.choice(node, &[("solid", true), ("cast", false), ("pre-machined", false)]);
-                solid == Some(false)
-            }
-            "state_diameter" => self.positive(node, key).is_some(),
-            "outer_wall" => self.problems.boolean(node) == Some(true),
-            "counterbore" => self.feature(node, COUNTERBORE),
-            "countersink" => self.feature(node, COUNTERSINK),
-            "pattern" => self.pattern(node),
-            "steps" => {
-                let items = self.problems.list(node).unwrap_or_default();
-                items.iter().filter(|item| self.problems.map(item).is_some()).count() > 0
-            }
-            _ => self.problems.map(node).is_some(),
-        }
+    /// The one cylinder of a hole without steps.
+    fn cylinder(
+        &mut self,
+        sized: Option<Sized>,
+        depth: Option<Micrometres>,
+        roughness: Option<Option<Roughness>>,
+        bottom: Option<Bottom>,
+        chamfer: Option<(Micrometres, Place)>,
+    ) -> Option<Cylinders> {
+        let sized = sized?;
+        let roughness = match roughness {
+            Some(stated) => stated,
+            None if sized.thread.is_some() => self.thread_roughness(&sized.place),
+            None => None,
+        };
+        let depth = depth?;
+        Some(Cylinders {
+            spans: vec![Span::new(sized.widest(), Micrometres::ZERO, depth)],
+            diameter: sized.diameter,
+            thread: sized.thread,
+            depth,
+            bottom: bottom.unwrap_or_default(),
+            roughness: roughness?,
+            chamfer: chamfer.map(|(chamfer, _)| chamfer),
+            steps: Vec::new(),
+        })
     }
 
-    /// A feature at the entry: sizes that must all be there, mm or degrees.
-    fn feature(&mut self, node: &Node, sizes: &[&str]) -> bool {
-        let Some(mut fields) = self.problems.map(node) else { return false };
-        for name in sizes {
-            if let Some(node) = fields.need(name, self.problems) {
-                self.positive(node, name);
+    /// The centres, from `at` or from `pattern`. The points of a pattern stand at its place.
+    fn centres(&mut self, fields: &mut Fields<'_>) -> (Option<Centres>, Vec<(Point, Place)>) {
+        let pattern = fields.take("pattern");
+        let at = if pattern.is_some() { fields.take("at") } else { fields.need("at", self.problems) };
+        if let (Some(node), Some(_)) = (at, pattern) {
+            let message = "`at` and `pattern` both say where the holes are";
+            self.problems.error_help::<()>("bad-value", message, &node.place, "keep one of them");
+        }
+        match (pattern, at) {
+            (Some(node), _) => {
+                let points = self.pattern(node).into_iter().map(|point| (point, node.place.clone())).collect();
+                (Some(Centres { place: node.place.clone(), pattern: true }), points)
             }
+            (None, Some(node)) => (Some(Centres { place: node.place.clone(), pattern: false }), self.points(node)),
+            (None, None) => (None, Vec::new()),
         }
-        fields.finish(sizes, self.problems);
-        true
-    }
-
-    fn pattern(&mut self, node: &Node) -> bool {
-        let Some(mut fields) = self.problems.map(node) else { return false };
-        let kinds =
-            PATTERN.iter().filter(|kind| fields.take(kind).is_some_and(|node| self.problems.map(node).is_some()));
-        let count = kinds.count();
-        fields.finish(PATTERN, self.problems);
-        if count > 1 {
-            self.problems.error_help::<()>("bad-value", "a pattern is of one kind", &node.place, "keep one of them");
-        }
-        true
     }
 
     fn points(&mut self, node: &Node) -> Vec<(Point, Place)> {
@@ -159,23 +187,6 @@ impl Reader<'_> {
             return Vec::new();
         }
         items.iter().filter_map(|item| self.point(item).map(|point| (point, item.place.clone()))).collect()
-    }
-
-    fn diameter(&mut self, node: &Node) -> Option<ToleratedDiameter> {
-        let diameter = if matches!(node.kind, NodeKind::Map(_)) {
-            let mut fields = self.problems.map(node)?;
-            let nominal = fields.need("nominal", self.problems).and_then(|node| self.positive(node, "nominal"));
-            let upper = fields.need("upper", self.problems).and_then(|node| self.problems.scalar(node));
-            let lower = fields.need("lower", self.problems).and_then(|node| self.problems.scalar(node));
-            fields.finish(DIAMETER, self.problems);
-            ToleratedDiameter::from_limits(nominal?, upper?, lower?, self.knowledge)
-        } else {
-            ToleratedDiameter::parse(self.problems.text(node)?, self.knowledge)
-        };
-        match diameter {
-            Ok(diameter) => Some(diameter),
-            Err(message) => self.problems.error("bad-diameter", message, &node.place),
-        }
     }
 
     fn centre_tolerance(&mut self, node: &Node) -> Option<CentreTolerance> {

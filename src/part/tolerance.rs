@@ -25,7 +25,9 @@ pub struct ToleratedDiameter {
 
 impl fmt::Display for ToleratedDiameter {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "Ø{}", self.written)
+        // The hole under a thread is named by its thread.
+        let sign = if self.written.starts_with(|first: char| first.is_ascii_digit()) { "Ø" } else { "" };
+        write!(f, "{sign}{}", self.written)
     }
 }
 
@@ -73,6 +75,17 @@ impl ToleratedDiameter {
         Self::with_grade(nominal, grade, text, knowledge)
     }
 
+    /// A size without a tolerance, such as a counterbore's: of the grade `free-size-grade`, whatever its size.
+    ///
+    /// # Errors
+    /// The size is outside the table `it-grades`.
+    pub fn free(nominal: Micrometres, knowledge: &Knowledge) -> Result<Self, String> {
+        let number = convention("free-size-grade", knowledge)? as u8;
+        let it = ItGrade::new(number).ok_or_else(|| format!("grade {number} is outside 1 to 18"))?;
+        let upper = tolerance_width(it, nominal, knowledge)?;
+        Ok(Self { nominal, upper, lower: Micrometres::ZERO, it, written: nominal.to_string() })
+    }
+
     fn with_grade(nominal: Micrometres, grade: u8, written: String, knowledge: &Knowledge) -> Result<Self, String> {
         in_range(nominal, knowledge)?;
         let it = ItGrade::new(grade)
@@ -80,6 +93,18 @@ impl ToleratedDiameter {
             .ok_or_else(|| format!("grade {grade} is outside 6 to 14, which the tables A.8 and A.9 cover"))?;
         let width = tolerance_width(it, nominal, knowledge)?;
         Ok(Self { nominal, upper: width, lower: Micrometres::ZERO, it, written })
+    }
+
+    /// The hole under a thread, of the grade `thread-hole-grade` of `hole-defaults` (textbook 1.2.1): from its
+    /// nominal diameter upwards. `written` is the thread as the drawing writes it.
+    ///
+    /// # Errors
+    /// The tables lack the grade or its width.
+    pub fn under_thread(nominal: Micrometres, written: &str, knowledge: &Knowledge) -> Result<Self, String> {
+        let grade = convention("thread-hole-grade", knowledge)? as u8;
+        let it = ItGrade::new(grade).ok_or_else(|| format!("`thread-hole-grade` {grade} is no tolerance grade"))?;
+        let upper = tolerance_width(it, nominal, knowledge)?;
+        Ok(Self { nominal, upper, lower: Micrometres::ZERO, it, written: written.to_owned() })
     }
 
     /// From limits: the grade is the coarsest whose tolerance the limits still hold.

@@ -7,11 +7,15 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::note::{Because, Finding, Severity};
-use crate::part::{Part, Point};
+use crate::part::{Face, Part, Point};
 use crate::units::{
     Kilowatts, MetresPerMinute, Micrometres, MillimetresPerMinute, MillimetresPerRev, Minutes, NewtonMetres, Newtons,
     RevsPerMinute,
 };
+
+mod route;
+
+pub use route::{Achieved, Alternative, Feature, Route, Way};
 
 /// A transition of hole machining.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
@@ -141,26 +145,30 @@ pub struct HolePlan {
     pub transitions: Vec<Transition>,
 }
 
-/// The scheme of a group.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Route {
-    /// The table it was found in: `A.8` or `A.9`.
-    pub table: String,
-    /// The scheme of A.7, `07`, or `04 + centre`.
-    pub scheme: String,
-    /// Whether the tables finish the hole on a machine of another type.
-    pub finish_elsewhere: bool,
-    /// The tolerance on centre distances the tables were asked with, mm.
-    pub centre_tolerance_mm: Micrometres,
-    /// Every decision on the way, with its row.
-    pub because: Vec<Because>,
-}
-
 /// One transition of a group.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Transition {
     /// What is done.
     pub operation: Operation,
+    /// What of the hole it makes.
+    pub feature: Feature,
+    /// The number of the step of a stepped hole it works on, from 1; absent for the main cylinder.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub step: Option<usize>,
+    /// The face it is entered from; what is entered from the back face is done in the second set-up.
+    pub face: Face,
+    /// Where its cutting begins, below its face, mm.
+    pub start_mm: Micrometres,
+    /// Where its cutting ends, below its face, mm: the end of the full diameter.
+    pub depth_mm: Micrometres,
+    /// Whether it is done on another machine, because this one cannot: it is in no magazine, sequence or time.
+    pub elsewhere: bool,
+    /// What it also makes with the same stroke: a step drill's counterbore or chamfer, mm.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub also_diameter_mm: Option<Micrometres>,
+    /// The accuracy and roughness it leaves, by the tables; absent for centring.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub achieved: Option<Achieved>,
     /// The diameter it leaves, mm; for centring the diameter of the spot.
     pub diameter_mm: Micrometres,
     /// The diameter before it, mm; zero in solid metal.
@@ -277,6 +285,13 @@ pub struct ToolPlan {
     pub overhang_mm: Micrometres,
     /// From the spindle's face to the tip, mm.
     pub length_mm: Micrometres,
+    /// The links from the spindle to the tip, in order.
+    pub links: Vec<Link>,
+    /// Mass of the assembly, kg, where the tables let it be found.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub mass_kg: Option<f64>,
+    /// Which filling of the magazine it belongs to, from 1; a higher one is loaded by hand.
+    pub load: u32,
     /// The number of its length corrector, H.
     pub corrector: u32,
     /// What the corrector holds, as G43 adds it: this length less the reference tool's, mm.
@@ -285,6 +300,19 @@ pub struct ToolPlan {
     pub book_correction_mm: Micrometres,
     /// Why.
     pub because: Vec<Because>,
+}
+
+/// A link of an assembly.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Link {
+    /// `taper-7-24`, `holder` or `cutter`.
+    pub kind: String,
+    /// Its designation; of the taper its number.
+    pub designation: String,
+    /// Its table.
+    pub table: String,
+    /// What it adds to the length from the spindle's face, mm.
+    pub length_mm: Micrometres,
 }
 
 /// How the part is clamped.
@@ -317,6 +345,8 @@ pub struct Clamping {
 pub struct Visit {
     /// The tool.
     pub tool: u32,
+    /// The set-up, from 1: the second is on the back face.
+    pub setup: u32,
     /// What it does at each stop, in order.
     pub stops: Vec<Stop>,
     /// Time of the rapid motions of this visit, from the tool-change position and back, min.

@@ -1,16 +1,20 @@
 //! Gives the steps of one hole their cutters, holders and conditions, or says why one cannot have them.
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
 use crate::cutting::{self, Cut};
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::units::Unit;
 use crate::knowledge::{Input, Knowledge, RowRef};
 use crate::note::{Because, Note};
-use crate::part::{Entry, Hole, Part};
-use crate::plan::{Conditions, Operation};
-use crate::route::Step;
+use crate::part::{Entry, Face, Hole, Part};
+use crate::plan::{Conditions, Feature, Operation};
+use crate::route::bores::Edge;
+use crate::route::{Place, Step};
 use crate::shop::Shop;
 use crate::tooling::{self, Assembly, CutterNeed};
-use crate::units::{Decimal, Micrometres, round_to};
+use crate::units::{Decimal, Micrometres, Roughness, round_to};
 
 /// A step with what it is done with.
 #[derive(Clone, Debug)]
@@ -35,12 +39,42 @@ pub(super) struct FittedTool {
     pub because: Vec<Because>,
 }
 
+/// The cutter, conditions and travel of a step, without its own reasons.
+#[derive(Clone, Debug)]
+struct Outfit {
+    tool: FittedTool,
+    travel: Micrometres,
+    conditions: Conditions,
+}
+
+/// What the outfit of a step depends on; the routes of one hole share most of their steps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Key {
+    operation: Operation,
+    feature: Feature,
+    step: Option<usize>,
+    depth: Micrometres,
+    diameter: Micrometres,
+    nominal: Micrometres,
+    from: Micrometres,
+    passes: u32,
+    also: Option<Micrometres>,
+    angle: Option<u32>,
+    within: Option<Micrometres>,
+    reamer_follows: bool,
+    last: bool,
+}
+
+/// The point angle of the centring drills (A.14: 2φ = 90°), thousandths of a degree.
+const CENTRING_ANGLE: u32 = 90_000;
+
 /// What every step of a hole shares.
 pub(super) struct Fitting<'p, 'k> {
     hole: &'p Hole,
+    edges: &'p [Edge],
     shop: &'p Shop<'k>,
-    approach: Micrometres,
-    overrun: Micrometres,
+    /// Approach and overrun of a blind and of a through cut.
+    travels: [(Micrometres, Micrometres, Because); 2],
     /// The widest spot a centring drill of the catalogs makes.
     pub(super) widest_spot: Micrometres,
     /// Point angles, degrees.
@@ -48,18 +82,26 @@ pub(super) struct Fitting<'p, 'k> {
     core_drill_point: f64,
     surface: &'k str,
     lead: &'k str,
-    shared: Vec<Because>,
+    clearance: Micrometres,
+    floor_clearance: Micrometres,
+    grind_limit: Micrometres,
+    known: RefCell<BTreeMap<Key, Result<Outfit, Note>>>,
 }
 
 impl<'p, 'k> Fitting<'p, 'k> {
     /// Approach, overrun, surface and reamer lead by their rules.
-    pub fn new(hole: &'p Hole, part: &'p Part, shop: &'p Shop<'k>) -> Result<Self, KnowledgeError> {
+    pub fn new(hole: &'p Hole, edges: &'p [Edge], part: &'p Part, shop: &'p Shop<'k>) -> Result<Self, KnowledgeError> {
         let knowledge = shop.knowledge;
         let entry = if part.entry == Entry::Rough { "rough" } else { "machined" };
         let rule = knowledge.table("approach")?;
-        let answer = rule.decide(&[("entry", Input::Text(entry)), ("through", Input::Bool(hole.through))])?;
-        let travel = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, entry))?;
-        let (approach, overrun) = (travel.length("approach")?, travel.length("overrun")?);
+        let travel = |through: bool| -> Result<(Micrometres, Micrometres, Because), KnowledgeError> {
+            let answer = rule.decide(&[("entry", Input::Text(entry)), ("through", Input::Bool(through))])?;
+            let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, entry))?;
+            let (approach, overrun) = (row.length("approach")?, row.length("overrun")?);
+            let note = Note::new("travel").with("approach", approach).with("overrun", overrun);
+            Ok((approach, overrun, Because::row(row, note)))
+        };
+        let travels = [travel(false)?, travel(true)?];
 
         let rule = knowledge.table("surface")?;
         let group = Input::Text(shop.material.group);
@@ -69,33 +111,48 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let rule = knowledge.table("reamer-lead")?;
         let answer = rule.decide(&[("material_group", group)])?;
         let lead = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, shop.material.group))?;
-        let note = Note::new("travel").with("approach", approach).with("overrun", overrun);
         Ok(Self {
             hole,
+            edges,
             shop,
-            approach,
-            overrun,
+            travels,
             widest_spot: widest_spot(knowledge)?,
             drill_point: point_angle(knowledge, Operation::Drill),
             core_drill_point: point_angle(knowledge, Operation::CoreDrill),
             surface: surface.text("surface")?,
             lead: lead.text("lead")?,
-            shared: vec![Because::row(travel, note)],
+            clearance: shop.convention("mill-clearance-mm")?,
+            floor_clearance: shop.convention("floor-clearance-mm")?,
+            grind_limit: shop.convention("cutter-grind-limit-mm")?,
+            known: RefCell::new(BTreeMap::new()),
         })
     }
 
-    /// How deep a drill of that diameter must reach: depth, point and overrun.
-    pub fn drill_reach(&self, diameter: Micrometres) -> Micrometres {
-        self.hole.depth + cone(diameter, self.drill_point) + self.overrun
+    fn travels(&self, through: bool) -> &(Micrometres, Micrometres, Because) {
+        &self.travels[usize::from(through)]
     }
 
-    /// Fits every step; the first that cannot be fitted says why.
+    /// How deep a drill of that diameter must reach in a cylinder: depth, point and overrun.
+    pub fn drill_reach(&self, place: &Place, diameter: Micrometres) -> Micrometres {
+        place.depth + cone(diameter, self.drill_point) + self.travels(place.through).1
+    }
+
+    /// The height of a drill's point.
+    pub fn point(&self, diameter: Micrometres) -> Micrometres {
+        cone(diameter, self.drill_point)
+    }
+
+    /// Fits every step of a hole in their order; the first that cannot be fitted says why.
     pub fn fit(&self, steps: Vec<Step>, finish_elsewhere: bool) -> Tried<Vec<Fitted>> {
         let drill = steps.iter().find(|step| step.operation == Operation::Drill).map(|step| step.diameter);
         let mut fitted = Vec::with_capacity(steps.len());
         for index in 0..steps.len() {
-            let follows = steps.get(index + 1).map(|step| step.operation);
-            let step = steps[index].clone();
+            let step = &steps[index];
+            // What follows on the same cylinder.
+            let own = (cylinder(step), step.place.step);
+            let follows = steps[index + 1..].iter().find(|next| (cylinder(next), next.place.step) == own);
+            let follows = follows.map(|step| step.operation).filter(|operation| *operation != Operation::Tap);
+            let step = step.clone();
             fitted.push(if step.operation == Operation::CentreDrill {
                 self.centre(step, drill.unwrap_or(self.hole.diameter.nominal))?
             } else {
@@ -106,22 +163,43 @@ impl<'p, 'k> Fitting<'p, 'k> {
         Ok(fitted)
     }
 
+    /// The edge at the entry that centring makes with its spot, by the rule `centre-spot`: a chamfer or a
+    /// countersink of 90° around the main cylinder, where a centring drill of the catalogs is wide enough.
+    pub fn edge_by_centring(&self) -> Result<Option<Edge>, KnowledgeError> {
+        let around = self.hole.diameter.nominal;
+        // A face that is cut after it would take the spot away.
+        if self.edges.iter().any(|edge| edge.feature == Feature::Face) {
+            return Ok(None);
+        }
+        let edge = self.edges.iter().find(|edge| {
+            edge.face == Face::Entry
+                && edge.start == Micrometres::ZERO
+                && matches!(edge.feature, Feature::Chamfer | Feature::Countersink)
+                && edge.angle_millideg == CENTRING_ANGLE
+                && edge.around == around
+                && edge.diameter <= self.widest_spot
+        });
+        let Some(edge) = edge else { return Ok(None) };
+        Ok((self.spot_rule(true)?.text("spot")? == "chamfer").then_some(*edge))
+    }
+
+    fn spot_rule(&self, chamfer: bool) -> Result<RowRef<'k>, KnowledgeError> {
+        let rule = self.shop.knowledge.table("centre-spot")?;
+        let diameter = ("diameter", Input::Length(self.hole.diameter.nominal));
+        let answer = rule.decide(&[("chamfer", Input::Bool(chamfer)), diameter])?;
+        answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this hole"))
+    }
+
     /// Centring: the spot by the rule `centre-spot`; its tool is chosen for the whole part.
     fn centre(&self, step: Step, drill: Micrometres) -> Tried<Fitted> {
-        let rule = self.shop.knowledge.table("centre-spot")?;
-        let diameter = self.hole.diameter.nominal;
-        let ask = |chamfer: bool| -> Result<RowRef<'_>, KnowledgeError> {
-            let answer = rule.decide(&[("chamfer", Input::Bool(chamfer)), ("diameter", Input::Length(diameter))])?;
-            answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this hole"))
-        };
-        let row = ask(self.hole.chamfer.is_some())?;
-        let by_chamfer = row.text("spot")? == "chamfer";
-        let wide = self.hole.chamfer.map(|chamfer| diameter + chamfer + chamfer);
-        let (row, spot, note) = match wide.filter(|spot| by_chamfer && *spot <= self.widest_spot) {
-            Some(spot) => (row, spot, Note::new("spot-by-chamfer")),
+        let (row, spot, note) = match self.edge_by_centring()? {
+            Some(edge) => (self.spot_rule(true)?, edge.diameter, Note::new("spot-by-chamfer")),
             None => {
                 // Where no centring drill is wide enough for the chamfer, the spot is that of a hole without one.
-                let row = if by_chamfer { ask(false)? } else { row };
+                let row = match self.spot_rule(self.hole.chamfer.is_some())? {
+                    row if row.text("spot")? == "chamfer" => self.spot_rule(false)?,
+                    row => row,
+                };
                 let share = row.number_in("share", Unit::None)?;
                 let spot = Micrometres::from_mm_rounded(drill.to_mm() * share);
                 (row, spot, Note::new("spot-by-drill").with("share", share))
@@ -129,76 +207,200 @@ impl<'p, 'k> Fitting<'p, 'k> {
         };
         let note = note.with("spot", spot).with("drill", drill);
         let depth = spot.half();
-        let travel = self.approach + depth;
-        let step = Step { diameter: spot, nominal: spot, ..step };
+        let travel = self.travels(false).0 + depth;
+        let place = Place { depth, through: false, ..step.place };
+        let step = Step { diameter: spot, nominal: spot, place, ..step };
         let cut = Cut { depth, travel, ..self.cut(&step, None, "HSS", travel) };
         let conditions = cutting::conditions(&cut, self.shop)?;
-        let because = vec![Because::row(row, note)];
+        let mut because = step.because.clone();
+        because.push(Because::row(row, note));
         Ok(Fitted { step, tool: None, travel, conditions, because })
     }
 
     /// One step that is not centring.
-    fn one(&self, step: Step, follows: Option<Operation>, last: bool) -> Tried<Fitted> {
-        let (travel, reach) = self.travel(&step);
+    pub fn one(&self, step: Step, follows: Option<Operation>, last: bool) -> Tried<Fitted> {
+        let key = Key {
+            operation: step.operation,
+            feature: step.place.feature,
+            step: step.place.step,
+            depth: step.place.depth,
+            diameter: step.diameter,
+            nominal: step.nominal,
+            from: step.from,
+            passes: step.passes,
+            also: step.also,
+            angle: step.angle_millideg,
+            within: step.within,
+            reamer_follows: follows.is_some_and(Operation::is_reaming),
+            last,
+        };
+        let known = self.known.borrow().get(&key).cloned();
+        let outfit = match known {
+            Some(outfit) => outfit,
+            None => {
+                let outfit = Refusal::split(self.outfit(&step, follows, last))?;
+                self.known.borrow_mut().insert(key, outfit.clone());
+                outfit
+            }
+        };
+        let outfit = outfit.map_err(Refusal::Not)?;
+        let mut because = step.because.clone();
+        because.push(self.travels(step.place.through).2.clone());
+        Ok(Fitted { step, tool: Some(outfit.tool), travel: outfit.travel, conditions: outfit.conditions, because })
+    }
+
+    fn outfit(&self, step: &Step, follows: Option<Operation>, last: bool) -> Tried<Outfit> {
+        // Another machine has other limits, which are not known here.
+        let other = step.elsewhere.then(|| self.shop.without_limits());
+        let shop = other.as_ref().unwrap_or(self.shop);
+        let (travel, reach) = self.travel(step);
+        // How far a tap of that machine would reach is not known here either.
+        let reach = if step.elsewhere { Micrometres::ZERO } else { reach };
+        if step.operation == Operation::Mill {
+            self.round_enough(step)?;
+        }
         let need = CutterNeed {
             operation: step.operation,
             diameter: step.diameter,
             nominal: step.nominal,
             enters: step.from,
             reach,
-            through: self.hole.through,
+            through: step.place.through,
             lead: self.lead,
+            thread: self.hole.thread_at(step.place.step).map(|thread| thread.id.as_str()),
+            angle_millideg: step.angle_millideg,
+            within: step.within,
+            below: self.step_above(step),
+            clearance: if step.from == step.diameter { self.floor_clearance } else { self.clearance },
+            grind_limit: self.grind_limit,
         };
-        let (cutter, assembly) = tooling::find_tool(&need, self.shop.knowledge, &self.shop.machine)?
-            .map_err(|why| Refusal::Not(first_of(why, step.operation)))?;
+        let found = match step.also {
+            Some(wide) => {
+                let pilot = reach - self.opening_depth();
+                let opening = if self.flat_opening().is_some() { Operation::Counterbore } else { Operation::Chamfer };
+                tooling::find_step_drill(&need, wide, pilot, opening, shop.knowledge, &shop.machine)?
+            }
+            None => tooling::find_tool(&need, shop.knowledge, &shop.machine)?,
+        };
+        let (cutter, assembly) = found.map_err(|why| Refusal::Not(first_of(why, step.operation)))?;
+        // A step drill goes on until its wide part is as deep as the opening.
+        let travel = match (step.also, cutter.row.length("step_length")) {
+            (Some(_), Ok(pilot)) => self.travels(step.place.through).0 + self.opening_depth() + pilot,
+            _ => travel,
+        };
         let nose_radius = cutter.row.length("nose_radius").ok();
-        let cut = Cut { nose_radius, ..self.cut(&step, follows, &cutter.head.material, travel) };
         // The surface asked for is left by a last single pass; passes before it, and stock for another
         // machine, need no finish feed.
-        let roughness = (last && step.passes == 1).then_some(self.hole.roughness);
-        let cut = Cut { roughness, ..cut };
-        let conditions = cutting::conditions(&cut, self.shop)?;
-        let mut because = step.because.clone();
-        because.extend(self.shared.clone());
-        let mut tool_because = vec![cutter.order.clone(), cutter.because.clone()];
-        tool_because.extend(assembly.because.clone());
+        let roughness = (last && step.passes == 1).then(|| self.roughness(step));
+        let cut = Cut {
+            nose_radius,
+            roughness,
+            cutter: cutter_shape(&cutter),
+            ..self.cut(step, follows, &cutter.head.material, travel)
+        };
+        // On a floor the mill cuts as far as its own radius.
+        let cut = if step.operation == Operation::Mill && step.from == step.diameter {
+            Cut { from: (step.diameter - cutter.diameter).max(cutter.diameter + Micrometres::new(1)), ..cut }
+        } else {
+            cut
+        };
+        let conditions = cutting::conditions(&cut, shop)?;
+        let mut because = vec![cutter.order.clone(), cutter.because.clone()];
+        because.extend(assembly.because.clone());
         let tool = FittedTool {
             designation: cutter.designation.to_owned(),
             table: cutter.row.table.id.clone(),
             diameter: cutter.diameter,
-            size: step.diameter,
+            size: if fixed_size(step.operation) { cutter.diameter } else { step.diameter },
             assembly,
-            because: tool_because,
+            because,
         };
-        Ok(Fitted { step, tool: Some(tool), travel, conditions, because })
+        Ok(Outfit { tool, travel, conditions })
+    }
+
+    /// Where a step of the main cylinder begins below wider ones, and the diameter of the narrowest of those.
+    fn step_above(&self, step: &Step) -> Option<(Micrometres, Micrometres)> {
+        let main = step.place.step.is_none() && step.place.start > Micrometres::ZERO;
+        let wider = self.hole.steps.iter().filter(|step| step.face == Face::Entry).map(|step| step.diameter.nominal);
+        let around = wider.chain(self.hole.counterbore.map(|counterbore| counterbore.diameter)).min()?;
+        (main && step.operation == Operation::Tap).then_some((step.place.start, around))
+    }
+
+    /// How deep the wide part of a step drill goes: the counterbore or step, or the edge it chamfers.
+    fn opening_depth(&self) -> Micrometres {
+        let edge = || self.edges.iter().find(|edge| edge.face == Face::Entry).map(|edge| edge.depth(Micrometres::ZERO));
+        self.flat_opening().or_else(edge).unwrap_or_default()
+    }
+
+    /// The depth of the counterbore or step at the entry, if there is one.
+    fn flat_opening(&self) -> Option<Micrometres> {
+        let step = self.hole.steps.iter().find(|step| step.face == Face::Entry);
+        self.hole.counterbore.map(|counterbore| counterbore.depth).or(step.map(|step| step.depth))
+    }
+
+    /// A milled cylinder is as round as the machine makes it, which may take a share of the tolerance.
+    fn round_enough(&self, step: &Step) -> Tried<()> {
+        let Some(roundness) = self.shop.machine.roundness else { return Ok(()) };
+        let tolerance = match step.place.step {
+            Some(number) => self.hole.steps.get(number - 1).map(|step| (&step.diameter.upper, &step.diameter.lower)),
+            None if step.place.feature == Feature::Bore => Some((&self.hole.diameter.upper, &self.hole.diameter.lower)),
+            None => None,
+        };
+        let target = match step.place.step {
+            Some(number) => self.hole.steps.get(number - 1).map(|step| step.diameter.target()),
+            None => Some(self.hole.diameter.target()),
+        };
+        let Some((upper, lower)) = tolerance.filter(|_| target == Some(step.diameter)) else { return Ok(()) };
+        let share = self.shop.share("milled-roundness-share")?;
+        let most = Micrometres::from_mm_rounded((*upper - *lower).to_mm() * share);
+        if roundness > most {
+            let note = Note::new("milled-not-round").with("roundness", roundness).with("most", most);
+            return Err(Refusal::Not(note.with("diameter", step.diameter)));
+        }
+        Ok(())
+    }
+
+    /// The roughness limit of what a step makes.
+    fn roughness(&self, step: &Step) -> Roughness {
+        let own = step.place.step.and_then(|number| self.hole.steps.get(number - 1));
+        own.map_or(self.hole.roughness, |step| step.roughness)
     }
 
     fn cut<'c>(&'c self, step: &Step, follows: Option<Operation>, material: &'c str, travel: Micrometres) -> Cut<'c> {
         Cut {
             operation: step.operation,
-            diameter: step.diameter,
+            diameter: step.also.unwrap_or(step.diameter),
             from: step.from,
             passes: step.passes,
-            depth: self.hole.depth,
+            depth: step.place.depth - step.place.start,
             travel,
             tool_material: material,
             nose_radius: None,
             roughness: None,
             reamer_follows: follows.is_some_and(Operation::is_reaming),
-            blind: !self.hole.through,
+            blind: !step.place.through,
             surface: self.surface,
+            cutter: None,
+            pitch: step.pitch,
+            it: Some(self.hole.diameter.it),
         }
     }
 
-    /// Working travel of one pass, and how far the cutter must reach into the hole.
-    fn travel(&self, step: &Step) -> (Micrometres, Micrometres) {
-        let lead = match step.operation {
+    /// How far a tool's point goes beyond the full diameter.
+    pub fn lead(&self, step: &Step) -> Micrometres {
+        match step.operation {
             Operation::Drill | Operation::DrillOut => cone(step.diameter, self.drill_point),
             Operation::CoreDrill => cone(step.diameter - step.from, self.core_drill_point),
             _ => Micrometres::ZERO,
-        };
-        let reach = self.hole.depth + lead + self.overrun;
-        (self.approach + reach, reach)
+        }
+    }
+
+    /// Working travel of one pass, and how far the cutter must reach below its face.
+    fn travel(&self, step: &Step) -> (Micrometres, Micrometres) {
+        let lead = self.lead(step);
+        let (approach, overrun, _) = self.travels(step.place.through);
+        let reach = step.place.depth + lead + *overrun;
+        (*approach + reach - step.place.start, reach)
     }
 
     /// What the tools do beyond the hole: a drill's point through a blind hole's floor, a spot deeper than
@@ -207,9 +409,10 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let mut notes = Vec::new();
         for one in fitted {
             let step = &one.step;
+            let main = step.place.feature == Feature::Bore;
             let (depth, limit, code) = match step.operation {
-                Operation::Drill | Operation::DrillOut if !self.hole.through => {
-                    (self.hole.depth + cone(step.diameter, self.drill_point), thickness, "point-breaks-through")
+                Operation::Drill | Operation::DrillOut if main && !step.place.through => {
+                    (step.place.depth + self.point(step.diameter), thickness, "point-breaks-through")
                 }
                 Operation::CentreDrill => (step.diameter.half(), self.hole.depth, "spot-too-deep"),
                 _ => continue,
@@ -223,7 +426,10 @@ impl<'p, 'k> Fitting<'p, 'k> {
 
     /// Says what the second drill costs in time and saves in thrust against one drill of full size.
     pub fn compare_with_one_drill(&self, fitted: &mut [Fitted]) -> Result<(), KnowledgeError> {
-        let Some(second) = fitted.iter().position(|one| one.step.operation == Operation::DrillOut) else {
+        let Some(second) = fitted
+            .iter()
+            .position(|one| one.step.operation == Operation::DrillOut && one.step.place.feature == Feature::Bore)
+        else {
             return Ok(());
         };
         let single = Step {
@@ -255,6 +461,31 @@ impl<'p, 'k> Fitting<'p, 'k> {
     }
 }
 
+/// The cylinder a step works on: a thread is that of its hole.
+fn cylinder(step: &Step) -> Feature {
+    match step.place.feature {
+        Feature::Thread if step.place.step.is_none() => Feature::Bore,
+        Feature::Thread => Feature::Step,
+        feature => feature,
+    }
+}
+
+/// Whether the tool is the same whatever diameter it leaves: a mill goes round, a cone is cut as wide as the
+/// tool is driven in.
+const fn fixed_size(operation: Operation) -> bool {
+    matches!(
+        operation,
+        Operation::Mill | Operation::Chamfer | Operation::Countersink | Operation::CentreDrill | Operation::Tap
+    )
+}
+
+/// The shape of an end mill, where the row has teeth.
+fn cutter_shape(cutter: &tooling::Cutter<'_>) -> Option<cutting::CutterShape> {
+    let teeth = u32::try_from(cutter.row.int("teeth").ok()?).ok()?;
+    let cutting_length = cutter.row.length("cutting_length").ok()?;
+    Some(cutting::CutterShape { diameter: cutter.diameter, teeth, cutting_length })
+}
+
 /// The widest centring drill of table A.14.
 fn widest_spot(knowledge: &Knowledge) -> Result<Micrometres, KnowledgeError> {
     let table = knowledge.table("A.14")?;
@@ -278,10 +509,14 @@ fn cone(diameter: Micrometres, angle_deg: f64) -> Micrometres {
     Micrometres::from_mm_rounded(diameter.to_mm() / 2.0 / libm::tan((angle_deg / 2.0).to_radians()))
 }
 
-/// The reason of the first candidate stands for all; how many there were is said with it.
+/// One reason stands for all, how many there were is said with it: the first that is about the cutter and
+/// not about a holder that takes other shanks.
 fn first_of(why: Vec<Note>, operation: Operation) -> Note {
+    const MISMATCHES: [&str; 5] =
+        ["shank-outside-clamp", "other-morse", "other-bore", "other-taper", "thread-outside-chuck"];
     let count = why.len();
-    let first = why.into_iter().next().unwrap_or_else(|| Note::new("no-cutter"));
+    let telling = why.iter().position(|note| !MISMATCHES.contains(&note.code.as_str())).unwrap_or_default();
+    let first = why.into_iter().nth(telling).unwrap_or_else(|| Note::new("no-cutter"));
     let first = if first.params.contains_key("operation") { first } else { first.with("operation", operation.name()) };
     if count > 1 { first.with("more", count - 1) } else { first }
 }

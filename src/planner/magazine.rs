@@ -3,11 +3,11 @@
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Finding, Note, Severity};
-use crate::part::Part;
+use crate::part::{Face, Part};
 use crate::plan::{HolderRef, HolePlan, Operation, ToolPlan, ToolRef, Transition};
 use crate::shop::Shop;
 use crate::tooling::{self, CutterNeed};
-use crate::units::Micrometres;
+use crate::units::{Micrometres, round_to};
 
 use super::Draft;
 use super::fit::{Fitted, FittedTool};
@@ -50,6 +50,12 @@ pub(super) fn choose_centre_drill(
         reach: Micrometres::ZERO,
         through: true,
         lead: "",
+        thread: None,
+        angle_millideg: None,
+        within: None,
+        below: None,
+        clearance: Micrometres::ZERO,
+        grind_limit: Micrometres::ZERO,
     };
     let fitted = tooling::find_tool(&need, shop.knowledge, &shop.machine)?.map(|(cutter, assembly)| {
         let why = Note::new("centre-drill-for-all").with("needed", &shown);
@@ -100,7 +106,7 @@ pub(super) fn number_tools(
     findings: &mut Vec<Finding>,
 ) -> (Vec<HolePlan>, Vec<ToolPlan>) {
     let mut tools: Vec<(usize, FittedTool)> = Vec::new();
-    for fitted in drafts.iter().flat_map(|draft| &draft.steps) {
+    for fitted in drafts.iter().flat_map(|draft| &draft.steps).filter(|fitted| !fitted.step.elsewhere) {
         if let Some(tool) = &fitted.tool
             && !tools.iter().any(|(_, known)| same(known, tool))
         {
@@ -108,11 +114,23 @@ pub(super) fn number_tools(
         }
     }
     rank(&mut tools, &drafts);
-    tools.sort_by_key(|(rank, _)| *rank);
+    // What is used from the back face only comes after everything of the first set-up.
+    let of_back = |tool: &FittedTool| {
+        let entry = drafts.iter().flat_map(|draft| &draft.steps).filter(|one| one.step.place.face == Face::Entry);
+        !entry.filter_map(|one| one.tool.as_ref()).any(|known| same(known, tool))
+    };
+    tools.sort_by_key(|(rank, tool)| (of_back(tool), *rank));
     let tools: Vec<FittedTool> = tools.into_iter().map(|(_, tool)| tool).collect();
-    if tools.len() > shop.machine.magazine {
-        let note = Note::new("magazine-full").with("tools", tools.len()).with("places", shop.machine.magazine);
-        findings.push(Finding::of_part(Severity::Error, note));
+    let places = shop.machine.magazine.max(1);
+    if tools.len() > places {
+        // What is used last is loaded by hand, when the tools before it are done with.
+        let note = Note::new("magazine-reloaded")
+            .with("tools", tools.len())
+            .with("places", places)
+            .with("first", places + 1)
+            .with("last", tools.len())
+            .with("loads", tools.len().div_ceil(places));
+        findings.push(Finding::of_part(Severity::Doubtful, note));
     }
 
     let longest = tools.iter().map(|tool| tool.assembly.length).max().unwrap_or_default();
@@ -128,6 +146,9 @@ pub(super) fn number_tools(
             holder_table: tool.assembly.holder_table.clone(),
             overhang_mm: tool.assembly.overhang,
             length_mm: tool.assembly.length,
+            links: tool.assembly.links.clone(),
+            mass_kg: tool.assembly.mass_kg.map(|mass| round_to(mass, 2)),
+            load: (number - 1) / u32::try_from(places).unwrap_or(u32::MAX) + 1,
             corrector: number,
             correction_mm: tool.assembly.length - longest,
             book_correction_mm: longest - tool.assembly.length,
@@ -153,7 +174,9 @@ fn rank(tools: &mut [(usize, FittedTool)], drafts: &[Draft]) {
     for _ in 0..tools.len() {
         for draft in drafts {
             let mut least = 0;
-            for tool in draft.steps.iter().filter_map(|fitted| fitted.tool.as_ref()) {
+            for tool in
+                draft.steps.iter().filter(|fitted| !fitted.step.elsewhere).filter_map(|fitted| fitted.tool.as_ref())
+            {
                 if let Some((rank, _)) = tools.iter_mut().find(|(_, known)| same(known, tool)) {
                     *rank = (*rank).max(least);
                     least = *rank + 1;
@@ -165,11 +188,21 @@ fn rank(tools: &mut [(usize, FittedTool)], drafts: &[Draft]) {
 
 fn transition(fitted: Fitted, tools: &[FittedTool]) -> Option<Transition> {
     let tool = fitted.tool?;
-    let number = tools.iter().zip(1..).find(|(known, _)| same(known, &tool)).map(|(_, number)| number)?;
+    let number = tools.iter().zip(1..).find(|(known, _)| same(known, &tool)).map(|(_, number)| number);
+    // What is done on another machine has no place here.
+    let number = if fitted.step.elsewhere { 0 } else { number? };
     let mut because = fitted.because;
     because.extend(tool.because.clone());
     Some(Transition {
         operation: fitted.step.operation,
+        feature: fitted.step.place.feature,
+        step: fitted.step.place.step,
+        face: fitted.step.place.face,
+        start_mm: fitted.step.place.start,
+        depth_mm: fitted.step.place.depth,
+        elsewhere: fitted.step.elsewhere,
+        also_diameter_mm: fitted.step.also,
+        achieved: fitted.step.achieved,
         diameter_mm: fitted.step.diameter,
         from_diameter_mm: fitted.step.from,
         passes: fitted.step.passes,

@@ -1,27 +1,30 @@
 //! The planner: the one place where a later stage's refusal makes an earlier one try the next alternative.
 //!
 //! Holes are planned from the smallest up, because a drill of a smaller hole may be the first drill of a
-//! larger one. For each hole the candidates of [`crate::route::scheme`] are tried in order: diameters,
-//! cutters, holders and conditions either accept a candidate or refuse it with a reason, and the first
-//! one accepted is taken. Then the tools of the whole part are put together.
+//! larger one. For each hole the candidates of the three ways ([`crate::route`]) are turned into steps with
+//! tools and conditions, or refused with a reason (`options`); the routes of all holes are chosen together,
+//! so that they share their tools (`choose`). Then the tools of the whole part are put together.
 
+mod choose;
 mod fit;
 mod magazine;
+mod options;
+mod whole;
 
-use crate::error::{KnowledgeError, Refusal, Tried};
+use crate::error::{KnowledgeError, Refusal};
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Finding, Note, Severity};
-use crate::part::{Bottom, Hole, Part};
-use crate::plan::{Clamping, CuttingMethod, Operation, Plan, Route, Times};
-use crate::route::scheme::{self, Candidates};
-use crate::route::{Candidate, diameters};
+use crate::part::{Face, Hole, Part};
+use crate::plan::{Clamping, CuttingMethod, Operation, Plan, Route};
 use crate::shop::Shop;
-use crate::units::{Micrometres, round_to};
+use crate::units::round_to;
 use crate::{sequence, setup, tooling};
 
+use choose::{Chooser, Weighed};
 use fit::{Fitted, Fitting};
+use options::{Choice, Options};
 
-/// A group of holes on the way: its candidate and fitted steps, when one was accepted.
+/// A group of holes on the way: its route and fitted steps, when one was accepted.
 struct Draft {
     route: Option<Route>,
     steps: Vec<Fitted>,
@@ -35,22 +38,22 @@ struct Draft {
 pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result<Plan, KnowledgeError> {
     let shop = Shop::new(part, method, knowledge)?;
     let mut findings = Vec::new();
-    let mut in_magazine: Vec<Micrometres> = Vec::new();
+    let drills = tooling::drill_sizes(knowledge, &shop.machine)?;
     let mut order: Vec<usize> = (0..part.holes.len()).collect();
-    order.sort_by_key(|&index| (part.holes[index].diameter.nominal, index));
-    let mut drafts: Vec<Option<Draft>> = part.holes.iter().map(|_| None).collect();
-    for index in order {
-        let draft = hole(&part.holes[index], part, &in_magazine, &shop, &mut findings)?;
-        in_magazine.extend(
-            draft
-                .steps
-                .iter()
-                .filter(|fitted| fitted.step.operation == Operation::Drill)
-                .map(|fitted| fitted.step.diameter),
-        );
-        drafts[index] = Some(draft);
+    order.sort_by_key(|&index| (part.holes[index].diameter.nominal, &part.holes[index].name));
+    let mut chooser = Chooser::new(part, &shop);
+    for &index in &order {
+        let hole = &part.holes[index];
+        match Refusal::split(options::options(hole, part, &chooser.drills(), &drills, &shop))? {
+            Ok(options) => chooser.add(index, options),
+            Err(note) => findings.push(Finding::of_hole(Severity::Error, &hole.name, note)),
+        }
     }
-    let mut drafts: Vec<Draft> = drafts.into_iter().flatten().collect();
+    chooser.settle(&order);
+    let mut drafts = Vec::with_capacity(part.holes.len());
+    for (index, hole) in part.holes.iter().enumerate() {
+        drafts.push(draft(index, hole, part, &mut chooser, &shop, &mut findings)?);
+    }
     magazine::choose_centre_drill(part, &mut drafts, &shop, &mut findings)?;
     let (holes, tools) = magazine::number_tools(part, drafts, &shop, &mut findings);
 
@@ -65,141 +68,119 @@ pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result
             None
         }
     };
-    let (visits, time) = match u32::try_from(tools.len()) {
-        Ok(count) if count > 0 => sequence::sequence(part, &holes, count, &shop.machine),
-        _ => (Vec::new(), Times::default()),
-    };
+    let (visits, time) = sequence::sequence(part, &holes, &shop.machine);
     reach_of_table(part, &shop, &mut findings);
     let mut plan =
         Plan { part: part.clone(), cutting: method, holes, tools, clamping, sequence: visits, time, findings };
     unconfirmed(&mut plan);
-    plan.findings.sort_by(|a, b| (a.severity, &a.hole, &a.note).cmp(&(b.severity, &b.hole, &b.note)));
+    plan.findings.sort_by(|a, b| {
+        let key = |finding: &Finding| {
+            let row = finding.note.params.get("row").and_then(|row| row.parse::<usize>().ok());
+            (
+                finding.severity,
+                finding.hole.clone(),
+                finding.note.code.clone(),
+                finding.note.params.get("table").cloned(),
+                row,
+            )
+        };
+        key(a).cmp(&key(b)).then_with(|| a.note.cmp(&b.note))
+    });
     plan.findings.dedup();
     Ok(plan)
 }
 
-/// Plans one group of holes: the first candidate that every stage accepts.
-fn hole(
+/// A group's draft: the chosen route with what it was weighed against, and what there is to say of it.
+fn draft(
+    index: usize,
     hole: &Hole,
     part: &Part,
-    in_magazine: &[Micrometres],
+    chooser: &mut Chooser<'_, '_>,
     shop: &Shop<'_>,
     findings: &mut Vec<Finding>,
 ) -> Result<Draft, KnowledgeError> {
-    let nothing = Draft { route: None, steps: Vec::new() };
     let mut report = |severity, note| findings.push(Finding::of_hole(severity, &hole.name, note));
-    if !hole.not_planned.is_empty() {
-        report(Severity::Error, Note::new("feature-not-planned").with("keys", hole.not_planned.join(", ")));
-        return Ok(nothing);
+    let weighed = chooser.weighed(index);
+    let chosen = chooser.chosen[index];
+    let Some(options) = &chooser.options[index] else { return Ok(Draft { route: None, steps: Vec::new() }) };
+    for note in &options.impossible {
+        report(Severity::Error, note.clone());
     }
-    if hole.bottom == Bottom::Flat {
-        report(Severity::Error, Note::new("flat-bottom-not-planned"));
-        return Ok(nothing);
+    for note in &options.remarks {
+        report(Severity::Note, note.clone());
     }
-    let fitting = Fitting::new(hole, part, shop)?;
-    let drills =
-        tooling::drill_diameters(|drill| fitting.drill_reach(drill), hole.through, shop.knowledge, &shop.machine)?;
-    let candidates = match Refusal::split(scheme::candidates(hole, part, &drills, shop))? {
-        Ok(candidates) => candidates,
-        Err(note) => {
+    let (Some(weighed), Some(choice)) = (weighed, chosen.and_then(|chosen| options.choices.get(chosen))) else {
+        report(
+            Severity::Error,
+            Note::new("no-route").with("diameter", &hole.diameter).with("tried", options.refused.len()),
+        );
+        for (note, schemes) in by_reason(options) {
+            let note = if schemes.is_empty() { note } else { note.with("scheme", schemes.join(", ")) };
             report(Severity::Error, note);
-            return Ok(nothing);
         }
+        return Ok(Draft { route: None, steps: Vec::new() });
     };
-    let sizes =
-        diameters::Sizes { drills: &drills, in_magazine, smallest_bore: smallest_bore(shop)?, single_drill: false };
-    let mut refused = Vec::new();
-    for candidate in &candidates.schemes {
-        match Refusal::split(try_candidate(candidate, hole, &sizes, &fitting, shop))? {
-            Ok(steps) => {
-                if candidate.finish_elsewhere || candidates.stages_end_elsewhere {
-                    report(Severity::Note, Note::new("finish-elsewhere").with("scheme", &candidate.scheme));
-                }
-                if steps.iter().any(|fitted| fitted.step.operation.is_boring() && fitted.step.passes > 1) {
-                    report(Severity::Note, Note::new("bar-set-by-hand"));
-                }
-                for note in fitting.beyond(&steps, part.blank.thickness) {
-                    report(Severity::Error, note);
-                }
-                let chamfered =
-                    steps.iter().flat_map(|fitted| &fitted.because).any(|why| why.note.code == "spot-by-chamfer");
-                if let (Some(chamfer), false) = (hole.chamfer, chamfered) {
-                    report(
-                        Severity::Wrong,
-                        Note::new("chamfer-not-planned").with("chamfer", chamfer).with("widest", fitting.widest_spot),
-                    );
-                }
-                let route = route(candidate, &candidates, refused);
-                return Ok(Draft { route: Some(route), steps });
-            }
-            Err(note) => refused.push(note.with("scheme", &candidate.scheme)),
+    let steps = choice.steps.clone();
+    if choice.candidate.finish_elsewhere || options.stages_end_elsewhere {
+        report(Severity::Note, Note::new("finish-elsewhere").with("scheme", &choice.candidate.scheme));
+    }
+    if options.not_bored {
+        report(Severity::Doubtful, Note::new("not-bored"));
+    }
+    if !choice.meets {
+        report(Severity::Wrong, Note::new("route-misses").with("scheme", &choice.candidate.scheme));
+    }
+    if steps.iter().any(|fitted| fitted.step.operation.is_boring() && fitted.step.passes > 1) {
+        report(Severity::Note, Note::new("bar-set-by-hand"));
+    }
+    for why in steps.iter().flat_map(|fitted| &fitted.because) {
+        if why.note.code == "step-finished-elsewhere" {
+            report(Severity::Note, why.note.clone());
         }
     }
-    report(
-        Severity::Error,
-        Note::new("no-route").with("diameter", &hole.diameter.written).with("tried", refused.len()),
-    );
-    for note in refused {
+    if let Some(tap) = steps.iter().find(|fitted| fitted.step.elsewhere && fitted.step.operation == Operation::Tap) {
+        let thread = hole.thread_at(tap.step.place.step).map_or("", |thread| thread.written.as_str());
+        report(Severity::Note, Note::new("tap-elsewhere").with("thread", thread).with("machine", &part.machine));
+    }
+    if steps.iter().any(|fitted| fitted.step.place.face == Face::Back) {
+        report(Severity::Note, Note::new("second-setup"));
+    }
+    let fitting = Fitting::new(hole, &[], part, shop)?;
+    for note in fitting.beyond(&steps, part.blank.thickness) {
         report(Severity::Error, note);
     }
-    Ok(nothing)
+    Ok(Draft { route: Some(route(choice, options, weighed)), steps })
 }
 
-/// Tries a candidate with two drills where the rule prefers them, then with one.
-fn try_candidate(
-    candidate: &Candidate,
-    hole: &Hole,
-    sizes: &diameters::Sizes<'_>,
-    fitting: &Fitting<'_, '_>,
-    shop: &Shop<'_>,
-) -> Tried<Vec<Fitted>> {
-    let steps = diameters::steps(candidate, hole, sizes, shop)?;
-    if !steps.iter().any(|step| step.operation == Operation::DrillOut) {
-        return fitting.fit(steps, candidate.finish_elsewhere);
-    }
-    match fitting.fit(steps, candidate.finish_elsewhere) {
-        Ok(mut fitted) => {
-            fitting.compare_with_one_drill(&mut fitted)?;
-            Ok(fitted)
+/// Why the routes of a group were refused: each reason once, with the schemes it kept out.
+fn by_reason(options: &Options) -> Vec<(Note, Vec<String>)> {
+    let mut reasons: Vec<(Note, Vec<String>)> = Vec::new();
+    for other in &options.refused {
+        let scheme = (!other.scheme.is_empty()).then(|| other.scheme.clone());
+        match reasons.iter_mut().find(|(note, _)| *note == other.why) {
+            Some((_, schemes)) => schemes.extend(scheme.filter(|scheme| !schemes.contains(scheme))),
+            None => reasons.push((other.why.clone(), scheme.into_iter().collect())),
         }
-        Err(Refusal::Not(why)) => {
-            let single = diameters::Sizes { single_drill: true, ..*sizes };
-            let steps = diameters::steps(candidate, hole, &single, shop)?;
-            // The first reason is the one to tell: the second attempt is only a way around it.
-            fitting.fit(steps, candidate.finish_elsewhere).map_err(|_| Refusal::Not(why))
-        }
-        Err(error) => Err(error),
     }
+    reasons
 }
 
-fn route(candidate: &Candidate, candidates: &Candidates, refused: Vec<Note>) -> Route {
-    let mut because = vec![candidates.stages.clone()];
+fn route(choice: &Choice, options: &Options, weighed: Weighed) -> Route {
+    let candidate = &choice.candidate;
+    let mut because: Vec<Because> = options.stages.iter().cloned().collect();
     because.extend(candidate.because.clone());
-    if !refused.is_empty() {
-        because.push(Because {
-            table: candidate.table.clone(),
-            row: None,
-            source: None,
-            place: "planner".to_owned(),
-            reason: None,
-            unconfirmed: None,
-            note: Note::new("candidates-refused").with("count", refused.len()),
-            rejected: refused,
-        });
-    }
     Route {
+        way: candidate.way,
         table: candidate.table.clone(),
         scheme: candidate.scheme.clone(),
         finish_elsewhere: candidate.finish_elsewhere,
-        centre_tolerance_mm: candidates.centre_tolerance,
+        meets: choice.meets,
+        centre_tolerance_mm: options.centre_tolerance,
+        time_min: weighed.time,
+        margin_min: weighed.margin,
+        alternatives: weighed.alternatives,
         because,
     }
-}
-
-/// The smallest hole a boring bar of the catalogs enters.
-fn smallest_bore(shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
-    let bars = shop.knowledge.table("boring-bars")?;
-    Ok(bars.all_rows().filter_map(|row| row.length("diameter_min").ok()).min().unwrap_or_default())
 }
 
 /// The tool-change position against the safe distance from a clamp's screw (textbook 1.11).

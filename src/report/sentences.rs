@@ -7,9 +7,16 @@ use crate::note::Note;
 
 use super::Lang;
 
+mod routes;
+
+/// Every sentence.
+fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'static str)> {
+    SENTENCES.iter().chain(routes::SENTENCES)
+}
+
 /// A note as a sentence. A code without words shows itself with its figures, so that nothing is lost.
 pub fn sentence(note: &Note, lang: Lang) -> String {
-    let Some((_, uk, en)) = SENTENCES.iter().find(|(code, ..)| *code == note.code) else {
+    let Some((_, uk, en)) = sentences().find(|(code, ..)| *code == note.code) else {
         let figures: Vec<String> = note.params.iter().map(|(name, value)| format!("{name} = {value}")).collect();
         return format!("{} ({})", note.code, figures.join(", "));
     };
@@ -30,11 +37,21 @@ pub fn sentence(note: &Note, lang: Lang) -> String {
 fn shown(name: &str, value: &str, lang: Lang) -> String {
     match name {
         "operation" | "instead" => super::operation_noun(value, lang).to_owned(),
+        "transitions" => value.split(", ").map(|name| super::operation_noun(name, lang)).collect::<Vec<_>>().join(", "),
+        "kind" => term(value, lang).to_owned(),
         "take" | "by" | "name" | "shank" => term(value, lang).to_owned(),
         "stages" => value.split(" + ").map(|stage| term(stage, lang)).collect::<Vec<_>>().join(" + "),
-        "share" | "share-min" | "share-max" => lang.pick(&value.replace('.', ","), value).to_owned(),
+        "scheme" | "same" | "first" => scheme_name(value, lang),
+        // A decimal number as people write it; designations and table names are none.
+        _ if value.parse::<f64>().is_ok() => lang.pick(&value.replace('.', ","), value).to_owned(),
         _ => value.to_owned(),
     }
+}
+
+/// A scheme as people read it: `04 + centre`, or the transitions that a search found.
+pub fn scheme_name(scheme: &str, lang: Lang) -> String {
+    let part = |part| super::operation_noun(if part == "centre" { "centre-drill" } else { part }, lang);
+    scheme.split(" + ").map(part).collect::<Vec<_>>().join(" + ")
 }
 
 /// A word that stands in a table as an id.
@@ -48,6 +65,8 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("finer-grade", "точніший квалітет", "a finer grade"),
     ("first", "перша", "the first"),
     ("second", "друга", "the second"),
+    ("practice-speed", "практика цеху", "shop practice"),
+    ("drill-strength", "міцність свердла", "strength of the drill"),
     ("thrust", "осьова сила", "thrust"),
     ("spindle-torque", "крутний момент шпинделя", "spindle torque"),
     ("spindle-power", "потужність шпинделя", "spindle power"),
@@ -62,6 +81,18 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("shell", "насадний", "shell"),
     ("finish-nc", "чистова на верстаті з ЧПК", "finishing on the NC machine"),
     ("rough-nc", "чорнова на верстаті з ЧПК", "roughing on the NC machine"),
+    ("counterbored", "цекований", "counterbored"),
+    ("smooth", "гладкий", "smooth"),
+    ("countersunk", "зенкований", "countersunk"),
+    ("threaded", "нарізний", "threaded"),
+    ("precise", "точний", "precise"),
+    ("thread-cylindrical", "циліндрична різь", "cylindrical thread"),
+    ("thread-conical", "конічна різь", "conical thread"),
+    ("counterbore", "цеківка", "counterbore"),
+    ("countersink-90", "зенківка 90°", "countersink of 90°"),
+    ("countersink-other", "зенківка іншого кута", "countersink of another angle"),
+    ("practice-speed", "практика цеху", "shop practice"),
+    ("drill-strength", "міцність свердла", "strength of the drill"),
     ("final-other", "остаточна на іншому верстаті", "final machining on another machine"),
 ];
 
@@ -98,7 +129,6 @@ const SENTENCES: &[(&str, &str, &str)] = &[
         "scheme {scheme} has no centred twin; centring is added",
     ),
     ("transitions", "переходи схеми {scheme}", "the transitions of scheme {scheme}"),
-    ("candidates-refused", "перед нею відхилено схем: {count}", "schemes refused before it: {count}"),
     (
         "no-scheme",
         "таблиці не дають схеми: квалітет {it}, {roughness}, допуск {centre} мм; графи шорсткості {columns}",
@@ -106,8 +136,8 @@ const SENTENCES: &[(&str, &str, &str)] = &[
     ),
     (
         "no-route",
-        "Ø{diameter}: жодна зі схем не здійсненна (відхилено {tried})",
-        "Ø{diameter}: no scheme can be carried out ({tried} refused)",
+        "{diameter}: жодна зі схем не здійсненна (відхилено {tried})",
+        "{diameter}: no scheme can be carried out ({tried} refused)",
     ),
     (
         "finish-elsewhere",
@@ -124,12 +154,6 @@ const SENTENCES: &[(&str, &str, &str)] = &[
         "IT{it} на міжосьовій відстані {distance} мм поза таблицею: {why}",
         "IT{it} at a centre distance of {distance} mm is outside the table: {why}",
     ),
-    ("feature-not-planned", "ця версія ще не проектує: {keys}", "this version reads but does not plan yet: {keys}"),
-    (
-        "chamfer-not-planned",
-        "фаску {chamfer} мм тут не знімає центрування (правило centre-spot, найширше центрувальне свердло Ø{widest}); окремий перехід ця версія ще не проектує",
-        "the chamfer of {chamfer} mm is not made by centring here (rule centre-spot, widest centring drill Ø{widest}); a transition of its own is not planned yet",
-    ),
     (
         "point-breaks-through",
         "вершина свердла Ø{diameter} сягає {depth} >= {limit} мм товщини заготовки: глухий отвір проб’ється",
@@ -144,11 +168,6 @@ const SENTENCES: &[(&str, &str, &str)] = &[
         "too-heavy",
         "маса {mass} > {limit} кг, найбільшої для верстата",
         "mass {mass} > {limit} kg, the most the machine takes",
-    ),
-    (
-        "flat-bottom-not-planned",
-        "плоске дно ця версія ще не проектує; свердло лишає конус",
-        "a flat bottom is not planned yet; a drill leaves a cone",
     ),
     ("not-planned", "{operation}: цей перехід тут не проектується", "{operation}: not planned here"),
     ("rows-rejected", "рядки за графою {column}: {rows}", "rows by the column {column}: {rows}"),
@@ -165,8 +184,8 @@ const SENTENCES: &[(&str, &str, &str)] = &[
     ),
     (
         "rough-boring",
-        "чорнове розточування: {stock} мм на діаметр за {passes} прох., по {low}-{high} мм",
-        "rough boring: {stock} mm on diameter in {passes} passes, {low}-{high} mm each at most",
+        "чорнове розточування: {stock} мм на діаметр за проходів: {passes}, по {low}-{high} мм",
+        "rough boring: {stock} mm on diameter in passes: {passes}, {low}-{high} mm each at most",
     ),
     (
         "stock-for-elsewhere",
@@ -314,11 +333,6 @@ const SENTENCES: &[(&str, &str, &str)] = &[
         "{tool} у {holder}: довжина {length} > {limit} мм, найбільшого вильоту верстата",
         "{tool} in {holder}: length {length} > {limit} mm, the machine's largest overhang",
     ),
-    (
-        "magazine-full",
-        "інструментів {tools} > {places} місць магазина: зайві міняти вручну або ділити на дві установки",
-        "{tools} tools > {places} magazine places: change the rest by hand or split into two set-ups",
-    ),
     // Conditions.
     ("feed", "подача: верхня межа {upper} мм/об × {multiple}", "feed: upper end {upper} mm/rev × {multiple}"),
     ("feed-choice", "звідки береться подача", "where the feed comes from"),
@@ -372,7 +386,65 @@ const SENTENCES: &[(&str, &str, &str)] = &[
         "{operation}: таблиця {table} не має числа для матеріалу {material}",
         "{operation}: table {table} has no figure for {material}",
     ),
-    ("no-conditions", "{operation}: режими не визначаються", "{operation}: no conditions are known"),
+    (
+        "stand-in-operation",
+        "{operation}: власних чисел немає; беруться числа переходу «{instead}»",
+        "{operation}: no figures of its own; those of {instead} stand in",
+    ),
+    (
+        "stand-in-tool-material",
+        "{table} не має числа для інструмента {tool}; береться {other}",
+        "{table} has no figure for tools of {tool}; {other} stands in",
+    ),
+    ("no-cutter-shape", "{operation}: фрезу не вказано", "{operation}: no mill is given"),
+    ("no-pitch", "{operation}: крок різьби не вказано", "{operation}: no pitch is given"),
+    (
+        "mill-does-not-enter",
+        "{operation}: фреза Ø{diameter} не входить в отвір Ø{hole}",
+        "{operation}: the mill Ø{diameter} does not enter the hole Ø{hole}",
+    ),
+    (
+        "milling-rounds",
+        "проходів {passes}, рівнів {levels}: t = {t} мм, B = {b} мм; шлях осі фрези {path} мм, її подача × {factor}",
+        "passes {passes}, levels {levels}: t = {t} mm, B = {b} mm; path of the mill's axis {path} mm, its feed × {factor}",
+    ),
+    ("feed-per-tooth", "подача на зуб {feed} мм", "feed per tooth {feed} mm"),
+    (
+        "milling-finish-feed",
+        "подача на зуб × {factor}: останній прохід, {roughness}",
+        "feed per tooth × {factor}: last pass, {roughness}",
+    ),
+    ("milling-load-coefficients", "коефіцієнти сили Pz фрези", "coefficients of the mill's main force"),
+    (
+        "tapping-coefficients",
+        "коефіцієнти швидкості мітчика, Cv = {cv}, T = {minutes} хв",
+        "speed coefficients of the tap, Cv = {cv}, T = {minutes} min",
+    ),
+    ("tapping-load-coefficients", "коефіцієнти моменту мітчика", "torque coefficients of the tap"),
+    ("feed-is-pitch", "подача дорівнює крокові {pitch} мм", "the feed is the pitch, {pitch} mm"),
+    (
+        "spindle-step-below",
+        "розрахункова частота {computed}; ступінь не вище неї: {step} об/хв",
+        "computed speed {computed}; the step not above it: {step} 1/min",
+    ),
+    (
+        "no-step-below",
+        "{operation}: жоден ступінь шпинделя не нижчий за {computed} об/хв з достатньою потужністю й подачею",
+        "{operation}: no spindle step up to {computed} 1/min has the power and the feed rate",
+    ),
+    (
+        "torque-beyond-spindle",
+        "{operation}: момент {torque} > {limit} Н·м шпинделя",
+        "{operation}: torque {torque} > {limit} N·m of the spindle",
+    ),
+    ("reaming-feed", "подача розвертання × {factor}", "reaming feed × {factor}"),
+    (
+        "reaming-feed-blind",
+        "глухий отвір: подача в межах {low}-{high} мм/об",
+        "blind hole: feed within {low}-{high} mm/rev",
+    ),
+    ("reaming-load-coefficients", "коефіцієнти сили різання зуба розвертки", "force coefficients of a reamer's tooth"),
+    ("reamer-teeth", "зубів розвертки {teeth}", "teeth of the reamer {teeth}"),
     (
         "too-deep",
         "{operation}: глибина {ratio} D поза таблицею {table}",
@@ -458,7 +530,7 @@ mod tests {
             codes_in(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src").join(room), &mut codes);
         }
         assert!(codes.len() > 50, "the search for codes finds too few: {}", codes.len());
-        let unknown: Vec<_> = codes.iter().filter(|code| !SENTENCES.iter().any(|(known, ..)| known == code)).collect();
+        let unknown: Vec<_> = codes.iter().filter(|code| !sentences().any(|(known, ..)| known == code)).collect();
         assert!(unknown.is_empty(), "codes without words: {unknown:?}");
     }
 
@@ -467,7 +539,7 @@ mod tests {
         let figures = |text: &str| -> BTreeSet<String> {
             text.split('{').skip(1).filter_map(|rest| rest.split('}').next()).map(str::to_owned).collect()
         };
-        for (code, uk, en) in SENTENCES {
+        for (code, uk, en) in sentences() {
             assert_eq!(figures(uk), figures(en), "{code}");
         }
     }

@@ -2,12 +2,13 @@
 
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Severity};
-use crate::part::Hole;
-use crate::plan::{Conditions, Operation, Plan, ToolPlan, Transition};
+use crate::plan::{Conditions, Plan, ToolPlan, Transition};
 use crate::units::{Micrometres, round_to};
 
 use super::sentences::term;
 use super::{Lang, grid, operation_noun, operation_verb, sentence};
+
+pub(crate) mod route;
 
 /// The mark of a figure that rests on an unconfirmed row.
 const MARK: &str = "*";
@@ -16,7 +17,7 @@ const MARK: &str = "*";
 pub fn page(plan: &Plan, knowledge: &Knowledge, lang: Lang) -> String {
     let sections = [
         head(plan, knowledge, lang),
-        section(1, lang.pick("Технологічний маршрут", "Route"), &route(plan, lang)),
+        section(1, lang.pick("Технологічний маршрут", "Route"), &route::section(plan, lang)),
         section(2, lang.pick("Різальний і допоміжний інструмент", "Cutters and holders"), &tools(plan, lang)),
         section(3, lang.pick("Режими різання", "Cutting conditions"), &conditions(plan, lang)),
         section(4, lang.pick("Закріплення", "Clamping"), &clamping(plan, lang)),
@@ -38,12 +39,12 @@ fn table(head: &[&str], rows: &[Vec<String>]) -> String {
 }
 
 /// A number as people write it: a comma in Ukrainian, no trailing zeros.
-fn number(value: f64, places: u32, lang: Lang) -> String {
+pub(crate) fn number(value: f64, places: u32, lang: Lang) -> String {
     let text = round_to(value, places).to_string();
     lang.pick(&text.replace('.', ","), &text).to_owned()
 }
 
-fn mm(value: Micrometres, lang: Lang) -> String {
+pub(crate) fn mm(value: Micrometres, lang: Lang) -> String {
     let text = value.to_string();
     lang.pick(&text.replace('.', ","), &text).to_owned()
 }
@@ -75,99 +76,6 @@ fn head(plan: &Plan, knowledge: &Knowledge, lang: Lang) -> String {
         lang.pick("мм", "mm"),
         machine
     )
-}
-
-fn hole<'p>(plan: &'p Plan, name: &str) -> Option<&'p Hole> {
-    plan.part.holes.iter().find(|hole| hole.name == name)
-}
-
-fn holes_of(plan: &Plan, name: &str, lang: Lang) -> String {
-    hole(plan, name).map_or_else(String::new, |hole| {
-        format!(
-            "{} {} {}",
-            hole.at.len(),
-            lang.pick("отв.", if hole.at.len() == 1 { "hole" } else { "holes" }),
-            hole.diameter
-        )
-    })
-}
-
-/// The route in the form of the worked example: one line per transition of a group, in the order of work.
-fn route(plan: &Plan, lang: Lang) -> String {
-    if plan.sequence.is_empty() {
-        return String::new();
-    }
-    let mut rows = vec![vec!["1".to_owned(), lang.pick("Встановити заготовку", "Set up the blank").to_owned()]];
-    for visit in &plan.sequence {
-        let mut done: Vec<(&str, usize)> = Vec::new();
-        for stop in &visit.stops {
-            if !done.contains(&(&stop.hole, stop.transition)) {
-                done.push((&stop.hole, stop.transition));
-            }
-        }
-        done.sort_unstable();
-        for (name, index) in done {
-            let Some(transition) =
-                plan.holes.iter().find(|hole| hole.name == name).and_then(|hole| hole.transitions.get(index))
-            else {
-                continue;
-            };
-            rows.push(step(plan, name, transition, rows.len() + 1, lang));
-        }
-    }
-    rows.push(vec![(rows.len() + 1).to_string(), lang.pick("Зняти деталь", "Take off the part").to_owned()]);
-    for row in &mut rows {
-        row.resize(5, String::new());
-    }
-    let head = [
-        "№",
-        lang.pick("Зміст переходу", "Transition"),
-        lang.pick("Схема", "Scheme"),
-        "T",
-        lang.pick("Різальний інструмент", "Cutter"),
-    ];
-    let title = lang.pick("005 Багатоінструментальна з ЧПК", "005 Multi-tool NC operation");
-    format!("{title}\n{}{}", table(&head, &rows), visits(plan, lang))
-}
-
-/// The points of each tool in the order of its path.
-fn visits(plan: &Plan, lang: Lang) -> String {
-    let mut text = format!("{}\n", lang.pick("Обхід отворів:", "Order over the holes:"));
-    for visit in &plan.sequence {
-        let stops: Vec<String> = visit
-            .stops
-            .iter()
-            .map(|stop| format!("{} [{};{}]", stop.hole, mm(stop.at.x, lang), mm(stop.at.y, lang)))
-            .collect();
-        text.push_str(&grid::paragraph(&format!("T{}: {}", visit.tool, stops.join(", ")), 2));
-    }
-    text
-}
-
-fn step(plan: &Plan, name: &str, transition: &Transition, number: usize, lang: Lang) -> Vec<String> {
-    let operation = transition.operation.name();
-    let finished = hole(plan, name).is_some_and(|hole| hole.diameter.nominal == transition.diameter_mm);
-    let spot = transition.operation == Operation::CentreDrill;
-    let to = if spot {
-        format!(", {} Ø{}", lang.pick("лунка", "spot"), mm(transition.diameter_mm, lang))
-    } else if finished {
-        String::new()
-    } else {
-        format!(" {} Ø{}", lang.pick("до", "to"), mm(transition.diameter_mm, lang))
-    };
-    let passes = if transition.passes > 1 {
-        format!(", {} {}", transition.passes, lang.pick("прох.", "passes"))
-    } else {
-        String::new()
-    };
-    let route = plan.holes.iter().find(|hole| hole.name == name).and_then(|hole| hole.route.as_ref());
-    vec![
-        number.to_string(),
-        format!("{} {}{to}{passes}", operation_verb(operation, lang), holes_of(plan, name, lang)),
-        route.map_or_else(String::new, |route| format!("{} {}", route.table, route.scheme)),
-        format!("T{}", transition.tool.number),
-        format!("{}{}", transition.tool.designation, mark(&transition.because)),
-    ]
 }
 
 fn tools(plan: &Plan, lang: Lang) -> String {
@@ -223,6 +131,7 @@ fn conditions(plan: &Plan, lang: Lang) -> String {
             // Groups that share a transition in all its figures share its line.
             let same = rows.iter_mut().find(|known: &&mut Vec<String>| known[1..] == row[1..]);
             match same {
+                Some(known) if known[0].split(", ").any(|name| name == hole.name) => {}
                 Some(known) => known[0] = format!("{}, {}", known[0], hole.name),
                 None => rows.push(row),
             }
@@ -311,7 +220,11 @@ fn limits(plan: &Plan, lang: Lang) -> String {
             let name = operation_noun(transition.operation.name(), lang);
             if conditions.limited_by != "cutting-speed" {
                 let by = term(&conditions.limited_by, lang);
-                lines.push(format!("{} {}: {} {by}", hole.name, name, lang.pick("обмежує", "limited by")));
+                let size = mm(transition.diameter_mm, lang);
+                let line = format!("{} {name} Ø{size}: {} {by}", hole.name, lang.pick("обмежує", "limited by"));
+                if !lines.contains(&line) {
+                    lines.push(line);
+                }
             }
             if let Some(card) = &conditions.card {
                 let optional =

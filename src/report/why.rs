@@ -3,6 +3,8 @@
 use crate::note::Because;
 use crate::plan::{HolePlan, Plan};
 
+use super::sentences::scheme_name;
+use super::sheet::{mm, number};
 use super::{Lang, grid, operation_verb, sentence};
 
 /// The reasons of one group of holes.
@@ -13,8 +15,20 @@ pub fn explain(plan: &Plan, hole: &HolePlan, lang: Lang) -> String {
     text.push_str(&format!("{title} {} {}\n\n", hole.name, diameter.unwrap_or_default()));
     match &hole.route {
         Some(route) => {
-            text.push_str(&format!("{} {} ({})\n", lang.pick("Схема", "Scheme"), route.scheme, route.table));
+            text.push_str(&format!(
+                "{} {} ({})\n",
+                lang.pick("Схема", "Scheme"),
+                scheme_name(&route.scheme, lang),
+                route.table
+            ));
             text.push_str(&reasons(&route.because, lang));
+            if !route.alternatives.is_empty() {
+                text.push_str(&format!(
+                    "\n{}\n",
+                    lang.pick("Інші маршрути і чому не вони", "Other routes, and why not they")
+                ));
+                text.push_str(&super::sheet::route::alternatives(route, lang));
+            }
         }
         None => {
             for finding in plan.findings.iter().filter(|finding| finding.hole.as_deref() == Some(hole.name.as_str())) {
@@ -27,7 +41,7 @@ pub fn explain(plan: &Plan, hole: &HolePlan, lang: Lang) -> String {
             "\n{}. {} Ø{} — T{} {}, {}\n",
             index + 1,
             operation_verb(transition.operation.name(), lang),
-            transition.diameter_mm,
+            mm(transition.diameter_mm, lang),
             transition.tool.number,
             transition.tool.designation,
             transition.holder.designation
@@ -37,11 +51,11 @@ pub fn explain(plan: &Plan, hole: &HolePlan, lang: Lang) -> String {
         text.push_str(&grid::paragraph(
             &format!(
                 "s = {} {}, V = {} {}, n = {} {}",
-                conditions.feed_mm_per_rev.0,
+                number(conditions.feed_mm_per_rev.0, 3, lang),
                 lang.pick("мм/об", "mm/rev"),
-                conditions.speed_m_per_min.0,
+                number(conditions.speed_m_per_min.0, 2, lang),
                 lang.pick("м/хв", "m/min"),
-                conditions.spindle_rpm.0,
+                number(conditions.spindle_rpm.0, 1, lang),
                 lang.pick("об/хв", "1/min")
             ),
             2,

@@ -1,15 +1,22 @@
-//! Intermediate diameters: backwards from the finished hole, by the allowances of section 1.2.1.
+//! Intermediate diameters: backwards from the finished cylinder, by the allowances of section 1.2.1 and,
+//! inside them, by the handbook's step diameters.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
+use crate::knowledge::Input;
 use crate::knowledge::units::Unit;
-use crate::knowledge::{Input, RowRef};
 use crate::note::{Because, Note};
-use crate::part::Hole;
+use crate::part::{ThreadKind, ToleratedDiameter};
 use crate::plan::Operation;
 use crate::shop::Shop;
 use crate::units::Micrometres;
 
-use super::{Candidate, Step};
+use super::bores::Bore;
+use super::{Candidate, Step, handbook};
+
+mod allowance;
+mod boring;
+
+use allowance::allowance;
 
 /// What a route is turned into steps with.
 #[derive(Clone, Copy, Debug)]
@@ -20,61 +27,90 @@ pub struct Sizes<'a> {
     pub in_magazine: &'a [Micrometres],
     /// The smallest hole a boring bar of the catalogs enters.
     pub smallest_bore: Micrometres,
+    /// The diameter the cylinder is opened from; absent in solid metal.
+    pub start: Option<Micrometres>,
     /// Whether to drill in one pass although a first drill is at hand.
     pub single_drill: bool,
+    /// Whether to bore although the rule `mill-or-bore` would mill.
+    pub bore_large: bool,
 }
 
-/// The steps of a scheme for a hole, first to last; centring takes its spot later, when the drill is known.
+/// The steps of a candidate for a cylinder, first to last; centring takes its spot later, when the drill
+/// is known.
 ///
 /// # Errors
-/// The knowledge cannot answer. That no diameters work is not an error: the inner `Err` says why.
-pub fn steps(candidate: &Candidate, hole: &Hole, sizes: &Sizes<'_>, shop: &Shop<'_>) -> Tried<Vec<Step>> {
-    let transitions = &candidate.transitions;
+/// The knowledge cannot answer. That no diameters work is a refusal that says why.
+pub fn steps(candidate: &Candidate, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop<'_>) -> Tried<Vec<Step>> {
+    let (transitions, replaced) = milled(&candidate.transitions, bore, sizes, shop)?;
     let mut steps: Vec<Step> = Vec::new();
-    let (mut after, left) = finished(candidate, hole, shop)?;
+    let (mut after, left) = finished(candidate, bore, shop)?;
     for index in (0..transitions.len()).rev() {
         let previous = index.checked_sub(1).map(|before| transitions[before]);
-        let (operation, replaced) = stand_in(transitions[index], after, sizes, shop)?;
-        let mut step = match operation {
-            Operation::CentreDrill => step(operation, Micrometres::ZERO, Micrometres::ZERO),
-            Operation::Drill => {
-                let diameter = drill(after, steps.is_empty(), candidate.finish_elsewhere, hole, sizes)?;
-                step(operation, diameter, Micrometres::ZERO)
-            }
-            Operation::RoughBore => {
-                // All but the first of the chain stand behind it; the first is handled as any step.
-                let mut chain = rough_bore(after, previous, sizes, shop)?;
-                let first = chain.remove(0);
-                steps.extend(chain.into_iter().rev());
-                first
-            }
-            Operation::CoreDrill
-            | Operation::RoughReam
-            | Operation::FinishReam
-            | Operation::SemiFinishBore
-            | Operation::FinishBore => finishing(operation, after, previous, hole, sizes, shop)?,
-            other => return Err(Refusal::Not(Note::new("not-planned").with("operation", other.name()))),
+        let question = Backwards { operation: transitions[index], after, previous, bore, sizes, shop };
+        let mut made = if steps.is_empty() && transitions[index] == Operation::Drill {
+            vec![question.last_drill(candidate.finish_elsewhere)?]
+        } else {
+            question.steps()?
         };
-        after = step.from;
-        step.because.extend(replaced);
-        if steps.is_empty() {
-            step.because.extend(left.clone());
+        after = made.first().map_or(after, |first| first.from);
+        if let Some(last) = made.last_mut()
+            && steps.is_empty()
+        {
+            last.because.extend(left.clone());
         }
-        steps.push(step);
+        steps.extend(made.into_iter().rev());
     }
     steps.reverse();
-    two_passes(&mut steps, sizes, shop)?;
+    if let Some(reason) = replaced
+        && let Some(step) = steps.iter_mut().find(|step| step.operation == Operation::Mill)
+    {
+        step.because.push(reason);
+    }
+    two_passes(&mut steps, bore, sizes, shop)?;
     Ok(steps)
 }
 
-/// The diameter the route ends at: the hole's, or smaller by the stock for a finish on another machine
-/// (rule `stock-for-elsewhere`).
+/// The transitions with the first opening milled where the rule `mill-or-bore` says so.
+fn milled(
+    transitions: &[Operation],
+    bore: &Bore,
+    sizes: &Sizes<'_>,
+    shop: &Shop<'_>,
+) -> Result<(Vec<Operation>, Option<Because>), KnowledgeError> {
+    let mut transitions = transitions.to_vec();
+    let Some(first) = transitions.iter().position(|operation| *operation == Operation::RoughBore) else {
+        return Ok((transitions, None));
+    };
+    if sizes.bore_large || transitions.contains(&Operation::Mill) {
+        return Ok((transitions, None));
+    }
+    let rule = shop.knowledge.table("mill-or-bore")?;
+    let diameter = bore.diameter.nominal;
+    let answer = rule.decide(&[
+        ("operation", Input::Text(Operation::RoughBore.name())),
+        ("contouring", Input::Bool(shop.machine.contouring)),
+        ("diameter", Input::Length(diameter)),
+    ])?;
+    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this hole"))?;
+    if row.text("instead")? != Operation::Mill.name() {
+        return Ok((transitions, None));
+    }
+    transitions[first] = Operation::Mill;
+    let note = Note::new("milled-instead").with("diameter", diameter);
+    Ok((transitions, Some(Because::answer(&answer, note))))
+}
+
+/// The diameter the route ends at: the cylinder's, or smaller by the stock for a finish on another machine
+/// (rule `stock-for-elsewhere`); of a thread its own.
 fn finished(
     candidate: &Candidate,
-    hole: &Hole,
+    bore: &Bore,
     shop: &Shop<'_>,
 ) -> Result<(Micrometres, Option<Because>), KnowledgeError> {
-    let target = hole.diameter.target();
+    if let (Some(thread), Some(Operation::Tap)) = (&bore.thread, candidate.transitions.last()) {
+        return Ok((thread.size, None));
+    }
+    let target = bore.diameter.target();
     if !candidate.finish_elsewhere {
         return Ok((target, None));
     }
@@ -90,196 +126,257 @@ fn finished(
     Ok((target - stock, Some(Because::row(row, Note::new("stock-for-elsewhere").with("stock", stock)))))
 }
 
-fn step(operation: Operation, diameter: Micrometres, from: Micrometres) -> Step {
-    Step { operation, diameter, nominal: diameter, from, passes: 1, because: Vec::new() }
+/// One transition, seen from what it must leave.
+#[derive(Clone, Copy)]
+pub(super) struct Backwards<'a, 'k> {
+    /// The transition.
+    pub operation: Operation,
+    /// The diameter it leaves.
+    pub after: Micrometres,
+    /// The transition before it; absent at the beginning.
+    pub previous: Option<Operation>,
+    pub bore: &'a Bore,
+    pub sizes: &'a Sizes<'a>,
+    pub shop: &'a Shop<'k>,
 }
 
-/// What stands in where no boring bar enters, by the rule `too-small-to-bore`.
-fn stand_in(
-    operation: Operation,
-    after: Micrometres,
-    sizes: &Sizes<'_>,
-    shop: &Shop<'_>,
-) -> Tried<(Operation, Option<Because>)> {
-    if !operation.is_boring() {
-        return Ok((operation, None));
-    }
-    let enters = after >= sizes.smallest_bore;
-    let rule = shop.knowledge.table("too-small-to-bore")?;
-    let answer = rule.decide(&[("operation", Input::Text(operation.name())), ("bar_enters", Input::Bool(enters))])?;
-    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, operation.name()))?;
-    let note = |code: &str| {
-        Note::new(code)
-            .with("operation", operation.name())
-            .with("diameter", after)
-            .with("smallest", sizes.smallest_bore)
-    };
-    let instead = row.text("operation_instead")?;
-    match (instead, Operation::from_name(instead)) {
-        ("same", _) => Ok((operation, None)),
-        (_, Some(other)) => {
-            Ok((other, Some(Because::row(row, note("bored-by-stand-in").with("instead", other.name())))))
+impl Backwards<'_, '_> {
+    /// The steps that make the transition, first to last: one, or several where rough boring needs slimmer
+    /// bars first. The first one's `from` is what the transition before must leave.
+    pub fn steps(self) -> Tried<Vec<Step>> {
+        let (operation, replaced) = self.stand_in()?;
+        let this = Self { operation, ..self };
+        let mut steps = match operation {
+            Operation::CentreDrill => vec![this.step(Micrometres::ZERO)],
+            Operation::Drill => vec![this.drill()?],
+            Operation::RoughBore => this.rough_bore()?,
+            Operation::Mill => vec![this.mill()?],
+            Operation::Tap => vec![this.tap()?],
+            Operation::Counterbore if this.after_drill() && this.sizes.start.is_some() => {
+                vec![this.step(this.drill_to_open()?)]
+            }
+            Operation::DrillOut | Operation::Counterbore => vec![this.step(this.start()?)],
+            Operation::CoreDrill
+            | Operation::RoughReam
+            | Operation::FinishReam
+            | Operation::SemiFinishBore
+            | Operation::FinishBore => vec![this.finishing()?],
+            Operation::Countersink | Operation::Chamfer => {
+                return Err(Refusal::Not(Note::new("not-planned").with("operation", operation.name())));
+            }
+        };
+        if let Some(first) = steps.first_mut() {
+            first.because.extend(replaced);
         }
-        _ => Err(Refusal::Not(note("too-small-to-bore"))),
+        Ok(steps)
     }
-}
 
-/// The drill that can make the hole itself: of its nominal diameter, or within its tolerance.
-pub fn final_drill(hole: &Hole, drills: &[Micrometres]) -> Option<Micrometres> {
-    let target = hole.diameter.target();
-    let permitted = |drill: &Micrometres| (hole.diameter.smallest()..=hole.diameter.largest()).contains(drill);
-    drills.iter().copied().find(|drill| *drill == target).or_else(|| drills.iter().copied().find(permitted))
-}
+    fn step(self, from: Micrometres) -> Step {
+        Step::plain(self.operation, self.bore.place, self.after, from)
+    }
 
-/// The drill before the next transition, or the one that ends the route: of the hole's size, or the
-/// largest that still leaves the stock for a finish elsewhere.
-fn drill(after: Micrometres, last: bool, finish_elsewhere: bool, hole: &Hole, sizes: &Sizes<'_>) -> Tried<Micrometres> {
-    let drills = sizes.drills;
-    let found = match (last, finish_elsewhere) {
-        (true, true) => drills.iter().rev().copied().find(|drill| *drill <= after),
-        (true, false) => final_drill(hole, drills),
-        (false, _) => drills.iter().copied().find(|drill| *drill == after),
-    };
-    found.ok_or_else(|| {
-        let below = drills.iter().rev().find(|drill| **drill < after);
-        let above = drills.iter().find(|drill| **drill > after);
+    /// The diameter the cylinder is opened from.
+    fn start(self) -> Tried<Micrometres> {
+        let refuse = || Refusal::Not(Note::new("no-hole-to-open").with("operation", self.operation.name()));
+        let start = self.sizes.start.ok_or_else(refuse)?;
+        if start >= self.after {
+            let note = Note::new("opened-already").with("diameter", self.after).with("start", start);
+            return Err(Refusal::Not(note.with("operation", self.operation.name())));
+        }
+        Ok(start)
+    }
+
+    /// Whether the transition before is a drill, whose sizes are those of the catalogs.
+    fn after_drill(self) -> bool {
+        matches!(self.previous, Some(Operation::Drill | Operation::DrillOut))
+    }
+
+    /// The largest drill that leaves a mill or counterbore something to cut.
+    fn drill_to_open(self) -> Tried<Micrometres> {
+        let largest = self.after - self.shop.convention("mill-clearance-mm")?;
+        let start = self.sizes.start.unwrap_or_default();
+        let drill = self.sizes.drills.iter().rev().copied().find(|drill| *drill <= largest && *drill > start);
+        drill.ok_or_else(|| {
+            let note = Note::new("no-drill-before").with("operation", self.operation.name());
+            Refusal::Not(note.with("diameter", self.after).with("largest", largest))
+        })
+    }
+
+    /// What stands in where no boring bar enters, by the rule `too-small-to-bore`.
+    fn stand_in(self) -> Tried<(Operation, Option<Because>)> {
+        let (operation, after) = (self.operation, self.after);
+        if !operation.is_boring() {
+            return Ok((operation, None));
+        }
+        let enters = after >= self.sizes.smallest_bore;
+        let rule = self.shop.knowledge.table("too-small-to-bore")?;
+        let answer =
+            rule.decide(&[("operation", Input::Text(operation.name())), ("bar_enters", Input::Bool(enters))])?;
+        let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, operation.name()))?;
+        let note = |code: &str| {
+            Note::new(code)
+                .with("operation", operation.name())
+                .with("diameter", after)
+                .with("smallest", self.sizes.smallest_bore)
+        };
+        let instead = row.text("operation_instead")?;
+        match (instead, Operation::from_name(instead)) {
+            ("same", _) => Ok((operation, None)),
+            (_, Some(other)) => {
+                Ok((other, Some(Because::row(row, note("bored-by-stand-in").with("instead", other.name())))))
+            }
+            _ => Err(Refusal::Not(note("too-small-to-bore"))),
+        }
+    }
+
+    /// The drill that ends a route: of the hole's size, or the largest that leaves the stock for a finish
+    /// elsewhere.
+    pub fn last_drill(self, finish_elsewhere: bool) -> Tried<Step> {
+        let drills = self.sizes.drills;
+        let found = if finish_elsewhere {
+            drills.iter().rev().copied().find(|drill| *drill <= self.after)
+        } else {
+            final_drill(&self.bore.diameter, drills)
+        };
+        let diameter = found.ok_or_else(|| Refusal::Not(self.no_drill()))?;
+        Ok(Step::plain(Operation::Drill, self.bore.place, diameter, Micrometres::ZERO))
+    }
+
+    /// A drill of exactly the size the next transition asks for; under a thread one within the tolerance.
+    fn drill(self) -> Tried<Step> {
+        let mut found = self.sizes.drills.iter().copied().find(|drill| *drill == self.after);
+        if found.is_none() && self.bore.thread.is_some() && self.after == self.bore.diameter.target() {
+            found = final_drill(&self.bore.diameter, self.sizes.drills);
+        }
+        let diameter = found.ok_or_else(|| Refusal::Not(self.no_drill()))?;
+        Ok(Step::plain(Operation::Drill, self.bore.place, diameter, Micrometres::ZERO))
+    }
+
+    fn no_drill(self) -> Note {
+        let below = self.sizes.drills.iter().rev().find(|drill| **drill < self.after);
+        let above = self.sizes.drills.iter().find(|drill| **drill > self.after);
         let show = |size: Option<&Micrometres>| size.map_or_else(|| "-".to_owned(), |size| format!("Ø{size}"));
-        let note = Note::new("no-drill").with("diameter", after);
-        Refusal::Not(note.with("below", show(below)).with("above", show(above)))
-    })
-}
-
-/// The range of the allowance a transition removes, on diameter, and its aim.
-struct Allowance<'k> {
-    low: Micrometres,
-    high: Micrometres,
-    aim: Micrometres,
-    row: RowRef<'k>,
-}
-
-fn allowance<'k>(operation: Operation, nominal: Micrometres, shop: &Shop<'k>) -> Result<Allowance<'k>, KnowledgeError> {
-    let rule = shop.knowledge.table("allowance-before")?;
-    let answer = rule.decide(&[("operation", Input::Text(operation.name()))])?;
-    let choice = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, operation.name()))?;
-    let table = shop.knowledge.table("allowances")?;
-    let name = choice.text("allowance")?;
-    let row = table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
-    if let Ok(share) = row.number_in("share", Unit::None) {
-        // A share of the diameter: no range, so the nearest size of the catalog is right.
-        let aim = Micrometres::from_mm_rounded(nominal.to_mm() * share);
-        return Ok(Allowance { low: Micrometres::ZERO, high: aim + aim, aim, row });
+        let most = self.shop.machine.drill_max;
+        if self.after > most {
+            return Note::new("no-drill-so-large").with("diameter", self.after).with("limit", most);
+        }
+        Note::new("no-drill").with("diameter", self.after).with("below", show(below)).with("above", show(above))
     }
-    let (low, high) = (row.length("minimum")?, row.length("maximum")?);
-    let share = choice.number_in("share", Unit::None)?;
-    let aim = low.to_mm() + (high - low).to_mm() * share;
-    Ok(Allowance { low, high, aim: Micrometres::from_mm_rounded(aim), row })
-}
 
-/// A transition that removes an allowance: the diameter before it is the aim of the range, or the drill
-/// nearest to the aim where a drill makes it.
-fn finishing(
-    operation: Operation,
-    after: Micrometres,
-    previous: Option<Operation>,
-    hole: &Hole,
-    sizes: &Sizes<'_>,
-    shop: &Shop<'_>,
-) -> Tried<Step> {
-    let allowance = allowance(operation, hole.diameter.nominal, shop)?;
-    let (smallest, largest) = (after - allowance.high, after - allowance.low);
-    let before = if previous == Some(Operation::Drill) {
-        let aim = after - allowance.aim;
-        let nearest = sizes
-            .drills
-            .iter()
-            .copied()
-            .filter(|drill| *drill >= smallest && *drill <= largest && *drill < after)
-            .min_by_key(|drill| ((*drill - aim).abs(), *drill));
-        match nearest {
-            Some(drill) => drill,
-            None => {
+    /// Tapping: the hole under the thread must be there.
+    fn tap(self) -> Tried<Step> {
+        let thread = self.bore.thread.as_ref();
+        let thread = thread.ok_or_else(|| Refusal::Not(Note::new("no-thread-to-tap")))?;
+        let step = self.step(self.bore.diameter.target());
+        // A conical tap goes to its main plane, however deep the hole.
+        let length = match thread.kind {
+            ThreadKind::Conical => {
+                let table = self.shop.knowledge.table("conical-threads")?;
+                table.find("thread", &thread.id).and_then(|row| row.length_if_any("thread_length"))
+            }
+            ThreadKind::Cylindrical => None,
+        };
+        let depth = length.map_or(self.bore.thread_depth, |length| length.min(self.bore.thread_depth));
+        let through = step.place.through && length.is_none();
+        let place = super::Place { feature: crate::plan::Feature::Thread, depth, through, ..step.place };
+        Ok(Step { place, pitch: Some(thread.pitch), ..step })
+    }
+
+    /// A transition that removes an allowance: the diameter before it is the handbook's where the range of
+    /// section 1.2.1 permits it, else the aim of the range; the drill nearest to that where a drill makes it.
+    fn finishing(self) -> Tried<Step> {
+        let Self { operation, after, previous, bore, sizes, shop } = self;
+        let allowance = allowance(operation, after, bore.diameter.nominal, previous, shop)?;
+        let (smallest, largest) = (after - allowance.high, after - allowance.low);
+        let handbook_row = handbook::row(bore, shop)?;
+        let advised = handbook_row.and_then(|row| handbook::before(row, operation, previous));
+        let aim = advised.unwrap_or(after - allowance.aim).max(smallest).min(largest);
+        let before = if previous.is_none() {
+            let start = self.start()?;
+            if start < smallest || start > largest {
                 return Err(Refusal::Not(
+                    Note::new("stock-outside-allowance")
+                        .with("operation", operation.name())
+                        .with("stock", after - start)
+                        .with("low", allowance.low)
+                        .with("high", allowance.high)
+                        .with("diameter", after),
+                ));
+            }
+            start
+        } else if self.after_drill() {
+            let inside = |drill: &Micrometres| *drill >= smallest && *drill <= largest && *drill < after;
+            let drills = sizes.drills.iter().copied().filter(inside);
+            let nearest = drills.min_by_key(|drill| ((*drill - aim).abs(), *drill));
+            nearest.ok_or_else(|| {
+                Refusal::Not(
                     Note::new("no-drill-in-allowance")
                         .with("operation", operation.name())
                         .with("low", smallest)
                         .with("high", largest)
                         .with("diameter", after),
-                ));
-            }
-        }
-    } else {
-        let aim = (after - allowance.aim).micrometres();
-        // To the setting step, but never out of the range.
-        let step = shop.convention("setting-step-mm")?.micrometres().max(1);
-        let set = Micrometres::new((aim + step / 2).div_euclid(step) * step);
-        set.max(smallest).min(largest)
-    };
-    let note = Note::new("allowance")
-        .with("operation", operation.name())
-        .with("low", allowance.low)
-        .with("high", allowance.high)
-        .with("taken", after - before);
-    // Reamers and core drills of the catalog are ground to the size before the last one.
-    let fixed = operation.is_reaming() || operation == Operation::CoreDrill;
-    let nominal = if fixed { hole.diameter.nominal } else { after };
-    let mut because = vec![Because::row(allowance.row, note)];
-    if fixed && after != nominal {
-        let note = Note::new("ground-to-size").with("nominal", nominal).with("size", after);
-        because.push(Because::row(allowance.row, note));
-    }
-    Ok(Step { operation, diameter: after, nominal, from: before, passes: 1, because })
-}
-
-/// Rough boring opens from the largest drill that leaves at least the smallest allowance. Where the bar
-/// for the final size does not enter that hole, slimmer bars open the way, one step each; each step is as
-/// many equal passes as the largest allowance asks.
-fn rough_bore(after: Micrometres, previous: Option<Operation>, sizes: &Sizes<'_>, shop: &Shop<'_>) -> Tried<Vec<Step>> {
-    let allowance = allowance(Operation::RoughBore, after, shop)?;
-    if previous != Some(Operation::Drill) {
-        return Err(Refusal::Not(Note::new("not-planned").with("operation", "rough-bore")));
-    }
-    let largest = after - allowance.low;
-    let drill = sizes.drills.iter().rev().copied().find(|drill| *drill <= largest);
-    let Some(mut from) = drill else {
-        return Err(Refusal::Not(
-            Note::new("no-drill-before-boring")
-                .with("diameter", after)
-                .with("largest", largest)
-                .with("smallest", sizes.smallest_bore),
-        ));
-    };
-    let bars = shop.knowledge.table("boring-bars")?;
-    let mut chain = Vec::new();
-    while from < after {
-        let widest = bars
-            .all_rows()
-            .filter(|bar| bar.text("stage") == Ok("rough") && bar.length("bar_diameter").is_ok_and(|bar| bar < from))
-            .filter_map(|bar| bar.length("diameter_max").ok())
-            .max()
-            .unwrap_or_default();
-        if widest <= from {
-            return Err(Refusal::Not(Note::new("no-bar-enters").with("hole", from).with("diameter", after)));
-        }
-        let to = widest.min(after);
-        let stock = (to - from).micrometres();
-        let most = allowance.high.micrometres().max(1);
-        let passes = u32::try_from((stock + most - 1) / most).unwrap_or(u32::MAX);
-        let note = Note::new("rough-boring")
+                )
+            })?
+        } else if previous == Some(Operation::Counterbore) {
+            let inside = |size: &Micrometres| *size >= smallest && *size <= largest;
+            let sizes = super::openings::counterbores(after, shop)?;
+            let nearest = sizes.into_iter().filter(inside).min_by_key(|size| ((*size - aim).abs(), *size));
+            nearest.ok_or_else(|| {
+                let note = Note::new("no-counterbore-in-allowance").with("operation", operation.name());
+                Refusal::Not(note.with("low", smallest).with("high", largest).with("diameter", after))
+            })?
+        } else if advised == Some(aim) {
+            aim
+        } else {
+            // To the setting step, but never out of the range.
+            let step = shop.convention("setting-step-mm")?.micrometres().max(1);
+            let set = Micrometres::new((aim.micrometres() + step / 2).div_euclid(step) * step);
+            set.max(smallest).min(largest)
+        };
+        let note = Note::new("allowance")
+            .with("operation", operation.name())
             .with("low", allowance.low)
             .with("high", allowance.high)
-            .with("stock", to - from)
-            .with("passes", passes);
-        let because = vec![Because::row(allowance.row, note)];
-        chain.push(Step { operation: Operation::RoughBore, diameter: to, nominal: to, from, passes, because });
-        from = to;
+            .with("taken", after - before);
+        let mut because = vec![Because::row(allowance.row, note)];
+        because.extend(allowance.stock);
+        if let (Some(row), Some(advised)) = (handbook_row, advised) {
+            let code = if advised == before { "handbook-step" } else { "handbook-step-outside" };
+            let note = Note::new(code).with("advised", advised).with("taken", before);
+            because.push(Because::row(row, note.with("low", smallest).with("high", largest)));
+        }
+        // Reamers and core drills of the catalog are ground to the size before the last one.
+        let fixed = operation.is_reaming() || operation == Operation::CoreDrill;
+        let nominal = if fixed { bore.diameter.nominal } else { after };
+        if fixed && after != nominal {
+            let note = Note::new("ground-to-size").with("nominal", nominal).with("size", after);
+            because.push(Because::row(allowance.row, note));
+        }
+        Ok(Step { nominal, because, ..self.step(before) })
     }
-    Ok(chain)
 }
 
-/// Splits the drilling in two where the rule `two-pass-drilling` says so.
-fn two_passes(steps: &mut Vec<Step>, sizes: &Sizes<'_>, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
+/// The drill that can make a cylinder itself: of its nominal diameter, or within its tolerance.
+pub fn final_drill(diameter: &ToleratedDiameter, drills: &[Micrometres]) -> Option<Micrometres> {
+    let target = diameter.target();
+    let permitted = |drill: &Micrometres| (diameter.smallest()..=diameter.largest()).contains(drill);
+    drills.iter().copied().find(|drill| *drill == target).or_else(|| drills.iter().copied().find(permitted))
+}
+
+/// Splits the drilling in two where the rule `two-pass-drilling` or the handbook says so.
+fn two_passes(steps: &mut Vec<Step>, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
     let Some(index) = steps.iter().position(|step| step.operation == Operation::Drill) else { return Ok(()) };
     let diameter = steps[index].diameter;
+    if let Some(row) = handbook::row(bore, shop)?
+        && let (Some(first), Some(last)) = (handbook::first_drill(row), handbook::last_drill(row))
+        && last == diameter
+        && !sizes.single_drill
+        && sizes.drills.contains(&first)
+    {
+        let note = Note::new("handbook-first-drill").with("first", first).with("diameter", diameter);
+        split(steps, index, first, Because::row(row, note.clone()), Because::row(row, note));
+        return Ok(());
+    }
     let shares = shop.knowledge.table("first-drill")?;
     let share = shares.row(0).ok_or_else(|| KnowledgeError::no_row(shares, "two-pass drilling"))?;
     let (share_min, share_max) = (share.number_in("share_min", Unit::None)?, share.number_in("share_max", Unit::None)?);
@@ -299,13 +396,19 @@ fn two_passes(steps: &mut Vec<Step>, sizes: &Sizes<'_>, shop: &Shop<'_>) -> Resu
     // Above 30 mm with nothing at hand: the smallest drill of the range cuts with the least thrust.
     let first = at_hand.or_else(|| sizes.drills.iter().copied().find(|drill| (low..=high).contains(drill)));
     let Some(first) = first else { return Ok(()) };
+    let why = Because::answer(&answer, note("two-passes").with("first", first));
+    let note = note("first-drill").with("first", first).with("share-min", share_min).with("share-max", share_max);
+    split(steps, index, first, Because::row(share, note), why);
+    Ok(())
+}
+
+/// Puts a first drill before the drill at `index`, which then opens what the first left.
+fn split(steps: &mut Vec<Step>, index: usize, first: Micrometres, of_first: Because, of_second: Because) {
     let second = &mut steps[index];
     second.operation = Operation::DrillOut;
     second.from = first;
-    second.because.push(Because::answer(&answer, note("two-passes").with("first", first)));
-    let mut drill = step(Operation::Drill, first, Micrometres::ZERO);
-    let note = note("first-drill").with("first", first).with("share-min", share_min).with("share-max", share_max);
-    drill.because.push(Because::row(share, note));
+    second.because.push(of_second);
+    let mut drill = Step::plain(Operation::Drill, second.place, first, Micrometres::ZERO);
+    drill.because.push(of_first);
     steps.insert(index, drill);
-    Ok(())
 }

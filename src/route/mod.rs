@@ -1,29 +1,70 @@
 //! From a hole to its ordered transitions and their intermediate diameters.
 //!
-//! [`scheme::candidates`] asks the tables which schemes a hole may have, best first;
-//! [`diameters::steps`] turns a scheme into steps, backwards from the finished diameter, or says by
-//! which inequality it cannot. The planner takes the first candidate that everything after it accepts.
+//! [`bores::task`] takes a hole apart into the cylinders and openings it is made of. Three ways lead to
+//! candidates for its main cylinder: the scheme tables ([`scheme`], [`auxiliary`]), the complexes
+//! ([`complex`]) and the [`search`] over its states. [`diameters::steps`] turns a candidate into steps,
+//! backwards from the finished diameter, or says by which inequality it cannot; [`openings`] does the
+//! rest of the hole, and [`order`] puts all of it in the order of section 1.1.2.
 
+pub mod accuracy;
+pub mod auxiliary;
+pub mod bores;
+pub mod complex;
 pub mod diameters;
+mod handbook;
+pub mod openings;
+pub mod order;
 pub mod scheme;
+pub mod search;
 
 use crate::note::Because;
-use crate::plan::Operation;
-use crate::units::Micrometres;
+use crate::part::Face;
+use crate::plan::{Achieved, Feature, Operation, Way};
+use crate::units::{ItGrade, Micrometres, Roughness};
 
-/// A scheme a hole may have.
+/// A route the main cylinder of a hole may take.
 #[derive(Clone, Debug)]
 pub struct Candidate {
-    /// `A.8` or `A.9`.
+    /// Which way it was found.
+    pub way: Way,
+    /// `A.8`, `A.9`, `A.10`, `A.5` or the search's rule.
     pub table: String,
-    /// The scheme of A.7 as the plan names it: `07`, `04 + centre`.
+    /// The scheme of A.7 as the plan names it, `07`, `04 + centre`; the complex; the search's transitions.
     pub scheme: String,
     /// Its transitions in order.
     pub transitions: Vec<Operation>,
     /// Whether the tables finish the hole on another machine.
     pub finish_elsewhere: bool,
+    /// What the table it was found in says that it holds; absent where the chain itself must say it.
+    pub promise: Option<Promise>,
     /// The rows it rests on.
     pub because: Vec<Because>,
+}
+
+/// Grade and roughness that a table promises for a scheme.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Promise {
+    /// The grade.
+    pub it: ItGrade,
+    /// The roughness; absent where the table does not ask for it.
+    pub roughness: Option<Roughness>,
+}
+
+/// Where a step works.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// What of the hole it makes.
+    pub feature: Feature,
+    /// The number of the step of a stepped hole, from 1.
+    pub step: Option<usize>,
+    /// The face it is entered from.
+    pub face: Face,
+    /// Where cutting begins, below that face.
+    pub start: Micrometres,
+    /// The end of the full diameter, below that face.
+    pub depth: Micrometres,
+    /// Whether the tool may run past the end.
+    pub through: bool,
 }
 
 /// One step of a route.
@@ -31,6 +72,8 @@ pub struct Candidate {
 pub struct Step {
     /// What is done.
     pub operation: Operation,
+    /// Where.
+    pub place: Place,
     /// The diameter it leaves.
     pub diameter: Micrometres,
     /// The size of the catalog's cutter, where it is ground to another size.
@@ -39,6 +82,39 @@ pub struct Step {
     pub from: Micrometres,
     /// Passes of the same tool.
     pub passes: u32,
+    /// Pitch of a thread.
+    pub pitch: Option<Micrometres>,
+    /// Full angle of a cone, thousandths of a degree.
+    pub angle_millideg: Option<u32>,
+    /// The cylinder above it that its cutter must pass; absent where there is none.
+    pub within: Option<Micrometres>,
+    /// What a step drill makes with the same stroke.
+    pub also: Option<Micrometres>,
+    /// Whether it is done on another machine.
+    pub elsewhere: bool,
+    /// What it leaves, by the tables.
+    pub achieved: Option<Achieved>,
     /// Why.
     pub because: Vec<Because>,
+}
+
+impl Step {
+    /// A step with nothing but its operation and diameters.
+    pub fn plain(operation: Operation, place: Place, diameter: Micrometres, from: Micrometres) -> Self {
+        Self {
+            operation,
+            place,
+            diameter,
+            nominal: diameter,
+            from,
+            passes: 1,
+            pitch: None,
+            angle_millideg: None,
+            within: None,
+            also: None,
+            elsewhere: false,
+            achieved: None,
+            because: Vec::new(),
+        }
+    }
 }

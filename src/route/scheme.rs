@@ -1,28 +1,40 @@
-//! Which schemes the tables A.6, A.8 and A.9 give a hole, best first.
+//! Which schemes the tables A.6, A.8 and A.9 give a cylinder, best first.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::query::roughness_points;
 use crate::knowledge::units::Unit;
 use crate::knowledge::{Answer, Input, Knowledge, QueryError, RowRef};
 use crate::note::{Because, Note};
-use crate::part::{CentreTolerance, Hole, Part};
-use crate::plan::Operation;
+use crate::part::BlankHole;
+use crate::plan::{Operation, Way};
 use crate::shop::Shop;
 use crate::units::{Decimal, ItGrade, Micrometres, Roughness};
 
-use super::Candidate;
+use super::bores::{Before, Bore};
+use super::{Candidate, Promise};
 
-/// What the tables were asked, and the schemes they give.
-#[derive(Clone, Debug)]
-pub struct Candidates {
-    /// The schemes, best first.
-    pub schemes: Vec<Candidate>,
-    /// The tolerance on centre distances the tables were asked with.
+/// What the tables are asked about.
+#[derive(Clone, Copy, Debug)]
+pub struct Question<'a> {
+    /// The cylinder.
+    pub bore: &'a Bore,
+    /// The tolerance on centre distances.
     pub centre_tolerance: Micrometres,
-    /// The row of A.6, or that it has none.
-    pub stages: Because,
-    /// Whether A.6 finishes the hole on another machine.
-    pub stages_end_elsewhere: bool,
+    /// Permitted position of the axis, Δ0 of A.6.
+    pub position: Micrometres,
+    /// Whether the hole lies in an outer wall.
+    pub outer_wall: bool,
+    /// Every drill that reaches, ascending.
+    pub drills: &'a [Micrometres],
+}
+
+impl Question<'_> {
+    fn state(&self) -> &'static str {
+        match self.bore.before {
+            Before::Blank(BlankHole::Solid) => "solid",
+            _ => "cast-or-pre-machined",
+        }
+    }
 }
 
 /// A filled cell of A.8 or A.9.
@@ -35,20 +47,18 @@ struct Cell<'k> {
     finish_elsewhere: bool,
 }
 
-/// Every scheme the tables allow the hole, best first: its own cell, then finer roughness of the same
+/// Every scheme the tables A.8 and A.9 allow, best first: the own cell, then finer roughness of the same
 /// grade, then finer grades (rule `empty-cell`).
 ///
 /// # Errors
-/// The knowledge cannot answer, or the centre tolerance names a grade at no distance.
-pub fn candidates(hole: &Hole, part: &Part, drills: &[Micrometres], shop: &Shop<'_>) -> Tried<Candidates> {
+/// The knowledge cannot answer, or the tables give no scheme.
+pub fn candidates(question: &Question<'_>, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
     let knowledge = shop.knowledge;
-    let centre_tolerance = centre_tolerance(hole, knowledge).map_err(Refusal::Not)?;
-    let (stages, stages_end_elsewhere) = stages(hole, part, centre_tolerance, shop)?;
-
-    let own = cells(hole.diameter.it, hole, centre_tolerance, knowledge)?;
+    let bore = question.bore;
+    let own = cells(bore.diameter.it, question, knowledge)?;
     let mut finer = Vec::new();
-    for grade in (6..hole.diameter.it.number()).rev().filter_map(ItGrade::new) {
-        for cell in cells(grade, hole, centre_tolerance, knowledge)?.filled {
+    for grade in (6..bore.diameter.it.number()).rev().filter_map(ItGrade::new) {
+        for cell in cells(grade, question, knowledge)?.filled {
             // A finer grade that this machine only prepares does not hold the coarser one.
             if cell.finish_elsewhere && !own.filled.iter().any(|own| own.finish_elsewhere) {
                 continue;
@@ -72,9 +82,9 @@ pub fn candidates(hole: &Hole, part: &Part, drills: &[Micrometres], shop: &Shop<
     if decision.text("take")? == "nothing" {
         return Err(Refusal::Not(
             Note::new("no-scheme")
-                .with("it", hole.diameter.it)
-                .with("roughness", hole.roughness)
-                .with("centre", centre_tolerance)
+                .with("it", bore.diameter.it)
+                .with("roughness", bore.roughness)
+                .with("centre", question.centre_tolerance)
                 .with("columns", columns_of(&own.table_columns)),
         ));
     }
@@ -84,53 +94,48 @@ pub fn candidates(hole: &Hole, part: &Part, drills: &[Micrometres], shop: &Shop<
     for cell in own.filled.into_iter().chain(finer) {
         let mut because = cell.because.clone();
         because.push(taken.clone());
-        let position = part.position_tolerance.unwrap_or(centre_tolerance);
-        for (scheme, reason) in in_order(&cell, hole, position, drills, knowledge)? {
+        for (scheme, reason) in in_order(&cell, question, knowledge)? {
             let mut because = because.clone();
             let note =
                 Note::new("scheme").with("scheme", &scheme).with("it", cell.grade).with("roughness", cell.roughness);
             because.push(Because::answer(&cell.answer, note));
             because.extend(reason);
-            if let Some(candidate) = with_centring(scheme, &cell, because, hole, shop)? {
-                schemes.push(candidate);
-            }
+            let candidate = Candidate {
+                way: Way::Tables,
+                table: cell.row.table.id.clone(),
+                scheme,
+                transitions: Vec::new(),
+                finish_elsewhere: cell.finish_elsewhere,
+                promise: Some(Promise { it: cell.grade, roughness: Some(cell.roughness) }),
+                because,
+            };
+            schemes.extend(with_transitions(candidate, bore, shop)?);
         }
     }
-    Ok(Candidates { schemes, centre_tolerance, stages, stages_end_elsewhere })
-}
-
-/// The width of the tolerance on centre distances; a grade is taken at the group's smallest distance.
-fn centre_tolerance(hole: &Hole, knowledge: &Knowledge) -> Result<Micrometres, Note> {
-    match hole.centre_tolerance {
-        CentreTolerance::Width(width) => Ok(width),
-        CentreTolerance::Grade { it } => {
-            let distance =
-                hole.smallest_centre_distance().ok_or_else(|| Note::new("grade-without-distance").with("it", it))?;
-            crate::part::tolerance_width(it, distance, knowledge).map_err(|why| {
-                Note::new("grade-outside-table").with("it", it).with("distance", distance).with("why", why)
-            })
-        }
-    }
+    Ok(schemes)
 }
 
 /// The stages of A.6, and whether they end on another machine.
-fn stages(
-    hole: &Hole,
-    part: &Part,
-    centre_tolerance: Micrometres,
+///
+/// # Errors
+/// The knowledge cannot answer.
+pub fn stages(
+    question: &Question<'_>,
+    hole: &str,
+    diameter: Micrometres,
     shop: &Shop<'_>,
 ) -> Result<(Because, bool), KnowledgeError> {
     let table = shop.knowledge.table("A.6")?;
-    let delta = part.position_tolerance.unwrap_or(centre_tolerance);
+    let (delta, it) = (question.position, question.bore.diameter.it);
     let sigma = shop.machine.position_accuracy;
     let position = if delta > sigma { "above" } else { "not-above" };
     let answer = table.decide(&[
-        ("hole", Input::Text("plain")),
-        ("it", Input::Grade(hole.diameter.it)),
-        ("diameter", Input::Length(hole.diameter.nominal)),
+        ("hole", Input::Text(hole)),
+        ("it", Input::Grade(it)),
+        ("diameter", Input::Length(diameter)),
         ("position", Input::Text(position)),
     ])?;
-    let note = |code: &str| Note::new(code).with("delta", delta).with("sigma", sigma).with("it", hole.diameter.it);
+    let note = |code: &str| Note::new(code).with("delta", delta).with("sigma", sigma).with("it", it);
     Ok(match answer.winner() {
         None => (Because::answer(&answer, note("no-stages")), false),
         Some(row) => {
@@ -139,6 +144,22 @@ fn stages(
             (Because::answer(&answer, note("stages").with("stages", stages.join(" + "))), elsewhere)
         }
     })
+}
+
+/// The cells that the tables would be asked about a cylinder: for tests that hold the planner to the tables.
+///
+/// # Errors
+/// The knowledge cannot answer.
+pub fn own_cell(question: &Question<'_>, knowledge: &Knowledge) -> Result<Vec<String>, KnowledgeError> {
+    let own = cells(question.bore.diameter.it, question, knowledge)?;
+    let first = own.filled.first().filter(|_| own.own_is_filled);
+    Ok(first
+        .map(|cell| cell.row.texts("schemes"))
+        .transpose()?
+        .unwrap_or_default()
+        .into_iter()
+        .map(str::to_owned)
+        .collect())
 }
 
 /// The filled cells of one grade.
@@ -153,10 +174,10 @@ struct GradeCells<'k> {
 
 fn cells<'k>(
     grade: ItGrade,
-    hole: &Hole,
-    centre_tolerance: Micrometres,
+    question: &Question<'_>,
     knowledge: &'k Knowledge,
 ) -> Result<GradeCells<'k>, KnowledgeError> {
+    let (bore, centre_tolerance) = (question.bore, question.centre_tolerance);
     let rule = knowledge.table("table-for-hole")?;
     let answer = rule.decide(&[("it", Input::Grade(grade)), ("centre_tolerance", Input::Length(centre_tolerance))])?;
     let choice = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, &format!("IT {grade}")))?;
@@ -169,8 +190,8 @@ fn cells<'k>(
     };
     let columns = roughness_points(table, "roughness");
     let mut found = GradeCells { own_is_filled: false, filled: Vec::new(), table_columns: columns.clone() };
-    for (position, roughness) in columns.into_iter().filter(|column| *column <= hole.roughness).enumerate() {
-        let cell = ask(table, asked_grade, hole.diameter.nominal, asked_centre, roughness)?;
+    for (position, roughness) in columns.into_iter().filter(|column| *column <= bore.roughness).enumerate() {
+        let cell = ask(table, asked_grade, asked_centre, roughness, question)?;
         let Some(row) = cell.winner() else { continue };
         found.own_is_filled |= position == 0;
         let note = Note::new("table-for-hole")
@@ -193,15 +214,17 @@ fn cells<'k>(
 fn ask<'k>(
     table: &'k crate::knowledge::Table,
     grade: ItGrade,
-    diameter: Micrometres,
     centre: Micrometres,
     roughness: Roughness,
+    question: &Question<'_>,
 ) -> Result<Answer<'k>, QueryError> {
     table.decide(&[
         ("it", Input::Grade(grade)),
-        ("diameter", Input::Length(diameter)),
+        ("diameter", Input::Length(question.bore.diameter.nominal)),
         ("centre_tolerance", Input::Length(centre)),
         ("roughness", Input::Roughness(roughness)),
+        ("state", Input::Text(question.state())),
+        ("outer_wall", Input::Bool(question.outer_wall)),
     ])
 }
 
@@ -212,9 +235,7 @@ fn columns_of(columns: &[Roughness]) -> String {
 /// The schemes of a cell in the order of the rule `which-of-two-schemes`.
 fn in_order(
     cell: &Cell<'_>,
-    hole: &Hole,
-    position: Micrometres,
-    drills: &[Micrometres],
+    question: &Question<'_>,
     knowledge: &Knowledge,
 ) -> Result<Vec<(String, Option<Because>)>, KnowledgeError> {
     let mut schemes: Vec<String> = cell.row.texts("schemes")?.into_iter().map(str::to_owned).collect();
@@ -225,8 +246,11 @@ fn in_order(
     let rule = knowledge.table("which-of-two-schemes")?;
     let answer = rule.decide(&[
         ("for_other_drill", Input::Bool(!starred.is_empty())),
-        ("drill_of_that_diameter", Input::Bool(super::diameters::final_drill(hole, drills).is_some())),
-        ("position", Input::Length(position)),
+        (
+            "drill_of_that_diameter",
+            Input::Bool(super::diameters::final_drill(&question.bore.diameter, question.drills).is_some()),
+        ),
+        ("position", Input::Length(question.position)),
     ])?;
     let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this cell"))?;
     let note = Note::new("which-of-two").with("schemes", schemes.join(", ")).with("take", row.text("take")?);
@@ -236,58 +260,70 @@ fn in_order(
     Ok(schemes.into_iter().map(|scheme| (scheme, Some(Because::answer(&answer, note.clone())))).collect())
 }
 
-/// The scheme's transitions, with the centring that section 1.2.1 asks for.
-fn with_centring(
-    scheme: String,
-    cell: &Cell<'_>,
-    mut because: Vec<Because>,
-    hole: &Hole,
+/// A candidate with its scheme's transitions and the centring that section 1.2.1 asks for; nothing where
+/// the scheme has a transition that no catalog names.
+///
+/// # Errors
+/// The knowledge cannot answer.
+pub(super) fn with_transitions(
+    mut candidate: Candidate,
+    bore: &Bore,
     shop: &Shop<'_>,
 ) -> Result<Option<Candidate>, KnowledgeError> {
     let knowledge = shop.knowledge;
     let schemes = knowledge.table("A.7")?;
+    let scheme = candidate.scheme.clone();
     let row = schemes.find("scheme", &scheme).ok_or_else(|| KnowledgeError::no_row(schemes, &scheme))?;
     let Some(mut transitions) = operations(row)? else { return Ok(None) };
-    let mut name = scheme;
-    let rule = knowledge.table("centre-first")?;
-    let ratio = Decimal::from_f64_rounded(hole.depth.to_mm() / hole.diameter.nominal.to_mm());
-    let answer = rule.decide(&[
-        ("it", Input::Grade(hole.diameter.it)),
-        ("diameter", Input::Length(hole.diameter.nominal)),
-        ("depth_ratio", Input::Number(ratio, Unit::None)),
-    ])?;
-    let asked = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this hole"))?;
-    let has = transitions.first() == Some(&Operation::CentreDrill);
-    let note = Note::new(if asked.flag("centre") { "centre" } else { "no-centre" })
-        .with("ratio", ratio)
-        .with("it", hole.diameter.it)
-        .with("diameter", hole.diameter.nominal);
-    because.push(Because::answer(&answer, note));
-    if asked.flag("centre") && !has {
+    let (centre, reason) = centre_first(bore, shop)?;
+    candidate.because.push(reason);
+    if centre && transitions.first() != Some(&Operation::CentreDrill) {
         let twins = knowledge.table("centred-twin")?;
-        if let Some(twin) = twins.find("scheme", &name) {
+        if let Some(twin) = twins.find("scheme", &scheme) {
             let centred = twin.text("centred")?;
-            because.push(Because::row(twin, Note::new("twin").with("scheme", &name).with("centred", centred)));
-            centred.clone_into(&mut name);
-            let row = schemes.find("scheme", &name).ok_or_else(|| KnowledgeError::no_row(schemes, &name))?;
+            let note = Note::new("twin").with("scheme", &scheme).with("centred", centred);
+            candidate.because.push(Because::row(twin, note));
+            centred.clone_into(&mut candidate.scheme);
+            let row = schemes.find("scheme", centred).ok_or_else(|| KnowledgeError::no_row(schemes, centred))?;
             if let Some(own) = operations(row)? {
                 transitions = own;
             }
         } else {
-            because.push(Because::table(twins, Note::new("no-twin").with("scheme", &name)));
-            name = format!("{name} + centre");
+            candidate.because.push(Because::table(twins, Note::new("no-twin").with("scheme", &scheme)));
+            candidate.scheme = format!("{scheme} + centre");
             transitions.insert(0, Operation::CentreDrill);
         }
     }
-    let row = schemes.find("scheme", name.trim_end_matches(" + centre"));
-    because.extend(row.map(|row| Because::row(row, Note::new("transitions").with("scheme", &name))));
-    Ok(Some(Candidate {
-        table: cell.row.table.id.clone(),
-        scheme: name,
-        transitions,
-        finish_elsewhere: cell.finish_elsewhere,
-        because,
-    }))
+    let row = schemes.find("scheme", candidate.scheme.trim_end_matches(" + centre"));
+    let note = Note::new("transitions").with("scheme", &candidate.scheme);
+    candidate.because.extend(row.map(|row| Because::row(row, note)));
+    candidate.transitions = transitions;
+    Ok(Some(candidate))
+}
+
+/// Whether a cylinder is centred first, by the rule `centre-first`.
+///
+/// # Errors
+/// The knowledge cannot answer.
+pub(super) fn centre_first(bore: &Bore, shop: &Shop<'_>) -> Result<(bool, Because), KnowledgeError> {
+    let rule = shop.knowledge.table("centre-first")?;
+    let diameter = bore.diameter.nominal;
+    let ratio = Decimal::from_f64_rounded(bore.place.depth.to_mm() / diameter.to_mm());
+    let state = if bore.before.is_solid() { "solid" } else { "cast-or-pre-machined" };
+    let answer = rule.decide(&[
+        ("state", Input::Text(state)),
+        ("it", Input::Grade(bore.diameter.it)),
+        ("diameter", Input::Length(diameter)),
+        ("depth_ratio", Input::Number(ratio, Unit::None)),
+    ])?;
+    let asked = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this hole"))?.flag("centre");
+    let code = match (asked, bore.before.is_solid()) {
+        (true, _) => "centre",
+        (false, true) => "no-centre",
+        (false, false) => "no-centre-in-a-hole",
+    };
+    let note = Note::new(code).with("ratio", ratio).with("it", bore.diameter.it).with("diameter", diameter);
+    Ok((asked, Because::answer(&answer, note)))
 }
 
 fn operations(row: RowRef<'_>) -> Result<Option<Vec<Operation>>, KnowledgeError> {

@@ -6,6 +6,8 @@ use crate::knowledge::units::{Micrometres, Unit};
 use crate::knowledge::{Input, Knowledge, RowRef};
 use crate::machine::Machine;
 use crate::note::{Because, Note};
+use crate::plan::{Link, Operation};
+use crate::units::round_to;
 
 use super::{Cutter, CutterNeed};
 
@@ -22,6 +24,10 @@ pub struct Assembly {
     pub overhang: Micrometres,
     /// From the spindle's face to the tip.
     pub length: Micrometres,
+    /// From the spindle to the tip: the 7:24 shank, the holder, the cutter.
+    pub links: Vec<Link>,
+    /// Mass of holder and cutter, kg, where the holder's is known; the cutter is taken as a steel bar.
+    pub mass_kg: Option<f64>,
     /// Why.
     pub because: Vec<Because>,
 }
@@ -36,7 +42,19 @@ pub fn assemble(
     knowledge: &Knowledge,
     machine: &Machine<'_>,
 ) -> Result<Result<Assembly, Vec<Note>>, KnowledgeError> {
-    let (overhang, overhang_because) = overhang(cutter, knowledge)?;
+    let (overhang, overhang_because) = overhang(cutter, need, knowledge)?;
+    let taper = Link {
+        kind: "taper-7-24".to_owned(),
+        designation: machine.taper.to_string(),
+        table: "taper-7-24".to_owned(),
+        length_mm: Micrometres::ZERO,
+    };
+    let tip = Link {
+        kind: "cutter".to_owned(),
+        designation: cutter.designation.to_owned(),
+        table: cutter.row.table.id.clone(),
+        length_mm: overhang,
+    };
     if cutter.head.shank == Shank::Taper {
         let assembly = Assembly {
             holder: cutter.designation.to_owned(),
@@ -44,12 +62,21 @@ pub fn assemble(
             holder_length: Micrometres::ZERO,
             overhang,
             length: overhang,
+            links: vec![taper, tip],
+            mass_kg: cutter.row.number_in("mass", Unit::Kilogram).ok(),
             because: vec![overhang_because],
         };
-        return Ok(within_reach(assembly, machine));
+        return Ok(within_limits(assembly, machine));
     }
     let rule = knowledge.table("holder-for-shank")?;
-    let answer = rule.decide(&[("shank", Input::Text(cutter.head.shank.name()))])?;
+    // End mills with a Morse shank are drawn in by a thread, drills are driven by a tang.
+    let mills = cutter.head.operations.iter().any(|operation| operation == Operation::Mill.name());
+    let drawbar = cutter.head.shank == Shank::Morse && mills;
+    let answer = rule.decide(&[
+        ("shank", Input::Text(cutter.head.shank.name())),
+        ("drawbar", Input::Bool(drawbar)),
+        ("tap", Input::Bool(need.operation == Operation::Tap)),
+    ])?;
     let family = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, cutter.head.shank.name()))?;
     let table = knowledge.table(family.text("holders")?)?;
     let mut rejected = Vec::new();
@@ -68,23 +95,51 @@ pub fn assemble(
             holder_length: length,
             overhang,
             length: length + overhang,
+            links: vec![
+                taper,
+                Link {
+                    kind: "holder".to_owned(),
+                    designation: designation.to_owned(),
+                    table: table.id.clone(),
+                    length_mm: length,
+                },
+                tip,
+            ],
+            mass_kg: row.number_in("mass", Unit::Kilogram).ok().map(|holder| holder + bar_mass(cutter)),
             because: vec![Because::row(row, note).over(rejected), overhang_because],
         };
-        return Ok(within_reach(assembly, machine));
+        return Ok(within_limits(assembly, machine));
     }
     Ok(Err(rejected))
 }
 
-fn within_reach(assembly: Assembly, machine: &Machine<'_>) -> Result<Assembly, Vec<Note>> {
-    if assembly.length <= machine.overhang_max {
-        return Ok(assembly);
+fn within_limits(assembly: Assembly, machine: &Machine<'_>) -> Result<Assembly, Vec<Note>> {
+    if assembly.length > machine.overhang_max {
+        return Err(vec![
+            Note::new("assembly-too-long")
+                .with("holder", &assembly.holder)
+                .with("length", assembly.length)
+                .with("limit", machine.overhang_max),
+        ]);
     }
-    Err(vec![
-        Note::new("assembly-too-long")
-            .with("holder", &assembly.holder)
-            .with("length", assembly.length)
-            .with("limit", machine.overhang_max),
-    ])
+    if let Some(mass) = assembly.mass_kg.filter(|mass| *mass > machine.tool_mass_max_kg) {
+        return Err(vec![
+            Note::new("assembly-too-heavy")
+                .with("holder", &assembly.holder)
+                .with("mass", round_to(mass, 1))
+                .with("limit", machine.tool_mass_max_kg),
+        ]);
+    }
+    Ok(assembly)
+}
+
+/// Mass of a steel bar as thick and long as the cutter, kg: above the cutter's own, which has flutes.
+fn bar_mass(cutter: &Cutter<'_>) -> f64 {
+    // Density of steel, kg/mm3.
+    const STEEL: f64 = 7.85e-6;
+    let length = cutter.row.length("length").unwrap_or_default().to_mm();
+    let diameter = cutter.diameter.to_mm();
+    std::f64::consts::PI / 4.0 * diameter * diameter * length * STEEL
 }
 
 /// Why a holder does not take the cutter.
@@ -95,9 +150,15 @@ fn refuse(row: RowRef<'_>, cutter: &Cutter<'_>, machine: &Machine<'_>) -> Option
         return Some(Note::new("other-taper").with("own", taper).with("spindle", machine.taper));
     }
     match cutter.head.shank {
+        Shank::Cylindrical if row.table.column_index("thread_min").is_some() => {
+            let (low, high) = (row.length_if_any("thread_min")?, row.length_if_any("thread_max")?);
+            let thread = cutter.diameter;
+            (thread < low || thread > high)
+                .then(|| Note::new("thread-outside-chuck").with("thread", thread).with("low", low).with("high", high))
+        }
         Shank::Cylindrical => {
             let shank = cutter.row.length("shank_diameter").unwrap_or(cutter.diameter);
-            let (low, high) = (row.length("clamp_min").ok()?, row.length("clamp_max").ok()?);
+            let (low, high) = (row.length_if_any("clamp_min")?, row.length_if_any("clamp_max")?);
             (shank < low || shank > high)
                 .then(|| Note::new("shank-outside-clamp").with("shank", shank).with("low", low).with("high", high))
         }
@@ -106,7 +167,7 @@ fn refuse(row: RowRef<'_>, cutter: &Cutter<'_>, machine: &Machine<'_>) -> Option
             (own != taken).then(|| Note::new("other-morse").with("own", own).with("taken", taken))
         }
         Shank::Shell => {
-            let (own, taken) = (cutter.row.length("bore").ok()?, row.length("bore").ok()?);
+            let (own, taken) = (cutter.row.length_if_any("bore")?, row.length_if_any("bore")?);
             (own != taken).then(|| Note::new("other-bore").with("own", own).with("taken", taken))
         }
         Shank::Taper => None,
@@ -127,7 +188,7 @@ fn too_short(
     if reach < need.reach {
         return Some(Note::new("stands-out-too-little").with("reach", reach).with("needed", need.reach));
     }
-    let thick = row.length("max_diameter").ok().filter(|thick| shell && *thick >= need.diameter);
+    let thick = row.length_if_any("max_diameter").filter(|thick| shell && *thick >= need.diameter);
     thick.map(|thick| Note::new("arbor-does-not-enter").with("arbor", thick).with("hole", need.diameter))
 }
 
@@ -135,9 +196,22 @@ fn too_short(
 ///
 /// With a cylindrical shank L − seat + 2…3 mm (textbook 5.2 item 5); with a Morse shank the length
 /// outside the taper; a shell cutter sits on its arbor; a tool with the machine's taper stands out whole.
-fn overhang(cutter: &Cutter<'_>, knowledge: &Knowledge) -> Result<(Micrometres, Because), KnowledgeError> {
+fn overhang(
+    cutter: &Cutter<'_>,
+    need: &CutterNeed<'_>,
+    knowledge: &Knowledge,
+) -> Result<(Micrometres, Because), KnowledgeError> {
     let row = cutter.row;
     let own = |column: &str| row.length(column).map_err(KnowledgeError::from);
+    if need.operation == Operation::Tap {
+        let conventions = knowledge.table("hole-defaults")?;
+        let clamped = conventions
+            .find("name", "tap-clamp-diameters")
+            .ok_or_else(|| KnowledgeError::no_row(conventions, "tap-clamp-diameters"))?;
+        let held = own("shank_diameter")?.to_mm() * clamped.number_in("value", Unit::None)?;
+        let free = own("length")? - Micrometres::from_mm_rounded(held);
+        return Ok((free, Because::row(clamped, Note::new("overhang-tap").with("free", free))));
+    }
     match cutter.head.shank {
         Shank::Cylindrical => {
             let clamping = knowledge.table("clamping")?;

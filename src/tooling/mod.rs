@@ -7,8 +7,10 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::machine::Machine;
 use crate::note::{Because, Note};
+use crate::plan::Operation;
+use crate::units::Micrometres;
 
-pub use cutter::{Cutter, CutterNeed, drill_diameters};
+pub use cutter::{Cutter, CutterNeed, DrillSize, drill_sizes};
 pub use holder::Assembly;
 
 /// The first cutter that fits together with a holder that takes it within the machine's overhang.
@@ -20,7 +22,34 @@ pub fn find_tool<'k>(
     knowledge: &'k Knowledge,
     machine: &Machine<'_>,
 ) -> Result<Result<(Cutter<'k>, Assembly), Vec<Note>>, KnowledgeError> {
-    let (cutters, mut rejected) = cutter::cutters(need, knowledge, machine)?;
+    let (cutters, rejected) = cutter::cutters(need, knowledge, machine)?;
+    first_that_fits(cutters, rejected, need, knowledge, machine)
+}
+
+/// The step drill that makes a hole and its wider opening with one stroke: of both diameters, its narrow
+/// part long enough to pass through, its wide part of the form that the opening asks.
+///
+/// # Errors
+/// As of [`find_tool`].
+pub fn find_step_drill<'k>(
+    need: &CutterNeed<'_>,
+    wide: Micrometres,
+    pilot: Micrometres,
+    opening: Operation,
+    knowledge: &'k Knowledge,
+    machine: &Machine<'_>,
+) -> Result<Result<(Cutter<'k>, Assembly), Vec<Note>>, KnowledgeError> {
+    let (cutters, rejected) = cutter::step_drills(need, wide, pilot, opening, knowledge)?;
+    first_that_fits(cutters, rejected, need, knowledge, machine)
+}
+
+fn first_that_fits<'k>(
+    cutters: Vec<Cutter<'k>>,
+    mut rejected: Vec<Note>,
+    need: &CutterNeed<'_>,
+    knowledge: &'k Knowledge,
+    machine: &Machine<'_>,
+) -> Result<Result<(Cutter<'k>, Assembly), Vec<Note>>, KnowledgeError> {
     for cutter in cutters {
         match holder::assemble(&cutter, need, knowledge, machine)? {
             Ok(assembly) => {

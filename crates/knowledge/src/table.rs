@@ -370,15 +370,23 @@ impl<'t> RowRef<'t> {
         })
     }
 
+    /// A length, where the row may have none: asked of thousands of rows, it makes no sentence of a miss.
+    pub fn length_if_any(self, column: &str) -> Option<Micrometres> {
+        match self.value(column) {
+            Some(Value::Length(length)) => Some(*length),
+            _ => None,
+        }
+    }
+
     /// A decimal in that unit.
     ///
     /// # Errors
     /// The row has no such number there.
     pub fn number_in(self, column: &str, unit: Unit) -> Result<f64, TableError> {
-        self.typed(column, &format!("a number in `{unit}`"), |value| match value {
-            Value::Number(number, given) if *given == unit => Some(number.to_f64()),
-            _ => None,
-        })
+        match self.value(column) {
+            Some(Value::Number(number, given)) if *given == unit => Ok(number.to_f64()),
+            _ => Err(self.problem(format!("the column `{column}` must hold a number in `{unit}` here"))),
+        }
     }
 
     /// A whole number.

@@ -1,0 +1,68 @@
+//! Tapping.
+
+use crate::error::{Refusal, Tried};
+use crate::knowledge::Input;
+use crate::knowledge::units::Unit;
+use crate::note::{Because, Note};
+use crate::shop::Shop;
+use crate::units::{MetresPerMinute, MillimetresPerRev, Minutes};
+
+use super::figures::{self, number};
+use super::{Cut, Draft, Loads, Motion, PowerLaw, factors};
+
+/// Conditions of a machine tap (Косилова/Мещеряков т.2, tables 49, 51, from memory).
+///
+/// - the feed is the pitch P, mm/rev;
+/// - V = Cv·D^q / (T^m·P^y)·Kmv, m/min;
+/// - M = 10·Cm·D^q·P^y·Kp, N·m; a tap pulls itself in, no thrust is known;
+/// - D is the thread's nominal diameter and P its pitch, mm; T in min.
+///
+/// In, the spindle reversed, and out again at the same feed rate: the path is twice the travel. Kmv and Kp
+/// are those of drilling, as the rule `stand-in-operation` says.
+pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
+    let pitch = cut.pitch.ok_or_else(|| Refusal::Not(Note::new("no-pitch")))?;
+    let (d, p) = (cut.diameter.to_mm(), pitch.to_mm());
+    let tool = ("tool_material", Input::Text(cut.tool_material));
+    let figures = figures::ask("tapping-speed", &[tool], shop)?;
+    let row = figures.row;
+    let life = row.number_in("life", Unit::Minute)?;
+    let mut because =
+        figures.because(Note::new("tapping-coefficients").with("cv", number(row, "cv")?).with("minutes", life));
+    because.push(Because::row(row, Note::new("feed-is-pitch").with("pitch", pitch)));
+    because.push(figures::stand_in_operation(cut.operation, shop)?.1);
+    let mut speed = number(row, "cv")? * libm::pow(d, number(row, "q")?)
+        / (libm::pow(life, number(row, "m")?) * libm::pow(p, number(row, "y")?));
+    if figures.own() {
+        let (factor, reason) = factors::material_speed("drilling", cut, shop)?;
+        speed *= factor;
+        because.push(reason);
+    }
+    let life_exponent = number(row, "m")?;
+
+    let mut loads = Loads::default();
+    // Without a row of torque the thread is still cut; its torque is left out and not guessed.
+    if let Ok(figures) = figures::ask("tapping-torque", &[tool], shop) {
+        let row = figures.row;
+        let mut factor = 10.0 * number(row, "cm")? * libm::pow(d, number(row, "q")?);
+        if figures.own() {
+            let (material, reason) = factors::material_force("drilling", cut, shop)?;
+            factor *= material;
+            because.push(reason);
+        }
+        because.extend(figures.because(Note::new("tapping-load-coefficients")));
+        // The feed is the pitch, so the power law of the feed is that of the pitch.
+        loads.torque = Some(PowerLaw { factor, exponent: number(row, "y")? });
+    }
+    let along = Motion::along_axis(cut);
+    Ok(Draft {
+        feed: MillimetresPerRev(p),
+        speed: MetresPerMinute(speed),
+        tool_life: Minutes(life),
+        life_exponent,
+        coolant: None,
+        loads,
+        motion: Motion { path: 2.0 * along.path, synchronous: true, ..along },
+        because,
+        card: None,
+    })
+}

@@ -1,0 +1,78 @@
+//! What must hold between a hole and its openings, its groove and its state in the blank.
+
+use crate::knowledge::diagnostic::Place;
+use crate::units::Micrometres;
+
+use super::check::Span;
+use super::read::Reader;
+use super::read_features::Features;
+
+impl Reader<'_> {
+    /// Holds the features against the hole's cylinders, given from the entry face inwards; `smallest` is
+    /// the smallest that the narrowest of them may become.
+    pub(super) fn fit_features(&mut self, features: &Features, cylinders: &[Span], smallest: Micrometres) {
+        let Some(entry) = cylinders.first() else { return };
+        let end = cylinders.last().map_or(entry.to, |last| last.to);
+        let mut widest = entry.diameter;
+        // With how deep each is, and whether that is too deep.
+        let mut openings: Vec<(&str, Micrometres, Micrometres, bool, &Place)> = Vec::new();
+        let mut cone = |name, diameter: Micrometres, angle_millideg, place| {
+            let deep = cone_depth(diameter - entry.diameter, angle_millideg);
+            // An angle is rounded on drawings, and a cone of the whole depth must not seem too long for that.
+            openings.push((name, diameter, deep, deep.ratio(99, 100) > entry.to, place));
+        };
+        if let Some((it, place)) = &features.cone {
+            cone("cone", it.diameter, it.angle_millideg, place);
+        }
+        if let Some((it, place)) = &features.countersink {
+            cone("countersink", it.diameter, it.angle_millideg, place);
+        }
+        if let Some((bore, place)) = &features.counterbore {
+            openings.push(("counterbore", bore.diameter, bore.depth, bore.depth >= entry.to, place));
+        }
+        for (name, diameter, deep, too_deep, place) in openings {
+            if diameter <= entry.diameter {
+                self.too_narrow(name, diameter, entry.diameter, place);
+            } else if too_deep {
+                let message = format!("the {name} is {deep} deep, and Ø{} only to {}", entry.diameter, entry.to);
+                self.problems.error_help::<()>("too-deep", message, place, "make it shallower than the hole");
+            }
+            widest = widest.max(diameter);
+        }
+        if let Some((diameter, place)) = &features.face
+            && *diameter <= widest
+        {
+            self.too_narrow("face", *diameter, widest, place);
+        }
+        if let Some((groove, place)) = &features.groove {
+            let (from, to) = (groove.depth, groove.depth + groove.width);
+            let around =
+                cylinders.iter().filter(|span| span.from < to && from < span.to).map(|span| span.diameter).max();
+            if to > end {
+                let message = format!("the groove reaches to {to}, and the hole only to {end}");
+                let help = "`depth` counts from the entry face to its nearer side";
+                self.problems.error_help::<()>("too-deep", message, place, help);
+            } else if let Some(around) = around.filter(|around| groove.diameter <= *around) {
+                self.too_narrow("groove", groove.diameter, around, place);
+            }
+        }
+        if let (Some(diameter), Some(place)) = (features.state.diameter(), &features.state_diameter)
+            && diameter >= smallest
+        {
+            let message = format!("the hole in the blank is Ø{diameter}, and the finished one may be Ø{smallest}");
+            let help = "give the diameter that stands in the blank; it leaves something to cut";
+            self.problems.error_help::<()>("bad-diameter", message, place, help);
+        }
+    }
+
+    fn too_narrow(&mut self, name: &str, diameter: Micrometres, hole: Micrometres, place: &Place) {
+        let message = format!("the {name} is Ø{diameter}, and the hole there Ø{hole}");
+        self.problems.error_help::<()>("too-narrow", message, place, "make it wider than the hole, or leave it out");
+    }
+}
+
+/// How deep a cone reaches from its mouth to a diameter narrower by so much.
+fn cone_depth(narrower: Micrometres, angle_millideg: u32) -> Micrometres {
+    let half_angle = (f64::from(angle_millideg) / 2000.0).to_radians();
+    Micrometres::from_mm_rounded(narrower.to_mm() / 2.0 / libm::tan(half_angle))
+}

@@ -1,0 +1,85 @@
+//! What a hole or a step says of its diameter: a size with its tolerance, or a thread.
+
+use crate::knowledge::diagnostic::Place;
+use crate::knowledge::yaml::{Fields, Node, NodeKind};
+use crate::units::Micrometres;
+use crate::units::Roughness;
+
+use super::keys::DIAMETER;
+use super::read::Reader;
+use super::{Thread, ToleratedDiameter, thread};
+
+/// What a group or a step says of its diameter.
+pub(super) struct Sized {
+    pub diameter: ToleratedDiameter,
+    pub thread: Option<Thread>,
+    pub place: Place,
+}
+
+impl Sized {
+    /// The diameter it takes away: under a thread the thread's own.
+    pub fn widest(&self) -> Micrometres {
+        let nominal = self.diameter.nominal;
+        self.thread.as_ref().map_or(nominal, |thread| thread.size.max(nominal))
+    }
+}
+
+impl Reader<'_> {
+    /// The diameter and the thread of a hole or a step; a thread says its diameter itself.
+    pub(super) fn sized(&mut self, fields: &mut Fields<'_>, required: bool) -> Option<Sized> {
+        let thread_node = fields.take("thread");
+        let diameter_node = match thread_node {
+            None if required => fields.need("diameter", self.problems),
+            _ => fields.take("diameter"),
+        };
+        let Some(node) = thread_node else {
+            let node = diameter_node?;
+            return Some(Sized { diameter: self.diameter(node)?, thread: None, place: node.place.clone() });
+        };
+        let threaded = match thread::read(self.problems.text(node)?, self.knowledge) {
+            Ok(threaded) => threaded,
+            Err(error) => return self.problems.error_help(error.code, error.message, &node.place, error.help),
+        };
+        let (thread, hole) = (threaded.thread, threaded.hole);
+        if let Some(stated) = diameter_node {
+            let text = self.problems.text(stated)?;
+            let size = text.trim().trim_start_matches(['Ø', '⌀', '∅', 'Ф', 'ф']).trim_start().parse();
+            if size != Ok(thread.size) && size != Ok(hole) {
+                let (written, nominal) = (&thread.written, thread.size);
+                let message =
+                    format!("`diameter` is {text}, but {written} is Ø{nominal} and the hole under it Ø{hole}");
+                let help = "leave `diameter` out: the thread says it";
+                return self.problems.error_help("bad-diameter", message, &stated.place, help);
+            }
+        }
+        match ToleratedDiameter::under_thread(hole, &thread.written, self.knowledge) {
+            Ok(diameter) => Some(Sized { diameter, thread: Some(thread), place: node.place.clone() }),
+            Err(message) => self.problems.error("bad-diameter", message, &node.place),
+        }
+    }
+
+    /// The roughness of a thread whose drawing gives none.
+    pub(super) fn thread_roughness(&mut self, place: &Place) -> Option<Roughness> {
+        match thread::roughness(self.knowledge) {
+            Ok(roughness) => Some(roughness),
+            Err(message) => self.problems.error("bad-value", message, place),
+        }
+    }
+
+    fn diameter(&mut self, node: &Node) -> Option<ToleratedDiameter> {
+        let diameter = if matches!(node.kind, NodeKind::Map(_)) {
+            let mut fields = self.problems.map(node)?;
+            let nominal = fields.need("nominal", self.problems).and_then(|node| self.positive(node, "nominal"));
+            let upper = fields.need("upper", self.problems).and_then(|node| self.problems.scalar(node));
+            let lower = fields.need("lower", self.problems).and_then(|node| self.problems.scalar(node));
+            fields.finish(DIAMETER, self.problems);
+            ToleratedDiameter::from_limits(nominal?, upper?, lower?, self.knowledge)
+        } else {
+            ToleratedDiameter::parse(self.problems.text(node)?, self.knowledge)
+        };
+        match diameter {
+            Ok(diameter) => Some(diameter),
+            Err(message) => self.problems.error("bad-diameter", message, &node.place),
+        }
+    }
+}

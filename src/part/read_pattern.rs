@@ -1,0 +1,253 @@
+//! Patterns of centres: a grid, a line or a circle instead of a list of points.
+
+use crate::knowledge::yaml::{Fields, Node, NodeKind};
+use crate::units::{Decimal, Micrometres};
+
+use super::Point;
+use super::keys::{CIRCLE, GRID, LINE, PATTERN};
+use super::read::Reader;
+
+/// More points than this are a slip of the keyboard: a day would not drill them.
+const MOST_POINTS: usize = 10_000;
+/// Beyond a kilometre a point is off every blank, and the figures need not be exact.
+const FARTHEST_UM: f64 = 1e9;
+/// A full turn, millionths of a degree.
+const TURN: i128 = 360_000_000;
+
+impl Reader<'_> {
+    /// The points of a pattern, in its order; none when something of it is wrong.
+    pub(super) fn pattern(&mut self, node: &Node) -> Vec<Point> {
+        let Some(mut fields) = self.problems.map(node) else { return Vec::new() };
+        let kinds: Vec<(&str, &Node)> = PATTERN.iter().filter_map(|kind| Some((*kind, fields.take(kind)?))).collect();
+        let before = self.problems.0.len();
+        fields.finish(PATTERN, self.problems);
+        match kinds.as_slice() {
+            [("grid", node)] => self.grid(node),
+            [("line", node)] => self.line(node),
+            [(_, node)] => self.circle(node),
+            [] => {
+                // A misspelt kind has been named already.
+                if self.problems.0.len() == before {
+                    let help = "give one of grid, line and circle";
+                    self.problems.error_help::<()>("bad-value", "the pattern is of no kind", &node.place, help);
+                }
+                None
+            }
+            _ => self.problems.error_help("bad-value", "a pattern is of one kind", &node.place, "keep one of them"),
+        }
+        .unwrap_or_default()
+    }
+
+    fn grid(&mut self, node: &Node) -> Option<Vec<Point>> {
+        let mut fields = self.problems.map(node)?;
+        let start = fields.need("start", self.problems).and_then(|node| self.point(node));
+        let columns = self.count(&mut fields, "columns", 1);
+        let rows = self.count(&mut fields, "rows", 1);
+        let step = fields.need("step", self.problems).and_then(|node| self.grid_step(node));
+        let angle = self.direction(&mut fields, "angle");
+        fields.finish(GRID, self.problems);
+        let (start, (step_x, step_y), turn) = (start?, step?, Turn::new(angle?, TURN));
+        let (columns, rows) = (columns?, rows?);
+        self.room_for(columns.saturating_mul(rows), node)?;
+        let place =
+            |row: usize, column: usize| turn.place(start, column as f64 * step_x.to_mm(), row as f64 * step_y.to_mm());
+        Some((0..rows).flat_map(|row| (0..columns).map(move |column| place(row, column))).collect())
+    }
+
+    fn line(&mut self, node: &Node) -> Option<Vec<Point>> {
+        let mut fields = self.problems.map(node)?;
+        let start = fields.need("start", self.problems).and_then(|node| self.point(node));
+        let count = self.count(&mut fields, "count", 1);
+        let step = fields.need("step", self.problems).and_then(|node| self.positive(node, "step"));
+        let angle = self.direction(&mut fields, "angle");
+        fields.finish(LINE, self.problems);
+        let (start, count, step, turn) = (start?, count?, step?, Turn::new(angle?, TURN));
+        self.room_for(count, node)?;
+        Some((0..count).map(|index| turn.place(start, index as f64 * step.to_mm(), 0.0)).collect())
+    }
+
+    fn circle(&mut self, node: &Node) -> Option<Vec<Point>> {
+        let mut fields = self.problems.map(node)?;
+        let centre = fields.need("centre", self.problems).and_then(|node| self.point(node));
+        let diameter = fields.need("diameter", self.problems).and_then(|node| self.positive(node, "diameter"));
+        let count = self.count(&mut fields, "count", 2);
+        let start = self.direction(&mut fields, "start_angle");
+        fields.finish(CIRCLE, self.problems);
+        let (centre, radius_mm, count, start) = (centre?, diameter?.to_mm() / 2.0, count?, start?);
+        self.room_for(count, node)?;
+        // In parts of a turn that divide it evenly, so that opposite points are opposite to the micrometre.
+        let parts = count as i128;
+        let place = |index: usize| Turn::new(start * parts + TURN * index as i128, TURN * parts);
+        Some((0..count).map(|index| place(index).place(centre, radius_mm, 0.0)).collect())
+    }
+
+    /// One step for both directions, or one for each, mm.
+    fn grid_step(&mut self, node: &Node) -> Option<(Micrometres, Micrometres)> {
+        let NodeKind::Seq(items) = &node.kind else {
+            let step = self.positive(node, "step")?;
+            return Some((step, step));
+        };
+        let [x, y] = items.as_slice() else {
+            let message = format!("a step has two figures [X, Y] or is one for both, not {}", items.len());
+            return self.problems.error("bad-value", message, &node.place);
+        };
+        let (x, y) = (self.positive(x, "step"), self.positive(y, "step"));
+        Some((x?, y?))
+    }
+
+    fn count(&mut self, fields: &mut Fields<'_>, name: &str, least: usize) -> Option<usize> {
+        let node = fields.need(name, self.problems)?;
+        let number: Decimal = self.problems.scalar(node)?;
+        let count = number.to_int().and_then(|count| usize::try_from(count).ok()).filter(|count| *count >= least);
+        if count.is_none() {
+            let message = format!("`{name}` is {number}: it must be a whole number, at least {least}");
+            return self.problems.error("bad-value", message, &node.place);
+        }
+        count
+    }
+
+    /// An angle in millionths of a degree, counter-clockwise from +X; zero when left out.
+    fn direction(&mut self, fields: &mut Fields<'_>, name: &str) -> Option<i128> {
+        match fields.take(name) {
+            Some(node) => self.problems.scalar::<Decimal>(node).map(|angle| i128::from(angle.millionths())),
+            None => Some(0),
+        }
+    }
+
+    /// Counts the points of all patterns, before they are made.
+    fn room_for(&mut self, points: usize, node: &Node) -> Option<()> {
+        self.pattern_points = self.pattern_points.saturating_add(points);
+        if self.pattern_points > MOST_POINTS {
+            let message =
+                format!("the patterns make {} points, and a part may have {MOST_POINTS}", self.pattern_points);
+            return self.problems.error_help("bad-value", message, &node.place, "mind the counts");
+        }
+        Some(())
+    }
+}
+
+/// A rotation about +Z.
+#[derive(Clone, Copy)]
+struct Turn {
+    cos: f64,
+    sin: f64,
+}
+
+impl Turn {
+    /// By `part / whole` of a full turn. Quarter turns are exact, and turns a quarter apart agree to the
+    /// last digit, because only the part within a quarter goes through sine and cosine.
+    fn new(part: i128, whole: i128) -> Self {
+        let quarters = part.rem_euclid(whole) * 4;
+        let within = (quarters % whole) as f64 / whole as f64 * std::f64::consts::FRAC_PI_2;
+        let (cos, sin) = if quarters % whole == 0 { (1.0, 0.0) } else { (libm::cos(within), libm::sin(within)) };
+        let (cos, sin) = match quarters / whole {
+            0 => (cos, sin),
+            1 => (-sin, cos),
+            2 => (-cos, -sin),
+            _ => (sin, -cos),
+        };
+        Self { cos, sin }
+    }
+
+    /// A point so many millimetres from the origin, turned about it, to the micrometre.
+    fn place(self, origin: Point, along_mm: f64, across_mm: f64) -> Point {
+        let coordinate = |zero: Micrometres, mm: f64| {
+            let um = (zero.to_mm() + mm) * 1000.0;
+            Micrometres::new(um.round().clamp(-FARTHEST_UM, FARTHEST_UM) as i64)
+        };
+        Point {
+            x: coordinate(origin.x, along_mm * self.cos - across_mm * self.sin),
+            y: coordinate(origin.y, along_mm * self.sin + across_mm * self.cos),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::knowledge::yaml::{Problems, parse};
+    use crate::shipped;
+
+    fn points(text: &str) -> (Vec<[i64; 2]>, Vec<String>) {
+        let knowledge = shipped::knowledge().unwrap();
+        let mut problems = Problems::default();
+        let (root, _) = parse("pattern", text);
+        let points = Reader::new(&knowledge, &mut problems).pattern(&root.unwrap());
+        let shown = |point: Point| [point.x.micrometres(), point.y.micrometres()];
+        (points.into_iter().map(shown).collect(), problems.0.iter().map(ToString::to_string).collect())
+    }
+
+    #[test]
+    fn a_pattern_is_its_points_in_order() {
+        for (text, expected) in [
+            (
+                "grid: {start: [-10, 5], columns: 3, rows: 2, step: [25, 20.5]}",
+                vec![
+                    [-10_000, 5_000],
+                    [15_000, 5_000],
+                    [40_000, 5_000],
+                    [-10_000, 25_500],
+                    [15_000, 25_500],
+                    [40_000, 25_500],
+                ],
+            ),
+            (
+                "grid: {start: [0, 0], columns: 2, rows: 2, step: 10, angle: 90}",
+                vec![[0, 0], [0, 10_000], [-10_000, 0], [-10_000, 10_000]],
+            ),
+            (
+                "line: {start: [1, 2], count: 3, step: 0.001, angle: -180}",
+                vec![[1_000, 2_000], [999, 2_000], [998, 2_000]],
+            ),
+            ("line: {start: [0, 0], count: 2, step: 100, angle: 30}", vec![[0, 0], [86_603, 50_000]]),
+            (
+                "circle: {centre: [0, 0], diameter: 60, count: 4}",
+                vec![[30_000, 0], [0, 30_000], [-30_000, 0], [0, -30_000]],
+            ),
+            (
+                "circle: {centre: [10, 0], diameter: 20, count: 3, start_angle: 450}",
+                vec![[10_000, 10_000], [1_340, -5_000], [18_660, -5_000]],
+            ),
+        ] {
+            assert_eq!(points(text), (expected, vec![]), "{text}");
+        }
+    }
+
+    #[test]
+    fn opposite_points_of_a_circle_are_opposite() {
+        let (points, _) = points("circle: {centre: [0, 0], diameter: 77.777, count: 84, start_angle: 1.234567}");
+        for index in 0..84 {
+            let ([x, y], [a, b]) = (points[index], points[(index + 42) % 84]);
+            assert_eq!([x, y], [-a, -b]);
+            let [a, b] = points[(index + 21) % 84];
+            assert_eq!([-y, x], [a, b], "a quarter turn on");
+        }
+    }
+
+    #[test]
+    fn a_wrong_pattern_makes_no_points_and_says_why() {
+        for (text, words) in [
+            ("circle: {centre: [0, 0], diameter: 60, count: 1}", "at least 2"),
+            ("line: {start: [0, 0], count: 2.5, step: 10}", "whole number"),
+            ("line: {start: [0, 0], count: 3, step: -10}", "above zero"),
+            ("grid: {start: [0, 0], columns: 101, rows: 100, step: 1}", "10100 points"),
+            ("grid: {start: [0, 0], columns: 9000000000000, rows: 9000000000000, step: 1}", "points"),
+            ("grid: {start: [0, 0], columns: 1, rows: 0, step: 1}", "at least 1"),
+            ("grid: {start: [0, 0], columns: 1, rows: 1, step: [1, 2, 3]}", "not 3"),
+            ("{grid: {}, line: {}}", "of one kind"),
+            ("{}", "of no kind"),
+            ("gird: {}", "did you mean `grid`"),
+        ] {
+            let (points, problems) = points(text);
+            assert!(points.is_empty(), "{text}");
+            assert_eq!(problems.len(), 1, "{text}: {problems:?}");
+            assert!(problems[0].contains(words), "{problems:?}");
+        }
+    }
+
+    #[test]
+    fn a_pattern_far_off_is_no_overflow() {
+        let far = "line: {start: [9000000000000, 0], count: 9999, step: 9000000000000, angle: 180}";
+        assert_eq!(points(far).0.len(), 9999);
+    }
+}

@@ -1,0 +1,473 @@
+//! Stepped holes: the cylinders as written, from the entry face inwards, and the main one among them.
+
+use crate::knowledge::diagnostic::Place;
+use crate::knowledge::yaml::{Fields, Node};
+use crate::units::{Micrometres, Roughness};
+
+use super::check::Span;
+use super::keys::STEP;
+use super::read::Reader;
+use super::read_diameter::Sized;
+use super::{Bottom, Face, HoleStep, Thread, ToleratedDiameter};
+
+/// What the group says beside its steps.
+pub(super) struct Whole<'a> {
+    /// Its own diameter or thread, if it gives one.
+    pub own: Option<Sized>,
+    pub through: bool,
+    /// The blank's thickness, or a blind hole's `depth`.
+    pub depth: Option<Micrometres>,
+    /// The roughness of cylinders that give none: absent, unreadable or given.
+    pub roughness: Option<Option<Roughness>>,
+    pub bottom: Option<Bottom>,
+    pub chamfer: Option<(Micrometres, Place)>,
+    /// Where the group begins.
+    pub place: &'a Place,
+}
+
+/// The cylinders of a hole: the main one, and the wider ones beside it.
+pub(super) struct Cylinders {
+    pub diameter: ToleratedDiameter,
+    pub thread: Option<Thread>,
+    pub depth: Micrometres,
+    pub bottom: Bottom,
+    pub roughness: Roughness,
+    pub chamfer: Option<Micrometres>,
+    pub steps: Vec<HoleStep>,
+    /// All of them, from the entry face inwards.
+    pub spans: Vec<Span>,
+}
+
+/// A cylinder as it is written.
+struct Cylinder {
+    diameter: ToleratedDiameter,
+    thread: Option<Thread>,
+    roughness: Roughness,
+    bottom: Option<Bottom>,
+    chamfer: Option<Micrometres>,
+    /// From the entry face, mm.
+    end: Micrometres,
+    place: Place,
+}
+
+impl Cylinder {
+    const fn nominal(&self) -> Micrometres {
+        self.diameter.nominal
+    }
+
+    /// The diameter it takes away: under a thread the thread's own.
+    fn widest(&self) -> Micrometres {
+        self.thread.as_ref().map_or(self.nominal(), |thread| thread.size.max(self.nominal()))
+    }
+
+    fn step(self, face: Face, depth: Micrometres) -> HoleStep {
+        HoleStep {
+            diameter: self.diameter,
+            face,
+            depth,
+            bottom: self.bottom.unwrap_or(Bottom::Flat),
+            roughness: self.roughness,
+            thread: self.thread,
+            chamfer: self.chamfer,
+        }
+    }
+}
+
+/// The help for every slip in the depths of steps.
+const DEPTH_OR_LENGTH: &str = "`depth` counts from the entry face to the end of the step, `length` is the step's own";
+
+impl Reader<'_> {
+    /// The cylinders of a stepped hole.
+    pub(super) fn steps(&mut self, items: &[Node], whole: Whole<'_>) -> Option<Cylinders> {
+        let mut cylinders = Vec::new();
+        // The end of the step before; unknown after a mistake.
+        let mut start = Some(Micrometres::ZERO);
+        for (index, item) in items.iter().enumerate() {
+            let (cylinder, end) = self.step(item, index + 1, index + 1 == items.len(), start, &whole);
+            cylinders.push(cylinder);
+            start = end;
+        }
+        let mut cylinders: Vec<Cylinder> = cylinders.into_iter().collect::<Option<_>>()?;
+        let written_end = cylinders.last()?.end;
+        let inner = self.innermost(&mut cylinders, &whole)?;
+        if !inner && let Some(depth) = whole.depth.filter(|depth| *depth != written_end) {
+            let what = if whole.through { "the blank is" } else { "the hole is" };
+            let deep = if whole.through { "thick" } else { "deep" };
+            let message = format!("the steps end at {written_end}, but {what} {depth} {deep}");
+            let place = &cylinders.last()?.place;
+            return self.problems.error_help("bad-depth", message, place, DEPTH_OR_LENGTH);
+        }
+        self.narrows(&cylinders, whole.through)?;
+        self.arrange(cylinders, whole)
+    }
+
+    /// One step, and where it ends.
+    fn step(
+        &mut self,
+        node: &Node,
+        number: usize,
+        last: bool,
+        start: Option<Micrometres>,
+        whole: &Whole<'_>,
+    ) -> (Option<Cylinder>, Option<Micrometres>) {
+        let Some(mut fields) = self.problems.map(node) else { return (None, None) };
+        let sized = self.sized(&mut fields, true);
+        let end = self.step_end(&mut fields, number, last, start, whole);
+        let roughness = match (fields.take("roughness"), whole.roughness) {
+            (Some(node), _) => self.problems.scalar(node),
+            (None, Some(default)) => default,
+            (None, None) => match &sized {
+                Some(Sized { thread: Some(_), place, .. }) => self.thread_roughness(place),
+                Some(_) => self.problems.error_help(
+                    "missing-key",
+                    "the key `roughness` is missing",
+                    &node.place,
+                    "give it here, or to the hole for all steps",
+                ),
+                None => None,
+            },
+        };
+        let bottoms = &[("flat", Bottom::Flat), ("free", Bottom::Free)];
+        let bottom = fields.take("bottom").and_then(|node| self.choice(node, bottoms));
+        let chamfer = fields.take("chamfer").and_then(|node| self.positive(node, "chamfer"));
+        fields.finish(STEP, self.problems);
+        let cylinder = sized.zip(end).zip(roughness).map(|((sized, end), roughness)| Cylinder {
+            diameter: sized.diameter,
+            thread: sized.thread,
+            roughness,
+            bottom,
+            chamfer,
+            end,
+            place: node.place.clone(),
+        });
+        (cylinder, end)
+    }
+
+    fn step_end(
+        &mut self,
+        fields: &mut Fields<'_>,
+        number: usize,
+        last: bool,
+        start: Option<Micrometres>,
+        whole: &Whole<'_>,
+    ) -> Option<Micrometres> {
+        match (fields.take("depth"), fields.take("length")) {
+            (Some(_), Some(node)) => {
+                let message = "`depth` and `length` both say where the step ends";
+                self.problems.error_help("bad-value", message, &node.place, "keep one of them")
+            }
+            (None, Some(node)) => {
+                let length = self.positive(node, "length")?;
+                Some(start? + length)
+            }
+            (Some(node), None) => {
+                let end = self.positive(node, "depth")?;
+                if let Some(start) = start.filter(|start| end <= *start) {
+                    let message = format!("step {number} ends at {end}, and the one before it at {start}");
+                    return self.problems.error_help("bad-depth", message, &node.place, DEPTH_OR_LENGTH);
+                }
+                Some(end)
+            }
+            (None, None) if last && whole.through => {
+                let end = whole.depth?;
+                if let Some(start) = start.filter(|start| end <= *start) {
+                    let message = format!("the step before the last ends at {start}, and the blank is {end} thick");
+                    return self.problems.error_help("bad-depth", message, fields.place, DEPTH_OR_LENGTH);
+                }
+                Some(end)
+            }
+            (None, None) => {
+                let message = "the key `depth` is missing";
+                let help = "or `length`; only the last step of a through hole may leave both out";
+                self.problems.error_help("missing-key", message, fields.place, help)
+            }
+        }
+    }
+
+    /// Holds the group's own diameter against the steps: it is the narrowest of them, or the cylinder that
+    /// goes on behind the last, which is then added. Says whether it was.
+    fn innermost(&mut self, cylinders: &mut Vec<Cylinder>, whole: &Whole<'_>) -> Option<bool> {
+        let Some(own) = &whole.own else { return Some(false) };
+        let nominal = own.diameter.nominal;
+        let narrowest = cylinders.iter().map(Cylinder::nominal).min()?;
+        let fault = if nominal < narrowest {
+            None
+        } else if nominal > narrowest {
+            let (shown, help) = (&own.diameter, "leave it out, or give the narrowest");
+            Some((format!("{shown} of the hole is wider than Ø{narrowest}, its narrowest step"), help))
+        } else {
+            let main = cylinders.iter_mut().find(|one| one.nominal() == narrowest)?;
+            let same_field = (main.diameter.upper, main.diameter.lower) == (own.diameter.upper, own.diameter.lower);
+            let (ours, theirs) = (&own.diameter, &main.diameter);
+            let differ =
+                Some((format!("{ours} of the hole is {theirs} in its step"), "write it once, or the same twice"));
+            match (&own.thread, &main.thread) {
+                (Some(thread), Some(known)) if thread.id != known.id => differ,
+                (Some(thread), _) => {
+                    main.thread = Some(thread.clone());
+                    main.diameter = own.diameter.clone();
+                    return Some(false);
+                }
+                (None, None) if !same_field => differ,
+                (None, _) => return Some(false),
+            }
+        };
+        if let Some((message, help)) = fault {
+            return self.problems.error_help("bad-diameter", message, &own.place, help);
+        }
+        let last = cylinders.last()?.end;
+        let Some(depth) = whole.depth else {
+            // Without a readable blank the depth of a through hole is not known, and that is reported there.
+            if !whole.through {
+                let help = "the hole's own diameter goes on behind the last step: say how deep";
+                self.problems.error_help::<()>("missing-key", "the key `depth` is missing", whole.place, help);
+            }
+            return None;
+        };
+        if depth <= last {
+            let message = format!(
+                "the steps end at {last}, which leaves nothing of a hole {depth} deep for its own {}",
+                own.diameter
+            );
+            let place = cylinders.last()?.place.clone();
+            return self.problems.error_help("bad-depth", message, &place, DEPTH_OR_LENGTH);
+        }
+        let roughness = match whole.roughness {
+            Some(stated) => stated?,
+            None if own.thread.is_some() => self.thread_roughness(&own.place)?,
+            None => {
+                let help = "the hole's own diameter goes on behind the last step";
+                return self.problems.error_help("missing-key", "the key `roughness` is missing", whole.place, help);
+            }
+        };
+        cylinders.push(Cylinder {
+            diameter: own.diameter.clone(),
+            thread: own.thread.clone(),
+            roughness,
+            bottom: None,
+            chamfer: None,
+            end: depth,
+            place: own.place.clone(),
+        });
+        Some(true)
+    }
+
+    /// The cylinders narrow towards the main one from each side.
+    fn narrows(&mut self, cylinders: &[Cylinder], through: bool) -> Option<()> {
+        let mut sound = Some(());
+        for (index, cylinder) in cylinders.iter().enumerate() {
+            let wide = cylinder.nominal();
+            if index > 0 && cylinders[index - 1].nominal() == wide {
+                let message = format!("step {} is Ø{wide} like the one before it", index + 1);
+                sound = self.problems.error_help("bad-diameter", message, &cylinder.place, "join the two");
+                continue;
+            }
+            let narrower = |others: &[Cylinder]| others.iter().any(|other| other.nominal() < wide);
+            if narrower(&cylinders[..index]) && (!through || narrower(&cylinders[index + 1..])) {
+                let message = format!("step {} is Ø{wide}, wider than what leads to it", index + 1);
+                let help = "no axial tool reaches an inner chamber; give it as `groove`";
+                sound = self.problems.error_help("inner-step", message, &cylinder.place, help);
+            }
+        }
+        sound
+    }
+
+    /// Makes the narrowest cylinder the main one; those before it are entered from the entry face, those
+    /// behind it from the back.
+    fn arrange(&mut self, mut cylinders: Vec<Cylinder>, whole: Whole<'_>) -> Option<Cylinders> {
+        if let (Some((chamfer, place)), Some(first)) = (whole.chamfer, cylinders.first_mut()) {
+            if let Some(own) = first.chamfer.filter(|own| *own != chamfer) {
+                let message = format!("the chamfer at the entry is {chamfer} here and {own} in the first step");
+                self.problems.error_help::<()>("bad-value", message, &place, "keep one of them");
+            }
+            first.chamfer = Some(chamfer);
+        }
+        let mut spans = Vec::new();
+        let mut start = Micrometres::ZERO;
+        for cylinder in &cylinders {
+            spans.push(Span::new(cylinder.widest(), start, cylinder.end));
+            start = cylinder.end;
+        }
+        let depth = start;
+        let narrowest = cylinders.iter().map(Cylinder::nominal).min()?;
+        let main = cylinders.iter().position(|one| one.nominal() == narrowest)?;
+        let mut behind = cylinders.split_off(main);
+        let main = behind.remove(0);
+        let back_starts = spans.iter().skip(spans.len() - behind.len()).map(|span| span.from);
+        let entry = cylinders.into_iter().map(|one| {
+            let end = one.end;
+            one.step(Face::Entry, end)
+        });
+        let back = behind.into_iter().zip(back_starts).map(|(one, from)| one.step(Face::Back, depth - from));
+        Some(Cylinders {
+            diameter: main.diameter,
+            thread: main.thread,
+            depth,
+            // The innermost end is the hole's bottom, not a shoulder: the hole's default holds.
+            bottom: main.bottom.or(whole.bottom).unwrap_or_default(),
+            roughness: main.roughness,
+            chamfer: main.chamfer,
+            steps: entry.chain(back).collect(),
+            spans,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::part::{Bottom, Face, Hole, read_part};
+    use crate::shipped;
+    use crate::units::Micrometres;
+
+    /// A group with these keys in a plate 40 mm thick; its mistakes as text.
+    fn read(keys: &str) -> Result<Hole, Vec<String>> {
+        let text = format!(
+            "part: P\nmaterial: steel-45\nmachine: gf2171\nblank: {{kind: plate, length: 200, width: 100, thickness: 40}}\n\
+             holes:\n  - {{name: A, centre_tolerance: 0.5, at: [[0, 0]], {keys}}}\n"
+        );
+        match read_part("part", &text, &shipped::knowledge().unwrap()) {
+            Ok(mut part) => Ok(part.holes.remove(0)),
+            Err(problems) => Err(problems.iter().map(ToString::to_string).collect()),
+        }
+    }
+
+    fn um(mm: i64) -> Micrometres {
+        Micrometres::from_mm(mm)
+    }
+
+    /// The steps beside the main cylinder: diameter, face, depth.
+    fn steps(hole: &Hole) -> Vec<(Micrometres, Face, Micrometres)> {
+        hole.steps.iter().map(|step| (step.diameter.nominal, step.face, step.depth)).collect()
+    }
+
+    #[test]
+    fn the_narrowest_cylinder_is_the_main_one() {
+        let (ra, entry, back) = ("roughness: Ra 12.5", Face::Entry, Face::Back);
+        for (keys, diameter, depth, through, expected) in [
+            (
+                "steps: [{diameter: 20, length: 10}, {diameter: 10H12, length: 15}]",
+                10,
+                25,
+                false,
+                vec![(20, entry, 10)],
+            ),
+            (
+                "steps: [{diameter: 20, depth: 10}, {diameter: 10, depth: 25}], depth: 25",
+                10,
+                25,
+                false,
+                vec![(20, entry, 10)],
+            ),
+            ("through: true, steps: [{diameter: 20, depth: 10}, {diameter: 10}]", 10, 40, true, vec![(20, entry, 10)]),
+            ("through: true, steps: [{diameter: 10, depth: 30}, {diameter: 20}]", 10, 40, true, vec![(20, back, 10)]),
+            (
+                "through: true, steps: [{diameter: 30, length: 5}, {diameter: 20, length: 5}, {diameter: 10, length: 12}, \
+                 {diameter: 15, depth: 30}, {diameter: 25}]",
+                10,
+                40,
+                true,
+                vec![(30, entry, 5), (20, entry, 10), (15, back, 18), (25, back, 10)],
+            ),
+            // The hole's own diameter, among the steps and behind the last.
+            (
+                "diameter: 10, through: true, steps: [{diameter: 20, depth: 10}, {diameter: 10}]",
+                10,
+                40,
+                true,
+                vec![(20, entry, 10)],
+            ),
+            ("diameter: 10, through: true, steps: [{diameter: 20, depth: 10}]", 10, 40, true, vec![(20, entry, 10)]),
+            ("diameter: 10, depth: 30, steps: [{diameter: 20, depth: 10}]", 10, 30, false, vec![(20, entry, 10)]),
+        ] {
+            let hole = read(&format!("{ra}, {keys}")).unwrap_or_else(|problems| panic!("{keys}: {problems:?}"));
+            assert_eq!((hole.diameter.nominal, hole.depth, hole.through), (um(diameter), um(depth), through), "{keys}");
+            let expected: Vec<_> = expected.into_iter().map(|(wide, face, deep)| (um(wide), face, um(deep))).collect();
+            assert_eq!(steps(&hole), expected, "{keys}");
+        }
+    }
+
+    #[test]
+    fn a_step_has_what_it_says_and_else_what_the_hole_says() {
+        let hole = read(
+            "roughness: Ra 12.5, chamfer: 1, depth: 30, bottom: flat, steps: [{diameter: 30H11, depth: 5, bottom: free}, \
+             {diameter: 20, depth: 10, roughness: Ra 2.5, chamfer: 0.5}, {diameter: 10, depth: 30}]",
+        )
+        .unwrap();
+        let [first, second] = hole.steps.as_slice() else { panic!("{:?}", hole.steps) };
+        assert_eq!(
+            (first.bottom, first.chamfer, first.roughness),
+            (Bottom::Free, Some(um(1)), "Ra 12.5".parse().unwrap())
+        );
+        assert_eq!((second.bottom, second.roughness), (Bottom::Flat, "Ra 2.5".parse().unwrap()));
+        assert_eq!(second.chamfer, Some(Micrometres::new(500)));
+        assert_eq!((hole.bottom, hole.chamfer, first.diameter.written.as_str()), (Bottom::Flat, None, "30H11"));
+    }
+
+    #[test]
+    fn a_thread_says_the_diameter_of_its_hole_and_its_step() {
+        for keys in ["", "diameter: 8, ", "diameter: 6.8, ", "diameter: Ø8, roughness: Ra 6.3, "] {
+            let hole = read(&format!("{keys}thread: M8-6H, depth: 20")).unwrap();
+            let diameter = &hole.diameter;
+            assert_eq!((diameter.nominal, diameter.upper), (Micrometres::new(6_800), Micrometres::new(36)), "{keys}");
+            assert_eq!((diameter.it.number(), diameter.to_string().as_str()), (9, "M8-6H"), "{keys}");
+            assert_eq!(hole.roughness, "Ra 6.3".parse().unwrap());
+            assert_eq!(hole.thread.map(|thread| thread.id).as_deref(), Some("M8"));
+        }
+        assert_eq!(read("thread: M3, depth: 8").unwrap().diameter.nominal, Micrometres::new(2_500));
+        let stepped =
+            read("through: true, steps: [{thread: M20, length: 15}, {diameter: 10, roughness: Ra 12.5}]").unwrap();
+        assert_eq!(stepped.steps[0].thread.as_ref().unwrap().id, "M20");
+        assert_eq!((stepped.steps[0].diameter.nominal, stepped.thread), (Micrometres::new(17_500), None));
+        let own = read("thread: M8, through: true, steps: [{diameter: 20, length: 15, roughness: Ra 12.5}]").unwrap();
+        assert_eq!((own.diameter.nominal, own.depth), (Micrometres::new(6_800), um(40)));
+        assert!(own.thread.is_some() && own.steps[0].thread.is_none());
+    }
+
+    #[test]
+    fn what_is_wrong_with_steps_is_said_once() {
+        let ra = "roughness: Ra 12.5";
+        for (keys, words) in [
+            ("steps: [{diameter: 20, depth: 10}, {diameter: 10, depth: 5}]", "`length` is the step's own"),
+            (
+                "depth: 30, steps: [{diameter: 20, depth: 10}, {diameter: 10, depth: 20}]",
+                "end at 20, but the hole is 30",
+            ),
+            (
+                "through: true, steps: [{diameter: 20, depth: 10}, {diameter: 10, length: 20}]",
+                "end at 30, but the blank is 40",
+            ),
+            ("through: true, steps: [{diameter: 20, depth: 40}, {diameter: 10}]", "[bad-depth]"),
+            ("steps: [{diameter: 20, depth: 10}, {diameter: 10}]", "only the last step of a through hole"),
+            ("steps: [{diameter: 20, depth: 10, length: 10}]", "keep one of them"),
+            ("steps: [{depth: 10}]", "`diameter` is missing"),
+            ("steps: [{diameter: 20, depth: 10}, {diameter: 20, depth: 20}]", "join the two"),
+            ("steps: [{diameter: 10, depth: 10}, {diameter: 20, depth: 20}]", "[inner-step]"),
+            (
+                "through: true, steps: [{diameter: 10, depth: 10}, {diameter: 20, depth: 20}, {diameter: 8}]",
+                "[inner-step]",
+            ),
+            (
+                "through: true, steps: [{diameter: 10, depth: 9}, {diameter: 20, depth: 20}, {diameter: 10}]",
+                "give it as `groove`",
+            ),
+            ("diameter: 20, steps: [{diameter: 20, depth: 10}, {diameter: 10, depth: 20}]", "wider than Ø10"),
+            (
+                "diameter: 10H7, steps: [{diameter: 20, depth: 10}, {diameter: 10, depth: 20}]",
+                "Ø10H7 of the hole is Ø10 in",
+            ),
+            ("diameter: 10, steps: [{diameter: 20, depth: 10}]", "`depth` is missing"),
+            ("diameter: 10, depth: 10, steps: [{diameter: 20, depth: 10}]", "leaves nothing"),
+            ("steps: [{diameter: 20, depth: 10, deep: 1}]", "[unknown-key]"),
+            ("chamfer: 1, steps: [{diameter: 20, depth: 10, chamfer: 2}]", "2 in the first step"),
+            ("steps: 5", "a list is expected"),
+            ("thread: M8, diameter: 7, depth: 20", "M8 is Ø8 and the hole under it Ø6.8"),
+            ("thread: M9, depth: 20", "[unknown-thread]"),
+        ] {
+            let problems = read(&format!("{ra}, {keys}")).map(|hole| panic!("{keys}: {hole:?}")).unwrap_err();
+            assert_eq!(problems.len(), 1, "{keys}: {problems:?}");
+            assert!(problems[0].contains(words), "{keys}: {problems:?}");
+        }
+        let without = read("depth: 10, steps: [{diameter: 20, depth: 10}]").unwrap_err();
+        assert!(without[0].contains("`roughness` is missing") && without.len() == 1, "{without:?}");
+    }
+}

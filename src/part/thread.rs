@@ -1,0 +1,249 @@
+//! Threads as drawings write them, and the hole under each.
+
+use crate::knowledge::diagnostic::nearest;
+use crate::knowledge::{Knowledge, RowRef, Table};
+use crate::units::{Micrometres, Roughness, Unit};
+
+use super::{Thread, ThreadKind};
+
+/// A thread and the hole that is drilled for it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct ThreadedHole {
+    pub thread: Thread,
+    /// Diameter of the hole under the thread, mm.
+    pub hole: Micrometres,
+}
+
+/// Why a thread cannot be read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct ThreadError {
+    pub code: &'static str,
+    pub message: String,
+    pub help: String,
+}
+
+impl ThreadError {
+    fn bad(text: &str, why: &str) -> Self {
+        let help = "write a metric thread as `M8-6H` or `M8x1-6H`, a conical one as `K1/2`".to_owned();
+        Self { code: "bad-thread", message: format!("`{text}` is no thread: {why}"), help }
+    }
+
+    fn unknown(text: &str, help: String) -> Self {
+        Self { code: "unknown-thread", message: format!("unknown thread `{text}`"), help }
+    }
+}
+
+/// Reads `M8-6H`, `M8`, `M8x1-6H`, or conical `К1/2"`, `K 3/4`; Cyrillic letters that look like the Latin
+/// ones are read as these.
+///
+/// The coarse pitch and the hole under it are those of the table `tap-drills`. The hole under a fine
+/// pitch P is the nominal diameter less P, as ISO practice has it. Conical threads are those of the table
+/// `conical-threads`.
+///
+/// # Errors
+/// It is no thread, or one that the tables do not hold.
+pub(super) fn read(text: &str, knowledge: &Knowledge) -> Result<ThreadedHole, ThreadError> {
+    let text = text.trim();
+    let mut letters = text.chars();
+    match letters.next() {
+        Some('M' | 'm' | 'М' | 'м') => metric(text, letters.as_str(), knowledge),
+        Some('K' | 'k' | 'К' | 'к') => conical(text, letters.as_str(), knowledge),
+        _ => Err(ThreadError::bad(text, "it begins with neither M nor K")),
+    }
+}
+
+/// The coarsest roughness that a tap leaves, by table A.3: that of a thread whose drawing gives none.
+pub(super) fn roughness(knowledge: &Knowledge) -> Result<Roughness, String> {
+    let table = knowledge.table("A.3").map_err(|error| error.to_string())?;
+    let row = table.find("method", "tap").ok_or("the table A.3 has no row `tap`")?;
+    let ra_um = row.number_in("ra_coarsest", Unit::Micrometre).map_err(|error| error.to_string())?;
+    Ok(Roughness::from_ra_nanometres((ra_um * 1000.0).round() as u32))
+}
+
+fn metric(text: &str, rest: &str, knowledge: &Knowledge) -> Result<ThreadedHole, ThreadError> {
+    let rest: String = rest
+        .chars()
+        .filter(|letter| !letter.is_whitespace())
+        .map(|letter| match letter {
+            'х' | 'Х' | 'X' | '×' | '*' => 'x',
+            'Н' => 'H',
+            '–' | '−' => '-',
+            other => other,
+        })
+        .collect();
+    let (sizes, field) = rest.split_once('-').map_or((rest.as_str(), None), |(sizes, field)| (sizes, Some(field)));
+    if let Some(field) = field {
+        tolerance_field(field).map_err(|why| ThreadError::bad(text, &why))?;
+    }
+    let (size, pitch) = sizes.split_once('x').map_or((sizes, None), |(size, pitch)| (size, Some(pitch)));
+    let length = |figure: &str| figure.parse::<Micrometres>().map_err(|error| ThreadError::bad(text, &error.0));
+    let (size, pitch) = (length(size)?, pitch.map(length).transpose()?);
+    let lacking = |error: String| ThreadError::unknown(text, error);
+
+    let table = knowledge.table("tap-drills").map_err(|error| lacking(error.to_string()))?;
+    let id = format!("M{size}");
+    let Some(row) = table.find("thread", &id) else {
+        return Err(ThreadError::unknown(text, nearest_size(size, table)));
+    };
+    let column = |name: &str| row.length(name).map_err(|error| lacking(error.to_string()));
+    let (coarse, under_coarse) = (column("pitch")?, column("diameter")?);
+    let (id, pitch, hole) = match pitch {
+        Some(pitch) if pitch <= Micrometres::ZERO || pitch > coarse => {
+            let why = format!("the pitch {pitch} must be above zero and not above {coarse}, the coarse one of {id}");
+            return Err(ThreadError::bad(text, &why));
+        }
+        Some(pitch) if pitch != coarse => (format!("{id}x{pitch}"), pitch, size - pitch),
+        _ => (id, coarse, under_coarse),
+    };
+    let thread = Thread { written: format!("M{rest}"), kind: ThreadKind::Cylindrical, id, size, pitch };
+    Ok(ThreadedHole { thread, hole })
+}
+
+/// A tolerance field of an internal thread: `6H`, or one of pitch and one of minor diameter, `4H5H`.
+fn tolerance_field(field: &str) -> Result<(), String> {
+    let letters: Vec<char> = field.chars().collect();
+    let fits = |letter: fn(&char) -> bool| {
+        matches!(letters.len(), 2 | 4)
+            && letters.chunks(2).all(|pair| pair[0].is_ascii_digit() && pair.get(1).is_some_and(letter))
+    };
+    if fits(char::is_ascii_uppercase) {
+        Ok(())
+    } else if fits(char::is_ascii_lowercase) {
+        Err(format!("`{field}` is the field of a bolt; that of a hole has a capital letter, `6H`"))
+    } else {
+        Err(format!("`{field}` is no tolerance field of a thread, such as `6H`"))
+    }
+}
+
+/// The thread of the table whose size is nearest, for a remedy.
+fn nearest_size(size: Micrometres, table: &Table) -> String {
+    let named = |row: RowRef<'_>| {
+        let name = row.text("thread").ok()?.to_owned();
+        let known: Micrometres = name.strip_prefix('M')?.parse().ok()?;
+        Some(((known - size).abs(), name))
+    };
+    let known: Vec<(Micrometres, String)> = table.all_rows().filter_map(named).collect();
+    match (known.iter().min_by_key(|(distance, _)| *distance), known.first(), known.last()) {
+        (Some((_, near)), Some((_, first)), Some((_, last))) => {
+            format!("the nearest known is `{near}`; `technolog table tap-drills` lists them, {first} to {last}")
+        }
+        _ => "the table tap-drills is empty".to_owned(),
+    }
+}
+
+fn conical(text: &str, rest: &str, knowledge: &Knowledge) -> Result<ThreadedHole, ThreadError> {
+    // Inch marks and spaces differ from drawing to drawing; the figures do not.
+    let figures = |name: &str| -> String {
+        name.chars().filter(|letter| letter.is_ascii_digit() || matches!(letter, '/' | '.')).collect()
+    };
+    if let Some(wrong) = rest.chars().find(|letter| !letter.is_ascii_digit() && !" /.\"'″”“’\u{a0}".contains(*letter))
+    {
+        return Err(ThreadError::bad(text, &format!("`{wrong}` does not belong to its size in inches")));
+    }
+    let wanted = figures(rest);
+    let Ok(table) = knowledge.table("conical-threads") else {
+        let help = "the catalogs have no conical threads: the table conical-threads is not there".to_owned();
+        return Err(ThreadError::unknown(text, help));
+    };
+    let known: Vec<(&str, RowRef<'_>)> =
+        table.all_rows().filter_map(|row| Some((row.text("thread").ok()?, row))).collect();
+    let Some((id, row)) = known.iter().find(|(id, _)| figures(id) == wanted) else {
+        let help = match nearest(&format!("K{wanted}"), known.iter().map(|(id, _)| *id)) {
+            Some(near) => format!("the nearest known is `{near}`; `technolog table conical-threads` lists them"),
+            None => "`technolog table conical-threads` lists them".to_owned(),
+        };
+        return Err(ThreadError::unknown(text, help));
+    };
+    let column = |name: &str| row.length(name).map_err(|error| ThreadError::unknown(text, error.to_string()));
+    let thread = Thread {
+        written: text.to_owned(),
+        kind: ThreadKind::Conical,
+        id: (*id).to_owned(),
+        size: column("size")?,
+        pitch: column("pitch")?,
+    };
+    Ok(ThreadedHole { thread, hole: column("drill")? })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::knowledge::SourceFile;
+    use crate::shipped;
+
+    #[test]
+    fn a_metric_thread_names_its_pitch_and_its_hole() {
+        let knowledge = shipped::knowledge().unwrap();
+        for (text, written, id, size, pitch, hole) in [
+            ("M8-6H", "M8-6H", "M8", 8_000, 1_250, 6_800),
+            ("M8", "M8", "M8", 8_000, 1_250, 6_800),
+            ("М8х1-6Н", "M8x1-6H", "M8x1", 8_000, 1_000, 7_000),
+            (" M 12 × 1.25 - 4H5H", "M12x1.25-4H5H", "M12x1.25", 12_000, 1_250, 10_750),
+            ("M8x1.25-7H", "M8x1.25-7H", "M8", 8_000, 1_250, 6_800),
+            ("M3", "M3", "M3", 3_000, 500, 2_500),
+        ] {
+            let read = read(text, &knowledge).unwrap();
+            let (size, pitch) = (Micrometres::new(size), Micrometres::new(pitch));
+            let thread = Thread { written: written.into(), kind: ThreadKind::Cylindrical, id: id.into(), size, pitch };
+            assert_eq!(read, ThreadedHole { thread, hole: Micrometres::new(hole) }, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_thread_is_refused_with_the_remedy() {
+        let knowledge = shipped::knowledge().unwrap();
+        for (text, code, words) in [
+            ("8", "bad-thread", "neither M nor K"),
+            ("M8-6g", "bad-thread", "bolt"),
+            ("M8-H", "bad-thread", "tolerance field"),
+            ("M8-", "bad-thread", "tolerance field"),
+            ("M8x2", "bad-thread", "1.25"),
+            ("M8x0", "bad-thread", "above zero"),
+            ("M8x-1", "bad-thread", "tolerance field"),
+            ("M", "bad-thread", "digits"),
+            ("M8,5", "bad-thread", "comma"),
+            ("KM", "bad-thread", "inches"),
+            ("M9", "unknown-thread", "`M8`"),
+            ("M50x1.5", "unknown-thread", "`M48`"),
+            ("K77/3", "unknown-thread", "conical-threads"),
+        ] {
+            let error = read(text, &knowledge).unwrap_err();
+            assert_eq!(error.code, code, "{text}");
+            assert!(format!("{} {}", error.message, error.help).contains(words), "{error:?}");
+        }
+    }
+
+    #[test]
+    fn a_thread_without_roughness_is_as_rough_as_a_tap_leaves_it() {
+        assert_eq!(roughness(&shipped::knowledge().unwrap()).unwrap(), "Ra 6.3".parse().unwrap());
+    }
+
+    #[test]
+    fn a_conical_thread_is_looked_up_by_its_figures() {
+        let table = "table: conical-threads
+title: {uk: Р, en: T}
+kind: catalog
+place: p
+result: [drill]
+key: [thread]
+columns:
+  - {name: thread, type: text}
+  - {name: size, type: length, unit: mm}
+  - {name: pitch, type: length, unit: mm}
+  - {name: drill, type: length, unit: mm}
+rows:
+  - {thread: K1/2, size: 21.223, pitch: 1.814, drill: 18.5, source: standard}
+  - {thread: K1 1/4, size: 41.985, pitch: 2.209, drill: 38.5, source: standard}
+";
+        let knowledge = Knowledge::from_sources(&[SourceFile { path: "catalogs/t.yaml", text: table }]).unwrap();
+        for (text, id) in [("К1/2\"", "K1/2"), ("K1/2", "K1/2"), ("К 1/2″", "K1/2"), ("K 1 1/4\"", "K1 1/4")] {
+            let read = read(text, &knowledge).unwrap();
+            assert_eq!((read.thread.id.as_str(), read.thread.written.as_str()), (id, text));
+            assert_eq!(read.thread.kind, ThreadKind::Conical);
+        }
+        assert_eq!(read("K1/2", &knowledge).unwrap().hole, Micrometres::new(18_500));
+        let error = read("K1/3", &knowledge).unwrap_err();
+        assert_eq!(error.code, "unknown-thread");
+        assert!(error.help.contains("`K1/2`"), "{error:?}");
+    }
+}

@@ -1,0 +1,107 @@
+//! The route of a group of holes: which way it was found, what it holds, and what it was weighed against.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::note::{Because, Note};
+use crate::units::{ItGrade, Micrometres, Minutes, Roughness};
+
+use super::Operation;
+
+/// The three independent ways to a route.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Way {
+    /// The scheme tables A.6 to A.10.
+    Tables,
+    /// The complexes of transitions A.4 and A.5.
+    Complexes,
+    /// The search over the states of the hole, by A.1 to A.3 and section 1.2.1.
+    Search,
+}
+
+/// What of a hole a transition makes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+#[allow(missing_docs)] // the elements of table 1.1 and section 1.1.1
+pub enum Feature {
+    Bore,
+    Step,
+    Thread,
+    Cone,
+    Counterbore,
+    Countersink,
+    Chamfer,
+    Face,
+}
+
+/// The accuracy a transition leaves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Achieved {
+    /// The finest grade that the tables promise.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub it: Option<ItGrade>,
+    /// The finest roughness that the tables promise.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub roughness: Option<Roughness>,
+    /// Position of the axis, mm.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub position_mm: Option<Micrometres>,
+}
+
+/// The route of a group.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Route {
+    /// Which way it was found.
+    pub way: Way,
+    /// The table it was found in: `A.8`, `A.9`, `A.10`, `A.5`; of the search the rule `next-transition`.
+    pub table: String,
+    /// The scheme of A.7, `07` or `04 + centre`; the complex of A.5; of the search its transitions.
+    pub scheme: String,
+    /// Whether the tables finish the hole on a machine of another type.
+    pub finish_elsewhere: bool,
+    /// Whether it holds grade, roughness and position.
+    pub meets: bool,
+    /// The tolerance on centre distances the tables were asked with, mm.
+    pub centre_tolerance_mm: Micrometres,
+    /// Time of all holes of the group with the tool changes it adds to those of the other groups, min.
+    pub time_min: Minutes,
+    /// By how much the runner-up is slower, min; absent without one.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub margin_min: Option<Minutes>,
+    /// The other routes, best first, each with why it lost: the first admissible one is the runner-up.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub alternatives: Vec<Alternative>,
+    /// Every decision on the way, with its row.
+    pub because: Vec<Because>,
+}
+
+impl Route {
+    /// The best of the routes that were not taken and could be carried out.
+    pub fn runner_up(&self) -> Option<&Alternative> {
+        self.alternatives.iter().find(|other| other.time_min.is_some())
+    }
+}
+
+/// A route that was not taken.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Alternative {
+    /// Which way it was found.
+    pub way: Way,
+    /// Its table.
+    pub table: String,
+    /// Its scheme.
+    pub scheme: String,
+    /// Its transitions with the diameters they leave, where they could be found.
+    pub operations: Vec<(Operation, Micrometres)>,
+    /// Its time as of [`Route::time_min`]; absent when it cannot be carried out.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub time_min: Option<Minutes>,
+    /// Places of the magazine it would add.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub new_tools: Option<usize>,
+    /// Whether it holds grade, roughness and position.
+    pub meets: bool,
+    /// Why it lost.
+    pub why: Note,
+}

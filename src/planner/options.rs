@@ -1,0 +1,399 @@
+//! Every route a group of holes may take, each with its tools, conditions and time.
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
+use crate::error::{KnowledgeError, Refusal, Tried};
+use crate::knowledge::Input;
+use crate::note::{Because, Note};
+use crate::part::{Hole, Part};
+use crate::plan::{Alternative, Feature, Operation, Way};
+use crate::route::auxiliary::{self, Kind};
+use crate::route::bores;
+use crate::route::diameters::Sizes;
+use crate::route::scheme::{self, Question};
+use crate::route::{Candidate, Step, accuracy, complex, search};
+use crate::shop::Shop;
+use crate::tooling::DrillSize;
+use crate::units::{Micrometres, Minutes};
+
+use super::fit::{Fitted, Fitting};
+use super::whole::{Finder, edges, hops, smallest_bore};
+
+/// A route that can be carried out.
+#[derive(Clone, Debug)]
+pub(super) struct Choice {
+    pub candidate: Candidate,
+    pub steps: Vec<Fitted>,
+    /// Whether it holds grade, roughness and position.
+    pub meets: bool,
+    /// Cutting and rapids of all holes of the group, without tool changes.
+    pub own: Minutes,
+    /// A drill that another group must have, for which this route drills in two passes.
+    pub borrowed: Option<Micrometres>,
+}
+
+/// The routes of a group.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Options {
+    /// What can be carried out.
+    pub choices: Vec<Choice>,
+    /// What cannot, or is barred by a rule, with the reason.
+    pub refused: Vec<Alternative>,
+    /// The tolerance on centre distances the tables were asked with.
+    pub centre_tolerance: Micrometres,
+    /// The row of A.6, or that it has none.
+    pub stages: Option<Because>,
+    /// Whether A.6 finishes the hole on another machine.
+    pub stages_end_elsewhere: bool,
+    /// Whether the position asks for boring and no boring tool can be used.
+    pub not_bored: bool,
+    /// What no axial tool makes, and openings that nothing opens.
+    pub impossible: Vec<Note>,
+    /// What the drawing does not ask for and cannot be done either.
+    pub remarks: Vec<Note>,
+}
+
+impl Options {
+    /// The transitions of a choice with their diameters, as plans show them.
+    pub fn operations(choice: &Choice) -> Vec<(Operation, Micrometres)> {
+        choice.steps.iter().map(|fitted| (fitted.step.operation, fitted.step.diameter)).collect()
+    }
+}
+
+/// Every route of a group of holes.
+///
+/// # Errors
+/// The knowledge cannot answer. What makes the whole group impossible is a refusal.
+pub(super) fn options(
+    hole: &Hole,
+    part: &Part,
+    in_magazine: &[Micrometres],
+    all_drills: &[DrillSize],
+    shop: &Shop<'_>,
+) -> Tried<Options> {
+    let task = bores::task(hole, part, shop)?;
+    let fitting = Fitting::new(hole, &task.edges, part, shop)?;
+    let main = &task.main;
+    let reached = |size: &&DrillSize| size.reach >= fitting.drill_reach(&main.place, size.diameter);
+    let drills: Vec<Micrometres> = all_drills.iter().filter(reached).map(|size| size.diameter).collect();
+    let written = accuracy::centre_tolerance(hole, shop).map_err(Refusal::Not)?;
+    // The tables speak of machined faces: an unmachined one must be asked for as a tighter hole.
+    let rough_face = accuracy::rough_face(main, part, shop)?;
+    let loss = rough_face.as_ref().map_or(0.0, |(loss, _)| *loss);
+    let centre_tolerance = Micrometres::from_mm_rounded(written.to_mm() / (1.0 + loss));
+    let position = part.position_tolerance.unwrap_or(written);
+    let question = Question { bore: main, centre_tolerance, position, outer_wall: hole.outer_wall, drills: &drills };
+    let sizes = Sizes {
+        drills: &drills,
+        in_magazine,
+        smallest_bore: smallest_bore(shop)?,
+        start: hole.state.diameter(),
+        single_drill: false,
+        bore_large: false,
+    };
+    let mut finder = Finder {
+        hole,
+        task: &task,
+        fitting: &fitting,
+        question,
+        sizes,
+        position: accuracy::Position::new(main, part, shop)?,
+        shop,
+        opened: RefCell::new(BTreeMap::new()),
+        hops: hops(hole, shop),
+        drilled: accuracy::drilled(shop)?,
+        level_floor: true,
+        edges: edges(&task, &fitting, shop)?,
+        centred_edge: fitting.edge_by_centring()?,
+    };
+    let kind = finder.auxiliary_kind();
+    let stage_name = kind.map_or("plain", Kind::stage_name);
+    let asked = if kind.is_some() { auxiliary::diameter(&finder.question) } else { main.diameter.nominal };
+    let (stages, stages_end_elsewhere) = scheme::stages(&finder.question, stage_name, asked, shop)?;
+    let mut options = Options {
+        centre_tolerance: written,
+        stages: Some(stages),
+        stages_end_elsewhere,
+        impossible: task.impossible.clone(),
+        ..Options::default()
+    };
+    for (edge, step) in task.edges.iter().zip(&finder.edges) {
+        if let (Err(why), true) = (step, Some(*edge) != finder.centred_edge) {
+            let list = if edge.asked { &mut options.impossible } else { &mut options.remarks };
+            list.push(why.clone());
+        }
+    }
+    finder.every_way(kind, &mut options)?;
+    if options.choices.is_empty() && main.flat {
+        // Where no mill levels the floor the hole is planned with the drill's cone, and the plan says why.
+        let telling = ["no-mill-enters", "mill-does-not-enter", "does-not-reach", "too-shallow-for-flat"];
+        let of_mill = |note: &&Note| {
+            telling.contains(&note.code.as_str())
+                && note.params.get("operation").is_none_or(|name| name == Operation::Mill.name())
+        };
+        let why = options.refused.iter().map(|other| &other.why).find(of_mill).cloned();
+        finder.level_floor = false;
+        let refused = std::mem::take(&mut options.refused);
+        finder.every_way(kind, &mut options)?;
+        match (why, options.choices.is_empty()) {
+            (Some(why), false) => options.impossible.extend([Note::new("floor-not-flat"), why]),
+            _ => options.refused = refused,
+        }
+    }
+    finder.boring_stands_back(&mut options)?;
+    if let Some((_, because)) = rough_face {
+        for choice in &mut options.choices {
+            choice.candidate.because.push(because.clone());
+        }
+    }
+    Ok(options)
+}
+
+impl Finder<'_, '_> {
+    /// The kind of auxiliary hole by which A.10 knows it; a finer main cylinder is a main hole of A.8 or A.9.
+    fn auxiliary_kind(&self) -> Option<Kind> {
+        let main = &self.task.main;
+        if main.thread.is_some() {
+            // A.10 begins in solid metal.
+            return main.before.is_solid().then_some(Kind::Thread);
+        }
+        if main.diameter.it.number() < 12 || !main.before.is_solid() || !self.hole.steps.is_empty() {
+            return None;
+        }
+        if self.hole.counterbore.is_some() {
+            return Some(Kind::Counterbore);
+        }
+        let sink = self.hole.countersink.map(|sink| sink.angle_millideg).or(self.hole.cone.map(|c| c.angle_millideg));
+        sink.map(|angle| if angle == 90_000 { Kind::Countersink90 } else { Kind::CountersinkOther })
+    }
+
+    /// The three ways; what the tables finish on another machine is not weighed against the others.
+    fn every_way(&self, kind: Option<Kind>, options: &mut Options) -> Result<(), KnowledgeError> {
+        self.tables(kind, options)?;
+        if options.choices.iter().any(|choice| choice.candidate.finish_elsewhere) {
+            return Ok(());
+        }
+        self.complexes(options)?;
+        // How a hole in solid metal is made for a thread A.10 says, down to where it bores; nothing reaches beyond.
+        if self.task.main.thread.is_some() && self.task.main.before.is_solid() {
+            return Ok(());
+        }
+        self.search(options)
+    }
+
+    /// The first scheme of the tables that can be carried out; what the tables rank behind it is not weighed
+    /// against it.
+    fn tables(&self, kind: Option<Kind>, options: &mut Options) -> Result<(), KnowledgeError> {
+        let mut found = None;
+        if let Some(kind) = kind {
+            match Refusal::split(auxiliary::candidates(&self.question, kind, self.shop))? {
+                Ok(schemes) => found = Some(schemes),
+                Err(why) => options.refused.push(none(Way::Tables, "A.10", why)),
+            }
+        }
+        if found.is_none() && self.task.main.thread.is_none() {
+            match Refusal::split(scheme::candidates(&self.question, self.shop))? {
+                Ok(schemes) => found = Some(schemes),
+                Err(why) => options.refused.push(none(Way::Tables, "A.8", why)),
+            }
+        }
+        let mut taken = None;
+        for candidate in found.into_iter().flatten() {
+            if let Some(first) = &taken {
+                let later = refused(&candidate, Note::new("ranked-later").with("first", first));
+                let own = *first == format!("{} {}", candidate.table, candidate.scheme);
+                if !own && !options.refused.contains(&later) {
+                    options.refused.push(later);
+                }
+                continue;
+            }
+            if self.weigh(&candidate, options)? {
+                taken = Some(format!("{} {}", candidate.table, candidate.scheme));
+            }
+        }
+        Ok(())
+    }
+
+    fn complexes(&self, options: &mut Options) -> Result<(), KnowledgeError> {
+        let openings = complex::Openings {
+            counterbored: self.hole.counterbore.is_some(),
+            countersunk: self.hole.countersink.is_some(),
+        };
+        match Refusal::split(complex::candidates(&self.question, openings, self.shop))? {
+            Err(why) => options.refused.push(none(Way::Complexes, "A.4", why)),
+            Ok(complexes) => {
+                for candidate in complexes {
+                    self.weigh(&candidate, options)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn search(&self, options: &mut Options) -> Result<(), KnowledgeError> {
+        let main = &self.task.main;
+        let cost = |steps: Vec<Step>| self.cost(steps);
+        match Refusal::split(search::candidates(main, &self.sizes, &cost, self.shop))? {
+            Err(why) => options.refused.push(none(Way::Search, "next-transition", why)),
+            Ok(routes) => {
+                for mut candidate in routes {
+                    if main.thread.is_some() {
+                        candidate.transitions.push(Operation::Tap);
+                        candidate.scheme.push_str(" + tap");
+                    }
+                    self.weigh(&candidate, options)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Tries a candidate, files it under what can be done or what cannot, and says whether it can.
+    fn weigh(&self, candidate: &Candidate, options: &mut Options) -> Result<bool, KnowledgeError> {
+        // With a cutter for each opening, and with a step drill for hole and opening at once.
+        let plain = Refusal::split(self.carried_out(candidate, false))?;
+        let joined =
+            if self.may_join(candidate) { Refusal::split(self.carried_out(candidate, true))?.ok() } else { None };
+        let plain = match (plain, &joined) {
+            (Ok(steps), _) => Some(steps),
+            (Err(_), Some(_)) => None,
+            (Err(why), None) => {
+                options.refused.push(refused(candidate, why));
+                return Ok(false);
+            }
+        };
+        for steps in plain.into_iter().chain(joined) {
+            let choice = self.choice(candidate, steps);
+            let twin = options.choices.iter().find(|known| same(known, &choice));
+            match twin {
+                Some(twin) => {
+                    let why = Note::new("same-as").with("table", &twin.candidate.table);
+                    let same = refused(candidate, why.with("same", &twin.candidate.scheme));
+                    if !options.refused.contains(&same) {
+                        options.refused.push(same);
+                    }
+                }
+                None => options.choices.push(choice),
+            }
+        }
+        Ok(true)
+    }
+
+    /// Section 1.2 on boring (rule `boring-for-position`): where the position asks for it, routes of complexes
+    /// and search that do not bore stand back; where it does not, those that bore; in both cases only while
+    /// another route can be carried out.
+    fn boring_stands_back(&self, options: &mut Options) -> Result<(), KnowledgeError> {
+        let asked = self.boring_asked()?;
+        let bores = |choice: &Choice| choice.candidate.transitions.iter().any(|operation| operation.is_boring());
+        let stands_back = |choice: &Choice| choice.candidate.way != Way::Tables && bores(choice) != asked;
+        options.not_bored = !asked && self.close()?;
+        let other = options.choices.iter().any(|choice| choice.meets && !stands_back(choice));
+        if !other {
+            options.not_bored = self.close()? && !options.choices.iter().any(bores);
+            return Ok(());
+        }
+        let (back, kept): (Vec<Choice>, Vec<Choice>) = options.choices.drain(..).partition(stands_back);
+        options.choices = kept;
+        let code = if asked { "position-asks-boring" } else { "boring-not-asked" };
+        for choice in back {
+            let why = Note::new(code).with("position", self.question.position);
+            let operations = Options::operations(&choice);
+            options.refused.push(Alternative { operations, meets: choice.meets, ..refused(&choice.candidate, why) });
+        }
+        Ok(())
+    }
+
+    /// Whether the position asks for boring if a bar entered.
+    fn close(&self) -> Result<bool, KnowledgeError> {
+        self.asks_for_boring(true)
+    }
+
+    /// Whether the position of the axis asks for boring, by the rule `boring-for-position`.
+    pub fn boring_asked(&self) -> Result<bool, KnowledgeError> {
+        self.asks_for_boring(self.task.main.diameter.nominal >= self.sizes.smallest_bore)
+    }
+
+    fn asks_for_boring(&self, enters: bool) -> Result<bool, KnowledgeError> {
+        let rule = self.shop.knowledge.table("boring-for-position")?;
+        let position = self.question.position;
+        let answer = rule.decide(&[("position", Input::Length(position)), ("bar_enters", Input::Bool(enters))])?;
+        let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this position"))?;
+        Ok(row.text("boring")? == "asked")
+    }
+
+    fn choice(&self, candidate: &Candidate, steps: Vec<Fitted>) -> Choice {
+        let own = steps.iter().map(|fitted| self.time(fitted) + self.hops.0).sum::<f64>();
+        let borrowed = steps
+            .iter()
+            .flat_map(|fitted| &fitted.because)
+            .any(|why| why.note.code == "two-passes" && why.note.params.contains_key("first"))
+            .then(|| steps.iter().find(|fitted| fitted.step.operation == Operation::Drill))
+            .flatten()
+            .map(|fitted| fitted.step.diameter)
+            .filter(|drill| self.sizes.in_magazine.contains(drill));
+        let meets = self.meets(candidate, &steps);
+        Choice { candidate: candidate.clone(), steps, meets, own: Minutes(own), borrowed }
+    }
+
+    /// Whether a route holds what the drawing asks: what a table gives it promises; a searched one must reach
+    /// grade, roughness and position by its chain.
+    fn meets(&self, candidate: &Candidate, steps: &[Fitted]) -> bool {
+        if candidate.way == Way::Tables {
+            return true;
+        }
+        let main = &self.task.main;
+        let last = steps
+            .iter()
+            .rev()
+            .map(|fitted| &fitted.step)
+            .find(|step| step.place.feature == Feature::Bore && !step.elsewhere && step.achieved.is_some());
+        let Some(reached) = last.and_then(|step| step.achieved) else { return false };
+        let graded = reached.it.is_some_and(|it| it <= main.diameter.it) || main.thread.is_some();
+        let smooth = reached.roughness.is_some_and(|own| own <= main.roughness) || main.thread.is_some();
+        let placed = candidate.way != Way::Search
+            || reached.position_mm.is_none_or(|position| position <= self.question.position);
+        graded && smooth && placed
+    }
+}
+
+/// Whether two routes are one: the same cutters leave the same diameters.
+fn same(a: &Choice, b: &Choice) -> bool {
+    let shown = |choice: &Choice| -> Vec<(Operation, Micrometres, Micrometres, Option<String>)> {
+        let steps = choice.steps.iter();
+        steps
+            .map(|fitted| {
+                let tool = fitted.tool.as_ref().map(|tool| tool.designation.clone());
+                (fitted.step.operation, fitted.step.from, fitted.step.diameter, tool)
+            })
+            .collect()
+    };
+    a.candidate.finish_elsewhere == b.candidate.finish_elsewhere && shown(a) == shown(b)
+}
+
+fn refused(candidate: &Candidate, why: Note) -> Alternative {
+    Alternative {
+        way: candidate.way,
+        table: candidate.table.clone(),
+        scheme: candidate.scheme.clone(),
+        operations: Vec::new(),
+        time_min: None,
+        new_tools: None,
+        meets: false,
+        why,
+    }
+}
+
+/// A way that has no candidate at all.
+fn none(way: Way, table: &str, why: Note) -> Alternative {
+    Alternative {
+        way,
+        table: table.to_owned(),
+        scheme: String::new(),
+        operations: Vec::new(),
+        time_min: None,
+        new_tools: None,
+        meets: false,
+        why,
+    }
+}

@@ -1,0 +1,346 @@
+//! A whole hole by one candidate: its main cylinder, what opens it wider, its edges and its floor, in the order
+//! of section 1.1.2, each step with its tool and conditions.
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
+use crate::error::{KnowledgeError, Refusal, Tried};
+use crate::note::{Because, Note};
+use crate::part::{Face, Hole};
+use crate::plan::{Feature, Operation};
+use crate::route::bores::{self, Bore, Task};
+use crate::route::diameters::{self, Sizes};
+use crate::route::scheme::Question;
+use crate::route::{Candidate, Step, accuracy, openings, order};
+use crate::shop::Shop;
+use crate::units::{ItGrade, Micrometres, Minutes};
+
+use super::fit::{Fitted, Fitting};
+
+/// The steps that open a wider cylinder, or why nothing does.
+type Opened = Result<Vec<Step>, Note>;
+
+/// What the routes of one group are found with.
+pub(super) struct Finder<'a, 'k> {
+    pub hole: &'a Hole,
+    pub task: &'a Task,
+    pub fitting: &'a Fitting<'a, 'k>,
+    pub question: Question<'a>,
+    pub sizes: Sizes<'a>,
+    pub position: accuracy::Position,
+    pub shop: &'a Shop<'k>,
+    /// The best way to open each wider cylinder from a diameter.
+    pub opened: RefCell<BTreeMap<(usize, Micrometres), Opened>>,
+    pub hops: Minutes,
+    /// The step that cuts each edge, or why none does.
+    pub edges: Vec<Result<Step, Note>>,
+    /// The finest grade that drilling holds, by A.1.
+    pub drilled: ItGrade,
+    /// Whether a flat floor is made, where one is asked; not where no mill can.
+    pub level_floor: bool,
+    /// The edge that centring makes.
+    pub centred_edge: Option<bores::Edge>,
+}
+
+impl Finder<'_, '_> {
+    /// Time of steps for all holes of the group, each step with a tool change of its own.
+    pub fn cost(&self, steps: Vec<Step>) -> Tried<Minutes> {
+        let mut minutes = 0.0;
+        for step in steps {
+            minutes += self.shop.machine.tool_change.0 + self.hops.0;
+            if step.operation == Operation::CentreDrill {
+                continue;
+            }
+            let fitted = self.fitting.one(step, None, false)?;
+            minutes += self.time(&fitted);
+        }
+        Ok(Minutes(minutes))
+    }
+
+    /// Cutting and withdrawal of a step in all holes of the group, min.
+    pub fn time(&self, fitted: &Fitted) -> f64 {
+        if fitted.step.elsewhere {
+            return 0.0;
+        }
+        let back = fitted.travel.to_mm() * f64::from(fitted.step.passes) / self.shop.machine.rapid.0;
+        (fitted.conditions.machine_time_min.0 + back) * self.hole.at.len() as f64
+    }
+
+    /// The steps of the whole hole by a candidate: as the rules prefer, else with one drill, else bored.
+    pub fn carried_out(&self, candidate: &Candidate, joined: bool) -> Tried<Vec<Fitted>> {
+        let mut first_why = None;
+        for (single_drill, bore_large) in [(false, false), (true, false), (false, true), (true, true)] {
+            let sizes = Sizes { single_drill, bore_large, ..self.sizes };
+            let steps = match Refusal::split(diameters::steps(candidate, &self.task.main, &sizes, self.shop))? {
+                Ok(steps) => steps,
+                Err(why) => {
+                    first_why.get_or_insert(why);
+                    continue;
+                }
+            };
+            let both = steps.iter().any(|step| step.operation == Operation::DrillOut);
+            match Refusal::split(self.whole(steps, candidate, joined))? {
+                Ok(mut fitted) => {
+                    if both {
+                        self.fitting.compare_with_one_drill(&mut fitted)?;
+                    }
+                    return Ok(fitted);
+                }
+                // The first reason is the one to tell: the other attempts are only ways around it.
+                Err(why) => {
+                    first_why.get_or_insert(why);
+                }
+            }
+        }
+        Err(Refusal::Not(first_why.unwrap_or_else(|| Note::new("no-route").with("tried", 0))))
+    }
+
+    /// Adds openings, edges and the floor to the steps of the main cylinder, in the order of section 1.1.2,
+    /// and fits them all.
+    fn whole(&self, mut steps: Vec<Step>, candidate: &Candidate, joined: bool) -> Tried<Vec<Fitted>> {
+        let main = &self.task.main;
+        let promise = candidate.promise.filter(|_| !candidate.finish_elsewhere);
+        accuracy::write(&mut steps, main, promise, self.position, self.shop)?;
+        if self.level_floor {
+            self.flat_floor(&mut steps)?;
+        }
+        for step in &mut steps {
+            step.elsewhere |= step.operation == Operation::Tap && !self.shop.machine.can_tap;
+        }
+        let centred = steps.iter().any(|step| step.operation == Operation::CentreDrill);
+        let made = if centred { self.fitting.edge_by_centring()? } else { None };
+        let also = if joined { self.join(&mut steps, made.is_some())? } else { None };
+        let opened_from = roughed(&steps);
+        let mut before = [opened_from, opened_from];
+        for (index, bore) in self.task.wider.iter().enumerate().filter(|(_, bore)| also != Some(bore.place.feature)) {
+            let side = usize::from(bore.place.face == Face::Back);
+            let opening = self.open(index, bore, before[side])?;
+            before[side] = roughed(&opening);
+            steps.extend(opening);
+        }
+        for (edge, step) in self.task.edges.iter().zip(&self.edges).filter(|(edge, _)| Some(**edge) != made) {
+            match step {
+                _ if also == Some(edge.feature) => {}
+                Ok(step) => steps.push(step.clone()),
+                // What centring makes in other routes is not made in this one.
+                Err(why) if Some(*edge) == self.centred_edge => return Err(Refusal::Not(why.clone())),
+                Err(_) => {}
+            }
+        }
+        order::sort(&mut steps, self.shop)?;
+        self.below_steps(&mut steps);
+        self.fitting.fit(steps, candidate.finish_elsewhere)
+    }
+
+    /// What is done to the main cylinder after the steps above it begins below them.
+    fn below_steps(&self, steps: &mut [Step]) {
+        let wider = self.task.wider.iter().filter(|bore| bore.place.face == Face::Entry);
+        let Some(deepest) = wider.map(|bore| bore.place.depth).max() else { return };
+        let mut opened = false;
+        for step in steps.iter_mut().filter(|step| step.place.face == Face::Entry) {
+            let main = matches!(step.place.feature, Feature::Bore | Feature::Thread) && step.place.step.is_none();
+            if !main {
+                opened |= matches!(step.place.feature, Feature::Step | Feature::Counterbore);
+            } else if opened && step.place.start < deepest {
+                step.place.start = deepest;
+            }
+        }
+    }
+
+    /// A flat floor: drills and core drills stop where their points touch it, and an end mill goes round on it.
+    fn flat_floor(&self, steps: &mut Vec<Step>) -> Tried<()> {
+        if !self.task.main.flat {
+            return Ok(());
+        }
+        let pointed =
+            |step: &Step| matches!(step.operation, Operation::Drill | Operation::DrillOut | Operation::CoreDrill);
+        let Some(last) = steps.iter().rposition(pointed) else { return Ok(()) };
+        let (diameter, depth, whole) = (steps[last].diameter, steps[last].place.depth, steps[last].place);
+        for step in steps[..=last].iter_mut().filter(|step| pointed(step)) {
+            let stop = depth - self.fitting.lead(step);
+            if stop <= Micrometres::ZERO {
+                let note = Note::new("too-shallow-for-flat").with("depth", depth).with("diameter", step.diameter);
+                return Err(Refusal::Not(note));
+            }
+            step.place.depth = stop;
+        }
+        let stop = steps[..=last].iter().filter(|step| pointed(step)).map(|step| step.place.depth).min();
+        let stop = stop.unwrap_or(depth);
+        let mut floor = Step::plain(Operation::Mill, whole, diameter, diameter);
+        floor.place.start = stop;
+        floor.because.push(Because::table(
+            self.shop.knowledge.table("transition-order")?,
+            Note::new("flat-floor").with("stop", stop).with("depth", depth),
+        ));
+        steps.insert(last + 1, floor);
+        Ok(())
+    }
+
+    /// The quickest way to open a wider cylinder from a diameter.
+    fn open(&self, index: usize, bore: &Bore, start: Micrometres) -> Tried<Vec<Step>> {
+        if let Some(known) = self.opened.borrow().get(&(index, start)) {
+            return known.clone().map_err(Refusal::Not);
+        }
+        let found = Refusal::split(self.opening(bore, start))?;
+        self.opened.borrow_mut().insert((index, start), found.clone());
+        found.map_err(Refusal::Not)
+    }
+
+    fn opening(&self, bore: &Bore, start: Micrometres) -> Tried<Vec<Step>> {
+        let question = Question { bore, ..self.question };
+        let sizes = Sizes { start: Some(start), ..self.sizes };
+        let cost = |steps: Vec<Step>| self.cost(steps);
+        let asked = self.boring_asked()?;
+        let mut best: Option<((bool, Minutes), Vec<Step>)> = None;
+        let mut why = None;
+        for candidate in openings::candidates(bore, &question, &sizes, &cost, self.shop)? {
+            for bore_large in [false, true] {
+                let sizes = Sizes { bore_large, ..sizes };
+                let made = diameters::steps(&candidate, bore, &sizes, self.shop).and_then(|mut steps| {
+                    accuracy::write(&mut steps, bore, candidate.promise, self.position.following(), self.shop)?;
+                    if candidate.finish_elsewhere
+                        && let Some(last) = steps.last_mut()
+                    {
+                        let note = Note::new("step-finished-elsewhere").with("diameter", &bore.diameter);
+                        last.because.push(Because::table(self.shop.knowledge.table("A.8")?, note));
+                    }
+                    cone_above_shoulder(&mut steps, bore, start, self.fitting);
+                    for step in &mut steps {
+                        step.elsewhere |= step.operation == Operation::Tap && !self.shop.machine.can_tap;
+                    }
+                    Ok((self.cost(steps.clone())?, steps))
+                });
+                match Refusal::split(made)? {
+                    Ok((minutes, mut steps)) => {
+                        let bores = !asked && steps.iter().any(|step| step.operation.is_boring());
+                        let better = |(least, time): (bool, Minutes)| (bores, minutes.0) < (least, time.0);
+                        if best.as_ref().is_none_or(|(least, _)| better(*least)) {
+                            if let Some(first) = steps.first_mut() {
+                                first.because.extend(candidate.because.clone());
+                            }
+                            best = Some(((bores, minutes), steps));
+                        }
+                        break;
+                    }
+                    // The search comes last, and its reason says what no way could do.
+                    Err(note) => why = Some(note),
+                }
+            }
+        }
+        let none = || Note::new("no-opening").with("diameter", bore.diameter.nominal).with("start", start);
+        best.map(|(_, steps)| steps).ok_or_else(|| Refusal::Not(why.unwrap_or_else(none)))
+    }
+
+    /// Whether a step drill may make the hole and its opening at once: a through hole that is only drilled,
+    /// with one flat opening that drilling holds, or with a chamfer.
+    pub fn may_join(&self, candidate: &Candidate) -> bool {
+        let cuts = |operation: &&Operation| !matches!(operation, Operation::CentreDrill | Operation::Tap);
+        let chamfered =
+            self.task.wider.is_empty() && self.task.edges.iter().any(|edge| edge.feature == Feature::Chamfer);
+        self.task.main.place.through
+            && (self.drilled_opening().is_some() || chamfered)
+            && candidate.transitions.iter().filter(cuts).eq([&Operation::Drill])
+    }
+
+    /// The one wider cylinder of a hole, where a step drill's flat step holds its grade.
+    fn drilled_opening(&self) -> Option<&Bore> {
+        let [bore] = self.task.wider.as_slice() else { return None };
+        let drilled = bore.diameter.it >= self.drilled && bore.thread.is_none();
+        (bore.place.face == Face::Entry && bore.flat && drilled).then_some(bore)
+    }
+
+    /// Lets the drill make the opening too; which one, or why no step drill does.
+    fn join(&self, steps: &mut [Step], centring_makes_edge: bool) -> Tried<Option<Feature>> {
+        let Some(drill) = steps.iter_mut().find(|step| step.operation == Operation::Drill) else {
+            return Err(Refusal::Not(Note::new("no-step-drill")));
+        };
+        let (feature, wide) = match self.drilled_opening() {
+            Some(bore) => (bore.place.feature, Some(bore.diameter.nominal)),
+            None if centring_makes_edge => return Err(Refusal::Not(Note::new("chamfered-by-centring"))),
+            None => {
+                let chamfer = self.task.edges.iter().find(|edge| edge.feature == Feature::Chamfer);
+                let chamfer = chamfer.map(|edge| edge.diameter).unwrap_or_default();
+                (Feature::Chamfer, self.chamfering_drill(drill.diameter, chamfer)?)
+            }
+        };
+        let none = || Note::new("no-step-drill").with("narrow", drill.diameter).with("wide", wide.unwrap_or_default());
+        if wide.is_none() {
+            return Err(Refusal::Not(none()));
+        }
+        drill.also = wide;
+        Ok(Some(feature))
+    }
+
+    /// The wide diameter of a drill of A.15 that makes the chamfer too.
+    fn chamfering_drill(
+        &self,
+        drill: Micrometres,
+        chamfer: Micrometres,
+    ) -> Result<Option<Micrometres>, KnowledgeError> {
+        let table = self.shop.knowledge.table("A.15")?;
+        let rows = table.all_rows().filter(|row| row.length_if_any("diameter") == Some(drill));
+        Ok(rows.filter_map(|row| row.length_if_any("step_diameter")).find(|wide| *wide >= chamfer))
+    }
+}
+
+/// The step that cuts each edge of a hole, or why none does; a face that no counterbore of the catalogs cuts
+/// is milled round.
+pub(super) fn edges(
+    task: &Task,
+    fitting: &Fitting<'_, '_>,
+    shop: &Shop<'_>,
+) -> Result<Vec<Result<Step, Note>>, KnowledgeError> {
+    let mut steps = Vec::with_capacity(task.edges.len());
+    for edge in &task.edges {
+        let cut = |operation: Option<Operation>| -> Tried<Step> {
+            let mut step = openings::edge(edge, edge.around, shop)?;
+            step.operation = operation.unwrap_or(step.operation);
+            fitting.one(step.clone(), None, false)?;
+            Ok(step)
+        };
+        let mut found = Refusal::split(cut(None))?;
+        if edge.feature == Feature::Face && found.is_err() {
+            found = Refusal::split(cut(Some(Operation::Mill)))?;
+        }
+        steps.push(found);
+    }
+    Ok(steps)
+}
+
+/// Over a flat shoulder a drill stops where the rim of its point touches it; what is left is cut flat after it.
+fn cone_above_shoulder(steps: &mut [Step], bore: &Bore, start: Micrometres, fitting: &Fitting<'_, '_>) {
+    if !bore.flat {
+        return;
+    }
+    for step in steps.iter_mut().filter(|step| step.operation == Operation::DrillOut) {
+        let point = fitting.point(step.diameter) - fitting.point(start);
+        step.place.depth = (step.place.depth - point).max(Micrometres::new(1));
+    }
+}
+
+/// The diameter the main cylinder has when the openings are made: after its roughing.
+fn roughed(steps: &[Step]) -> Micrometres {
+    let rough = |step: &&Step| {
+        matches!(
+            step.operation,
+            Operation::Drill | Operation::DrillOut | Operation::Mill | Operation::RoughBore | Operation::Counterbore
+        )
+    };
+    let last = steps.iter().filter(rough).map(|step| step.diameter).max();
+    last.or_else(|| steps.iter().map(|step| step.diameter).min()).unwrap_or_default()
+}
+
+/// The smallest hole a boring bar of the catalogs enters.
+pub(super) fn smallest_bore(shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
+    let bars = shop.knowledge.table("boring-bars")?;
+    Ok(bars.all_rows().filter_map(|row| row.length_if_any("diameter_min")).min().unwrap_or_default())
+}
+
+/// Rapids from hole to hole of one group, by one tool: for weighing routes, not the path itself.
+pub(super) fn hops(hole: &Hole, shop: &Shop<'_>) -> Minutes {
+    let mut points = hole.at.clone();
+    points.sort_unstable();
+    let way: f64 =
+        points.windows(2).map(|pair| (pair[0].x - pair[1].x).abs().max((pair[0].y - pair[1].y).abs()).to_mm()).sum();
+    Minutes(way / shop.machine.rapid.0)
+}

@@ -1,0 +1,98 @@
+//! Table A.10: schemes for threaded, counterbored and countersunk holes.
+
+use crate::error::{Refusal, Tried};
+use crate::knowledge::Input;
+use crate::note::{Because, Note};
+use crate::part::ThreadKind;
+use crate::plan::{Operation, Way};
+use crate::shop::Shop;
+use crate::units::Micrometres;
+
+use super::Candidate;
+use super::scheme::{Question, with_transitions};
+
+/// What A.10 is asked about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A thread.
+    Thread,
+    /// A counterbore over a hole.
+    Counterbore,
+    /// A countersink of 90 degrees over a hole.
+    Countersink90,
+    /// A countersink of another angle over a hole.
+    CountersinkOther,
+}
+
+impl Kind {
+    /// As A.10 names it.
+    pub fn name(self, question: &Question<'_>) -> &'static str {
+        match self {
+            Self::Thread => match question.bore.thread.as_ref().map(|thread| thread.kind) {
+                Some(ThreadKind::Conical) => "thread-conical",
+                _ => "thread-cylindrical",
+            },
+            Self::Counterbore => "counterbore",
+            Self::Countersink90 => "countersink-90",
+            Self::CountersinkOther => "countersink-other",
+        }
+    }
+
+    /// As A.6 names it.
+    pub const fn stage_name(self) -> &'static str {
+        match self {
+            Self::Thread => "threaded",
+            Self::Counterbore => "counterbored-cylindrical",
+            Self::Countersink90 | Self::CountersinkOther => "countersunk",
+        }
+    }
+}
+
+/// The diameter A.10 and A.6 are asked with: of a thread its own, of the others that of the hole.
+pub fn diameter(question: &Question<'_>) -> Micrometres {
+    question.bore.thread.as_ref().map_or(question.bore.diameter.nominal, |thread| thread.size)
+}
+
+/// The schemes A.10 gives, in its order; a scheme marked with a star only where no drill has the hole's
+/// diameter. Counterboring and chamfering are planned with the hole's openings and left out here.
+///
+/// # Errors
+/// The knowledge cannot answer, or A.10 has no scheme.
+pub fn candidates(question: &Question<'_>, kind: Kind, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
+    let table = shop.knowledge.table("A.10")?;
+    let (name, diameter) = (kind.name(question), diameter(question));
+    let answer = table.decide(&[
+        ("hole", Input::Text(name)),
+        ("diameter", Input::Length(diameter)),
+        ("centre_tolerance", Input::Length(question.centre_tolerance)),
+    ])?;
+    let Some(row) = answer.winner() else {
+        let note = Note::new("no-auxiliary-scheme").with("kind", name).with("diameter", diameter);
+        return Err(Refusal::Not(note.with("centre", question.centre_tolerance)));
+    };
+    let starred = row.texts("if_drill_differs").unwrap_or_default();
+    let drill = super::diameters::final_drill(&question.bore.diameter, question.drills).is_some();
+    let mut found = Vec::new();
+    for scheme in row.texts("schemes")? {
+        if starred.contains(&scheme) && drill {
+            continue;
+        }
+        let note = Note::new("auxiliary-scheme").with("scheme", scheme).with("kind", name);
+        let candidate = Candidate {
+            way: Way::Tables,
+            table: table.id.clone(),
+            scheme: scheme.to_owned(),
+            transitions: Vec::new(),
+            finish_elsewhere: false,
+            // A.10 promises nothing of the hole under a thread.
+            promise: (kind != Kind::Thread)
+                .then_some(super::Promise { it: question.bore.diameter.it, roughness: None }),
+            because: vec![Because::answer(&answer, note)],
+        };
+        if let Some(mut candidate) = with_transitions(candidate, question.bore, shop)? {
+            candidate.transitions.retain(|operation| !matches!(operation, Operation::Counterbore | Operation::Chamfer));
+            found.push(candidate);
+        }
+    }
+    Ok(found)
+}

@@ -1,0 +1,310 @@
+//! A hole taken apart: the main cylinder, and the openings at its ends.
+//!
+//! Every complex hole is a row of cylinders on one axis (textbook 1.1.1, figure 1.1). The narrowest is the
+//! main one: it is made from the blank's metal; the wider ones are opened from what it leaves.
+
+use crate::error::KnowledgeError;
+use crate::note::{Because, Note};
+use crate::part::{BlankHole, Bottom, Face, Hole, Part, Thread, ToleratedDiameter};
+use crate::plan::Feature;
+use crate::shop::Shop;
+use crate::units::{ItGrade, Micrometres, Roughness, Unit};
+
+use super::Place;
+
+/// A hole as planning takes it on.
+#[derive(Clone, Debug)]
+pub struct Task {
+    /// The narrowest cylinder.
+    pub main: Bore,
+    /// The wider ones, each opened from the one it surrounds: the entry face's from the narrowest outwards,
+    /// then those of the back face.
+    pub wider: Vec<Bore>,
+    /// Chamfers, countersinks and faces, by where they are.
+    pub edges: Vec<Edge>,
+    /// What no axial tool makes.
+    pub impossible: Vec<Note>,
+}
+
+/// A cylinder of a hole.
+#[derive(Clone, Debug)]
+pub struct Bore {
+    /// Where it is.
+    pub place: Place,
+    /// Its diameter with tolerance; under a thread the hole that is tapped.
+    pub diameter: ToleratedDiameter,
+    /// Roughness limit.
+    pub roughness: Roughness,
+    /// What is there before it is made.
+    pub before: Before,
+    /// Whether its floor or shoulder must be flat.
+    pub flat: bool,
+    /// Its thread.
+    pub thread: Option<Thread>,
+    /// Where the thread ends, below the face: a blind hole is drilled deeper than that.
+    pub thread_depth: Micrometres,
+}
+
+/// What is there before a cylinder is made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Before {
+    /// What the blank has.
+    Blank(BlankHole),
+    /// The narrower cylinder of the same hole.
+    Own,
+}
+
+impl Before {
+    /// Whether the cylinder is begun in solid metal.
+    pub fn is_solid(self) -> bool {
+        self == Self::Blank(BlankHole::Solid)
+    }
+}
+
+/// A conical or flat cut at the edge of a cylinder.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Edge {
+    /// Chamfer, countersink, cone or face.
+    pub feature: Feature,
+    /// The face it is at.
+    pub face: Face,
+    /// How far below the face its widest circle lies.
+    pub start: Micrometres,
+    /// The cylinder above it, through which the cutter enters; absent at the face.
+    pub within: Option<Micrometres>,
+    /// Whether the drawing asks for it; a thread's own chamfer is ours.
+    pub asked: bool,
+    /// The cylinder it is cut at, before its finishing.
+    pub around: Micrometres,
+    /// Its widest diameter.
+    pub diameter: Micrometres,
+    /// Its full angle, thousandths of a degree; 180° for a face.
+    pub angle_millideg: u32,
+}
+
+impl Edge {
+    /// Depth of the cone: (D - d)/2 / tan(φ/2); a face is as deep as its stock.
+    pub fn depth(&self, face_stock: Micrometres) -> Micrometres {
+        if self.feature == Feature::Face {
+            return face_stock;
+        }
+        let half = f64::from(self.angle_millideg) / 1000.0 / 2.0;
+        Micrometres::from_mm_rounded((self.diameter - self.around).to_mm() / 2.0 / libm::tan(half.to_radians()))
+    }
+}
+
+/// A right angle: chamfers are 45° to the axis.
+const RIGHT: u32 = 90_000;
+
+/// Takes a hole apart.
+///
+/// # Errors
+/// The knowledge lacks a convention.
+pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, KnowledgeError> {
+    let thickness = part.blank.thickness;
+    // A tap's first teeth cut no full thread: a blind hole is drilled deeper by that.
+    let runout = match hole.thread.as_ref().filter(|_| !hole.through) {
+        Some(thread) => Micrometres::from_mm_rounded(thread.pitch.to_mm() * shop.share("thread-runout-pitches")?),
+        None => Micrometres::ZERO,
+    };
+    let main = Bore {
+        place: Place {
+            feature: Feature::Bore,
+            step: None,
+            face: Face::Entry,
+            start: Micrometres::ZERO,
+            depth: hole.depth + runout,
+            through: hole.through,
+        },
+        diameter: hole.diameter.clone(),
+        roughness: hole.roughness,
+        before: Before::Blank(hole.state),
+        flat: !hole.through && hole.bottom == Bottom::Flat,
+        thread: hole.thread.clone(),
+        thread_depth: hole.depth,
+    };
+    let mut wider = Vec::new();
+    let mut edges = Vec::new();
+    let mut impossible = Vec::new();
+    for face in [Face::Entry, Face::Back] {
+        let mut own: Vec<(usize, &crate::part::HoleStep)> =
+            hole.steps.iter().enumerate().filter(|(_, step)| step.face == face).collect();
+        own.sort_by_key(|(_, step)| step.diameter.nominal);
+        for (position, (index, step)) in own.iter().copied().enumerate() {
+            // Its edge lies at the floor of the cylinder around it, or at the face.
+            let edge_at = own.get(position + 1).map(|(_, around)| (around.depth, around.diameter.nominal));
+            wider.push(Bore {
+                place: Place {
+                    feature: Feature::Step,
+                    step: Some(index + 1),
+                    face,
+                    start: Micrometres::ZERO,
+                    depth: step.depth,
+                    through: false,
+                },
+                diameter: step.diameter.clone(),
+                roughness: step.roughness,
+                before: Before::Own,
+                // A tapped hole ends in the cone of its drill.
+                flat: step.bottom == Bottom::Flat && step.thread.is_none(),
+                thread: step.thread.clone(),
+                thread_depth: step.depth,
+            });
+            let chamfer = step.chamfer.or(thread_chamfer(step.thread.as_ref(), shop)?);
+            if let Some(chamfer) = chamfer {
+                let edge = chamfer_edge(face, edge_at, step.diameter.nominal, chamfer);
+                edges.push(Edge { asked: step.chamfer.is_some(), ..edge });
+            }
+        }
+    }
+    if let Some(counterbore) = hole.counterbore {
+        // A counterbore has no tolerance of its own: a free size (textbook 1.1.1).
+        let diameter = ToleratedDiameter::free(counterbore.diameter, shop.knowledge)
+            .map_err(|why| KnowledgeError::lacks("it-grades", &why))?;
+        wider.push(Bore {
+            place: Place {
+                feature: Feature::Counterbore,
+                step: None,
+                face: Face::Entry,
+                start: Micrometres::ZERO,
+                depth: counterbore.depth,
+                through: false,
+            },
+            diameter,
+            roughness: shop.roughness("counterbore-ra-um")?,
+            before: Before::Own,
+            flat: true,
+            thread: None,
+            thread_depth: counterbore.depth,
+        });
+    }
+    // What stands at the entry edge: the widest cylinder there.
+    let outermost = wider
+        .iter()
+        .filter(|bore| bore.place.face == Face::Entry)
+        .map(|bore| bore.diameter.nominal)
+        .max()
+        .unwrap_or(hole.diameter.nominal);
+    if let Some(sink) = hole.countersink {
+        edges.push(Edge {
+            feature: Feature::Countersink,
+            face: Face::Entry,
+            start: Micrometres::ZERO,
+            within: None,
+            asked: true,
+            around: outermost,
+            diameter: sink.diameter,
+            angle_millideg: sink.angle_millideg,
+        });
+    }
+    if let Some(cone) = hole.cone {
+        edges.push(Edge {
+            feature: Feature::Cone,
+            face: Face::Entry,
+            start: Micrometres::ZERO,
+            within: None,
+            asked: true,
+            around: hole.diameter.nominal,
+            diameter: cone.diameter,
+            angle_millideg: cone.angle_millideg,
+        });
+    }
+    // The main cylinder's own edge lies at the floor of the narrowest cylinder around it, or at the face.
+    let above = wider
+        .iter()
+        .filter(|bore| bore.place.face == Face::Entry)
+        .min_by_key(|bore| bore.diameter.nominal)
+        .map(|bore| (bore.place.depth, bore.diameter.nominal));
+    let main_edge = |chamfer: Micrometres| chamfer_edge(Face::Entry, above, hole.diameter.nominal, chamfer);
+    match (hole.chamfer, hole.countersink) {
+        // Over a counterbore the chamfer of a hole without steps is that of the entry.
+        (Some(chamfer), None) if hole.counterbore.is_some() && hole.steps.is_empty() => {
+            edges.push(chamfer_edge(Face::Entry, None, outermost, chamfer));
+        }
+        (Some(chamfer), None) => edges.push(main_edge(chamfer)),
+        (Some(chamfer), Some(_)) => impossible.push(Note::new("chamfer-in-countersink").with("chamfer", chamfer)),
+        (None, _) => {}
+    }
+    let own_chamfer = hole.chamfer.is_some() && (hole.counterbore.is_none() || !hole.steps.is_empty());
+    if let (Some(chamfer), false) = (thread_chamfer(hole.thread.as_ref(), shop)?, own_chamfer)
+        && (hole.countersink.is_none() || above.is_some())
+    {
+        edges.push(Edge { asked: false, ..main_edge(chamfer) });
+    }
+    if let Some(face) = hole.face {
+        edges.push(Edge {
+            feature: Feature::Face,
+            face: Face::Entry,
+            start: Micrometres::ZERO,
+            within: None,
+            asked: true,
+            around: outermost,
+            diameter: face,
+            angle_millideg: 2 * RIGHT,
+        });
+    }
+    if let Some(groove) = hole.groove {
+        impossible.push(
+            Note::new("groove-not-axial")
+                .with("diameter", groove.diameter)
+                .with("width", groove.width)
+                .with("depth", groove.depth),
+        );
+    }
+    // A cylinder entered from the back ends where the blank ends.
+    for bore in wider.iter().filter(|bore| bore.place.face == Face::Back && bore.place.depth >= thickness) {
+        impossible.push(Note::new("step-too-deep").with("depth", bore.place.depth).with("limit", thickness));
+    }
+    Ok(Task { main, wider, edges, impossible })
+}
+
+/// `at` is how deep the edge lies, and the diameter of the cylinder above it, through which the cutter enters.
+fn chamfer_edge(face: Face, at: Option<(Micrometres, Micrometres)>, around: Micrometres, chamfer: Micrometres) -> Edge {
+    Edge {
+        feature: Feature::Chamfer,
+        face,
+        start: at.map_or(Micrometres::ZERO, |(depth, _)| depth),
+        within: at.map(|(_, diameter)| diameter),
+        asked: true,
+        around,
+        diameter: around + chamfer + chamfer,
+        angle_millideg: RIGHT,
+    }
+}
+
+/// A thread begins with a chamfer as deep as its pitch, where the drawing gives none.
+fn thread_chamfer(thread: Option<&Thread>, shop: &Shop<'_>) -> Result<Option<Micrometres>, KnowledgeError> {
+    let Some(thread) = thread else { return Ok(None) };
+    let table = shop.knowledge.table("hole-defaults")?;
+    let row = table
+        .find("name", "thread-chamfer-pitches")
+        .ok_or_else(|| KnowledgeError::no_row(table, "thread-chamfer-pitches"))?;
+    let pitches = row.number_in("value", Unit::None)?;
+    // Over the thread's own diameter, so that the tap's first teeth begin outside it.
+    let hole = thread.size - thread.pitch;
+    let over = (thread.size - hole).half();
+    Ok(Some(Micrometres::from_mm_rounded(thread.pitch.to_mm() * pitches).max(over)))
+}
+
+impl Bore {
+    /// Grade and roughness its own surface must have: under a thread what drilling leaves, as A.10 drills it.
+    ///
+    /// # Errors
+    /// A.1 lacks its first row.
+    pub fn asks(&self, shop: &Shop<'_>) -> Result<(ItGrade, Roughness), KnowledgeError> {
+        if self.thread.is_none() {
+            return Ok((self.diameter.it, self.roughness));
+        }
+        let table = shop.knowledge.table("A.1")?;
+        let drilled = table.row(0).ok_or_else(|| KnowledgeError::no_row(table, "drilling"))?;
+        let ra = drilled.number_in("ra_coarsest", Unit::Micrometre)?;
+        Ok((drilled.grade("it_coarsest")?, Roughness::from_ra_nanometres((ra * 1000.0) as u32)))
+    }
+
+    /// Why a chamfer is there although the drawing has none.
+    pub fn chamfer_reason(&self, shop: &Shop<'_>) -> Option<Because> {
+        let thread = self.thread.as_ref()?;
+        let row = shop.knowledge.table("hole-defaults").ok()?.find("name", "thread-chamfer-pitches")?;
+        Some(Because::row(row, Note::new("thread-chamfer").with("pitch", thread.pitch)))
+    }
+}

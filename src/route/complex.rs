@@ -1,0 +1,94 @@
+//! The second way to a route: the complexes of transitions of tables A.4 and A.5.
+
+use crate::error::{KnowledgeError, Refusal, Tried};
+use crate::knowledge::{Input, QueryError};
+use crate::note::{Because, Note};
+use crate::plan::{Operation, Way};
+use crate::shop::Shop;
+use crate::units::Micrometres;
+
+use super::Candidate;
+use super::scheme::{Question, centre_first};
+
+/// What the hole opens into at its entry.
+#[derive(Clone, Copy, Debug)]
+pub struct Openings {
+    /// A counterbore.
+    pub counterbored: bool,
+    /// A countersink.
+    pub countersunk: bool,
+}
+
+/// The kind of hole that A.4 files a cylinder under, and the diameter it is asked with.
+fn kind(question: &Question<'_>, openings: Openings) -> Option<(&'static str, Micrometres)> {
+    let bore = question.bore;
+    let diameter = bore.diameter.nominal;
+    match (&bore.thread, bore.diameter.it.number()) {
+        _ if !bore.before.is_solid() => None,
+        (Some(thread), _) => Some(("threaded", thread.size)),
+        (None, 12..) if openings.counterbored => Some(("counterbored", diameter)),
+        (None, 12..) if openings.countersunk => Some(("countersunk", diameter)),
+        (None, 12..) => Some(("smooth", diameter)),
+        // Group 5 of A.4 are the holes of grade 7 to 9; 10 and 11 stand in no group.
+        (None, 7..=9) => Some(("precise", diameter)),
+        _ => None,
+    }
+}
+
+/// The complexes that A.4 gives a cylinder in solid metal, in its order.
+///
+/// A complex's chamfering and counterboring are those of the hole's own openings and planned with them;
+/// centring is added where section 1.2.1 asks for it.
+///
+/// # Errors
+/// The knowledge cannot answer, or A.4 has no complex for it.
+pub fn candidates(question: &Question<'_>, openings: Openings, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
+    let table = shop.knowledge.table("A.4")?;
+    let refuse = |code: &str| {
+        let note =
+            Note::new(code).with("it", question.bore.diameter.it).with("diameter", question.bore.diameter.nominal);
+        Refusal::Not(note.with("centre", question.centre_tolerance))
+    };
+    let Some((kind, diameter)) = kind(question, openings) else { return Err(refuse("no-complex-group")) };
+    let answer = match table.decide(&[
+        ("hole", Input::Text(kind)),
+        ("diameter", Input::Length(diameter)),
+        ("centre_tolerance", Input::Length(question.centre_tolerance)),
+    ]) {
+        Err(QueryError::OutOfDomain { .. }) => return Err(refuse("no-complex")),
+        answer => answer?,
+    };
+    let Some(row) = answer.winner() else { return Err(refuse("no-complex")) };
+    let complexes = shop.knowledge.table("A.5")?;
+    let (centre, centring) = centre_first(question.bore, shop)?;
+    let mut found = Vec::new();
+    for number in row.texts("complex")? {
+        let own = complexes.all_rows().find(|row| row.int("complex").is_ok_and(|own| own.to_string() == number));
+        let complex = own.ok_or_else(|| KnowledgeError::no_row(complexes, number))?;
+        let mut transitions: Vec<Operation> = complex
+            .texts("transitions")?
+            .into_iter()
+            .filter_map(Operation::from_name)
+            .filter(|operation| !matches!(operation, Operation::Chamfer | Operation::Counterbore))
+            .collect();
+        let note = Note::new("complex").with("complex", number).with("kind", kind);
+        let mut because = vec![Because::answer(&answer, note), centring.clone()];
+        let mut scheme = number.to_owned();
+        if centre && transitions.first() != Some(&Operation::CentreDrill) {
+            transitions.insert(0, Operation::CentreDrill);
+            scheme.push_str(" + centre");
+        }
+        because.push(Because::row(complex, Note::new("complex-transitions").with("complex", number)));
+        found.push(Candidate {
+            way: Way::Complexes,
+            table: "A.5".to_owned(),
+            scheme,
+            transitions,
+            finish_elsewhere: false,
+            // A.4 promises the grades of its groups: 7 to 9 for the precise ones; surface is the chain's.
+            promise: (kind != "threaded").then_some(super::Promise { it: question.bore.diameter.it, roughness: None }),
+            because,
+        });
+    }
+    Ok(found)
+}

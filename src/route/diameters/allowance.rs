@@ -1,0 +1,51 @@
+//! The range of the allowance a transition removes, on diameter, and where in it to aim.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::units::Unit;
+use crate::knowledge::{Input, RowRef};
+use crate::note::{Because, Note};
+use crate::plan::Operation;
+use crate::shop::Shop;
+use crate::units::Micrometres;
+
+/// An allowance on diameter.
+pub(super) struct Allowance<'k> {
+    pub low: Micrometres,
+    pub high: Micrometres,
+    pub aim: Micrometres,
+    pub row: RowRef<'k>,
+    /// Where the aim is from another row than the range.
+    pub stock: Option<Because>,
+}
+
+/// The allowance of a transition that leaves `after`, by the rule `allowance-before` and section 1.2.1.
+pub(super) fn allowance<'k>(
+    operation: Operation,
+    after: Micrometres,
+    nominal: Micrometres,
+    previous: Option<Operation>,
+    shop: &Shop<'k>,
+) -> Result<Allowance<'k>, KnowledgeError> {
+    let rule = shop.knowledge.table("allowance-before")?;
+    let answer = rule.decide(&[("operation", Input::Text(operation.name()))])?;
+    let choice = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, operation.name()))?;
+    let table = shop.knowledge.table("allowances")?;
+    let name = choice.text("allowance")?;
+    let row = table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
+    if let Ok(share) = row.number_in("share", Unit::None) {
+        // A share of the diameter is the most; inside it the handbook's stock, measured from the finished hole.
+        let high = Micrometres::from_mm_rounded(nominal.to_mm() * share);
+        let stocks = shop.knowledge.table("drill-before-core-drill")?;
+        let answer = stocks.decide(&[("diameter", Input::Length(nominal))])?;
+        let own = answer.winner().ok_or_else(|| KnowledgeError::no_row(stocks, "this diameter"))?;
+        let stock = own.length("stock")?;
+        let aim = (after - (nominal - stock)).max(Micrometres::new(1)).min(high);
+        let note = Note::new("core-drill-stock").with("stock", stock).with("nominal", nominal);
+        let stock = previous.is_some().then(|| Because::answer(&answer, note));
+        return Ok(Allowance { low: Micrometres::new(1), high, aim, row, stock });
+    }
+    let (low, high) = (row.length("minimum")?, row.length("maximum")?);
+    let share = choice.number_in("share", Unit::None)?;
+    let aim = low.to_mm() + (high - low).to_mm() * share;
+    Ok(Allowance { low, high, aim: Micrometres::from_mm_rounded(aim), row, stock: None })
+}

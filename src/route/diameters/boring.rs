@@ -1,0 +1,70 @@
+//! What rough boring and milling open a cylinder from.
+
+use crate::error::{Refusal, Tried};
+use crate::note::{Because, Note};
+use crate::plan::Operation;
+
+use super::super::Step;
+use super::{Backwards, allowance};
+
+impl Backwards<'_, '_> {
+    /// Rough boring. After a drill it opens from the largest one that leaves at least the smallest
+    /// allowance; at the beginning from what is there; after another roughing it takes one allowance. Where
+    /// the bar for the final size does not enter, slimmer bars open the way, one step each; each step is as
+    /// many equal passes as the largest allowance asks.
+    pub(super) fn rough_bore(self) -> Tried<Vec<Step>> {
+        let Self { after, previous, bore, sizes, shop, .. } = self;
+        let allowance = allowance(Operation::RoughBore, after, bore.diameter.nominal, previous, shop)?;
+        let largest = after - allowance.low;
+        let mut from = match previous {
+            None => self.start()?,
+            Some(Operation::Drill | Operation::DrillOut) => {
+                sizes.drills.iter().rev().copied().find(|drill| *drill <= largest).ok_or_else(|| {
+                    Refusal::Not(
+                        Note::new("no-drill-before-boring")
+                            .with("diameter", after)
+                            .with("largest", largest)
+                            .with("smallest", sizes.smallest_bore),
+                    )
+                })?
+            }
+            Some(_) => after - allowance.aim,
+        };
+        let bars = shop.knowledge.table("boring-bars")?;
+        let mut chain = Vec::new();
+        while from < after {
+            let widest = bars
+                .all_rows()
+                .filter(|bar| {
+                    bar.text("stage") == Ok("rough") && bar.length("bar_diameter").is_ok_and(|bar| bar < from)
+                })
+                .filter_map(|bar| bar.length_if_any("diameter_max"))
+                .max()
+                .unwrap_or_default();
+            if widest <= from {
+                return Err(Refusal::Not(Note::new("no-bar-enters").with("hole", from).with("diameter", after)));
+            }
+            let to = widest.min(after);
+            let stock = (to - from).micrometres();
+            let most = allowance.high.micrometres().max(1);
+            let passes = u32::try_from((stock + most - 1) / most).unwrap_or(u32::MAX);
+            let note = Note::new("rough-boring")
+                .with("low", allowance.low)
+                .with("high", allowance.high)
+                .with("stock", to - from)
+                .with("passes", passes);
+            let because = vec![Because::row(allowance.row, note)];
+            let step = Step::plain(Operation::RoughBore, bore.place, to, from);
+            chain.push(Step { passes, because, ..step });
+            from = to;
+        }
+        Ok(chain)
+    }
+
+    /// Milling by contour: after a drill from the largest one that leaves the mill something to cut; at the
+    /// beginning from what is there.
+    pub(super) fn mill(self) -> Tried<Step> {
+        let from = if self.after_drill() { self.drill_to_open()? } else { self.start()? };
+        Ok(self.step(from))
+    }
+}

@@ -1,0 +1,120 @@
+//! The rest of a hole: wider cylinders, and the edges and faces at its ends.
+
+use crate::error::{KnowledgeError, Refusal, Tried};
+use crate::knowledge::Input;
+use crate::note::{Because, Note};
+use crate::plan::{Feature, Operation};
+use crate::shop::Shop;
+use crate::units::Micrometres;
+
+use super::bores::{Bore, Edge};
+use super::diameters::Sizes;
+use super::scheme::{self, Question};
+use super::search::{self, Cost, cuts_shoulder};
+use super::{Candidate, Place, Step};
+
+/// The candidates of a wider cylinder: for a step of the drawing those of the tables for a hole that is
+/// there already, and those of the search; a shoulder that must be flat takes only those that leave one.
+///
+/// # Errors
+/// The knowledge cannot answer, or nothing opens it.
+pub fn candidates(
+    bore: &Bore,
+    question: &Question<'_>,
+    sizes: &Sizes<'_>,
+    cost: &Cost<'_>,
+    shop: &Shop<'_>,
+) -> Tried<Vec<Candidate>> {
+    let mut found = Vec::new();
+    let mut failed = None;
+    if bore.place.feature == Feature::Step && bore.thread.is_none() {
+        match Refusal::split(scheme::candidates(question, shop))? {
+            Ok(schemes) => found.extend(schemes),
+            Err(why) => failed = Some(why),
+        }
+    }
+    match Refusal::split(search::candidates(bore, sizes, cost, shop))? {
+        Ok(routes) => found.extend(routes),
+        // The search has tried everything; its reason tells more than that a table has no cell.
+        Err(why) => failed = Some(why),
+    }
+    found.retain(|candidate| !bore.flat || cuts_shoulder(&candidate.transitions));
+    // What can be finished here is not left for another machine.
+    if found.iter().any(|candidate| !candidate.finish_elsewhere) {
+        found.retain(|candidate| !candidate.finish_elsewhere);
+    }
+    if let Some(thread) = &bore.thread {
+        for candidate in &mut found {
+            candidate.transitions.push(Operation::Tap);
+            candidate.because.push(Because::table(
+                shop.knowledge.table("A.10")?,
+                Note::new("thread-of-step").with("thread", &thread.written),
+            ));
+        }
+    }
+    if found.is_empty() {
+        return Err(Refusal::Not(match failed {
+            Some(why) if !bore.flat => why,
+            _ => no_flat_opening(bore, shop)?,
+        }));
+    }
+    Ok(found)
+}
+
+/// The sizes of the catalogs' counterbores for about that diameter.
+///
+/// # Errors
+/// The knowledge cannot answer.
+pub(super) fn counterbores(diameter: Micrometres, shop: &Shop<'_>) -> Result<Vec<Micrometres>, KnowledgeError> {
+    let rule = shop.knowledge.table("tool-tables")?;
+    let operation = Operation::Counterbore.name();
+    let answer = rule.decide(&[("operation", Input::Text(operation)), ("diameter", Input::Length(diameter))])?;
+    let mut sizes = Vec::new();
+    for id in answer.winner().map(|row| row.texts("tables")).transpose()?.unwrap_or_default() {
+        sizes.extend(shop.knowledge.table(id)?.all_rows().filter_map(|row| row.length_if_any("diameter")));
+    }
+    Ok(sizes)
+}
+
+/// No cutter leaves this shoulder flat: the nearest counterbores of the catalogs.
+fn no_flat_opening(bore: &Bore, shop: &Shop<'_>) -> Result<Note, KnowledgeError> {
+    let asked = bore.diameter.nominal;
+    let sizes = counterbores(asked, shop)?;
+    let show = |size: Option<Micrometres>| size.map_or_else(|| "-".to_owned(), |size| format!("Ø{size}"));
+    Ok(Note::new("no-flat-opening")
+        .with("diameter", asked)
+        .with("below", show(sizes.iter().copied().filter(|size| *size < asked).max()))
+        .with("above", show(sizes.iter().copied().filter(|size| *size > asked).min())))
+}
+
+/// The step that cuts an edge: a chamfer, a countersink, a cone or a face. `around` is the diameter of the
+/// cylinder when it is cut.
+///
+/// # Errors
+/// The knowledge lacks a convention.
+pub fn edge(edge: &Edge, around: Micrometres, shop: &Shop<'_>) -> Tried<Step> {
+    let stock = shop.convention("face-stock-mm")?;
+    let depth = Edge { around, ..*edge }.depth(stock);
+    let place = Place {
+        feature: edge.feature,
+        step: None,
+        face: edge.face,
+        start: edge.start,
+        depth: edge.start + depth,
+        through: false,
+    };
+    let operation = match edge.feature {
+        Feature::Face => Operation::Counterbore,
+        Feature::Chamfer => Operation::Chamfer,
+        _ => Operation::Countersink,
+    };
+    let mut step = Step { within: edge.within, ..Step::plain(operation, place, edge.diameter, around) };
+    if edge.feature != Feature::Face {
+        step.angle_millideg = Some(edge.angle_millideg);
+    }
+    step.because.push(Because::table(
+        shop.knowledge.table("transition-order")?,
+        Note::new("edge").with("diameter", edge.diameter).with("depth", depth),
+    ));
+    Ok(step)
+}

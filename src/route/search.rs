@@ -1,0 +1,273 @@
+//! The third way to a route: a search over the states of the hole.
+//!
+//! A node is a state: what the last tool left and the diameter it left. An edge is a transition with its
+//! steps and its time. The graph is built backwards from the finished cylinder, because the allowances of
+//! section 1.2.1 say what diameter a transition needs before it; which transitions may follow which, and
+//! what accuracy a chain reaches, are rows of the rule `next-transition`, which name rows of A.1, A.2 and
+//! section 1.2.1. Every simple path from the blank to the finished cylinder is a route; they are returned
+//! by their time.
+
+use std::collections::BTreeMap;
+
+use petgraph::Direction;
+use petgraph::algo::all_simple_paths;
+use petgraph::graph::{DiGraph, NodeIndex};
+use petgraph::visit::EdgeRef;
+
+use crate::error::{KnowledgeError, Refusal, Tried};
+use crate::knowledge::{Input, RowRef, Table};
+use crate::note::{Because, Note};
+use crate::plan::{Operation, Way};
+use crate::shop::Shop;
+use crate::units::{Micrometres, Minutes};
+
+use super::bores::{Before, Bore};
+use super::diameters::{Backwards, Sizes};
+use super::{Candidate, Step, accuracy};
+
+/// The most routes that are passed on: the fastest by the edges' own times.
+const MOST: usize = 8;
+/// The most transitions of a route: centring and the five of A.7's longest scheme, and one to spare.
+const LONGEST: usize = 7;
+
+/// A state of the cylinder.
+#[derive(Clone, Debug)]
+struct State {
+    /// The diameter there; zero in solid metal.
+    diameter: Micrometres,
+}
+
+/// A transition between two states.
+#[derive(Clone, Debug)]
+struct Edge {
+    operation: Operation,
+    minutes: f64,
+    /// The number of the rule's row.
+    row: usize,
+}
+
+/// Time, transitions and rows of a path.
+type Found = (f64, Vec<Operation>, Vec<usize>);
+
+/// What an edge costs: the time of its steps, or why they cannot be done.
+pub type Cost<'a> = dyn Fn(Vec<Step>) -> Tried<Minutes> + 'a;
+
+/// The routes of the search, fastest first.
+///
+/// # Errors
+/// The knowledge cannot answer, or no path leads to the finished cylinder; the refusal names the transition
+/// nearest to the end that failed.
+pub fn candidates(bore: &Bore, sizes: &Sizes<'_>, cost: &Cost<'_>, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
+    let mut graph = Graph::new(bore, sizes, cost, shop)?;
+    let goal = graph.goal()?;
+    let Some(start) = graph.start else {
+        return Err(Refusal::Not(telling(graph.failed, bore)));
+    };
+    let mut paths: Vec<Vec<NodeIndex>> = all_simple_paths::<Vec<_>, _, std::collections::hash_map::RandomState>(
+        &graph.states,
+        start,
+        goal,
+        0,
+        Some(LONGEST),
+    )
+    .collect();
+    // Parallel edges give the same nodes several times.
+    paths.sort_unstable();
+    paths.dedup();
+    let mut routes: Vec<Found> = Vec::new();
+    for path in paths {
+        let mut open: Vec<Found> = vec![(0.0, Vec::new(), Vec::new())];
+        for pair in path.windows(2) {
+            let edges: Vec<&Edge> = graph.states.edges_connecting(pair[0], pair[1]).map(|edge| edge.weight()).collect();
+            open = open
+                .into_iter()
+                .flat_map(|(minutes, operations, rows)| {
+                    edges.iter().map(move |edge| {
+                        let (mut operations, mut rows) = (operations.clone(), rows.clone());
+                        operations.push(edge.operation);
+                        rows.push(edge.row);
+                        (minutes + edge.minutes, operations, rows)
+                    })
+                })
+                .collect();
+        }
+        // A shoulder that must be flat keeps the others out before the quickest are picked.
+        let flat = bore.flat && bore.before == Before::Own;
+        routes.extend(open.into_iter().filter(|(_, operations, _)| !flat || cuts_shoulder(operations)));
+    }
+    routes.sort_by(|a, b| a.0.total_cmp(&b.0).then_with(|| a.1.cmp(&b.1)));
+    routes.dedup_by(|a, b| a.1 == b.1);
+    routes.truncate(MOST);
+    if routes.is_empty() {
+        return Err(Refusal::Not(telling(graph.failed, bore)));
+    }
+    routes.into_iter().map(|(_, operations, rows)| candidate(operations, &rows, shop)).collect()
+}
+
+/// The reason nearest to the end of the route that speaks of a tool or a stock, not of the search itself.
+fn telling(failed: Vec<Note>, bore: &Bore) -> Note {
+    let own = |note: &Note| matches!(note.code.as_str(), "state-unreachable" | "bored-by-another" | "no-hole-to-open");
+    let no_path = || Note::new("no-path").with("it", bore.diameter.it).with("roughness", bore.roughness);
+    failed.into_iter().find(|note| !own(note)).unwrap_or_else(no_path)
+}
+
+/// Whether transitions leave a flat shoulder: what comes first is cut flat over its whole width, by a
+/// counterbore or a mill where a drill went before, else also by boring.
+pub(super) fn cuts_shoulder(transitions: &[Operation]) -> bool {
+    match transitions {
+        [Operation::DrillOut | Operation::Drill, next, ..] => {
+            matches!(next, Operation::Mill | Operation::Counterbore)
+        }
+        [first, ..] => leaves_flat(*first),
+        [] => false,
+    }
+}
+
+/// Whether a transition leaves a flat floor or shoulder.
+pub const fn leaves_flat(operation: Operation) -> bool {
+    operation.is_boring() || matches!(operation, Operation::Mill | Operation::Counterbore)
+}
+
+/// A route as a candidate: named by the scheme of A.7 it is, where it is one.
+fn candidate(transitions: Vec<Operation>, rows: &[usize], shop: &Shop<'_>) -> Tried<Candidate> {
+    let rule = shop.knowledge.table("next-transition")?;
+    let names: Vec<&str> = transitions.iter().map(|operation| operation.name()).collect();
+    let schemes = shop.knowledge.table("A.7")?;
+    let known = schemes.all_rows().find(|row| row.texts("transitions").is_ok_and(|own| own == names));
+    let (table, scheme) = match known {
+        Some(row) => (schemes.id.clone(), row.text("scheme")?.to_owned()),
+        None => (rule.id.clone(), names.join(" + ")),
+    };
+    let mut because = vec![Because::table(rule, Note::new("searched").with("transitions", names.join(", ")))];
+    because.extend(rows.iter().filter_map(|index| rule.row(*index)).map(|row| {
+        Because::row(row, Note::new("searched-step").with("operation", row.text("operation").unwrap_or_default()))
+    }));
+    Ok(Candidate { way: Way::Search, table, scheme, transitions, finish_elsewhere: false, promise: None, because })
+}
+
+/// The graph while it is built.
+struct Graph<'a, 'k> {
+    states: DiGraph<State, Edge>,
+    known: BTreeMap<(String, Micrometres), NodeIndex>,
+    start: Option<NodeIndex>,
+    failed: Vec<Note>,
+    rule: &'k Table,
+    centre: bool,
+    bore: &'a Bore,
+    sizes: &'a Sizes<'a>,
+    cost: &'a Cost<'a>,
+    shop: &'a Shop<'k>,
+}
+
+impl<'a, 'k> Graph<'a, 'k> {
+    fn new(
+        bore: &'a Bore,
+        sizes: &'a Sizes<'a>,
+        cost: &'a Cost<'a>,
+        shop: &'a Shop<'k>,
+    ) -> Result<Self, KnowledgeError> {
+        let (centre, _) = super::scheme::centre_first(bore, shop)?;
+        Ok(Self {
+            states: DiGraph::new(),
+            known: BTreeMap::new(),
+            start: None,
+            failed: Vec::new(),
+            rule: shop.knowledge.table("next-transition")?,
+            centre,
+            bore,
+            sizes,
+            cost,
+            shop,
+        })
+    }
+
+    /// The finished cylinder, with every transition that reaches grade and roughness leading to it.
+    fn goal(&mut self) -> Tried<NodeIndex> {
+        let target = self.bore.diameter.target();
+        let goal = self.states.add_node(State { diameter: target });
+        let (asked_it, asked_roughness) = self.bore.asks(self.shop)?;
+        for row in self.rule.all_rows() {
+            let Some((it, roughness, _)) = accuracy::of_row(row, self.shop)? else { continue };
+            if it > asked_it || roughness > asked_roughness {
+                continue;
+            }
+            self.enter(goal, row, true)?;
+        }
+        Ok(goal)
+    }
+
+    /// Adds the edges of a row that lead into a node, and what leads to their beginnings.
+    fn enter(&mut self, node: NodeIndex, row: RowRef<'_>, last: bool) -> Tried<()> {
+        let after = self.states[node].diameter;
+        let Some(operation) = row.text("operation").ok().and_then(Operation::from_name) else { return Ok(()) };
+        let rule = self.rule;
+        let states = rule.inputs().find(|(_, column)| column.name == "after").map(|(_, column)| &column.values);
+        for name in states.into_iter().flatten() {
+            // Solid metal is drilled without centring only where the rule lets it.
+            if name == "solid" && operation == Operation::Drill && self.centre {
+                continue;
+            }
+            // The transition that leaves a state; a state that none leaves is a beginning, and ours is one of them.
+            let previous = rule
+                .all_rows()
+                .find(|row| row.text("leaves") == Ok(name))
+                .and_then(|row| Operation::from_name(row.text("operation").unwrap_or_default()));
+            if previous.is_none() && name != accuracy::start(self.bore) {
+                continue;
+            }
+            // A centring spot has no diameter of its own: the rule is asked with the cylinder's.
+            let asked = if after > Micrometres::ZERO { after } else { self.bore.diameter.nominal };
+            let answer = rule.decide(&[("after", Input::Text(name)), ("diameter", Input::Length(asked))])?;
+            if !answer.winners().any(|winner| winner.index == row.index) {
+                continue;
+            }
+            let question =
+                Backwards { operation, after, previous, bore: self.bore, sizes: self.sizes, shop: self.shop };
+            let steps = if last && operation == Operation::Drill {
+                question.last_drill(false).map(|step| vec![step])
+            } else {
+                question.steps()
+            };
+            let made = steps.and_then(|steps| {
+                // What a stand-in does is another transition's edge.
+                if steps.iter().any(|step| step.operation != operation) {
+                    return Err(Refusal::Not(Note::new("bored-by-another").with("operation", operation.name())));
+                }
+                let before = steps.first().map_or(after, |first| first.from);
+                (self.cost)(steps).map(|minutes| (before, minutes))
+            });
+            let (before, minutes) = match Refusal::split(made)? {
+                Ok(made) => made,
+                Err(why) => {
+                    self.failed.push(why);
+                    continue;
+                }
+            };
+            let from = self.node(name, before)?;
+            self.states.add_edge(from, node, Edge { operation, minutes: minutes.0, row: row.index });
+        }
+        Ok(())
+    }
+
+    /// The node of a state, with everything that leads to it.
+    fn node(&mut self, name: &str, diameter: Micrometres) -> Tried<NodeIndex> {
+        let key = (name.to_owned(), diameter);
+        if let Some(known) = self.known.get(&key) {
+            return Ok(*known);
+        }
+        let node = self.states.add_node(State { diameter });
+        self.known.insert(key, node);
+        if name == accuracy::start(self.bore) {
+            self.start = Some(node);
+            return Ok(node);
+        }
+        for row in self.rule.all_rows().filter(|row| row.text("leaves") == Ok(name)) {
+            self.enter(node, row, false)?;
+        }
+        let entered = self.states.edges_directed(node, Direction::Incoming).next().map(|edge| edge.id());
+        if entered.is_none() {
+            self.failed.push(Note::new("state-unreachable").with("state", name).with("diameter", diameter));
+        }
+        Ok(node)
+    }
+}

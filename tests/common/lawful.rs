@@ -1,0 +1,128 @@
+//! What holds for every plan, whatever the part.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use proptest::prelude::*;
+use technolog::knowledge::Value;
+use technolog::machine::Machine;
+use technolog::note::Severity;
+use technolog::part::{Hole, Part};
+use technolog::plan::{Feature, HolePlan, Operation, Plan, Transition};
+use technolog::units::Micrometres;
+
+use super::KNOWLEDGE;
+
+/// Whether a table has a row of that designation, in whichever of its columns.
+pub fn designated(table: &str, designation: &str) -> bool {
+    let Ok(table) = KNOWLEDGE.table(table) else { return false };
+    let columns: Vec<&str> = table
+        .columns
+        .iter()
+        .map(|column| column.name.as_str())
+        .filter(|name| name.starts_with("designation"))
+        .collect();
+    let held =
+        |column: &str| table.all_rows().any(|row| row.value(column).and_then(Value::as_text) == Some(designation));
+    columns.iter().any(|column| held(column))
+}
+
+/// Each step of the main cylinder begins with what the one before left; the first begins in solid metal, the
+/// last leaves the hole. Chamfers stand between them.
+pub fn chain(hole: &Hole, plan: &HolePlan) -> Result<(), TestCaseError> {
+    let mut before = Micrometres::ZERO;
+    for (number, step) in plan.transitions.iter().enumerate().filter(|(_, step)| step.feature == Feature::Bore) {
+        if step.operation == Operation::CentreDrill {
+            prop_assert_eq!(number, 0, "centring comes first");
+            prop_assert!(step.diameter_mm > Micrometres::ZERO);
+            continue;
+        }
+        prop_assert_eq!(step.from_diameter_mm, before, "{:?}", step.operation);
+        prop_assert!(step.diameter_mm > before, "{:?} does not open the hole", step.operation);
+        if before == Micrometres::ZERO {
+            prop_assert_eq!(step.operation, Operation::Drill);
+        }
+        before = step.diameter_mm;
+    }
+    let elsewhere = plan.route.as_ref().is_some_and(|route| route.finish_elsewhere);
+    prop_assert!(before <= hole.diameter.largest(), "{} ends at {before}", hole.diameter);
+    prop_assert!(elsewhere || before >= hole.diameter.smallest(), "{} ends at {before}", hole.diameter);
+    Ok(())
+}
+
+/// Tools of the catalogs, conditions that are numbers and that the machine bears.
+pub fn sound(step: &Transition, plan: &Plan, machine: &Machine<'_>) -> Result<(), TestCaseError> {
+    let what = format!("{:?} of {}", step.operation, step.diameter_mm);
+    prop_assert!(designated(&step.tool.table, &step.tool.designation), "{what}: no {:?}", step.tool);
+    prop_assert!(designated(&step.holder.table, &step.holder.designation), "{what}: no {:?}", step.holder);
+    let tool = plan.tools.iter().find(|tool| tool.number == step.tool.number);
+    prop_assert!(tool.is_some_and(|tool| tool.designation == step.tool.designation), "{what}");
+    prop_assert!(step.passes >= 1 && step.travel_mm > Micrometres::ZERO, "{what}");
+    let it = &step.conditions;
+    for figure in [
+        it.depth_of_cut_mm,
+        it.feed_mm_per_rev.0,
+        it.speed_m_per_min.0,
+        it.feed_mm_per_min.0,
+        it.machine_time_min.0,
+        it.tool_life_min.0,
+        it.computed_speed_m_per_min.0,
+    ] {
+        prop_assert!(figure.is_finite() && figure > 0.0, "{what}: {it:?}");
+    }
+    prop_assert!(machine.spindle_steps.contains(&it.spindle_rpm), "{what}: {:?}", it.spindle_rpm);
+    // Half of the last printed place above the limit.
+    // A small reamer's power may round to nothing.
+    let within = |value: Option<f64>, limit: f64, place: f64| value.is_none_or(|it| it >= 0.0 && it <= limit + place);
+    prop_assert!(within(Some(it.feed_mm_per_min.0), machine.feed_max.0, 0.05), "{what}: {it:?}");
+    prop_assert!(within(it.axial_force_n.map(|it| it.0), machine.thrust.0, 0.5), "{what}: {it:?}");
+    prop_assert!(within(it.torque_n_m.map(|it| it.0), machine.spindle_torque.0, 0.005), "{what}: {it:?}");
+    prop_assert!(within(it.power_kw.map(|it| it.0), machine.spindle_power.0, 0.005), "{what}: {it:?}");
+    Ok(())
+}
+
+/// Every point gets every transition of its group once, and in their order.
+pub fn visited(part: &Part, plan: &Plan) -> Result<(), TestCaseError> {
+    let mut done: BTreeMap<(&str, _), Vec<usize>> = BTreeMap::new();
+    for visit in &plan.sequence {
+        for stop in &visit.stops {
+            done.entry((&stop.hole, stop.at)).or_default().push(stop.transition);
+        }
+    }
+    for (hole, own) in part.holes.iter().zip(&plan.holes) {
+        for point in &hole.at {
+            let stops = done.remove(&(hole.name.as_str(), *point)).unwrap_or_default();
+            prop_assert_eq!(stops, (0..own.transitions.len()).collect::<Vec<_>>(), "{} {:?}", hole.name, point);
+        }
+    }
+    prop_assert!(done.is_empty(), "{done:?}");
+    Ok(())
+}
+
+/// All of it for a whole plan.
+pub fn lawful(part: &Part, plan: &Plan) -> Result<(), TestCaseError> {
+    let machine = Machine::find(&KNOWLEDGE, &part.machine).unwrap();
+    prop_assert_eq!(plan.holes.len(), part.holes.len());
+    for (hole, own) in part.holes.iter().zip(&plan.holes) {
+        prop_assert_eq!(&hole.name, &own.name);
+        prop_assert_eq!(own.route.is_some(), !own.transitions.is_empty(), "{}", own.name);
+        if own.route.is_none() {
+            let told = plan.findings.iter().any(|finding| {
+                finding.severity == Severity::Error && finding.hole.as_deref() == Some(own.name.as_str())
+            });
+            prop_assert!(told, "{} is not planned, and nobody says why", own.name);
+            continue;
+        }
+        chain(hole, own)?;
+        for step in &own.transitions {
+            sound(step, plan, &machine)?;
+        }
+    }
+    let numbers: BTreeSet<u32> = plan.tools.iter().map(|tool| tool.number).collect();
+    prop_assert_eq!(numbers.len(), plan.tools.len());
+    let longest = plan.tools.iter().map(|tool| tool.length_mm).max().unwrap_or_default();
+    for tool in &plan.tools {
+        prop_assert_eq!(tool.correction_mm, tool.length_mm - longest);
+        prop_assert!(tool.length_mm <= machine.overhang_max, "{tool:?}");
+    }
+    visited(part, plan)
+}
