@@ -66,6 +66,9 @@ pub struct Route {
     pub centre_tolerance_mm: Micrometres,
     /// Time of all holes of the group with the tool changes it adds to those of the other groups, min.
     pub time_min: Minutes,
+    /// Cost of that time, in the currency of the machine's record; absent where it has no `minute-rate`.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub cost: Option<f64>,
     /// By how much the runner-up is slower, min; absent without one.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub margin_min: Option<Minutes>,

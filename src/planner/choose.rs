@@ -11,7 +11,7 @@ use crate::note::Note;
 use crate::part::Part;
 use crate::plan::{Alternative, Operation, Way};
 use crate::shop::Shop;
-use crate::units::{Micrometres, Minutes};
+use crate::units::{Micrometres, Minutes, round_to};
 
 use super::fit::Fitted;
 use super::options::{Choice, Options};
@@ -255,13 +255,16 @@ impl<'a, 'k> Chooser<'a, 'k> {
             .and_then(|runner_up| runner_up.time_min)
             .map(|runner_up| Minutes(runner_up.0 - time.0).rounded(3));
         alternatives.extend(options.refused.iter().cloned());
-        Some(Weighed { time: time.rounded(3), margin, alternatives })
+        let cost = self.shop.machine.minute_rate.map(|rate| round_to(time.0 * rate, 2));
+        Some(Weighed { time: time.rounded(3), cost, margin, alternatives })
     }
 }
 
 /// What a group's route was weighed against.
 pub(super) struct Weighed {
     pub time: Minutes,
+    /// In the currency of the machine's record.
+    pub cost: Option<f64>,
     pub margin: Option<Minutes>,
     pub alternatives: Vec<Alternative>,
 }

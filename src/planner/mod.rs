@@ -177,6 +177,7 @@ fn route(choice: &Choice, options: &Options, weighed: Weighed) -> Route {
         meets: choice.meets,
         centre_tolerance_mm: options.centre_tolerance,
         time_min: weighed.time,
+        cost: weighed.cost,
         margin_min: weighed.margin,
         alternatives: weighed.alternatives,
         because,
