@@ -200,7 +200,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
         let total = self.total(group, index, choice).0;
         let rate = self.shop.machine.minute_rate.unwrap_or_default();
         Rank {
-            misses: !choice.meets,
+            misses: !choice.meets(),
             crowding: if self.crowded { new_tools } else { 0 },
             time: (total * 1e6) as i64,
             new_tools,
@@ -233,8 +233,8 @@ impl<'a, 'k> Chooser<'a, 'k> {
             let other = &options.choices[index];
             let total = self.total(group, index, other);
             let more = total.0 - time.0;
-            let why = match (winner.meets, other.meets) {
-                (true, false) => Note::new("lost-by-accuracy"),
+            let why = match (winner.meets(), other.meets()) {
+                (true, false) => other.misses.first().cloned().unwrap_or_else(|| Note::new("misses-unknown")),
                 _ if more > 5e-4 => Note::new("lost-by-time").with("slower", format!("{more:.3}")),
                 _ if more < -5e-4 => Note::new("lost-by-places").with("quicker", format!("{:.3}", -more)),
                 _ => Note::new("lost-by-order"),
@@ -246,7 +246,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
                 operations: Options::operations(other),
                 time_min: Some(total.rounded(3)),
                 new_tools: Some(self.new_tools(group, index)),
-                meets: other.meets,
+                meets: other.meets(),
                 why,
             });
         }

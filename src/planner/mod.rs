@@ -127,8 +127,8 @@ fn draft(
     if options.not_bored {
         report(Severity::Doubtful, Note::new("not-bored"));
     }
-    if !choice.meets {
-        report(Severity::Wrong, Note::new("route-misses").with("scheme", &choice.candidate.scheme));
+    for missed in &choice.misses {
+        report(Severity::Wrong, missed.clone().with("scheme", &choice.candidate.scheme));
     }
     if steps.iter().any(|fitted| fitted.step.operation.is_boring() && fitted.step.passes > 1) {
         report(Severity::Note, Note::new("bar-set-by-hand"));
@@ -174,7 +174,7 @@ fn route(choice: &Choice, options: &Options, weighed: Weighed) -> Route {
         table: candidate.table.clone(),
         scheme: candidate.scheme.clone(),
         finish_elsewhere: candidate.finish_elsewhere,
-        meets: choice.meets,
+        meets: choice.meets(),
         centre_tolerance_mm: options.centre_tolerance,
         time_min: weighed.time,
         cost: weighed.cost,

@@ -25,12 +25,19 @@ use super::whole::{Finder, edges, hops, smallest_bore};
 pub(super) struct Choice {
     pub candidate: Candidate,
     pub steps: Vec<Fitted>,
-    /// Whether it holds grade, roughness and position.
-    pub meets: bool,
+    /// What of grade, roughness and position it does not hold.
+    pub misses: Vec<Note>,
     /// Cutting and rapids of all holes of the group, without tool changes.
     pub own: Minutes,
     /// A drill that another group must have, for which this route drills in two passes.
     pub borrowed: Option<Micrometres>,
+}
+
+impl Choice {
+    /// Whether it holds grade, roughness and position.
+    pub fn meets(&self) -> bool {
+        self.misses.is_empty()
+    }
 }
 
 /// The routes of a group.
@@ -288,7 +295,7 @@ impl Finder<'_, '_> {
         let bores = |choice: &Choice| choice.candidate.transitions.iter().any(|operation| operation.is_boring());
         let stands_back = |choice: &Choice| choice.candidate.way != Way::Tables && bores(choice) != asked;
         options.not_bored = !asked && self.close()?;
-        let other = options.choices.iter().any(|choice| choice.meets && !stands_back(choice));
+        let other = options.choices.iter().any(|choice| choice.meets() && !stands_back(choice));
         if !other {
             options.not_bored = self.close()? && !options.choices.iter().any(bores);
             return Ok(());
@@ -299,7 +306,7 @@ impl Finder<'_, '_> {
         for choice in back {
             let why = Note::new(code).with("position", self.question.position);
             let operations = Options::operations(&choice);
-            options.refused.push(Alternative { operations, meets: choice.meets, ..refused(&choice.candidate, why) });
+            options.refused.push(Alternative { operations, meets: choice.meets(), ..refused(&choice.candidate, why) });
         }
         Ok(())
     }
@@ -332,28 +339,35 @@ impl Finder<'_, '_> {
             .flatten()
             .map(|fitted| fitted.step.diameter)
             .filter(|drill| self.sizes.in_magazine.contains(drill));
-        let meets = self.meets(candidate, &steps);
-        Choice { candidate: candidate.clone(), steps, meets, own: Minutes(own), borrowed }
+        let misses = self.misses(candidate, &steps);
+        Choice { candidate: candidate.clone(), steps, misses, own: Minutes(own), borrowed }
     }
 
-    /// Whether a route holds what the drawing asks: what a table gives it promises; a searched one must reach
-    /// grade, roughness and position by its chain.
-    fn meets(&self, candidate: &Candidate, steps: &[Fitted]) -> bool {
+    /// What of the drawing a route does not hold: what a table gives it promises; others must reach grade and
+    /// roughness by their chain, and a searched one the position too.
+    fn misses(&self, candidate: &Candidate, steps: &[Fitted]) -> Vec<Note> {
         if candidate.way == Way::Tables {
-            return true;
+            return Vec::new();
         }
         let main = &self.task.main;
-        let last = steps
-            .iter()
-            .rev()
-            .map(|fitted| &fitted.step)
-            .find(|step| step.place.feature == Feature::Bore && !step.elsewhere && step.achieved.is_some());
-        let Some(reached) = last.and_then(|step| step.achieved) else { return false };
-        let graded = reached.it.is_some_and(|it| it <= main.diameter.it) || main.thread.is_some();
-        let smooth = reached.roughness.is_some_and(|own| own <= main.roughness) || main.thread.is_some();
-        let placed = candidate.way != Way::Search
-            || reached.position_mm.is_none_or(|position| position <= self.question.position);
-        graded && smooth && placed
+        let cuts = |step: &&Step| step.place.feature == Feature::Bore && !step.elsewhere && step.achieved.is_some();
+        let last = steps.iter().rev().map(|fitted| &fitted.step).find(cuts);
+        let Some(reached) = last.and_then(|step| step.achieved) else { return vec![Note::new("misses-unknown")] };
+        let mut misses = Vec::new();
+        if main.thread.is_none() {
+            if reached.it.is_none_or(|it| it > main.diameter.it) {
+                let it = reached.it.map_or_else(|| "-".to_owned(), |it| it.to_string());
+                misses.push(Note::new("misses-grade").with("it", it).with("asked", main.diameter.it));
+            }
+            if reached.roughness.is_none_or(|own| own > main.roughness) {
+                let own = reached.roughness.map_or_else(|| "-".to_owned(), |own| own.to_string());
+                misses.push(Note::new("misses-roughness").with("roughness", own).with("asked", main.roughness));
+            }
+        }
+        let asked = self.question.position;
+        let beyond = reached.position_mm.filter(|own| candidate.way == Way::Search && *own > asked);
+        misses.extend(beyond.map(|own| Note::new("misses-position").with("position", own).with("asked", asked)));
+        misses
     }
 }
 

@@ -51,10 +51,21 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "drilling into an unmachined face costs {percent} % of the accuracy of centre distances; the tables are asked with a tighter tolerance",
     ),
     (
-        "route-misses",
-        "схема {scheme} за таблицями не тримає всіх вимог (квалітет, шорсткість або положення); кращої немає",
-        "scheme {scheme} does not hold every requirement by the tables (grade, roughness or position); there is no better one",
+        "misses-grade",
+        "за таблицями досягається квалітет {it}, а потрібен {asked}",
+        "by the tables it reaches grade {it}, and {asked} is asked",
     ),
+    (
+        "misses-roughness",
+        "за таблицями досягається {roughness}, а потрібно {asked}",
+        "by the tables it reaches {roughness}, and {asked} is asked",
+    ),
+    (
+        "misses-position",
+        "положення осі {position} > {asked} мм допустимих",
+        "the position of the axis {position} > {asked} mm permitted",
+    ),
+    ("misses-unknown", "таблиці не кажуть, що досягається", "the tables do not say what it reaches"),
     (
         "not-bored",
         "положення осі просить розточувального інструменту (1.2), але жодна оправка сюди не годиться; маршрут без розточування",
@@ -81,11 +92,6 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "lost-by-places",
         "швидше на {quicker} хв, але потребує більше місць у магазині, якого не вистачає",
         "quicker by {quicker} min, but takes more places of a magazine that does not suffice",
-    ),
-    (
-        "lost-by-accuracy",
-        "за таблицями не тримає квалітету, шорсткості або положення",
-        "does not hold grade, roughness or position by the tables",
     ),
     ("lost-by-order", "рівний час; за порядком способів стоїть далі", "equal time; later in the order of the ways"),
     (
