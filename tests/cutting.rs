@@ -53,6 +53,7 @@ fn cut(operation: Operation, from: f64, diameter: f64) -> Cut<'static> {
         it: None,
         pitch: None,
         cutter: None,
+        feed_diameter: None,
     }
 }
 

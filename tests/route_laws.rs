@@ -20,7 +20,7 @@ use proptest::prelude::*;
 use technolog::machine::Machine;
 use technolog::note::Severity;
 use technolog::part::Hole;
-use technolog::plan::{CuttingMethod, Feature, HolePlan, Operation, Plan, Transition};
+use technolog::plan::{CuttingMethod, Feature, HolePlan, Made, Operation, Plan, Transition};
 use technolog::units::Micrometres;
 
 /// The same numbers in every run (a linear congruence; its high bits are even enough here).
@@ -156,9 +156,11 @@ fn within_allowances(hole: &HolePlan) -> Result<(), TestCaseError> {
 }
 
 /// The stocks of a route that was not taken: of its diameters, with as many passes of rough boring as fit.
-fn alternative_within_allowances(operations: &[(Operation, Micrometres)]) -> Result<(), TestCaseError> {
+fn alternative_within_allowances(operations: &[Made]) -> Result<(), TestCaseError> {
     for pair in operations.windows(2) {
-        let [(before, from), (operation, to)] = pair else { continue };
+        let [Made { diameter_mm: from, operation: before }, Made { diameter_mm: to, operation }] = pair else {
+            continue;
+        };
         let opened = !matches!(
             before,
             Operation::CentreDrill | Operation::Counterbore | Operation::Countersink | Operation::Chamfer

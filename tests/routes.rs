@@ -47,7 +47,7 @@ fn table_route(hole: &HolePlan) -> Option<(String, Vec<&'static str>, bool)> {
         return Some((route.scheme.clone(), operations, route.finish_elsewhere));
     }
     let other = route.alternatives.iter().find(|other| other.way == Way::Tables && other.time_min.is_some())?;
-    let operations = other.operations.iter().map(|(operation, _)| operation.name()).collect();
+    let operations = other.operations.iter().map(|made| made.operation.name()).collect();
     Some((other.scheme.clone(), operations, false))
 }
 

@@ -83,6 +83,7 @@ fn ours(drill: &Drill) -> (f64, f64) {
         it: None,
         pitch: None,
         cutter: None,
+        feed_diameter: None,
     };
     let found = cutting::conditions(&cut, &shop).unwrap();
     assert!((found.feed_mm_per_rev.0 - drill.feed).abs() < 1e-9, "Ø{}", drill.diameter);

@@ -24,7 +24,7 @@ pub(super) fn tabulated(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Feed> {
     let choice = choice.winner().ok_or_else(|| KnowledgeError::no_row(rule, cut.operation.name()))?;
     let multiple = multiple(choice, knowledge)?;
     let table = knowledge.table(choice.text("feed_table")?)?;
-    let (diameter, clamped) = inside_domain(cut.diameter, table);
+    let (diameter, clamped) = inside_domain(cut.feed_diameter.unwrap_or(cut.diameter), table);
     let hardness = Input::Number(shop.material.hardness, Unit::Brinell);
     let figures = figures::ask(&table.id, &[("hardness", hardness), ("diameter", Input::Length(diameter))], shop)?;
     let row = figures.row;

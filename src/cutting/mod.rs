@@ -31,6 +31,8 @@ pub struct Cut<'a> {
     pub operation: Operation,
     /// The diameter it leaves; for centring that of the spot, for a cone its widest, for a thread its nominal.
     pub diameter: Micrometres,
+    /// The narrow diameter of a step drill, which bears less feed than the wide one; absent for other tools.
+    pub feed_diameter: Option<Micrometres>,
     /// The diameter before it; zero in solid metal.
     pub from: Micrometres,
     /// Passes of the tool; milling adds to them what the mill's diameter asks for.

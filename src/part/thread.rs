@@ -92,7 +92,13 @@ fn metric(text: &str, rest: &str, knowledge: &Knowledge) -> Result<ThreadedHole,
             let why = format!("the pitch {pitch} must be above zero and not above {coarse}, the coarse one of {id}");
             return Err(ThreadError::bad(text, &why));
         }
-        Some(pitch) if pitch != coarse => (format!("{id}x{pitch}"), pitch, size - pitch),
+        Some(pitch) if pitch != coarse => {
+            let fine = knowledge.table("tap-drills-fine").map_err(|error| lacking(error.to_string()))?;
+            let id = format!("{id}x{pitch}");
+            // Where the table has no such thread its hole is the size less the pitch, by which the table is made.
+            let hole = fine.find("thread", &id).and_then(|row| row.length_if_any("diameter"));
+            (id, pitch, hole.unwrap_or(size - pitch))
+        }
         _ => (id, coarse, under_coarse),
     };
     let thread = Thread { written: format!("M{rest}"), kind: ThreadKind::Cylindrical, id, size, pitch };
@@ -178,7 +184,7 @@ mod tests {
             ("M8-6H", "M8-6H", "M8", 8_000, 1_250, 6_800),
             ("M8", "M8", "M8", 8_000, 1_250, 6_800),
             ("М8х1-6Н", "M8x1-6H", "M8x1", 8_000, 1_000, 7_000),
-            (" M 12 × 1.25 - 4H5H", "M12x1.25-4H5H", "M12x1.25", 12_000, 1_250, 10_750),
+            (" M 12 × 1.25 - 4H5H", "M12x1.25-4H5H", "M12x1.25", 12_000, 1_250, 10_800),
             ("M8x1.25-7H", "M8x1.25-7H", "M8", 8_000, 1_250, 6_800),
             ("M3", "M3", "M3", 3_000, 500, 2_500),
         ] {

@@ -15,7 +15,7 @@ use crate::units::{
 
 mod route;
 
-pub use route::{Achieved, Alternative, Feature, Route, Way};
+pub use route::{Achieved, Alternative, Feature, Made, Route, Way};
 
 /// A transition of hole machining.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]

@@ -66,10 +66,11 @@ pub struct Route {
     pub centre_tolerance_mm: Micrometres,
     /// Time of all holes of the group with the tool changes it adds to those of the other groups, min.
     pub time_min: Minutes,
-    /// Cost of that time, in the currency of the machine's record; absent where it has no `minute-rate`.
+    /// Cost of that time: minutes times the `minute-rate` of the machine's record, in its currency; absent where it has no `minute-rate`.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub cost: Option<f64>,
-    /// By how much the runner-up is slower, min; absent without one.
+    /// By how much the runner-up is slower, min; below zero where a quicker one would take more places of a
+    /// magazine that does not suffice, or misses something. Absent without a runner-up.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub margin_min: Option<Minutes>,
     /// The other routes, best first, each with why it lost: the first admissible one is the runner-up.
@@ -86,6 +87,15 @@ impl Route {
     }
 }
 
+/// A transition of a route that was not taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+pub struct Made {
+    /// What is done.
+    pub operation: Operation,
+    /// The diameter it leaves, mm.
+    pub diameter_mm: Micrometres,
+}
+
 /// A route that was not taken.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Alternative {
@@ -96,7 +106,7 @@ pub struct Alternative {
     /// Its scheme.
     pub scheme: String,
     /// Its transitions with the diameters they leave, where they could be found.
-    pub operations: Vec<(Operation, Micrometres)>,
+    pub operations: Vec<Made>,
     /// Its time as of [`Route::time_min`]; absent when it cannot be carried out.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub time_min: Option<Minutes>,

@@ -2,22 +2,26 @@
 //!
 //! A route that holds grade, roughness and position goes before one that does not; then the total time
 //! decides, with the tool changes it adds to those of the other groups; then the places of the magazine it
-//! adds; then its cost, where the machine's record has a rate; then the way (tables, complexes, search) and
-//! the names, so that the order is total and no file's order matters.
+//! adds; then the way (tables, complexes, search) and the names, so that the order is total and no file's
+//! order matters. Cost is time at the machine's rate, so it never decides alone.
+//!
+//! Groups are chosen one beside the others until no single move helps; then, tool by tool, every group that
+//! can use the tool takes it, or every group that uses it goes without, and what makes the whole part better
+//! is kept.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::note::Note;
 use crate::part::Part;
-use crate::plan::{Alternative, Operation, Way};
+use crate::plan::{Alternative, Operation};
 use crate::shop::Shop;
 use crate::units::{Micrometres, Minutes, round_to};
 
 use super::fit::Fitted;
 use super::options::{Choice, Options};
 
-/// The most rounds of reconsidering; it ends by itself long before.
-const ROUNDS: usize = 6;
+/// The most rounds of reconsidering; each must make the whole part better, so it ends by itself.
+const ROUNDS: usize = 8;
 
 /// A tool as the magazine counts it; the centring drill is one for all holes.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -26,8 +30,8 @@ enum ToolKey {
     Cutter { designation: String, table: String, size: Micrometres, holder: String },
 }
 
-/// By what routes are ranked, best first.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+/// By what the routes of a group are ranked, best first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Rank {
     misses: bool,
     /// Places count before time while the magazine overflows.
@@ -35,21 +39,25 @@ struct Rank {
     /// Millionths of a minute.
     time: i64,
     new_tools: usize,
-    /// Millionths of the machine's currency.
-    cost: i64,
-    way: Way,
-    table: String,
-    scheme: String,
-    operations: Vec<(Operation, Micrometres)>,
+    /// Place by way, table, scheme and transitions.
+    name: usize,
 }
+
+/// What the whole part comes to, best first: groups without a route or with one that misses something, time.
+type Total = (usize, i64);
 
 /// The groups' options with what is chosen of each.
 pub(super) struct Chooser<'a, 'k> {
     pub options: Vec<Option<Options>>,
     /// The index of the chosen route of each group.
     pub chosen: Vec<Option<usize>>,
-    keys: Vec<Vec<BTreeSet<ToolKey>>>,
-    used: BTreeMap<ToolKey, usize>,
+    /// The tools of each route, by number.
+    tools: Vec<Vec<Vec<usize>>>,
+    /// The place of each route among the names of its group.
+    names: Vec<Vec<usize>>,
+    numbers: BTreeMap<ToolKey, usize>,
+    /// How many chosen routes use each tool.
+    used: Vec<usize>,
     shop: &'a Shop<'k>,
     change: f64,
     crowded: bool,
@@ -65,8 +73,10 @@ impl<'a, 'k> Chooser<'a, 'k> {
         Self {
             options: (0..groups).map(|_| None).collect(),
             chosen: vec![None; groups],
-            keys: vec![Vec::new(); groups],
-            used: BTreeMap::new(),
+            tools: vec![Vec::new(); groups],
+            names: vec![Vec::new(); groups],
+            numbers: BTreeMap::new(),
+            used: Vec::new(),
             shop,
             change,
             crowded: false,
@@ -75,63 +85,111 @@ impl<'a, 'k> Chooser<'a, 'k> {
 
     /// Takes on a group: the best of its routes beside the tools chosen so far.
     pub fn add(&mut self, group: usize, options: Options) {
-        self.keys[group] = options.choices.iter().map(|choice| tool_keys(&choice.steps)).collect();
-        self.options[group] = Some(options);
-        if let Some(best) = self.best(group) {
-            self.take(group, Some(best));
+        for choice in &options.choices {
+            let mut own = Vec::new();
+            for key in tool_keys(&choice.steps) {
+                let next = self.numbers.len();
+                own.push(*self.numbers.entry(key).or_insert(next));
+            }
+            self.tools[group].push(own);
         }
+        self.used.resize(self.numbers.len(), 0);
+        self.names[group] = by_name(&options.choices);
+        self.options[group] = Some(options);
+        let best = self.ranked(group).first().copied();
+        self.take(group, best);
     }
 
     /// The drills that the chosen routes have in the magazine.
     pub fn drills(&self) -> Vec<Micrometres> {
-        let mut drills: Vec<Micrometres> = self
-            .taken()
-            .flat_map(|choice| &choice.steps)
-            .filter(|fitted| fitted.step.operation == Operation::Drill && fitted.step.also.is_none())
-            .map(|fitted| fitted.step.diameter)
-            .collect();
+        let mut drills: Vec<Micrometres> =
+            (0..self.chosen.len()).filter_map(|group| self.choice(group)).flat_map(drills_of).collect();
         drills.sort_unstable();
         drills.dedup();
         drills
     }
 
-    fn taken(&self) -> impl Iterator<Item = &Choice> {
-        self.options.iter().zip(&self.chosen).filter_map(|(options, chosen)| options.as_ref()?.choices.get((*chosen)?))
+    /// The chosen route of a group.
+    pub fn choice(&self, group: usize) -> Option<&Choice> {
+        self.options[group].as_ref()?.choices.get(self.chosen[group]?)
     }
 
-    /// Reconsiders every group beside all the others until nothing gets better; then, if the magazine does not
-    /// suffice, once more with its places before the time.
+    /// Reconsiders every group beside all the others, and tool by tool, until nothing gets better; then, if the
+    /// magazine does not suffice, once more with its places before the time.
     pub fn settle(&mut self, order: &[usize]) {
-        self.rounds(order);
-        if self.used.len() > self.shop.machine.magazine {
-            let (before, tools) = (self.chosen.clone(), self.used.len());
+        for _ in 0..ROUNDS {
+            let before = self.total();
+            self.rounds(order);
+            for tool in 0..self.used.len() {
+                self.together(tool, order);
+                self.without(tool, order);
+            }
+            if self.total() >= before {
+                break;
+            }
+        }
+        let places = self.shop.machine.magazine;
+        if self.tools_used() > places {
+            let before = self.chosen.clone();
             self.crowded = true;
             self.rounds(order);
             self.crowded = false;
-            if self.used.len() >= tools || self.used.len() > self.shop.machine.magazine {
-                // Fewer tools alone are worth no slower routes: it must fit.
-                for (group, choice) in before.into_iter().enumerate() {
-                    self.take(group, choice);
-                }
+            // Fewer tools alone are worth no slower routes: they must fit.
+            if self.tools_used() > places {
+                self.restore(&before);
             }
         }
     }
 
+    /// Every group that can use a tool takes its best route with it; kept when the whole part gets better.
+    fn together(&mut self, tool: usize, order: &[usize]) {
+        let users = |group: &usize| self.tools[*group].iter().any(|own| own.contains(&tool));
+        if order.iter().filter(|group| users(group)).count() > 1 {
+            self.try_all(order, |own| own.contains(&tool));
+        }
+    }
+
+    /// Every group that uses a tool takes its best route without it; kept when the whole part gets better.
+    fn without(&mut self, tool: usize, order: &[usize]) {
+        if self.used[tool] > 1 {
+            self.try_all(order, |own| !own.contains(&tool));
+        }
+    }
+
+    fn try_all(&mut self, order: &[usize], wanted: impl Fn(&[usize]) -> bool) {
+        let (before, total) = (self.chosen.clone(), self.total());
+        for &group in order {
+            let old = self.chosen[group];
+            self.take(group, None);
+            let best = self.ranked(group).into_iter().find(|index| wanted(&self.tools[group][*index]));
+            self.take(group, best.or(old));
+        }
+        self.rounds(order);
+        if !self.lends() || self.total() >= total {
+            self.restore(&before);
+        }
+    }
+
+    /// Moves of single groups, each to its best route that leaves no other without what it borrows.
     fn rounds(&mut self, order: &[usize]) {
         for _ in 0..ROUNDS {
             let mut changed = false;
             for &group in order {
-                let before = self.chosen[group];
+                let old = self.chosen[group];
                 self.take(group, None);
-                let best = self.best(group);
-                self.take(group, best);
-                if best != before {
-                    if self.lends_still() {
-                        changed = true;
-                    } else {
-                        self.take(group, before);
+                let ranked = self.ranked(group);
+                let mut taken = None;
+                for index in ranked {
+                    self.take(group, Some(index));
+                    if self.lends() {
+                        taken = Some(index);
+                        break;
                     }
                 }
+                if taken.is_none() {
+                    self.take(group, old);
+                }
+                changed |= self.chosen[group] != old;
             }
             if !changed {
                 break;
@@ -139,76 +197,79 @@ impl<'a, 'k> Chooser<'a, 'k> {
         }
     }
 
-    /// Whether every drill that a route borrows from another group is still there.
-    fn lends_still(&self) -> bool {
-        let drills = self.drills_of_others();
-        drills.into_iter().all(|found| found)
+    fn restore(&mut self, chosen: &[Option<usize>]) {
+        for (group, choice) in chosen.iter().enumerate() {
+            self.take(group, *choice);
+        }
     }
 
-    fn drills_of_others(&self) -> Vec<bool> {
-        let mut met = Vec::new();
-        for (group, options) in self.options.iter().enumerate() {
-            let Some(choice) = options.as_ref().and_then(|options| options.choices.get(self.chosen[group]?)) else {
-                continue;
-            };
-            let Some(borrowed) = choice.borrowed else { continue };
-            let others = self.options.iter().enumerate().filter(|(other, _)| *other != group);
-            let lent = others
-                .filter_map(|(other, options)| options.as_ref()?.choices.get(self.chosen[other]?))
-                .flat_map(|choice| &choice.steps)
-                .any(|fitted| fitted.step.operation == Operation::Drill && fitted.step.diameter == borrowed);
-            met.push(lent);
-        }
-        met
+    fn tools_used(&self) -> usize {
+        self.used.iter().filter(|count| **count > 0).count()
+    }
+
+    fn total(&self) -> Total {
+        let own: f64 = (0..self.chosen.len()).filter_map(|group| self.choice(group)).map(|choice| choice.own.0).sum();
+        let missing = (0..self.chosen.len()).filter(|group| self.choice(*group).is_none_or(|it| !it.meets())).count();
+        (missing, micro(own + self.change * self.tools_used() as f64))
+    }
+
+    /// Whether a drill is in the magazine for another group.
+    fn lent(&self, drill: Micrometres, group: usize) -> bool {
+        let others = (0..self.chosen.len()).filter(|other| *other != group).filter_map(|other| self.choice(other));
+        others.flat_map(drills_of).any(|own| own == drill)
+    }
+
+    /// Whether a route is what the rule of two-pass drilling gives beside the others.
+    fn fits(&self, group: usize, choice: &Choice) -> bool {
+        choice.borrowed.is_none_or(|drill| self.lent(drill, group))
+            && choice.instead_of.is_none_or(|drill| !self.lent(drill, group))
+    }
+
+    /// Whether every chosen route is.
+    fn lends(&self) -> bool {
+        (0..self.chosen.len()).all(|group| self.choice(group).is_none_or(|choice| self.fits(group, choice)))
     }
 
     fn take(&mut self, group: usize, choice: Option<usize>) {
         if let Some(old) = self.chosen[group].take() {
-            for key in &self.keys[group][old] {
-                if let Some(count) = self.used.get_mut(key) {
-                    *count -= 1;
-                    if *count == 0 {
-                        self.used.remove(key);
-                    }
-                }
+            for tool in &self.tools[group][old] {
+                self.used[*tool] -= 1;
             }
         }
         if let Some(new) = choice {
-            for key in &self.keys[group][new] {
-                *self.used.entry(key.clone()).or_insert(0) += 1;
+            for tool in &self.tools[group][new] {
+                self.used[*tool] += 1;
             }
         }
         self.chosen[group] = choice;
     }
 
-    fn best(&self, group: usize) -> Option<usize> {
-        let options = self.options[group].as_ref()?;
-        (0..options.choices.len()).min_by_key(|index| self.rank(group, *index, &options.choices[*index]))
+    /// The routes of a group that fit beside the others, best first.
+    fn ranked(&self, group: usize) -> Vec<usize> {
+        let Some(options) = &self.options[group] else { return Vec::new() };
+        let mut fitting: Vec<usize> =
+            (0..options.choices.len()).filter(|index| self.fits(group, &options.choices[*index])).collect();
+        fitting.sort_by_key(|index| self.rank(group, *index, &options.choices[*index]));
+        fitting
     }
 
     fn new_tools(&self, group: usize, index: usize) -> usize {
-        self.keys[group][index].iter().filter(|key| !self.used.contains_key(*key)).count()
+        self.tools[group][index].iter().filter(|tool| self.used[**tool] == 0).count()
     }
 
     /// Time of the group with the tool changes that its new tools add.
-    fn total(&self, group: usize, index: usize, choice: &Choice) -> Minutes {
+    fn time(&self, group: usize, index: usize, choice: &Choice) -> Minutes {
         Minutes(choice.own.0 + self.change * self.new_tools(group, index) as f64)
     }
 
     fn rank(&self, group: usize, index: usize, choice: &Choice) -> Rank {
         let new_tools = self.new_tools(group, index);
-        let total = self.total(group, index, choice).0;
-        let rate = self.shop.machine.minute_rate.unwrap_or_default();
         Rank {
             misses: !choice.meets(),
             crowding: if self.crowded { new_tools } else { 0 },
-            time: (total * 1e6) as i64,
+            time: micro(self.time(group, index, choice).0),
             new_tools,
-            cost: (total * rate * 1e6) as i64,
-            way: choice.candidate.way,
-            table: choice.candidate.table.clone(),
-            scheme: choice.candidate.scheme.clone(),
-            operations: Options::operations(choice),
+            name: self.names[group][index],
         }
     }
 
@@ -225,13 +286,13 @@ impl<'a, 'k> Chooser<'a, 'k> {
     fn weigh(&self, group: usize, chosen: usize) -> Option<Weighed> {
         let options = self.options[group].as_ref()?;
         let winner = &options.choices[chosen];
-        let time = self.total(group, chosen, winner);
-        let mut others: Vec<usize> = (0..options.choices.len()).filter(|index| *index != chosen).collect();
+        let time = self.time(group, chosen, winner);
+        let mut others: Vec<usize> = self.ranked(group).into_iter().filter(|index| *index != chosen).collect();
         others.sort_by_key(|index| self.rank(group, *index, &options.choices[*index]));
         let mut alternatives: Vec<Alternative> = Vec::new();
         for index in others {
             let other = &options.choices[index];
-            let total = self.total(group, index, other);
+            let total = self.time(group, index, other);
             let more = total.0 - time.0;
             let why = match (winner.meets(), other.meets()) {
                 (true, false) => other.misses.first().cloned().unwrap_or_else(|| Note::new("misses-unknown")),
@@ -267,6 +328,33 @@ pub(super) struct Weighed {
     pub cost: Option<f64>,
     pub margin: Option<Minutes>,
     pub alternatives: Vec<Alternative>,
+}
+
+/// Whole millionths, so that times are compared exactly.
+fn micro(minutes: f64) -> i64 {
+    (minutes * 1e6) as i64
+}
+
+/// The place of each route by way, table, scheme and transitions.
+fn by_name(choices: &[Choice]) -> Vec<usize> {
+    let key = |index: &usize| {
+        let choice = &choices[*index];
+        let candidate = &choice.candidate;
+        (candidate.way, candidate.table.clone(), candidate.scheme.clone(), Options::operations(choice))
+    };
+    let mut order: Vec<usize> = (0..choices.len()).collect();
+    order.sort_by_cached_key(key);
+    let mut places = vec![0; choices.len()];
+    for (place, index) in order.into_iter().enumerate() {
+        places[index] = place;
+    }
+    places
+}
+
+/// The drills a route has in the magazine for others to borrow.
+fn drills_of(choice: &Choice) -> impl Iterator<Item = Micrometres> + '_ {
+    let plain = |fitted: &&Fitted| fitted.step.operation == Operation::Drill && fitted.step.also.is_none();
+    choice.steps.iter().filter(plain).map(|fitted| fitted.step.diameter)
 }
 
 fn tool_keys(steps: &[Fitted]) -> BTreeSet<ToolKey> {

@@ -14,7 +14,7 @@ use crate::route::bores::Edge;
 use crate::route::{Place, Step};
 use crate::shop::Shop;
 use crate::tooling::{self, Assembly, CutterNeed};
-use crate::units::{Decimal, Micrometres, Roughness, round_to};
+use crate::units::{Decimal, ItGrade, Micrometres, Roughness, round_to};
 
 /// A step with what it is done with.
 #[derive(Clone, Debug)]
@@ -51,17 +51,18 @@ struct Outfit {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Key {
     operation: Operation,
-    feature: Feature,
-    step: Option<usize>,
-    depth: Micrometres,
+    place: Place,
     diameter: Micrometres,
     nominal: Micrometres,
     from: Micrometres,
     passes: u32,
+    pitch: Option<Micrometres>,
     also: Option<Micrometres>,
     angle: Option<u32>,
     within: Option<Micrometres>,
-    reamer_follows: bool,
+    elsewhere: bool,
+    asks: Option<(ItGrade, Roughness)>,
+    eased: bool,
     last: bool,
 }
 
@@ -151,12 +152,12 @@ impl<'p, 'k> Fitting<'p, 'k> {
             // What follows on the same cylinder.
             let own = (cylinder(step), step.place.step);
             let follows = steps[index + 1..].iter().find(|next| (cylinder(next), next.place.step) == own);
-            let follows = follows.map(|step| step.operation).filter(|operation| *operation != Operation::Tap);
+            let follows = follows.map(|step| step.operation);
             let step = step.clone();
             fitted.push(if step.operation == Operation::CentreDrill {
                 self.centre(step, drill.unwrap_or(self.hole.diameter.nominal))?
             } else {
-                let last = follows.is_none() && !finish_elsewhere;
+                let last = follows.is_none_or(|next| next == Operation::Tap) && !finish_elsewhere;
                 self.one(step, follows, last)?
             });
         }
@@ -221,17 +222,18 @@ impl<'p, 'k> Fitting<'p, 'k> {
     pub fn one(&self, step: Step, follows: Option<Operation>, last: bool) -> Tried<Fitted> {
         let key = Key {
             operation: step.operation,
-            feature: step.place.feature,
-            step: step.place.step,
-            depth: step.place.depth,
+            place: step.place,
             diameter: step.diameter,
             nominal: step.nominal,
             from: step.from,
             passes: step.passes,
+            pitch: step.pitch,
             also: step.also,
             angle: step.angle_millideg,
             within: step.within,
-            reamer_follows: follows.is_some_and(Operation::is_reaming),
+            elsewhere: step.elsewhere,
+            asks: step.asks,
+            eased: follows.is_some_and(eases),
             last,
         };
         let known = self.known.borrow().get(&key).cloned();
@@ -291,7 +293,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let nose_radius = cutter.row.length("nose_radius").ok();
         // The surface asked for is left by a last single pass; passes before it, and stock for another
         // machine, need no finish feed.
-        let roughness = (last && step.passes == 1).then(|| self.roughness(step));
+        let roughness = step.asks.filter(|_| last && step.passes == 1).map(|(_, roughness)| roughness);
         let cut = Cut {
             nose_radius,
             roughness,
@@ -360,12 +362,6 @@ impl<'p, 'k> Fitting<'p, 'k> {
         Ok(())
     }
 
-    /// The roughness limit of what a step makes.
-    fn roughness(&self, step: &Step) -> Roughness {
-        let own = step.place.step.and_then(|number| self.hole.steps.get(number - 1));
-        own.map_or(self.hole.roughness, |step| step.roughness)
-    }
-
     fn cut<'c>(&'c self, step: &Step, follows: Option<Operation>, material: &'c str, travel: Micrometres) -> Cut<'c> {
         Cut {
             operation: step.operation,
@@ -377,12 +373,13 @@ impl<'p, 'k> Fitting<'p, 'k> {
             tool_material: material,
             nose_radius: None,
             roughness: None,
-            reamer_follows: follows.is_some_and(Operation::is_reaming),
+            reamer_follows: follows.is_some_and(eases),
             blind: !step.place.through,
             surface: self.surface,
             cutter: None,
             pitch: step.pitch,
-            it: Some(self.hole.diameter.it),
+            it: step.asks.map(|(it, _)| it),
+            feed_diameter: step.also.map(|_| step.diameter),
         }
     }
 
@@ -477,6 +474,11 @@ const fn fixed_size(operation: Operation) -> bool {
         operation,
         Operation::Mill | Operation::Chamfer | Operation::Countersink | Operation::CentreDrill | Operation::Tap
     )
+}
+
+/// Whether a drill before this transition is fed at half (table `feed-factor`): accurate finishing or tapping.
+const fn eases(next: Operation) -> bool {
+    next.is_reaming() || matches!(next, Operation::Tap)
 }
 
 /// The shape of an end mill, where the row has teeth.

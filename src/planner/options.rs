@@ -7,7 +7,7 @@ use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::Input;
 use crate::note::{Because, Note};
 use crate::part::{Hole, Part};
-use crate::plan::{Alternative, Feature, Operation, Way};
+use crate::plan::{Alternative, Feature, Made, Operation, Way};
 use crate::route::auxiliary::{self, Kind};
 use crate::route::bores;
 use crate::route::diameters::Sizes;
@@ -31,6 +31,8 @@ pub(super) struct Choice {
     pub own: Minutes,
     /// A drill that another group must have, for which this route drills in two passes.
     pub borrowed: Option<Micrometres>,
+    /// The drill without which it is drilled in one pass: with it the rule gives the route in two.
+    pub instead_of: Option<Micrometres>,
 }
 
 impl Choice {
@@ -63,8 +65,9 @@ pub(super) struct Options {
 
 impl Options {
     /// The transitions of a choice with their diameters, as plans show them.
-    pub fn operations(choice: &Choice) -> Vec<(Operation, Micrometres)> {
-        choice.steps.iter().map(|fitted| (fitted.step.operation, fitted.step.diameter)).collect()
+    pub fn operations(choice: &Choice) -> Vec<Made> {
+        let made = |fitted: &Fitted| Made { operation: fitted.step.operation, diameter_mm: fitted.step.diameter };
+        choice.steps.iter().map(made).collect()
     }
 }
 
@@ -165,7 +168,7 @@ impl Finder<'_, '_> {
             // A.10 begins in solid metal.
             return main.before.is_solid().then_some(Kind::Thread);
         }
-        if main.diameter.it.number() < 12 || !main.before.is_solid() || !self.hole.steps.is_empty() {
+        if main.diameter.it < self.drilled || !main.before.is_solid() || !self.hole.steps.is_empty() {
             return None;
         }
         if self.hole.counterbore.is_some() {
@@ -272,19 +275,33 @@ impl Finder<'_, '_> {
         };
         for steps in plain.into_iter().chain(joined) {
             let choice = self.choice(candidate, steps);
-            let twin = options.choices.iter().find(|known| same(known, &choice));
-            match twin {
-                Some(twin) => {
-                    let why = Note::new("same-as").with("table", &twin.candidate.table);
-                    let same = refused(candidate, why.with("same", &twin.candidate.scheme));
-                    if !options.refused.contains(&same) {
-                        options.refused.push(same);
-                    }
-                }
-                None => options.choices.push(choice),
+            let borrowed = choice.borrowed;
+            self.file(choice, options);
+            // Without the borrowed drill the rule drills in one pass.
+            if let Some(drill) = borrowed
+                && let Ok(steps) = Refusal::split(self.carried_out_alone(candidate))?
+            {
+                let alone = Choice { instead_of: Some(drill), ..self.choice(candidate, steps) };
+                self.file(alone, options);
             }
         }
         Ok(true)
+    }
+
+    /// Files a route under what can be done, unless it is there already.
+    fn file(&self, choice: Choice, options: &mut Options) {
+        let twin = options.choices.iter().find(|known| same(known, &choice));
+        let Some(twin) = twin else {
+            options.choices.push(choice);
+            return;
+        };
+        let why = Note::new("same-as").with("table", &twin.candidate.table);
+        let same = refused(&choice.candidate, why.with("same", &twin.candidate.scheme));
+        let itself = (same.way, &same.table, &same.scheme)
+            == (twin.candidate.way, &twin.candidate.table, &twin.candidate.scheme);
+        if !itself && !options.refused.contains(&same) {
+            options.refused.push(same);
+        }
     }
 
     /// Section 1.2 on boring (rule `boring-for-position`): where the position asks for it, routes of complexes
@@ -331,16 +348,9 @@ impl Finder<'_, '_> {
 
     fn choice(&self, candidate: &Candidate, steps: Vec<Fitted>) -> Choice {
         let own = steps.iter().map(|fitted| self.time(fitted) + self.hops.0).sum::<f64>();
-        let borrowed = steps
-            .iter()
-            .flat_map(|fitted| &fitted.because)
-            .any(|why| why.note.code == "two-passes" && why.note.params.contains_key("first"))
-            .then(|| steps.iter().find(|fitted| fitted.step.operation == Operation::Drill))
-            .flatten()
-            .map(|fitted| fitted.step.diameter)
-            .filter(|drill| self.sizes.in_magazine.contains(drill));
+        let borrowed = steps.iter().find(|fitted| fitted.step.borrowed).map(|fitted| fitted.step.diameter);
         let misses = self.misses(candidate, &steps);
-        Choice { candidate: candidate.clone(), steps, misses, own: Minutes(own), borrowed }
+        Choice { candidate: candidate.clone(), steps, misses, own: Minutes(own), borrowed, instead_of: None }
     }
 
     /// What of the drawing a route does not hold: what a table gives it promises; others must reach grade and
@@ -363,6 +373,9 @@ impl Finder<'_, '_> {
                 let own = reached.roughness.map_or_else(|| "-".to_owned(), |own| own.to_string());
                 misses.push(Note::new("misses-roughness").with("roughness", own).with("asked", main.roughness));
             }
+        }
+        if main.before.is_cast() && candidate.way == Way::Search && reached.position_mm.is_none() {
+            misses.push(Note::new("misses-axis").with("asked", self.question.position));
         }
         let asked = self.question.position;
         let beyond = reached.position_mm.filter(|own| candidate.way == Way::Search && *own > asked);

@@ -68,8 +68,19 @@ impl Finder<'_, '_> {
 
     /// The steps of the whole hole by a candidate: as the rules prefer, else with one drill, else bored.
     pub fn carried_out(&self, candidate: &Candidate, joined: bool) -> Tried<Vec<Fitted>> {
+        self.by_any(candidate, joined, &[(false, false), (true, false), (false, true), (true, true)])
+    }
+
+    /// The same with one drill only.
+    pub fn carried_out_alone(&self, candidate: &Candidate) -> Tried<Vec<Fitted>> {
+        self.by_any(candidate, false, &[(true, false), (true, true)])
+    }
+
+    /// By the first attempt that succeeds, each with whether to drill in one pass, and to bore what would be
+    /// milled.
+    fn by_any(&self, candidate: &Candidate, joined: bool, attempts: &[(bool, bool)]) -> Tried<Vec<Fitted>> {
         let mut first_why = None;
-        for (single_drill, bore_large) in [(false, false), (true, false), (false, true), (true, true)] {
+        for &(single_drill, bore_large) in attempts {
             let sizes = Sizes { single_drill, bore_large, ..self.sizes };
             let steps = match Refusal::split(diameters::steps(candidate, &self.task.main, &sizes, self.shop))? {
                 Ok(steps) => steps,
@@ -99,6 +110,9 @@ impl Finder<'_, '_> {
     /// and fits them all.
     fn whole(&self, mut steps: Vec<Step>, candidate: &Candidate, joined: bool) -> Tried<Vec<Fitted>> {
         let main = &self.task.main;
+        for step in &mut steps {
+            step.asks = Some((main.diameter.it, main.roughness));
+        }
         let promise = candidate.promise.filter(|_| !candidate.finish_elsewhere);
         accuracy::write(&mut steps, main, promise, self.position, self.shop)?;
         if self.level_floor {
@@ -139,9 +153,10 @@ impl Finder<'_, '_> {
         let mut opened = false;
         for step in steps.iter_mut().filter(|step| step.place.face == Face::Entry) {
             let main = matches!(step.place.feature, Feature::Bore | Feature::Thread) && step.place.step.is_none();
+            opened |= step.also.is_some();
             if !main {
                 opened |= matches!(step.place.feature, Feature::Step | Feature::Counterbore);
-            } else if opened && step.place.start < deepest {
+            } else if opened && step.also.is_none() && step.place.start < deepest {
                 step.place.start = deepest;
             }
         }
@@ -197,6 +212,9 @@ impl Finder<'_, '_> {
             for bore_large in [false, true] {
                 let sizes = Sizes { bore_large, ..sizes };
                 let made = diameters::steps(&candidate, bore, &sizes, self.shop).and_then(|mut steps| {
+                    for step in &mut steps {
+                        step.asks = Some((bore.diameter.it, bore.roughness));
+                    }
                     accuracy::write(&mut steps, bore, candidate.promise, self.position.following(), self.shop)?;
                     if candidate.finish_elsewhere
                         && let Some(last) = steps.last_mut()

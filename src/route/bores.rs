@@ -55,6 +55,11 @@ pub enum Before {
 }
 
 impl Before {
+    /// Whether the blank has a cast or forged hole there.
+    pub const fn is_cast(self) -> bool {
+        matches!(self, Self::Blank(BlankHole::Cast(_)))
+    }
+
     /// Whether the cylinder is begun in solid metal.
     pub fn is_solid(self) -> bool {
         self == Self::Blank(BlankHole::Solid)

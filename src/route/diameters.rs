@@ -399,6 +399,8 @@ fn two_passes(steps: &mut Vec<Step>, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop
     let why = Because::answer(&answer, note("two-passes").with("first", first));
     let note = note("first-drill").with("first", first).with("share-min", share_min).with("share-max", share_max);
     split(steps, index, first, Because::row(share, note), why);
+    // Below the limit above which two drills are the rule, the first is there for another hole only.
+    steps[index].borrowed = at_hand.is_some() && diameter <= share.length("above_diameter")?;
     Ok(())
 }
 

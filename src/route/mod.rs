@@ -51,7 +51,7 @@ pub struct Promise {
 }
 
 /// Where a step works.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Place {
     /// What of the hole it makes.
     pub feature: Feature,
@@ -92,6 +92,10 @@ pub struct Step {
     pub also: Option<Micrometres>,
     /// Whether it is done on another machine.
     pub elsewhere: bool,
+    /// Whether its drill is in the magazine for another hole, and only therefore used here.
+    pub borrowed: bool,
+    /// Grade and roughness asked of its cylinder; absent for edges and while a search tries it.
+    pub asks: Option<(ItGrade, Roughness)>,
     /// What it leaves, by the tables.
     pub achieved: Option<Achieved>,
     /// Why.
@@ -113,6 +117,8 @@ impl Step {
             within: None,
             also: None,
             elsewhere: false,
+            borrowed: false,
+            asks: None,
             achieved: None,
             because: Vec::new(),
         }

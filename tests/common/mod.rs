@@ -72,7 +72,7 @@ pub fn routes(plan: &Plan) -> Vec<Found> {
     let others = route.alternatives.iter().map(|other| Found {
         way: Some(other.way),
         scheme: other.scheme.clone(),
-        operations: other.operations.clone(),
+        operations: other.operations.iter().map(|made| (made.operation, made.diameter_mm)).collect(),
         carried_out: other.time_min.is_some(),
         taken: false,
         why: other.why.code.clone(),

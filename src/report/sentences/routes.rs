@@ -65,6 +65,11 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "положення осі {position} > {asked} мм допустимих",
         "the position of the axis {position} > {asked} mm permitted",
     ),
+    (
+        "misses-axis",
+        "інструмент іде за віссю литого отвору, положення якої невідоме, а допустимо {asked} мм",
+        "the tool follows the axis of the cast hole, whose position is not known, and {asked} mm is permitted",
+    ),
     ("misses-unknown", "таблиці не кажуть, що досягається", "the tables do not say what it reaches"),
     (
         "not-bored",

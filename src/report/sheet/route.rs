@@ -224,7 +224,7 @@ fn requirement(plan: &Plan, name: &str, lang: Lang) -> String {
 
 fn runner_up(other: &Alternative, lang: Lang) -> String {
     let operations: Vec<&str> =
-        other.operations.iter().map(|(operation, _)| operation_noun(operation.name(), lang)).collect();
+        other.operations.iter().map(|made| operation_noun(made.operation.name(), lang)).collect();
     let name = route_name(other.way, &other.table, &other.scheme, lang);
     format!("{} {name} ({}): {}", lang.pick("далі", "next"), operations.join(", "), sentence(&other.why, lang))
 }
@@ -236,7 +236,7 @@ pub(crate) fn alternatives(route: &Route, lang: Lang) -> String {
         let operations: Vec<String> = other
             .operations
             .iter()
-            .map(|(operation, diameter)| format!("{} Ø{}", operation_noun(operation.name(), lang), mm(*diameter, lang)))
+            .map(|made| format!("{} Ø{}", operation_noun(made.operation.name(), lang), mm(made.diameter_mm, lang)))
             .collect();
         let mut line = format!("- {}", route_name(other.way, &other.table, &other.scheme, lang));
         if !operations.is_empty() {
