@@ -26,10 +26,12 @@ struct Bound<'k> {
     row: RowRef<'k>,
 }
 
-/// Holds the speed of milling and tapping with high-speed steel to what shops drive, by the rule
+/// Holds the speed of drills, mills and taps of high-speed steel to what shops drive, by the rule
 /// `practice-speed`; whether it was held.
 pub(super) fn practice(draft: &mut Draft, cut: &Cut<'_>, shop: &Shop<'_>) -> Result<bool, KnowledgeError> {
-    if !matches!(cut.operation, Operation::Mill | Operation::Tap) {
+    let drills =
+        matches!(cut.operation, Operation::CentreDrill | Operation::Drill | Operation::DrillOut | Operation::CoreDrill);
+    if !drills && !matches!(cut.operation, Operation::Mill | Operation::Tap) {
         return Ok(false);
     }
     let rule = shop.knowledge.table("practice-speed")?;
@@ -54,11 +56,39 @@ pub(super) fn hold(draft: &Draft, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Held>
     if draft.motion.synchronous {
         return synchronous(draft, shop);
     }
-    let machine = &shop.machine;
     let wanted = rpm_at(draft.speed, draft.motion.turned);
-    let (rpm, mut limited_by, reason) = spindle_step(wanted, shop)?;
+    let (rpm, limited_by, reason) = spindle_step(wanted, shop)?;
+    let mut best = at_step(draft, cut, rpm, (limited_by, vec![reason]), shop)?;
+    // Where power limits, a slower step lets more feed through: the quickest of them is taken.
+    for step in shop.machine.spindle_steps.iter().rev().filter(|step| step.0 < rpm.0) {
+        if best.limited_by != "spindle-power" {
+            break;
+        }
+        let note = Note::new("spindle-step-below").with("computed", round_to(wanted.0, 1)).with("step", step.0);
+        let reason = Because::row(shop.machine.row("spindle-speeds")?, note);
+        let slower = at_step(draft, cut, *step, ("spindle-power".to_owned(), vec![reason]), shop)?;
+        if slower.feed.0 * slower.rpm.0 <= best.feed.0 * best.rpm.0 {
+            break;
+        }
+        let still = slower.because.iter().any(|reason| reason.note.code == "feed-reduced");
+        best = slower;
+        if !still {
+            break;
+        }
+    }
+    Ok(best)
+}
+
+/// The feed at one spindle step.
+fn at_step(
+    draft: &Draft,
+    cut: &Cut<'_>,
+    rpm: RevsPerMinute,
+    (mut limited_by, mut because): (String, Vec<Because>),
+    shop: &Shop<'_>,
+) -> Tried<Held> {
+    let machine = &shop.machine;
     let mut feed = draft.feed;
-    let mut because = vec![reason];
     let torque_of_power = 9750.0 * machine.spindle_power.0 / rpm.0;
     let loads = draft.loads;
     let of_machine = |law, limit, name, quantity| -> Result<Bound<'_>, KnowledgeError> {

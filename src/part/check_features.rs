@@ -8,9 +8,9 @@ use super::read::Reader;
 use super::read_features::Features;
 
 impl Reader<'_> {
-    /// Holds the features against the hole's cylinders, given from the entry face inwards; `smallest` is
-    /// the smallest that the narrowest of them may become.
-    pub(super) fn fit_features(&mut self, features: &Features, cylinders: &[Span], smallest: Micrometres) {
+    /// Holds the features against the hole's cylinders, given from the entry face inwards; `too_wide` is
+    /// the diameter from which on a hole of the blank leaves nothing to do.
+    pub(super) fn fit_features(&mut self, features: &Features, cylinders: &[Span], too_wide: Micrometres) {
         let Some(entry) = cylinders.first() else { return };
         let end = cylinders.last().map_or(entry.to, |last| last.to);
         let mut widest = entry.diameter;
@@ -57,9 +57,9 @@ impl Reader<'_> {
             }
         }
         if let (Some(diameter), Some(place)) = (features.state.diameter(), &features.state_diameter)
-            && diameter >= smallest
+            && diameter >= too_wide
         {
-            let message = format!("the hole in the blank is Ø{diameter}, and the finished one may be Ø{smallest}");
+            let message = format!("the hole in the blank is Ø{diameter}, and the finished one may be Ø{too_wide}");
             let help = "give the diameter that stands in the blank; it leaves something to cut";
             self.problems.error_help::<()>("bad-diameter", message, place, help);
         }

@@ -89,7 +89,10 @@ impl Reader<'_> {
             (None, None) => Vec::new(),
         };
         if let Some(diameter) = narrowest {
-            self.fit_features(&features, &spans, diameter.smallest());
+            // A hole that is drilled for its thread already is still to be tapped.
+            let threaded = cylinders.as_ref().is_some_and(|known| known.thread.is_some());
+            let too_wide = if threaded { diameter.largest() + Micrometres::new(1) } else { diameter.smallest() };
+            self.fit_features(&features, &spans, too_wide);
             spans.extend(features.spans());
         }
 

@@ -203,7 +203,13 @@ impl<'p, 'k> Fitting<'p, 'k> {
                 };
                 let share = row.number_in("share", Unit::None)?;
                 let spot = Micrometres::from_mm_rounded(drill.to_mm() * share);
-                (row, spot, Note::new("spot-by-drill").with("share", share))
+                // A spot of 90° is half as deep as wide: in a thin plate it stays within half of the hole.
+                let most = self.hole.depth;
+                if spot > most {
+                    (row, most, Note::new("spot-by-depth").with("share", share))
+                } else {
+                    (row, spot, Note::new("spot-by-drill").with("share", share))
+                }
             }
         };
         let note = note.with("spot", spot).with("drill", drill);

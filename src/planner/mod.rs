@@ -121,7 +121,7 @@ fn draft(
         return Ok(Draft { route: None, steps: Vec::new() });
     };
     let steps = choice.steps.clone();
-    if choice.candidate.finish_elsewhere || options.stages_end_elsewhere {
+    if choice.candidate.finish_elsewhere {
         report(Severity::Note, Note::new("finish-elsewhere").with("scheme", &choice.candidate.scheme));
     }
     if options.not_bored {

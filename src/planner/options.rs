@@ -53,8 +53,6 @@ pub(super) struct Options {
     pub centre_tolerance: Micrometres,
     /// The row of A.6, or that it has none.
     pub stages: Option<Because>,
-    /// Whether A.6 finishes the hole on another machine.
-    pub stages_end_elsewhere: bool,
     /// Whether the position asks for boring and no boring tool can be used.
     pub not_bored: bool,
     /// What no axial tool makes, and openings that nothing opens.
@@ -93,7 +91,14 @@ pub(super) fn options(
     let loss = rough_face.as_ref().map_or(0.0, |(loss, _)| *loss);
     let centre_tolerance = Micrometres::from_mm_rounded(written.to_mm() / (1.0 + loss));
     let position = part.position_tolerance.unwrap_or(written);
-    let question = Question { bore: main, centre_tolerance, position, outer_wall: hole.outer_wall, drills: &drills };
+    let question = Question {
+        bore: main,
+        centre_tolerance,
+        drawn_tolerance: written,
+        position,
+        outer_wall: hole.outer_wall,
+        drills: &drills,
+    };
     let sizes = Sizes {
         drills: &drills,
         in_magazine,
@@ -121,10 +126,13 @@ pub(super) fn options(
     let stage_name = kind.map_or("plain", Kind::stage_name);
     let asked = if kind.is_some() { auxiliary::diameter(&finder.question) } else { main.diameter.nominal };
     let (stages, stages_end_elsewhere) = scheme::stages(&finder.question, stage_name, asked, shop)?;
+    if stages_end_elsewhere {
+        // A.6 by the position of the axis: A.8 and A.9 know such a hole by their column of the tightest centres.
+        finder.question.centre_tolerance = finder.question.centre_tolerance.min(position);
+    }
     let mut options = Options {
         centre_tolerance: written,
         stages: Some(stages),
-        stages_end_elsewhere,
         impossible: task.impossible.clone(),
         ..Options::default()
     };
@@ -137,7 +145,8 @@ pub(super) fn options(
     finder.every_way(kind, &mut options)?;
     if options.choices.is_empty() && main.flat {
         // Where no mill levels the floor the hole is planned with the drill's cone, and the plan says why.
-        let telling = ["no-mill-enters", "mill-does-not-enter", "does-not-reach", "too-shallow-for-flat"];
+        let telling =
+            ["no-mill-enters", "mill-does-not-enter", "does-not-reach", "too-shallow-for-flat", "milled-not-round"];
         let of_mill = |note: &&Note| {
             telling.contains(&note.code.as_str())
                 && note.params.get("operation").is_none_or(|name| name == Operation::Mill.name())
@@ -180,6 +189,10 @@ impl Finder<'_, '_> {
 
     /// The three ways; what the tables finish on another machine is not weighed against the others.
     fn every_way(&self, kind: Option<Kind>, options: &mut Options) -> Result<(), KnowledgeError> {
+        if let Some(candidate) = self.tapped_at_once()? {
+            self.weigh(&candidate, options)?;
+            return Ok(());
+        }
         self.tables(kind, options)?;
         if options.choices.iter().any(|choice| choice.candidate.finish_elsewhere) {
             return Ok(());
@@ -190,6 +203,26 @@ impl Finder<'_, '_> {
             return Ok(());
         }
         self.search(options)
+    }
+
+    /// Tapping alone, where the blank's hole is that for the thread already.
+    fn tapped_at_once(&self) -> Result<Option<Candidate>, KnowledgeError> {
+        let main = &self.task.main;
+        let (Some(thread), Some(start)) = (&main.thread, self.sizes.start) else { return Ok(None) };
+        if !(main.diameter.smallest()..=main.diameter.largest()).contains(&start) {
+            return Ok(None);
+        }
+        let rule = self.shop.knowledge.table("next-transition")?;
+        let note = Note::new("tapped-at-once").with("start", start).with("thread", &thread.written);
+        Ok(Some(Candidate {
+            way: Way::Search,
+            table: rule.id.clone(),
+            scheme: Operation::Tap.name().to_owned(),
+            transitions: vec![Operation::Tap],
+            finish_elsewhere: false,
+            promise: None,
+            because: vec![Because::table(rule, note)],
+        }))
     }
 
     /// The first scheme of the tables that can be carried out; what the tables rank behind it is not weighed
@@ -353,13 +386,13 @@ impl Finder<'_, '_> {
         Choice { candidate: candidate.clone(), steps, misses, own: Minutes(own), borrowed, instead_of: None }
     }
 
-    /// What of the drawing a route does not hold: what a table gives it promises; others must reach grade and
-    /// roughness by their chain, and a searched one the position too.
+    /// What of the drawing a route does not hold: grade, roughness and position must be promised by the table
+    /// it is from, or reached by its chain; what is finished on another machine is held there.
     fn misses(&self, candidate: &Candidate, steps: &[Fitted]) -> Vec<Note> {
-        if candidate.way == Way::Tables {
+        let main = &self.task.main;
+        if candidate.finish_elsewhere || candidate.transitions == [Operation::Tap] {
             return Vec::new();
         }
-        let main = &self.task.main;
         let cuts = |step: &&Step| step.place.feature == Feature::Bore && !step.elsewhere && step.achieved.is_some();
         let last = steps.iter().rev().map(|fitted| &fitted.step).find(cuts);
         let Some(reached) = last.and_then(|step| step.achieved) else { return vec![Note::new("misses-unknown")] };
@@ -374,11 +407,11 @@ impl Finder<'_, '_> {
                 misses.push(Note::new("misses-roughness").with("roughness", own).with("asked", main.roughness));
             }
         }
-        if main.before.is_cast() && candidate.way == Way::Search && reached.position_mm.is_none() {
+        if main.before.is_cast() && reached.position_mm.is_none() {
             misses.push(Note::new("misses-axis").with("asked", self.question.position));
         }
         let asked = self.question.position;
-        let beyond = reached.position_mm.filter(|own| candidate.way == Way::Search && *own > asked);
+        let beyond = reached.position_mm.filter(|own| *own > asked);
         misses.extend(beyond.map(|own| Note::new("misses-position").with("position", own).with("asked", asked)));
         misses
     }

@@ -142,22 +142,47 @@ impl Finder<'_, '_> {
             }
         }
         order::sort(&mut steps, self.shop)?;
-        self.below_steps(&mut steps);
+        self.within_its_cylinder(&mut steps);
         self.fitting.fit(steps, candidate.finish_elsewhere)
     }
 
-    /// What is done to the main cylinder after the steps above it begins below them.
-    fn below_steps(&self, steps: &mut [Step]) {
-        let wider = self.task.wider.iter().filter(|bore| bore.place.face == Face::Entry);
-        let Some(deepest) = wider.map(|bore| bore.place.depth).max() else { return };
-        let mut opened = false;
-        for step in steps.iter_mut().filter(|step| step.place.face == Face::Entry) {
-            let main = matches!(step.place.feature, Feature::Bore | Feature::Thread) && step.place.step.is_none();
-            opened |= step.also.is_some();
-            if !main {
-                opened |= matches!(step.place.feature, Feature::Step | Feature::Counterbore);
-            } else if opened && step.also.is_none() && step.place.start < deepest {
-                step.place.start = deepest;
+    /// What is done to a cylinder after wider ones above it were opened begins below them; what finishes the
+    /// main cylinder ends where those of the back face begin.
+    fn within_its_cylinder(&self, steps: &mut [Step]) {
+        let back = self.task.wider.iter().filter(|bore| bore.place.face == Face::Back);
+        let main_end = back.map(|bore| self.task.main.place.depth - bore.place.depth).min();
+        // The cylinders opened so far: diameter and depth.
+        let mut opened: Vec<(Face, Micrometres, Micrometres)> = Vec::new();
+        for step in steps.iter_mut() {
+            let face = step.place.face;
+            let own = match (step.place.feature, step.place.step) {
+                (Feature::Bore | Feature::Thread, None) => self.task.main.diameter.nominal,
+                (Feature::Step | Feature::Thread, number) => {
+                    let known = self.task.wider.iter().find(|bore| bore.place.step == number);
+                    known.map_or(step.diameter, |bore| bore.diameter.nominal)
+                }
+                (Feature::Counterbore, _) => step.diameter,
+                _ => continue,
+            };
+            let above = opened.iter().filter(|(side, wider, _)| *side == face && *wider > own);
+            let below = above.map(|(.., depth)| *depth).max();
+            if step.also.is_none()
+                && let Some(below) = below.filter(|below| *below > step.place.start && *below < step.place.depth)
+            {
+                step.place.start = below;
+            }
+            let main = step.place.step.is_none() && matches!(step.place.feature, Feature::Bore | Feature::Thread);
+            if main
+                && face == Face::Entry
+                && finishes(step.operation)
+                && let Some(end) = main_end.filter(|end| *end > step.place.start && *end < step.place.depth)
+            {
+                step.place.depth = end;
+            }
+            match (step.also, self.drilled_opening()) {
+                (Some(_), Some(bore)) => opened.push((face, bore.diameter.nominal, bore.place.depth)),
+                _ if !main => opened.push((face, own, step.place.depth)),
+                _ => {}
             }
         }
     }
@@ -206,7 +231,7 @@ impl Finder<'_, '_> {
         let sizes = Sizes { start: Some(start), ..self.sizes };
         let cost = |steps: Vec<Step>| self.cost(steps);
         let asked = self.boring_asked()?;
-        let mut best: Option<((bool, Minutes), Vec<Step>)> = None;
+        let mut best: Option<((bool, bool, Minutes), Vec<Step>)> = None;
         let mut why = None;
         for candidate in openings::candidates(bore, &question, &sizes, &cost, self.shop)? {
             for bore_large in [false, true] {
@@ -215,7 +240,8 @@ impl Finder<'_, '_> {
                     for step in &mut steps {
                         step.asks = Some((bore.diameter.it, bore.roughness));
                     }
-                    accuracy::write(&mut steps, bore, candidate.promise, self.position.following(), self.shop)?;
+                    let promise = candidate.promise.filter(|_| !candidate.finish_elsewhere);
+                    accuracy::write(&mut steps, bore, promise, self.position.following(), self.shop)?;
                     if candidate.finish_elsewhere
                         && let Some(last) = steps.last_mut()
                     {
@@ -231,12 +257,15 @@ impl Finder<'_, '_> {
                 match Refusal::split(made)? {
                     Ok((minutes, mut steps)) => {
                         let bores = !asked && steps.iter().any(|step| step.operation.is_boring());
-                        let better = |(least, time): (bool, Minutes)| (bores, minutes.0) < (least, time.0);
+                        // What the tables finish on another machine is left for it, as in the main cylinder.
+                        let here = !candidate.finish_elsewhere;
+                        let better =
+                            |least: (bool, bool, Minutes)| (here, bores, minutes.0) < (least.0, least.1, least.2.0);
                         if best.as_ref().is_none_or(|(least, _)| better(*least)) {
                             if let Some(first) = steps.first_mut() {
                                 first.because.extend(candidate.because.clone());
                             }
-                            best = Some(((bores, minutes), steps));
+                            best = Some(((here, bores, minutes), steps));
                         }
                         break;
                     }
@@ -334,6 +363,15 @@ fn cone_above_shoulder(steps: &mut [Step], bore: &Bore, start: Micrometres, fitt
         let point = fitting.point(step.diameter) - fitting.point(start);
         step.place.depth = (step.place.depth - point).max(Micrometres::new(1));
     }
+}
+
+/// Whether a transition is only there for the surface of its cylinder: beyond it there is nothing to do.
+fn finishes(operation: Operation) -> bool {
+    operation.is_reaming()
+        || matches!(
+            operation,
+            Operation::SemiFinishBore | Operation::FinishBore | Operation::CoreDrill | Operation::Tap
+        )
 }
 
 /// The diameter the main cylinder has when the openings are made: after its roughing.

@@ -244,6 +244,11 @@ const SENTENCES: &[(&str, &str, &str)] = &[
         "boring in several passes: the bar is set anew by hand between them; large holes are better milled (1.2.1)",
     ),
     ("spot-by-drill", "лунка Ø{spot}: {share} від свердла Ø{drill}", "spot Ø{spot}: {share} of the drill Ø{drill}"),
+    (
+        "spot-by-depth",
+        "лунка Ø{spot}, не {share} від свердла Ø{drill}: глибша за половину отвору не буде",
+        "spot Ø{spot}, not {share} of the drill Ø{drill}: no deeper than half of the hole",
+    ),
     ("spot-by-chamfer", "лунка Ø{spot} утворює і фаску", "spot Ø{spot} makes the chamfer too"),
     ("travel", "недобіг {approach} мм, перебіг {overrun} мм", "approach {approach} mm, overrun {overrun} mm"),
     // Tools.

@@ -81,6 +81,7 @@ pub fn write(
         let mut reached = None;
         // The second drill of two-pass drilling is one drilling to the tables.
         let operation = if step.operation == Operation::DrillOut && bore.before.is_solid() {
+            "centred".clone_into(&mut state);
             Operation::Drill
         } else {
             step.operation
@@ -94,10 +95,6 @@ pub fn write(
         if let Some(row) = row {
             row.text("leaves")?.clone_into(&mut state);
             reached = of_row(row, shop)?;
-        }
-        if operation == Operation::Drill && bore.before.is_solid() {
-            // The first of two drills leaves what drilling leaves; the second begins there again.
-            "drilled".clone_into(&mut state);
         }
         if step.operation == Operation::CentreDrill {
             continue;
@@ -119,7 +116,13 @@ pub fn write(
                 (own, promised) => own.or(promised),
             };
         }
-        step.achieved = Some(Achieved { it, roughness, position_mm: position.of(centred, guided) });
+        let own = position.of(centred, guided);
+        let promised = promise.and_then(|promise| promise.position).filter(|_| Some(index) == last);
+        let position_mm = match (own, promised) {
+            (Some(own), Some(promised)) => Some(own.min(promised)),
+            (own, promised) => own.or(promised),
+        };
+        step.achieved = Some(Achieved { it, roughness, position_mm });
     }
     Ok(())
 }

@@ -85,8 +85,11 @@ pub fn candidates(question: &Question<'_>, kind: Kind, shop: &Shop<'_>) -> Tried
             transitions: Vec::new(),
             finish_elsewhere: false,
             // A.10 promises nothing of the hole under a thread.
-            promise: (kind != Kind::Thread)
-                .then_some(super::Promise { it: question.bore.diameter.it, roughness: None }),
+            promise: (kind != Kind::Thread).then_some(super::Promise {
+                it: question.bore.diameter.it,
+                roughness: None,
+                position: Some(question.drawn_tolerance),
+            }),
             because: vec![Because::answer(&answer, note)],
         };
         if let Some(mut candidate) = with_transitions(candidate, question.bore, shop)? {

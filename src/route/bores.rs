@@ -124,13 +124,16 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
         diameter: hole.diameter.clone(),
         roughness: hole.roughness,
         before: Before::Blank(hole.state),
-        flat: !hole.through && hole.bottom == Bottom::Flat,
+        flat: !hole.through && hole.bottom == Bottom::Flat && hole.thread.is_none(),
         thread: hole.thread.clone(),
         thread_depth: hole.depth,
     };
     let mut wider = Vec::new();
     let mut edges = Vec::new();
     let mut impossible = Vec::new();
+    if hole.thread.is_some() && !hole.through && hole.bottom == Bottom::Flat {
+        impossible.push(Note::new("flat-under-thread").with("depth", hole.depth).with("drilled", main.place.depth));
+    }
     for face in [Face::Entry, Face::Back] {
         let mut own: Vec<(usize, &crate::part::HoleStep)> =
             hole.steps.iter().enumerate().filter(|(_, step)| step.face == face).collect();

@@ -86,7 +86,11 @@ pub fn candidates(question: &Question<'_>, openings: Openings, shop: &Shop<'_>) 
             transitions,
             finish_elsewhere: false,
             // A.4 promises the grades of its groups: 7 to 9 for the precise ones; surface is the chain's.
-            promise: (kind != "threaded").then_some(super::Promise { it: question.bore.diameter.it, roughness: None }),
+            promise: (kind != "threaded").then_some(super::Promise {
+                it: question.bore.diameter.it,
+                roughness: None,
+                position: Some(question.drawn_tolerance),
+            }),
             because,
         });
     }

@@ -183,6 +183,20 @@ impl Backwards<'_, '_> {
             let note = Note::new("opened-already").with("diameter", self.after).with("start", start);
             return Err(Refusal::Not(note.with("operation", self.operation.name())));
         }
+        let least = match self.operation {
+            Operation::DrillOut => Some("least-stock-drill-out-mm"),
+            Operation::Mill => Some("least-stock-mill-mm"),
+            _ => None,
+        };
+        if let Some(least) = least {
+            let least = self.shop.convention(least)?;
+            let stock = self.after - start;
+            if stock < least {
+                let note = Note::new("stock-too-small").with("operation", self.operation.name());
+                let note = note.with("diameter", self.after).with("start", start);
+                return Err(Refusal::Not(note.with("stock", stock).with("least", least)));
+            }
+        }
         Ok(start)
     }
 

@@ -48,6 +48,8 @@ pub struct Promise {
     pub it: ItGrade,
     /// The roughness; absent where the table does not ask for it.
     pub roughness: Option<Roughness>,
+    /// The tolerance on centre distances of its cell; absent where the table does not ask for it.
+    pub position: Option<Micrometres>,
 }
 
 /// Where a step works.

@@ -39,10 +39,6 @@ pub fn candidates(
         Err(why) => failed = Some(why),
     }
     found.retain(|candidate| !bore.flat || cuts_shoulder(&candidate.transitions));
-    // What can be finished here is not left for another machine.
-    if found.iter().any(|candidate| !candidate.finish_elsewhere) {
-        found.retain(|candidate| !candidate.finish_elsewhere);
-    }
     if let Some(thread) = &bore.thread {
         for candidate in &mut found {
             candidate.transitions.push(Operation::Tap);
@@ -99,8 +95,9 @@ pub fn edge(edge: &Edge, around: Micrometres, shop: &Shop<'_>) -> Tried<Step> {
         feature: edge.feature,
         step: None,
         face: edge.face,
-        start: edge.start,
-        depth: edge.start + depth,
+        // Depths of the drawing are below the machined face: the stock of the face lies above it.
+        start: if edge.feature == Feature::Face { edge.start - depth } else { edge.start },
+        depth: if edge.feature == Feature::Face { edge.start } else { edge.start + depth },
         through: false,
     };
     let operation = match edge.feature {

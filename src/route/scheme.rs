@@ -18,8 +18,10 @@ use super::{Candidate, Promise};
 pub struct Question<'a> {
     /// The cylinder.
     pub bore: &'a Bore,
-    /// The tolerance on centre distances.
+    /// The tolerance on centre distances that the tables are asked with.
     pub centre_tolerance: Micrometres,
+    /// The same as the drawing has it: an unmachined face makes the tables be asked with a tighter one.
+    pub drawn_tolerance: Micrometres,
     /// Permitted position of the axis, Δ0 of A.6.
     pub position: Micrometres,
     /// Whether the hole lies in an outer wall.
@@ -106,7 +108,11 @@ pub fn candidates(question: &Question<'_>, shop: &Shop<'_>) -> Tried<Vec<Candida
                 scheme,
                 transitions: Vec::new(),
                 finish_elsewhere: cell.finish_elsewhere,
-                promise: Some(Promise { it: cell.grade, roughness: Some(cell.roughness) }),
+                promise: Some(Promise {
+                    it: cell.grade,
+                    roughness: Some(cell.roughness),
+                    position: Some(question.drawn_tolerance),
+                }),
                 because,
             };
             schemes.extend(with_transitions(candidate, bore, shop)?);

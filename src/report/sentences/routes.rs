@@ -148,6 +148,16 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
     ),
     ("no-hole-to-open", "{operation}: немає отвору, який розкривати", "{operation}: there is no hole to open"),
     (
+        "stock-too-small",
+        "{operation} від Ø{start} до Ø{diameter}: припуск {stock} мм < {least} мм, інструмент не ріже",
+        "{operation} from Ø{start} to Ø{diameter}: stock {stock} mm < {least} mm, the tool does not cut",
+    ),
+    (
+        "tapped-at-once",
+        "отвір заготовки Ø{start} вже під різь {thread}: лишається нарізати",
+        "the blank's hole Ø{start} is that for the thread {thread} already: it is only tapped",
+    ),
+    (
         "opened-already",
         "{operation} до Ø{diameter}: отвір уже Ø{start}",
         "{operation} to Ø{diameter}: the hole is Ø{start} already",
@@ -169,6 +179,11 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "floor-not-flat",
         "плоского дна не зробити: лишається конус свердла",
         "the floor cannot be made flat: the drill's cone stays",
+    ),
+    (
+        "flat-under-thread",
+        "під різь глибиною {depth} мм отвір свердлять до {drilled} мм і конусом: плоске дно на {depth} мм неможливе; задайте `bottom: free`",
+        "for a thread {depth} mm deep the hole is drilled to {drilled} mm, with a cone: no flat floor at {depth} mm; write `bottom: free`",
     ),
     (
         "too-shallow-for-flat",

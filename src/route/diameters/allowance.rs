@@ -39,10 +39,12 @@ pub(super) fn allowance<'k>(
         let answer = stocks.decide(&[("diameter", Input::Length(nominal))])?;
         let own = answer.winner().ok_or_else(|| KnowledgeError::no_row(stocks, "this diameter"))?;
         let stock = own.length("stock")?;
-        let aim = (after - (nominal - stock)).max(Micrometres::new(1)).min(high);
+        // A slim core drill may have no more than the eighth that it is given.
+        let low = shop.convention("least-stock-core-drill-mm")?.min(high);
+        let aim = (after - (nominal - stock)).max(low).min(high);
         let note = Note::new("core-drill-stock").with("stock", stock).with("nominal", nominal);
         let stock = previous.is_some().then(|| Because::answer(&answer, note));
-        return Ok(Allowance { low: Micrometres::new(1), high, aim, row, stock });
+        return Ok(Allowance { low, high, aim, row, stock });
     }
     let (low, high) = (row.length("minimum")?, row.length("maximum")?);
     let share = choice.number_in("share", Unit::None)?;
