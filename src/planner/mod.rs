@@ -40,7 +40,14 @@ pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result
     let mut findings = Vec::new();
     let drills = tooling::drill_sizes(knowledge, &shop.machine)?;
     let mut order: Vec<usize> = (0..part.holes.len()).collect();
-    order.sort_by_key(|&index| (part.holes[index].diameter.nominal, &part.holes[index].name));
+    // By what a group is, not by what it is called: names only tell equal groups apart.
+    order.sort_by_key(|&index| {
+        let hole = &part.holes[index];
+        let (it, roughness) = (hole.diameter.it, hole.roughness);
+        let mut points = hole.at.clone();
+        points.sort_unstable();
+        (hole.diameter.nominal, it, roughness, hole.depth, points, &hole.name)
+    });
     let mut chooser = Chooser::new(part, &shop);
     for &index in &order {
         let hole = &part.holes[index];
@@ -126,6 +133,10 @@ fn draft(
     }
     if options.not_bored {
         report(Severity::Doubtful, Note::new("not-bored"));
+    }
+    if let Some((own, promised)) = choice.promised_finer() {
+        let note = Note::new("promised-finer").with("table", &choice.candidate.table);
+        report(Severity::Doubtful, note.with("it", promised).with("own", own));
     }
     for missed in &choice.misses {
         report(Severity::Wrong, missed.clone().with("scheme", &choice.candidate.scheme));

@@ -40,6 +40,13 @@ impl Choice {
     pub fn meets(&self) -> bool {
         self.misses.is_empty()
     }
+
+    /// The grade that its transitions reach by A.1 and the finer one that its table promises, where they differ.
+    pub fn promised_finer(&self) -> Option<(String, String)> {
+        let notes = self.steps.iter().flat_map(|fitted| &fitted.step.because).map(|because| &because.note);
+        let note = notes.into_iter().find(|note| note.code == "promised")?;
+        Some((note.params.get("own")?.clone(), note.params.get("it")?.clone()))
+    }
 }
 
 /// The routes of a group.
@@ -160,6 +167,13 @@ pub(super) fn options(
             _ => options.refused = refused,
         }
     }
+    if options.choices.is_empty()
+        && let Some(short) = too_short(&options.refused, all_drills, &drills)
+    {
+        let note = Note::new("drills-too-short").with("diameter", short.diameter).with("reach", short.reach);
+        let note = note.with("needed", fitting.drill_reach(&main.place, short.diameter));
+        options.refused.push(none(Way::Search, "next-transition", note));
+    }
     finder.boring_stands_back(&mut options)?;
     if let Some((_, because)) = rough_face {
         for choice in &mut options.choices {
@@ -167,6 +181,16 @@ pub(super) fn options(
         }
     }
     Ok(options)
+}
+
+/// The largest drill of a size that a route lacked and the catalogs have, but too short.
+fn too_short(refused: &[Alternative], all: &[DrillSize], reaching: &[Micrometres]) -> Option<DrillSize> {
+    let lacked = refused.iter().filter(|other| other.why.code == "no-drill-in-allowance").find_map(|other| {
+        let bound = |name: &str| other.why.params.get(name)?.parse::<Micrometres>().ok();
+        Some(bound("low")?..=bound("high")?)
+    })?;
+    let sizes = all.iter().rev();
+    sizes.copied().find(|size| lacked.contains(&size.diameter) && !reaching.contains(&size.diameter))
 }
 
 impl Finder<'_, '_> {

@@ -49,8 +49,7 @@ pub(super) fn of_row(
         return Ok(None);
     };
     let it = found.grade("it_finest")?;
-    let ra = found.number_in("ra_finest", Unit::Micrometre)?;
-    let roughness = Roughness::from_ra_nanometres((ra * 1000.0) as u32);
+    let roughness = ra(found, "ra_finest")?;
     let note = Note::new("reaches").with("it", it).with("roughness", roughness);
     let mut because = Because::row(found, note);
     if because.unconfirmed.is_none() {
@@ -75,6 +74,7 @@ pub fn write(
     let last = steps.iter().rposition(|step| !step.elsewhere && step.operation != Operation::Tap);
     let mut centred = false;
     let mut guided = false;
+    let mut before: Option<(Operation, ItGrade, Roughness)> = None;
     for (index, step) in steps.iter_mut().enumerate() {
         centred |= step.operation == Operation::CentreDrill;
         guided |= guides(step.operation);
@@ -99,9 +99,27 @@ pub fn write(
         if step.operation == Operation::CentreDrill {
             continue;
         }
+        if reached.is_none() {
+            reached = match before {
+                // A wider bar after a slimmer one leaves what the slimmer one did.
+                Some((same, it, roughness)) if same == operation => {
+                    let note = Note::new("reaches-again").with("it", it).with("roughness", roughness);
+                    Some((it, roughness, Because::table(shop.knowledge.table("next-transition")?, note)))
+                }
+                _ => by_itself(operation, shop)?,
+            };
+        }
+        if operation == Operation::Tap {
+            let (roughness, because) = tapped(shop)?;
+            step.because.push(because);
+            step.achieved =
+                Some(Achieved { it: None, roughness: Some(roughness), position_mm: position.of(centred, guided) });
+            continue;
+        }
         let (mut it, mut roughness) = (None, None);
         if let Some((grade, rough, because)) = reached {
             (it, roughness) = (Some(grade), Some(rough));
+            before = Some((operation, grade, rough));
             step.because.push(because);
         }
         if let (Some(promise), true) = (promise, Some(index) == last) {
@@ -125,6 +143,37 @@ pub fn write(
         step.achieved = Some(Achieved { it, roughness, position_mm });
     }
     Ok(())
+}
+
+/// What a transition that only prepares the next one leaves: the coarse end of what section 1.2.1 says of it
+/// by itself; absent where it says nothing.
+fn by_itself(operation: Operation, shop: &Shop<'_>) -> Result<Option<(ItGrade, Roughness, Because)>, KnowledgeError> {
+    let name = match operation {
+        Operation::CoreDrill => "core-drilling",
+        Operation::RoughReam | Operation::FinishReam => "reaming",
+        Operation::RoughBore => "rough-boring",
+        Operation::SemiFinishBore | Operation::FinishBore => "finish-boring",
+        _ => return Ok(None),
+    };
+    let table = shop.knowledge.table("transition-accuracy")?;
+    let row = table.find("operation", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
+    let (it, roughness) = (row.grade("it_coarsest")?, ra(row, "ra_coarsest")?);
+    let note = Note::new("reaches-by-itself").with("it", it).with("roughness", roughness);
+    Ok(Some((it, roughness, Because::row(row, note))))
+}
+
+/// The roughness that a tap leaves, by table A.3; its grade is the thread's own.
+fn tapped(shop: &Shop<'_>) -> Result<(Roughness, Because), KnowledgeError> {
+    let table = shop.knowledge.table("A.3")?;
+    let row = table.find("method", "tap").ok_or_else(|| KnowledgeError::no_row(table, "tap"))?;
+    let roughness = ra(row, "ra_finest")?;
+    Ok((roughness, Because::row(row, Note::new("reaches-thread").with("roughness", roughness))))
+}
+
+/// A column of Ra, micrometres.
+fn ra(row: RowRef<'_>, column: &str) -> Result<Roughness, KnowledgeError> {
+    let micrometres = row.number_in(column, Unit::Micrometre)?;
+    Ok(Roughness::from_ra_nanometres((micrometres * 1000.0).round() as u32))
 }
 
 fn known(state: &str) -> bool {

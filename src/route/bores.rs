@@ -306,7 +306,7 @@ impl Bore {
         let table = shop.knowledge.table("A.1")?;
         let drilled = table.row(0).ok_or_else(|| KnowledgeError::no_row(table, "drilling"))?;
         let ra = drilled.number_in("ra_coarsest", Unit::Micrometre)?;
-        Ok((drilled.grade("it_coarsest")?, Roughness::from_ra_nanometres((ra * 1000.0) as u32)))
+        Ok((drilled.grade("it_coarsest")?, Roughness::from_ra_nanometres((ra * 1000.0).round() as u32)))
     }
 
     /// Why a chamfer is there although the drawing has none.

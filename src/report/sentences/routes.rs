@@ -61,6 +61,27 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "by the tables it reaches {roughness}, and {asked} is asked",
     ),
     (
+        "reaches-again",
+        "те саме ще раз ширшим інструментом: квалітет {it}, {roughness}",
+        "the same again by a wider tool: grade {it}, {roughness}",
+    ),
+    (
+        "reaches-by-itself",
+        "готує наступний перехід: сам по собі квалітет {it}, {roughness}",
+        "prepares the next transition: by itself grade {it}, {roughness}",
+    ),
+    ("reaches-thread", "різь: {roughness}", "thread: {roughness}"),
+    (
+        "drills-too-short",
+        "найбільше свердло, що сюди годиться, Ø{diameter}: сягає {reach} мм < {needed} мм",
+        "the largest drill that would do, Ø{diameter}: it reaches {reach} mm < {needed} mm",
+    ),
+    (
+        "promised-finer",
+        "{table} обіцяє квалітет {it}, а за А.1 ці переходи дають {own}",
+        "{table} promises grade {it}, and by A.1 these transitions give {own}",
+    ),
+    (
         "misses-position",
         "положення осі {position} > {asked} мм допустимих",
         "the position of the axis {position} > {asked} mm permitted",
