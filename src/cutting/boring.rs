@@ -43,7 +43,9 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
 
     let mut loads = Loads::default();
     // Without a row of forces the pass is still cut; its torque is left out and not guessed.
-    if let Ok(figures) = figures::ask("boring-force", &[("tool_material", Input::Text(cut.tool_material))], shop) {
+    if let Ok(figures) =
+        Refusal::split(figures::ask("boring-force", &[("tool_material", Input::Text(cut.tool_material))], shop))?
+    {
         let row = figures.row;
         let mut force =
             10.0 * number(row, "cp")? * libm::pow(t, number(row, "x")?) * libm::pow(speed, number(row, "n")?);

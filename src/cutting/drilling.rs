@@ -1,6 +1,6 @@
 //! Drilling, drilling out, core drilling and centring.
 
-use crate::error::{KnowledgeError, Tried};
+use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::Input;
 use crate::note::{Because, Note};
 use crate::plan::{CuttingMethod, Operation};
@@ -107,7 +107,7 @@ fn base(cut: &Cut<'_>, feed: MillimetresPerRev, shop: &Shop<'_>) -> Tried<Base> 
     let mut loads = Loads::default();
     let mut own_loads = true;
     // Without a row of loads the transition is still cut; its forces are left out and not guessed.
-    if let Ok(figures) = figures::ask("torque-and-thrust", &[operation, tool], shop) {
+    if let Ok(figures) = Refusal::split(figures::ask("torque-and-thrust", &[operation, tool], shop))? {
         let row = figures.row;
         let law = |c: &str, q: &str, x: &str, y: &str| -> Result<PowerLaw, KnowledgeError> {
             let factor = 10.0 * number(row, c)? * libm::pow(d, number(row, q)?) * libm::pow(t, number(row, x)?);

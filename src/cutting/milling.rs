@@ -67,7 +67,7 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
     let ratio = z * rounds.centre_share;
     let mut loads = Loads::default();
     // Without a row of forces the pass is still cut; its torque is left out and not guessed.
-    if let Ok(figures) = figures::ask("milling-force", &[mill_input, tool], shop) {
+    if let Ok(figures) = Refusal::split(figures::ask("milling-force", &[mill_input, tool], shop))? {
         let row = figures.row;
         let rpm = super::rpm_at(MetresPerMinute(speed), mill.diameter);
         let mut force =

@@ -41,7 +41,7 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
 
     let mut loads = Loads::default();
     // Without a row of torque the thread is still cut; its torque is left out and not guessed.
-    if let Ok(figures) = figures::ask("tapping-torque", &[tool], shop) {
+    if let Ok(figures) = Refusal::split(figures::ask("tapping-torque", &[tool], shop))? {
         let row = figures.row;
         let mut factor = 10.0 * number(row, "cm")? * libm::pow(d, number(row, "q")?);
         if figures.own() {

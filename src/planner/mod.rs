@@ -113,6 +113,9 @@ fn draft(
     for note in &options.impossible {
         report(Severity::Error, note.clone());
     }
+    for note in &options.doubtful {
+        report(Severity::Doubtful, note.clone());
+    }
     for note in &options.remarks {
         report(Severity::Note, note.clone());
     }

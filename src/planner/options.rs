@@ -64,6 +64,8 @@ pub(super) struct Options {
     pub not_bored: bool,
     /// What no axial tool makes, and openings that nothing opens.
     pub impossible: Vec<Note>,
+    /// What the drawing asks for and will hardly have meant.
+    pub doubtful: Vec<Note>,
     /// What the drawing does not ask for and cannot be done either.
     pub remarks: Vec<Note>,
 }
@@ -141,6 +143,7 @@ pub(super) fn options(
         centre_tolerance: written,
         stages: Some(stages),
         impossible: task.impossible.clone(),
+        doubtful: task.doubtful.clone(),
         ..Options::default()
     };
     for (edge, step) in task.edges.iter().zip(&finder.edges) {

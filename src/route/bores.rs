@@ -24,6 +24,8 @@ pub struct Task {
     pub edges: Vec<Edge>,
     /// What no axial tool makes.
     pub impossible: Vec<Note>,
+    /// What the drawing asks for and will hardly have meant.
+    pub doubtful: Vec<Note>,
 }
 
 /// A cylinder of a hole.
@@ -263,7 +265,17 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
     for bore in wider.iter().filter(|bore| bore.place.face == Face::Back && bore.place.depth >= thickness) {
         impossible.push(Note::new("step-too-deep").with("depth", bore.place.depth).with("limit", thickness));
     }
-    Ok(Task { main, wider, edges, impossible })
+    // A lead-in that is narrower than its thread leads nothing in.
+    let lead_in = |thread: &Thread, edge: &&Edge| edge.feature == Feature::Chamfer && edge.diameter < thread.size;
+    let around_main = |edge: &&Edge| edge.asked && edge.around == hole.diameter.nominal;
+    let doubtful = hole.thread.iter().flat_map(|thread| {
+        let narrow = edges.iter().filter(around_main).find(|edge| lead_in(thread, edge));
+        narrow.map(|edge| {
+            Note::new("chamfer-inside-thread").with("diameter", edge.diameter).with("thread", &thread.written)
+        })
+    });
+    let doubtful = doubtful.collect();
+    Ok(Task { main, wider, edges, impossible, doubtful })
 }
 
 /// `at` is how deep the edge lies, and the diameter of the cylinder above it, through which the cutter enters.

@@ -61,6 +61,11 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "by the tables it reaches {roughness}, and {asked} is asked",
     ),
     (
+        "chamfer-inside-thread",
+        "фаска Ø{diameter} вужча за різь {thread}: заходу мітчику не дає",
+        "the chamfer Ø{diameter} is narrower than the thread {thread}: it leads no tap in",
+    ),
+    (
         "reaches-again",
         "те саме ще раз ширшим інструментом: квалітет {it}, {roughness}",
         "the same again by a wider tool: grade {it}, {roughness}",
