@@ -42,13 +42,7 @@ impl Clock {
             rapid_mm_per_min: machine.rapid.0,
             tool_change: machine.tool_change,
             at,
-            times: Times {
-                feed_min: none,
-                rapid_min: none,
-                dwell_min: none,
-                tool_change_min: none,
-                total_min: none,
-            },
+            times: Times { feed_min: none, rapid_min: none, dwell_min: none, tool_change_min: none, total_min: none },
         }
     }
 

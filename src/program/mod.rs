@@ -23,6 +23,9 @@ pub struct Span {
 /// Something about a program that its reader must know.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Fault {
+    /// The stable id of the rule that is broken; the note has it too.
+    #[serde(skip)]
+    pub code: &'static str,
     /// How grave: a program with an error is not carried out as written.
     pub severity: Severity,
     /// The rule: a section of the control's description, or of this project's reading of it.

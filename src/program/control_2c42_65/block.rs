@@ -51,14 +51,14 @@ pub(super) enum After {
 
 impl Maker<'_> {
     /// Tells a breach of a rule.
-    pub(super) fn fault(&mut self, code: &str, span: Span) -> &mut Fault {
+    pub(super) fn fault(&mut self, code: &'static str, span: Span) -> &mut Fault {
         self.faults.push(fault(code, span, self.block.number));
         let last = self.faults.len() - 1;
         &mut self.faults[last]
     }
 
     /// Tells a breach of a rule with its figures.
-    pub(super) fn tell(&mut self, code: &str, span: Span, figures: &[(&str, String)]) {
+    pub(super) fn tell(&mut self, code: &'static str, span: Span, figures: &[(&str, String)]) {
         let told = self.fault(code, span);
         for (name, value) in figures {
             told.note.params.insert((*name).to_owned(), value.clone());
@@ -303,22 +303,17 @@ impl Maker<'_> {
         let changed = changed.or(words.get('D').filter(|_| active).map(|word| word.span));
         let offset = words.g[ONE_SHOT].filter(|function| self.control.offsets.contains_key(&function.code));
         if let Some(offset) = offset.filter(|_| active && words.g[RADIUS].is_none()) {
-            self.tell(
-                "offset-with-radius-correction",
-                offset.span,
-                &[("function", format!("G{:02}", offset.code))],
-            );
+            self.tell("offset-with-radius-correction", offset.span, &[("function", format!("G{:02}", offset.code))]);
         }
         let Some(span) = changed else { return };
         let plane = self.control.plane(self.state.groups[PLANE]).plane;
-        let value =
-            if active { self.corrector(self.state.radius_corrector, span) } else { Micrometres::ZERO };
+        let value = if active { self.corrector(self.state.radius_corrector, span) } else { Micrometres::ZERO };
         let [a, b, _] = plane.axes();
         // A mirrored path has its other side there.
         let mirrored = self.state.sign(a, self.setting) * self.state.sign(b, self.setting);
         let side = if function == 41 { mirrored } else { -mirrored };
         let offset = value.to_mm() * side as f64;
-        let told = words.g[RADIUS].is_some() || words.get('D').is_some();
+        let told = active || self.state.compensator.active();
         match self.state.compensator.set(plane, offset) {
             Ok(steps) => self.emit_all(steps, span),
             Err((code, at)) => {

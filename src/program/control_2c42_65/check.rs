@@ -52,9 +52,7 @@ pub(super) fn programs(blocks: &[Block], control: &Control, faults: &mut Vec<Fau
     }
     if starts.len() > control.programs {
         let last = blocks.last().map(|block| block.span).unwrap_or_default();
-        faults.push(
-            fault("too-many-programs", last, None).with("count", starts.len()).with("limit", control.programs),
-        );
+        faults.push(fault("too-many-programs", last, None).with("count", starts.len()).with("limit", control.programs));
     }
     programs.main = main.unwrap_or(0..starts.get(1).copied().unwrap_or(blocks.len()));
     programs
@@ -92,9 +90,7 @@ fn words(block: &Block, control: &Control, faults: &mut Vec<Fault>) {
                 let known = control.cycles.get(&cycle.code());
                 if !known.is_some_and(|it| it.required.contains(&address) || it.optional.contains(&address)) {
                     faults.push(
-                        fault("word-after-cycle", word.span, None)
-                            .with("address", address)
-                            .with("cycle", cycle.code()),
+                        fault("word-after-cycle", word.span, None).with("address", address).with("cycle", cycle.code()),
                     );
                 }
             }
@@ -126,9 +122,7 @@ fn m_functions(block: &Block, control: &Control, faults: &mut Vec<Fault>) {
             && let Some(first) = exclusive.replace(word)
         {
             let names = [first, word].map(|word| format!("M{:02}", word.code()));
-            faults.push(
-                fault("exclusive-m-twice", word.span, None).with("first", &names[0]).with("second", &names[1]),
-            );
+            faults.push(fault("exclusive-m-twice", word.span, None).with("first", &names[0]).with("second", &names[1]));
         }
         if function.action == Action::Return
             && let Some(call) = block.words.iter().find(|it| matches!(it.address, 'P' | 'L') && !it.in_cycle)

@@ -198,9 +198,8 @@ impl Control {
         for row in knowledge.table("2c42-65-cycles")?.all_rows() {
             // G80 has no motions.
             let Ok(inwards) = row.text("motion_1_2") else { continue };
-            let letters = |column: &str| -> Vec<char> {
-                row.texts(column).unwrap_or_default().into_iter().map(letter).collect()
-            };
+            let letters =
+                |column: &str| -> Vec<char> { row.texts(column).unwrap_or_default().into_iter().map(letter).collect() };
             let cycle = Cycle {
                 required: letters("required"),
                 optional: letters("optional_words"),

@@ -51,6 +51,11 @@ pub(super) struct Compensator {
 }
 
 impl Compensator {
+    /// Whether the tool is kept beside its path.
+    pub(super) fn active(&self) -> bool {
+        self.offset != 0.0
+    }
+
     /// Begins, changes or ends the correction; gives out what has waited.
     ///
     /// # Errors

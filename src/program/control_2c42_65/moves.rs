@@ -266,8 +266,7 @@ impl Maker<'_> {
                 self.state.floating[axis.index()] = floating[axis.index()];
                 // The zero is a place of the machine: no length correction is left in on the way there.
                 if last && function.code != 30 && self.state.length.0 == *axis {
-                    self.state.base =
-                        self.state.base.with(*axis, point.base.get(*axis) - self.state.length.1);
+                    self.state.base = self.state.base.with(*axis, point.base.get(*axis) - self.state.length.1);
                 }
                 if last && function.code == 27 {
                     self.state.homed[axis.index()] = true;

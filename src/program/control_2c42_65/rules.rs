@@ -88,10 +88,10 @@ pub(super) const RULES: &[(&str, Severity, &str)] = &[
 ];
 
 /// A breach of a rule. A code that is not listed is an error without a section; a test keeps it from happening.
-pub(super) fn fault(code: &str, span: Span, block: Option<u32>) -> Fault {
+pub(super) fn fault(code: &'static str, span: Span, block: Option<u32>) -> Fault {
     let rule = RULES.iter().find(|(known, ..)| *known == code);
     let (severity, section) = rule.map_or((Error, ""), |(_, severity, section)| (*severity, *section));
-    Fault { severity, rule: section, block, span, note: Note::new(code) }
+    Fault { code, severity, rule: section, block, span, note: Note::new(code) }
 }
 
 impl Fault {

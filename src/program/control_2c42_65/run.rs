@@ -63,7 +63,7 @@ struct Run<'a, S> {
     state: State,
     sink: &'a mut S,
     /// What has been told of a word already: a block may run many times.
-    told: BTreeSet<(u32, u32, String)>,
+    told: BTreeSet<(u32, u32, &'static str)>,
     faults: Vec<Fault>,
     spans: Spans,
     left: usize,
@@ -90,7 +90,8 @@ impl<S: Sink> Run<'_, S> {
                 .map(|axis| axis.letter().to_string())
                 .collect();
             let span = self.blocks.first().map(|block| block.span).unwrap_or_default();
-            let fault = fault("zero-not-set", span, None).with("system", format!("G{system}")).with("axes", axes.join(", "));
+            let fault =
+                fault("zero-not-set", span, None).with("system", format!("G{system}")).with("axes", axes.join(", "));
             self.tell(fault);
         }
     }
@@ -176,7 +177,7 @@ impl<S: Sink> Run<'_, S> {
     }
 
     fn tell(&mut self, fault: Fault) {
-        if self.told.insert((fault.span.line, fault.span.column, fault.note.code.clone())) {
+        if self.told.insert((fault.span.line, fault.span.column, fault.code)) {
             self.faults.push(fault);
         }
     }

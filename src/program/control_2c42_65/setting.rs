@@ -111,12 +111,7 @@ fn read(root: &Node, control: &Control, problems: &mut Problems) -> Option<Setti
             Some(value) => {
                 let known: Vec<String> = steps.iter().map(ToString::to_string).collect();
                 let help = format!("the switch has {} %", known.join(", "));
-                problems.error_help::<()>(
-                    "bad-override",
-                    format!("the switch has no step {value}"),
-                    &node.place,
-                    help,
-                );
+                problems.error_help::<()>("bad-override", format!("the switch has no step {value}"), &node.place, help);
             }
             None => {}
         }

@@ -60,9 +60,7 @@ pub(super) fn blocks(text: &str, control: &Control) -> (Vec<Block>, Vec<Fault>) 
     }
     if text.len() > control.memory_bytes {
         let whole = Span { line: 1, column: 1, width: 1 };
-        faults.push(
-            fault("memory-full", whole, None).with("bytes", text.len()).with("memory", control.memory_bytes),
-        );
+        faults.push(fault("memory-full", whole, None).with("bytes", text.len()).with("memory", control.memory_bytes));
     }
     (blocks, faults)
 }
@@ -83,6 +81,7 @@ impl Line<'_> {
 
     /// One line; nothing of an empty one and of the sign `%` that begins a tape.
     fn block(&mut self, line: &str) -> Option<Block> {
+        let before = self.faults.len();
         let characters: Vec<char> = line.chars().collect();
         let first = characters.iter().position(|c| !c.is_whitespace())?;
         if characters[first] == '%' {
@@ -116,8 +115,7 @@ impl Line<'_> {
         if block.number.is_none() && block.program.is_none() {
             self.faults.push(fault("no-block-number", block.span, None));
         }
-        let mut words: Vec<&mut Fault> = self.faults.iter_mut().filter(|it| it.span.line == self.line).collect();
-        for fault in &mut words {
+        for fault in &mut self.faults[before..] {
             fault.block = block.number;
         }
         Some(block)
