@@ -17,7 +17,7 @@ const MEMORY: usize = 32 * 1024;
 
 /// Blocks until the memory is full: holes, a contour, calls.
 fn program() -> String {
-    let mut text = String::from(":01\nN1 G90 G54 G0 X0 Y0 S500 M3\n");
+    let mut text = String::from(":01\nN1 G90 G54 G0 X0 Y0 S500 M3 F250\n");
     let mut number: usize = 2;
     while text.len() < MEMORY - 120 {
         let (x, y) = (number % 400, number % 150);

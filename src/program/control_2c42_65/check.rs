@@ -34,7 +34,7 @@ pub(super) fn programs(blocks: &[Block], control: &Control, faults: &mut Vec<Fau
         let range = start..starts.get(index + 1).copied().unwrap_or(blocks.len());
         let head = &blocks[start];
         let ends = |wanted: &[Action]| {
-            blocks[range.clone()].iter().flat_map(|block| functions(block)).any(|word| {
+            blocks[range.clone()].iter().flat_map(functions).any(|word| {
                 control.m_functions.get(&word.code()).is_some_and(|function| wanted.contains(&function.action))
             })
         };

@@ -43,7 +43,8 @@ impl Maker<'_> {
         if let Some(stray) = words.centre.iter().flatten().next().filter(|_| !arc) {
             self.tell("word-unused", stray.span, &[("word", "I, J, K".to_owned())]);
         }
-        if !words.any_axis() && !(arc && centred) {
+        let moves = words.any_axis() || (arc && centred);
+        if !moves {
             return;
         }
         if !self.axes_may_move(words) {

@@ -151,7 +151,7 @@ impl Line<'_> {
             return None;
         };
         let written: String = characters[at + 1..end].iter().filter(|c| !c.is_whitespace()).collect();
-        let Some((thousandths, digits)) = self.number(&written, address, span) else { return None };
+        let (thousandths, digits) = self.number(&written, address, span)?;
         let word = Word { address, thousandths, digits, span, in_cycle: self.in_cycle, skipped: self.skipped };
         if !known.decimal && written.contains('.') && !(address == 'H' && self.in_cycle) {
             self.faults.push(fault("number-not-whole", span, None).with("address", address));
