@@ -93,6 +93,25 @@ fn the_memory_and_the_number_of_programs_are_limited() {
     assert!(codes(&many).contains(&"too-many-programs"));
 }
 
+/// Programs that would repeat for ever end by the budget, whatever they repeat.
+#[test]
+fn no_repetition_lasts() {
+    let nothing = ":01\nN1 L65535 P02\nN2 M02\n:02\nN1 L65535 P03\nN2 M99\n:03\nN1 L65535 G80\nN2 M99\n";
+    let waiting = ":01\nN1 S500 M3 F100 G41 D1 X10\nN2 L65535 P02\nN3 M02\n:02\nN1 L65535 G04 E1 G91 Z-0.01\nN2 M99\n";
+    let cycle =
+        ":01\nN1 S500 M3 F100 G41 D1 X10\nN2 L65535 P02\nN3 M02\n:02\nN1 L65535 G83 U-1 Z-9999 V0.001 W0.001\nN2 M99\n";
+    for text in [nothing, waiting, cycle] {
+        let begin = std::time::Instant::now();
+        let setting =
+            Setting { correctors: [(1, technolog::units::Micrometres::from_mm(5))].into(), ..Setting::default() };
+        let machine = Machine::find(&KNOWLEDGE, "gf2171").unwrap();
+        let faults = check(text, &CONTROL, &machine, &setting, &mut Vec::<Step>::new());
+        assert!(faults.iter().any(Fault::is_error), "{text}");
+        // Not a measurement: what is not held by the budget takes hours.
+        assert!(begin.elapsed().as_secs() < 60, "{text}");
+    }
+}
+
 fn run(text: &str) -> (Vec<Fault>, Vec<Step>) {
     let machine = Machine::find(&KNOWLEDGE, "gf2171").unwrap();
     let mut steps = Vec::new();

@@ -34,7 +34,9 @@ pub(super) struct Maker<'a> {
     /// The whole block, for faults of no single word.
     pub span: Span,
     pub spans: &'a mut Spans,
-    /// Steps that may still be made.
+    /// Steps made so far, those that the radius correction holds back among them.
+    pub made: usize,
+    /// Steps that may be made.
     pub budget: usize,
 }
 
@@ -83,9 +85,11 @@ impl Maker<'_> {
         // With P the repeats are those of the call (3.14.2), else those of the block (3.12.2).
         let repeats = if words.get('P').is_some() { 1 } else { words.get('L').map_or(1, Given::number) };
         for _ in 0..repeats {
+            let before = self.made;
             self.motion(words);
             self.cycle(words);
-            if self.broken() || self.steps.len() > self.budget {
+            // What makes nothing once makes nothing 65535 times.
+            if self.broken() || self.made > self.budget || self.made == before {
                 break;
             }
         }

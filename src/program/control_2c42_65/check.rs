@@ -25,7 +25,7 @@ pub(super) fn programs(blocks: &[Block], control: &Control, faults: &mut Vec<Fau
     if starts.first() != Some(&0) && !blocks.is_empty() {
         starts.insert(0, 0);
     }
-    if blocks.is_empty() {
+    if blocks.is_empty() && faults.is_empty() {
         faults.push(fault("empty-program", Span { line: 1, column: 1, width: 1 }, None));
     }
     let mut programs = Programs::default();

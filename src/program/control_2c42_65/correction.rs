@@ -56,6 +56,11 @@ impl Compensator {
         self.offset != 0.0
     }
 
+    /// How many steps wait.
+    pub(super) fn waiting(&self) -> usize {
+        self.queue.len()
+    }
+
     /// Begins, changes or ends the correction; gives out what has waited.
     ///
     /// # Errors

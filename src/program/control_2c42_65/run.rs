@@ -113,7 +113,8 @@ impl<S: Sink> Run<'_, S> {
             self.tell(fault);
             return Way::Out;
         }
-        self.left -= 1;
+        // A block costs itself and what the copy of the state carries along.
+        self.left = self.left.saturating_sub(1 + self.state.compensator.waiting());
         // 1. Copy the modal state.
         let state = self.state.clone();
         // 2. Read the words and check their groups.
@@ -129,11 +130,12 @@ impl<S: Sink> Run<'_, S> {
             block: BlockRef { line: block.span.line, number: block.number },
             span: block.span,
             spans: &mut self.spans,
+            made: 0,
             budget: self.left,
         };
         maker.finer_than_machine(&words);
         let after = maker.make(&words);
-        let Maker { state, steps, faults, .. } = maker;
+        let Maker { state, steps, faults, made, .. } = maker;
         // 4. Carry it out: nothing of a block that is not good, but its modes.
         let good = !faults.iter().any(Fault::is_error);
         if good {
@@ -141,7 +143,7 @@ impl<S: Sink> Run<'_, S> {
                 self.sink.take(step);
             }
         }
-        self.left = self.left.saturating_sub(steps.len());
+        self.left = self.left.saturating_sub(made);
         self.state = state;
         for fault in faults {
             self.tell(fault);

@@ -51,16 +51,18 @@ pub(super) struct Block {
 
 /// Every block of the text, and what could not be read.
 pub(super) fn blocks(text: &str, control: &Control) -> (Vec<Block>, Vec<Fault>) {
+    if text.len() > control.memory_bytes {
+        // What does not fit is not read: thousands of mistakes of a file that is no program help nobody.
+        let whole = Span { line: 1, column: 1, width: 1 };
+        let memory = control.memory_bytes;
+        return (Vec::new(), vec![fault("memory-full", whole, None).with("bytes", text.len()).with("memory", memory)]);
+    }
     let mut faults = Vec::new();
     let mut blocks = Vec::new();
     for (index, line) in text.lines().enumerate() {
         let line_number = u32::try_from(index + 1).unwrap_or(u32::MAX);
         let mut reader = Line { control, faults: &mut faults, line: line_number, in_cycle: false, skipped: false };
         blocks.extend(reader.block(line));
-    }
-    if text.len() > control.memory_bytes {
-        let whole = Span { line: 1, column: 1, width: 1 };
-        faults.push(fault("memory-full", whole, None).with("bytes", text.len()).with("memory", control.memory_bytes));
     }
     (blocks, faults)
 }

@@ -19,6 +19,7 @@ impl Maker<'_> {
 
     /// One more step from a point of the programmed path to where the state is now.
     pub(super) fn push_from(&mut self, motion: Motion, from: Position, span: Span) {
+        self.made += 1;
         let step = Step { motion, at: self.state.corrected(self.state.base), block: self.block };
         match self.state.compensator.take(step, from, span) {
             Ok(steps) => self.emit_all(steps, span),
