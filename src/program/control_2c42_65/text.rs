@@ -198,10 +198,11 @@ impl Line<'_> {
             self.faults.push(fault(code, span, None).with("address", address));
             return None;
         }
-        let part = part.trim_end_matches('0');
-        let digits = format!("{whole}{part:0<3}");
-        // A number of so many digits is out of every range; the range check tells it.
-        let value = digits.parse::<i64>().unwrap_or(i64::MAX / 4);
+        // Three places behind the point, and whatever is too large for any range: the range check tells it.
+        let places = part.bytes().chain(std::iter::repeat(b'0')).take(3);
+        let value = whole.bytes().chain(places).fold(0_i64, |value, digit| {
+            value.saturating_mul(10).saturating_add(i64::from(digit.wrapping_sub(b'0'))).min(i64::MAX / 4)
+        });
         Some((if negative { -value } else { value }, whole.len()))
     }
 }
