@@ -29,6 +29,10 @@ pub struct Machine<'k> {
     pub travel_x: Micrometres,
     /// Travel of the table along Y, of the whole stroke.
     pub travel_y: Micrometres,
+    /// Travel of the quill along Z, of the whole stroke.
+    pub travel_z: Micrometres,
+    /// The least step that it can be told to go.
+    pub resolution: Micrometres,
     /// Largest mass of a part, kg.
     pub load_max_kg: f64,
     /// Places of the magazine.
@@ -37,6 +41,8 @@ pub struct Machine<'k> {
     pub tool_change: Minutes,
     /// Where the table stands for a tool change.
     pub tool_change_at: (Micrometres, Micrometres),
+    /// Where the quill stands for a tool change.
+    pub tool_change_z: Micrometres,
     /// Number of the spindle's 7:24 taper.
     pub taper: i64,
     /// Largest drill.
@@ -81,10 +87,13 @@ impl<'k> Machine<'k> {
             rapid: MillimetresPerMinute(number("rapid-rate")?),
             travel_x: length("travel-x")?,
             travel_y: length("travel-y")?,
+            travel_z: length("travel-z")?,
+            resolution: length("resolution")?,
             load_max_kg: number("load-mass-max")?,
             magazine: number("magazine-places")? as usize,
             tool_change: Minutes(number("tool-change-time")? / 60.0),
             tool_change_at: (length("tool-change-x")?, length("tool-change-y")?),
+            tool_change_z: length("tool-change-z")?,
             taper: number("spindle-taper")? as i64,
             drill_max: length("drill-diameter-max")?,
             overhang_max: length("tool-overhang-max")?,

@@ -8,6 +8,7 @@
 //! Architecture invariant: nothing here decides anything; a command asks the library and shows the
 //! answer. Nothing else in the program touches arguments, environment, terminal or output files.
 
+mod check;
 mod diagnostics;
 mod help;
 mod knowledge;
@@ -71,6 +72,7 @@ enum Command {
     Explain(plan::ExplainArgs),
     Table(table::Args),
     Lookup(lookup::Args),
+    Check(check::Args),
     Lint(lint::Args),
 }
 
@@ -81,6 +83,7 @@ impl Command {
             Self::Explain(args) => plan::explain(args, context),
             Self::Table(args) => table::run(args, context),
             Self::Lookup(args) => lookup::run(args, context),
+            Self::Check(args) => check::run(args, context),
             Self::Lint(args) => lint::run(args, context),
         }
     }

@@ -77,6 +77,8 @@ words! {
     EmptyCell: "(порожньо)", "(empty)";
     CommandLine: "командний рядок", "command line";
     AllRejected: "усі рядки поодинці: --all", "every row on its own: --all";
+    Trace:
+        "Рухи: рядок, кадр, рух, положення осей верстата, мм", "Motions: line, block, motion, machine position in mm";
     AlsoSays: "Рядок каже також", "The row also says";
 }
 
@@ -132,6 +134,11 @@ phrases! {
         "ключ `{key}`: {value} поза межами таблиці, {domain}", "key `{key}`: {value} is outside the table's domain {domain}";
     missing_keys(table, keys): "таблиці {table} бракує: {keys}", "table {table} also needs {keys}";
     give_keys(example): "допишіть, наприклад, {example}", "add, for example, {example}";
+    no_machine(id): "верстата `{id}` в каталозі немає", "the catalog has no machine `{id}`";
+    by_rule(what, section): "{what} (правило: {section})", "{what} (rule: {section})";
+    times(total, feed, rapid, dwell, change):
+        "Час, хв: {total} (подача {feed}, прискорено {rapid}, паузи {dwell}, заміна інструмента {change})",
+        "Time, min: {total} (feed {feed}, rapid {rapid}, dwell {dwell}, tool change {change})";
     run_lint(): "це вада таблиці; її показує `technolog lint`", "the table is at fault; `technolog lint` shows where";
 
     printed_otherwise(column, printed, reason):
@@ -269,6 +276,11 @@ pub const HELP_UK: &[(&str, &str)] = &[
     ("explain.part", "Файл деталі"),
     ("explain.hole", "Назва групи отворів"),
     ("explain.cutting", "Режими різання за формулами (formula) чи за картами прикладу (card)"),
+    ("check", "Прочитати й виконати керуючу програму: помилки, рухи, час"),
+    ("check.program", "Файл програми"),
+    ("check.control", "ПЧПК, мовою якого вона написана"),
+    ("check.machine", "Верстат, за назвою в каталозі"),
+    ("check.setting", "Що задає оператор: нулі, коректори, перемикачі (docs/control-2c42-65.md)"),
     ("lint", "Доводить базу знань: прогалини, суперечності, мертві рядки, посилання, закони, приклади"),
 ];
 

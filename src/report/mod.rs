@@ -9,6 +9,6 @@ mod words;
 pub mod sheet;
 
 pub use lang::Lang;
-pub use sentences::sentence;
+pub use sentences::{remedy, sentence};
 pub use why::explain;
 pub use words::{operation_noun, operation_verb};

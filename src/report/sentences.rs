@@ -7,11 +7,12 @@ use crate::note::Note;
 
 use super::Lang;
 
+mod programs;
 mod routes;
 
 /// Every sentence.
 fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'static str)> {
-    SENTENCES.iter().chain(routes::SENTENCES)
+    SENTENCES.iter().chain(routes::SENTENCES).chain(programs::SENTENCES)
 }
 
 /// A note as a sentence. A code without words shows itself with its figures, so that nothing is lost.
@@ -31,6 +32,11 @@ pub fn sentence(note: &Note, lang: Lang) -> String {
         text = format!("{} {scheme}: {text}", lang.pick("схема", "scheme"));
     }
     text
+}
+
+/// What to do about a mistake of a program.
+pub fn remedy(note: &Note, lang: Lang) -> Option<&'static str> {
+    programs::REMEDIES.iter().find(|(code, ..)| *code == note.code).map(|(_, uk, en)| lang.pick(uk, en))
 }
 
 /// Figures whose values are words of the program are translated too.
@@ -517,7 +523,7 @@ mod tests {
                 continue;
             }
             let text = std::fs::read_to_string(&path).unwrap();
-            for opening in ["Note::new(\"", " note(\"", "series(\"", "shown(\""] {
+            for opening in ["Note::new(\"", " note(\"", "series(\"", "shown(\"", "fault(\"", "tell(\""] {
                 for rest in text.split(opening).skip(1) {
                     let code = rest.split('"').next().unwrap();
                     if !code.is_empty() && code.chars().all(|c| c.is_ascii_lowercase() || c == '-') {
@@ -531,12 +537,22 @@ mod tests {
     #[test]
     fn every_code_of_the_program_has_its_words() {
         let mut codes = BTreeSet::new();
-        for room in ["route", "tooling", "cutting", "planner"] {
+        for room in ["route", "tooling", "cutting", "planner", "program"] {
             codes_in(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src").join(room), &mut codes);
         }
         assert!(codes.len() > 50, "the search for codes finds too few: {}", codes.len());
         let unknown: Vec<_> = codes.iter().filter(|code| !sentences().any(|(known, ..)| known == code)).collect();
         assert!(unknown.is_empty(), "codes without words: {unknown:?}");
+    }
+
+    #[test]
+    fn every_mistake_of_a_program_says_what_to_do() {
+        let said: BTreeSet<_> = programs::SENTENCES.iter().map(|(code, ..)| *code).collect();
+        let done: BTreeSet<_> = programs::REMEDIES.iter().map(|(code, ..)| *code).collect();
+        assert_eq!(said, done);
+        let page = include_str!("../../docs/control-2c42-65.md");
+        let untold: Vec<_> = said.iter().filter(|code| !page.contains(&format!("`{code}`"))).collect();
+        assert!(untold.is_empty(), "docs/control-2c42-65.md does not name {untold:?}");
     }
 
     #[test]

@@ -1,0 +1,175 @@
+//! `technolog check`: a program read and run, its mistakes, its trace and its time.
+
+use std::borrow::Cow;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use serde::Serialize;
+use technolog::knowledge::yaml::text_of;
+use technolog::knowledge::{Diagnostic, Knowledge, Place, Severity};
+use technolog::machine::Machine;
+use technolog::motion::Step;
+use technolog::motion::time::{Clock, Times};
+use technolog::motion::trace;
+use technolog::note;
+use technolog::program::Fault;
+use technolog::program::control_2c42_65::{Control, Setting, check, read_setting};
+use technolog::report;
+
+use super::diagnostics::{Texts, render};
+use super::words::Word;
+use super::{CliError, Context, Format, Outcome, knowledge, words};
+
+/// Read and run an NC program: its mistakes, the trace of its motions, its time
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// The program file
+    #[arg(value_name = "PROGRAM")]
+    program: PathBuf,
+    /// The control whose language it is
+    #[arg(long, value_parser = ["2c42-65"])]
+    control: String,
+    /// The machine, by its id in the catalog
+    #[arg(long, value_name = "ID", default_value = "gf2171")]
+    machine: String,
+    /// What the operator sets: zeros, correctors, switches (docs/control-2c42-65.md)
+    #[arg(long, value_name = "FILE.yaml")]
+    setting: Option<PathBuf>,
+}
+
+/// The answer for programs.
+#[derive(Serialize)]
+struct Answer<'a> {
+    program: &'a str,
+    control: &'a str,
+    machine: &'a str,
+    findings: Vec<Finding<'a>>,
+    trace: &'a [Step],
+    time: Times,
+}
+
+#[derive(Serialize)]
+struct Finding<'a> {
+    message: String,
+    help: Option<&'static str>,
+    #[serde(flatten)]
+    fault: &'a Fault,
+}
+
+/// Checks a program.
+///
+/// # Errors
+/// The program, the setting or the machine cannot be used.
+pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
+    let format = context.format("check", &[Format::Text, Format::Json])?;
+    let knowledge = knowledge::load(context)?;
+    let at_fault = |error: technolog::error::KnowledgeError| {
+        CliError::from(Diagnostic::error("knowledge", error.to_string(), None).help(words::run_lint(context.lang)))
+    };
+    let control = Control::read(&knowledge).map_err(at_fault)?;
+    let machine = machine(&args.machine, &knowledge, context)?;
+    let shown = args.program.display().to_string();
+    let text = read(&args.program, context)?;
+    let setting = match &args.setting {
+        None => Setting::default(),
+        Some(path) => {
+            let (shown, text) = (path.display().to_string(), read(path, context)?);
+            read_setting(&shown, &text, &control).map_err(|problems| CliError::Unusable {
+                problems,
+                texts: Texts::default().with(&shown, shown.clone(), Cow::Owned(text)),
+            })?
+        }
+    };
+    let mut sink = (Vec::<Step>::new(), Clock::new(&machine, setting.start));
+    let faults = check(&text, &control, &machine, &setting, &mut sink);
+    let (steps, clock) = sink;
+    match format {
+        Format::Json => {
+            let findings = faults
+                .iter()
+                .map(|fault| Finding {
+                    message: report::sentence(&fault.note, context.lang),
+                    help: report::remedy(&fault.note, context.lang),
+                    fault,
+                })
+                .collect();
+            context.emit_json(&Answer {
+                program: &shown,
+                control: &args.control,
+                machine: &args.machine,
+                findings,
+                trace: &steps,
+                time: clock.times(),
+            })?;
+        }
+        _ => context.emit(&page(&faults, &steps, clock.times(), &shown, text, context))?,
+    }
+    Ok(if faults.iter().any(Fault::is_error) { Outcome::Findings } else { Outcome::Done })
+}
+
+fn machine<'k>(id: &str, knowledge: &'k Knowledge, context: &Context) -> Result<Machine<'k>, CliError> {
+    if knowledge.table(&format!("machine-{id}")).is_err() {
+        let known: Vec<&str> = knowledge.tables().filter_map(|table| table.id.strip_prefix("machine-")).collect();
+        let known: Vec<&str> = known.into_iter().filter(|id| *id != "quantities").collect();
+        return Err(Diagnostic::error("unknown-machine", words::no_machine(context.lang, id), None)
+            .help(words::known(context.lang, known.join(", ")))
+            .into());
+    }
+    Machine::find(knowledge, id).map_err(|error| {
+        Diagnostic::error("knowledge", error.to_string(), None).help(words::run_lint(context.lang)).into()
+    })
+}
+
+fn read(path: &Path, context: &Context) -> Result<String, CliError> {
+    let shown = path.display().to_string();
+    let bytes = std::fs::read(path).map_err(|error| {
+        let message = words::cannot_read(context.lang, &shown, error);
+        CliError::from(Diagnostic::error("unreadable", message, None).help(words::check_path(context.lang)))
+    })?;
+    Ok(text_of(&shown, bytes)?)
+}
+
+/// The answer for people: mistakes with their lines, the trace, the times.
+fn page(faults: &[Fault], steps: &[Step], times: Times, shown: &str, text: String, context: &Context) -> String {
+    let file: Arc<str> = Arc::from(shown);
+    let problems: Vec<Diagnostic> = faults.iter().map(|fault| diagnostic(fault, &file, context)).collect();
+    let texts = Texts::default().with(shown, shown.to_owned(), Cow::Owned(text));
+    let mut page = render(&problems, &texts, context.lang);
+    if !problems.is_empty() {
+        page.push('\n');
+    }
+    if !steps.is_empty() {
+        page.push_str(context.word(Word::Trace));
+        page.push('\n');
+        for step in steps {
+            page.push_str(&trace::line(step));
+            page.push('\n');
+        }
+        page.push('\n');
+        let t = [times.feed_min, times.rapid_min, times.dwell_min, times.tool_change_min, times.total_min];
+        let [feed, rapid, dwell, change, total] = t.map(|time| time.0);
+        page.push_str(&words::times(context.lang, total, feed, rapid, dwell, change));
+        page.push('\n');
+    }
+    page.push_str(&words::findings(context.lang, faults.len()));
+    page.push('\n');
+    page
+}
+
+fn diagnostic(fault: &Fault, file: &Arc<str>, context: &Context) -> Diagnostic {
+    let span = fault.span;
+    let place = Place { file: file.clone(), line: span.line, column: span.column, width: span.width };
+    let severity = match fault.severity {
+        note::Severity::Error | note::Severity::Wrong => Severity::Error,
+        note::Severity::Doubtful => Severity::Warning,
+        note::Severity::Note => Severity::Note,
+    };
+    let sentence = report::sentence(&fault.note, context.lang);
+    let message = match fault.block {
+        Some(number) => format!("N{number}: {sentence}"),
+        None => sentence,
+    };
+    let help = report::remedy(&fault.note, context.lang).unwrap_or_default();
+    let help = words::by_rule(context.lang, help, fault.rule);
+    Diagnostic { severity, code: fault.code, message, place: Some(place), help: Some(help) }
+}

@@ -1,0 +1,82 @@
+//! The time of a program: every step by what the machine needs for it.
+
+use serde::Serialize;
+
+use super::{Axis, Motion, Position, Sink, Step, geometry};
+use crate::machine::Machine;
+use crate::units::Minutes;
+
+/// The times of the steps so far, min.
+///
+/// Rapids at the machine's rate by the slower axis, since each axis moves by itself (textbook 3.9.1, 3.10.2); feeds along
+/// their path at their feed; dwells as they say; tool changes by the machine's record. Acceleration is not counted: no
+/// record gives it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Times {
+    /// At feed.
+    pub feed_min: Minutes,
+    /// At rapid.
+    pub rapid_min: Minutes,
+    /// Waiting.
+    pub dwell_min: Minutes,
+    /// Changing tools.
+    pub tool_change_min: Minutes,
+    /// All of it.
+    pub total_min: Minutes,
+}
+
+/// A sink that sums up times.
+#[derive(Clone, Debug)]
+pub struct Clock {
+    rapid_mm_per_min: f64,
+    tool_change: Minutes,
+    at: Position,
+    times: Times,
+}
+
+impl Clock {
+    /// A clock of a machine that begins with its axes there.
+    pub const fn new(machine: &Machine<'_>, at: Position) -> Self {
+        let none = Minutes(0.0);
+        Self {
+            rapid_mm_per_min: machine.rapid.0,
+            tool_change: machine.tool_change,
+            at,
+            times: Times { feed_min: none, rapid_min: none, dwell_min: none, tool_change_min: none, total_min: none },
+        }
+    }
+
+    /// The times so far, to the thousandth of a minute.
+    pub fn times(&self) -> Times {
+        let t = self.times;
+        Times {
+            feed_min: t.feed_min.rounded(3),
+            rapid_min: t.rapid_min.rounded(3),
+            dwell_min: t.dwell_min.rounded(3),
+            tool_change_min: t.tool_change_min.rounded(3),
+            total_min: (t.feed_min + t.rapid_min + t.dwell_min + t.tool_change_min).rounded(3),
+        }
+    }
+}
+
+impl Sink for Clock {
+    fn take(&mut self, step: &Step) {
+        match &step.motion {
+            Motion::Rapid => {
+                let farthest = Axis::ALL.map(|axis| (step.at.get(axis) - self.at.get(axis)).abs()).into_iter().max();
+                let way = farthest.unwrap_or_default().to_mm();
+                self.times.rapid_min = self.times.rapid_min + Minutes(way / self.rapid_mm_per_min);
+            }
+            Motion::Feed { feed_mm_per_min } | Motion::Arc { feed_mm_per_min, .. } => {
+                let way = geometry::length(&step.motion, self.at, step.at);
+                if feed_mm_per_min.0 > 0.0 {
+                    self.times.feed_min = self.times.feed_min + Minutes(way / feed_mm_per_min.0);
+                }
+            }
+            Motion::Dwell { seconds } => self.times.dwell_min = self.times.dwell_min + Minutes(seconds / 60.0),
+            Motion::ToolChange { .. } => self.times.tool_change_min = self.times.tool_change_min + self.tool_change,
+            _ => {}
+        }
+        self.at = step.at;
+    }
+}

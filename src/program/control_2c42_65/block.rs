@@ -1,0 +1,385 @@
+//! One block, in four steps, which have their numbers here and in `run.rs`:
+//!
+//! 1. The modal state is copied.
+//! 2. The words are read, each in its group (`words.rs`).
+//! 3. Everything is checked: the steps are made on the copy, and every rule they break is told (here, `moves.rs`,
+//!    `cycles.rs`, `travel.rs`).
+//! 4. Only when nothing is wrong the steps go out and the copy becomes the state (`run.rs`).
+//!
+//! The order of a block, whatever the order of its words (3.5): modal functions and F, S, T, D, H; functions of the start
+//! of a block, M06 among them; G92; length and radius correction; the motion and the cycle, L times; the dwell; functions
+//! of the end of a block; the call of a subprogram.
+
+use super::control::{Action, Control};
+use super::rules::fault;
+use super::setting::Setting;
+use super::state::{CYCLE, LENGTH, MOTION, ONE_SHOT, PLANE, RADIUS, SYSTEM, State};
+use super::travel::Spans;
+use super::words::{Function, Given, Words, letter};
+use crate::machine::Machine;
+use crate::motion::{Axis, BlockRef, Motion, Position, Side, Step, Turning};
+use crate::program::{Fault, Span};
+use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute};
+
+/// Step 3 on its way: the steps of one block, made on a copy of the state.
+pub(super) struct Maker<'a> {
+    pub control: &'a Control,
+    pub machine: &'a Machine<'a>,
+    pub setting: &'a Setting,
+    /// The copy.
+    pub state: State,
+    pub steps: Vec<Step>,
+    pub faults: Vec<Fault>,
+    pub block: BlockRef,
+    /// The whole block, for faults of no single word.
+    pub span: Span,
+    pub spans: &'a mut Spans,
+    /// Steps made so far, those that the radius correction holds back among them.
+    pub made: usize,
+    /// Steps that may be made.
+    pub budget: usize,
+}
+
+/// What a block asks for beside its steps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum After {
+    /// The next block.
+    Next,
+    /// M99.
+    Return,
+    /// M02, M30.
+    End,
+}
+
+impl Maker<'_> {
+    /// Tells a breach of a rule.
+    pub(super) fn fault(&mut self, code: &'static str, span: Span) -> &mut Fault {
+        self.faults.push(fault(code, span, self.block.number));
+        let last = self.faults.len() - 1;
+        &mut self.faults[last]
+    }
+
+    /// Tells a breach of a rule with its figures.
+    pub(super) fn tell(&mut self, code: &'static str, span: Span, figures: &[(&str, String)]) {
+        let told = self.fault(code, span);
+        for (name, value) in figures {
+            told.note.params.insert((*name).to_owned(), value.clone());
+        }
+    }
+
+    /// Whether the block may not be carried out.
+    pub(super) fn broken(&self) -> bool {
+        self.faults.iter().any(Fault::is_error)
+    }
+
+    /// Makes all steps of the block.
+    pub(super) fn make(&mut self, words: &Words) -> After {
+        self.take_modes(words);
+        self.take_numbers(words);
+        self.start_functions(words);
+        if words.function(SYSTEM) == Some(92) {
+            self.set_system(words);
+        }
+        self.length_correction(words);
+        self.radius_correction(words);
+        // With P the repeats are those of the call (3.14.2), else those of the block (3.12.2).
+        let repeats = if words.get('P').is_some() { 1 } else { words.get('L').map_or(1, Given::number) };
+        for _ in 0..repeats {
+            let before = self.made;
+            self.motion(words);
+            self.cycle(words);
+            // What makes nothing once makes nothing 65535 times.
+            if self.broken() || self.made > self.budget || self.made == before {
+                break;
+            }
+        }
+        self.dwell(words);
+        self.end_functions(words)
+    }
+
+    /// Group by group the function given last; group 00 holds for this block only.
+    fn take_modes(&mut self, words: &Words) {
+        for (group, function) in words.g.iter().enumerate().filter(|(group, _)| *group != ONE_SHOT) {
+            if let Some(function) = function {
+                self.state.groups[group] = function.code;
+            }
+        }
+    }
+
+    /// F, S, T, D, H, R, Q, held against the machine.
+    fn take_numbers(&mut self, words: &Words) {
+        if let Some(feed) = words.get('F') {
+            self.take_feed(feed);
+        }
+        if let Some(speed) = words.get('S') {
+            self.take_speed(speed);
+        }
+        if let Some(tool) = words.get('T') {
+            self.state.wanted = u32::try_from(tool.number()).unwrap_or_default();
+            if tool.number() > self.machine.magazine as i64 {
+                let places = self.machine.magazine.to_string();
+                self.tell(
+                    "tool-beyond-magazine",
+                    tool.span,
+                    &[("tool", tool.number().to_string()), ("places", places)],
+                );
+            }
+        }
+        if let Some(number) = words.get('D') {
+            self.state.radius_corrector = u32::try_from(number.number()).unwrap_or_default();
+        }
+        if let Some(number) = words.get('H') {
+            self.state.length_corrector = u32::try_from(number.number()).unwrap_or_default();
+        }
+        for address in ['R', 'Q'] {
+            if let Some(given) = words.get(address) {
+                self.push(Motion::Auxiliary { word: format!("{address}{}", given.number()) });
+            }
+        }
+    }
+
+    /// A feed, of F or of a cycle.
+    pub(super) fn take_feed(&mut self, feed: Given) {
+        let limit = self.machine.feed_max.0;
+        if feed.thousandths as f64 / 1000.0 > limit {
+            self.tell("feed-beyond-machine", feed.span, &[("limit", limit.to_string())]);
+        }
+        self.state.feed = feed.thousandths;
+    }
+
+    fn take_speed(&mut self, speed: Given) {
+        let value = speed.number();
+        self.state.speed = value;
+        let steps = &self.machine.spindle_steps;
+        let highest = steps.last().map_or(f64::INFINITY, |step| step.0);
+        if value as f64 > highest {
+            self.tell("speed-beyond-machine", speed.span, &[("limit", highest.to_string())]);
+        } else if value != 0 && !steps.iter().any(|step| step.0 == value as f64) {
+            let below = steps.iter().rev().find(|step| step.0 < value as f64);
+            let above = steps.iter().find(|step| step.0 > value as f64);
+            let near: Vec<String> = below.into_iter().chain(above).map(|step| step.0.to_string()).collect();
+            self.tell("no-spindle-step", speed.span, &[("speed", value.to_string()), ("near", near.join(", "))]);
+        }
+        if self.state.turning != Turning::Stopped {
+            self.spindle(self.state.turning);
+        }
+    }
+
+    /// The spindle as it turns from now on, its speed by S and the operator's switch (3.13.1).
+    pub(super) fn spindle(&mut self, turning: Turning) {
+        self.state.turning = turning;
+        let speed = self.state.speed as f64 * self.setting.speed_override as f64 / 100.0;
+        self.push(Motion::Spindle { turning, speed_rpm: RevsPerMinute(speed) });
+    }
+
+    fn start_functions(&mut self, words: &Words) {
+        for &function in &words.m {
+            match self.control.m_functions.get(&function.code) {
+                Some(known) if known.at_start => self.machine_function(known.action, function, words),
+                Some(_) => {}
+                None => self.push(Motion::Auxiliary { word: format!("M{:02}", function.code) }),
+            }
+        }
+    }
+
+    fn end_functions(&mut self, words: &Words) -> After {
+        let mut after = After::Next;
+        for &function in &words.m {
+            let Some(known) = self.control.m_functions.get(&function.code) else { continue };
+            match known.action {
+                Action::Return => after = After::Return,
+                Action::End => {
+                    self.flush();
+                    self.push(Motion::End);
+                    after = After::End;
+                }
+                action if !known.at_start => self.machine_function(action, function, words),
+                _ => {}
+            }
+        }
+        after
+    }
+
+    fn machine_function(&mut self, action: Action, function: Function, words: &Words) {
+        match action {
+            Action::SpindleClockwise | Action::SpindleCounterclockwise => {
+                if self.state.speed == 0 {
+                    self.fault("spindle-without-speed", function.span);
+                }
+                let clockwise = action == Action::SpindleClockwise;
+                self.spindle(if clockwise { Turning::Clockwise } else { Turning::Counterclockwise });
+            }
+            Action::SpindleStop => self.spindle(Turning::Stopped),
+            Action::CoolantOn => self.push(Motion::Coolant { on: true }),
+            Action::CoolantOff => self.push(Motion::Coolant { on: false }),
+            Action::Stop => self.push(Motion::Stop { optional: false }),
+            // Without the operator's SI it does not stop (4.2.4.2).
+            Action::OptionalStop if self.setting.optional_stop => self.push(Motion::Stop { optional: true }),
+            Action::ToolChange => self.tool_change(function, words),
+            Action::OptionalStop | Action::End | Action::Return => {}
+        }
+    }
+
+    /// M06: the tool of T comes into the spindle, which stands still meanwhile.
+    fn tool_change(&mut self, function: Function, words: &Words) {
+        if self.state.wanted == 0 {
+            self.fault("no-tool", words.get('T').map_or(function.span, |tool| tool.span));
+        }
+        let (x, y) = self.machine.tool_change_at;
+        let place = Position::of([x, y, self.machine.tool_change_z]);
+        let actual = self.state.actual;
+        if self.state.floating.iter().all(Option::is_none) && actual != place {
+            let shown = |at: Position| crate::motion::trace::position(at);
+            self.tell("change-elsewhere", function.span, &[("at", shown(actual)), ("place", shown(place))]);
+        }
+        if self.state.turning != Turning::Stopped {
+            self.spindle(Turning::Stopped);
+        }
+        self.push(Motion::ToolChange { tool: self.state.wanted });
+    }
+
+    /// G92: the words are where the tool is in the new system; axes left out keep their zero (3.10.8.1).
+    fn set_system(&mut self, words: &Words) {
+        for axis in Axis::ALL {
+            match words.axis(axis) {
+                Some(word) => {
+                    let sign = self.state.sign(axis, self.setting);
+                    let at = Micrometres::new(sign * word.thousandths);
+                    self.state.origin = self.state.origin.with(axis, self.state.base.get(axis) - at);
+                    self.state.origin_floating[axis.index()] = self.state.floating[axis.index()];
+                }
+                None => {
+                    let (origin, floating) = self.state.origin_of(axis, self.setting);
+                    self.state.origin = self.state.origin.with(axis, origin);
+                    self.state.origin_floating[axis.index()] = floating;
+                }
+            }
+        }
+    }
+
+    /// The value of a corrector; a number nobody has filled holds 0, as the control's memory does.
+    pub(super) fn corrector(&mut self, number: u32, span: Span) -> Micrometres {
+        if number == 0 {
+            return Micrometres::ZERO;
+        }
+        match self.setting.correctors.get(&number) {
+            Some(value) => *value,
+            None => {
+                self.tell("corrector-unknown", span, &[("number", number.to_string())]);
+                Micrometres::ZERO
+            }
+        }
+    }
+
+    /// G43, G44, G49 and H (3.11.3): the value is added to the end point or taken from it; H00 is none. The axis is that
+    /// of the plane when the correction comes in. Where the block does not move that axis it goes there at rapid.
+    fn length_correction(&mut self, words: &Words) {
+        let given = words.g[LENGTH].map(|function| function.span).or(words.get('H').map(|word| word.span));
+        let Some(span) = given else { return };
+        let value = match self.state.groups[LENGTH] {
+            43 => self.corrector(self.state.length_corrector, span),
+            44 => -self.corrector(self.state.length_corrector, span),
+            _ => Micrometres::ZERO,
+        };
+        let axis = self.control.plane(self.state.groups[PLANE]).length_axis;
+        let old = self.state.length;
+        if old == (axis, value) || (old.1 == value && value == Micrometres::ZERO) {
+            return;
+        }
+        self.push(Motion::LengthCorrection { axis, corrector: self.state.length_corrector, value });
+        // Of the old axis first, where it is another one.
+        let axes = if old.0 == axis { vec![axis] } else { vec![old.0, axis] };
+        for moved in axes {
+            let from = self.state.corrected(self.state.base);
+            self.state.length = (moved, if moved == axis { value } else { Micrometres::ZERO });
+            let moves = words.function(SYSTEM) != Some(92) && words.axis(moved).is_some();
+            if !moves && self.may_move(moved, span) {
+                self.push_from(Motion::Rapid, from, span);
+            }
+        }
+    }
+
+    /// G40, G41, G42 and D (3.11.1).
+    fn radius_correction(&mut self, words: &Words) {
+        let function = self.state.groups[RADIUS];
+        let active = matches!(function, 41 | 42);
+        let changed = words.g[RADIUS].or(words.g[PLANE]).map(|function| function.span);
+        let changed = changed.or(words.get('D').filter(|_| active).map(|word| word.span));
+        let offset = words.g[ONE_SHOT].filter(|function| self.control.offsets.contains_key(&function.code));
+        if let Some(offset) = offset.filter(|_| active && words.g[RADIUS].is_none()) {
+            self.tell("offset-with-radius-correction", offset.span, &[("function", format!("G{:02}", offset.code))]);
+        }
+        let Some(span) = changed else { return };
+        let plane = self.control.plane(self.state.groups[PLANE]).plane;
+        let value = if active { self.corrector(self.state.radius_corrector, span) } else { Micrometres::ZERO };
+        let [a, b, _] = plane.axes();
+        // A mirrored path has its other side there.
+        let mirrored = self.state.sign(a, self.setting) * self.state.sign(b, self.setting);
+        let side = if function == 41 { mirrored } else { -mirrored };
+        let offset = value.to_mm() * side as f64;
+        let told = active || self.state.compensator.active();
+        match self.state.compensator.set(plane, offset) {
+            Ok(steps) => self.emit_all(steps, span),
+            Err((code, at)) => {
+                self.fault(code, at);
+            }
+        }
+        if told {
+            let side = match (active, side > 0) {
+                (false, _) => Side::Off,
+                (true, true) => Side::Left,
+                (true, false) => Side::Right,
+            };
+            self.push(Motion::RadiusCorrection { side, corrector: self.state.radius_corrector, value });
+        }
+    }
+
+    /// G04 E: a wait of E tenths of a second behind the motion of the block (3.10.6).
+    fn dwell(&mut self, words: &Words) {
+        let Some(pause) = words.g[ONE_SHOT].filter(|function| function.code == 4) else { return };
+        match words.get('E') {
+            Some(time) => self.wait(time.number()),
+            None => {
+                self.fault("dwell-without-time", pause.span);
+            }
+        }
+    }
+
+    /// A wait in the control's steps of time.
+    pub(super) fn wait(&mut self, steps: i64) {
+        let seconds = crate::units::Decimal::from_f64_rounded(steps as f64 * self.control.dwell_step_s).to_f64();
+        self.push(Motion::Dwell { seconds });
+    }
+
+    /// The feed by F and the operator's switch; told when there is none, or when the spindle stands.
+    pub(super) fn feed(&mut self, span: Span) -> MillimetresPerMinute {
+        self.feed_of(self.state.feed, span)
+    }
+
+    /// A feed of so many thousandths.
+    pub(super) fn feed_of(&mut self, thousandths: i64, span: Span) -> MillimetresPerMinute {
+        if self.state.turning == Turning::Stopped {
+            self.fault("feed-without-spindle", span);
+        }
+        let feed = thousandths as f64 * self.setting.feed_override as f64 / 100_000.0;
+        if feed <= 0.0 {
+            self.fault("feed-zero", span);
+        }
+        MillimetresPerMinute(feed)
+    }
+
+    /// Whether a cycle is in force.
+    pub(super) fn cycle_in_force(&self) -> bool {
+        self.control.cycles.contains_key(&self.state.groups[CYCLE])
+    }
+
+    /// The function of motion in force.
+    pub(super) fn motion_function(&self) -> u8 {
+        self.state.groups[MOTION]
+    }
+
+    /// A parameter of the cycle in force, in thousandths.
+    pub(super) fn parameter(&self, address: char) -> Option<i64> {
+        self.state.parameters[letter(address)]
+    }
+}

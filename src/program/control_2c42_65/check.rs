@@ -1,0 +1,182 @@
+//! What can be told of a program without running it: programs and their numbers, and what a block may hold. Every block
+//! is looked at, also those that no call ever reaches.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
+
+use super::control::{Action, Control};
+use super::rules::fault;
+use super::text::{Block, Word};
+use crate::program::{Fault, Span};
+
+/// The programs of a text.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Programs {
+    /// The blocks of each, by its number.
+    pub numbered: BTreeMap<u8, Range<usize>>,
+    /// The blocks of the one that runs.
+    pub main: Range<usize>,
+}
+
+/// Finds the programs. The main one is the first that ends with M02 or M30 (3.6); blocks before the first number are a
+/// program without one.
+pub(super) fn programs(blocks: &[Block], control: &Control, faults: &mut Vec<Fault>) -> Programs {
+    let mut starts: Vec<usize> = (0..blocks.len()).filter(|&index| blocks[index].program.is_some()).collect();
+    if starts.first() != Some(&0) && !blocks.is_empty() {
+        starts.insert(0, 0);
+    }
+    if blocks.is_empty() && faults.is_empty() {
+        faults.push(fault("empty-program", Span { line: 1, column: 1, width: 1 }, None));
+    }
+    let mut programs = Programs::default();
+    let mut main = None;
+    for (index, &start) in starts.iter().enumerate() {
+        let range = start..starts.get(index + 1).copied().unwrap_or(blocks.len());
+        let head = &blocks[start];
+        let ends = |wanted: &[Action]| {
+            blocks[range.clone()].iter().flat_map(functions).any(|word| {
+                control.m_functions.get(&word.code()).is_some_and(|function| wanted.contains(&function.action))
+            })
+        };
+        if main.is_none() && ends(&[Action::End]) {
+            main = Some(range.clone());
+        } else if !ends(&[Action::End, Action::Return]) {
+            faults.push(fault("program-without-end", head.span, head.number));
+        }
+        if let Some(number) = head.program
+            && let Some(first) = programs.numbered.insert(number, range)
+        {
+            let line = blocks[first.start].span.line;
+            faults.push(fault("program-number-twice", head.span, head.number).with("line", line));
+        }
+    }
+    if starts.len() > control.programs {
+        let last = blocks.last().map(|block| block.span).unwrap_or_default();
+        faults.push(fault("too-many-programs", last, None).with("count", starts.len()).with("limit", control.programs));
+    }
+    programs.main = main.unwrap_or(0..starts.get(1).copied().unwrap_or(blocks.len()));
+    programs
+}
+
+/// The M functions of a block that are no parameters of a cycle.
+fn functions(block: &Block) -> impl Iterator<Item = &Word> {
+    block.words.iter().filter(|word| word.address == 'M' && !word.in_cycle)
+}
+
+/// Holds every block against the rules on what may stand together.
+pub(super) fn blocks(blocks: &[Block], programs: &Programs, control: &Control, faults: &mut Vec<Fault>) {
+    for block in blocks {
+        let before = faults.len();
+        words(block, control, faults);
+        m_functions(block, control, faults);
+        groups(block, control, faults);
+        calls(block, programs, faults);
+        for fault in &mut faults[before..] {
+            fault.block = block.number;
+        }
+    }
+}
+
+fn words(block: &Block, control: &Control, faults: &mut Vec<Fault>) {
+    let mut seen = BTreeSet::new();
+    let cycle = block.words.iter().find(|word| word.address == 'G' && control.cycles.contains_key(&word.code()));
+    for word in &block.words {
+        let many = matches!(word.address, 'G' | 'M') && !word.in_cycle;
+        if !many && !seen.insert((word.address, word.in_cycle)) {
+            faults.push(fault("word-twice", word.span, None).with("address", word.address));
+        }
+        match (word.address, cycle) {
+            (address, Some(cycle)) if word.in_cycle => {
+                let known = control.cycles.get(&cycle.code());
+                if !known.is_some_and(|it| it.required.contains(&address) || it.optional.contains(&address)) {
+                    faults.push(
+                        fault("word-after-cycle", word.span, None).with("address", address).with("cycle", cycle.code()),
+                    );
+                }
+            }
+            ('U' | 'V' | 'W', _) => {
+                faults.push(fault("parameter-outside-cycle", word.span, None).with("address", word.address));
+            }
+            // The machines of this control in the catalog have three axes (3.8.1).
+            ('A' | 'B' | 'C', _) => {
+                faults.push(fault("fourth-axis", word.span, None).with("address", word.address));
+            }
+            _ => {}
+        }
+    }
+}
+
+/// 3.13.3, notes 1 and 2, and 3.14.2, note 5.
+fn m_functions(block: &Block, control: &Control, faults: &mut Vec<Fault>) {
+    let count = functions(block).count();
+    if let Some(sixth) = functions(block).nth(control.m_per_block) {
+        faults.push(fault("too-many-m", sixth.span, None).with("count", count).with("limit", control.m_per_block));
+    }
+    let mut exclusive: Option<&Word> = None;
+    for word in functions(block) {
+        let Some(function) = control.m_functions.get(&word.code()) else {
+            faults.push(fault("machine-function", word.span, None).with("code", format!("M{:02}", word.code())));
+            continue;
+        };
+        if function.exclusive
+            && let Some(first) = exclusive.replace(word)
+        {
+            let names = [first, word].map(|word| format!("M{:02}", word.code()));
+            faults.push(fault("exclusive-m-twice", word.span, None).with("first", &names[0]).with("second", &names[1]));
+        }
+        if function.action == Action::Return
+            && let Some(call) = block.words.iter().find(|it| matches!(it.address, 'P' | 'L') && !it.in_cycle)
+        {
+            faults.push(fault("return-with-call", call.span, None).with("address", call.address));
+        }
+    }
+}
+
+fn groups(block: &Block, control: &Control, faults: &mut Vec<Fault>) {
+    let mut last: BTreeMap<usize, &Word> = BTreeMap::new();
+    let mut offset = None;
+    let mut no_corrector = None;
+    for word in block.words.iter().filter(|word| word.address == 'G' && !word.in_cycle) {
+        let code = word.code();
+        let Some(group) = control.groups.get(&code) else {
+            faults.push(fault("unknown-function", word.span, None).with("code", word.number()));
+            continue;
+        };
+        if control.offsets.contains_key(&code) {
+            offset = Some(word);
+        }
+        if control.offsets.contains_key(&code) || (27..=31).contains(&code) {
+            no_corrector = Some(word);
+        }
+        if let Some(dead) = last.insert(*group, word) {
+            let names = [dead, word].map(|word| format!("G{:02}", word.code()));
+            faults.push(fault("group-twice", dead.span, None).with("first", &names[0]).with("second", &names[1]));
+        }
+    }
+    // 3.11.4, note 1.
+    if let Some(function) = no_corrector
+        && let Some(corrector) = block.words.iter().find(|word| word.address == 'H' && !word.in_cycle)
+    {
+        let name = format!("G{:02}", function.code());
+        faults.push(fault("corrector-with-offset", corrector.span, None).with("function", name));
+    }
+    // In the very block; radius correction of an earlier one is told when the block runs (note 3).
+    if let Some(offset) = offset
+        && last.get(&3).is_some_and(|word| word.code() != 40)
+    {
+        let name = format!("G{:02}", offset.code());
+        faults.push(fault("offset-with-radius-correction", offset.span, None).with("function", name));
+    }
+}
+
+fn calls(block: &Block, programs: &Programs, faults: &mut Vec<Fault>) {
+    for word in block.words.iter().filter(|word| word.address == 'P' && !word.in_cycle) {
+        // 3.14.2, note 6: two digits, the leading zero stays.
+        if word.digits != 2 {
+            faults.push(fault("subprogram-one-digit", word.span, None).with("number", word.number()));
+        } else if !programs.numbered.contains_key(&word.code()) {
+            let number = format!("{:02}", word.number());
+            faults.push(fault("subprogram-missing", word.span, None).with("number", number));
+        }
+    }
+}

@@ -1,0 +1,302 @@
+//! Radius correction G41, G42: the tool's centre is kept beside the programmed path by its radius.
+//!
+//! The text names the functions, the corrector D, the plane and a point S where two parallel curves meet (3.10, 3.11.1,
+//! 3.10.7) and no more. The rest is reconstructed, by what controls of that time do:
+//!
+//! 1. The first straight motion brings the tool beside the beginning of the next element, square to it.
+//! 2. Where two elements meet, the centre goes to the point S where their parallel curves meet; where these do not meet
+//!    within three radii of the corner, a straight motion joins their ends.
+//! 3. After the last element the tool stands square to its end; G40 lets the next straight motion leave from there.
+//!
+//! So every element waits for the next one of its plane. What stands between them (a motion across the plane, a dwell, a
+//! function) waits with it and happens at S.
+
+use crate::motion::geometry::{Point, distance, in_plane, sweep};
+use crate::motion::{Motion, Plane, Position, Sense, Step};
+use crate::program::Span;
+use crate::units::Micrometres;
+
+/// A rule that a corrected path breaks: its code and where.
+pub(super) type Trouble = (&'static str, Span);
+
+/// An element of the programmed path in its plane, mm.
+#[derive(Clone, Copy, Debug)]
+struct Element {
+    from: Point,
+    to: Point,
+    arc: Option<(Point, Sense)>,
+}
+
+/// An element that waits for the next one.
+#[derive(Clone, Debug)]
+struct Pending {
+    element: Element,
+    step: Step,
+    span: Span,
+    /// It only brings the tool to the path.
+    approach: bool,
+}
+
+/// The correction on its way.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Compensator {
+    plane: Option<Plane>,
+    /// How far the centre stays to the left of the path, mm; to the right when negative.
+    offset: f64,
+    entering: bool,
+    pending: Option<Pending>,
+    queue: Vec<Step>,
+    /// Where the centre is in the plane, once it has left the programmed path.
+    held: Option<Point>,
+}
+
+impl Compensator {
+    /// Whether the tool is kept beside its path.
+    pub(super) fn active(&self) -> bool {
+        self.offset != 0.0
+    }
+
+    /// How many steps wait.
+    pub(super) fn waiting(&self) -> usize {
+        self.queue.len()
+    }
+
+    /// Begins, changes or ends the correction; gives out what has waited.
+    ///
+    /// # Errors
+    /// The path that has waited cannot be corrected.
+    pub(super) fn set(&mut self, plane: Plane, offset: f64) -> Result<Vec<Step>, Trouble> {
+        let steps = self.flush()?;
+        if self.plane.is_some_and(|old| old != plane) {
+            self.held = None;
+        }
+        self.plane = Some(plane);
+        self.offset = offset;
+        self.entering = offset != 0.0;
+        Ok(steps)
+    }
+
+    /// Gives out what has waited; its last element ends square to itself.
+    ///
+    /// # Errors
+    /// It cannot be corrected.
+    pub(super) fn flush(&mut self) -> Result<Vec<Step>, Trouble> {
+        let mut steps = Vec::new();
+        if let Some(pending) = self.pending.take() {
+            let end = pending.element.beside(self.offset, true).ok_or(("arc-smaller-than-tool", pending.span))?;
+            self.finish(pending, &[end], &mut steps)?;
+            self.entering = self.offset != 0.0;
+        }
+        Ok(steps)
+    }
+
+    /// Takes a step of the programmed path that began there; gives out what is known by now.
+    ///
+    /// # Errors
+    /// The path cannot be corrected.
+    pub(super) fn take(&mut self, mut step: Step, from: Position, span: Span) -> Result<Vec<Step>, Trouble> {
+        let Some(plane) = self.plane else { return Ok(vec![step]) };
+        let element = Element::of(&step, from, plane);
+        if self.offset == 0.0 {
+            match (element, self.held) {
+                (Some(element), Some(_)) if element.arc.is_some() => return Err(("correction-by-arc", span)),
+                (Some(_), _) => self.held = None,
+                (None, Some(held)) => step.at = put(step.at, plane, held),
+                (None, None) => {}
+            }
+            return Ok(vec![step]);
+        }
+        let Some(element) = element else {
+            match (&self.pending, self.held) {
+                (Some(_), _) => {
+                    self.queue.push(step);
+                    return Ok(Vec::new());
+                }
+                (None, Some(held)) => step.at = put(step.at, plane, held),
+                (None, None) => {}
+            }
+            return Ok(vec![step]);
+        };
+        let mut steps = Vec::new();
+        let approach = self.entering || self.pending.is_none();
+        if approach && element.arc.is_some() {
+            return Err(("correction-by-arc", span));
+        }
+        if let Some(pending) = self.pending.take() {
+            let start = element.beside(self.offset, false).ok_or(("arc-smaller-than-tool", span))?;
+            let meeting = if pending.approach {
+                vec![start]
+            } else {
+                let end = pending.element.beside(self.offset, true).ok_or(("arc-smaller-than-tool", pending.span))?;
+                meeting(&pending.element, &element, end, start, self.offset)
+            };
+            self.finish(pending, &meeting, &mut steps)?;
+        }
+        self.entering = false;
+        self.pending = Some(Pending { element, step, span, approach });
+        Ok(steps)
+    }
+
+    /// Gives out an element that ends at the first of the points, a straight way to the second where there is one, and
+    /// what has waited behind it.
+    fn finish(&mut self, pending: Pending, points: &[Point], steps: &mut Vec<Step>) -> Result<(), Trouble> {
+        let Some(plane) = self.plane else { return Ok(()) };
+        let Pending { element, mut step, span, approach } = pending;
+        let begin = self.held.unwrap_or(element.from);
+        let Some(&end) = points.first() else { return Ok(()) };
+        if !approach && element.turned_round(begin, end) {
+            return Err(("contour-too-tight", span));
+        }
+        step.at = put(step.at, plane, end);
+        let link = points.get(1).map(|&second| {
+            let motion = match &step.motion {
+                Motion::Arc { feed_mm_per_min, .. } => Motion::Feed { feed_mm_per_min: *feed_mm_per_min },
+                other => other.clone(),
+            };
+            Step { motion, at: put(step.at, plane, second), block: step.block }
+        });
+        steps.push(step);
+        steps.extend(link);
+        let last = points.last().copied().unwrap_or(end);
+        self.held = Some(last);
+        for mut waiting in self.queue.drain(..) {
+            waiting.at = put(waiting.at, plane, last);
+            steps.push(waiting);
+        }
+        Ok(())
+    }
+}
+
+impl Element {
+    /// The element of a step; nothing when it does not move in the plane.
+    fn of(step: &Step, from: Position, plane: Plane) -> Option<Self> {
+        let (from, to) = (in_plane(from, plane), in_plane(step.at, plane));
+        match &step.motion {
+            Motion::Rapid | Motion::Feed { .. } if from != to => Some(Self { from, to, arc: None }),
+            Motion::Arc { centre, sense, .. } => {
+                Some(Self { from, to, arc: Some(([centre[0].to_mm(), centre[1].to_mm()], *sense)) })
+            }
+            _ => None,
+        }
+    }
+
+    /// The direction at its beginning or end, of length 1.
+    fn direction(&self, at_end: bool) -> Point {
+        let along = match self.arc {
+            None => [self.to[0] - self.from[0], self.to[1] - self.from[1]],
+            Some((centre, sense)) => {
+                let point = if at_end { self.to } else { self.from };
+                let out = [point[0] - centre[0], point[1] - centre[1]];
+                match sense {
+                    Sense::Counterclockwise => [-out[1], out[0]],
+                    Sense::Clockwise => [out[1], -out[0]],
+                }
+            }
+        };
+        let length = libm::hypot(along[0], along[1]);
+        if length > 0.0 { [along[0] / length, along[1] / length] } else { [1.0, 0.0] }
+    }
+
+    /// The radius of its parallel curve, if it is an arc.
+    fn parallel_radius(&self, offset: f64) -> Option<f64> {
+        self.arc.map(|(centre, sense)| {
+            let radius = distance(self.from, centre);
+            // The centre of a counterclockwise arc lies to its left.
+            if sense == Sense::Counterclockwise { radius - offset } else { radius + offset }
+        })
+    }
+
+    /// The point beside its beginning or end; nothing when the tool is larger than the arc.
+    fn beside(&self, offset: f64, at_end: bool) -> Option<Point> {
+        if self.parallel_radius(offset).is_some_and(|radius| radius <= 0.0) {
+            return None;
+        }
+        let point = if at_end { self.to } else { self.from };
+        let along = self.direction(at_end);
+        Some([point[0] - along[1] * offset, point[1] + along[0] * offset])
+    }
+
+    /// Whether its corrected form would go backwards: the tool does not fit between its neighbours.
+    fn turned_round(&self, begin: Point, end: Point) -> bool {
+        match self.arc {
+            None => {
+                let along = self.direction(false);
+                (end[0] - begin[0]) * along[0] + (end[1] - begin[1]) * along[1] < -1e-6
+            }
+            Some((centre, sense)) => {
+                let own = sweep(self.from, self.to, centre, sense);
+                let corrected = sweep(begin, end, centre, sense);
+                (own - corrected).abs() > std::f64::consts::PI && self.from != self.to
+            }
+        }
+    }
+}
+
+/// Where the parallel curves of two elements meet: one point, or two that a straight way joins.
+fn meeting(first: &Element, second: &Element, end: Point, start: Point, offset: f64) -> Vec<Point> {
+    if distance(end, start) < 0.002 {
+        return vec![end];
+    }
+    let corner = first.to;
+    let reach = 3.0 * offset.abs();
+    let found = match (first.parallel_radius(offset), second.parallel_radius(offset)) {
+        (None, None) => lines_meet(end, first.direction(true), start, second.direction(false)).into_iter().collect(),
+        (None, Some(radius)) => line_meets_circle(end, first.direction(true), second, radius),
+        (Some(radius), None) => line_meets_circle(start, second.direction(false), first, radius),
+        (Some(one), Some(other)) => circles_meet(first, one, second, other),
+    };
+    let nearest = found
+        .into_iter()
+        .filter(|point: &Point| distance(*point, corner) <= reach)
+        .min_by(|a, b| distance(*a, corner).total_cmp(&distance(*b, corner)));
+    match nearest {
+        Some(point) => vec![point],
+        None => vec![end, start],
+    }
+}
+
+fn lines_meet(a: Point, along_a: Point, b: Point, along_b: Point) -> Option<Point> {
+    let cross = along_a[0] * along_b[1] - along_a[1] * along_b[0];
+    if cross.abs() < 1e-9 {
+        return None;
+    }
+    let way = ((b[0] - a[0]) * along_b[1] - (b[1] - a[1]) * along_b[0]) / cross;
+    Some([a[0] + along_a[0] * way, a[1] + along_a[1] * way])
+}
+
+fn line_meets_circle(point: Point, along: Point, arc: &Element, radius: f64) -> Vec<Point> {
+    let Some((centre, _)) = arc.arc else { return Vec::new() };
+    let to_centre = [centre[0] - point[0], centre[1] - point[1]];
+    let foot = to_centre[0] * along[0] + to_centre[1] * along[1];
+    let away = to_centre[0] * along[1] - to_centre[1] * along[0];
+    let half = radius * radius - away * away;
+    if half < 0.0 {
+        return Vec::new();
+    }
+    let half = libm::sqrt(half);
+    [foot - half, foot + half].map(|way| [point[0] + along[0] * way, point[1] + along[1] * way]).to_vec()
+}
+
+fn circles_meet(first: &Element, one: f64, second: &Element, other: f64) -> Vec<Point> {
+    let (Some((a, _)), Some((b, _))) = (first.arc, second.arc) else { return Vec::new() };
+    let apart = distance(a, b);
+    if apart < 1e-9 {
+        return Vec::new();
+    }
+    let foot = (one * one - other * other + apart * apart) / (2.0 * apart);
+    let half = one * one - foot * foot;
+    if half < 0.0 {
+        return Vec::new();
+    }
+    let half = libm::sqrt(half);
+    let along = [(b[0] - a[0]) / apart, (b[1] - a[1]) / apart];
+    [half, -half]
+        .map(|side| [a[0] + along[0] * foot - along[1] * side, a[1] + along[1] * foot + along[0] * side])
+        .to_vec()
+}
+
+/// A position with another point of the plane.
+fn put(at: Position, plane: Plane, point: Point) -> Position {
+    let [a, b, _] = plane.axes();
+    at.with(a, Micrometres::from_mm_rounded(point[0])).with(b, Micrometres::from_mm_rounded(point[1]))
+}

@@ -1,0 +1,193 @@
+//! The fixed cycles G81…G86 (textbook 3.12.1).
+//!
+//! Every cycle goes along the cycle axis of the plane in force through the points 0 to 4 of figure 3.3:
+//!
+//! ```text
+//! 0  where the tool is when the cycle begins
+//! 1  level U: the feed begins            0-1 at rapid
+//! 2  level Z: the feed ends, dwell E     1-2 at feed, at once or in steps
+//! 3  way out                             2-3 at rapid, in G82 and G84 at feed
+//! 4  level I, else point 3               3-4 at rapid
+//! ```
+//!
+//! The diagrams are lost. Where point 3 lies is said for a cycle without I only: there 0, 3 and 4 are one (l. 2805).
+//! With I we put it at level U, or at I itself when that is reached first: the hole is left at the rate of 2-3 and the
+//! rest of the way is rapid.
+
+use super::block::Maker;
+use super::state::{CYCLE, PLANE, SYSTEM};
+use super::words::{Given, Words, letter};
+use crate::motion::{Axis, Motion, Turning};
+use crate::program::Span;
+use crate::units::Micrometres;
+
+/// The levels of a cycle along its axis, machine coordinates without corrections.
+#[derive(Clone, Copy, Debug)]
+struct Levels {
+    axis: Axis,
+    one: Micrometres,
+    two: Micrometres,
+    three: Micrometres,
+    four: Micrometres,
+}
+
+impl Maker<'_> {
+    /// Runs the cycle in force: in the block that gives it and in every later one that moves an axis, last of all.
+    pub(super) fn cycle(&mut self, words: &Words) {
+        let code = self.state.groups[CYCLE];
+        let Some(cycle) = self.control.cycles.get(&code) else { return };
+        let moved = words.any_axis() && words.function(SYSTEM) != Some(92);
+        let span = words.g[CYCLE].map_or(self.span, |function| function.span);
+        if let Some(given) = &words.cycle {
+            self.take_parameters(given);
+        } else if !moved {
+            return;
+        }
+        if code == 84 && !self.machine.can_tap {
+            self.fault("cannot-tap", span);
+            return;
+        }
+        let missing: Vec<String> =
+            cycle.required.iter().filter(|it| self.parameter(**it).is_none()).map(ToString::to_string).collect();
+        if !missing.is_empty() {
+            self.tell("cycle-parameter-missing", span, &[("cycle", format!("G{code}")), ("words", missing.join(", "))]);
+            return;
+        }
+        let axis = self.control.plane(self.state.groups[PLANE]).cycle_axis;
+        if !self.may_move(axis, span) {
+            return;
+        }
+        let levels = self.levels(axis);
+        let (in_steps, out_at_feed) = (cycle.in_steps, cycle.out_at_feed);
+        self.run_cycle(code, levels, in_steps, out_at_feed, span);
+    }
+
+    /// Parameters that must be there keep their last value when left out; those that need not be fall back to none
+    /// (l. 2672-2713). F is the feed of every later block too.
+    fn take_parameters(&mut self, given: &[Option<Given>; 26]) {
+        for address in ['I', 'E', 'H', 'M'] {
+            self.state.parameters[letter(address)] = None;
+        }
+        for address in ['U', 'Z', 'I', 'V', 'W', 'E', 'H', 'M'] {
+            if let Some(value) = given[letter(address)] {
+                self.state.parameters[letter(address)] = Some(value.thousandths);
+            }
+        }
+        if let Some(feed) = given[letter('F')] {
+            self.take_feed(feed);
+        }
+    }
+
+    /// Absolute parameters are levels; incremental ones are the ways 0-1, 1-2 and 2-4 (tables 3.10, 3.11).
+    fn levels(&mut self, axis: Axis) -> Levels {
+        let zero = self.state.base.get(axis);
+        let level = |maker: &Self, address: char, from: Micrometres| {
+            maker.parameter(address).map(|value| maker.level(axis, value, from))
+        };
+        let (one, floating) = level(self, 'U', zero).unwrap_or((zero, None));
+        let two = level(self, 'Z', one).map_or(one, |(value, _)| value);
+        let four = level(self, 'I', two).map(|(value, _)| value);
+        self.state.floating[axis.index()] = floating;
+        let (three, four) = match four {
+            None => (zero, zero),
+            // The nearer to point 2 of U and I.
+            Some(four) if (four - two).abs() < (one - two).abs() => (four, four),
+            Some(four) => (one, four),
+        };
+        Levels { axis, one, two, three, four }
+    }
+
+    fn run_cycle(&mut self, code: u8, levels: Levels, in_steps: bool, out_at_feed: bool, span: Span) {
+        let before = self.state.turning;
+        let dwell = self.parameter('E').map_or(0, |value| value / 1000);
+        let kept = self.parameter('M').is_some();
+        let feed = Motion::Feed { feed_mm_per_min: self.feed(span) };
+        let out = match self.parameter('H').filter(|_| code == 82) {
+            Some(own) => Motion::Feed { feed_mm_per_min: self.feed_of(own, span) },
+            None => feed.clone(),
+        };
+        if self.broken() {
+            return;
+        }
+        self.along(levels.axis, levels.one, Motion::Rapid, span);
+        if in_steps {
+            self.steps_inwards(code, levels, &feed, span);
+        } else {
+            self.along(levels.axis, levels.two, feed, span);
+        }
+        self.wait_if(dwell);
+        match code {
+            // G85: the spindle stands while the tool leaves, so that it does not scratch the bore.
+            85 => self.spindle(Turning::Stopped),
+            // G84: the tap turns out of the thread.
+            84 => self.spindle(reversed(before)),
+            _ => {}
+        }
+        self.along(levels.axis, levels.three, if out_at_feed { out } else { Motion::Rapid }, span);
+        if code == 84 {
+            self.wait_if(dwell);
+        }
+        self.along(levels.axis, levels.four, Motion::Rapid, span);
+        // Table 3.13, 3.15: with M the spindle stays as at point 2.
+        if matches!(code, 84 | 85) && !kept {
+            self.spindle(before);
+        }
+    }
+
+    /// G83 and G86: the way 1-2 in steps of V, so that the chips break or come out.
+    ///
+    /// G83: after every step the drill leaves the hole at rapid to point 1, which clears the flutes, and comes back at
+    /// rapid to W before the metal. G86: after every step it jumps back by W at rapid, which breaks the chip, and stays
+    /// in the hole. That G83 leaves to point 1 is reconstructed: its diagram is lost.
+    fn steps_inwards(&mut self, code: u8, levels: Levels, feed: &Motion, span: Span) {
+        let [step, clearance] = ['V', 'W'].map(|address| self.parameter(address).unwrap_or_default());
+        for (address, value) in [('V', step), ('W', clearance)] {
+            if value <= 0 {
+                self.tell("cycle-step-not-positive", span, &[("address", address.to_string())]);
+            }
+        }
+        if self.broken() {
+            return;
+        }
+        let axis = levels.axis;
+        let whole = (levels.two - levels.one).micrometres();
+        let inwards = whole.signum();
+        let mut done = 0;
+        loop {
+            done = (done + step).min(whole.abs());
+            self.along(axis, levels.one + Micrometres::new(done * inwards), feed.clone(), span);
+            if done >= whole.abs() || self.made > self.budget || self.broken() {
+                return;
+            }
+            let back = (done - clearance).max(0);
+            if code == 83 {
+                self.along(axis, levels.one, Motion::Rapid, span);
+            }
+            self.along(axis, levels.one + Micrometres::new(back * inwards), Motion::Rapid, span);
+        }
+    }
+
+    /// To a level of the cycle axis; nothing when the tool is there.
+    fn along(&mut self, axis: Axis, level: Micrometres, motion: Motion, span: Span) {
+        if self.state.base.get(axis) == level {
+            return;
+        }
+        let from = self.state.corrected(self.state.base);
+        self.state.base = self.state.base.with(axis, level);
+        self.push_from(motion, from, span);
+    }
+
+    fn wait_if(&mut self, steps: i64) {
+        if steps > 0 {
+            self.wait(steps);
+        }
+    }
+}
+
+const fn reversed(turning: Turning) -> Turning {
+    match turning {
+        Turning::Clockwise => Turning::Counterclockwise,
+        Turning::Counterclockwise => Turning::Clockwise,
+        Turning::Stopped => Turning::Stopped,
+    }
+}

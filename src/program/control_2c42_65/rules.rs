@@ -1,0 +1,104 @@
+//! Every rule a program is held against: its stable code, how grave a breach is, and the section that says so.
+//!
+//! A section is one of the control's description (textbook section 3 and 4); `*` behind it marks a reading of ours where
+//! the text is thin, told in docs/control-2c42-65.md. The words stand in `report/sentences/programs.rs`; tests hold the
+//! three together.
+
+use crate::note::{Note, Severity};
+use crate::program::{Fault, Span};
+
+use Severity::{Doubtful as Warning, Error, Note as Remark};
+
+/// Code, severity, section.
+pub(super) const RULES: &[(&str, Severity, &str)] = &[
+    // What is written.
+    ("unknown-character", Error, "3.1"),
+    ("cyrillic-letter", Error, "3.1"),
+    ("unknown-address", Error, "3.1"),
+    ("number-missing", Error, "3.5"),
+    ("number-too-fine", Error, "3.8.2"),
+    ("number-not-whole", Error, "3.2"),
+    ("number-out-of-range", Error, "3.2"),
+    ("block-too-long", Error, "3.4"),
+    ("memory-full", Error, "2.3"),
+    ("empty-program", Error, "3.6"),
+    ("no-block-number", Warning, "3.7"),
+    ("word-twice", Error, "3.5*"),
+    ("unknown-function", Error, "3.10"),
+    ("group-twice", Warning, "3.10"),
+    ("too-many-m", Error, "3.13.3"),
+    ("exclusive-m-twice", Error, "3.13.3"),
+    ("machine-function", Remark, "3.13.3"),
+    ("return-with-call", Error, "3.14.2"),
+    ("subprogram-one-digit", Error, "3.14.2"),
+    ("program-one-digit", Error, "3.6"),
+    ("subprogram-missing", Error, "3.14.2"),
+    ("program-number-twice", Error, "3.6"),
+    ("too-many-programs", Error, "3.3"),
+    ("program-without-end", Error, "3.6"),
+    ("word-after-cycle", Warning, "3.12.1"),
+    ("parameter-outside-cycle", Error, "3.12.1"),
+    ("word-unused", Warning, "3.10*"),
+    ("fourth-axis", Error, "3.8.1"),
+    ("offset-with-radius-correction", Error, "3.11.4"),
+    ("corrector-with-offset", Error, "3.11.4"),
+    // How the program runs.
+    ("return-without-call", Error, "3.14"),
+    ("calls-too-deep", Error, "3.14"),
+    ("run-too-long", Error, "*"),
+    // What the machine can do.
+    ("feed-beyond-machine", Error, "3.9.2"),
+    ("speed-beyond-machine", Error, "3.13.1"),
+    ("no-spindle-step", Warning, "3.13.1"),
+    ("finer-than-machine", Warning, "3.8.2"),
+    ("tool-beyond-magazine", Warning, "3.13.2"),
+    ("no-tool", Error, "3.13.2*"),
+    ("change-elsewhere", Warning, "5.2 (11.1)"),
+    ("spindle-without-speed", Error, "3.13.1*"),
+    ("feed-without-spindle", Error, "3.13.1*"),
+    ("feed-zero", Error, "3.9.2*"),
+    ("beyond-travel-of", Error, "3.8.3"),
+    ("span-beyond-travel", Error, "3.8.3"),
+    ("not-homed", Error, "4.2.5 (4)"),
+    // Motions.
+    ("arc-without-centre", Error, "3.10.4"),
+    ("arc-without-radius", Error, "3.10.4*"),
+    ("arc-radius", Error, "3.10.4*"),
+    ("helix-without-function", Error, "3.10.5"),
+    ("helix-without-arc", Error, "3.10.5"),
+    ("helix-pitch-missing", Error, "3.10.5"),
+    ("helix-pitch-sign", Error, "3.10.5"),
+    ("helix-pitch", Error, "3.10.5*"),
+    ("dwell-without-time", Error, "3.10.6"),
+    ("until-signal", Remark, "3.10*"),
+    ("one-sided", Remark, "3.10*"),
+    ("fixed-point-unknown", Error, "3.10*"),
+    ("nothing-stored", Error, "3.10*"),
+    ("corrector-unknown", Remark, "3.11.2"),
+    ("offset-in-cycle", Warning, "3.11.4"),
+    ("zero-not-set", Remark, "3.10.8.2"),
+    // Radius correction.
+    ("correction-by-arc", Error, "3.11.1*"),
+    ("arc-smaller-than-tool", Error, "3.11.1*"),
+    ("contour-too-tight", Error, "3.11.1*"),
+    // Cycles.
+    ("cycle-parameter-missing", Error, "3.12.1"),
+    ("cycle-step-not-positive", Error, "3.12.1.3"),
+    ("cannot-tap", Error, "3.12.1.4"),
+];
+
+/// A breach of a rule. A code that is not listed is an error without a section; a test keeps it from happening.
+pub(super) fn fault(code: &'static str, span: Span, block: Option<u32>) -> Fault {
+    let rule = RULES.iter().find(|(known, ..)| *known == code);
+    let (severity, section) = rule.map_or((Error, ""), |(_, severity, section)| (*severity, *section));
+    Fault { code, severity, rule: section, block, span, note: Note::new(code) }
+}
+
+impl Fault {
+    /// With one more figure.
+    #[must_use]
+    pub(super) fn with(mut self, name: &str, value: impl ToString) -> Self {
+        self.note = self.note.with(name, value);
+        self
+    }
+}

@@ -1,0 +1,183 @@
+//! What the operator sets before a program runs: zeros, correctors, switches (textbook section 4). The file of a setting
+//! is YAML and tells every mistake with its place.
+
+use std::collections::BTreeMap;
+
+use crate::knowledge::diagnostic::{Diagnostic, Severity};
+use crate::knowledge::yaml::{Node, Problems, parse};
+use crate::motion::{Axis, Position};
+use crate::units::Micrometres;
+
+use super::control::Control;
+
+/// The state of the operator's panel.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Setting {
+    /// Where the axes stand, machine coordinates, mm.
+    pub start: Position,
+    /// Whether the axes have been at the machine zero since power-on.
+    pub homed: bool,
+    /// The zeros of G54…G59, machine coordinates; an axis left out is not set.
+    pub zeros: [[Option<Micrometres>; 3]; 6],
+    /// СМ1 and СМ2 together: added to every zero of G54…G59.
+    pub shift: Position,
+    /// Values of the correctors by their numbers, mm.
+    pub correctors: BTreeMap<u32, Micrometres>,
+    /// Axes that are mirrored (4.2.4.4).
+    pub mirror: [bool; 3],
+    /// Whether blocks and parts of blocks behind `/` are left out (4.2.4.3).
+    pub skip: bool,
+    /// Whether M01 stops (4.2.4.2).
+    pub optional_stop: bool,
+    /// The feed switch, per cent.
+    pub feed_override: i64,
+    /// The spindle switch, per cent.
+    pub speed_override: i64,
+    /// The fixed point of G29 and G31, machine coordinates: a constant of the machine that no source gives.
+    pub fixed_point: Option<Position>,
+}
+
+impl Default for Setting {
+    fn default() -> Self {
+        Self {
+            start: Position::default(),
+            homed: true,
+            zeros: [[None; 3]; 6],
+            shift: Position::default(),
+            correctors: BTreeMap::new(),
+            mirror: [false; 3],
+            skip: false,
+            optional_stop: false,
+            feed_override: 100,
+            speed_override: 100,
+            fixed_point: None,
+        }
+    }
+}
+
+const KEYS: &[&str] = &[
+    "start",
+    "homed",
+    "zeros",
+    "correctors",
+    "mirror",
+    "skip",
+    "optional_stop",
+    "feed_override",
+    "speed_override",
+    "fixed_point",
+];
+const ZEROS: &[&str] = &["G54", "G55", "G56", "G57", "G58", "G59", "CM1", "CM2"];
+const AXES: &[&str] = &["x", "y", "z"];
+
+/// Reads a setting.
+///
+/// # Errors
+/// Every mistake of the file, each with its place and what to do.
+pub fn read_setting(file: &str, text: &str, control: &Control) -> Result<Setting, Vec<Diagnostic>> {
+    let (root, diagnostics) = parse(file, text);
+    let mut problems = Problems(diagnostics);
+    let setting = root.and_then(|root| read(&root, control, &mut problems));
+    match setting {
+        Some(setting) if !problems.0.iter().any(|problem| problem.severity == Severity::Error) => Ok(setting),
+        _ => {
+            problems.0.sort_by(|a, b| a.place.cmp(&b.place));
+            Err(problems.0)
+        }
+    }
+}
+
+fn read(root: &Node, control: &Control, problems: &mut Problems) -> Option<Setting> {
+    let mut setting = Setting::default();
+    let mut fields = problems.map(root)?;
+    if let Some(node) = fields.take("start") {
+        setting.start = position(node, problems);
+    }
+    setting.fixed_point = fields.take("fixed_point").map(|node| position(node, problems));
+    for (key, slot) in
+        [("homed", &mut setting.homed), ("skip", &mut setting.skip), ("optional_stop", &mut setting.optional_stop)]
+    {
+        if let Some(value) = fields.take(key).and_then(|node| problems.boolean(node)) {
+            *slot = value;
+        }
+    }
+    for (key, slot, steps) in [
+        ("feed_override", &mut setting.feed_override, &control.feed_overrides),
+        ("speed_override", &mut setting.speed_override, &control.speed_overrides),
+    ] {
+        let Some(node) = fields.take(key) else { continue };
+        match problems.scalar::<i64>(node) {
+            Some(value) if steps.contains(&value) => *slot = value,
+            Some(value) => {
+                let known: Vec<String> = steps.iter().map(ToString::to_string).collect();
+                let help = format!("the switch has {} %", known.join(", "));
+                problems.error_help::<()>("bad-override", format!("the switch has no step {value}"), &node.place, help);
+            }
+            None => {}
+        }
+    }
+    if let Some(items) = fields.take("mirror").and_then(|node| problems.list(node)) {
+        for item in items {
+            match item.text().and_then(|text| text.chars().next().filter(|_| text.len() == 1)).and_then(Axis::of) {
+                Some(axis) => setting.mirror[axis.index()] = true,
+                None => {
+                    problems.error_help::<()>("bad-axis", "this is no axis", &item.place, "name X, Y or Z");
+                }
+            }
+        }
+    }
+    if let Some(node) = fields.take("zeros") {
+        zeros(node, &mut setting, problems);
+    }
+    if let Some(mut entries) = fields.take("correctors").and_then(|node| problems.map(node)) {
+        for (key, node) in entries.rest() {
+            let number = key.text.parse::<u32>().ok().filter(|n| (1..=control.correctors).contains(&i64::from(*n)));
+            match number {
+                Some(number) => {
+                    if let Some(value) = problems.scalar::<Micrometres>(node) {
+                        setting.correctors.insert(number, value);
+                    }
+                }
+                None => {
+                    let help = format!("correctors have the numbers 1 to {}", control.correctors);
+                    problems.error_help::<()>("bad-corrector", "there is no such corrector", &key.place, help);
+                }
+            }
+        }
+    }
+    fields.finish(KEYS, problems);
+    Some(setting)
+}
+
+/// The zeros of the systems, and the two further shifts.
+fn zeros(node: &Node, setting: &mut Setting, problems: &mut Problems) {
+    let Some(mut fields) = problems.map(node) else { return };
+    for (index, name) in ZEROS.iter().enumerate() {
+        let Some(node) = fields.take(name) else { continue };
+        let values = axes(node, problems);
+        match setting.zeros.get_mut(index) {
+            Some(zero) => *zero = values,
+            None => {
+                for axis in Axis::ALL {
+                    let shifted = setting.shift.get(axis) + values[axis.index()].unwrap_or_default();
+                    setting.shift = setting.shift.with(axis, shifted);
+                }
+            }
+        }
+    }
+    fields.finish(ZEROS, problems);
+}
+
+fn position(node: &Node, problems: &mut Problems) -> Position {
+    Position::of(axes(node, problems).map(Option::unwrap_or_default))
+}
+
+fn axes(node: &Node, problems: &mut Problems) -> [Option<Micrometres>; 3] {
+    let mut values = [None; 3];
+    let Some(mut fields) = problems.map(node) else { return values };
+    for (value, name) in values.iter_mut().zip(AXES) {
+        *value = fields.take(name).and_then(|node| problems.scalar::<Micrometres>(node));
+    }
+    fields.finish(AXES, problems);
+    values
+}

@@ -1,0 +1,116 @@
+//! What stays from block to block: the modal functions, and where the axes are.
+
+use super::control::{Control, GROUPS};
+use super::correction::Compensator;
+use super::setting::Setting;
+use crate::motion::{Axis, Position, Turning};
+use crate::units::Micrometres;
+
+/// Groups of table 3.5 by what they are about.
+pub(super) const ONE_SHOT: usize = 0;
+pub(super) const MOTION: usize = 1;
+pub(super) const PLANE: usize = 2;
+pub(super) const RADIUS: usize = 3;
+pub(super) const LENGTH: usize = 4;
+pub(super) const SYSTEM: usize = 5;
+pub(super) const CYCLE: usize = 6;
+pub(super) const DISTANCE: usize = 7;
+
+/// Whose zero an axis counts from when nobody has set it: the function of that system. Its positions are right among
+/// themselves and unknown on the machine.
+pub(super) type Floating = Option<u8>;
+
+/// The state of the control. Copied before every block, and kept only when the block is good.
+#[derive(Clone, Debug)]
+pub(super) struct State {
+    /// The function that holds in every group.
+    pub groups: [u8; GROUPS],
+    /// F, in thousandths of mm/min.
+    pub feed: i64,
+    /// S, 1/min.
+    pub speed: i64,
+    /// What the spindle does.
+    pub turning: Turning,
+    /// T: the tool that the next M06 brings.
+    pub wanted: u32,
+    /// D and H.
+    pub radius_corrector: u32,
+    pub length_corrector: u32,
+    /// The parameters of the cycle that were given last, by their letters, in thousandths.
+    pub parameters: [Option<i64>; 26],
+    /// Where the programmed point is, machine coordinates, without corrections.
+    pub base: Position,
+    /// The length correction that is in: axis and what is added.
+    pub length: (Axis, Micrometres),
+    /// Axes whose place on the machine is not known.
+    pub floating: [Floating; 3],
+    /// The origin that G92 has set.
+    pub origin: Position,
+    /// Which of its axes are floating.
+    pub origin_floating: [Floating; 3],
+    /// Axes that have been at their zero.
+    pub homed: [bool; 3],
+    /// The intermediate point of the last return, which G30 passes again.
+    pub stored: Option<Position>,
+    /// The radius correction on its way.
+    pub compensator: Compensator,
+    /// Where the axes really are.
+    pub actual: Position,
+}
+
+impl State {
+    /// The state after power-on (table 3.5, note 1; 4.1).
+    pub(super) fn power_on(control: &Control, setting: &Setting) -> Self {
+        Self {
+            groups: control.power_on,
+            feed: 0,
+            speed: 0,
+            turning: Turning::Stopped,
+            wanted: 0,
+            radius_corrector: 0,
+            length_corrector: 0,
+            parameters: [None; 26],
+            base: setting.start,
+            length: (Axis::Z, Micrometres::ZERO),
+            floating: [None; 3],
+            origin: Position::default(),
+            origin_floating: [None; 3],
+            homed: [setting.homed; 3],
+            stored: None,
+            compensator: Compensator::default(),
+            actual: setting.start,
+        }
+    }
+
+    /// Where the system in force has its zero along an axis, machine coordinates, and whether anybody has set it.
+    ///
+    /// G53 counts from the machine zero, G92 from where it said, G54…G59 from the operator's zero and СМ1, СМ2.
+    pub(super) fn origin_of(&self, axis: Axis, setting: &Setting) -> (Micrometres, Floating) {
+        let system = self.groups[SYSTEM];
+        match system {
+            53 => (Micrometres::ZERO, None),
+            92 => (self.origin.get(axis), self.origin_floating[axis.index()]),
+            _ => {
+                let zero = setting.zeros.get(usize::from(system.saturating_sub(54))).and_then(|it| it[axis.index()]);
+                let shift = setting.shift.get(axis);
+                (zero.unwrap_or_default() + shift, zero.is_none().then_some(system))
+            }
+        }
+    }
+
+    /// 1, or -1 along an axis that is mirrored; positions of the machine itself are not (4.2.4.4).
+    pub(super) const fn sign(&self, axis: Axis, setting: &Setting) -> i64 {
+        if setting.mirror[axis.index()] && self.groups[SYSTEM] != 53 { -1 } else { 1 }
+    }
+
+    /// Where the machine stands when the programmed point is there.
+    pub(super) fn corrected(&self, base: Position) -> Position {
+        let (axis, value) = self.length;
+        base.with(axis, base.get(axis) + value)
+    }
+
+    /// Whether words are positions (G90).
+    pub(super) const fn absolute(&self) -> bool {
+        self.groups[DISTANCE] != 91
+    }
+}
