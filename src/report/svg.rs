@@ -122,13 +122,10 @@ pub fn drawing(panels: &[Panel], part: Option<&Part>) -> String {
             line(&mut text, format_args!("<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"2.5\" fill=\"{colour}\"/>"));
             if panel.path.len() <= NUMBERED {
                 let (a, b) = (x + 5.0, y - 5.0);
-                line(
-                    &mut text,
-                    format_args!(
-                        "<text x=\"{a:.2}\" y=\"{b:.2}\" stroke=\"white\" stroke-width=\"3\" \
-                         paint-order=\"stroke\">{shown}</text>"
-                    ),
-                );
+                // A white rim under the number keeps it readable over the path.
+                for rim in [" stroke=\"white\" stroke-width=\"3\"", ""] {
+                    line(&mut text, format_args!("<text x=\"{a:.2}\" y=\"{b:.2}\"{rim}>{shown}</text>"));
+                }
             }
         }
     }
