@@ -9,7 +9,7 @@
 use std::time::Instant;
 
 use technolog::part::Point;
-use technolog::sequence::bound::{ROUNDS, lower_bound};
+use technolog::sequence::bound::{lower_bound, rounds};
 use technolog::sequence::metric::{Metric, Rapid};
 use technolog::sequence::tour::{Effort, Space, nearest_rule, path};
 use technolog::units::MillimetresPerMinute;
@@ -42,8 +42,7 @@ fn main() {
                 best = best.min(found.cost);
             }
             let start = Instant::now();
-            let bound =
-                lower_bound(&space, best, std::env::var("ROUNDS").map_or(ROUNDS, |rounds| rounds.parse().unwrap()));
+            let bound = lower_bound(&space, best, rounds(space.nodes()));
             let spent = start.elapsed().as_secs_f64();
             for (effort, cost, time) in rows {
                 println!(

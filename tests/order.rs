@@ -8,7 +8,7 @@ use std::process::{Command, Output};
 
 use serde_json::Value;
 use technolog::plan::CuttingMethod;
-use technolog::sequence::bound::{ROUNDS, lower_bound};
+use technolog::sequence::bound::{lower_bound, rounds};
 use technolog::sequence::metric::{Metric, Rapid};
 use technolog::sequence::tour::{Effort, Space, nearest_rule, path};
 use technolog::units::MillimetresPerMinute;
@@ -110,7 +110,7 @@ fn the_bound_is_close_under_the_path_on_drilling_patterns() {
         for metric in [Metric::Euclid, rapid] {
             let space = Space::closed(&points, metric);
             let found = path(&space, Effort(5)).cost;
-            let bound = lower_bound(&space, found, ROUNDS);
+            let bound = lower_bound(&space, found, rounds(space.nodes()));
             assert!(bound <= found && found <= nearest_rule(&space).cost);
             assert!(found as f64 <= bound as f64 * 1.02, "{name} {metric:?}: {found}, at least {bound}");
         }

@@ -207,7 +207,7 @@ fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
     let bound = match found.optimal {
         true => Some(found.cost),
         false if space.nodes() > bound::BOUND_NODES => None,
-        false => Some(bound::lower_bound(&space, found.cost, bound::ROUNDS)),
+        false => Some(bound::lower_bound(&space, found.cost, bound::rounds(space.nodes()))),
     };
     // Where axes speed up the cost is a time; its length is that of the slower axis.
     let timed = matches!(metric, Metric::Rapid(rapid) if rapid.acceleration.is_some());

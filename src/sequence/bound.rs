@@ -11,8 +11,13 @@ use super::tour::Space;
 /// The most nodes for which a bound is looked for: each round compares all pairs of nodes.
 pub const BOUND_NODES: usize = 6000;
 
-/// The rounds that a bound gets where nobody asks for another number.
-pub const ROUNDS: usize = 300;
+/// The pairs of nodes that the search for a bound may compare, in all its rounds.
+const COMPARED: usize = 1_000_000_000;
+
+/// The rounds that a bound over so many nodes gets where nobody asks for another number.
+pub fn rounds(nodes: usize) -> usize {
+    (COMPARED / (nodes * nodes).max(1)).clamp(50, 3000)
+}
 
 /// A lower bound of every path of the space, found in so many rounds; `path` is the cost of a known one, which
 /// says how far there is to go. Zero for more than [`BOUND_NODES`] nodes.
@@ -26,25 +31,18 @@ pub fn lower_bound(space: &Space<'_>, path: i64, rounds: usize) -> i64 {
     }
     let mut prices = Prices::new(count);
     let mut best = 0;
-    // The usual scheme: steps as long as the gap to a known tour, halved while nothing is gained.
-    let (mut share, mut since) = (2.0, 0);
-    let patience = (rounds / 25).max(4);
-    for _ in 0..rounds {
+    // Steps shrink with the square of the rounds left (after Volgenant and Jonker, 1982), from half the length of
+    // an edge: holes in circles are far apart between the circles, and a price must get there.
+    let mut first = None;
+    for round in 0..rounds {
         let tree = prices.one_tree(space);
-        if tree > best {
-            (best, since) = (tree, 0);
-        } else {
-            since += 1;
-        }
-        let faults = prices.faults();
-        if faults == 0 || best >= path {
+        best = best.max(tree);
+        if prices.faults() == 0 || best >= path {
             break;
         }
-        if since >= patience {
-            (share, since) = (share * 0.6, 0);
-        }
-        let gap = (path - tree).max(1) as f64;
-        prices.change(share * gap / faults as f64);
+        let first = *first.get_or_insert(tree as f64 / (2.0 * count as f64));
+        let left = (rounds - round) as f64 / rounds as f64;
+        prices.change(first * left * left);
     }
     best
 }

@@ -119,7 +119,8 @@ pub fn visit_bound(visit: &Visit, part: &Part, machine: &Machine<'_>) -> Option<
     let order: Vec<usize> = (0..points.len()).collect();
     let cost = space.length(&order);
     // The withdrawals are the same in every order: only the way between the points can be saved.
-    let saved = metric.minutes(cost - bound::lower_bound(&space, cost, bound::ROUNDS)).unwrap_or_default();
+    let saved =
+        metric.minutes(cost - bound::lower_bound(&space, cost, bound::rounds(space.nodes()))).unwrap_or_default();
     // Rounded down, so that it stays a bound.
     Some(Minutes((((visit.rapid_min.0 - saved.0) * 1000.0).floor() / 1000.0).max(0.0)))
 }

@@ -1,5 +1,7 @@
 //! Drilling patterns, the same in every run: for the bench of the order and for its tests.
 
+#![allow(dead_code, reason = "not every user of the patterns takes all of them")]
+
 use technolog::part::Point;
 use technolog::units::Micrometres;
 
