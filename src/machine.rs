@@ -3,7 +3,8 @@
 use crate::error::KnowledgeError;
 use crate::knowledge::{Knowledge, RowRef, Table, Value};
 use crate::units::{
-    Decimal, Kilowatts, Micrometres, MillimetresPerMinute, Minutes, NewtonMetres, Newtons, RevsPerMinute,
+    Decimal, Kilowatts, Micrometres, MillimetresPerMinute, MillimetresPerSecondSquared, Minutes, NewtonMetres, Newtons,
+    RevsPerMinute,
 };
 
 /// A machine as planning sees it.
@@ -25,6 +26,8 @@ pub struct Machine<'k> {
     pub feed_max: MillimetresPerMinute,
     /// Rapid of each axis.
     pub rapid: MillimetresPerMinute,
+    /// Acceleration of each axis in rapids, where the record has it.
+    pub rapid_acceleration: Option<MillimetresPerSecondSquared>,
     /// Travel of the table along X, of the whole stroke.
     pub travel_x: Micrometres,
     /// Travel of the table along Y, of the whole stroke.
@@ -85,6 +88,7 @@ impl<'k> Machine<'k> {
             feed_min: MillimetresPerMinute(number("feed-min")?),
             feed_max: MillimetresPerMinute(number("feed-max")?),
             rapid: MillimetresPerMinute(number("rapid-rate")?),
+            rapid_acceleration: number("rapid-acceleration").ok().map(MillimetresPerSecondSquared),
             travel_x: length("travel-x")?,
             travel_y: length("travel-y")?,
             travel_z: length("travel-z")?,

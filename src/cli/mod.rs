@@ -14,6 +14,7 @@ mod help;
 mod knowledge;
 mod lint;
 mod lookup;
+mod order;
 mod output;
 mod plan;
 mod record;
@@ -51,7 +52,7 @@ struct Global {
     /// Folder with catalogs/ and rules/ instead of the embedded knowledge
     #[arg(long, global = true, value_name = "DIR")]
     knowledge: Option<PathBuf>,
-    /// Form of the answer: text, json, yaml or csv, as far as the command has it
+    /// Form of the answer: text, json, yaml, csv or svg, as far as the command has it
     #[arg(long, global = true, value_enum, hide_possible_values = true)]
     format: Option<Format>,
     /// Write the answer to a file, not to the screen
@@ -70,6 +71,7 @@ struct Global {
 enum Command {
     Plan(plan::Args),
     Explain(plan::ExplainArgs),
+    Order(order::Args),
     Table(table::Args),
     Lookup(lookup::Args),
     Check(check::Args),
@@ -81,6 +83,7 @@ impl Command {
         match self {
             Self::Plan(args) => plan::run(args, context),
             Self::Explain(args) => plan::explain(args, context),
+            Self::Order(args) => order::run(args, context),
             Self::Table(args) => table::run(args, context),
             Self::Lookup(args) => lookup::run(args, context),
             Self::Check(args) => check::run(args, context),
@@ -100,6 +103,8 @@ pub enum Format {
     Yaml,
     /// For spreadsheets.
     Csv,
+    /// For the eye.
+    Svg,
 }
 
 impl Format {
@@ -110,6 +115,7 @@ impl Format {
             Self::Json => "json",
             Self::Yaml => "yaml",
             Self::Csv => "csv",
+            Self::Svg => "svg",
         }
     }
 }

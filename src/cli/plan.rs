@@ -91,7 +91,10 @@ pub fn explain(args: &ExplainArgs, context: &Context) -> Result<Outcome, CliErro
 }
 
 /// Reads and plans a part.
-fn make(path: &Path, method: CuttingMethod, knowledge: &Knowledge, context: &Context) -> Result<Plan, CliError> {
+///
+/// # Errors
+/// The part file cannot be used; every mistake in it is told at once.
+pub fn make(path: &Path, method: CuttingMethod, knowledge: &Knowledge, context: &Context) -> Result<Plan, CliError> {
     let shown = path.display().to_string();
     let text = std::fs::read(path).map_err(|error| {
         let message = words::cannot_read(context.lang, &shown, error);

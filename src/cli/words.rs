@@ -80,6 +80,19 @@ words! {
     Trace:
         "Рухи: рядок, кадр, рух, положення осей верстата, мм", "Motions: line, block, motion, machine position in mm";
     AlsoSays: "Рядок каже також", "The row also says";
+
+    // The order.
+    Tool: "T", "T";
+    Stops: "зупинок", "stops";
+    Points: "точок", "points";
+    PathMm: "шлях, мм", "path, mm";
+    RapidsMin: "холості ходи, хв", "rapids, min";
+    NearestMin: "за правилом посібника, хв", "by the book's rule, min";
+    NearestMm: "за правилом посібника, мм", "by the book's rule, mm";
+    Saved: "економія", "saved";
+    BoundMin: "не менше, хв", "at least, min";
+    BoundMm: "не менше, мм", "at least, mm";
+    VisitingHead: "Метод обходу за 1.3.1 (план обходить паралельно):", "Method of visiting by 1.3.1 (the plan visits in parallel):";
 }
 
 macro_rules! phrases {
@@ -116,6 +129,18 @@ phrases! {
     check_path(): "перевірте шлях до файлу", "check the path of the file";
     no_hole(path, name): "{path}: групи отворів `{name}` немає", "{path}: there is no group of holes `{name}`";
     known(names): "є: {names}", "there are: {names}";
+
+    name_machine():
+        "назвіть верстат із catalogs/machines, наприклад gf2171", "name a machine of catalogs/machines, such as gf2171";
+    point(x, y): "[{x};{y}]", "[{x};{y}]";
+    order_of(part, home):
+        "{part}. Порядок інструментів і шлях кожного від точки заміни {home} і назад.",
+        "{part}. The order of tools, and the path of each from the tool-change position {home} and back.";
+    visit_title(tool, setup, time): "T{tool}, установ {setup}: {time} хв", "T{tool}, set-up {setup}: {time} min";
+    list_title(points, length): "точок {points}, шлях {length} мм", "{points} points, path {length} mm";
+    visiting_line(hole, why, parallel, sequential, true_sequential):
+        "{hole}: {why}; Tпар = {parallel} хв, Tпосл = {sequential} хв, на цьому верстаті послідовно {true_sequential} хв",
+        "{hole}: {why}; Tpar = {parallel} min, Tseq = {sequential} min, sequential on this machine {true_sequential} min";
 
     not_a_pair(text): "`{text}` не має вигляду ключ=значення", "`{text}` is not of the form key=value";
     write_pair(example): "пишіть, наприклад, {example}", "write, for example, {example}";
@@ -219,6 +244,7 @@ pub fn unit(lang: Lang, unit: Unit) -> &'static str {
         Unit::MillimetrePerRev => "мм/об",
         Unit::MillimetrePerTooth => "мм/зуб",
         Unit::MillimetrePerMinute => "мм/хв",
+        Unit::MillimetrePerSecondSquared => "мм/с²",
         Unit::RevPerMinute => "об/хв",
         Unit::Minute => "хв",
         Unit::Second => "с",
@@ -259,7 +285,7 @@ pub const HELP_UK: &[(&str, &str)] = &[
     ("technolog", "База знань і рушій правил для проектування технологічних процесів обробки отворів і валів"),
     ("technolog.lang", "Мова відповідей: uk або en (якщо не вказано, за змінною LANG, інакше uk)"),
     ("technolog.knowledge", "Тека з catalogs/ і rules/ замість вбудованої бази знань"),
-    ("technolog.format", "Формат відповіді: text, json, yaml або csv, що з них має команда"),
+    ("technolog.format", "Формат відповіді: text, json, yaml, csv або svg, що з них має команда"),
     ("technolog.output", "Записати відповідь у файл, а не на екран"),
     ("technolog.help", "Показати цю довідку"),
     ("technolog.version", "Показати версію"),
@@ -281,6 +307,12 @@ pub const HELP_UK: &[(&str, &str)] = &[
     ("check.control", "ПЧПК, мовою якого вона написана"),
     ("check.machine", "Верстат, за назвою в каталозі"),
     ("check.setting", "Що задає оператор: нулі, коректори, перемикачі (docs/control-2c42-65.md)"),
+    ("order", "Порядок інструментів і шлях обходу отворів з довжиною, часом і нижньою межею; також для списку точок"),
+    ("order.file", "Файл деталі або список точок: CSV (x,y у мм) чи TSPLIB (EUC_2D)"),
+    ("order.metric", "Для списку: відстань по прямій (euclid) чи час швидких ходів (rapid)"),
+    ("order.closed", "Для списку: повернутися до першої точки"),
+    ("order.effort", "Для списку: скільки спроб на точку"),
+    ("order.machine", "Для списку зі швидкими ходами: чий це верстат"),
     ("lint", "Доводить базу знань: прогалини, суперечності, мертві рядки, посилання, закони, приклади"),
 ];
 

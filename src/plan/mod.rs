@@ -13,8 +13,10 @@ use crate::units::{
     RevsPerMinute,
 };
 
+mod order;
 mod route;
 
+pub use order::{Stop, Times, Visit, Visiting, VisitingMethod};
 pub use route::{Achieved, Alternative, Feature, Made, Route, Way};
 
 /// A transition of hole machining.
@@ -114,6 +116,9 @@ pub struct Plan {
     pub clamping: Option<Clamping>,
     /// Which tool visits which points, in order.
     pub sequence: Vec<Visit>,
+    /// How section 1.3.1 of the textbook would visit the holes of each group of more than one tool.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub visiting: Vec<Visiting>,
     /// Where the time goes.
     pub time: Times,
     /// What the reader must know.
@@ -338,43 +343,6 @@ pub struct Clamping {
     pub safe_distance_mm: Micrometres,
     /// Why.
     pub because: Vec<Because>,
-}
-
-/// One tool's visit to the points of one or more groups.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Visit {
-    /// The tool.
-    pub tool: u32,
-    /// The set-up, from 1: the second is on the back face.
-    pub setup: u32,
-    /// What it does at each stop, in order.
-    pub stops: Vec<Stop>,
-    /// Time of the rapid motions of this visit, from the tool-change position and back, min.
-    pub rapid_min: Minutes,
-}
-
-/// A point and what is done there.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Stop {
-    /// The group of holes.
-    pub hole: String,
-    /// The transition of the group, from 0.
-    pub transition: usize,
-    /// The point.
-    pub at: Point,
-}
-
-/// Where the time goes.
-#[derive(Clone, Copy, Debug, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
-pub struct Times {
-    /// Cutting, with approach and overrun, min.
-    pub machine_min: Minutes,
-    /// Rapid motions, min.
-    pub rapid_min: Minutes,
-    /// Tool changes, min.
-    pub tool_change_min: Minutes,
-    /// All of it, min.
-    pub total_min: Minutes,
 }
 
 #[cfg(test)]

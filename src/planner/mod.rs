@@ -76,9 +76,19 @@ pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result
         }
     };
     let (visits, time) = sequence::sequence(part, &holes, &shop.machine);
+    let visiting = sequence::visiting::visiting(part, &holes, &shop, &mut findings)?;
     reach_of_table(part, &shop, &mut findings);
-    let mut plan =
-        Plan { part: part.clone(), cutting: method, holes, tools, clamping, sequence: visits, time, findings };
+    let mut plan = Plan {
+        part: part.clone(),
+        cutting: method,
+        holes,
+        tools,
+        clamping,
+        sequence: visits,
+        visiting,
+        time,
+        findings,
+    };
     unconfirmed(&mut plan);
     plan.findings.sort_by(|a, b| {
         let key = |finding: &Finding| {
@@ -264,6 +274,9 @@ fn unconfirmed(plan: &mut Plan) {
     }
     for tool in &plan.tools {
         look(&tool.because, None);
+    }
+    for visiting in &plan.visiting {
+        look(&visiting.because, Some(&visiting.hole));
     }
     if let Some(clamping) = &plan.clamping {
         look(&clamping.because, None);

@@ -3,6 +3,7 @@
 pub mod grid;
 mod lang;
 pub mod sentences;
+pub mod svg;
 mod why;
 mod words;
 

@@ -44,7 +44,7 @@ fn shown(name: &str, value: &str, lang: Lang) -> String {
     match name {
         "operation" | "instead" => super::operation_noun(value, lang).to_owned(),
         "transitions" => value.split(", ").map(|name| super::operation_noun(name, lang)).collect::<Vec<_>>().join(", "),
-        "kind" => term(value, lang).to_owned(),
+        "kind" | "method" => term(value, lang).to_owned(),
         "take" | "by" | "name" | "shank" => term(value, lang).to_owned(),
         "stages" => value.split(" + ").map(|stage| term(stage, lang)).collect::<Vec<_>>().join(" + "),
         "scheme" | "same" | "first" => scheme_name(value, lang),
@@ -66,6 +66,13 @@ pub fn term(id: &str, lang: Lang) -> &str {
 }
 
 const TERMS: &[(&str, &str, &str)] = &[
+    ("parallel", "паралельно", "in parallel"),
+    ("sequential", "послідовно", "in sequence"),
+    (
+        "first-parallel-finish-sequential",
+        "перші переходи паралельно, кінцеві послідовно",
+        "first transitions in parallel, finishing ones in sequence",
+    ),
     ("own-cell", "власна клітинка", "the cell itself"),
     ("finer-roughness", "тонша шорсткість того ж квалітету", "a finer roughness of the same grade"),
     ("finer-grade", "точніший квалітет", "a finer grade"),
@@ -103,6 +110,28 @@ const TERMS: &[(&str, &str, &str)] = &[
 ];
 
 const SENTENCES: &[(&str, &str, &str)] = &[
+    // Visiting the holes.
+    (
+        "visiting-method",
+        "{method} (квалітет {it}, допуск міжосьової відстані {centre} мм, K_T = {ratio})",
+        "{method} (grade {it}, centre tolerance {centre} mm, K_T = {ratio})",
+    ),
+    (
+        "position-lost-at-tool-change",
+        "1.3.1 радить робити кінцеві переходи послідовно, не рухаючи деталь; верстат змінює інструмент у X {x} Y {y}, \
+         тож стіл рухається і правила дотримати не можна: {tools} інструментами паралельно {parallel} хв, послідовно \
+         {sequential} хв",
+        "section 1.3.1 finishes each hole without moving the part; this machine changes tools at X {x} Y {y}, which \
+         moves the table, so the rule cannot be kept: with {tools} tools {parallel} min in parallel, {sequential} min \
+         in sequence",
+    ),
+    (
+        "visited-in-parallel",
+        "за 1.3.1 послідовний обхід був би швидший, але заміна інструмента в X {x} Y {y} рухає стіл: {tools} \
+         інструментами паралельно {parallel} хв, послідовно {sequential} хв",
+        "by 1.3.1 the sequential method would be quicker, but changing tools at X {x} Y {y} moves the table: with \
+         {tools} tools {parallel} min in parallel, {sequential} min in sequence",
+    ),
     // Schemes.
     (
         "stages",

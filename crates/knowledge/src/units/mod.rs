@@ -15,8 +15,8 @@ pub use decimal::Decimal;
 pub use grade::ItGrade;
 pub use length::Micrometres;
 pub use quantity::{
-    Kilowatts, MetresPerMinute, MillimetresPerMinute, MillimetresPerRev, Minutes, NewtonMetres, Newtons, RevsPerMinute,
-    round_to,
+    Kilowatts, MetresPerMinute, MillimetresPerMinute, MillimetresPerRev, MillimetresPerSecondSquared, Minutes,
+    NewtonMetres, Newtons, RevsPerMinute, round_to,
 };
 pub use roughness::Roughness;
 pub use unit::Unit;

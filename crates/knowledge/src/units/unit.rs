@@ -48,6 +48,8 @@ units! {
     MillimetrePerTooth = "mm/tooth",
     /// Millimetres per minute.
     MillimetrePerMinute = "mm/min",
+    /// Millimetres per second, per second.
+    MillimetrePerSecondSquared = "mm/s2",
     /// Revolutions per minute.
     RevPerMinute = "1/min",
     /// Minutes.

@@ -1,0 +1,69 @@
+//! How short the paths are and how long finding them takes, with what no path can be shorter than.
+//!
+//! `cargo bench --bench order` prints one line per pattern, metric and effort; the clock is read here, never by the
+//! search. `cargo bench --bench order -- csv FOLDER` writes the patterns as lists of points instead, so that
+//! other programs can be measured on them (`tests/oracles/fast_tsp.py`).
+
+#![allow(clippy::unwrap_used, reason = "a bench that cannot begin has nothing to measure")]
+
+use std::time::Instant;
+
+use technolog::part::Point;
+use technolog::sequence::bound::{lower_bound, rounds};
+use technolog::sequence::metric::{Metric, Rapid};
+use technolog::sequence::tour::{Effort, Space, nearest_rule, path};
+use technolog::units::MillimetresPerMinute;
+
+#[path = "../tests/common/patterns.rs"]
+mod patterns;
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().collect();
+    if let Some(at) = arguments.iter().position(|argument| argument == "csv") {
+        return write(&arguments[at + 1]);
+    }
+    let rapid = Metric::Rapid(Rapid { rate: MillimetresPerMinute(7000.0), acceleration: None });
+    println!("pattern      metric  points  effort  length mm   nearest mm   bound mm  over bound  time s  (bound s)");
+    // `-- mixed` measures the patterns of that name alone.
+    let asked = arguments.iter().skip(1).find(|argument| !argument.starts_with('-'));
+    for (name, points) in patterns::all() {
+        if asked.is_some_and(|asked| !name.contains(asked.as_str())) {
+            continue;
+        }
+        for (word, metric) in [("euclid", Metric::Euclid), ("rapid", rapid)] {
+            let space = Space::closed(&points, metric);
+            let book = nearest_rule(&space).cost;
+            let (mut rows, mut best) = (Vec::new(), i64::MAX);
+            let efforts: &[u32] = if points.len() <= 13 { &[1] } else { &[5, 20, 60, 250] };
+            for &effort in efforts {
+                let start = Instant::now();
+                let found = path(&space, Effort(effort));
+                rows.push((effort, found.cost, start.elapsed().as_secs_f64()));
+                best = best.min(found.cost);
+            }
+            let start = Instant::now();
+            let bound = lower_bound(&space, best, rounds(space.nodes()));
+            let spent = start.elapsed().as_secs_f64();
+            for (effort, cost, time) in rows {
+                println!(
+                    "{name:<12} {word:<7} {:>6} {effort:>7} {:>10.3} {:>12.3} {:>10.3} {:>10.2} % {time:>7.4}  ({spent:.2})",
+                    points.len(),
+                    cost as f64 / 1000.0,
+                    book as f64 / 1000.0,
+                    bound as f64 / 1000.0,
+                    (cost as f64 / bound as f64 - 1.0) * 100.0,
+                );
+            }
+        }
+    }
+}
+
+/// Every pattern as `FOLDER/name.csv`.
+fn write(folder: &str) {
+    std::fs::create_dir_all(folder).unwrap();
+    for (name, points) in patterns::all() {
+        let line = |point: &Point| format!("{},{}\n", point.x, point.y);
+        let text: String = points.iter().map(line).collect();
+        std::fs::write(format!("{folder}/{name}.csv"), format!("x,y\n{text}")).unwrap();
+    }
+}

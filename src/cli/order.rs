@@ -1,0 +1,278 @@
+//! `technolog order`: the order of tools and the path of each over the holes, or the path over a list of points.
+
+use std::borrow::Cow;
+use std::path::PathBuf;
+
+use clap::ValueEnum;
+use serde::Serialize;
+use technolog::knowledge::yaml::text_of;
+use technolog::knowledge::{Diagnostic, Knowledge};
+use technolog::machine::Machine;
+use technolog::part::Point;
+use technolog::plan::{CuttingMethod, Plan, Times, Visit, Visiting};
+use technolog::report::svg::{self, Panel};
+use technolog::report::{grid, sentence};
+use technolog::sequence::list::{Form, List, read_list};
+use technolog::sequence::metric::Metric;
+use technolog::sequence::tour::{Effort, Space, nearest_rule, path};
+use technolog::sequence::{bound, rapid, tool_change_point, visit_bound};
+use technolog::units::{Micrometres, Minutes, round_to};
+
+use super::diagnostics::Texts;
+use super::words::Word;
+use super::{CliError, Context, Format, Outcome, knowledge, plan, words};
+
+/// The order of tools and the path over the holes, with its length, time and a lower bound; also of a list of points
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// The part file, or a list of points: CSV (x,y in mm) or TSPLIB (EUC_2D)
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+    /// Of a list: straight distance (euclid) or the time of rapids (rapid)
+    #[arg(long, value_enum, default_value = "euclid", hide_possible_values = true)]
+    metric: MetricName,
+    /// Of a list: return to the first point
+    #[arg(long)]
+    closed: bool,
+    /// Of a list: how hard to look, tries per point
+    #[arg(long, value_name = "N", default_value_t = Effort::default().0, value_parser = clap::value_parser!(u32).range(..=100_000))]
+    effort: u32,
+    /// Of a list with rapids: the machine whose rapids they are
+    #[arg(long, value_name = "ID", default_value = "gf2171")]
+    machine: String,
+}
+
+/// Metrics of a list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum MetricName {
+    Euclid,
+    Rapid,
+}
+
+/// Shows the order of a part, or of a list of points.
+///
+/// # Errors
+/// The file cannot be used; every mistake in it is told at once.
+pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
+    let format = context.format("order", &[Format::Text, Format::Json, Format::Svg])?;
+    let knowledge = knowledge::load(context)?;
+    let part = args.file.extension().is_some_and(|kind| kind == "yaml" || kind == "yml");
+    if part { of_part(args, format, &knowledge, context) } else { of_list(args, format, &knowledge, context) }
+}
+
+/// The order of a part, for programs.
+#[derive(Serialize)]
+struct PartAnswer<'p> {
+    sequence: &'p [Visit],
+    visiting: &'p [Visiting],
+    time: Times,
+    tool_change_at: Point,
+}
+
+fn of_part(args: &Args, format: Format, knowledge: &Knowledge, context: &Context) -> Result<Outcome, CliError> {
+    let mut plan = plan::make(&args.file, CuttingMethod::default(), knowledge, context)?;
+    let machine = machine(&plan.part.machine, knowledge, context)?;
+    for at in 0..plan.sequence.len() {
+        plan.sequence[at].bound_min = visit_bound(&plan.sequence[at], &plan.part, &machine);
+    }
+    let home = tool_change_point(&plan.part, &machine);
+    match format {
+        Format::Json => context.emit_json(&PartAnswer {
+            sequence: &plan.sequence,
+            visiting: &plan.visiting,
+            time: plan.time,
+            tool_change_at: home,
+        })?,
+        Format::Svg => {
+            let panel = |visit: &Visit| {
+                let mut path = vec![home];
+                path.extend(visit.stops.iter().map(|stop| stop.at));
+                path.dedup();
+                let time = minutes(visit.rapid_min, context);
+                let title = words::visit_title(context.lang, visit.tool, visit.setup, time);
+                Panel { title, path, from_change: true, closed: true }
+            };
+            let panels: Vec<Panel> = plan.sequence.iter().map(panel).collect();
+            context.emit(&svg::drawing(&panels, Some(&plan.part)))?;
+        }
+        _ => context.emit(&part_text(&plan, home, context))?,
+    }
+    Ok(if plan.has_errors() { Outcome::Findings } else { Outcome::Done })
+}
+
+fn machine<'k>(id: &str, knowledge: &'k Knowledge, context: &Context) -> Result<Machine<'k>, CliError> {
+    Machine::find(knowledge, id).map_err(|error| {
+        Diagnostic::error("knowledge", error.to_string(), None).help(words::name_machine(context.lang)).into()
+    })
+}
+
+/// A time as people write it, in minutes.
+fn minutes(time: Minutes, context: &Context) -> String {
+    decimal(time.0, 3, context)
+}
+
+fn decimal(value: f64, places: u32, context: &Context) -> String {
+    let text = round_to(value, places).to_string();
+    context.lang.pick(&text.replace('.', ","), &text).to_owned()
+}
+
+/// By how much less, in percent.
+fn saving(now: f64, before: f64, context: &Context) -> String {
+    let saved = if before > 0.0 { (1.0 - now / before) * 100.0 } else { 0.0 };
+    decimal(saved, 1, context) + " %"
+}
+
+fn part_text(plan: &Plan, home: Point, context: &Context) -> String {
+    let lang = context.lang;
+    let at = |point: Point| words::point(lang, point.x, point.y);
+    let mut text = words::order_of(lang, &plan.part.part, at(home)) + "\n\n";
+    let head = [Word::Tool, Word::Stops, Word::PathMm, Word::RapidsMin, Word::NearestMin, Word::Saved, Word::BoundMin];
+    let head: Vec<String> = head.map(|word| context.word(word).to_owned()).into();
+    let mut rows = Vec::new();
+    for visit in &plan.sequence {
+        rows.push(vec![
+            format!("T{}", visit.tool),
+            visit.stops.len().to_string(),
+            decimal(visit.path_mm.to_mm(), 1, context),
+            minutes(visit.rapid_min, context),
+            minutes(visit.nearest_rapid_min, context),
+            saving(visit.rapid_min.0, visit.nearest_rapid_min.0, context),
+            visit.bound_min.map_or_else(|| "-".to_owned(), |bound| minutes(bound, context)),
+        ]);
+    }
+    if !rows.is_empty() {
+        text.push_str(&grid::ruled(&head, &rows).unwrap_or_else(|| grid::columns(&rows, 2)));
+        text.push('\n');
+    }
+    for visit in &plan.sequence {
+        let mut stops: Vec<String> = Vec::new();
+        let mut before = None;
+        for stop in visit.stops.iter().filter(|stop| before.replace(stop.at) != Some(stop.at)) {
+            stops.push(format!("{} {}", stop.hole, at(stop.at)));
+        }
+        text.push_str(&grid::paragraph(&format!("T{}: {}", visit.tool, stops.join(", ")), 0));
+    }
+    if !plan.visiting.is_empty() {
+        text.push_str(&format!("\n{}\n", context.word(Word::VisitingHead)));
+    }
+    for visiting in &plan.visiting {
+        let why = visiting.because.iter().map(|why| sentence(&why.note, lang)).collect::<Vec<_>>().join("; ");
+        let line = words::visiting_line(
+            lang,
+            &visiting.hole,
+            why,
+            decimal(visiting.book_parallel_min.0, 2, context),
+            decimal(visiting.book_sequential_min.0, 2, context),
+            decimal(visiting.sequential_min.0, 2, context),
+        );
+        text.push_str(&grid::paragraph(&line, 2));
+    }
+    for finding in &plan.findings {
+        if ["position-lost-at-tool-change", "visited-in-parallel"].contains(&finding.note.code.as_str()) {
+            let hole = finding.hole.as_deref().unwrap_or_default();
+            text.push_str(&grid::paragraph(&format!("{hole}: {}", sentence(&finding.note, lang)), 2));
+        }
+    }
+    text
+}
+
+/// The path over a list of points, for programs.
+#[derive(Serialize)]
+struct ListAnswer<'l> {
+    points: usize,
+    metric: &'static str,
+    closed: bool,
+    effort: u32,
+    /// The points by their numbers in the list, from 1.
+    order: &'l [u64],
+    length_mm: Micrometres,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    time_min: Option<Minutes>,
+    nearest_length_mm: Micrometres,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bound_mm: Option<Micrometres>,
+    optimal: bool,
+}
+
+fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context) -> Result<Outcome, CliError> {
+    let List { form, points, names } = read(args, context)?;
+    let metric = match (args.metric, form) {
+        (MetricName::Euclid, Form::Csv) => Metric::Euclid,
+        (MetricName::Euclid, Form::Tsplib) => Metric::EuclidWhole,
+        (MetricName::Rapid, _) => Metric::Rapid(rapid(&machine(&args.machine, knowledge, context)?)),
+    };
+    let space = if args.closed { Space::closed(&points, metric) } else { Space::open(&points, metric) };
+    let found = path(&space, Effort(args.effort));
+    let book = nearest_rule(&space);
+    let bound = match found.optimal {
+        true => Some(found.cost),
+        false if space.nodes() > bound::BOUND_NODES => None,
+        false => Some(bound::lower_bound(&space, found.cost, bound::rounds(space.nodes()))),
+    };
+    // Where axes speed up the cost is a time; its length is that of the slower axis.
+    let timed = matches!(metric, Metric::Rapid(rapid) if rapid.acceleration.is_some());
+    let way = |order: &[usize], cost: i64| match metric {
+        Metric::Rapid(rapid) if timed => {
+            let even = Metric::Rapid(technolog::sequence::metric::Rapid { acceleration: None, ..rapid });
+            let space = if args.closed { Space::closed(&points, even) } else { Space::open(&points, even) };
+            Micrometres::new(space.length(order))
+        }
+        _ => Micrometres::new(cost),
+    };
+    let order: Vec<u64> = found.order.iter().map(|&point| names[point]).collect();
+    let answer = ListAnswer {
+        points: points.len(),
+        metric: if args.metric == MetricName::Rapid { "rapid" } else { "euclid" },
+        closed: args.closed,
+        effort: args.effort,
+        order: &order,
+        length_mm: way(&found.order, found.cost),
+        time_min: metric.minutes(found.cost).map(|time| time.rounded(4)),
+        nearest_length_mm: way(&book.order, book.cost),
+        bound_mm: bound.filter(|_| !timed).map(Micrometres::new),
+        optimal: found.optimal,
+    };
+    match format {
+        Format::Json => context.emit_json(&answer)?,
+        Format::Svg => {
+            let path = found.order.iter().map(|&point| points[point]).collect();
+            let title = words::list_title(context.lang, answer.points, answer.length_mm);
+            let panel = Panel { title, path, from_change: false, closed: args.closed };
+            context.emit(&svg::drawing(&[panel], None))?;
+        }
+        _ => context.emit(&list_text(&answer, context))?,
+    }
+    Ok(Outcome::Done)
+}
+
+fn list_text(answer: &ListAnswer<'_>, context: &Context) -> String {
+    let mm = |value: Micrometres| decimal(value.to_mm(), 3, context);
+    let mut rows = vec![
+        vec![context.word(Word::Points).to_owned(), answer.points.to_string()],
+        vec![context.word(Word::PathMm).to_owned(), mm(answer.length_mm)],
+    ];
+    if let Some(time) = answer.time_min {
+        rows.push(vec![context.word(Word::RapidsMin).to_owned(), decimal(time.0, 4, context)]);
+    }
+    let saved = saving(answer.length_mm.to_mm(), answer.nearest_length_mm.to_mm(), context);
+    rows.push(vec![context.word(Word::NearestMm).to_owned(), mm(answer.nearest_length_mm)]);
+    rows.push(vec![context.word(Word::Saved).to_owned(), saved]);
+    if let Some(bound) = answer.bound_mm {
+        rows.push(vec![context.word(Word::BoundMm).to_owned(), mm(bound)]);
+    }
+    let order: Vec<String> = answer.order.iter().map(u64::to_string).collect();
+    format!("{}\n{}", grid::columns(&rows, 0), grid::paragraph(&order.join(" "), 0))
+}
+
+fn read(args: &Args, context: &Context) -> Result<List, CliError> {
+    let shown = args.file.display().to_string();
+    let text = std::fs::read(&args.file).map_err(|error| {
+        let message = words::cannot_read(context.lang, &shown, error);
+        CliError::from(Diagnostic::error("unreadable", message, None).help(words::check_path(context.lang)))
+    })?;
+    let text = text_of(&shown, text)?;
+    read_list(&shown, &text).map_err(|problems| CliError::Unusable {
+        problems,
+        texts: Texts::default().with(&shown, shown.clone(), Cow::Owned(text)),
+    })
+}

@@ -1,0 +1,116 @@
+//! The order of work: which tool visits which points, how long it is under way, and what the book would do.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::note::Because;
+use crate::part::Point;
+use crate::units::{Micrometres, Minutes};
+
+/// One tool's visit to the points of one or more groups.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Visit {
+    /// The tool.
+    pub tool: u32,
+    /// The set-up, from 1: the second is on the back face.
+    pub setup: u32,
+    /// What it does at each stop, in order.
+    pub stops: Vec<Stop>,
+    /// Time of the rapid motions of this visit, from the tool-change position and back, min.
+    pub rapid_min: Minutes,
+    /// The same by the book's rule, to the nearest point not yet visited, min.
+    #[serde(default)]
+    pub nearest_rapid_min: Minutes,
+    /// What no order of these stops can be shorter than, min; absent where it was not looked for. Equal to
+    /// `rapid_min` where the path is proven the shortest.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bound_min: Option<Minutes>,
+    /// Length of the path from the tool-change position and back, straight from point to point, mm.
+    #[serde(default)]
+    pub path_mm: Micrometres,
+}
+
+/// A point and what is done there.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Stop {
+    /// The group of holes.
+    pub hole: String,
+    /// The transition of the group, from 0.
+    pub transition: usize,
+    /// The point.
+    pub at: Point,
+}
+
+/// Where the time goes.
+#[derive(Clone, Copy, Debug, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+pub struct Times {
+    /// Cutting, with approach and overrun, min.
+    pub machine_min: Minutes,
+    /// Rapid motions, min.
+    pub rapid_min: Minutes,
+    /// Tool changes, min.
+    pub tool_change_min: Minutes,
+    /// All of it, min.
+    pub total_min: Minutes,
+}
+
+/// How the holes of a group are visited (textbook 1.3.1).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum VisitingMethod {
+    /// Each tool goes round all holes.
+    Parallel,
+    /// Each hole is made with all tools before the next.
+    Sequential,
+    /// The first transitions in parallel, the finishing ones one after the other at each hole.
+    FirstParallelFinishSequential,
+}
+
+impl VisitingMethod {
+    const NAMES: [(&'static str, Self); 3] = [
+        ("parallel", Self::Parallel),
+        ("sequential", Self::Sequential),
+        ("first-parallel-finish-sequential", Self::FirstParallelFinishSequential),
+    ];
+
+    /// Its name in tables and plans.
+    pub fn name(self) -> &'static str {
+        Self::NAMES.iter().find(|(_, method)| *method == self).map_or("", |(name, _)| name)
+    }
+
+    /// The method of that name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::NAMES.iter().find(|(known, _)| *known == name).map(|(_, method)| *method)
+    }
+}
+
+/// What section 1.3.1 says of visiting a group, and what both methods take. The plan itself visits in parallel.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Visiting {
+    /// The group of holes.
+    pub hole: String,
+    /// The method of the book's rule.
+    pub method: VisitingMethod,
+    /// Holes of the group, n.
+    pub holes: usize,
+    /// Its tools, m.
+    pub tools: usize,
+    /// The tools that the rule would change at each hole: all, or those of the finishing transitions.
+    pub finishing_tools: usize,
+    /// Time of one round of the group from the tool-change position and back, θ, min.
+    pub round_min: Minutes,
+    /// K_T = Tпар/Tпосл.
+    pub ratio: f64,
+    /// Tпар = m(τ+θ), which is also what the machine takes, min.
+    pub book_parallel_min: Minutes,
+    /// Tпосл = nmτ+θ: changing tools wherever the table stands, which this machine cannot, min.
+    pub book_sequential_min: Minutes,
+    /// The sequential method on this machine: each change at the tool-change position, min.
+    pub sequential_min: Minutes,
+    /// The `finishing_tools` in parallel, min.
+    pub finish_parallel_min: Minutes,
+    /// The `finishing_tools` at each hole in turn, on this machine, min.
+    pub finish_sequential_min: Minutes,
+    /// The row of the rule.
+    pub because: Vec<Because>,
+}

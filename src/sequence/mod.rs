@@ -1,0 +1,145 @@
+//! The order of tools and the path of each over its points.
+//!
+//! Tools change in the order in which the first hole needs them (the parallel method of textbook 1.3.1:
+//! each tool goes round all its points, then the next is taken); what that section says of each group is told
+//! beside it ([`mod@visiting`]). The path leads from the tool-change position and back, in the machine's own metric
+//! ([`metric`]): the shortest for few points, a short one for many ([`tour`]), with the book's rule, to the
+//! nearest point not yet visited, counted beside it, and a bound below which there is none ([`bound`]).
+
+pub mod bound;
+pub mod list;
+pub mod metric;
+pub mod tour;
+pub mod visiting;
+
+use crate::machine::Machine;
+use crate::part::{Face, Part, Point};
+use crate::plan::{HolePlan, Stop, Times, Visit};
+use crate::units::{Micrometres, Minutes};
+
+use metric::{Metric, Rapid};
+use tour::Space;
+
+/// Visits of every tool, in order, and where the time goes.
+///
+/// A tool is taken when every hole that needs it has come to it. Where two holes need two tools in opposite
+/// orders, the lower number is taken first and comes back later for the other hole.
+pub fn sequence(part: &Part, holes: &[HolePlan], machine: &Machine<'_>) -> (Vec<Visit>, Times) {
+    let mut visits = Vec::new();
+    let mut times = Times::default();
+    for (setup, face) in [(1, Face::Entry), (2, Face::Back)] {
+        // What is still to be done to each group, last first.
+        let mut to_do: Vec<Vec<usize>> = holes
+            .iter()
+            .map(|plan| {
+                let own = plan.transitions.iter().enumerate().rev();
+                own.filter(|(_, step)| step.face == face && !step.elsewhere).map(|(index, _)| index).collect()
+            })
+            .collect();
+        while let Some(tool) = next_tool(holes, &to_do) {
+            // The points of the tool in the order of the drawing, each with all that is done there.
+            let mut places: Vec<Vec<Stop>> = Vec::new();
+            for ((plan, hole), to_do) in holes.iter().zip(&part.holes).zip(&mut to_do) {
+                let mut own = Vec::new();
+                while let Some(transition) = to_do.pop_if(|index| tool_of(plan, *index) == Some(tool)) {
+                    own.push(transition);
+                }
+                if !own.is_empty() {
+                    let stop = |at, transition| Stop { hole: plan.name.clone(), transition, at };
+                    places.extend(hole.at.iter().map(|&at| own.iter().map(|&step| stop(at, step)).collect()));
+                }
+            }
+            let visit = visit(tool, setup, places, holes, part, machine);
+            times.rapid_min = times.rapid_min + visit.rapid_min;
+            visits.push(visit);
+        }
+    }
+    times.machine_min = holes
+        .iter()
+        .flat_map(|plan| {
+            let own = plan.transitions.iter().filter(|step| !step.elsewhere);
+            own.map(|step| step.conditions.machine_time_min.0 * plan.count as f64)
+        })
+        .map(Minutes)
+        .sum::<Minutes>()
+        .rounded(2);
+    times.tool_change_min = Minutes(machine.tool_change.0 * visits.len() as f64).rounded(2);
+    times.rapid_min = times.rapid_min.rounded(2);
+    times.total_min = (times.machine_min + times.rapid_min + times.tool_change_min).rounded(2);
+    (visits, times)
+}
+
+/// The lowest tool that some group needs next.
+fn next_tool(holes: &[HolePlan], to_do: &[Vec<usize>]) -> Option<u32> {
+    holes.iter().zip(to_do).filter_map(|(plan, to_do)| tool_of(plan, *to_do.last()?)).min()
+}
+
+fn tool_of(plan: &HolePlan, transition: usize) -> Option<u32> {
+    plan.transitions.get(transition).map(|step| step.tool.number)
+}
+
+/// A tool's way over its places, from the tool-change position and back; what is done at one place stays
+/// together, in the order of its transitions.
+fn visit(
+    tool: u32,
+    setup: u32,
+    mut places: Vec<Vec<Stop>>,
+    holes: &[HolePlan],
+    part: &Part,
+    machine: &Machine<'_>,
+) -> Visit {
+    let home = tool_change_point(part, machine);
+    let at = places.iter().filter_map(|stops| stops.first()).map(|stop| stop.at);
+    let points: Vec<Point> = std::iter::once(home).chain(at).collect();
+    let rapid = rapid(machine);
+    let metric = Metric::Rapid(rapid);
+    let space = Space::closed(&points, metric);
+    let path = tour::plan_path(&space);
+    let withdrawals: f64 = places.iter().flatten().map(|stop| withdrawal(stop, holes, rapid).0).sum();
+    let time = |cost| Minutes(metric.minutes(cost).unwrap_or_default().0 + withdrawals).rounded(3);
+    let rapid_min = time(path.cost);
+    let nearest_rapid_min = time(tour::nearest_rule(&space).cost);
+    let path_mm = Micrometres::new(Space::closed(&points, Metric::Euclid).length(&path.order));
+    let stops = path.order.iter().skip(1).flat_map(|&point| std::mem::take(&mut places[point - 1])).collect();
+    let bound_min = path.optimal.then_some(rapid_min);
+    Visit { tool, setup, stops, rapid_min, nearest_rapid_min, bound_min, path_mm }
+}
+
+/// The bound of a visit of a plan: what its rapids take at least, min. Its own time where it is proven.
+pub fn visit_bound(visit: &Visit, part: &Part, machine: &Machine<'_>) -> Option<Minutes> {
+    let mut points = vec![tool_change_point(part, machine)];
+    points.extend(visit.stops.iter().map(|stop| stop.at));
+    // Transitions at one place follow each other.
+    points.dedup();
+    if visit.bound_min.is_some() || points.len() > bound::BOUND_NODES {
+        return visit.bound_min;
+    }
+    let metric = Metric::Rapid(rapid(machine));
+    let space = Space::closed(&points, metric);
+    let order: Vec<usize> = (0..points.len()).collect();
+    let cost = space.length(&order);
+    // The withdrawals are the same in every order: only the way between the points can be saved.
+    let saved =
+        metric.minutes(cost - bound::lower_bound(&space, cost, bound::rounds(space.nodes()))).unwrap_or_default();
+    // Rounded down, so that it stays a bound.
+    Some(Minutes((((visit.rapid_min.0 - saved.0) * 1000.0).floor() / 1000.0).max(0.0)))
+}
+
+/// How the machine's axes move in rapids.
+pub const fn rapid(machine: &Machine<'_>) -> Rapid {
+    Rapid { rate: machine.rapid, acceleration: machine.rapid_acceleration }
+}
+
+/// Where the spindle stands over the part when tools are changed: the machine's zero is over the middle of
+/// the table, and the middle of the blank is set up there.
+pub fn tool_change_point(part: &Part, machine: &Machine<'_>) -> Point {
+    let middle = part.middle();
+    Point { x: middle.x + machine.tool_change_at.0, y: middle.y + machine.tool_change_at.1 }
+}
+
+/// Rapid out of the hole after a pass, by the working travel, for every pass.
+fn withdrawal(stop: &Stop, holes: &[HolePlan], rapid: Rapid) -> Minutes {
+    let step = holes.iter().find(|plan| plan.name == stop.hole).and_then(|plan| plan.transitions.get(stop.transition));
+    let (travel, passes) = step.map_or((Micrometres::ZERO, 0), |step| (step.travel_mm, step.passes));
+    Minutes(rapid.time(travel).0 * f64::from(passes))
+}

@@ -1,0 +1,152 @@
+//! The shortest path over points: exactly where there are few, closely where there are many.
+//!
+//! A path is a closed tour over the nodes of a [`Space`]. A tool's way begins and ends at the tool-change
+//! position, which is node 0; a path with two free ends is closed by a node that is as near to everything as
+//! can be. Nothing asks the clock: the work is counted in steps, and the numbers that choose where to try come
+//! from a fixed seed, so the same points always give the same path.
+
+mod exact;
+mod local;
+mod neighbours;
+mod search;
+
+use crate::part::Point;
+
+use super::metric::Metric;
+
+pub use exact::EXACT_POINTS;
+
+/// How hard to look: kicks for each point of the path, once it is too long to be solved exactly.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Effort(pub u32);
+
+impl Default for Effort {
+    fn default() -> Self {
+        Self(60)
+    }
+}
+
+/// The most kicks that the visits of a plan get, so that a part of a thousand holes is planned while one waits.
+const PLAN_KICKS: u64 = 300;
+
+/// Paths of fewer points get as many kicks as one of so many: they cost next to nothing.
+const FEW: usize = 50;
+
+impl Effort {
+    fn kicks(self, points: usize) -> u64 {
+        u64::from(self.0) * points.max(FEW) as u64
+    }
+}
+
+/// Points and what it costs to go between them.
+#[derive(Clone, Debug)]
+pub struct Space<'p> {
+    points: &'p [Point],
+    metric: Metric,
+    /// Whether a node without place closes the path: its two ends are then free.
+    free_ends: bool,
+}
+
+impl<'p> Space<'p> {
+    /// The space of closed tours over the points.
+    pub const fn closed(points: &'p [Point], metric: Metric) -> Self {
+        Self { points, metric, free_ends: false }
+    }
+
+    /// The space of paths over the points that begin and end wherever it is shortest.
+    pub const fn open(points: &'p [Point], metric: Metric) -> Self {
+        Self { points, metric, free_ends: true }
+    }
+
+    /// The number of nodes: the points, and the one that closes an open path.
+    pub const fn nodes(&self) -> usize {
+        self.points.len() + self.free_ends as usize
+    }
+
+    /// The cost between two nodes: micrometres, or microseconds where rapids speed up.
+    #[inline]
+    pub fn cost(&self, from: usize, to: usize) -> i64 {
+        match (self.points.get(from), self.points.get(to)) {
+            (Some(&from), Some(&to)) => self.metric.cost(from, to),
+            // To and from the node without place.
+            _ => 0,
+        }
+    }
+
+    /// The metric.
+    pub const fn metric(&self) -> Metric {
+        self.metric
+    }
+
+    /// The cost of going round the nodes in that order and back to the first.
+    pub fn round(&self, order: &[usize]) -> i64 {
+        let back = order.last().zip(order.first()).map_or(0, |(&last, &first)| self.cost(last, first));
+        order.windows(2).map(|pair| self.cost(pair[0], pair[1])).sum::<i64>() + back
+    }
+
+    /// The cost of going over the points in that order: back to the first of a closed tour, to the last of an
+    /// open path.
+    pub fn length(&self, order: &[usize]) -> i64 {
+        if self.free_ends { order.windows(2).map(|pair| self.cost(pair[0], pair[1])).sum() } else { self.round(order) }
+    }
+}
+
+/// A path over all points of a space.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Path {
+    /// The points in order, from 0; a closed tour begins with point 0.
+    pub order: Vec<usize>,
+    /// Its cost.
+    pub cost: i64,
+    /// Whether no path is shorter, by proof.
+    pub optimal: bool,
+}
+
+/// The shortest path found with that effort, proven the shortest up to [`EXACT_POINTS`] points beside the one
+/// where a tour begins.
+pub fn path(space: &Space<'_>, effort: Effort) -> Path {
+    path_in(space, effort.kicks(space.nodes()))
+}
+
+/// The path of a visit of a plan: quickly found.
+pub(super) fn plan_path(space: &Space<'_>) -> Path {
+    path_in(space, Effort(20).kicks(space.nodes()).min(PLAN_KICKS))
+}
+
+fn path_in(space: &Space<'_>, kicks: u64) -> Path {
+    let optimal = space.nodes() <= EXACT_POINTS + 1;
+    let tour = if optimal { exact::tour(space) } else { search::tour(space, kicks) };
+    let order = from_the_start(space, tour);
+    Path { cost: space.length(&order), order, optimal }
+}
+
+/// The book's own rule (textbook Appendix Г): from each point to the nearest not yet visited, in straight
+/// distance; among equals the first of the list. It begins at point 0.
+pub fn nearest_rule(space: &Space<'_>) -> Path {
+    let points = space.points;
+    let mut left: Vec<usize> = (1..points.len()).collect();
+    let mut order: Vec<usize> = (0..points.len().min(1)).collect();
+    let mut here = 0;
+    while let Some(next) = (0..left.len()).min_by_key(|&at| (Metric::Euclid.cost(points[here], points[left[at]]), at)) {
+        here = left.remove(next);
+        order.push(here);
+    }
+    Path { cost: space.length(&order), order, optimal: false }
+}
+
+/// The tour cut open where it begins: at point 0, or at the node without place, which is left out. Of the two
+/// directions the one whose second point comes first in the list.
+fn from_the_start(space: &Space<'_>, mut tour: Vec<usize>) -> Vec<usize> {
+    let first = if space.free_ends { space.points.len() } else { 0 };
+    if let Some(at) = tour.iter().position(|&node| node == first) {
+        tour.rotate_left(at);
+    }
+    if tour.len() > 2 && tour.last() < tour.get(1) {
+        tour[1..].reverse();
+    }
+    tour.retain(|&node| node < space.points.len());
+    tour
+}
+
+#[cfg(test)]
+mod tests;

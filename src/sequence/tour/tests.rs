@@ -1,0 +1,100 @@
+use std::collections::BTreeSet;
+
+use proptest::prelude::*;
+
+use super::*;
+use crate::units::{Micrometres, MillimetresPerMinute, MillimetresPerSecondSquared};
+
+use super::super::bound::lower_bound;
+use super::super::metric::Rapid;
+
+fn metrics() -> [Metric; 4] {
+    let rapid = Rapid { rate: MillimetresPerMinute(7000.0), acceleration: None };
+    let accelerated = Rapid { acceleration: Some(MillimetresPerSecondSquared(500.0)), ..rapid };
+    [Metric::Euclid, Metric::EuclidWhole, Metric::Rapid(rapid), Metric::Rapid(accelerated)]
+}
+
+fn points(most: usize) -> impl Strategy<Value = Vec<Point>> {
+    // On a coarse grid, so that equal distances and equal points are common.
+    let one = (-6_i64..=6, -6_i64..=6)
+        .prop_map(|(x, y)| Point { x: Micrometres::new(x * 7_500), y: Micrometres::new(y * 5_000) });
+    prop::collection::vec(one, 0..=most)
+}
+
+fn spaces(points: &[Point]) -> Vec<Space<'_>> {
+    metrics().into_iter().flat_map(|metric| [Space::closed(points, metric), Space::open(points, metric)]).collect()
+}
+
+/// The shortest of all orders.
+fn brute(space: &Space<'_>) -> i64 {
+    fn go(space: &Space<'_>, order: &mut Vec<usize>, left: &mut Vec<usize>, best: &mut i64) {
+        if left.is_empty() {
+            *best = space.length(order).min(*best);
+        }
+        for at in 0..left.len() {
+            let node = left.swap_remove(at);
+            order.push(node);
+            go(space, order, left, best);
+            order.pop();
+            left.push(node);
+            let end = left.len() - 1;
+            left.swap(at, end);
+        }
+    }
+    let mut best = i64::MAX;
+    let mut left: Vec<usize> = (0..space.points.len()).collect();
+    // A tour may begin anywhere; a path may not.
+    let mut order: Vec<usize> = if space.free_ends || left.is_empty() { Vec::new() } else { vec![left.remove(0)] };
+    go(space, &mut order, &mut left, &mut best);
+    best
+}
+
+fn each_once(order: &[usize], count: usize) -> bool {
+    order.len() == count && order.iter().copied().collect::<BTreeSet<_>>() == (0..count).collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(16))]
+
+    #[test]
+    fn few_points_are_solved_as_trying_all_orders_solves_them(points in points(7)) {
+        for space in spaces(&points) {
+            let path = path(&space, Effort::default());
+            prop_assert!(path.optimal && each_once(&path.order, points.len()));
+            prop_assert_eq!(path.cost, brute(&space));
+            prop_assert_eq!(path.cost, space.length(&path.order));
+        }
+    }
+
+    #[test]
+    fn the_search_finds_what_the_exact_way_finds_for_few_points(points in points(9)) {
+        for space in spaces(&points) {
+            if space.nodes() > 4 {
+                let order = from_the_start(&space, search::tour(&space, 200));
+                prop_assert!(each_once(&order, points.len()));
+                prop_assert_eq!(space.length(&order), path(&space, Effort::default()).cost);
+            }
+        }
+    }
+
+    #[test]
+    fn a_path_is_below_no_bound_and_the_same_again(points in points(60)) {
+        for space in spaces(&points) {
+            let found = path(&space, Effort(5));
+            prop_assert!(each_once(&found.order, points.len()));
+            prop_assert_eq!(&found, &path(&space, Effort(5)));
+            prop_assert_eq!(found.cost, space.length(&found.order));
+            prop_assert!(found.cost <= nearest_rule(&space).cost);
+            let bound = lower_bound(&space, found.cost, 60);
+            prop_assert!(bound <= found.cost, "{} > {}", bound, found.cost);
+        }
+    }
+}
+
+#[test]
+fn a_tour_begins_with_the_first_point_and_goes_the_way_of_the_list() {
+    let square = [(0, 0), (0, 10), (10, 10), (10, 0)]
+        .map(|(x, y)| Point { x: Micrometres::from_mm(x), y: Micrometres::from_mm(y) });
+    assert_eq!(path(&Space::closed(&square, Metric::Euclid), Effort(1)).order, [0, 1, 2, 3]);
+    assert_eq!(path(&Space::open(&square, Metric::Euclid), Effort(1)).order, [0, 1, 2, 3]);
+}

@@ -1,0 +1,153 @@
+//! Parallel or sequential: each tool round all holes, or each hole with all tools (textbook 1.3.1).
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Input;
+use crate::knowledge::units::Unit;
+use crate::note::{Because, Finding, Note, Severity};
+use crate::part::{Hole, Part, Point};
+use crate::plan::{HolePlan, Operation, Visiting, VisitingMethod};
+use crate::shop::Shop;
+use crate::units::{Decimal, Minutes, round_to};
+
+use super::metric::Metric;
+use super::tour::{self, Space};
+use super::{rapid, tool_change_point};
+
+/// Time of the parallel method, `Tпар = m(τ+θ)`: each of `m` tools is changed once, τ, and goes round all holes
+/// once, θ (textbook 1.3.1).
+pub fn parallel(tools: usize, change: Minutes, round: Minutes) -> Minutes {
+    Minutes(tools as f64 * (change.0 + round.0))
+}
+
+/// Time of the sequential method, `Tпосл = nmτ+θ`: each of `m` tools is changed at each of `n` holes, and the
+/// holes are gone round once (textbook 1.3.1). It holds for a machine that changes tools wherever it stands.
+pub fn sequential(holes: usize, tools: usize, change: Minutes, round: Minutes) -> Minutes {
+    Minutes(holes as f64 * tools as f64 * change.0 + round.0)
+}
+
+/// The ratio of the two, `K_T = Tпар/Tпосл = m(1+K)/(nm+K)` with `K = θ/τ` (textbook 1.3.1): above 1 the
+/// sequential method is quicker, below 1 the parallel one.
+pub fn ratio(holes: usize, tools: usize, change: Minutes, round: Minutes) -> f64 {
+    let (n, m, k) = (holes as f64, tools as f64, round.0 / change.0);
+    m * (1.0 + k) / (n * m + k)
+}
+
+/// Which method the book's rule gives to each group with more than one tool, with the times of both; and a
+/// finding where this machine cannot keep the rule.
+///
+/// The machine's true times count the table's way to the change position, which every change needs: for the
+/// parallel method it is in the round already; for the sequential one it is gone from and to each hole for each
+/// tool, in place of the round. As a round is never longer than going to each of its holes and back on its own,
+/// the sequential method never saves time on such a machine, and no mixture of both does.
+///
+/// # Errors
+/// The knowledge base lacks the rule.
+pub fn visiting(
+    part: &Part,
+    holes: &[HolePlan],
+    shop: &Shop<'_>,
+    findings: &mut Vec<Finding>,
+) -> Result<Vec<Visiting>, KnowledgeError> {
+    let mut all = Vec::new();
+    for (plan, hole) in holes.iter().zip(&part.holes) {
+        let Some(own) = of_group(part, plan, hole, shop)? else { continue };
+        if own.method != VisitingMethod::Parallel && own.finishing_tools > 1 && own.holes > 1 {
+            let code = match own.method {
+                VisitingMethod::Sequential => "visited-in-parallel",
+                _ => "position-lost-at-tool-change",
+            };
+            let note = Note::new(code)
+                .with("tools", own.finishing_tools)
+                .with("x", shop.machine.tool_change_at.0)
+                .with("y", shop.machine.tool_change_at.1)
+                .with("parallel", own.finish_parallel_min.rounded(2).0)
+                .with("sequential", own.finish_sequential_min.rounded(2).0);
+            findings.push(Finding::of_hole(Severity::Note, &plan.name, note));
+        }
+        all.push(own);
+    }
+    Ok(all)
+}
+
+fn of_group(part: &Part, plan: &HolePlan, hole: &Hole, shop: &Shop<'_>) -> Result<Option<Visiting>, KnowledgeError> {
+    let here = || plan.transitions.iter().filter(|step| !step.elsewhere);
+    let count = |finishing: bool| {
+        let mut tools: Vec<u32> =
+            here().filter(|step| !finishing || is_finishing(step.operation)).map(|step| step.tool.number).collect();
+        tools.sort_unstable();
+        tools.dedup();
+        tools.len()
+    };
+    let (tools, finishing) = (count(false), count(true));
+    let Some(route) = plan.route.as_ref().filter(|_| tools > 1) else { return Ok(None) };
+    let machine = &shop.machine;
+    let rapid = rapid(machine);
+    let home = tool_change_point(part, machine);
+    let points: Vec<Point> = std::iter::once(home).chain(hole.at.iter().copied()).collect();
+    let metric = Metric::Rapid(rapid);
+    let path = tour::plan_path(&Space::closed(&points, metric));
+    let round = metric.minutes(path.cost).unwrap_or_default();
+    // The book's round does not lead to the change position: a tool is taken wherever the table stands.
+    let change = machine.tool_change;
+    let k_t = ratio(hole.at.len(), tools, change, round);
+    let each: f64 = hole.at.iter().map(|&at| change.0 + 2.0 * rapid.between(home, at).0).sum();
+    let rule = shop.knowledge.table("visiting-method")?;
+    let it = hole.diameter.it;
+    let answer = rule.decide(&[
+        ("it", Input::Grade(it)),
+        ("centre_tolerance", Input::Length(route.centre_tolerance_mm)),
+        ("k_t", Input::Number(Decimal::from_f64_rounded(k_t), Unit::None)),
+    ])?;
+    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this group"))?;
+    let method = VisitingMethod::from_name(row.text("method")?)
+        .ok_or_else(|| KnowledgeError::lacks(&rule.id, "a method that the program knows"))?;
+    let note = Note::new("visiting-method")
+        .with("method", method.name())
+        .with("it", it)
+        .with("centre", route.centre_tolerance_mm)
+        .with("ratio", round_to(k_t, 3));
+    // With one finishing tool «one after the other at each hole» is what going round with it does anyway.
+    let concerned = if method == VisitingMethod::Sequential { tools } else { finishing };
+    Ok(Some(Visiting {
+        hole: plan.name.clone(),
+        method,
+        holes: hole.at.len(),
+        tools,
+        finishing_tools: concerned,
+        round_min: round.rounded(3),
+        ratio: round_to(k_t, 3),
+        book_parallel_min: parallel(tools, change, round).rounded(2),
+        book_sequential_min: sequential(hole.at.len(), tools, change, round).rounded(2),
+        sequential_min: Minutes(tools as f64 * each).rounded(2),
+        finish_parallel_min: parallel(concerned, change, round).rounded(2),
+        finish_sequential_min: Minutes(concerned as f64 * each).rounded(2),
+        because: vec![Because::answer(&answer, note)],
+    }))
+}
+
+/// Whether a transition is one of the last, which the rule would do without moving the part: none of the first
+/// ones that the text lists (centring, drilling, countersinking, core drilling).
+const fn is_finishing(operation: Operation) -> bool {
+    operation.is_boring() || operation.is_reaming() || matches!(operation, Operation::Tap | Operation::Mill)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ratio_is_that_of_the_two_times() {
+        for (holes, tools, change, round) in [(1, 2, 0.5, 0.1), (10, 3, 20.0 / 60.0, 0.4), (4, 5, 0.01, 9.0)] {
+            let (change, round) = (Minutes(change), Minutes(round));
+            let by_times = parallel(tools, change, round).0 / sequential(holes, tools, change, round).0;
+            assert!((ratio(holes, tools, change, round) - by_times).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn one_hole_is_visited_sequentially_and_many_in_parallel() {
+        let (change, round) = (Minutes(20.0 / 60.0), Minutes(0.06));
+        assert!(ratio(1, 3, change, round) > 1.0);
+        assert!(ratio(10, 3, change, round) < 1.0);
+    }
+}
