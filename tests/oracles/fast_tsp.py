@@ -40,8 +40,9 @@ def ours(program, file, seconds):
 
 
 def theirs(points, seconds):
-    """The tour of fast-tsp; its distances are whole numbers, here micrometres in 31 bits."""
-    distances = [[round(math.dist(a, b) * 1000) for b in points] for a in points]
+    """The tour of fast-tsp; its distances are whole numbers up to 65535, so the longest is made nearly that."""
+    longest = max(math.dist(a, b) for a in points for b in points)
+    distances = [[round(math.dist(a, b) * 65000 / longest) for b in points] for a in points]
     tour = fast_tsp.find_tour(distances, duration_seconds=seconds)
     return sum(math.dist(points[a], points[b]) for a, b in zip(tour, tour[1:] + tour[:1]))
 

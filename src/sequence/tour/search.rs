@@ -1,13 +1,13 @@
 //! Many points: the book's tour, improved, then kicked and improved again as long as the budget lasts.
 //!
-//! A kick exchanges two neighbouring stretches of the tour (the double bridge of Martin, Otto and Felten, 1991),
+//! A kick turns the order of three neighbouring stretches round (the double bridge of Martin, Otto and Felten, 1991),
 //! short ones, so that only their surroundings have to be looked at again; a kick that does not pay is undone.
 
 use super::Space;
 use super::local::Tour;
 use super::neighbours::Neighbours;
 
-/// The longest of the two stretches that a kick exchanges.
+/// The longest of the stretches that a kick exchanges.
 const STRETCH: usize = 30;
 /// The fewest nodes whose tour can be kicked.
 const FEWEST: usize = 8;
@@ -43,25 +43,34 @@ fn book(space: &Space<'_>) -> Vec<u32> {
     order
 }
 
-/// Exchanges two neighbouring stretches somewhere; gives by how much the tour grew.
+/// Turns the order of three neighbouring stretches round, none of them reversed; gives by how much the tour grew.
+///
+/// All four edges change, and no chain of exchanges leads straight back. (Two stretches would change three edges
+/// only, which the improvement undoes at once.)
 fn kick(tour: &mut Tour<'_>, space: &Space<'_>, random: &mut Random) -> i64 {
     let count = space.nodes();
-    let longest = STRETCH.min((count - 2) / 2);
-    let (one, two) = (1 + random.below(longest), 1 + random.below(longest));
-    let start = random.below(count);
-    // before [a … b] [c … d] after; which way the array is read does not matter here.
-    let step = |by: usize| tour.at(start + by);
-    let (before, a, b, c, d, after) =
-        (step(0), step(1), step(one), step(one + 1), step(one + two), step(one + two + 1));
-    let forwards = tour.next(before) == a;
-    let (before, a, b, c, d, after) = if forwards { (before, a, b, c, d, after) } else { (after, d, c, b, a, before) };
+    let longest = STRETCH.min((count - 2) / 3);
+    let mut at = random.below(count);
+    // The ends of the stretches, between the node before them and the node after.
+    let mut ends = [tour.at(at); 8];
+    for stretch in 0..3 {
+        ends[2 * stretch + 1] = tour.at(at + 1);
+        at += 1 + random.below(longest);
+        ends[2 * stretch + 2] = tour.at(at);
+    }
+    ends[7] = tour.at(at + 1);
+    if tour.next(ends[0]) != ends[1] {
+        ends.reverse();
+    }
+    let [before, a, b, c, d, e, f, after] = ends;
     let cost = |from: u32, to: u32| space.cost(from as usize, to as usize);
-    let removed = cost(before, a) + cost(b, c) + cost(d, after);
-    let added = cost(before, c) + cost(d, a) + cost(b, after);
-    tour.reverse(a, d);
-    tour.reverse(d, c);
-    tour.reverse(b, a);
-    for node in [before, a, b, c, d, after] {
+    let removed = cost(before, a) + cost(b, c) + cost(d, e) + cost(f, after);
+    let added = cost(before, e) + cost(f, c) + cost(d, a) + cost(b, after);
+    tour.reverse(a, f);
+    for (last, first) in [(f, e), (d, c), (b, a)] {
+        tour.reverse(last, first);
+    }
+    for node in ends {
         tour.touch(node);
     }
     added - removed
