@@ -85,7 +85,7 @@ fn of_group(part: &Part, plan: &HolePlan, hole: &Hole, shop: &Shop<'_>) -> Resul
     let home = tool_change_point(part, machine);
     let points: Vec<Point> = std::iter::once(home).chain(hole.at.iter().copied()).collect();
     let metric = Metric::Rapid(rapid);
-    let path = tour::plan_path(&Space::closed(&points, metric));
+    let path = tour::quick_path(&Space::closed(&points, metric));
     let round = metric.minutes(path.cost).unwrap_or_default();
     // The book's round does not lead to the change position: a tool is taken wherever the table stands.
     let change = machine.tool_change;

@@ -26,8 +26,9 @@ impl Default for Effort {
     }
 }
 
-/// The most kicks that the visits of a plan get, so that a part of a thousand holes is planned while one waits.
-const PLAN_KICKS: u64 = 3000;
+/// Kicks of a visit of a plan: one for each point, within these, so that a part of a thousand holes is planned
+/// while one waits.
+const PLAN_KICKS: (u64, u64) = (40, 300);
 
 /// Paths of fewer points get as many kicks as one of so many: they cost next to nothing.
 const FEW: usize = 50;
@@ -110,7 +111,12 @@ pub fn path(space: &Space<'_>, effort: Effort) -> Path {
 
 /// The path of a visit of a plan: quickly found.
 pub(super) fn plan_path(space: &Space<'_>) -> Path {
-    path_in(space, Effort(20).kicks(space.nodes()).min(PLAN_KICKS))
+    path_in(space, (space.nodes() as u64).clamp(PLAN_KICKS.0, PLAN_KICKS.1))
+}
+
+/// A path found at once, where its length alone is asked for.
+pub(super) fn quick_path(space: &Space<'_>) -> Path {
+    path_in(space, 0)
 }
 
 fn path_in(space: &Space<'_>, kicks: u64) -> Path {
