@@ -7,19 +7,17 @@
 #![allow(clippy::unwrap_used, reason = "clippy allows it in tests, but not in the functions they share")]
 #![allow(clippy::panic, reason = "clippy allows it in tests, but not in the functions they share")]
 
-use std::sync::LazyLock;
+mod common;
 
+use common::KNOWLEDGE;
+use common::cuts::plain_cut;
 use technolog::cutting::{self, Cut, CutterShape};
 use technolog::error::Refusal;
-use technolog::knowledge::Knowledge;
 use technolog::machine::Machine;
 use technolog::material::Material;
 use technolog::plan::{Conditions, CuttingMethod, Operation};
-use technolog::shipped;
 use technolog::shop::Shop;
 use technolog::units::{ItGrade, Micrometres};
-
-static KNOWLEDGE: LazyLock<Knowledge> = LazyLock::new(|| shipped::knowledge().unwrap());
 
 fn shop(material: &str) -> Shop<'static> {
     let knowledge = &*KNOWLEDGE;
@@ -37,24 +35,7 @@ fn mm(length: f64) -> Micrometres {
 
 /// A cut from one diameter to another, 40 mm deep with 45 mm of travel.
 fn cut(operation: Operation, from: f64, diameter: f64) -> Cut<'static> {
-    Cut {
-        operation,
-        diameter: mm(diameter),
-        from: mm(from),
-        passes: 1,
-        depth: mm(40.0),
-        travel: mm(45.0),
-        tool_material: "HSS",
-        nose_radius: None,
-        roughness: None,
-        reamer_follows: false,
-        blind: false,
-        surface: "none",
-        it: None,
-        pitch: None,
-        cutter: None,
-        feed_diameter: None,
-    }
+    Cut { depth: mm(40.0), travel: mm(45.0), ..plain_cut(operation, mm(from), mm(diameter)) }
 }
 
 fn conditions(cut: &Cut<'_>, material: &str) -> Conditions {

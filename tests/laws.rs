@@ -13,12 +13,12 @@ mod common;
 use std::collections::BTreeMap;
 
 use common::lawful::lawful;
+use common::spoilt::{read_or_refused, spoilt};
 use common::{KNOWLEDGE, planned, read};
 use proptest::prelude::*;
 use technolog::knowledge::load::table_from_text;
 use technolog::knowledge::table::Cell;
 use technolog::knowledge::{ColumnType, Input, Table};
-use technolog::part::read_part;
 use technolog::plan::{CuttingMethod, Plan};
 use technolog::units::{Decimal, ItGrade, Micrometres, Unit};
 
@@ -286,32 +286,9 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 512, ..ProptestConfig::default() })]
 
     #[test]
-    fn a_spoilt_part_file_is_read_or_refused_with_places_inside_it(
-        text in part_files(),
-        spoils in prop::collection::vec((any::<prop::sample::Index>(), 0_usize..6, litter()), 1..4),
-    ) {
-        let mut characters: Vec<char> = text.chars().collect();
-        for (index, cut, litter) in spoils {
-            let at = index.index(characters.len() + 1);
-            let end = (at + cut).min(characters.len());
-            characters.splice(at..end, litter.chars());
-        }
-        let text: String = characters.into_iter().collect();
-        let lines: Vec<&str> = text.split(['\n', '\r']).collect();
-        match read_part("part.yaml", &text, &KNOWLEDGE) {
-            Ok(part) => {
-                planned(&part, CuttingMethod::Formula);
-            }
-            Err(problems) => {
-                prop_assert!(!problems.is_empty());
-                for problem in problems {
-                    let place = problem.place.as_ref();
-                    prop_assert!(place.is_some(), "{problem:?}\n{text}");
-                    let line = place.map_or(0, |place| place.line);
-                    prop_assert!(line >= 1 && line as usize <= lines.len() + 1, "{problem:?}\n{text}");
-                    prop_assert!(!problem.message.is_empty());
-                }
-            }
+    fn a_spoilt_part_file_is_read_or_refused_with_places_inside_it(text in spoilt(part_files(), litter())) {
+        if let Some(part) = read_or_refused(&text)? {
+            planned(&part, CuttingMethod::Formula);
         }
     }
 }

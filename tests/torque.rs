@@ -16,7 +16,10 @@
 
 #![allow(clippy::unwrap_used, reason = "clippy allows it in tests, but not in the functions they share")]
 
-use technolog::cutting::{self, Cut};
+mod common;
+
+use common::cuts::plain_cut;
+use technolog::cutting;
 use technolog::machine::Machine;
 use technolog::material::Material;
 use technolog::plan::{CuttingMethod, Operation};
@@ -67,24 +70,7 @@ fn ours(drill: &Drill) -> (f64, f64) {
         method: CuttingMethod::Formula,
     };
     let diameter = Micrometres::from_mm_rounded(drill.diameter);
-    let cut = Cut {
-        operation: Operation::Drill,
-        diameter,
-        from: Micrometres::ZERO,
-        passes: 1,
-        depth: diameter,
-        travel: diameter,
-        tool_material: "HSS",
-        nose_radius: None,
-        roughness: None,
-        reamer_follows: false,
-        blind: false,
-        surface: "none",
-        it: None,
-        pitch: None,
-        cutter: None,
-        feed_diameter: None,
-    };
+    let cut = plain_cut(Operation::Drill, Micrometres::ZERO, diameter);
     let found = cutting::conditions(&cut, &shop).unwrap();
     assert!((found.feed_mm_per_rev.0 - drill.feed).abs() < 1e-9, "Ø{}", drill.diameter);
     (found.torque_n_m.unwrap().0, found.axial_force_n.unwrap().0)

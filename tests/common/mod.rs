@@ -3,9 +3,11 @@
 #![allow(dead_code, reason = "each test takes its own part of it")]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "clippy allows it in tests, but not in the functions they share")]
 
+pub mod cuts;
 pub mod holes;
 pub mod kinds;
 pub mod lawful;
+pub mod spoilt;
 
 use std::collections::BTreeMap;
 use std::path::Path;

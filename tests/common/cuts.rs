@@ -1,0 +1,27 @@
+//! Cuts to ask the conditions of.
+
+use technolog::cutting::Cut;
+use technolog::plan::Operation;
+use technolog::units::Micrometres;
+
+/// One pass of a high-speed steel tool through clean metal, with nothing else asked of it.
+pub fn plain_cut(operation: Operation, from: Micrometres, diameter: Micrometres) -> Cut<'static> {
+    Cut {
+        operation,
+        diameter,
+        from,
+        passes: 1,
+        depth: diameter,
+        travel: diameter,
+        tool_material: "HSS",
+        nose_radius: None,
+        roughness: None,
+        reamer_follows: false,
+        blind: false,
+        surface: "none",
+        it: None,
+        pitch: None,
+        cutter: None,
+        feed_diameter: None,
+    }
+}
