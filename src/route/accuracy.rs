@@ -148,15 +148,9 @@ pub fn write(
 /// What a transition that only prepares the next one leaves: the coarse end of what section 1.2.1 says of it
 /// by itself; absent where it says nothing.
 fn by_itself(operation: Operation, shop: &Shop<'_>) -> Result<Option<(ItGrade, Roughness, Because)>, KnowledgeError> {
-    let name = match operation {
-        Operation::CoreDrill => "core-drilling",
-        Operation::RoughReam | Operation::FinishReam => "reaming",
-        Operation::RoughBore => "rough-boring",
-        Operation::SemiFinishBore | Operation::FinishBore => "finish-boring",
-        _ => return Ok(None),
-    };
     let table = shop.knowledge.table("transition-accuracy")?;
-    let row = table.find("operation", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
+    let says = |row: &RowRef<'_>| row.texts("prepares").is_ok_and(|own| own.contains(&operation.name()));
+    let Some(row) = table.all_rows().find(says) else { return Ok(None) };
     let (it, roughness) = (row.grade("it_coarsest")?, ra(row, "ra_coarsest")?);
     let note = Note::new("reaches-by-itself").with("it", it).with("roughness", roughness);
     Ok(Some((it, roughness, Because::row(row, note))))
@@ -171,7 +165,7 @@ fn tapped(shop: &Shop<'_>) -> Result<(Roughness, Because), KnowledgeError> {
 }
 
 /// A column of Ra, micrometres.
-fn ra(row: RowRef<'_>, column: &str) -> Result<Roughness, KnowledgeError> {
+pub(super) fn ra(row: RowRef<'_>, column: &str) -> Result<Roughness, KnowledgeError> {
     let micrometres = row.number_in(column, Unit::Micrometre)?;
     Ok(Roughness::from_ra_nanometres((micrometres * 1000.0).round() as u32))
 }
