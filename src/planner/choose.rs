@@ -287,10 +287,8 @@ impl<'a, 'k> Chooser<'a, 'k> {
         let options = self.options[group].as_ref()?;
         let winner = &options.choices[chosen];
         let time = self.time(group, chosen, winner);
-        let mut others: Vec<usize> = self.ranked(group).into_iter().filter(|index| *index != chosen).collect();
-        others.sort_by_key(|index| self.rank(group, *index, &options.choices[*index]));
         let mut alternatives: Vec<Alternative> = Vec::new();
-        for index in others {
+        for index in self.ranked(group).into_iter().filter(|index| *index != chosen) {
             let other = &options.choices[index];
             let total = self.time(group, index, other);
             let more = total.0 - time.0;

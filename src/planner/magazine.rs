@@ -42,21 +42,7 @@ pub(super) fn choose_centre_drill(
     if needed == Micrometres::ZERO {
         return Ok(());
     }
-    let need = CutterNeed {
-        operation: Operation::CentreDrill,
-        diameter: needed,
-        nominal: needed,
-        enters: Micrometres::ZERO,
-        reach: Micrometres::ZERO,
-        through: true,
-        lead: "",
-        thread: None,
-        angle_millideg: None,
-        within: None,
-        below: None,
-        clearance: Micrometres::ZERO,
-        grind_limit: Micrometres::ZERO,
-    };
+    let need = CutterNeed::plain(Operation::CentreDrill, needed);
     let fitted = tooling::find_tool(&need, shop.knowledge, &shop.machine)?.map(|(cutter, assembly)| {
         let why = Note::new("centre-drill-for-all").with("needed", &shown);
         let mut because = vec![Because { note: why, ..cutter.because.clone() }];

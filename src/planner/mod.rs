@@ -41,7 +41,7 @@ pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result
     let drills = tooling::drill_sizes(knowledge, &shop.machine)?;
     let mut order: Vec<usize> = (0..part.holes.len()).collect();
     // By what a group is, not by what it is called: names only tell equal groups apart.
-    order.sort_by_key(|&index| {
+    order.sort_by_cached_key(|&index| {
         let hole = &part.holes[index];
         let (it, roughness) = (hole.diameter.it, hole.roughness);
         let mut points = hole.at.clone();
@@ -147,10 +147,6 @@ fn draft(
     if options.not_bored {
         report(Severity::Doubtful, Note::new("not-bored"));
     }
-    if let Some((own, promised)) = choice.promised_finer() {
-        let note = Note::new("promised-finer").with("table", &choice.candidate.table);
-        report(Severity::Doubtful, note.with("it", promised).with("own", own));
-    }
     for missed in &choice.misses {
         report(Severity::Wrong, missed.clone().with("scheme", &choice.candidate.scheme));
     }
@@ -158,8 +154,13 @@ fn draft(
         report(Severity::Note, Note::new("bar-set-by-hand"));
     }
     for why in steps.iter().flat_map(|fitted| &fitted.because) {
-        if why.note.code == "step-finished-elsewhere" {
-            report(Severity::Note, why.note.clone());
+        match why.note.code.as_str() {
+            "step-finished-elsewhere" => report(Severity::Note, why.note.clone()),
+            "promised" => {
+                let note = Note { code: "promised-finer".to_owned(), ..why.note.clone() };
+                report(Severity::Doubtful, note.with("table", &choice.candidate.table));
+            }
+            _ => {}
         }
     }
     if let Some(tap) = steps.iter().find(|fitted| fitted.step.elsewhere && fitted.step.operation == Operation::Tap) {

@@ -40,13 +40,6 @@ impl Choice {
     pub fn meets(&self) -> bool {
         self.misses.is_empty()
     }
-
-    /// The grade that its transitions reach by A.1 and the finer one that its table promises, where they differ.
-    pub fn promised_finer(&self) -> Option<(String, String)> {
-        let notes = self.steps.iter().flat_map(|fitted| &fitted.step.because).map(|because| &because.note);
-        let note = notes.into_iter().find(|note| note.code == "promised")?;
-        Some((note.params.get("own")?.clone(), note.params.get("it")?.clone()))
-    }
 }
 
 /// The routes of a group.
@@ -459,16 +452,7 @@ fn same(a: &Choice, b: &Choice) -> bool {
 }
 
 fn refused(candidate: &Candidate, why: Note) -> Alternative {
-    Alternative {
-        way: candidate.way,
-        table: candidate.table.clone(),
-        scheme: candidate.scheme.clone(),
-        operations: Vec::new(),
-        time_min: None,
-        new_tools: None,
-        meets: false,
-        why,
-    }
+    Alternative { scheme: candidate.scheme.clone(), ..none(candidate.way, &candidate.table, why) }
 }
 
 /// A way that has no candidate at all.

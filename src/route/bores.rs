@@ -300,10 +300,8 @@ fn thread_chamfer(thread: Option<&Thread>, shop: &Shop<'_>) -> Result<Option<Mic
         .find("name", "thread-chamfer-pitches")
         .ok_or_else(|| KnowledgeError::no_row(table, "thread-chamfer-pitches"))?;
     let pitches = row.number_in("value", Unit::None)?;
-    // Over the thread's own diameter, so that the tap's first teeth begin outside it.
-    let hole = thread.size - thread.pitch;
-    let over = (thread.size - hole).half();
-    Ok(Some(Micrometres::from_mm_rounded(thread.pitch.to_mm() * pitches).max(over)))
+    // Over the thread's own diameter, so that the tap's first teeth begin outside it: the hole is narrower by a pitch.
+    Ok(Some(Micrometres::from_mm_rounded(thread.pitch.to_mm() * pitches).max(thread.pitch.half())))
 }
 
 impl Bore {
@@ -317,8 +315,7 @@ impl Bore {
         }
         let table = shop.knowledge.table("A.1")?;
         let drilled = table.row(0).ok_or_else(|| KnowledgeError::no_row(table, "drilling"))?;
-        let ra = drilled.number_in("ra_coarsest", Unit::Micrometre)?;
-        Ok((drilled.grade("it_coarsest")?, Roughness::from_ra_nanometres((ra * 1000.0).round() as u32)))
+        Ok((drilled.grade("it_coarsest")?, super::accuracy::ra(drilled, "ra_coarsest")?))
     }
 
     /// Why a chamfer is there although the drawing has none.

@@ -91,15 +91,11 @@ fn no_flat_opening(bore: &Bore, shop: &Shop<'_>) -> Result<Note, KnowledgeError>
 pub fn edge(edge: &Edge, around: Micrometres, shop: &Shop<'_>) -> Tried<Step> {
     let stock = shop.convention("face-stock-mm")?;
     let depth = Edge { around, ..*edge }.depth(stock);
-    let place = Place {
-        feature: edge.feature,
-        step: None,
-        face: edge.face,
-        // Depths of the drawing are below the machined face: the stock of the face lies above it.
-        start: if edge.feature == Feature::Face { edge.start - depth } else { edge.start },
-        depth: if edge.feature == Feature::Face { edge.start } else { edge.start + depth },
-        through: false,
-    };
+    // Depths of the drawing are below the machined face: the stock of the face lies above it.
+    let above = if edge.feature == Feature::Face { depth } else { Micrometres::ZERO };
+    let start = edge.start - above;
+    let place =
+        Place { feature: edge.feature, step: None, face: edge.face, start, depth: start + depth, through: false };
     let operation = match edge.feature {
         Feature::Face => Operation::Counterbore,
         Feature::Chamfer => Operation::Chamfer,

@@ -371,7 +371,7 @@ pub fn drill_sizes(knowledge: &Knowledge, machine: &Machine<'_>) -> Result<Vec<D
     diameters.dedup();
     let mut sizes = Vec::with_capacity(diameters.len());
     for diameter in diameters {
-        let need = CutterNeed::drill(diameter);
+        let need = CutterNeed::plain(Operation::Drill, diameter);
         let (cutters, _) = cutters(&need, knowledge, machine)?;
         let mut reach = Micrometres::ZERO;
         for cutter in cutters {
@@ -387,10 +387,10 @@ pub fn drill_sizes(knowledge: &Knowledge, machine: &Machine<'_>) -> Result<Vec<D
 }
 
 impl CutterNeed<'_> {
-    /// A drill of that diameter, of any reach.
-    fn drill(diameter: Micrometres) -> Self {
+    /// A cutter of that diameter and any reach, with nothing else asked of it.
+    pub fn plain(operation: Operation, diameter: Micrometres) -> Self {
         Self {
-            operation: Operation::Drill,
+            operation,
             diameter,
             nominal: diameter,
             enters: Micrometres::ZERO,
