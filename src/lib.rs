@@ -8,7 +8,8 @@
 //! - [`part`] is what is to be made, [`shop`] what it is made with ([`machine`], [`material`]);
 //! - [`route`], [`tooling`], [`cutting`], [`setup`] and [`sequence`] each add their part;
 //! - [`planner`] is the one place where a refusal makes it try the next alternative;
-//! - [`plan`] is the result, a value; [`report`] prints it.
+//! - [`plan`] is the result, a value; [`report`] prints it;
+//! - [`job`] is the plan as work of a machine, [`program`] its language, written and read back as [`motion`].
 //!
 //! Architecture invariant: nothing in this library reads a file, prints or asks the time.
 
@@ -17,6 +18,7 @@ pub use technolog_knowledge::units;
 
 pub mod cutting;
 pub mod error;
+pub mod job;
 pub mod machine;
 pub mod material;
 pub mod motion;

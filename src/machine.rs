@@ -46,6 +46,9 @@ pub struct Machine<'k> {
     pub tool_change_at: (Micrometres, Micrometres),
     /// Where the quill stands for a tool change.
     pub tool_change_z: Micrometres,
+    /// From the spindle's nose to the table with the quill up, least and greatest by the knee; absent where the record
+    /// does not say.
+    pub nose_to_table: Option<(Micrometres, Micrometres)>,
     /// Number of the spindle's 7:24 taper.
     pub taper: i64,
     /// Largest drill.
@@ -98,6 +101,7 @@ impl<'k> Machine<'k> {
             tool_change: Minutes(number("tool-change-time")? / 60.0),
             tool_change_at: (length("tool-change-x")?, length("tool-change-y")?),
             tool_change_z: length("tool-change-z")?,
+            nose_to_table: length("nose-to-table-min").ok().zip(length("nose-to-table-max").ok()),
             taper: number("spindle-taper")? as i64,
             drill_max: length("drill-diameter-max")?,
             overhang_max: length("tool-overhang-max")?,

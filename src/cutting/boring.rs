@@ -67,6 +67,7 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
         motion: Motion::along_axis(cut),
         because,
         card: None,
+        rounds: None,
     })
 }
 

@@ -62,6 +62,7 @@ pub(super) fn draft(
         motion: Motion::along_axis(cut),
         because,
         card: Some(card),
+        rounds: None,
     })
 }
 

@@ -69,6 +69,7 @@ pub(super) fn by_tables(cut: &Cut<'_>, feed: Feed, shop: &Shop<'_>) -> Tried<Dra
         motion: Motion::along_axis(cut),
         because,
         card: None,
+        rounds: None,
     })
 }
 

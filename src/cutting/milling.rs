@@ -4,6 +4,7 @@ use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::units::Unit;
 use crate::knowledge::{Input, RowRef};
 use crate::note::{Because, Note};
+use crate::plan;
 use crate::shop::Shop;
 use crate::units::{Decimal, MetresPerMinute, Micrometres, MillimetresPerRev, Minutes, round_to};
 
@@ -92,6 +93,7 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
         motion: Motion { turned: mill.diameter, depth_of_cut: t, path: rounds.path, synchronous: false },
         because,
         card: None,
+        rounds: Some(rounds.planned),
     })
 }
 
@@ -105,6 +107,8 @@ struct Rounds {
     centre_share: f64,
     /// Length of all moves at the working feed, mm.
     path: f64,
+    /// The same, as the plan tells it.
+    planned: plan::Rounds,
 }
 
 /// Divides the stock into radial passes and axial levels (table `milling-depth`), and measures the path.
@@ -139,7 +143,8 @@ fn rounds(cut: &Cut<'_>, mill: CutterShape, shop: &Shop<'_>) -> Result<(Rounds, 
         .with("b", round_to(axial_depth, 3))
         .with("path", round_to(path, 1))
         .with("factor", round_to(centre_share, 3));
-    Ok((Rounds { radial_depth, axial_depth, centre_share, path }, Because::row(row, note)))
+    let planned = plan::Rounds { from_diameter_mm: cut.from, mill_diameter_mm: mill.diameter, passes, levels };
+    Ok((Rounds { radial_depth, axial_depth, centre_share, path, planned }, Because::row(row, note)))
 }
 
 /// In how many equal parts, at least one, a length is cut so that none is longer than `longest`.

@@ -92,6 +92,7 @@ struct Draft {
     motion: Motion,
     because: Vec<Because>,
     card: Option<crate::plan::CardPoint>,
+    rounds: Option<crate::plan::Rounds>,
 }
 
 /// How the tool moves: what the spindle turns, how deep it cuts and how far it is fed.
@@ -190,6 +191,7 @@ pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Conditions> {
         tool_life_min: tool_life.rounded(0),
         coolant: draft.coolant,
         computed_speed_m_per_min: formula_speed.rounded(2),
+        rounds: draft.rounds,
         card: draft.card,
         because,
     })

@@ -64,5 +64,6 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
         motion: Motion { path: 2.0 * along.path, synchronous: true, ..along },
         because,
         card: None,
+        rounds: None,
     })
 }

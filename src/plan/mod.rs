@@ -182,6 +182,8 @@ pub struct Transition {
     pub passes: u32,
     /// Working travel of one pass: approach, depth, point and overrun, mm.
     pub travel_mm: Micrometres,
+    /// How far above the beginning of its cutting the feed begins, mm.
+    pub approach_mm: Micrometres,
     /// The cutter.
     pub tool: ToolRef,
     /// Its holder; the designation of the cutter itself when it carries the machine's taper.
@@ -190,6 +192,13 @@ pub struct Transition {
     pub conditions: Conditions,
     /// Why this diameter, tool and holder.
     pub because: Vec<Because>,
+}
+
+impl Transition {
+    /// How far below its face the tool's tip goes: the depth, a drill's point and the overrun.
+    pub fn end(&self) -> Micrometres {
+        self.start_mm + self.travel_mm - self.approach_mm
+    }
 }
 
 /// A cutter of a catalog.
@@ -246,11 +255,27 @@ pub struct Conditions {
     pub coolant: Option<bool>,
     /// The speed before the spindle's step was chosen, m/min.
     pub computed_speed_m_per_min: MetresPerMinute,
+    /// The circles of a mill; absent for other tools.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub rounds: Option<Rounds>,
     /// What the normative card would print; only with the card method.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub card: Option<CardPoint>,
     /// The rows behind the figures.
     pub because: Vec<Because>,
+}
+
+/// How an end mill goes round in a hole: at every level it takes the stock in equal radial passes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Rounds {
+    /// The diameter before the first pass, mm.
+    pub from_diameter_mm: Micrometres,
+    /// The mill's own diameter, mm.
+    pub mill_diameter_mm: Micrometres,
+    /// Radial passes at each level.
+    pub passes: u32,
+    /// Axial levels.
+    pub levels: u32,
 }
 
 /// A point of the normative cards, before the corrections for material and tool.

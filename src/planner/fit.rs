@@ -23,6 +23,7 @@ pub(super) struct Fitted {
     /// Absent for centring until the whole part is known.
     pub tool: Option<FittedTool>,
     pub travel: Micrometres,
+    pub approach: Micrometres,
     pub conditions: Conditions,
     pub because: Vec<Because>,
 }
@@ -221,7 +222,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let conditions = cutting::conditions(&cut, self.shop)?;
         let mut because = step.because.clone();
         because.push(Because::row(row, note));
-        Ok(Fitted { step, tool: None, travel, conditions, because })
+        Ok(Fitted { step, tool: None, travel, approach: self.travels(false).0, conditions, because })
     }
 
     /// One step that is not centring.
@@ -253,8 +254,10 @@ impl<'p, 'k> Fitting<'p, 'k> {
         };
         let outfit = outfit.map_err(Refusal::Not)?;
         let mut because = step.because.clone();
-        because.push(self.travels(step.place.through).2.clone());
-        Ok(Fitted { step, tool: Some(outfit.tool), travel: outfit.travel, conditions: outfit.conditions, because })
+        let (approach, _, reason) = self.travels(step.place.through);
+        because.push(reason.clone());
+        let Outfit { tool, travel, conditions } = outfit;
+        Ok(Fitted { step, tool: Some(tool), travel, approach: *approach, conditions, because })
     }
 
     fn outfit(&self, step: &Step, follows: Option<Operation>, last: bool) -> Tried<Outfit> {

@@ -193,6 +193,7 @@ fn transition(fitted: Fitted, tools: &[FittedTool]) -> Option<Transition> {
         from_diameter_mm: fitted.step.from,
         passes: fitted.step.passes,
         travel_mm: fitted.travel,
+        approach_mm: fitted.approach,
         tool: ToolRef { number, designation: tool.designation, table: tool.table, diameter_mm: tool.diameter },
         holder: HolderRef {
             designation: tool.assembly.holder,

@@ -16,7 +16,7 @@ pub use grade::ItGrade;
 pub use length::Micrometres;
 pub use quantity::{
     Kilowatts, MetresPerMinute, MillimetresPerMinute, MillimetresPerRev, MillimetresPerSecondSquared, Minutes,
-    NewtonMetres, Newtons, RevsPerMinute, round_to,
+    NewtonMetres, Newtons, RevsPerMinute, Seconds, round_to,
 };
 pub use roughness::Roughness;
 pub use unit::Unit;

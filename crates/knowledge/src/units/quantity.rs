@@ -56,6 +56,8 @@ quantities! {
     RevsPerMinute,
     /// Time, min.
     Minutes,
+    /// Time, s.
+    Seconds,
 }
 
 /// The one rounding of printed figures: to so many decimal places, half away from zero.

@@ -1,0 +1,114 @@
+//! The cycle of one transition, by the rule `machining-cycle`.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::{Input, RowRef};
+use crate::motion::Sense;
+use crate::note::{Because, Note};
+use crate::part::Part;
+use crate::plan::{Operation, Rounds, Transition};
+use crate::shop::Shop;
+use crate::units::{Decimal, Micrometres, Seconds, Unit};
+
+use super::{Cycle, Kind};
+
+/// How a transition of a group is carried out at each of its points.
+///
+/// # Errors
+/// The knowledge cannot answer.
+pub(super) fn cycle(
+    transition: &Transition,
+    pitch: Option<Micrometres>,
+    part: &Part,
+    shop: &Shop<'_>,
+) -> Result<Cycle, KnowledgeError> {
+    let rule = shop.knowledge.table("machining-cycle")?;
+    let solid = transition.operation == Operation::Drill && transition.from_diameter_mm == Micrometres::ZERO;
+    let way = if solid { transition.depth_mm - transition.start_mm } else { Micrometres::ZERO };
+    let ratio = way.to_mm() / transition.diameter_mm.to_mm();
+    let inputs = [
+        ("operation", Input::Text(transition.operation.name())),
+        ("depth_ratio", Input::Number(Decimal::from_f64_rounded(ratio), Unit::None)),
+        ("material_group", Input::Text(shop.material.group)),
+    ];
+    let answer = rule.decide(&inputs)?;
+    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, transition.operation.name()))?;
+    let name = row.text("cycle")?;
+    let note = Note::new("machining-cycle").with("cycle", name).with("ratio", crate::units::round_to(ratio, 2));
+
+    let top = part.datum.top;
+    let begin = top - transition.start_mm + transition.approach_mm;
+    let end = top - transition.end();
+    let conditions = &transition.conditions;
+    let dwell = row.number_in("dwell", Unit::None).ok().filter(|turns| *turns > 0.0);
+    // Up to the next tenth of a second, in which dwells are counted.
+    let dwell = dwell.map(|turns| Seconds(libm::ceil(turns * 600.0 / conditions.spindle_rpm.0) / 10.0));
+    let (withdrawal, convention) = withdrawal(shop)?;
+    Ok(Cycle {
+        operation: transition.operation,
+        kind: kind(name, row, transition, pitch, top)?,
+        speed_rpm: conditions.spindle_rpm,
+        feed_mm_per_min: conditions.feed_mm_per_min,
+        begin,
+        end,
+        out: (top + withdrawal).max(begin),
+        dwell_s: dwell,
+        because: vec![Because::answer(&answer, note), convention],
+    })
+}
+
+fn kind(
+    name: &str,
+    row: RowRef<'_>,
+    transition: &Transition,
+    pitch: Option<Micrometres>,
+    top: Micrometres,
+) -> Result<Kind, KnowledgeError> {
+    let step = || -> Result<Micrometres, KnowledgeError> {
+        let share = row.number_in("step", Unit::None)?;
+        Ok(Micrometres::from_mm_rounded(transition.diameter_mm.to_mm() * share))
+    };
+    Ok(match name {
+        "feed-out" => Kind::FeedOut,
+        "bore-stop" => Kind::BoreStop,
+        "peck" => Kind::Peck { step: step()?, clearance: row.length("clearance")? },
+        "chip-break" => Kind::ChipBreak { step: step()?, retreat: row.length("clearance")? },
+        "tap" => Kind::Tap { pitch: pitch.unwrap_or_default() },
+        "circles" => match transition.conditions.rounds {
+            Some(rounds) => circles(transition, rounds, top),
+            // No figures of circles: the plan has none for a mill that only goes down.
+            None => Kind::Drill,
+        },
+        _ => Kind::Drill,
+    })
+}
+
+/// The levels and circles of a mill: the stock in equal passes, the depth in equal levels, the overrun with the last.
+fn circles(transition: &Transition, rounds: Rounds, top: Micrometres) -> Kind {
+    let (levels, passes) = (i64::from(rounds.levels.max(1)), i64::from(rounds.passes.max(1)));
+    let depth = transition.depth_mm - transition.start_mm;
+    let level = |number: i64| match number == levels {
+        true => top - transition.end(),
+        false => top - transition.start_mm - depth.ratio(number, levels),
+    };
+    let stock = transition.diameter_mm - rounds.from_diameter_mm;
+    let radius = |pass: i64| (rounds.from_diameter_mm + stock.ratio(pass, passes) - rounds.mill_diameter_mm).half();
+    Kind::Circles {
+        levels: (1..=levels).map(level).collect(),
+        radii: (1..=passes).map(radius).collect(),
+        sense: Sense::Counterclockwise,
+    }
+}
+
+/// How high over the entry face a tool goes from point to point.
+fn withdrawal(shop: &Shop<'_>) -> Result<(Micrometres, Because), KnowledgeError> {
+    let (value, row) = convention("withdrawal", shop)?;
+    let height = Micrometres::from_mm_rounded(value);
+    Ok((height, Because::row(row, Note::new("withdrawal").with("height", height))))
+}
+
+/// A figure of the table `program-conventions`.
+pub(super) fn convention<'k>(name: &str, shop: &Shop<'k>) -> Result<(f64, RowRef<'k>), KnowledgeError> {
+    let table = shop.knowledge.table("program-conventions")?;
+    let row = table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
+    Ok((row.number_in("value", Unit::None)?, row))
+}

@@ -1,0 +1,149 @@
+//! From a plan to its job.
+
+use std::collections::BTreeMap;
+
+use crate::error::KnowledgeError;
+use crate::motion::Position;
+use crate::part::{Face, Part, Point};
+use crate::plan::{Plan, ToolPlan, Transition, Visit};
+use crate::shop::Shop;
+use crate::units::Micrometres;
+
+use super::cycle::cycle;
+use super::stand::{reach_of_quill, stand};
+use super::{Job, Pause, SetUp, Stop, ToolWork};
+
+/// The job of a plan, in the shop it was planned for.
+///
+/// # Errors
+/// The knowledge cannot answer.
+pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
+    let part = &plan.part;
+    let machine = &shop.machine;
+    let mut findings = Vec::new();
+    let mut setups = Vec::new();
+    // Which tool is in which place; the first filling is done before the program begins.
+    let mut magazine: BTreeMap<u32, u32> = plan
+        .tools
+        .iter()
+        .filter(|tool| tool.load == 1)
+        .map(|tool| (place(tool, machine.magazine), tool.number))
+        .collect();
+    for (number, face) in [(1, Face::Entry), (2, Face::Back)] {
+        let mut works = Vec::new();
+        for visit in plan.sequence.iter().filter(|visit| visit.setup == number) {
+            let Some(tool) = plan.tools.iter().find(|tool| tool.number == visit.tool) else { continue };
+            let mut pauses = Vec::new();
+            if works.is_empty() && !setups.is_empty() {
+                pauses.push(Pause::TurnOver);
+            }
+            let place = place(tool, machine.magazine);
+            if magazine.insert(place, tool.number) != Some(tool.number) {
+                pauses.push(Pause::LoadTool { tool: tool.number, place });
+            }
+            works.extend(rounds(visit, tool, place, pauses, plan, shop)?);
+        }
+        if works.is_empty() {
+            continue;
+        }
+        let zero = stand(part, plan, &works, shop, &mut findings)?;
+        let setup = SetUp { number, face, zero, works };
+        reach_of_quill(&setup, plan, shop, &mut findings);
+        setups.push(setup);
+    }
+    let (x, y) = machine.tool_change_at;
+    Ok(Job {
+        part: part.part.clone(),
+        machine: part.machine.clone(),
+        change_at: Position { x, y, z: machine.tool_change_z },
+        setups,
+        correctors: plan.tools.iter().map(|tool| (tool.corrector, tool.correction_mm)).collect(),
+        findings,
+    })
+}
+
+/// The place of a tool in its filling of the magazine, from 1.
+fn place(tool: &ToolPlan, places: usize) -> u32 {
+    let places = u32::try_from(places).unwrap_or(u32::MAX).max(1);
+    (tool.number.max(1) - 1) % places + 1
+}
+
+/// A visit as one work, or as several where the bar of a boring tool is set by hand between its passes.
+fn rounds(
+    visit: &Visit,
+    tool: &ToolPlan,
+    place: u32,
+    pauses: Vec<Pause>,
+    plan: &Plan,
+    shop: &Shop<'_>,
+) -> Result<Vec<ToolWork>, KnowledgeError> {
+    // What is done at one setting of the bar; for every other tool there is one setting.
+    let mut settings: BTreeMap<Option<Micrometres>, Vec<(usize, u32)>> = BTreeMap::new();
+    for (index, stop) in visit.stops.iter().enumerate() {
+        let Some(transition) = transition_of(plan, &stop.hole, stop.transition) else { continue };
+        for pass in 1..=transition.passes.max(1) {
+            settings.entry(setting(transition, pass)).or_default().push((index, pass));
+        }
+    }
+    let several = settings.len() > 1;
+    let mut pauses = pauses;
+    let mut works = Vec::new();
+    for (setting, stops) in settings {
+        if let Some(diameter_mm) = setting.filter(|_| several) {
+            pauses.push(Pause::SetBar { diameter_mm });
+        }
+        let mut work = ToolWork {
+            tool: tool.number,
+            place,
+            corrector: tool.corrector,
+            designation: tool.designation.clone(),
+            pauses: std::mem::take(&mut pauses),
+            coolant: false,
+            cycles: Vec::new(),
+            stops: Vec::new(),
+        };
+        // Cycles by what they are for: a group's transition is worked out once.
+        let mut known: BTreeMap<(&str, usize), usize> = BTreeMap::new();
+        for (index, pass) in stops {
+            let stop = &visit.stops[index];
+            let Some(transition) = transition_of(plan, &stop.hole, stop.transition) else { continue };
+            let cycle = match known.get(&(stop.hole.as_str(), stop.transition)) {
+                Some(&known) => known,
+                None => {
+                    let hole = plan.part.holes.iter().find(|hole| hole.name == stop.hole);
+                    let pitch = hole.and_then(|hole| hole.thread_at(transition.step)).map(|thread| thread.pitch);
+                    let made = cycle(transition, pitch, &plan.part, shop)?;
+                    work.coolant |= transition.conditions.coolant == Some(true);
+                    let at = work.cycles.iter().position(|known| known.same(&made)).unwrap_or_else(|| {
+                        work.cycles.push(made);
+                        work.cycles.len() - 1
+                    });
+                    known.insert((&stop.hole, stop.transition), at);
+                    at
+                }
+            };
+            let at = if visit.setup == 2 { turned_over(stop.at, &plan.part) } else { stop.at };
+            work.stops.push(Stop { cycle, hole: stop.hole.clone(), transition: stop.transition, pass, at });
+        }
+        works.push(work);
+    }
+    Ok(works)
+}
+
+fn transition_of<'p>(plan: &'p Plan, hole: &str, transition: usize) -> Option<&'p Transition> {
+    plan.holes.iter().find(|plan| plan.name == hole)?.transitions.get(transition)
+}
+
+/// What the bar of a boring tool is set to for a pass: the stock is taken in equal passes.
+fn setting(transition: &Transition, pass: u32) -> Option<Micrometres> {
+    let stock = transition.diameter_mm - transition.from_diameter_mm;
+    let passes = i64::from(transition.passes.max(1));
+    let diameter = transition.from_diameter_mm + stock.ratio(i64::from(pass), passes);
+    transition.operation.is_boring().then_some(diameter)
+}
+
+/// Where a point lies when the part is turned over about the line through its middle along Y.
+fn turned_over(at: Point, part: &Part) -> Point {
+    let middle = part.middle().x;
+    Point { x: middle + middle - at.x, y: at.y }
+}

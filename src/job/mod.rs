@@ -1,0 +1,194 @@
+//! The job: one tree of motions and technology, made from a plan and the same for every control.
+//!
+//! A job says where the part stands on the machine, which tool comes when, over which points it goes and with which
+//! cycle. Writers print it in the language of a control, drawings show it, and what a program does is held against it.
+//! Heights are those of the part's drawing (Z of its zero), in the set-up at hand.
+//!
+//! - `make` from a plan to the tree; `cycle` one transition's cycle, by the rule `machining-cycle`;
+//! - `stand` where the part stands on the machine.
+//!
+//! Architecture invariant: a job knows no language of a control. It decides nothing that a rule could.
+
+mod cycle;
+mod make;
+mod stand;
+
+use serde::Serialize;
+
+use crate::motion::{Position, Sense};
+use crate::note::{Because, Finding};
+use crate::part::{Face, Point};
+use crate::plan::Operation;
+use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute, Seconds};
+
+pub use make::make;
+
+/// Everything a machine is to do for a part.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Job {
+    /// The part's name.
+    pub part: String,
+    /// The id of the machine.
+    pub machine: String,
+    /// Where the axes stand for a tool change, machine coordinates.
+    pub change_at: Position,
+    /// The set-ups in order; one without work is left out.
+    pub setups: Vec<SetUp>,
+    /// The length corrector of every tool, as G43 adds it.
+    pub correctors: Vec<(u32, Micrometres)>,
+    /// What its reader must know: that the quill does not reach, that the part does not fit under the tools.
+    pub findings: Vec<Finding>,
+}
+
+impl Job {
+    /// Every stop in the order of the work.
+    pub fn stops(&self) -> impl Iterator<Item = (&SetUp, &ToolWork, &Stop)> {
+        self.setups.iter().flat_map(|setup| {
+            setup.works.iter().flat_map(move |work| work.stops.iter().map(move |stop| (setup, work, stop)))
+        })
+    }
+}
+
+/// The part as it stands on the table once.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SetUp {
+    /// From 1.
+    pub number: u32,
+    /// The face that is up.
+    pub face: Face,
+    /// Where the zero of the part's drawing is, machine coordinates, measured with the reference tool. In the second
+    /// set-up the part is turned over about the line through its middle along Y: its X count the other way.
+    pub zero: Position,
+    /// What each tool does, in order.
+    pub works: Vec<ToolWork>,
+}
+
+/// One tool from its change to the next.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ToolWork {
+    /// Its number in the plan.
+    pub tool: u32,
+    /// Its place in the magazine: what a program calls T.
+    pub place: u32,
+    /// The number of its length corrector.
+    pub corrector: u32,
+    /// Its designation.
+    pub designation: String,
+    /// What the operator has to do before it.
+    pub pauses: Vec<Pause>,
+    /// Whether the coolant flows.
+    pub coolant: bool,
+    /// The cycles it runs; stops name them by their place here.
+    pub cycles: Vec<Cycle>,
+    /// The points, in order.
+    pub stops: Vec<Stop>,
+}
+
+/// What the operator does while the program waits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(tag = "pause", rename_all = "kebab-case")]
+pub enum Pause {
+    /// Puts a tool of the plan into a place of the magazine.
+    LoadTool {
+        /// The tool's number in the plan.
+        tool: u32,
+        /// The place.
+        place: u32,
+    },
+    /// Turns the part over.
+    TurnOver,
+    /// Sets the bar of a boring tool.
+    SetBar {
+        /// The diameter it shall bore, mm.
+        diameter_mm: Micrometres,
+    },
+}
+
+/// A point and what is done there.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Stop {
+    /// Its cycle, by its place in [`ToolWork::cycles`].
+    pub cycle: usize,
+    /// The group of holes.
+    pub hole: String,
+    /// The transition of the group, from 0.
+    pub transition: usize,
+    /// The pass of that transition, from 1.
+    pub pass: u32,
+    /// The point, in the drawing's coordinates as the part lies in this set-up.
+    pub at: Point,
+}
+
+/// How a tool makes one transition at one point.
+///
+/// It comes at rapid to `begin` over the point, works down to `end`, and leaves to `out`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Cycle {
+    /// The transition.
+    pub operation: Operation,
+    /// How it goes in and out.
+    pub kind: Kind,
+    /// The spindle's speed.
+    pub speed_rpm: RevsPerMinute,
+    /// The feed.
+    pub feed_mm_per_min: MillimetresPerMinute,
+    /// Z where the feed begins.
+    pub begin: Micrometres,
+    /// Z of the tip at the bottom.
+    pub end: Micrometres,
+    /// Z at which the tool goes on to the next point.
+    pub out: Micrometres,
+    /// How long it turns at the bottom.
+    pub dwell_s: Option<Seconds>,
+    /// Why.
+    pub because: Vec<Because>,
+}
+
+impl Cycle {
+    /// Whether both are done alike, whatever they are done for.
+    pub fn same(&self, other: &Self) -> bool {
+        let figures = |cycle: &Self| (cycle.speed_rpm, cycle.feed_mm_per_min, cycle.begin, cycle.end, cycle.out);
+        self.kind == other.kind && figures(self) == figures(other) && self.dwell_s == other.dwell_s
+    }
+}
+
+/// How a tool goes in and out.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "cycle", rename_all = "kebab-case")]
+pub enum Kind {
+    /// In at feed, out at rapid.
+    Drill,
+    /// In and out at feed.
+    FeedOut,
+    /// In at feed, out at rapid while the spindle stands.
+    BoreStop,
+    /// In by steps; after each out of the hole, and back at rapid to `clearance` before the metal.
+    Peck {
+        /// Depth of a step.
+        step: Micrometres,
+        /// Room left at the return.
+        clearance: Micrometres,
+    },
+    /// In by steps; after each back by `retreat`.
+    ChipBreak {
+        /// Depth of a step.
+        step: Micrometres,
+        /// The way back.
+        retreat: Micrometres,
+    },
+    /// In with the thread's pitch, out with the spindle turning back.
+    Tap {
+        /// The pitch.
+        pitch: Micrometres,
+    },
+    /// Round along circles about the point, all at the working feed: at each level out to the first circle, once round,
+    /// out to the next, and back to the middle.
+    Circles {
+        /// Z of the levels, downwards.
+        levels: Vec<Micrometres>,
+        /// Radii of the mill's centre, outwards.
+        radii: Vec<Micrometres>,
+        /// Which way round: with a clockwise spindle counterclockwise is climb milling.
+        sense: Sense,
+    },
+}

@@ -1,0 +1,81 @@
+//! Where the part stands on the machine: the zero of its drawing in machine coordinates.
+
+use crate::error::KnowledgeError;
+use crate::motion::Position;
+use crate::note::{Finding, Note, Severity};
+use crate::part::{Part, Point};
+use crate::plan::Plan;
+use crate::shop::Shop;
+use crate::units::Micrometres;
+
+use super::cycle::convention;
+use super::{SetUp, ToolWork};
+
+/// The zero of a set-up, and what does not fit.
+///
+/// - X and Y: the middle of the blank lies over the middle of the table, where the machine has its zero; where points
+///   would then lie outside the travel, the blank is shifted so that they lie in its middle.
+/// - Z: the knee is set as high as the longest tool allows: with the quill up it clears the part by the withdrawal.
+///   The reference of the corrections is that tool, so its tip is what the zero is measured with.
+///
+/// # Errors
+/// The knowledge cannot answer.
+pub(super) fn stand(
+    part: &Part,
+    plan: &Plan,
+    works: &[ToolWork],
+    shop: &Shop<'_>,
+    findings: &mut Vec<Finding>,
+) -> Result<Position, KnowledgeError> {
+    let points = || works.iter().flat_map(|work| &work.stops).map(|stop| stop.at);
+    let machine = &shop.machine;
+    let middle = part.middle();
+    let x = along(-middle.x, points().map(|at: Point| at.x), machine.travel_x);
+    let y = along(-middle.y, points().map(|at: Point| at.y), machine.travel_y);
+
+    // The longest of all: corrections count from it, unless the plan has another reference.
+    let reference = plan.tools.iter().map(|tool| tool.length_mm - tool.correction_mm).max().unwrap_or_default();
+    let longest = plan.tools.iter().map(|tool| tool.correction_mm).max().unwrap_or_default();
+    let heights = works.iter().flat_map(|work| work.cycles.iter().map(|cycle| cycle.out)).max().unwrap_or_default();
+    let fixture = part.fixture.height.unwrap_or_default();
+    // From the table to the zero of the drawing.
+    let zero_height = fixture + part.blank.thickness - part.datum.top;
+    let needed = zero_height + heights + reference + longest;
+    let step = Micrometres::from_mm_rounded(convention("knee-step", shop)?.0);
+    let (least, most) = machine.nose_to_table.unwrap_or((Micrometres::ZERO, needed));
+    let nose = up_to(needed, step).max(least);
+    if needed > most {
+        let note = Note::new("no-room-over-part").with("needed", needed).with("most", most);
+        findings.push(Finding::of_part(Severity::Error, note.with("tool", reference + longest)));
+    }
+    Ok(Position { x, y, z: zero_height + reference - nose })
+}
+
+/// The zero of one axis: as it would lie with the blank in the middle, or shifted so far that all points are reached.
+fn along(zero: Micrometres, points: impl Iterator<Item = Micrometres> + Clone, travel: Micrometres) -> Micrometres {
+    let (Some(low), Some(high)) = (points.clone().min(), points.max()) else { return zero };
+    let half = travel.half();
+    if zero + low < -half || zero + high > half { -(low + high).half() } else { zero }
+}
+
+fn up_to(value: Micrometres, step: Micrometres) -> Micrometres {
+    let (value, step) = (value.micrometres(), step.micrometres().max(1));
+    Micrometres::new((value + step - 1).div_euclid(step) * step)
+}
+
+/// A tool that the quill cannot bring to its depth.
+pub(super) fn reach_of_quill(setup: &SetUp, plan: &Plan, shop: &Shop<'_>, findings: &mut Vec<Finding>) {
+    for work in &setup.works {
+        let correction =
+            plan.tools.iter().find(|tool| tool.number == work.tool).map(|tool| tool.correction_mm).unwrap_or_default();
+        let Some(end) = work.cycles.iter().map(|cycle| cycle.end).min() else { continue };
+        let at = setup.zero.z + end + correction;
+        if at < -shop.machine.travel_z {
+            let note = Note::new("quill-too-short")
+                .with("tool", work.tool)
+                .with("way", -at)
+                .with("travel", shop.machine.travel_z);
+            findings.push(Finding::of_part(Severity::Error, note));
+        }
+    }
+}

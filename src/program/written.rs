@@ -1,0 +1,68 @@
+//! A program as a writer leaves it: its lines, each with what of the job it serves.
+
+use serde::Serialize;
+
+/// A program in the language of a control.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Written {
+    /// Its lines, in order.
+    pub lines: Vec<Line>,
+}
+
+impl Written {
+    /// The text of the program file.
+    pub fn text(&self) -> String {
+        let mut text = String::new();
+        for line in &self.lines {
+            text.push_str(&line.text);
+            text.push('\n');
+        }
+        text
+    }
+}
+
+/// A line of a program.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Line {
+    /// As it stands in the file, without its end.
+    pub text: String,
+    /// What it is there for.
+    pub role: Role,
+    /// Whose work it belongs to; absent where it serves several or none.
+    pub work: Option<WorkRef>,
+    /// The cycle of that work, where it is for one.
+    pub cycle: Option<usize>,
+}
+
+/// A work of a job: the places of its set-up and of itself, from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct WorkRef {
+    /// Place in [`crate::job::Job::setups`].
+    pub setup: usize,
+    /// Place in [`crate::job::SetUp::works`].
+    pub work: usize,
+}
+
+/// What a line of a program is there for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Role {
+    /// The frame of a program or subprogram: its number, its functions of the beginning.
+    Frame,
+    /// The operator does something.
+    Pause,
+    /// A tool comes.
+    ToolChange,
+    /// The spindle and the coolant.
+    Spindle,
+    /// To the first point and down to it.
+    Approach,
+    /// A cycle is set up, or a contour run.
+    Cycle,
+    /// To a further point.
+    Point,
+    /// Away to the tool change.
+    Withdrawal,
+    /// The end of a program or subprogram.
+    End,
+}
