@@ -156,7 +156,8 @@ fn page(faults: &[Fault], steps: &[Step], times: Times, shown: &str, text: Strin
     page
 }
 
-fn diagnostic(fault: &Fault, file: &Arc<str>, context: &Context) -> Diagnostic {
+/// A mistake of a program with its place.
+pub fn diagnostic(fault: &Fault, file: &Arc<str>, context: &Context) -> Diagnostic {
     let span = fault.span;
     let place = Place { file: file.clone(), line: span.line, column: span.column, width: span.width };
     let severity = match fault.severity {

@@ -1,4 +1,4 @@
-//! Programs of controls: today one interpreter, [`control_2c42_65`].
+//! Programs of controls: today [`control_2c42_65`], written and read back.
 //!
 //! An interpreter reads the text of a program and makes the steps of [`crate::motion`] of it. A writer is the same way
 //! backwards. What an interpreter has to say about a program are [`Fault`]s: data, without a language.
@@ -8,7 +8,10 @@ pub mod written;
 
 use serde::Serialize;
 
+use crate::job::Job;
+use crate::motion::Axis;
 use crate::note::{Note, Severity};
+use control_2c42_65::Setting;
 
 /// A stretch of one line of a program. Line and column count from one, in characters.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -46,4 +49,17 @@ impl Fault {
     pub fn is_error(&self) -> bool {
         self.severity == Severity::Error
     }
+}
+
+/// What the operator sets for a job: the zeros of its set-ups in G54, G55, and the correctors.
+pub fn job_setting(job: &Job) -> Setting {
+    let mut setting = Setting::default();
+    for setup in &job.setups {
+        let system = usize::try_from(setup.number).unwrap_or(1).saturating_sub(1);
+        if let Some(zero) = setting.zeros.get_mut(system) {
+            *zero = Axis::ALL.map(|axis| Some(setup.zero.get(axis)));
+        }
+    }
+    setting.correctors = job.correctors.iter().copied().collect();
+    setting
 }

@@ -20,7 +20,9 @@ mod state;
 mod text;
 mod travel;
 mod words;
+mod writer;
 
 pub use control::Control;
 pub use run::check;
 pub use setting::{Setting, read_setting};
+pub use writer::{Form, write};

@@ -2,6 +2,7 @@
 //! is YAML and tells every mistake with its place.
 
 use std::collections::BTreeMap;
+use std::fmt::Write;
 
 use crate::knowledge::diagnostic::{Diagnostic, Severity};
 use crate::knowledge::yaml::{Node, Problems, parse};
@@ -52,6 +53,29 @@ impl Default for Setting {
             speed_override: 100,
             fixed_point: None,
         }
+    }
+}
+
+impl Setting {
+    /// The file of a setting, as [`read_setting`] reads it: what differs from the power-on state.
+    pub fn to_yaml(&self) -> String {
+        let mut text = String::from("zeros:\n");
+        // Writing to a text cannot fail.
+        for (name, zero) in ZEROS.iter().zip(&self.zeros) {
+            let axes: Vec<String> = AXES
+                .iter()
+                .zip(zero)
+                .filter_map(|(axis, value)| value.map(|value| format!("{axis}: {value}")))
+                .collect();
+            if !axes.is_empty() {
+                let _ = writeln!(text, "  {name}: {{{}}}", axes.join(", "));
+            }
+        }
+        text.push_str("correctors:\n");
+        for (number, value) in &self.correctors {
+            let _ = writeln!(text, "  {number}: {value}");
+        }
+        text
     }
 }
 
