@@ -12,8 +12,9 @@ use technolog::motion::Step;
 use technolog::motion::time::{Clock, Times};
 use technolog::note::{Finding, Severity};
 use technolog::plan::{CuttingMethod, Plan};
-use technolog::program::control_2c42_65::{self, Control, Form};
-use technolog::program::written::{Line, Written};
+use technolog::program::control_2c42_65::{self, Control};
+use technolog::program::iso_writer::{self, Dialect};
+use technolog::program::written::{Form, Line, Written};
 use technolog::program::{Fault, job_setting};
 use technolog::report;
 use technolog::shop::Shop;
@@ -28,7 +29,7 @@ pub struct Args {
     #[arg(value_name = "PART.yaml")]
     part: PathBuf,
     /// The control it is for
-    #[arg(long, value_parser = ["2c42-65"])]
+    #[arg(long, value_parser = ["2c42-65", "linuxcnc", "fanuc"])]
     control: String,
     /// What to show: the program, or the setting that the operator needs for it
     #[arg(long, value_enum, default_value = "program", hide_possible_values = true)]
@@ -78,7 +79,15 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let shop = Shop::new(&plan.part, plan.cutting, &knowledge).map_err(at_fault)?;
     let job = job::make(&plan, &shop).map_err(at_fault)?;
     let form = Form::read(&shop).map_err(at_fault)?;
-    let written = control_2c42_65::write(&job, form);
+    let written = match args.control.as_str() {
+        "linuxcnc" => iso_writer::write(&job, Dialect::LinuxCnc, form),
+        "fanuc" => iso_writer::write(&job, Dialect::Fanuc, form),
+        _ => control_2c42_65::write(&job, form),
+    };
+    if args.control != "2c42-65" {
+        context.emit(&written.text())?;
+        return Ok(Outcome::Done);
+    }
     let setting = job_setting(&job);
     let control = Control::read(&knowledge).map_err(at_fault)?;
     let mut sink = (Vec::<Step>::new(), Clock::new(&shop.machine, setting.start));

@@ -3,7 +3,9 @@
 //! An interpreter reads the text of a program and makes the steps of [`crate::motion`] of it. A writer is the same way
 //! backwards. What an interpreter has to say about a program are [`Fault`]s: data, without a language.
 
+mod block;
 pub mod control_2c42_65;
+pub mod iso_writer;
 pub mod written;
 
 use serde::Serialize;

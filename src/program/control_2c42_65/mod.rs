@@ -25,4 +25,4 @@ mod writer;
 pub use control::Control;
 pub use run::check;
 pub use setting::{Setting, read_setting};
-pub use writer::{Form, write};
+pub use writer::write;

@@ -6,9 +6,9 @@ use crate::job::{Cycle, Kind};
 use crate::motion::Sense;
 use crate::units::{Micrometres, Seconds};
 
-use super::Form;
-use super::block::Block;
 use super::sheet::{Called, Place, Sheet};
+use crate::program::block::Block;
+use crate::program::written::Form;
 
 /// A fixed cycle. With positions U, Z, I are levels; with ways they are 0-1, 1-2 and 2-4 (table 3.10), and the tool
 /// stands at the level of I before.

@@ -7,47 +7,22 @@
 //! :04…  cycles, contours of mills, rows of points that several tools go over
 //! ```
 //!
-//! - `block` a block with its words in the recommended order;
 //! - `cycle` the blocks of one cycle or contour;
 //! - `points` the blocks that lead over points, in rows where that is shorter;
 //! - `sheet` the program as it grows: main blocks and subprograms.
 
-mod block;
 mod cycle;
 mod points;
 mod sheet;
 
 use std::collections::BTreeMap;
 
-use crate::error::KnowledgeError;
 use crate::job::{Job, Kind, Pause, SetUp, ToolWork};
-use crate::program::written::{Role, WorkRef, Written};
-use crate::shop::Shop;
-use crate::units::Micrometres;
+use crate::program::written::{Form, Role, WorkRef, Written};
 
-use block::Block;
+use crate::program::block::Block;
 use points::Run;
 use sheet::{Place, Sheet};
-
-/// What of the machine and of the conventions a program needs.
-#[derive(Clone, Copy, Debug)]
-pub struct Form {
-    /// The least step of the axes: coordinates stand on its grid.
-    pub resolution: Micrometres,
-    /// What block numbers grow by.
-    pub number_step: u32,
-}
-
-impl Form {
-    /// The form for the machine at hand.
-    ///
-    /// # Errors
-    /// The table of conventions lacks a figure.
-    pub fn read(shop: &Shop<'_>) -> Result<Self, KnowledgeError> {
-        let (step, _) = crate::job::convention("block-number-step", shop)?;
-        Ok(Self { resolution: shop.machine.resolution, number_step: step as u32 })
-    }
-}
 
 /// The program of a job.
 pub fn write(job: &Job, form: Form) -> Written {

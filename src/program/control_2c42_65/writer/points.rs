@@ -4,8 +4,8 @@ use crate::job::{Kind, ToolWork};
 use crate::part::Point;
 use crate::units::Micrometres;
 
-use super::Form;
-use super::block::Block;
+use crate::program::block::Block;
+use crate::program::written::Form;
 
 /// Points that follow each other with the same cycle.
 pub(super) struct Run {

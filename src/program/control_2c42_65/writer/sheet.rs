@@ -1,11 +1,8 @@
 //! The program as it grows: the main blocks, and the subprograms that they call.
 
-use crate::part::Point;
-use crate::program::written::{Line, Role, WorkRef, Written};
-use crate::units::Micrometres;
+use crate::program::written::{Form, Line, Role, WorkRef, Written};
 
-use super::Form;
-use super::block::Block;
+use crate::program::block::Block;
 
 /// What a block serves.
 #[derive(Clone, Copy, Debug)]
@@ -49,21 +46,6 @@ pub(super) struct Sheet {
     pub form: Form,
     main: Vec<(Block, Place)>,
     subprograms: Vec<(Vec<Block>, Place)>,
-}
-
-impl Form {
-    /// A length on the machine's grid, the nearest.
-    pub(super) fn grid(self, value: Micrometres) -> Micrometres {
-        let step = self.resolution.micrometres().max(1);
-        let value = value.micrometres();
-        let away = (value.abs() + step / 2).div_euclid(step) * step;
-        Micrometres::new(away * value.signum())
-    }
-
-    /// A point on the machine's grid.
-    pub(super) fn point(self, at: Point) -> Point {
-        Point { x: self.grid(at.x), y: self.grid(at.y) }
-    }
 }
 
 impl Sheet {
