@@ -1,5 +1,5 @@
 //! What the operator sets before a program runs: zeros, correctors, switches (textbook section 4). The file of a setting
-//! is YAML and tells every mistake with its place.
+//! is YAML and tells every mistake with its place. All controls share it; what a control has of it are [`Limits`].
 
 use std::collections::BTreeMap;
 
@@ -8,7 +8,20 @@ use crate::knowledge::yaml::{Node, Problems, parse};
 use crate::motion::{Axis, Position};
 use crate::units::Micrometres;
 
-use super::control::Control;
+/// What of a setting a control has.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Limits {
+    /// The highest number of a corrector.
+    pub correctors: i64,
+    /// Settings of the feed switch, per cent.
+    pub feed_overrides: Vec<i64>,
+    /// Settings of the spindle switch, per cent.
+    pub speed_overrides: Vec<i64>,
+    /// Whether it seeks the machine zero by a program, mirrors axes, and has the shifts СМ1 and СМ2: 2С42-65 alone.
+    pub panel_2c42_65: bool,
+    /// Whether the clearances of deep drilling are parameters of it: Fanuc alone.
+    pub pecks: bool,
+}
 
 /// The state of the operator's panel.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -33,8 +46,13 @@ pub struct Setting {
     pub feed_override: i64,
     /// The spindle switch, per cent.
     pub speed_override: i64,
-    /// The fixed point of G29 and G31, machine coordinates: a constant of the machine that no source gives.
+    /// The fixed point of G29 and G31 (2С42-65) and of G30 (the others), machine coordinates: a constant of the machine
+    /// that no source gives.
     pub fixed_point: Option<Position>,
+    /// How far before the metal the rapid of G83 ends, where that is a parameter of the control.
+    pub g83_clearance: Option<Micrometres>,
+    /// How far G73 draws back, where that is a parameter of the control.
+    pub g73_retract: Option<Micrometres>,
 }
 
 impl Default for Setting {
@@ -51,22 +69,18 @@ impl Default for Setting {
             feed_override: 100,
             speed_override: 100,
             fixed_point: None,
+            g83_clearance: None,
+            g73_retract: None,
         }
     }
 }
 
-const KEYS: &[&str] = &[
-    "start",
-    "homed",
-    "zeros",
-    "correctors",
-    "mirror",
-    "skip",
-    "optional_stop",
-    "feed_override",
-    "speed_override",
-    "fixed_point",
-];
+/// Keys that every control has.
+const KEYS: &[&str] =
+    &["start", "zeros", "correctors", "skip", "optional_stop", "feed_override", "speed_override", "fixed_point"];
+const PANEL: &[&str] = &["homed", "mirror"];
+const PECKS: &[&str] = &["g83_clearance", "g73_retract"];
+/// The last two are of 2С42-65.
 const ZEROS: &[&str] = &["G54", "G55", "G56", "G57", "G58", "G59", "CM1", "CM2"];
 const AXES: &[&str] = &["x", "y", "z"];
 
@@ -74,10 +88,10 @@ const AXES: &[&str] = &["x", "y", "z"];
 ///
 /// # Errors
 /// Every mistake of the file, each with its place and what to do.
-pub fn read_setting(file: &str, text: &str, control: &Control) -> Result<Setting, Vec<Diagnostic>> {
+pub fn read_setting(file: &str, text: &str, limits: &Limits) -> Result<Setting, Vec<Diagnostic>> {
     let (root, diagnostics) = parse(file, text);
     let mut problems = Problems(diagnostics);
-    let setting = root.and_then(|root| read(&root, control, &mut problems));
+    let setting = root.and_then(|root| read(&root, limits, &mut problems));
     match setting {
         Some(setting) if !problems.0.iter().any(|problem| problem.severity == Severity::Error) => Ok(setting),
         _ => {
@@ -87,23 +101,38 @@ pub fn read_setting(file: &str, text: &str, control: &Control) -> Result<Setting
     }
 }
 
-fn read(root: &Node, control: &Control, problems: &mut Problems) -> Option<Setting> {
+fn read(root: &Node, limits: &Limits, problems: &mut Problems) -> Option<Setting> {
     let mut setting = Setting::default();
     let mut fields = problems.map(root)?;
     if let Some(node) = fields.take("start") {
         setting.start = position(node, problems);
     }
     setting.fixed_point = fields.take("fixed_point").map(|node| position(node, problems));
-    for (key, slot) in
-        [("homed", &mut setting.homed), ("skip", &mut setting.skip), ("optional_stop", &mut setting.optional_stop)]
-    {
+    for (key, slot) in [("skip", &mut setting.skip), ("optional_stop", &mut setting.optional_stop)] {
         if let Some(value) = fields.take(key).and_then(|node| problems.boolean(node)) {
             *slot = value;
         }
     }
+    let mut keys = KEYS.to_vec();
+    if limits.panel_2c42_65 {
+        keys.extend(PANEL);
+        if let Some(value) = fields.take("homed").and_then(|node| problems.boolean(node)) {
+            setting.homed = value;
+        }
+        if let Some(items) = fields.take("mirror").and_then(|node| problems.list(node)) {
+            for item in items {
+                mirror(item, &mut setting, problems);
+            }
+        }
+    }
+    if limits.pecks {
+        keys.extend(PECKS);
+        setting.g83_clearance = positive(fields.take("g83_clearance"), problems);
+        setting.g73_retract = positive(fields.take("g73_retract"), problems);
+    }
     for (key, slot, steps) in [
-        ("feed_override", &mut setting.feed_override, &control.feed_overrides),
-        ("speed_override", &mut setting.speed_override, &control.speed_overrides),
+        ("feed_override", &mut setting.feed_override, &limits.feed_overrides),
+        ("speed_override", &mut setting.speed_override, &limits.speed_overrides),
     ] {
         let Some(node) = fields.take(key) else { continue };
         match problems.scalar::<i64>(node) {
@@ -116,22 +145,12 @@ fn read(root: &Node, control: &Control, problems: &mut Problems) -> Option<Setti
             None => {}
         }
     }
-    if let Some(items) = fields.take("mirror").and_then(|node| problems.list(node)) {
-        for item in items {
-            match item.text().and_then(|text| text.chars().next().filter(|_| text.len() == 1)).and_then(Axis::of) {
-                Some(axis) => setting.mirror[axis.index()] = true,
-                None => {
-                    problems.error_help::<()>("bad-axis", "this is no axis", &item.place, "name X, Y or Z");
-                }
-            }
-        }
-    }
     if let Some(node) = fields.take("zeros") {
-        zeros(node, &mut setting, problems);
+        zeros(node, &mut setting, limits, problems);
     }
     if let Some(mut entries) = fields.take("correctors").and_then(|node| problems.map(node)) {
         for (key, node) in entries.rest() {
-            let number = key.text.parse::<u32>().ok().filter(|n| (1..=control.correctors).contains(&i64::from(*n)));
+            let number = key.text.parse::<u32>().ok().filter(|n| (1..=limits.correctors).contains(&i64::from(*n)));
             match number {
                 Some(number) => {
                     if let Some(value) = problems.scalar::<Micrometres>(node) {
@@ -139,20 +158,40 @@ fn read(root: &Node, control: &Control, problems: &mut Problems) -> Option<Setti
                     }
                 }
                 None => {
-                    let help = format!("correctors have the numbers 1 to {}", control.correctors);
+                    let help = format!("correctors have the numbers 1 to {}", limits.correctors);
                     problems.error_help::<()>("bad-corrector", "there is no such corrector", &key.place, help);
                 }
             }
         }
     }
-    fields.finish(KEYS, problems);
+    fields.finish(&keys, problems);
     Some(setting)
 }
 
+fn mirror(item: &Node, setting: &mut Setting, problems: &mut Problems) {
+    match item.text().and_then(|text| text.chars().next().filter(|_| text.len() == 1)).and_then(Axis::of) {
+        Some(axis) => setting.mirror[axis.index()] = true,
+        None => {
+            problems.error_help::<()>("bad-axis", "this is no axis", &item.place, "name X, Y or Z");
+        }
+    }
+}
+
+/// A length above 0.
+fn positive(node: Option<&Node>, problems: &mut Problems) -> Option<Micrometres> {
+    let node = node?;
+    let value = problems.scalar::<Micrometres>(node)?;
+    if value <= Micrometres::ZERO {
+        problems.error_help::<()>("bad-value", "this must be above 0", &node.place, "give a length in mm");
+    }
+    Some(value)
+}
+
 /// The zeros of the systems, and the two further shifts.
-fn zeros(node: &Node, setting: &mut Setting, problems: &mut Problems) {
+fn zeros(node: &Node, setting: &mut Setting, limits: &Limits, problems: &mut Problems) {
+    let names = if limits.panel_2c42_65 { ZEROS } else { ZEROS.get(..6).unwrap_or(ZEROS) };
     let Some(mut fields) = problems.map(node) else { return };
-    for (index, name) in ZEROS.iter().enumerate() {
+    for (index, name) in names.iter().enumerate() {
         let Some(node) = fields.take(name) else { continue };
         let values = axes(node, problems);
         match setting.zeros.get_mut(index) {
@@ -165,7 +204,7 @@ fn zeros(node: &Node, setting: &mut Setting, problems: &mut Problems) {
             }
         }
     }
-    fields.finish(ZEROS, problems);
+    fields.finish(names, problems);
 }
 
 fn position(node: &Node, problems: &mut Problems) -> Position {
