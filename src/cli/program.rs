@@ -12,10 +12,8 @@ use technolog::motion::Step;
 use technolog::motion::time::{Clock, Times};
 use technolog::note::{Finding, Severity};
 use technolog::plan::{CuttingMethod, Plan};
-use technolog::program::control_2c42_65::{self, Control};
-use technolog::program::iso_writer::{self, Dialect};
 use technolog::program::written::{Form, Line, Written};
-use technolog::program::{Fault, job_setting};
+use technolog::program::{Fault, Language, Setting};
 use technolog::report;
 use technolog::shop::Shop;
 
@@ -29,7 +27,7 @@ pub struct Args {
     #[arg(value_name = "PART.yaml")]
     part: PathBuf,
     /// The control it is for
-    #[arg(long, value_parser = ["2c42-65", "linuxcnc", "fanuc"])]
+    #[arg(long, value_parser = Language::NAMES)]
     control: String,
     /// What to show: the program, or the setting that the operator needs for it
     #[arg(long, value_enum, default_value = "program", hide_possible_values = true)]
@@ -79,20 +77,12 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let shop = Shop::new(&plan.part, plan.cutting, &knowledge).map_err(at_fault)?;
     let job = job::make(&plan, &shop).map_err(at_fault)?;
     let form = Form::read(&shop).map_err(at_fault)?;
-    let written = match args.control.as_str() {
-        "linuxcnc" => iso_writer::write(&job, Dialect::LinuxCnc, form),
-        "fanuc" => iso_writer::write(&job, Dialect::Fanuc, form),
-        _ => control_2c42_65::write(&job, form),
-    };
-    if args.control != "2c42-65" {
-        context.emit(&written.text())?;
-        return Ok(Outcome::Done);
-    }
-    let setting = job_setting(&job);
-    let control = Control::read(&knowledge).map_err(at_fault)?;
+    let language = Language::read(&args.control, &knowledge).map_err(at_fault)?;
+    let written = language.write(&job, form);
+    let setting = Setting::of_job(&job);
     let mut sink = (Vec::<Step>::new(), Clock::new(&shop.machine, setting.start));
     let text = written.text();
-    let faults = control_2c42_65::check(&text, &control, &shop.machine, &setting, &mut sink);
+    let faults = language.check(&text, &shop.machine, &setting, &mut sink);
     let (steps, clock) = sink;
     let findings: Vec<&Finding> = serious(&plan, &job);
     match (args.show, format) {

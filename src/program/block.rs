@@ -15,7 +15,7 @@ pub(crate) struct Block {
 }
 
 /// G, then ways, centres, feed, speed, tool, correctors, M, and the call of a subprogram.
-const ORDER: [&str; 9] = ["G", "XYZ", "IJK", "F", "S", "T", "DH", "M", "LP"];
+const ORDER: [&str; 13] = ["G", "X", "Y", "Z", "I", "J", "K", "F", "S", "T", "DH", "M", "LP"];
 
 impl Block {
     pub(crate) fn new() -> Self {
