@@ -105,10 +105,9 @@ impl Setting {
                 let _ = writeln!(text, "  {name}: {{{}}}", axes.join(", "));
             }
         }
-        text.push_str("correctors:\n");
-        for (number, value) in &self.correctors {
-            let _ = writeln!(text, "  {number}: {value}");
-        }
+        let correctors: Vec<String> =
+            self.correctors.iter().map(|(number, value)| format!("{number}: {value}")).collect();
+        let _ = writeln!(text, "correctors: {{{}}}", correctors.join(", "));
         text
     }
 }
