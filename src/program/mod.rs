@@ -7,8 +7,8 @@
 
 pub mod control_2c42_65;
 pub mod iso;
-pub mod setting;
 mod limits;
+pub mod setting;
 
 use serde::Serialize;
 

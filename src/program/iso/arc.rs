@@ -35,20 +35,23 @@ impl Maker<'_> {
             (Some(_), None) => self.by_centre([a, b], centre, &target, span),
         };
         let turns = if self.control.kind == Kind::LinuxCnc { self.take(words, 'P') } else { None };
+        if let Some(given) = turns.filter(|given| given.millionths < 1_000_000 || given.millionths % 1_000_000 != 0) {
+            let figures = [("address", "P".to_owned()), ("low", "1".to_owned()), ("high", "99999".to_owned())];
+            self.tell("number-out-of-range", given.span, &figures);
+        }
         let turns = turns.map_or(0, |given| u32::try_from(given.millionths / 1_000_000 - 1).unwrap_or_default());
         let feed_mm_per_min = self.feed(span);
-        let Some(middle) = middle else { return };
+        let Some(middle) = middle else {
+            // The run goes on as if it had arrived.
+            self.state.at = target.at;
+            self.state.floating = target.floating;
+            return;
+        };
         let centre = middle.map(Micrometres::from_mm_rounded);
         self.go(Motion::Arc { plane, sense, centre, turns, feed_mm_per_min }, target.at, target.floating, span);
     }
 
-    fn by_centre(
-        &mut self,
-        axes: [Axis; 2],
-        centre: [Option<Given>; 2],
-        target: &Target,
-        span: Span,
-    ) -> Option<Point> {
+    fn by_centre(&mut self, axes: [Axis; 2], centre: [Option<Given>; 2], target: &Target, span: Span) -> Option<Point> {
         let inches = self.state.inches();
         let mut middle = [0.0; 2];
         for ((value, axis), given) in middle.iter_mut().zip(axes).zip(centre) {
@@ -56,10 +59,8 @@ impl Maker<'_> {
             *value = (self.state.at.get(axis) + way).to_mm();
         }
         let plane = self.state.plane();
-        let (radius, other) = (
-            distance(in_plane(self.state.at, plane), middle),
-            distance(in_plane(target.at, plane), middle),
-        );
+        let (radius, other) =
+            (distance(in_plane(self.state.at, plane), middle), distance(in_plane(target.at, plane), middle));
         if radius == 0.0 {
             self.fault("arc-without-radius", span);
             return None;
@@ -67,7 +68,8 @@ impl Maker<'_> {
         let off = (radius - other).abs();
         let (near, part) = self.control.arc_tolerance;
         // LinuxCNC refuses a hundred times the first, or both.
-        let wrong = if part > 0.0 { off > 100.0 * near || (off > near && off > part * radius.max(other)) } else { off > near };
+        let wrong =
+            if part > 0.0 { off > 100.0 * near || (off > near && off > part * radius.max(other)) } else { off > near };
         if wrong {
             let shown = |value: f64| Micrometres::from_mm_rounded(value).to_string();
             self.tell("arc-radius", span, &[("start", shown(radius)), ("end", shown(other))]);

@@ -87,7 +87,9 @@ impl Maker<'_> {
         let after = self.end_functions(words);
         // Behind another mistake it would only follow from that.
         let unused = if self.broken() { None } else { Some(words.all()) };
-        for (letter, given) in unused.into_iter().flatten().filter(|(letter, _)| !self.used[place(*letter)]).collect::<Vec<_>>() {
+        for (letter, given) in
+            unused.into_iter().flatten().filter(|(letter, _)| !self.used[place(*letter)]).collect::<Vec<_>>()
+        {
             self.tell("word-unused", given.span, &[("word", letter.to_string())]);
         }
         after
@@ -259,7 +261,8 @@ impl Maker<'_> {
         let mut corrector = 0;
         let mut value = Micrometres::ZERO;
         if function.code == 430 {
-            let given = self.take(words, 'H').map(|given| u32::try_from(given.millionths / 1_000_000).unwrap_or_default());
+            let given =
+                self.take(words, 'H').map(|given| u32::try_from(given.millionths / 1_000_000).unwrap_or_default());
             let tool = Some(self.state.tool).filter(|tool| self.control.length_of_tool && *tool > 0);
             let Some(number) = given.or(tool) else {
                 self.fault("corrector-missing", function.span);

@@ -210,9 +210,7 @@ impl Control {
             "fanuc" => Kind::Fanuc,
             other => return Err(KnowledgeError::lacks(&record.id, &format!("an interpreter of {other}"))),
         };
-        let number = |name: &str| {
-            figures(record, name).map(|values| values.first().copied().unwrap_or_default())
-        };
+        let number = |name: &str| figures(record, name).map(|values| values.first().copied().unwrap_or_default());
         let flag = |name: &str| number(name).map(|value| value > 0.0);
         let length = |name: &str| number(name).map(Micrometres::from_mm_rounded);
         let mut language = Self {
@@ -260,7 +258,8 @@ impl Control {
         }
         for row in rows(knowledge, "iso-g-functions", control)? {
             let code = code(row)?;
-            let function = GFunction { group: named(row, "group", &Group::NAMES)?, effect: named(row, "effect", &EFFECTS)? };
+            let function =
+                GFunction { group: named(row, "group", &Group::NAMES)?, effect: named(row, "effect", &EFFECTS)? };
             self.g.insert(code, function);
             if row.texts("power_on").unwrap_or_default().contains(&control) {
                 self.power_on.push(code);
@@ -277,8 +276,11 @@ impl Control {
         for row in rows(knowledge, "iso-cycles", control)? {
             let letters =
                 |column: &str| -> Vec<char> { row.texts(column).unwrap_or_default().into_iter().map(letter).collect() };
-            let ways =
-                [("feed", Inwards::Feed), ("in-steps-leaving", Inwards::StepsLeaving), ("in-steps-staying", Inwards::StepsStaying)];
+            let ways = [
+                ("feed", Inwards::Feed),
+                ("in-steps-leaving", Inwards::StepsLeaving),
+                ("in-steps-staying", Inwards::StepsStaying),
+            ];
             let bottoms = [("turning", Bottom::Turning), ("stopped", Bottom::Stopped), ("reversed", Bottom::Reversed)];
             let outwards =
                 [("rapid", Outwards::Rapid), ("feed", Outwards::Feed), ("feed-to-the-end", Outwards::FeedToTheEnd)];
@@ -319,9 +321,9 @@ fn code(row: RowRef<'_>) -> Result<i64, KnowledgeError> {
     let (whole, tenth) = text.split_once('.').unwrap_or((text, "0"));
     let parsed = whole.parse::<i64>().ok().zip(tenth.parse::<i64>().ok());
     let parsed = parsed.filter(|(whole, tenth)| (0..1000).contains(whole) && (0..10).contains(tenth));
-    parsed.map(|(whole, tenth)| whole * 10 + tenth).ok_or_else(|| {
-        KnowledgeError::lacks(&row.table.id, "a code such as G1 or G91.1")
-    })
+    parsed
+        .map(|(whole, tenth)| whole * 10 + tenth)
+        .ok_or_else(|| KnowledgeError::lacks(&row.table.id, "a code such as G1 or G91.1"))
 }
 
 fn letter(text: &str) -> char {

@@ -12,8 +12,8 @@
 //!
 //! With G91 R counts from the initial level and Z from R, and every repeat steps X and Y on.
 //!
-//! LinuxCNC looks after the way to the hole: below R it first goes up to R, and it crosses no lower than the level where
-//! the last hole ended. Fanuc crosses at the level where it is.
+//! LinuxCNC looks after the way to the hole: where the initial level is below R it first goes up to R, and from R or below
+//! it crosses at the level where this hole will end. Fanuc crosses at the level where it is.
 
 use super::block::Maker;
 use super::control::{Bottom, Cycle, Group, Inwards, Kind, Outwards};
@@ -166,7 +166,8 @@ impl Maker<'_> {
         }
         for _ in 0..repeats {
             let here = self.state.at.get(Axis::Z);
-            let crossing = if self.control.kind == Kind::LinuxCnc { here.max(levels.clear) } else { here };
+            let low = self.control.kind == Kind::LinuxCnc && here <= levels.r;
+            let crossing = if low { levels.clear } else { here };
             let target = self.target(words, false);
             self.set_floating();
             let mut floating = target.floating;
