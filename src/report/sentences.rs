@@ -7,12 +7,13 @@ use crate::note::Note;
 
 use super::Lang;
 
+mod lists;
 mod programs;
 mod routes;
 
 /// Every sentence.
 fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'static str)> {
-    SENTENCES.iter().chain(routes::SENTENCES).chain(programs::SENTENCES)
+    SENTENCES.iter().chain(routes::SENTENCES).chain(programs::SENTENCES).chain(lists::SENTENCES)
 }
 
 /// A note as a sentence. A code without words shows itself with its figures, so that nothing is lost.
@@ -34,9 +35,13 @@ pub fn sentence(note: &Note, lang: Lang) -> String {
     text
 }
 
-/// What to do about a mistake of a program.
+/// What to do about a mistake of a program or of a list of points.
 pub fn remedy(note: &Note, lang: Lang) -> Option<&'static str> {
-    programs::REMEDIES.iter().find(|(code, ..)| *code == note.code).map(|(_, uk, en)| lang.pick(uk, en))
+    programs::REMEDIES
+        .iter()
+        .chain(lists::REMEDIES)
+        .find(|(code, ..)| *code == note.code)
+        .map(|(_, uk, en)| lang.pick(uk, en))
 }
 
 /// Figures whose values are words of the program are translated too.
