@@ -22,9 +22,9 @@ fn main() {
     if let Some(at) = arguments.iter().position(|argument| argument == "csv") {
         return write(&arguments[at + 1]);
     }
+    // Cargo tells a bench `--bench`; `-- mixed` measures the patterns of that name alone.
     let rapid = Metric::Rapid(Rapid { rate: MillimetresPerMinute(7000.0), acceleration: None });
     println!("pattern      metric  points  effort  length mm   nearest mm   bound mm  over bound  time s  (bound s)");
-    // `-- mixed` measures the patterns of that name alone.
     let asked = arguments.iter().skip(1).find(|argument| !argument.starts_with('-'));
     for (name, points) in patterns::all() {
         if asked.is_some_and(|asked| !name.contains(asked.as_str())) {
@@ -34,8 +34,8 @@ fn main() {
             let space = Space::closed(&points, metric);
             let book = nearest_rule(&space).cost;
             let (mut rows, mut best) = (Vec::new(), i64::MAX);
-            let efforts: &[u32] = if points.len() <= 13 { &[1] } else { &[5, 20, 60, 250] };
-            for &effort in efforts {
+            let efforts = if points.len() <= 13 { vec![1] } else { vec![5, 20, Effort::default().0] };
+            for effort in efforts {
                 let start = Instant::now();
                 let found = path(&space, Effort(effort));
                 rows.push((effort, found.cost, start.elapsed().as_secs_f64()));

@@ -65,6 +65,7 @@ fn lists_of_points_are_ordered() {
     assert_eq!(json(&[square])["length_mm"].as_f64(), Some(30.0), "an open path does not return");
     let rapid = json(&[square, "--metric", "rapid"]);
     assert_eq!(rapid["time_min"].as_f64(), Some(0.0043), "30 mm at 7000 mm/min");
+    assert_eq!(rapid["bound_min"].as_f64(), Some(0.0042), "the same, rounded down");
     let nodes = "1 0 0\n2 3 4\n3 3 0\nEOF\n";
     let tsplib =
         file("three.tsp", &format!("NAME: t\nDIMENSION: 3\nEDGE_WEIGHT_TYPE: EUC_2D\nNODE_COORD_SECTION\n{nodes}"));
@@ -78,6 +79,51 @@ fn a_bad_list_is_told_with_line_and_column_and_every_slip() {
     let said = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(2), "{said}");
     assert!(said.contains("bad.csv:2:3") && said.contains("bad.csv:3:1") && said.contains("help"), "{said}");
+}
+
+#[test]
+fn a_bad_list_is_told_in_ukrainian_too() {
+    let bad = file("bad-uk.csv", "x;y\n1,5;2\n1;дві\n3\n");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_technolog"));
+    let output = command.args(["--lang", "uk", "order"]).arg(bad).output().unwrap();
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    for expected in ["bad-uk.csv:3:3", "`дві` не є числом", "bad-uk.csv:4:1", "дві координати", "підказка"]
+    {
+        assert!(said.contains(expected), "{expected}: {said}");
+    }
+}
+
+#[test]
+fn the_effort_acts_on_a_part_and_options_of_lists_are_refused_there() {
+    // The plate has few points for each tool: its paths are the shortest already.
+    let (plan, again) = (json(&["examples/plate.yaml"]), json(&["examples/plate.yaml", "--effort", "50"]));
+    assert_eq!(plan["sequence"], again["sequence"]);
+    // Where there are many, more effort is no longer. (Some kinds of holes cannot be made: exit code 1.)
+    let part = file("many.yaml", &kinds::part_of_kinds(4));
+    let part = part.to_str().unwrap();
+    let rapids = |args: &[&str]| -> f64 {
+        let answer: Value = serde_json::from_slice(&run(&[args, &["--format", "json"]].concat()).stdout).unwrap();
+        answer["time"]["rapid_min"].as_f64().unwrap()
+    };
+    let (quick, hard) = (rapids(&[part]), rapids(&[part, "--effort", "5"]));
+    assert!(hard <= quick, "{hard} > {quick}");
+    for option in [&["--closed"][..], &["--metric", "rapid"], &["--machine", "gf2171"]] {
+        let output = run(&[&["examples/plate.yaml"], option].concat());
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        assert!(said.contains(option[0]) && said.contains("lists of points"), "{said}");
+    }
+}
+
+#[test]
+fn a_small_effort_is_close_to_what_is_best_known() {
+    // Five seconds of fast-tsp give 3060.8 mm, and so does our default effort (docs/order.md).
+    let points = patterns::circles(200);
+    let found = path(&Space::closed(&points, Metric::Euclid), Effort(20)).cost;
+    assert!(found as f64 <= 3_060_800.0 * 1.002, "{found}");
+    let bound = lower_bound(&Space::closed(&points, Metric::Euclid), found, rounds(200));
+    assert!(found as f64 <= bound as f64 * 1.02, "{found}, at least {bound}");
 }
 
 #[test]

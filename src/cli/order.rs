@@ -11,11 +11,11 @@ use technolog::machine::Machine;
 use technolog::part::Point;
 use technolog::plan::{CuttingMethod, Plan, Times, Visit, Visiting};
 use technolog::report::svg::{self, Panel};
-use technolog::report::{grid, sentence};
-use technolog::sequence::list::{Form, List, read_list};
+use technolog::report::{grid, remedy, sentence};
+use technolog::sequence::list::{Form, List, Slip, read_list};
 use technolog::sequence::metric::Metric;
 use technolog::sequence::tour::{Effort, Space, nearest_rule, path};
-use technolog::sequence::{bound, rapid, tool_change_point, visit_bound};
+use technolog::sequence::{bound, rapid, sequence, tool_change_point, visit_bound};
 use technolog::units::{Micrometres, Minutes, round_to};
 
 use super::diagnostics::Texts;
@@ -28,19 +28,22 @@ pub struct Args {
     /// The part file, or a list of points: CSV (x,y in mm) or TSPLIB (EUC_2D)
     #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// Of a list: straight distance (euclid) or the time of rapids (rapid)
-    #[arg(long, value_enum, default_value = "euclid", hide_possible_values = true)]
-    metric: MetricName,
+    /// Of a list: straight distance (euclid, without it) or the time of rapids (rapid)
+    #[arg(long, value_enum, hide_possible_values = true)]
+    metric: Option<MetricName>,
     /// Of a list: return to the first point
     #[arg(long)]
     closed: bool,
-    /// Of a list: how hard to look, tries per point
-    #[arg(long, value_name = "N", default_value_t = Effort::default().0, value_parser = clap::value_parser!(u32).range(..=100_000))]
-    effort: u32,
-    /// Of a list with rapids: the machine whose rapids they are
-    #[arg(long, value_name = "ID", default_value = "gf2171")]
-    machine: String,
+    /// How hard to look, tries per point: 100 for a list without it; a part's order is then that of its plan
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(..=100_000))]
+    effort: Option<u32>,
+    /// Of a list with rapids: the machine whose rapids they are, gf2171 without it
+    #[arg(long, value_name = "ID")]
+    machine: Option<String>,
 }
+
+/// The machine whose rapids are meant where none is named.
+const MACHINE: &str = "gf2171";
 
 /// Metrics of a list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -70,8 +73,19 @@ struct PartAnswer<'p> {
 }
 
 fn of_part(args: &Args, format: Format, knowledge: &Knowledge, context: &Context) -> Result<Outcome, CliError> {
+    let of_lists =
+        [("--metric", args.metric.is_some()), ("--closed", args.closed), ("--machine", args.machine.is_some())];
+    if let Some((option, _)) = of_lists.into_iter().find(|(_, given)| *given) {
+        let message = words::option_of_lists(context.lang, option);
+        return Err(Diagnostic::error("option-of-lists", message, None)
+            .help(words::leave_out(context.lang, option))
+            .into());
+    }
     let mut plan = plan::make(&args.file, CuttingMethod::default(), knowledge, context)?;
     let machine = machine(&plan.part.machine, knowledge, context)?;
+    if let Some(effort) = args.effort {
+        (plan.sequence, plan.time) = sequence(&plan.part, &plan.holes, &machine, Some(Effort(effort)));
+    }
     for at in 0..plan.sequence.len() {
         plan.sequence[at].bound_min = visit_bound(&plan.sequence[at], &plan.part, &machine);
     }
@@ -165,6 +179,13 @@ fn part_text(plan: &Plan, home: Point, context: &Context) -> String {
             decimal(visiting.book_sequential_min.0, 2, context),
             decimal(visiting.sequential_min.0, 2, context),
         );
+        let quickest = visiting.book_parallel_min.0.min(visiting.sequential_min.0);
+        let mixture = visiting.mixture.map(|mixture| {
+            let saves = mixture.time_min.0 < quickest;
+            let both = context.word(if saves { Word::QuickerThanBoth } else { Word::NotQuicker });
+            words::mixture(lang, mixture.sequential_tools, decimal(mixture.time_min.0, 2, context), both)
+        });
+        let line = mixture.map_or_else(|| line.clone(), |mixture| format!("{line}; {mixture}"));
         text.push_str(&grid::paragraph(&line, 2));
     }
     for finding in &plan.findings {
@@ -190,19 +211,29 @@ struct ListAnswer<'l> {
     time_min: Option<Minutes>,
     nearest_length_mm: Micrometres,
     #[serde(skip_serializing_if = "Option::is_none")]
+    nearest_time_min: Option<Minutes>,
+    /// Absent where axes speed up: the time is bounded then.
+    #[serde(skip_serializing_if = "Option::is_none")]
     bound_mm: Option<Micrometres>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bound_min: Option<Minutes>,
     optimal: bool,
 }
 
 fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context) -> Result<Outcome, CliError> {
     let List { form, points, names } = read(args, context)?;
-    let metric = match (args.metric, form) {
+    let name = args.metric.unwrap_or(MetricName::Euclid);
+    let effort = args.effort.map_or_else(Effort::default, Effort);
+    let metric = match (name, form) {
         (MetricName::Euclid, Form::Csv) => Metric::Euclid,
         (MetricName::Euclid, Form::Tsplib) => Metric::EuclidWhole,
-        (MetricName::Rapid, _) => Metric::Rapid(rapid(&machine(&args.machine, knowledge, context)?)),
+        (MetricName::Rapid, _) => {
+            let id = args.machine.as_deref().unwrap_or(MACHINE);
+            Metric::Rapid(rapid(&machine(id, knowledge, context)?))
+        }
     };
     let space = if args.closed { Space::closed(&points, metric) } else { Space::open(&points, metric) };
-    let found = path(&space, Effort(args.effort));
+    let found = path(&space, effort);
     let book = nearest_rule(&space);
     let bound = match found.optimal {
         true => Some(found.cost),
@@ -222,13 +253,18 @@ fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
     let order: Vec<u64> = found.order.iter().map(|&point| names[point]).collect();
     let answer = ListAnswer {
         points: points.len(),
-        metric: if args.metric == MetricName::Rapid { "rapid" } else { "euclid" },
+        metric: if name == MetricName::Rapid { "rapid" } else { "euclid" },
         closed: args.closed,
-        effort: args.effort,
+        effort: effort.0,
         order: &order,
         length_mm: way(&found.order, found.cost),
         time_min: metric.minutes(found.cost).map(|time| time.rounded(4)),
         nearest_length_mm: way(&book.order, book.cost),
+        nearest_time_min: metric.minutes(book.cost).map(|time| time.rounded(4)),
+        // Rounded down, so that it stays a bound.
+        bound_min: bound
+            .and_then(|bound| metric.minutes(bound))
+            .map(|time| Minutes((time.0 * 10_000.0).floor() / 10_000.0)),
         bound_mm: bound.filter(|_| !timed).map(Micrometres::new),
         optimal: found.optimal,
     };
@@ -254,11 +290,21 @@ fn list_text(answer: &ListAnswer<'_>, context: &Context) -> String {
     if let Some(time) = answer.time_min {
         rows.push(vec![context.word(Word::RapidsMin).to_owned(), decimal(time.0, 4, context)]);
     }
-    let saved = saving(answer.length_mm.to_mm(), answer.nearest_length_mm.to_mm(), context);
     rows.push(vec![context.word(Word::NearestMm).to_owned(), mm(answer.nearest_length_mm)]);
+    // Where axes speed up the shortest time is looked for, not the shortest way.
+    let saved = match (answer.time_min, answer.nearest_time_min) {
+        (Some(time), Some(book)) => {
+            rows.push(vec![context.word(Word::NearestMin).to_owned(), decimal(book.0, 4, context)]);
+            saving(time.0, book.0, context)
+        }
+        _ => saving(answer.length_mm.to_mm(), answer.nearest_length_mm.to_mm(), context),
+    };
     rows.push(vec![context.word(Word::Saved).to_owned(), saved]);
     if let Some(bound) = answer.bound_mm {
         rows.push(vec![context.word(Word::BoundMm).to_owned(), mm(bound)]);
+    }
+    if let Some(bound) = answer.bound_min {
+        rows.push(vec![context.word(Word::BoundMin).to_owned(), decimal(bound.0, 4, context)]);
     }
     let order: Vec<String> = answer.order.iter().map(u64::to_string).collect();
     format!("{}\n{}", grid::columns(&rows, 0), grid::paragraph(&order.join(" "), 0))
@@ -271,8 +317,16 @@ fn read(args: &Args, context: &Context) -> Result<List, CliError> {
         CliError::from(Diagnostic::error("unreadable", message, None).help(words::check_path(context.lang)))
     })?;
     let text = text_of(&shown, text)?;
-    read_list(&shown, &text).map_err(|problems| CliError::Unusable {
-        problems,
+    read_list(&shown, &text).map_err(|slips| CliError::Unusable {
+        problems: slips.into_iter().map(|slip| problem(slip, context)).collect(),
         texts: Texts::default().with(&shown, shown.clone(), Cow::Owned(text)),
     })
+}
+
+fn problem(slip: Slip, context: &Context) -> Diagnostic {
+    let problem = Diagnostic::error(slip.code, sentence(&slip.note, context.lang), slip.place);
+    match remedy(&slip.note, context.lang) {
+        Some(remedy) => problem.help(remedy),
+        None => problem,
+    }
 }

@@ -63,6 +63,10 @@ words! {
     Notes: "Примітки", "Notes";
     Gaps: "Чого в таблиці немає", "What the table does not hold";
 
+    // The order.
+    QuickerThanBoth: "швидше за обидва способи", "quicker than either method";
+    NotQuicker: "не швидше за паралельний чи послідовний спосіб", "not quicker than parallel or sequential";
+
     // A lookup.
     Result: "Результат", "Result";
     NoRow: "жоден рядок не підходить", "no row applies";
@@ -138,6 +142,12 @@ phrases! {
         "{part}. The order of tools, and the path of each from the tool-change position {home} and back.";
     visit_title(tool, setup, time): "T{tool}, установ {setup}: {time} хв", "T{tool}, set-up {setup}: {time} min";
     list_title(points, length): "точок {points}, шлях {length} мм", "{points} points, path {length} mm";
+    mixture(tools, time, both):
+        "найшвидша суміш, останні інструменти ({tools}) послідовно: {time} хв, {both}",
+        "the quickest mixture, the last {tools} tools in sequence: {time} min, {both}";
+    option_of_lists(option):
+        "{option} стосується лише списків точок, а не файлу деталі", "{option} is for lists of points, not for a part file";
+    leave_out(option): "приберіть {option}", "leave out {option}";
     visiting_line(hole, why, parallel, sequential, true_sequential):
         "{hole}: {why}; Tпар = {parallel} хв, Tпосл = {sequential} хв, на цьому верстаті послідовно {true_sequential} хв",
         "{hole}: {why}; Tpar = {parallel} min, Tseq = {sequential} min, sequential on this machine {true_sequential} min";
@@ -313,10 +323,13 @@ pub const HELP_UK: &[(&str, &str)] = &[
     ("program.show", "Що показати: програму (program) чи налагодження, потрібне операторові (setting)"),
     ("order", "Порядок інструментів і шлях обходу отворів з довжиною, часом і нижньою межею; також для списку точок"),
     ("order.file", "Файл деталі або список точок: CSV (x,y у мм) чи TSPLIB (EUC_2D)"),
-    ("order.metric", "Для списку: відстань по прямій (euclid) чи час швидких ходів (rapid)"),
+    ("order.metric", "Для списку: відстань по прямій (euclid, так без цього) чи час швидких ходів (rapid)"),
     ("order.closed", "Для списку: повернутися до першої точки"),
-    ("order.effort", "Для списку: скільки спроб на точку"),
-    ("order.machine", "Для списку зі швидкими ходами: чий це верстат"),
+    (
+        "order.effort",
+        "Наскільки старанно шукати, спроб на точку: для списку без цього 100; порядок деталі без цього той, що в плані",
+    ),
+    ("order.machine", "Для списку зі швидкими ходами: чий це верстат, без цього gf2171"),
     ("lint", "Доводить базу знань: прогалини, суперечності, мертві рядки, посилання, закони, приклади"),
 ];
 

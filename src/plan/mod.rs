@@ -16,7 +16,7 @@ use crate::units::{
 mod order;
 mod route;
 
-pub use order::{Stop, Times, Visit, Visiting, VisitingMethod};
+pub use order::{Mixture, Stop, Times, Visit, Visiting, VisitingMethod};
 pub use route::{Achieved, Alternative, Feature, Made, Route, Way};
 
 /// A transition of hole machining.

@@ -107,10 +107,22 @@ pub struct Visiting {
     pub book_sequential_min: Minutes,
     /// The sequential method on this machine: each change at the tool-change position, min.
     pub sequential_min: Minutes,
+    /// The quickest mixture of both on this machine; absent with two tools, which leave nothing to mix.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mixture: Option<Mixture>,
     /// The `finishing_tools` in parallel, min.
     pub finish_parallel_min: Minutes,
     /// The `finishing_tools` at each hole in turn, on this machine, min.
     pub finish_sequential_min: Minutes,
     /// The row of the rule.
     pub because: Vec<Because>,
+}
+
+/// The first tools of a group in parallel, the last ones at each hole in turn.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Mixture {
+    /// How many are the last ones: at least two.
+    pub sequential_tools: usize,
+    /// What the whole group takes, min.
+    pub time_min: Minutes,
 }

@@ -75,7 +75,7 @@ pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result
             None
         }
     };
-    let (visits, time) = sequence::sequence(part, &holes, &shop.machine);
+    let (visits, time) = sequence::sequence(part, &holes, &shop.machine, None);
     let visiting = sequence::visiting::visiting(part, &holes, &shop, &mut findings)?;
     reach_of_table(part, &shop, &mut findings);
     let mut plan = Plan {

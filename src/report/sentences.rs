@@ -8,12 +8,14 @@ use crate::note::Note;
 use super::Lang;
 
 mod iso;
+mod lists;
 mod programs;
 mod routes;
 
 /// Every sentence.
 fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'static str)> {
-    SENTENCES.iter().chain(routes::SENTENCES).chain(programs::SENTENCES).chain(iso::SENTENCES)
+    let all = SENTENCES.iter().chain(routes::SENTENCES).chain(programs::SENTENCES);
+    all.chain(iso::SENTENCES).chain(lists::SENTENCES)
 }
 
 /// A note as a sentence. A code without words shows itself with its figures, so that nothing is lost.
@@ -35,9 +37,9 @@ pub fn sentence(note: &Note, lang: Lang) -> String {
     text
 }
 
-/// What to do about a mistake of a program.
+/// What to do about a mistake of a program or of a list of points.
 pub fn remedy(note: &Note, lang: Lang) -> Option<&'static str> {
-    let mut remedies = programs::REMEDIES.iter().chain(iso::REMEDIES);
+    let mut remedies = programs::REMEDIES.iter().chain(iso::REMEDIES).chain(lists::REMEDIES);
     remedies.find(|(code, ..)| *code == note.code).map(|(_, uk, en)| lang.pick(uk, en))
 }
 

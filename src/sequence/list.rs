@@ -1,8 +1,13 @@
-//! Plain lists of points: comma-separated `x,y` in millimetres, and the `EUC_2D` files of TSPLIB.
+//! Plain lists of points: `x,y` in millimetres on each line, and the `EUC_2D` files of TSPLIB.
+//!
+//! Spreadsheets write such lists in their own ways: with commas, semicolons or tabs between the cells, with cells in
+//! quotes, and, where no comma stands between cells, with a decimal comma.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use crate::knowledge::diagnostic::{Diagnostic, Place};
+use crate::knowledge::diagnostic::Place;
+use crate::note::Note;
 use crate::part::Point;
 use crate::units::Micrometres;
 
@@ -33,11 +38,23 @@ pub struct List {
     pub names: Vec<u64>,
 }
 
+/// Something in a list that cannot be used. `report::sentence` and `report::remedy` have the words.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Slip {
+    /// The code, which is that of the note too.
+    pub code: &'static str,
+    /// What is wrong, with its figures.
+    pub note: Note,
+    /// Where; absent where it concerns the whole file.
+    pub place: Option<Place>,
+}
+
 /// Reads a list of points.
 ///
 /// # Errors
-/// Every line that cannot be used, with its place and what to write instead.
-pub fn read_list(file: &str, text: &str) -> Result<List, Vec<Diagnostic>> {
+/// Every line that cannot be used, with its place.
+pub fn read_list(file: &str, text: &str) -> Result<List, Vec<Slip>> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let form = if text.lines().any(|line| line.trim().starts_with("NODE_COORD_SECTION")) || keyword(text) {
         Form::Tsplib
     } else {
@@ -49,15 +66,11 @@ pub fn read_list(file: &str, text: &str) -> Result<List, Vec<Diagnostic>> {
         Form::Tsplib => reader.tsplib(text),
     }
     if reader.problems.is_empty() && reader.points.is_empty() {
-        let place = reader.place(1, "", text.lines().next().unwrap_or_default());
-        reader.problems.push(
-            Diagnostic::error("no-points", "there are no points in the list", place)
-                .help("write a line `x,y` for each"),
-        );
+        reader.wrong("no-points", &[], (1, "", text.lines().next().unwrap_or_default()));
     }
     if reader.points.len() > MOST_POINTS {
-        let message = format!("{} points are more than {MOST_POINTS}", reader.points.len());
-        reader.problems.push(Diagnostic::error("too-many-points", message, None).help("split the list"));
+        let figures = [("count", reader.points.len().to_string()), ("most", MOST_POINTS.to_string())];
+        reader.slip("too-many-points", &figures, None);
     }
     if reader.problems.is_empty() {
         return Ok(List { form, points: reader.points, names: reader.names });
@@ -74,9 +87,39 @@ fn keyword(text: &str) -> bool {
         .any(|word| first.trim().strip_prefix(word).is_some_and(|rest| rest.trim_start().starts_with(':')))
 }
 
+/// The cells of a line, without the quotes around them. A semicolon or a tab outside quotes separates cells, and only
+/// where there is none a comma does: so decimal commas can stand in the cells.
+fn cells(line: &str) -> Vec<&str> {
+    let mut quoted = false;
+    let outside: Vec<(usize, char)> = line
+        .char_indices()
+        .filter(|&(_, letter)| {
+            quoted ^= letter == '"';
+            !quoted
+        })
+        .collect();
+    let separator =
+        [';', '\t'].into_iter().find(|mark| outside.iter().any(|(_, letter)| letter == mark)).unwrap_or(',');
+    let mut cells = Vec::new();
+    let mut start = 0;
+    for at in outside.iter().filter(|(_, letter)| *letter == separator).map(|(at, _)| *at).chain([line.len()]) {
+        let cell = line.get(start..at).unwrap_or_default().trim();
+        let inside = cell.strip_prefix('"').and_then(|cell| cell.strip_suffix('"'));
+        cells.push(inside.unwrap_or(cell).trim());
+        start = at + separator.len_utf8();
+    }
+    cells
+}
+
+/// A number with a decimal point or, as spreadsheets in Ukrainian write it, a decimal comma.
+fn value(word: &str) -> Option<f64> {
+    let pointed = if word.contains('.') { word.to_owned() } else { word.replacen(',', ".", 1) };
+    pointed.parse().ok()
+}
+
 struct Reader {
     file: Arc<str>,
-    problems: Vec<Diagnostic>,
+    problems: Vec<Slip>,
     points: Vec<Point>,
     names: Vec<u64>,
 }
@@ -96,35 +139,30 @@ impl Reader {
         }
     }
 
-    fn wrong(&mut self, code: &'static str, message: String, (number, word, line): (usize, &str, &str), help: &str) {
+    fn slip(&mut self, code: &'static str, figures: &[(&str, String)], place: Option<Place>) {
         if self.problems.len() < SHOWN {
-            let place = self.place(number, word, line);
-            self.problems.push(Diagnostic::error(code, message, place).help(help));
+            let note = figures.iter().fold(Note::new(code), |note, (name, value)| note.with(name, value));
+            self.problems.push(Slip { code, note, place });
         }
+    }
+
+    /// A slip in a line, `(number, word, line)`.
+    fn wrong(&mut self, code: &'static str, figures: &[(&str, String)], (number, word, line): (usize, &str, &str)) {
+        let place = self.place(number, word, line);
+        self.slip(code, figures, Some(place));
     }
 
     fn coordinate(&mut self, word: &str, number: usize, line: &str) -> Option<Micrometres> {
         let word = word.trim();
-        match word.parse::<f64>() {
-            Ok(value) if value.is_finite() && value.abs() <= LARGEST => Some(Micrometres::from_mm_rounded(value)),
-            Ok(_) => {
-                let message = format!("`{word}` is beyond {LARGEST} mm");
-                self.wrong(
-                    "coordinate-too-large",
-                    message,
-                    (number, word, line),
-                    "write the coordinate in millimetres",
-                );
+        let quoted = ("word", word.to_owned());
+        match value(word) {
+            Some(value) if value.is_finite() && value.abs() <= LARGEST => Some(Micrometres::from_mm_rounded(value)),
+            Some(_) => {
+                self.wrong("coordinate-too-large", &[quoted, ("most", LARGEST.to_string())], (number, word, line));
                 None
             }
-            Err(_) => {
-                let message = format!("`{word}` is not a number");
-                self.wrong(
-                    "not-a-number",
-                    message,
-                    (number, word, line),
-                    "write millimetres with a decimal point: 12.5",
-                );
+            None => {
+                self.wrong("not-a-number", &[quoted], (number, word, line));
                 None
             }
         }
@@ -134,27 +172,20 @@ impl Reader {
         let mut first = true;
         for (index, line) in text.lines().enumerate() {
             let number = index + 1;
-            let line = line.strip_prefix('\u{feff}').unwrap_or(line);
             if line.trim().is_empty() || line.trim_start().starts_with('#') {
                 continue;
             }
-            let split = if line.contains(';') { ';' } else { ',' };
-            let cells: Vec<&str> = line.split(split).collect();
+            let cells = cells(line);
             // The head: words, and no number among them.
-            let head = cells.iter().all(|cell| cell.trim().parse::<f64>().is_err());
-            if std::mem::take(&mut first)
-                && head
-                && cells.len() == 2
-                && cells.iter().all(|cell| !cell.trim().is_empty())
-            {
+            let head = cells.iter().all(|cell| !cell.is_empty() && value(cell).is_none());
+            if std::mem::take(&mut first) && head && cells.len() == 2 {
                 continue;
             }
             if let [x, y] = cells.as_slice() {
                 let (x, y) = (self.coordinate(x, number, line), self.coordinate(y, number, line));
                 self.push(x, y, None);
             } else {
-                let message = format!("a point has two coordinates, here are {}", cells.len());
-                self.wrong("not-a-point", message, (number, "", line), "write `x,y`, with a decimal point: 12.5,-40");
+                self.wrong("not-a-point", &[("count", cells.len().to_string())], (number, "", line));
             }
         }
     }
@@ -168,6 +199,7 @@ impl Reader {
 
     fn tsplib(&mut self, text: &str) {
         let (mut inside, mut dimension, mut seen_kind) = (false, None, false);
+        let mut seen = BTreeSet::new();
         for (index, line) in text.lines().enumerate() {
             let number = index + 1;
             let words: Vec<&str> = line.split_whitespace().collect();
@@ -183,24 +215,22 @@ impl Reader {
                 break;
             } else if inside {
                 let [name, x, y] = words.as_slice() else {
-                    let message = format!("a node is `number x y`, here are {} words", words.len());
-                    self.wrong("not-a-node", message, (number, "", line), "write, for example, `1 12.5 -40`");
+                    self.wrong("not-a-node", &[("count", words.len().to_string())], (number, "", line));
                     continue;
                 };
                 let (x, y) = (self.coordinate(x, number, line), self.coordinate(y, number, line));
                 match name.parse::<u64>() {
-                    Ok(name) => self.push(x, y, Some(name)),
-                    Err(_) => {
-                        let message = format!("`{name}` is not the number of a node");
-                        self.wrong("not-a-node", message, (number, name, line), "number the nodes from 1");
+                    Ok(own) if !seen.insert(own) => {
+                        self.wrong("node-twice", &[("word", (*name).to_owned())], (number, name, line));
                     }
+                    Ok(own) => self.push(x, y, Some(own)),
+                    Err(_) => self.wrong("not-a-node-number", &[("word", (*name).to_owned())], (number, name, line)),
                 }
             } else if let Some((key, value)) = line.split_once(':') {
                 let value = value.trim();
                 match key.trim() {
                     "EDGE_WEIGHT_TYPE" if value != "EUC_2D" => {
-                        let message = format!("distances of the kind {value} are not read");
-                        self.wrong("distance-kind", message, (number, value, line), "only EUC_2D is known");
+                        self.wrong("distance-kind", &[("word", value.to_owned())], (number, value, line));
                     }
                     "EDGE_WEIGHT_TYPE" => seen_kind = true,
                     "DIMENSION" => dimension = Some((value.parse::<usize>().ok(), number, value, line)),
@@ -212,19 +242,12 @@ impl Reader {
             && self.problems.is_empty()
             && count != Some(self.points.len())
         {
-            let message = format!("DIMENSION is `{value}`, and there are {} nodes", self.points.len());
-            self.wrong("dimension", message, (number, value, line), "write the number of nodes that follow");
+            let figures = [("word", value.to_owned()), ("count", self.points.len().to_string())];
+            self.wrong("dimension", &figures, (number, value, line));
         }
         if !seen_kind && self.problems.is_empty() {
             let line = text.lines().next().unwrap_or_default();
-            let message = "EDGE_WEIGHT_TYPE is missing".to_owned();
-            self.wrong("distance-kind", message, (1, "", line), "write `EDGE_WEIGHT_TYPE : EUC_2D`");
-        }
-        let mut names = self.names.clone();
-        names.sort_unstable();
-        if let Some(twice) = names.windows(2).find(|pair| pair[0] == pair[1]) {
-            let message = format!("the node {} stands twice", twice[0]);
-            self.problems.push(Diagnostic::error("node-twice", message, None).help("number each node once"));
+            self.wrong("distance-kind-missing", &[], (1, "", line));
         }
     }
 }
@@ -232,6 +255,7 @@ impl Reader {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::{Lang, remedy, sentence};
 
     fn codes(text: &str) -> Vec<String> {
         let problems = read_list("list", text).unwrap_err();
@@ -239,7 +263,10 @@ mod tests {
             .iter()
             .map(|problem| {
                 let at = problem.place.as_ref().map_or(String::new(), |at| format!(" {}:{}", at.line, at.column));
-                assert!(problem.help.is_some(), "{problem}");
+                for lang in [Lang::Uk, Lang::En] {
+                    assert!(remedy(&problem.note, lang).is_some(), "{problem:?}");
+                    assert!(!sentence(&problem.note, lang).contains(['{', '}']), "{problem:?}");
+                }
                 format!("{}{at}", problem.code)
             })
             .collect()
@@ -247,14 +274,20 @@ mod tests {
 
     #[test]
     fn lists_of_both_forms_are_read() {
-        for text in
-            ["1,2\n3.5,-4\n", "x,y\n1,2\n\n3.5,-4", "X;Y\r\n1;2\r\n3.5; -4\r\n", "\u{feff}x,y\n# a remark\n1,2\n3.5,-4"]
-        {
+        for text in [
+            "1,2\n3.5,-4\n",
+            "x,y\n1,2\n\n3.5,-4",
+            "X;Y\r\n1;2\r\n3.5; -4\r\n",
+            "\u{feff}x,y\n# a remark\n1,2\n3.5,-4",
+            "\u{feff}X;Y\r\n1,0;2,0\r\n3,5;-4,0\r\n",
+            "\"Х, мм\",\"Y, мм\"\n\"1\",\"2\"\n\"3,5\",\"-4\"",
+            "x\ty\n1\t2\n3,5\t-4",
+        ] {
             let list = read_list("list", text).unwrap();
             assert_eq!((list.form, list.names.as_slice()), (Form::Csv, [1, 2].as_slice()), "{text}");
             assert_eq!(list.points[1], Point { x: Micrometres::new(3500), y: Micrometres::from_mm(-4) });
         }
-        let text = "NAME: two\nTYPE : TSP\nDIMENSION : 2\nEDGE_WEIGHT_TYPE: EUC_2D\nNODE_COORD_SECTION\n7 1 2\n8 3.5e0 -4\nEOF\n";
+        let text = "NAME: two\nCOMMENT: of nobody: two\nTYPE : TSP\nDIMENSION : 2\nEDGE_WEIGHT_TYPE: EUC_2D\nNODE_COORD_SECTION\n7 1 2\n 8 3.50000e+00 -4\nEOF\nnothing more\n";
         let list = read_list("list", text).unwrap();
         assert_eq!((list.form, list.names), (Form::Tsplib, vec![7, 8]));
     }
@@ -271,12 +304,18 @@ mod tests {
         assert_eq!(codes("nan,inf\n"), ["coordinate-too-large 1:1", "coordinate-too-large 1:5"]);
         assert_eq!(
             codes("NAME: x\nDIMENSION: 2\nEDGE_WEIGHT_TYPE: GEO\nNODE_COORD_SECTION\n1 2\nb 3 4\n"),
-            ["distance-kind 3:19", "not-a-node 5:1", "not-a-node 6:1"]
+            ["distance-kind 3:19", "not-a-node 5:1", "not-a-node-number 6:1"]
         );
         assert_eq!(
             codes("DIMENSION: 3\nEDGE_WEIGHT_TYPE: EUC_2D\nNODE_COORD_SECTION\n1 2 3\n1 2 3\n"),
-            ["dimension 1:12", "node-twice"]
+            ["node-twice 5:1"]
         );
-        assert_eq!(codes("NODE_COORD_SECTION\n1 2 3\n"), ["distance-kind 1:1"]);
+        assert_eq!(
+            codes("DIMENSION: 3\nEDGE_WEIGHT_TYPE: EUC_2D\nNODE_COORD_SECTION\n1 2 3\n2 2 3\n"),
+            ["dimension 1:12"]
+        );
+        assert_eq!(codes("NODE_COORD_SECTION\n1 2 3\n"), ["distance-kind-missing 1:1"]);
+        assert_eq!(codes("x;y\n1,5;2\n1,5,2\n"), ["not-a-point 3:1"], "a decimal comma needs another separator");
+        assert_eq!(codes("1.000,5;2\n\"1,5\";\"two\"\n"), ["not-a-number 1:1", "not-a-number 2:8"]);
     }
 }

@@ -18,13 +18,14 @@ use crate::plan::{HolePlan, Stop, Times, Visit};
 use crate::units::{Micrometres, Minutes};
 
 use metric::{Metric, Rapid};
-use tour::Space;
+use tour::{Effort, Space};
 
 /// Visits of every tool, in order, and where the time goes.
 ///
 /// A tool is taken when every hole that needs it has come to it. Where two holes need two tools in opposite
-/// orders, the lower number is taken first and comes back later for the other hole.
-pub fn sequence(part: &Part, holes: &[HolePlan], machine: &Machine<'_>) -> (Vec<Visit>, Times) {
+/// orders, the lower number is taken first and comes back later for the other hole. The paths are looked for with
+/// that effort, or, without one, as quickly as planning wants.
+pub fn sequence(part: &Part, holes: &[HolePlan], machine: &Machine<'_>, effort: Option<Effort>) -> (Vec<Visit>, Times) {
     let mut visits = Vec::new();
     let mut times = Times::default();
     for (setup, face) in [(1, Face::Entry), (2, Face::Back)] {
@@ -49,7 +50,7 @@ pub fn sequence(part: &Part, holes: &[HolePlan], machine: &Machine<'_>) -> (Vec<
                     places.extend(hole.at.iter().map(|&at| own.iter().map(|&step| stop(at, step)).collect()));
                 }
             }
-            let visit = visit(tool, setup, places, holes, part, machine);
+            let visit = visit(tool, setup, places, holes, part, machine, effort);
             times.rapid_min = times.rapid_min + visit.rapid_min;
             visits.push(visit);
         }
@@ -87,6 +88,7 @@ fn visit(
     holes: &[HolePlan],
     part: &Part,
     machine: &Machine<'_>,
+    effort: Option<Effort>,
 ) -> Visit {
     let home = tool_change_point(part, machine);
     let at = places.iter().filter_map(|stops| stops.first()).map(|stop| stop.at);
@@ -94,7 +96,7 @@ fn visit(
     let rapid = rapid(machine);
     let metric = Metric::Rapid(rapid);
     let space = Space::closed(&points, metric);
-    let path = tour::plan_path(&space);
+    let path = effort.map_or_else(|| tour::plan_path(&space), |effort| tour::path(&space, effort));
     let withdrawals: f64 = places.iter().flatten().map(|stop| withdrawal(stop, holes, rapid).0).sum();
     let time = |cost| Minutes(metric.minutes(cost).unwrap_or_default().0 + withdrawals).rounded(3);
     let rapid_min = time(path.cost);

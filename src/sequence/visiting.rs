@@ -5,7 +5,7 @@ use crate::knowledge::Input;
 use crate::knowledge::units::Unit;
 use crate::note::{Because, Finding, Note, Severity};
 use crate::part::{Hole, Part, Point};
-use crate::plan::{HolePlan, Operation, Visiting, VisitingMethod};
+use crate::plan::{HolePlan, Mixture, Operation, Visiting, VisitingMethod};
 use crate::shop::Shop;
 use crate::units::{Decimal, Minutes, round_to};
 
@@ -30,6 +30,17 @@ pub fn sequential(holes: usize, tools: usize, change: Minutes, round: Minutes) -
 pub fn ratio(holes: usize, tools: usize, change: Minutes, round: Minutes) -> f64 {
     let (n, m, k) = (holes as f64, tools as f64, round.0 / change.0);
     m * (1.0 + k) / (n * m + k)
+}
+
+/// The quickest mixture of both methods: the first tools in parallel, so many last ones at each hole in turn; with
+/// its time, or none where two tools leave nothing to mix. `round` is what one tool takes in parallel and `changed`
+/// what it takes changed at every hole, each with its tool changes and the way to them.
+///
+/// One tool alone «at each hole in turn» goes round as in parallel, so at least two are. Which of the tools they are
+/// makes no difference: all go to the same holes.
+pub fn mixture(tools: usize, round: Minutes, changed: Minutes) -> Option<(usize, Minutes)> {
+    let time = |last: usize| (tools - last) as f64 * round.0 + last as f64 * changed.0;
+    (2..tools).map(|last| (last, Minutes(time(last)))).min_by(|one, other| one.1.0.total_cmp(&other.1.0))
 }
 
 /// Which method the book's rule gives to each group with more than one tool, with the times of both; and a
@@ -119,6 +130,8 @@ fn of_group(part: &Part, plan: &HolePlan, hole: &Hole, shop: &Shop<'_>) -> Resul
         book_parallel_min: parallel(tools, change, round).rounded(2),
         book_sequential_min: sequential(hole.at.len(), tools, change, round).rounded(2),
         sequential_min: Minutes(tools as f64 * each).rounded(2),
+        mixture: mixture(tools, Minutes(change.0 + round.0), Minutes(each))
+            .map(|(sequential_tools, time)| Mixture { sequential_tools, time_min: time.rounded(2) }),
         finish_parallel_min: parallel(concerned, change, round).rounded(2),
         finish_sequential_min: Minutes(concerned as f64 * each).rounded(2),
         because: vec![Because::answer(&answer, note)],
@@ -149,5 +162,20 @@ mod tests {
         let (change, round) = (Minutes(20.0 / 60.0), Minutes(0.06));
         assert!(ratio(1, 3, change, round) > 1.0);
         assert!(ratio(10, 3, change, round) < 1.0);
+    }
+
+    #[test]
+    fn the_quickest_mixture_is_that_of_a_count_by_hand() {
+        // Two holes 0.1 and 0.2 min from the change position, 0.15 min apart; a change takes 0.5 min.
+        // In parallel one tool takes 0.5 + (0.1 + 0.15 + 0.2) = 0.95, at each hole (0.5 + 0.2) + (0.5 + 0.4) = 1.6.
+        let (round, changed) = (Minutes(0.95), Minutes(1.6));
+        assert_eq!(mixture(2, round, changed), None, "two tools are visited in one way or the other");
+        let (tools, time) = mixture(3, round, changed).unwrap();
+        assert_eq!((tools, time.rounded(3)), (2, Minutes(4.15)), "0.95 + 2 · 1.6");
+        let (tools, time) = mixture(5, round, changed).unwrap();
+        assert_eq!((tools, time.rounded(3)), (2, Minutes(6.05)), "3 · 0.95 + 2 · 1.6");
+        // Were a change at a hole cheap, as many tools as can be would change there: 0.95 + 4 · 0.3.
+        let (tools, time) = mixture(5, round, Minutes(0.3)).unwrap();
+        assert_eq!((tools, time.rounded(3)), (4, Minutes(2.15)));
     }
 }

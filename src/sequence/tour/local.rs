@@ -1,18 +1,19 @@
-//! A tour that is improved where it is touched: chains of exchanged edges (Lin and Kernighan, 1973) and moves of
-//! short segments (Or, 1976), over lists of near nodes, from a queue of the nodes whose surroundings changed.
+//! A tour that is improved where it is touched: exchanges of two or three edges, chained (Lin and Kernighan,
+//! 1973), over lists of near nodes, from a queue of the nodes whose surroundings changed.
 //!
-//! The tour is an array of nodes with the place of each. Everything is done by reversing a stretch of it, the
-//! shorter of a stretch and its complement, and every reversal is logged, so that a try is undone exactly.
+//! The tour is an array of nodes with the place of each. Exchanges are weighed on the places alone; the array is
+//! changed only by the one that is taken, by reversing stretches of it, the shorter of a stretch and its
+//! complement, and every reversal is logged, so that a try is undone exactly.
 
 use super::Space;
 use super::neighbours::Neighbours;
 
-/// The longest chain of exchanges.
-const DEPTH: usize = 6;
-/// Continuations tried at the first levels of a chain; deeper only the best one.
-const BREADTH: [usize; 3] = [5, 2, 1];
-/// The longest segment that is moved as a whole.
-const SEGMENT: usize = 3;
+/// Exchanges in a chain.
+const CHAIN: usize = 3;
+/// Near nodes looked at for the first edge of an exchange, and for the second.
+const BREADTH: [usize; 2] = [8, 5];
+/// Edges that a chain has added: two with each exchange.
+const ADDED: usize = 2 * CHAIN;
 
 /// The tour under improvement.
 pub(super) struct Tour<'s> {
@@ -29,6 +30,41 @@ pub(super) struct Tour<'s> {
     log: Vec<(u32, u32)>,
     queue: Vec<u32>,
     queued: Vec<bool>,
+}
+
+/// How an exchange reconnects the tour. It removes the edges `base → end`, one at `a` and one at `c`, and adds
+/// `end – a`, `b – c`, and, where the chain ends, `d – base`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    /// Two edges only: `end … b` reversed; `b` comes before `a`. There is no `c`.
+    Two,
+    /// `end … b` reversed, then `b … d` of what that makes.
+    Twice,
+    /// `end … c` and `d … a` change places; `b` comes after `a`.
+    Swapped,
+    /// `end … d` reversed and `c … a` reversed; `b` comes after `a`.
+    BothReversed,
+}
+
+/// An exchange, and what the removed edges cost more than the added ones while the tour is open between its
+/// last node and the base.
+#[derive(Clone, Copy, Debug)]
+struct Exchange {
+    open: i64,
+    kind: Kind,
+    a: u32,
+    b: u32,
+    c: u32,
+    d: u32,
+}
+
+impl Exchange {
+    const fn last(&self) -> u32 {
+        match self.kind {
+            Kind::Two => self.b,
+            _ => self.d,
+        }
+    }
 }
 
 impl<'s> Tour<'s> {
@@ -60,6 +96,11 @@ impl<'s> Tour<'s> {
         self.order[place % self.order.len()]
     }
 
+    /// The place of a node in the array.
+    pub(super) fn place(&self, node: u32) -> usize {
+        self.place[node as usize] as usize
+    }
+
     #[inline]
     fn cost(&self, from: u32, to: u32) -> i64 {
         self.space.cost(from as usize, to as usize)
@@ -85,6 +126,14 @@ impl<'s> Tour<'s> {
     #[inline]
     fn previous(&self, node: u32) -> u32 {
         self.beside(node, self.backwards == self.mirror)
+    }
+
+    /// Whether a node lies on the way from one node on to another.
+    #[inline]
+    fn between(&self, from: u32, node: u32, to: u32) -> bool {
+        let (from, to) = if self.backwards == self.mirror { (from, to) } else { (to, from) };
+        let (low, at, high) = (self.place[from as usize], self.place[node as usize], self.place[to as usize]);
+        if low <= high { low <= at && at <= high } else { at >= low || at <= high }
     }
 
     /// Reverses the stretch from one node on to another, and remembers it.
@@ -163,157 +212,151 @@ impl<'s> Tour<'s> {
     }
 
     fn improve_at(&mut self, node: u32) -> Option<i64> {
-        let mut gain = None;
-        for mirror in [false, true] {
-            self.mirror = mirror;
-            gain = gain.or_else(|| self.chain(node)).or_else(|| self.move_segment(node));
+        self.mirror = false;
+        let gain = self.chain(node);
+        if gain.is_some() {
+            return gain;
         }
+        self.mirror = true;
+        let gain = self.chain(node);
         self.mirror = false;
         gain
     }
 
-    /// A chain of exchanges that begins by removing the edge from a node to its next.
+    /// A chain of exchanges that begins by removing the edge from a node to its next; gives what it saved, or
+    /// leaves the tour as it was.
     fn chain(&mut self, base: u32) -> Option<i64> {
         let kept = self.log.len();
-        let end = self.next(base);
-        let mut added = Vec::with_capacity(DEPTH);
-        let gain = self.exchange(base, end, self.cost(base, end), &mut added)?;
-        for at in kept..self.log.len() {
-            let (from, to) = self.log[at];
-            for node in [from, to] {
-                self.touch(node);
-            }
-        }
-        self.touch(base);
-        self.touch(self.next(base));
-        for (from, to) in added {
-            self.touch(from);
-            self.touch(to);
-        }
-        Some(gain)
-    }
-
-    /// Goes on with a chain: the path leads from `end`, next after `base`, once round to `base`, and `open` is
-    /// what the removed edges cost more than the added ones. An edge from `end` to a near node is added, the
-    /// one before that node removed, the stretch between reversed.
-    fn exchange(&mut self, base: u32, end: u32, open: i64, added: &mut Vec<(u32, u32)>) -> Option<i64> {
-        let level = added.len();
-        if level >= DEPTH {
-            return None;
-        }
-        let breadth = BREADTH.get(level).copied().unwrap_or(1);
-        let mut best = [(i64::MIN, 0_u32, 0_u32); BREADTH[0]];
-        let mut held = 0;
-        for &near in self.neighbours.near(end as usize) {
-            let left = open - self.cost(end, near);
-            if left <= 0 {
+        let mut end = self.next(base);
+        let mut open = self.cost(base, end);
+        let mut taken = [(0_u32, 0_u32); ADDED];
+        let mut added = 0;
+        for level in 0..CHAIN {
+            let Some((exchange, gain)) = self.exchange(base, end, open, &taken[..added]) else { break };
+            if gain <= 0 && level + 1 == CHAIN {
                 break;
             }
-            let before = self.previous(near);
-            // An edge that the chain added is not removed again: so the chain ends.
-            let own = |&(a, b): &(u32, u32)| (a == near && b == before) || (a == before && b == near);
-            if near == base || before == end || added.iter().any(own) {
-                continue;
-            }
-            let value = left + self.cost(before, near);
-            if held == breadth && best[held - 1].0 >= value {
-                continue;
-            }
-            let mut place = if held < breadth { held } else { held - 1 };
-            held = (held + 1).min(breadth);
-            while place > 0 && best[place - 1].0 < value {
-                best[place] = best[place - 1];
-                place -= 1;
-            }
-            best[place] = (value, near, before);
-        }
-        for &(value, near, before) in &best[..held] {
-            let kept = self.log.len();
-            self.reverse(end, before);
-            added.push((end, near));
-            let closed = value - self.cost(before, base);
-            // Further, if that is better still.
-            let stop = (self.log.len(), added.len());
-            match self.exchange(base, before, value, added) {
-                Some(gain) if gain > closed => return Some(gain),
-                _ if closed > 0 => {
-                    self.undo_to(stop.0);
-                    added.truncate(stop.1);
-                    return Some(closed);
+            self.carry_out(end, &exchange);
+            if gain > 0 {
+                for at in kept..self.log.len() {
+                    let (from, to) = self.log[at];
+                    self.touch(from);
+                    self.touch(to);
                 }
-                _ => {
-                    self.undo_to(kept);
-                    added.pop();
+                for &(from, to) in &taken[..added] {
+                    self.touch(from);
+                    self.touch(to);
                 }
+                for node in [base, end, exchange.a, exchange.b, exchange.c, exchange.d] {
+                    self.touch(node);
+                }
+                return Some(gain);
             }
+            taken[added] = (end, exchange.a);
+            taken[added + 1] = (exchange.b, exchange.c);
+            added += 2;
+            (end, open) = (exchange.last(), exchange.open);
         }
+        self.undo_to(kept);
         None
     }
 
-    /// Moves a segment that begins at a node and is at most [`SEGMENT`] long between two near nodes.
-    fn move_segment(&mut self, first: u32) -> Option<i64> {
-        let before = self.previous(first);
-        let mut last = first;
-        for _ in 0..SEGMENT {
-            let after = self.next(last);
-            if after == before {
-                return None;
+    /// The best exchange that begins at `end`, next after `base`, with so much to spend: the first that pays when
+    /// the tour is closed after it, with what it saves, or else the one that leaves the most.
+    #[inline]
+    fn exchange(&self, base: u32, end: u32, open: i64, taken: &[(u32, u32)]) -> Option<(Exchange, i64)> {
+        // An edge that the chain added is not removed again: so the chain ends.
+        let own = |from: u32, to: u32| taken.iter().any(|&(a, b)| (a, b) == (from, to) || (b, a) == (from, to));
+        let mut best: Option<Exchange> = None;
+        for &(cost, a) in self.neighbours.near(end).iter().take(BREADTH[0]) {
+            let first = open - cost;
+            if first <= 0 {
+                break;
             }
-            let freed = self.cost(before, first) + self.cost(last, after) - self.cost(before, after);
-            for &near in self.neighbours.near(first as usize) {
-                let left = freed - self.cost(first, near);
-                if left <= 0 {
-                    break;
+            if a == base {
+                continue;
+            }
+            let b = self.previous(a);
+            if b != end && !own(a, b) {
+                let second = first + self.cost(a, b);
+                let gain = second - self.cost(b, base);
+                if gain > 0 {
+                    return Some((Exchange { open: second, kind: Kind::Two, a, b, c: b, d: b }, gain));
                 }
-                if self.within(first, last, near) {
-                    continue;
-                }
-                // Behind the near node: near, first … last, its next.
-                if near != before {
-                    let next = self.next(near);
-                    let gain = left - self.cost(last, next) + self.cost(near, next);
+                for &(cost, c) in self.neighbours.near(b).iter().take(BREADTH[1]) {
+                    let third = second - cost;
+                    if third <= 0 {
+                        break;
+                    }
+                    if c == a || c == base {
+                        continue;
+                    }
+                    let turned = self.between(end, c, b);
+                    let d = if turned { self.next(c) } else { self.previous(c) };
+                    if d == b || own(c, d) {
+                        continue;
+                    }
+                    let open = third + self.cost(c, d);
+                    let found = Exchange { open, kind: Kind::Twice, a, b, c, d };
+                    let gain = open - self.cost(d, base);
                     if gain > 0 {
-                        self.reverse(first, near);
-                        self.reverse(near, after);
-                        self.reverse(last, first);
-                        self.touch_all([before, first, last, after, near, next]);
-                        return Some(gain);
+                        return Some((found, gain));
+                    }
+                    if best.is_none_or(|best| best.open < open) {
+                        best = Some(found);
                     }
                 }
-                // Before the near node, turned: its previous, last … first, near.
-                if near != after {
-                    let previous = self.previous(near);
-                    let gain = left - self.cost(last, previous) + self.cost(near, previous);
-                    if gain > 0 {
-                        self.reverse(first, previous);
-                        self.reverse(previous, after);
-                        self.touch_all([before, first, last, after, near, previous]);
-                        return Some(gain);
+            }
+            let b = self.next(a);
+            if !own(a, b) {
+                let second = first + self.cost(a, b);
+                for &(cost, c) in self.neighbours.near(b).iter().take(BREADTH[1]) {
+                    let third = second - cost;
+                    if third <= 0 {
+                        break;
+                    }
+                    if c == a || !self.between(end, c, a) {
+                        continue;
+                    }
+                    for kind in [Kind::Swapped, Kind::BothReversed] {
+                        let d = if kind == Kind::Swapped { self.next(c) } else { self.previous(c) };
+                        if (kind == Kind::BothReversed && c == end) || own(c, d) {
+                            continue;
+                        }
+                        let open = third + self.cost(c, d);
+                        let gain = open - self.cost(d, base);
+                        let found = Exchange { open, kind, a, b, c, d };
+                        if gain > 0 {
+                            return Some((found, gain));
+                        }
+                        if best.is_none_or(|best| best.open < open) {
+                            best = Some(found);
+                        }
                     }
                 }
             }
-            last = after;
         }
-        None
+        best.map(|found| (found, 0))
     }
 
-    /// Whether a node lies on the short stretch from one node on to another.
-    fn within(&self, first: u32, last: u32, node: u32) -> bool {
-        let mut here = first;
-        loop {
-            if here == node {
-                return true;
+    /// Reconnects the tour; afterwards the last node of the exchange is the next after the base.
+    fn carry_out(&mut self, end: u32, exchange: &Exchange) {
+        let &Exchange { kind, a, b, c, d, .. } = exchange;
+        match kind {
+            Kind::Two => self.reverse(end, b),
+            Kind::Twice => {
+                self.reverse(end, b);
+                self.reverse(b, d);
             }
-            if here == last {
-                return false;
+            Kind::Swapped => {
+                self.reverse(end, a);
+                self.reverse(a, d);
+                self.reverse(c, end);
             }
-            here = self.next(here);
-        }
-    }
-
-    fn touch_all(&mut self, nodes: [u32; 6]) {
-        for node in nodes {
-            self.touch(node);
+            Kind::BothReversed => {
+                self.reverse(end, d);
+                self.reverse(c, a);
+            }
         }
     }
 }

@@ -22,7 +22,7 @@ pub struct Effort(pub u32);
 
 impl Default for Effort {
     fn default() -> Self {
-        Self(60)
+        Self(100)
     }
 }
 
@@ -32,10 +32,12 @@ const PLAN_KICKS: (u64, u64) = (40, 300);
 
 /// Paths of fewer points get as many kicks as one of so many: they cost next to nothing.
 const FEW: usize = 50;
+/// Paths of fewer points get more kicks for each, up to twice as many: one unlucky corner weighs more in them.
+const MANY: usize = 1300;
 
 impl Effort {
     fn kicks(self, points: usize) -> u64 {
-        u64::from(self.0) * points.max(FEW) as u64
+        u64::from(self.0) * points.max(FEW).max((2 * points).min(MANY)) as u64
     }
 }
 
@@ -124,6 +126,14 @@ fn path_in(space: &Space<'_>, kicks: u64) -> Path {
     let tour = if optimal { exact::tour(space) } else { search::tour(space, kicks) };
     let order = from_the_start(space, tour);
     Path { cost: space.length(&order), order, optimal }
+}
+
+/// Names every edge from a node to one of its near nodes, some twice.
+pub(super) fn near_edges(space: &Space<'_>, mut edge: impl FnMut(usize, usize)) {
+    let neighbours = neighbours::Neighbours::of(space);
+    for node in 0..space.nodes() {
+        neighbours.near(node as u32).iter().for_each(|&(_, near)| edge(node, near as usize));
+    }
 }
 
 /// The book's own rule (textbook Appendix Г): from each point to the nearest not yet visited, in straight

@@ -12,7 +12,7 @@ const MOST: usize = 12;
 /// The lists of near nodes, one after the other.
 pub(super) struct Neighbours {
     starts: Vec<usize>,
-    nodes: Vec<u32>,
+    nodes: Vec<(i64, u32)>,
 }
 
 impl Neighbours {
@@ -25,13 +25,15 @@ impl Neighbours {
             let mut near = near(space, node);
             near.sort_unstable();
             near.dedup();
-            all.nodes.extend(near.into_iter().take(MOST).map(|(_, other)| other));
+            all.nodes.extend(near.into_iter().take(MOST));
         }
         all.starts.push(all.nodes.len());
         all
     }
 
-    pub(super) fn near(&self, node: usize) -> &[u32] {
+    /// The near nodes of a node with the cost of going there, the cheapest first.
+    pub(super) fn near(&self, node: u32) -> &[(i64, u32)] {
+        let node = node as usize;
         &self.nodes[self.starts[node]..self.starts[node + 1]]
     }
 }
