@@ -56,46 +56,49 @@ impl Compensator {
         self.offset != 0.0
     }
 
-    /// How many steps wait.
-    pub(super) fn waiting(&self) -> usize {
-        self.queue.len()
-    }
-
     /// Begins, changes or ends the correction; gives out what has waited.
     ///
     /// # Errors
     /// The path that has waited cannot be corrected.
-    pub(super) fn set(&mut self, plane: Plane, offset: f64) -> Result<Vec<Step>, Trouble> {
-        let steps = self.flush()?;
+    pub(super) fn set(&mut self, plane: Plane, offset: f64, out: &mut Vec<Step>) -> Result<(), Trouble> {
+        self.flush(out)?;
         if self.plane.is_some_and(|old| old != plane) {
             self.held = None;
         }
         self.plane = Some(plane);
         self.offset = offset;
         self.entering = offset != 0.0;
-        Ok(steps)
+        Ok(())
     }
 
     /// Gives out what has waited; its last element ends square to itself.
     ///
     /// # Errors
     /// It cannot be corrected.
-    pub(super) fn flush(&mut self) -> Result<Vec<Step>, Trouble> {
-        let mut steps = Vec::new();
+    pub(super) fn flush(&mut self, out: &mut Vec<Step>) -> Result<(), Trouble> {
         if let Some(pending) = self.pending.take() {
             let end = pending.element.beside(self.offset, true).ok_or(("arc-smaller-than-tool", pending.span))?;
-            self.finish(pending, &[end], &mut steps)?;
+            self.finish(pending, &[end], out)?;
             self.entering = self.offset != 0.0;
         }
-        Ok(steps)
+        Ok(())
     }
 
     /// Takes a step of the programmed path that began there; gives out what is known by now.
     ///
     /// # Errors
     /// The path cannot be corrected.
-    pub(super) fn take(&mut self, mut step: Step, from: Position, span: Span) -> Result<Vec<Step>, Trouble> {
-        let Some(plane) = self.plane else { return Ok(vec![step]) };
+    pub(super) fn take(
+        &mut self,
+        mut step: Step,
+        from: Position,
+        span: Span,
+        out: &mut Vec<Step>,
+    ) -> Result<(), Trouble> {
+        let Some(plane) = self.plane else {
+            out.push(step);
+            return Ok(());
+        };
         let element = Element::of(&step, from, plane);
         if self.offset == 0.0 {
             match (element, self.held) {
@@ -104,20 +107,20 @@ impl Compensator {
                 (None, Some(held)) => step.at = put(step.at, plane, held),
                 (None, None) => {}
             }
-            return Ok(vec![step]);
+            out.push(step);
+            return Ok(());
         }
         let Some(element) = element else {
-            match (&self.pending, self.held) {
-                (Some(_), _) => {
-                    self.queue.push(step);
-                    return Ok(Vec::new());
-                }
-                (None, Some(held)) => step.at = put(step.at, plane, held),
-                (None, None) => {}
+            if self.pending.is_some() {
+                self.queue.push(step);
+                return Ok(());
             }
-            return Ok(vec![step]);
+            if let Some(held) = self.held {
+                step.at = put(step.at, plane, held);
+            }
+            out.push(step);
+            return Ok(());
         };
-        let mut steps = Vec::new();
         let approach = self.entering || self.pending.is_none();
         if approach && element.arc.is_some() {
             return Err(("correction-by-arc", span));
@@ -130,11 +133,11 @@ impl Compensator {
                 let end = pending.element.beside(self.offset, true).ok_or(("arc-smaller-than-tool", pending.span))?;
                 meeting(&pending.element, &element, end, start, self.offset)
             };
-            self.finish(pending, &meeting, &mut steps)?;
+            self.finish(pending, &meeting, out)?;
         }
         self.entering = false;
         self.pending = Some(Pending { element, step, span, approach });
-        Ok(steps)
+        Ok(())
     }
 
     /// Gives out an element that ends at the first of the points, a straight way to the second where there is one, and

@@ -35,7 +35,7 @@ impl Maker<'_> {
     /// Runs the cycle in force: in the block that gives it and in every later one that moves an axis, last of all.
     pub(super) fn cycle(&mut self, words: &Words) {
         let code = self.state.groups[CYCLE];
-        let Some(cycle) = self.control.cycles.get(&code) else { return };
+        let Some(cycle) = self.control.cycles.get(code) else { return };
         let moved = words.any_axis() && words.function(SYSTEM) != Some(92);
         let span = words.g[CYCLE].map_or(self.span, |function| function.span);
         if let Some(given) = &words.cycle {

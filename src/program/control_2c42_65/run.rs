@@ -13,7 +13,7 @@ use super::text::{self, Block};
 use super::travel::Spans;
 use super::words::Words;
 use crate::machine::Machine;
-use crate::motion::{BlockRef, Sink};
+use crate::motion::{BlockRef, Sink, Step};
 use crate::program::Fault;
 
 /// Blocks and steps that a check carries out: 65535 repeats of 65535 repeats would never end.
@@ -45,6 +45,7 @@ pub fn check<S: Sink>(
             told: BTreeSet::new(),
             faults: Vec::new(),
             spans: Spans::new(),
+            steps: Vec::new(),
             left: BUDGET,
         };
         run.main();
@@ -66,6 +67,8 @@ struct Run<'a, S> {
     told: BTreeSet<(u32, u32, &'static str)>,
     faults: Vec<Fault>,
     spans: Spans,
+    /// The room for the steps of a block, empty between them: taken and given back, so that no block allocates its own.
+    steps: Vec<Step>,
     left: usize,
 }
 
@@ -113,19 +116,16 @@ impl<S: Sink> Run<'_, S> {
             self.tell(fault);
             return Way::Out;
         }
-        // A block costs itself and what the copy of the state carries along.
-        self.left = self.left.saturating_sub(1 + self.state.compensator.waiting());
-        // 1. Copy the modal state.
-        let state = self.state.clone();
-        // 2. Read the words and check their groups.
+        self.left -= 1;
+        // 1. Read the words and check their groups.
         let words = Words::read(block, self.control, self.setting.skip);
-        // 3. Check everything: make the steps on the copy.
+        // 2. Check everything: make the steps.
         let mut maker = Maker {
             control: self.control,
             machine: self.machine,
             setting: self.setting,
-            state,
-            steps: Vec::new(),
+            state: &mut self.state,
+            steps: std::mem::take(&mut self.steps),
             faults: Vec::new(),
             block: BlockRef { line: block.span.line, number: block.number },
             span: block.span,
@@ -135,16 +135,17 @@ impl<S: Sink> Run<'_, S> {
         };
         maker.finer_than_machine(&words);
         let after = maker.make(&words);
-        let Maker { state, steps, faults, made, .. } = maker;
-        // 4. Carry it out: nothing of a block that is not good, but its modes.
+        let Maker { mut steps, faults, made, .. } = maker;
+        // 3. Carry it out: nothing of a block that is not good.
         let good = !faults.iter().any(Fault::is_error);
         if good {
             for step in &steps {
                 self.sink.take(step);
             }
         }
+        steps.clear();
+        self.steps = steps;
         self.left = self.left.saturating_sub(made);
-        self.state = state;
         for fault in faults {
             self.tell(fault);
         }

@@ -20,8 +20,8 @@ pub(super) const DISTANCE: usize = 7;
 /// themselves and unknown on the machine.
 pub(super) type Floating = Option<u8>;
 
-/// The state of the control. Copied before every block, and kept only when the block is good.
-#[derive(Clone, Debug)]
+/// The state of the control.
+#[derive(Debug)]
 pub(super) struct State {
     /// The function that holds in every group.
     pub groups: [u8; GROUPS],

@@ -60,37 +60,60 @@ pub(super) fn blocks(text: &str, control: &Control) -> (Vec<Block>, Vec<Fault>) 
     let mut faults = Vec::new();
     let mut blocks = Vec::new();
     for (index, line) in text.lines().enumerate() {
-        let line_number = u32::try_from(index + 1).unwrap_or(u32::MAX);
-        let mut reader = Line { control, faults: &mut faults, line: line_number, in_cycle: false, skipped: false };
-        blocks.extend(reader.block(line));
+        let number = u32::try_from(index + 1).unwrap_or(u32::MAX);
+        let mut reader = Line {
+            control,
+            faults: &mut faults,
+            text: line,
+            ascii: line.is_ascii(),
+            number,
+            in_cycle: false,
+            skipped: false,
+        };
+        blocks.extend(reader.block());
+    }
+    // Once: whoever leaves the numbers out leaves out all of them.
+    let mut unnumbered = blocks.iter().filter(|block| block.number.is_none() && block.program.is_none());
+    if let Some(first) = unnumbered.next() {
+        faults.push(fault("no-block-number", first.span, None).with("count", unnumbered.count() + 1));
     }
     (blocks, faults)
 }
 
+/// A line on its way; places in it are counted in bytes, and told in characters.
 struct Line<'a> {
     control: &'a Control,
     faults: &'a mut Vec<Fault>,
-    line: u32,
+    text: &'a str,
+    /// Whether every character of it is one byte.
+    ascii: bool,
+    number: u32,
     in_cycle: bool,
     skipped: bool,
 }
 
 impl Line<'_> {
+    /// Characters before a place.
+    fn characters(&self, to: usize) -> usize {
+        if self.ascii { to } else { self.text[..to].chars().count() }
+    }
+
     fn span(&self, from: usize, to: usize) -> Span {
         let number = |value: usize| u32::try_from(value).unwrap_or(u32::MAX);
-        Span { line: self.line, column: number(from + 1), width: number(to.saturating_sub(from).max(1)) }
+        let (from, to) = (self.characters(from), self.characters(to));
+        Span { line: self.number, column: number(from + 1), width: number(to.saturating_sub(from).max(1)) }
     }
 
     /// One line; nothing of an empty one and of the sign `%` that begins a tape.
-    fn block(&mut self, line: &str) -> Option<Block> {
+    fn block(&mut self) -> Option<Block> {
         let before = self.faults.len();
-        let characters: Vec<char> = line.chars().collect();
-        let first = characters.iter().position(|c| !c.is_whitespace())?;
-        if characters[first] == '%' {
+        let end = self.text.trim_end().len();
+        let first = end - self.text[..end].trim_start().len();
+        if first == end || self.text[first..].starts_with('%') {
             return None;
         }
-        let length = line.trim_end().chars().count();
-        let mut block = Block { span: self.span(first, length), ..Block::default() };
+        let length = self.characters(end);
+        let mut block = Block { span: self.span(first, end), ..Block::default() };
         // The end of the block counts as one character (3.4).
         if length + 1 > self.control.block_length {
             self.faults.push(
@@ -100,22 +123,21 @@ impl Line<'_> {
             );
         }
         let mut at = first;
-        while let Some(&character) = characters.get(at) {
+        while let Some(character) = self.text[at..end].chars().next() {
+            let behind = at + character.len_utf8();
             if character.is_whitespace() {
-                at += 1;
+                at = behind;
             } else if character == '/' {
                 self.skipped = true;
-                at += 1;
+                at = behind;
             } else {
-                let end = number_end(&characters, at + 1);
-                if let Some(word) = self.word(&characters, at, end) {
+                let written = number(&self.text[behind..end]);
+                let next = behind + written.len();
+                if let Some(word) = self.word(character, written.trim_start(), self.span(at, next)) {
                     self.place(word, &mut block);
                 }
-                at = end;
+                at = next;
             }
-        }
-        if block.number.is_none() && block.program.is_none() {
-            self.faults.push(fault("no-block-number", block.span, None));
         }
         for fault in &mut self.faults[before..] {
             fault.block = block.number;
@@ -135,25 +157,21 @@ impl Line<'_> {
             }
             _ => block.words.push(word),
         }
-        if word.address == 'G' && self.control.cycles.contains_key(&word.code()) {
+        if word.address == 'G' && self.control.cycles.has(word.code()) {
             self.in_cycle = true;
         }
     }
 
-    fn word(&mut self, characters: &[char], at: usize, end: usize) -> Option<Word> {
-        let address = characters[at];
-        let span = self.span(at, end);
-        if let Some(latin) = latin(address) {
-            self.faults.push(fault("cyrillic-letter", span, None).with("letter", address).with("latin", latin));
-            return None;
-        }
-        let Some(known) = self.control.addresses.get(&address).copied() else {
-            let code = if address.is_ascii_uppercase() { "unknown-address" } else { "unknown-character" };
-            self.faults.push(fault(code, span, None).with("letter", address));
+    fn word(&mut self, address: char, written: &str, span: Span) -> Option<Word> {
+        let Some(&known) = self.control.addresses.of(address) else {
+            self.faults.push(match latin(address) {
+                Some(latin) => fault("cyrillic-letter", span, None).with("letter", address).with("latin", latin),
+                None if address.is_ascii_uppercase() => fault("unknown-address", span, None).with("letter", address),
+                None => fault("unknown-character", span, None).with("letter", address),
+            });
             return None;
         };
-        let written: String = characters[at + 1..end].iter().filter(|c| !c.is_whitespace()).collect();
-        let (thousandths, digits) = self.number(&written, address, span)?;
+        let (thousandths, digits) = self.number(written, address, span)?;
         let word = Word { address, thousandths, digits, span, in_cycle: self.in_cycle, skipped: self.skipped };
         if !known.decimal && written.contains('.') && !(address == 'H' && self.in_cycle) {
             self.faults.push(fault("number-not-whole", span, None).with("address", address));
@@ -161,10 +179,10 @@ impl Line<'_> {
         }
         // In a cycle H is a feed (table 3.13).
         let limited = if address == 'H' && self.in_cycle { 'F' } else { address };
-        let limits = self.control.addresses.get(&limited).and_then(|it| it.limits).or(
+        let limits = self.control.addresses.of(limited).and_then(|it| it.limits).or_else(|| {
             // U, V and W stand in no table of limits: they are lengths as X is.
-            self.control.addresses.get(&'X').and_then(|it| it.limits).filter(|_| known.length),
-        );
+            self.control.addresses.of('X').and_then(|it| it.limits).filter(|_| known.length)
+        });
         if let Some((low, high)) = limits
             && !(low..=high).contains(&thousandths)
         {
@@ -207,26 +225,21 @@ impl Line<'_> {
     }
 }
 
-/// Where a number that may begin here ends: a sign, digits, one point; blanks may stand before it.
-fn number_end(characters: &[char], mut at: usize) -> usize {
-    let begin = at;
-    while characters.get(at).is_some_and(|c| c.is_whitespace()) {
-        at += 1;
-    }
-    let number = at;
-    if characters.get(at).is_some_and(|c| matches!(c, '+' | '-')) {
-        at += 1;
-    }
+/// The number that may begin here: a sign, digits, one point; blanks may stand before it, and go with it.
+fn number(text: &str) -> &str {
+    let unsigned = text.trim_start();
+    let begin = text.len() - unsigned.len();
+    let mut end = begin + usize::from(unsigned.starts_with(['+', '-']));
     let mut point = false;
-    while let Some(c) = characters.get(at) {
-        match c {
-            '.' if !point => point = true,
-            c if c.is_ascii_digit() => {}
+    for byte in text[end..].bytes() {
+        match byte {
+            b'.' if !point => point = true,
+            b'0'..=b'9' => {}
             _ => break,
         }
-        at += 1;
+        end += 1;
     }
-    if at == number { begin } else { at }
+    if end == begin { "" } else { &text[..end] }
 }
 
 /// The Latin letter that a Cyrillic one looks like.

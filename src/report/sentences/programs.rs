@@ -28,7 +28,11 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "{bytes} bytes do not fit a memory of {memory}",
     ),
     ("empty-program", "програма порожня", "the program is empty"),
-    ("no-block-number", "кадр без номера N", "the block has no number N"),
+    (
+        "no-block-number",
+        "кадр без номера N (усього таких {count})",
+        "the block has no number N ({count} such blocks in all)",
+    ),
     ("word-twice", "адреса {address} стоїть у кадрі двічі", "the address {address} stands twice in the block"),
     ("unknown-function", "функції G{code} немає", "there is no function G{code}"),
     (
