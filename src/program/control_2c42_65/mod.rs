@@ -22,5 +22,5 @@ mod travel;
 mod words;
 
 pub use control::Control;
-pub use run::check;
+pub use run::{check, check_within};
 pub use setting::{Setting, read_setting};

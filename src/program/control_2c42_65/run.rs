@@ -30,6 +30,18 @@ pub fn check<S: Sink>(
     setting: &Setting,
     sink: &mut S,
 ) -> Vec<Fault> {
+    check_within(BUDGET, text, control, machine, setting, sink)
+}
+
+/// The same with another budget: a run ends, with an error, after so many blocks and motions.
+pub fn check_within<S: Sink>(
+    budget: usize,
+    text: &str,
+    control: &Control,
+    machine: &Machine<'_>,
+    setting: &Setting,
+    sink: &mut S,
+) -> Vec<Fault> {
     let (blocks, mut faults) = text::blocks(text, control);
     let programs = check::programs(&blocks, control, &mut faults);
     check::blocks(&blocks, &programs, control, &mut faults);
@@ -46,7 +58,8 @@ pub fn check<S: Sink>(
             faults: Vec::new(),
             spans: Spans::new(),
             steps: Vec::new(),
-            left: BUDGET,
+            budget,
+            left: budget,
         };
         run.main();
         faults.append(&mut run.faults);
@@ -69,6 +82,7 @@ struct Run<'a, S> {
     spans: Spans,
     /// The room for the steps of a block, empty between them: taken and given back, so that no block allocates its own.
     steps: Vec<Step>,
+    budget: usize,
     left: usize,
 }
 
@@ -112,7 +126,7 @@ impl<S: Sink> Run<'_, S> {
 
     fn block(&mut self, block: &Block, depth: usize) -> Way {
         if self.left == 0 {
-            let fault = fault("run-too-long", block.span, block.number).with("budget", BUDGET);
+            let fault = fault("run-too-long", block.span, block.number).with("budget", self.budget);
             self.tell(fault);
             return Way::Out;
         }

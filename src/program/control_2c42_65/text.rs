@@ -108,7 +108,10 @@ impl Line<'_> {
     fn block(&mut self) -> Option<Block> {
         let before = self.faults.len();
         let end = self.text.trim_end().len();
-        let first = end - self.text[..end].trim_start().len();
+        // Editors put a mark of their encoding before the text; it is no part of the program.
+        let mark = if self.number == 1 && self.text.starts_with(MARK) { MARK.len_utf8() } else { 0 };
+        let Some(content) = self.text.get(mark..end) else { return None };
+        let first = end - content.trim_start().len();
         if first == end || self.text[first..].starts_with('%') {
             return None;
         }
@@ -125,7 +128,7 @@ impl Line<'_> {
         let mut at = first;
         while let Some(character) = self.text[at..end].chars().next() {
             let behind = at + character.len_utf8();
-            if character.is_whitespace() {
+            if blank(character) {
                 at = behind;
             } else if character == '/' {
                 self.skipped = true;
@@ -133,7 +136,7 @@ impl Line<'_> {
             } else {
                 let written = number(&self.text[behind..end]);
                 let next = behind + written.len();
-                if let Some(word) = self.word(character, written.trim_start(), self.span(at, next)) {
+                if let Some(word) = self.word(character, written.trim_start_matches(blank), self.span(at, next)) {
                     self.place(word, &mut block);
                 }
                 at = next;
@@ -148,10 +151,13 @@ impl Line<'_> {
     /// Puts a word where it belongs: the numbers of block and program aside, the rest in its order.
     fn place(&mut self, word: Word, block: &mut Block) {
         match word.address {
-            'N' if !word.in_cycle => block.number = u32::try_from(word.number()).ok(),
+            'N' if !word.in_cycle => {
+                let number = u32::try_from(word.number()).ok();
+                self.once(word, block.number.replace(number.unwrap_or_default()).is_some());
+            }
             ':' => {
-                block.program = Some(word.code());
-                if word.digits != 2 {
+                self.once(word, block.program.replace(word.code()).is_some());
+                if word.digits != 2 || word.thousandths < 0 {
                     self.faults.push(fault("program-one-digit", word.span, None));
                 }
             }
@@ -162,12 +168,19 @@ impl Line<'_> {
         }
     }
 
+    /// Tells a number of the block or the program that is not the first one there.
+    fn once(&mut self, word: Word, again: bool) {
+        if again {
+            self.faults.push(fault("word-twice", word.span, None).with("address", word.address));
+        }
+    }
+
     fn word(&mut self, address: char, written: &str, span: Span) -> Option<Word> {
         let Some(&known) = self.control.addresses.of(address) else {
             self.faults.push(match latin(address) {
                 Some(latin) => fault("cyrillic-letter", span, None).with("letter", address).with("latin", latin),
                 None if address.is_ascii_uppercase() => fault("unknown-address", span, None).with("letter", address),
-                None => fault("unknown-character", span, None).with("letter", address),
+                None => fault("unknown-character", span, None).with("letter", shown(address)),
             });
             return None;
         };
@@ -225,9 +238,23 @@ impl Line<'_> {
     }
 }
 
+/// The mark that editors put at the beginning of a file.
+const MARK: char = '\u{feff}';
+
+/// Whether a character only keeps words apart. A line end that is none here, such as a carriage return inside a line,
+/// does not: two blocks would run together unseen.
+fn blank(c: char) -> bool {
+    c.is_whitespace() && (c == '\t' || !c.is_control())
+}
+
+/// A character as a message shows it: by its code where it may be invisible or look like another.
+fn shown(c: char) -> String {
+    if c.is_ascii_graphic() || c.is_alphanumeric() { c.to_string() } else { format!("U+{:04X}", u32::from(c)) }
+}
+
 /// The number that may begin here: a sign, digits, one point; blanks may stand before it, and go with it.
 fn number(text: &str) -> &str {
-    let unsigned = text.trim_start();
+    let unsigned = text.trim_start_matches(blank);
     let begin = text.len() - unsigned.len();
     let mut end = begin + usize::from(unsigned.starts_with(['+', '-']));
     let mut point = false;
@@ -244,7 +271,7 @@ fn number(text: &str) -> &str {
 
 /// The Latin letter that a Cyrillic one looks like.
 fn latin(letter: char) -> Option<char> {
-    let pairs = "АAВBСCЕEНHІIКKМMОOРPТTХXУYЗ3";
+    let pairs = "АAВBСCЕEНHІIЈJКKМMОOРPЅSТTХXУYЗ3";
     let found = pairs.chars().collect::<Vec<_>>();
     found.chunks(2).find(|pair| pair[0] == letter).and_then(|pair| pair.get(1).copied())
 }
