@@ -36,13 +36,11 @@ fn mixed() -> String {
     text
 }
 
-/// Blocks of two characters and no number: a motion and a hole each.
+/// Blocks of three characters and no number: a motion and a hole each, every one elsewhere.
 fn shortest() -> String {
-    let mut text = String::from(":01\nN1 G90 G54 G0 X0 Y0 Z20 S500 M3 G81 U2 Z-15 I5 F100\n");
-    let mut number: usize = 0;
+    let mut text = String::from(":01\nN1 G90 G54 G0 X-450 Y0 Z20 S500 M3\nN2 G91 G81 U-18 Z-15 I20 F100\n");
     while text.len() < MEMORY - 20 {
-        let _ = writeln!(text, "X{}", number % 10);
-        number += 1;
+        text.push_str("X.1\n");
     }
     text.push_str("G80 M02\n");
     text

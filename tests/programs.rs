@@ -40,7 +40,8 @@ fn said(folder: &Path) -> String {
     let mut text = String::new();
     for fault in &faults {
         let figures: String = fault.note.params.iter().map(|(name, value)| format!(" {name}={value}")).collect();
-        writeln!(text, "{}:{} {}{figures}", fault.span.line, fault.span.column, fault.code).unwrap();
+        let calls = if fault.calls.is_empty() { String::new() } else { format!(" {}", fault.path().unwrap()) };
+        writeln!(text, "{}:{} {}{figures}{calls}", fault.span.line, fault.span.column, fault.code).unwrap();
     }
     text.push_str("trace\n");
     text.push_str(trace.text());

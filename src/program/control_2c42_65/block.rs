@@ -11,6 +11,7 @@
 //! of the end of a block; the call of a subprogram.
 
 use super::control::{Action, Control};
+use super::cycles::Holes;
 use super::rules::fault;
 use super::setting::Setting;
 use super::state::{CYCLE, LENGTH, MOTION, ONE_SHOT, PLANE, RADIUS, SYSTEM, State};
@@ -18,7 +19,7 @@ use super::travel::Spans;
 use super::words::{Function, Given, Words, letter};
 use crate::machine::Machine;
 use crate::motion::{Axis, BlockRef, Motion, Position, Side, Step, Turning};
-use crate::program::{Fault, Span};
+use crate::program::{Call, Fault, Span};
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute};
 
 /// Step 2 on its way: the steps of one block, and the state it leaves.
@@ -33,6 +34,10 @@ pub(super) struct Maker<'a> {
     /// The whole block, for faults of no single word.
     pub span: Span,
     pub spans: &'a mut Spans,
+    /// What cycles have drilled so far.
+    pub holes: &'a mut Holes,
+    /// The calls that led to the block.
+    pub calls: &'a [Call],
     /// Steps made so far, those that the radius correction holds back among them.
     pub made: usize,
     /// Steps that may be made.
@@ -234,7 +239,8 @@ impl Maker<'_> {
         if self.state.turning != Turning::Stopped {
             self.spindle(Turning::Stopped);
         }
-        self.push(Motion::ToolChange { tool: self.state.wanted });
+        self.state.tool = self.state.wanted;
+        self.push(Motion::ToolChange { tool: self.state.tool });
     }
 
     /// G92: the words are where the tool is in the new system; axes left out keep their zero (3.10.8.1).

@@ -45,6 +45,7 @@ pub(super) fn programs(blocks: &[Block], control: &Control, faults: &mut Vec<Fau
         } else if !ends(&[Action::End, Action::Return]) {
             faults.push(fault("program-without-end", head.span, head.number));
         }
+        gaps(&blocks[range.clone()], faults);
         if let Some(number) = head.program
             && let Some(first) = programs.numbered.insert(number, range)
         {
@@ -58,6 +59,35 @@ pub(super) fn programs(blocks: &[Block], control: &Control, faults: &mut Vec<Fau
     }
     programs.main = main.unwrap_or(0..starts.get(1).copied().unwrap_or(blocks.len()));
     programs
+}
+
+/// Tells where numbers of blocks are left out of a program that else counts in equal steps: a lost block is seen there.
+fn gaps(blocks: &[Block], faults: &mut Vec<Fault>) {
+    let numbered: Vec<(u32, Span)> = blocks.iter().filter_map(|block| Some((block.number?, block.span))).collect();
+    let step_of = |pair: &[(u32, Span)]| pair[1].0.saturating_sub(pair[0].0);
+    let mut steps: BTreeMap<u32, usize> = BTreeMap::new();
+    for pair in numbered.windows(2) {
+        *steps.entry(step_of(pair)).or_default() += 1;
+    }
+    let Some((&step, &often)) = steps.iter().max_by_key(|(_, often)| **often) else { return };
+    // Nine of ten, and not of a handful: else the numbers follow no rule that could be broken.
+    if step == 0 || often < 10 || often * 10 < (numbered.len() - 1) * 9 {
+        return;
+    }
+    for pair in numbered.windows(2) {
+        let wide = step_of(pair);
+        if wide > step && wide % step == 0 {
+            let ((before, _), (after, span)) = (pair[0], pair[1]);
+            let (first, last) = (before + step, after - step);
+            let missing = if first == last { format!("N{first}") } else { format!("N{first} … N{last}") };
+            faults.push(
+                fault("block-number-gap", span, Some(after))
+                    .with("before", format!("N{before}"))
+                    .with("missing", missing)
+                    .with("step", step),
+            );
+        }
+    }
 }
 
 /// The M functions of a block that are no parameters of a cycle.

@@ -23,6 +23,7 @@ pub(super) const RULES: &[(&str, Severity, &str)] = &[
     ("memory-full", Error, "2.3"),
     ("empty-program", Error, "3.6"),
     ("no-block-number", Warning, "3.7"),
+    ("block-number-gap", Remark, "3.7*"),
     ("word-twice", Error, "3.5*"),
     ("unknown-function", Error, "3.10"),
     ("group-twice", Warning, "3.10"),
@@ -85,13 +86,15 @@ pub(super) const RULES: &[(&str, Severity, &str)] = &[
     ("cycle-parameter-missing", Error, "3.12.1"),
     ("cycle-step-not-positive", Error, "3.12.1.3"),
     ("cannot-tap", Error, "3.12.1.4"),
+    ("hole-twice", Warning, "3.12.1*"),
+    ("cycle-at-tool-change", Warning, "3.12.1*"),
 ];
 
 /// A breach of a rule. A code that is not listed is an error without a section; a test keeps it from happening.
 pub(super) fn fault(code: &'static str, span: Span, block: Option<u32>) -> Fault {
     let rule = RULES.iter().find(|(known, ..)| *known == code);
     let (severity, section) = rule.map_or((Error, ""), |(_, severity, section)| (*severity, *section));
-    Fault { code, severity, rule: section, block, span, note: Note::new(code) }
+    Fault { code, severity, rule: section, block, calls: Vec::new(), span, note: Note::new(code) }
 }
 
 impl Fault {

@@ -6,6 +6,7 @@ use std::ops::Range;
 use super::block::{After, Maker};
 use super::check::{self, Programs};
 use super::control::Control;
+use super::cycles::Holes;
 use super::rules::fault;
 use super::setting::Setting;
 use super::state::State;
@@ -14,7 +15,7 @@ use super::travel::Spans;
 use super::words::Words;
 use crate::machine::Machine;
 use crate::motion::{BlockRef, Sink, Step};
-use crate::program::Fault;
+use crate::program::{Call, Fault};
 
 /// Blocks and steps that a check carries out: 65535 repeats of 65535 repeats would never end.
 const BUDGET: usize = 500_000;
@@ -55,6 +56,8 @@ pub fn check_within<S: Sink>(
             state: State::power_on(control, setting),
             sink,
             told: BTreeSet::new(),
+            calls: Vec::new(),
+            holes: Holes::new(),
             faults: Vec::new(),
             spans: Spans::new(),
             steps: Vec::new(),
@@ -78,6 +81,9 @@ struct Run<'a, S> {
     sink: &'a mut S,
     /// What has been told of a word already: a block may run many times.
     told: BTreeSet<(u32, u32, &'static str)>,
+    /// The calls that led to the block that runs.
+    calls: Vec<Call>,
+    holes: Holes,
     faults: Vec<Fault>,
     spans: Spans,
     /// The room for the steps of a block, empty between them: taken and given back, so that no block allocates its own.
@@ -144,6 +150,8 @@ impl<S: Sink> Run<'_, S> {
             block: BlockRef { line: block.span.line, number: block.number },
             span: block.span,
             spans: &mut self.spans,
+            holes: &mut self.holes,
+            calls: &self.calls,
             made: 0,
             budget: self.left,
         };
@@ -185,16 +193,22 @@ impl<S: Sink> Run<'_, S> {
             self.tell(fault);
             return Way::Out;
         }
+        let from = BlockRef { line: block.span.line, number: block.number };
+        self.calls.push(Call { from, program: number });
+        let mut way = Way::On;
         for _ in 0..words.get('L').map_or(1, super::words::Given::number) {
             if self.program(range.clone(), depth + 1) == Way::Out {
-                return Way::Out;
+                way = Way::Out;
+                break;
             }
         }
-        Way::On
+        self.calls.pop();
+        way
     }
 
-    fn tell(&mut self, fault: Fault) {
+    fn tell(&mut self, mut fault: Fault) {
         if self.told.insert((fault.span.line, fault.span.column, fault.code)) {
+            fault.calls.clone_from(&self.calls);
             self.faults.push(fault);
         }
     }

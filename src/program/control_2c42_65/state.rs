@@ -33,6 +33,8 @@ pub(super) struct State {
     pub turning: Turning,
     /// T: the tool that the next M06 brings.
     pub wanted: u32,
+    /// The tool in the spindle; 0 before the first M06.
+    pub tool: u32,
     /// D and H.
     pub radius_corrector: u32,
     pub length_corrector: u32,
@@ -67,6 +69,7 @@ impl State {
             speed: 0,
             turning: Turning::Stopped,
             wanted: 0,
+            tool: 0,
             radius_corrector: 0,
             length_corrector: 0,
             parameters: [None; 26],

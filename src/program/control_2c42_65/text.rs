@@ -295,6 +295,29 @@ mod tests {
         assert_eq!(words, [('G', 1000, 5), ('X', -1500, 8), ('Y', 250, 13), ('F', 100_000, 19)]);
     }
 
+    /// What a text without any word of its own says, and how.
+    #[test]
+    fn characters_that_do_not_show_are_named_and_a_mark_of_encoding_is_none() {
+        let told = |text: &str| -> Vec<(String, u32)> {
+            let figure = |fault: &Fault| fault.note.params.values().next().cloned().unwrap_or_default();
+            read(text).1.iter().map(|fault| (format!("{} {}", fault.code, figure(fault)), fault.span.column)).collect()
+        };
+        assert_eq!(told("\u{feff}%\r\nN1 X1\r\n"), []);
+        assert_eq!(read("\u{feff}N1 X1").0[0].words[0].span.column, 5);
+        for (text, says, column) in [
+            ("N1 X1\0", "unknown-character U+0000", 6),
+            ("N1 X1\n\u{feff}N2 X1", "unknown-character U+FEFF", 1),
+            ("N1 X1\rX2", "unknown-character U+000D", 6),
+            ("N1 X1,5", "unknown-character ,", 6),
+            ("N1 У5", "cyrillic-letter У", 4),
+            ("N1 N2 X1", "word-twice N", 4),
+            (":01 :02", "word-twice :", 5),
+            (":-01", "program-one-digit ", 1),
+        ] {
+            assert!(told(text).contains(&(says.to_owned(), column)), "{text:?}: {:?}", told(text));
+        }
+    }
+
     #[test]
     fn reading_goes_on_behind_a_fault() {
         let (blocks, faults) = read("N1 Х10 X Y0.0001 G1.5 b2 S100000 Y7");
