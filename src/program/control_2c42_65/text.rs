@@ -309,7 +309,7 @@ mod tests {
             ("N1 X1\n\u{feff}N2 X1", "unknown-character U+FEFF", 1),
             ("N1 X1\rX2", "unknown-character U+000D", 6),
             ("N1 X1,5", "unknown-character ,", 6),
-            ("N1 У5", "cyrillic-letter У", 4),
+            ("N1 У5", "cyrillic-letter Y", 4),
             ("N1 N2 X1", "word-twice N", 4),
             (":01 :02", "word-twice :", 5),
             (":-01", "program-one-digit ", 1),
