@@ -57,18 +57,20 @@ pub(super) enum After {
 
 impl Maker<'_> {
     /// Tells a breach of a rule.
-    pub(super) fn fault(&mut self, code: &'static str, span: Span) -> &mut Fault {
-        self.faults.push(fault(code, span, self.block.number));
-        let last = self.faults.len() - 1;
-        &mut self.faults[last]
+    pub(super) fn fault(&mut self, code: &'static str, span: Span) {
+        self.tell(code, span, &[]);
     }
 
-    /// Tells a breach of a rule with its figures.
+    /// Tells a breach of a rule with its figures: once, however often the block repeats itself.
     pub(super) fn tell(&mut self, code: &'static str, span: Span, figures: &[(&str, String)]) {
-        let told = self.fault(code, span);
+        if self.faults.iter().any(|told| told.code == code && told.span == span) {
+            return;
+        }
+        let mut told = fault(code, span, self.block.number);
         for (name, value) in figures {
             told.note.params.insert((*name).to_owned(), value.clone());
         }
+        self.faults.push(told);
     }
 
     /// Whether the block may not be carried out.
