@@ -38,7 +38,7 @@ fn mixed() -> String {
 
 /// Blocks of three characters and no number: a motion and a hole each, every one elsewhere.
 fn shortest() -> String {
-    let mut text = String::from(":01\nN1 G90 G54 G0 X-450 Y0 Z20 S500 M3\nN2 G91 G81 U-18 Z-15 I20 F100\n");
+    let mut text = String::from(":01\nN1 G90 G54 G0 X-450 Y0 Z20 S500 M3\nN2 G91 G81 U-18 Z-15 I33 F100\n");
     while text.len() < MEMORY - 20 {
         text.push_str("X.1\n");
     }

@@ -157,7 +157,7 @@ impl Line<'_> {
             }
             ':' => {
                 self.once(word, block.program.replace(word.code()).is_some());
-                if word.digits != 2 || word.thousandths < 0 {
+                if word.digits != 2 {
                     self.faults.push(fault("program-one-digit", word.span, None));
                 }
             }
@@ -312,7 +312,7 @@ mod tests {
             ("N1 У5", "cyrillic-letter Y", 4),
             ("N1 N2 X1", "word-twice N", 4),
             (":01 :02", "word-twice :", 5),
-            (":-01", "program-one-digit ", 1),
+            (":-01", "number-out-of-range :", 1),
         ] {
             assert!(told(text).contains(&(says.to_owned(), column)), "{text:?}: {:?}", told(text));
         }

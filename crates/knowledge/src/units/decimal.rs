@@ -72,7 +72,7 @@ impl Decimal {
         let mut part = (self.0.unsigned_abs() % SCALE as u64) as u32;
         if part > 0 {
             let mut places = 6;
-            while part % 10 == 0 {
+            while part.is_multiple_of(10) {
                 part /= 10;
                 places -= 1;
             }
