@@ -110,7 +110,7 @@ impl Line<'_> {
         let end = self.text.trim_end().len();
         // Editors put a mark of their encoding before the text; it is no part of the program.
         let mark = if self.number == 1 && self.text.starts_with(MARK) { MARK.len_utf8() } else { 0 };
-        let Some(content) = self.text.get(mark..end) else { return None };
+        let content = self.text.get(mark..end)?;
         let first = end - content.trim_start().len();
         if first == end || self.text[first..].starts_with('%') {
             return None;
