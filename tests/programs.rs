@@ -49,7 +49,8 @@ fn said(folder: &Path, language: &Language, program: &str, machine: &str) -> Str
     let mut text = String::new();
     for fault in &faults {
         let figures: String = fault.note.params.iter().map(|(name, value)| format!(" {name}={value}")).collect();
-        writeln!(text, "{}:{} {}{figures}", fault.span.line, fault.span.column, fault.code).unwrap();
+        let calls = if fault.calls.is_empty() { String::new() } else { format!(" {}", fault.path().unwrap()) };
+        writeln!(text, "{}:{} {}{figures}{calls}", fault.span.line, fault.span.column, fault.code).unwrap();
     }
     text.push_str("trace\n");
     text.push_str(trace.text());
@@ -114,7 +115,9 @@ fn no_repetition_lasts() {
     let waiting = ":01\nN1 S500 M3 F100 G41 D1 X10\nN2 L65535 P02\nN3 M02\n:02\nN1 L65535 G04 E1 G91 Z-0.01\nN2 M99\n";
     let cycle =
         ":01\nN1 S500 M3 F100 G41 D1 X10\nN2 L65535 P02\nN3 M02\n:02\nN1 L65535 G83 U-1 Z-9999 V0.001 W0.001\nN2 M99\n";
-    for text in [nothing, waiting, cycle] {
+    // A finding of every repeat.
+    let finding = ":01\nN1 S500 M3 F100\nN2 L65535 P02\nN3 M02\n:02\nN1 L65535 X0 G81 U-1 Z-2\nN2 M99\n";
+    for text in [nothing, waiting, cycle, finding] {
         let begin = std::time::Instant::now();
         let setting =
             Setting { correctors: [(1, technolog::units::Micrometres::from_mm(5))].into(), ..Setting::default() };

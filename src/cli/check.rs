@@ -165,8 +165,8 @@ pub fn diagnostic(fault: &Fault, file: &Arc<str>, context: &Context) -> Diagnost
         note::Severity::Note => Severity::Note,
     };
     let sentence = report::sentence(&fault.note, context.lang);
-    let message = match fault.block {
-        Some(number) => format!("N{number}: {sentence}"),
+    let message = match fault.path() {
+        Some(path) => format!("{path}: {sentence}"),
         None => sentence,
     };
     let help = report::remedy(&fault.note, context.lang).unwrap_or_default();

@@ -6,6 +6,7 @@
 use std::fmt::Write;
 
 use super::{Motion, Position, Sense, Side, Sink, Step, Turning};
+use crate::units::{Decimal, MillimetresPerMinute};
 
 /// A sink that writes lines.
 #[derive(Clone, Debug, Default)]
@@ -42,23 +43,37 @@ pub fn line(step: &Step) -> String {
 /// Puts the line of a step behind a text. A full memory of the control makes thousands of them, so nothing is made
 /// beside that text; writing into a String cannot fail.
 fn put(text: &mut String, step: &Step) {
-    let _ = write!(text, "{:>4} ", step.block.line);
+    let line = step.block.line;
+    text.push_str(match line {
+        0..10 => "   ",
+        10..100 => "  ",
+        100..1000 => " ",
+        _ => "",
+    });
+    whole(text, line);
+    text.push(' ');
     let begin = text.len();
-    let _ = match step.block.number {
-        Some(number) => write!(text, "N{number}"),
-        None => write!(text, "-"),
-    };
+    match step.block.number {
+        Some(number) => {
+            text.push('N');
+            whole(text, number);
+        }
+        None => text.push('-'),
+    }
     for _ in text.len()..(begin + 6) {
         text.push(' ');
     }
     let _ = match &step.motion {
         Motion::Rapid => {
             text.push_str("rapid   ");
-            axes(text, step.at)
+            axes(text, step.at);
+            Ok(())
         }
         Motion::Feed { feed_mm_per_min } => {
             text.push_str("feed    ");
-            axes(text, step.at).and_then(|()| write!(text, " F{}", feed_mm_per_min.rounded(3).0))
+            axes(text, step.at);
+            feed(text, *feed_mm_per_min);
+            Ok(())
         }
         Motion::Arc { plane, sense, centre, turns, feed_mm_per_min } => {
             text.push_str(match sense {
@@ -66,12 +81,13 @@ fn put(text: &mut String, step: &Step) {
                 Sense::Counterclockwise => "arc-ccw ",
             });
             let [a, b, _] = plane.axes();
-            let _ = axes(text, step.at);
+            axes(text, step.at);
             let _ = write!(text, " centre {}{} {}{}", a.letter(), centre[0], b.letter(), centre[1]);
             if *turns > 0 {
                 let _ = write!(text, " turns +{turns}");
             }
-            write!(text, " F{}", feed_mm_per_min.rounded(3).0)
+            feed(text, *feed_mm_per_min);
+            Ok(())
         }
         Motion::Dwell { seconds } => write!(text, "dwell   {seconds} s"),
         Motion::Spindle { turning, speed_rpm } => match turning {
@@ -80,7 +96,7 @@ fn put(text: &mut String, step: &Step) {
             Turning::Counterclockwise => write!(text, "spindle counterclockwise S{}", speed_rpm.rounded(1).0),
         },
         Motion::Coolant { on } => write!(text, "coolant {}", if *on { "on" } else { "off" }),
-        Motion::ToolChange { tool } => write!(text, "tool    T{tool} ").and_then(|()| axes(text, step.at)),
+        Motion::ToolChange { tool } => write!(text, "tool    T{tool} ").map(|()| axes(text, step.at)),
         Motion::LengthCorrection { axis, corrector, value } => {
             write!(text, "length  H{corrector} {}{value}", axis.letter())
         }
@@ -93,11 +109,25 @@ fn put(text: &mut String, step: &Step) {
         Motion::Stop { optional } => write!(text, "stop{}", if *optional { " optional" } else { "" }),
         Motion::End => {
             text.push_str("end     ");
-            axes(text, step.at)
+            axes(text, step.at);
+            Ok(())
         }
     };
 }
 
-fn axes(text: &mut String, at: Position) -> std::fmt::Result {
-    write!(text, "X{} Y{} Z{}", at.x, at.y, at.z)
+fn axes(text: &mut String, at: Position) {
+    for (letter, value) in [("X", at.x), (" Y", at.y), (" Z", at.z)] {
+        text.push_str(letter);
+        value.put(text);
+    }
+}
+
+/// A feed to three places, as programs give it.
+fn feed(text: &mut String, feed: MillimetresPerMinute) {
+    text.push_str(" F");
+    Decimal::from_f64_rounded(feed.rounded(3).0).put(text);
+}
+
+fn whole(text: &mut String, number: u32) {
+    Decimal::from_int(i64::from(number)).put(text);
 }

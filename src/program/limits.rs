@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::machine::Machine;
-use crate::motion::{Axis, Position, Step, geometry};
+use crate::motion::{Axis, Position};
 use crate::note::Note;
 use crate::units::Micrometres;
 
@@ -14,17 +14,19 @@ pub(super) type Floating = Option<u8>;
 /// How far the axes of each system without a zero have gone, least and greatest.
 pub(super) type Spans = BTreeMap<(u8, usize), (Micrometres, Micrometres)>;
 
+/// How far each axis goes in a motion, least and greatest.
+pub(super) type Reached = [(Micrometres, Micrometres); 3];
+
 /// What of a motion leaves the travels. Where the zero of an axis is set, its place on the machine is known: X and Y have
 /// their zero in the middle, Z at the upper end (textbook, l. 4719-4728). Where it is not, what it needs of travel is.
 pub(super) fn beyond_travel(
     machine: &Machine<'_>,
-    step: &Step,
+    reached: Reached,
     from: Position,
     floating: [Floating; 3],
     spans: &mut Spans,
 ) -> Vec<(&'static str, Note)> {
     let mut notes = Vec::new();
-    let reached = geometry::reach(&step.motion, from, step.at);
     for axis in Axis::ALL {
         let (low, high) = reached[axis.index()];
         let here = from.get(axis);

@@ -21,7 +21,7 @@ use crate::job::Job;
 use crate::knowledge::Knowledge;
 use crate::knowledge::diagnostic::Diagnostic;
 use crate::machine::Machine;
-use crate::motion::Sink;
+use crate::motion::{BlockRef, Sink};
 use crate::note::{Note, Severity};
 use written::{Form, Written};
 
@@ -89,6 +89,27 @@ pub struct Span {
     pub width: u32,
 }
 
+/// A call of a subprogram, on the way to a block.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Call {
+    /// The block that calls.
+    #[serde(flatten)]
+    pub from: BlockRef,
+    /// The number of the subprogram.
+    pub program: u8,
+}
+
+/// The way to a block through the calls: `N5 → :02 N1`. A block without number is named by its line, `(12)`.
+pub fn path(calls: &[Call], block: BlockRef) -> String {
+    let name =
+        |block: BlockRef| block.number.map_or_else(|| format!("({})", block.line), |number| format!("N{number}"));
+    let mut path = String::new();
+    for call in calls {
+        path.push_str(&format!("{} → :{:02} ", name(call.from), call.program));
+    }
+    path + &name(block)
+}
+
 /// Something about a program that its reader must know.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Fault {
@@ -101,6 +122,9 @@ pub struct Fault {
     pub rule: &'static str,
     /// The number of the block, where it has one.
     pub block: Option<u32>,
+    /// The calls by which the run came there for the first time, the outermost first; none in the main program.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub calls: Vec<Call>,
     /// Where it stands.
     #[serde(flatten)]
     pub span: Span,
@@ -110,6 +134,12 @@ pub struct Fault {
 }
 
 impl Fault {
+    /// The way to its block, where it is known: the number, behind the calls that led there.
+    pub fn path(&self) -> Option<String> {
+        let block = BlockRef { line: self.span.line, number: self.block };
+        (self.block.is_some() || !self.calls.is_empty()).then(|| path(&self.calls, block))
+    }
+
     /// Whether the program is not carried out as written.
     pub fn is_error(&self) -> bool {
         self.severity == Severity::Error
@@ -119,7 +149,7 @@ impl Fault {
     fn of(rules: &[Rule], code: &'static str, span: Span, block: Option<u32>) -> Self {
         let rule = rules.iter().find(|(known, ..)| *known == code);
         let (severity, rule) = rule.map_or((Severity::Error, ""), |(_, severity, section)| (*severity, *section));
-        Self { code, severity, rule, block, span, note: Note::new(code) }
+        Self { code, severity, rule, block, calls: Vec::new(), span, note: Note::new(code) }
     }
 
     /// With one more figure.

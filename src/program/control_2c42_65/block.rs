@@ -1,38 +1,43 @@
-//! One block, in four steps, which have their numbers here and in `run.rs`:
+//! One block, in three steps, which have their numbers here and in `run.rs`:
 //!
-//! 1. The modal state is copied.
-//! 2. The words are read, each in its group (`words.rs`).
-//! 3. Everything is checked: the steps are made on the copy, and every rule they break is told (here, `moves.rs`,
-//!    `cycles.rs`, `travel.rs`).
-//! 4. Only when nothing is wrong the steps go out and the copy becomes the state (`run.rs`).
+//! 1. The words are read, each in its group (`words.rs`).
+//! 2. Everything is checked: the steps are made, and every rule they break is told (here, `moves.rs`, `cycles.rs`,
+//!    `travel.rs`).
+//! 3. Only when nothing is wrong the steps go out (`run.rs`). The state is that behind the block in either case: so the
+//!    run goes on as if it had arrived, and nothing has to be taken back.
 //!
 //! The order of a block, whatever the order of its words (3.5): modal functions and F, S, T, D, H; functions of the start
 //! of a block, M06 among them; G92; length and radius correction; the motion and the cycle, L times; the dwell; functions
 //! of the end of a block; the call of a subprogram.
 
 use super::control::{Action, Control};
+use super::cycles::Holes;
 use super::rules::fault;
 use super::state::{CYCLE, LENGTH, MOTION, ONE_SHOT, PLANE, RADIUS, SYSTEM, State};
 use super::words::{Function, Given, Words, letter};
 use crate::machine::Machine;
 use crate::motion::{Axis, BlockRef, Motion, Position, Side, Step, Turning};
+use crate::note::Note;
 use crate::program::limits::{Spans, speed_off_steps};
-use crate::program::{Fault, Setting, Span};
+use crate::program::{Call, Fault, Setting, Span};
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute};
 
-/// Step 3 on its way: the steps of one block, made on a copy of the state.
+/// Step 2 on its way: the steps of one block, and the state it leaves.
 pub(super) struct Maker<'a> {
     pub control: &'a Control,
     pub machine: &'a Machine<'a>,
     pub setting: &'a Setting,
-    /// The copy.
-    pub state: State,
+    pub state: &'a mut State,
     pub steps: Vec<Step>,
     pub faults: Vec<Fault>,
     pub block: BlockRef,
     /// The whole block, for faults of no single word.
     pub span: Span,
     pub spans: &'a mut Spans,
+    /// What cycles have drilled so far.
+    pub holes: &'a mut Holes,
+    /// The calls that led to the block.
+    pub calls: &'a [Call],
     /// Steps made so far, those that the radius correction holds back among them.
     pub made: usize,
     /// Steps that may be made.
@@ -52,18 +57,22 @@ pub(super) enum After {
 
 impl Maker<'_> {
     /// Tells a breach of a rule.
-    pub(super) fn fault(&mut self, code: &'static str, span: Span) -> &mut Fault {
-        self.faults.push(fault(code, span, self.block.number));
-        let last = self.faults.len() - 1;
-        &mut self.faults[last]
+    pub(super) fn fault(&mut self, code: &'static str, span: Span) {
+        self.tell(code, span, &[]);
     }
 
     /// Tells a breach of a rule with its figures.
     pub(super) fn tell(&mut self, code: &'static str, span: Span, figures: &[(&str, String)]) {
-        let told = self.fault(code, span);
-        for (name, value) in figures {
-            told.note.params.insert((*name).to_owned(), value.clone());
+        let figures = figures.iter().map(|(name, value)| ((*name).to_owned(), value.clone())).collect();
+        self.tell_note(code, span, Note { code: code.to_owned(), params: figures });
+    }
+
+    /// Tells a breach of a rule: once, however often the block repeats itself.
+    pub(super) fn tell_note(&mut self, code: &'static str, span: Span, note: Note) {
+        if self.faults.iter().any(|told| told.code == code && told.span == span) {
+            return;
         }
+        self.faults.push(Fault { note, ..fault(code, span, self.block.number) });
     }
 
     /// Whether the block may not be carried out.
@@ -150,7 +159,7 @@ impl Maker<'_> {
         let value = speed.number();
         self.state.speed = value;
         if let Some((code, note)) = speed_off_steps(self.machine, value as f64) {
-            self.fault(code, speed.span).note = note;
+            self.tell_note(code, speed.span, note);
         }
         if self.state.turning != Turning::Stopped {
             self.spindle(self.state.turning);
@@ -166,7 +175,7 @@ impl Maker<'_> {
 
     fn start_functions(&mut self, words: &Words) {
         for &function in &words.m {
-            match self.control.m_functions.get(&function.code) {
+            match self.control.m_functions.get(function.code) {
                 Some(known) if known.at_start => self.machine_function(known.action, function, words),
                 Some(_) => {}
                 None => self.push(Motion::Auxiliary { word: format!("M{:02}", function.code) }),
@@ -177,7 +186,7 @@ impl Maker<'_> {
     fn end_functions(&mut self, words: &Words) -> After {
         let mut after = After::Next;
         for &function in &words.m {
-            let Some(known) = self.control.m_functions.get(&function.code) else { continue };
+            let Some(known) = self.control.m_functions.get(function.code) else { continue };
             match known.action {
                 Action::Return => after = After::Return,
                 Action::End => {
@@ -227,7 +236,8 @@ impl Maker<'_> {
         if self.state.turning != Turning::Stopped {
             self.spindle(Turning::Stopped);
         }
-        self.push(Motion::ToolChange { tool: self.state.wanted });
+        self.state.tool = self.state.wanted;
+        self.push(Motion::ToolChange { tool: self.state.tool });
     }
 
     /// G92: the words are where the tool is in the new system; axes left out keep their zero (3.10.8.1).
@@ -297,7 +307,7 @@ impl Maker<'_> {
         let active = matches!(function, 41 | 42);
         let changed = words.g[RADIUS].or(words.g[PLANE]).map(|function| function.span);
         let changed = changed.or(words.get('D').filter(|_| active).map(|word| word.span));
-        let offset = words.g[ONE_SHOT].filter(|function| self.control.offsets.contains_key(&function.code));
+        let offset = words.g[ONE_SHOT].filter(|function| self.control.offsets.has(function.code));
         if let Some(offset) = offset.filter(|_| active && words.g[RADIUS].is_none()) {
             self.tell("offset-with-radius-correction", offset.span, &[("function", format!("G{:02}", offset.code))]);
         }
@@ -310,12 +320,9 @@ impl Maker<'_> {
         let side = if function == 41 { mirrored } else { -mirrored };
         let offset = value.to_mm() * side as f64;
         let told = active || self.state.compensator.active();
-        match self.state.compensator.set(plane, offset) {
-            Ok(steps) => self.emit_all(steps, span),
-            Err((code, at)) => {
-                self.fault(code, at);
-            }
-        }
+        let begin = self.steps.len();
+        let flushed = self.state.compensator.set(plane, offset, &mut self.steps);
+        self.emit(begin, flushed, span);
         if told {
             let side = match (active, side > 0) {
                 (false, _) => Side::Off,
@@ -362,7 +369,7 @@ impl Maker<'_> {
 
     /// Whether a cycle is in force.
     pub(super) fn cycle_in_force(&self) -> bool {
-        self.control.cycles.contains_key(&self.state.groups[CYCLE])
+        self.control.cycles.has(self.state.groups[CYCLE])
     }
 
     /// The function of motion in force.

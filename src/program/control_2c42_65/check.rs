@@ -1,12 +1,14 @@
 //! What can be told of a program without running it: programs and their numbers, and what a block may hold. Every block
 //! is looked at, also those that no call ever reaches.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::ops::Range;
 
-use super::control::{Action, Control};
+use super::control::{Action, Control, GROUPS};
 use super::rules::fault;
+use super::state::RADIUS;
 use super::text::{Block, Word};
+use super::words::letter;
 use crate::program::{Fault, Span};
 
 /// The programs of a text.
@@ -35,7 +37,7 @@ pub(super) fn programs(blocks: &[Block], control: &Control, faults: &mut Vec<Fau
         let head = &blocks[start];
         let ends = |wanted: &[Action]| {
             blocks[range.clone()].iter().flat_map(functions).any(|word| {
-                control.m_functions.get(&word.code()).is_some_and(|function| wanted.contains(&function.action))
+                control.m_functions.get(word.code()).is_some_and(|function| wanted.contains(&function.action))
             })
         };
         if main.is_none() && ends(&[Action::End]) {
@@ -43,6 +45,7 @@ pub(super) fn programs(blocks: &[Block], control: &Control, faults: &mut Vec<Fau
         } else if !ends(&[Action::End, Action::Return]) {
             faults.push(fault("program-without-end", head.span, head.number));
         }
+        gaps(&blocks[range.clone()], faults);
         if let Some(number) = head.program
             && let Some(first) = programs.numbered.insert(number, range)
         {
@@ -56,6 +59,35 @@ pub(super) fn programs(blocks: &[Block], control: &Control, faults: &mut Vec<Fau
     }
     programs.main = main.unwrap_or(0..starts.get(1).copied().unwrap_or(blocks.len()));
     programs
+}
+
+/// Tells where numbers of blocks are left out of a program that else counts in equal steps: a lost block is seen there.
+fn gaps(blocks: &[Block], faults: &mut Vec<Fault>) {
+    let numbered: Vec<(u32, Span)> = blocks.iter().filter_map(|block| Some((block.number?, block.span))).collect();
+    let step_of = |pair: &[(u32, Span)]| pair[1].0.saturating_sub(pair[0].0);
+    let mut steps: BTreeMap<u32, usize> = BTreeMap::new();
+    for pair in numbered.windows(2) {
+        *steps.entry(step_of(pair)).or_default() += 1;
+    }
+    let Some((&step, &often)) = steps.iter().max_by_key(|(_, often)| **often) else { return };
+    // Nine of ten, and not of a handful: else the numbers follow no rule that could be broken.
+    if step == 0 || often < 10 || often * 10 < (numbered.len() - 1) * 9 {
+        return;
+    }
+    for pair in numbered.windows(2) {
+        let wide = step_of(pair);
+        if wide > step && wide % step == 0 {
+            let ((before, _), (after, span)) = (pair[0], pair[1]);
+            let (first, last) = (before + step, after - step);
+            let missing = if first == last { format!("N{first}") } else { format!("N{first} … N{last}") };
+            faults.push(
+                fault("block-number-gap", span, Some(after))
+                    .with("before", format!("N{before}"))
+                    .with("missing", missing)
+                    .with("step", step),
+            );
+        }
+    }
 }
 
 /// The M functions of a block that are no parameters of a cycle.
@@ -78,16 +110,19 @@ pub(super) fn blocks(blocks: &[Block], programs: &Programs, control: &Control, f
 }
 
 fn words(block: &Block, control: &Control, faults: &mut Vec<Fault>) {
-    let mut seen = BTreeSet::new();
-    let cycle = block.words.iter().find(|word| word.address == 'G' && control.cycles.contains_key(&word.code()));
+    // A bit for every letter, those behind a cycle apart.
+    let mut seen = [0_u32; 2];
+    let cycle = block.words.iter().find(|word| word.address == 'G' && control.cycles.has(word.code()));
     for word in &block.words {
         let many = matches!(word.address, 'G' | 'M') && !word.in_cycle;
-        if !many && !seen.insert((word.address, word.in_cycle)) {
+        let (seen, bit) = (&mut seen[usize::from(word.in_cycle)], 1 << letter(word.address));
+        if !many && *seen & bit != 0 {
             faults.push(fault("word-twice", word.span, None).with("address", word.address));
         }
+        *seen |= bit;
         match (word.address, cycle) {
             (address, Some(cycle)) if word.in_cycle => {
-                let known = control.cycles.get(&cycle.code());
+                let known = control.cycles.get(cycle.code());
                 if !known.is_some_and(|it| it.required.contains(&address) || it.optional.contains(&address)) {
                     faults.push(
                         fault("word-after-cycle", word.span, None).with("address", address).with("cycle", cycle.code()),
@@ -114,7 +149,7 @@ fn m_functions(block: &Block, control: &Control, faults: &mut Vec<Fault>) {
     }
     let mut exclusive: Option<&Word> = None;
     for word in functions(block) {
-        let Some(function) = control.m_functions.get(&word.code()) else {
+        let Some(function) = control.m_functions.get(word.code()) else {
             faults.push(fault("machine-function", word.span, None).with("code", format!("M{:02}", word.code())));
             continue;
         };
@@ -133,22 +168,22 @@ fn m_functions(block: &Block, control: &Control, faults: &mut Vec<Fault>) {
 }
 
 fn groups(block: &Block, control: &Control, faults: &mut Vec<Fault>) {
-    let mut last: BTreeMap<usize, &Word> = BTreeMap::new();
+    let mut last: [Option<&Word>; GROUPS] = [None; GROUPS];
     let mut offset = None;
     let mut no_corrector = None;
     for word in block.words.iter().filter(|word| word.address == 'G' && !word.in_cycle) {
         let code = word.code();
-        let Some(group) = control.groups.get(&code) else {
+        let Some(slot) = control.groups.get(code).and_then(|group| last.get_mut(*group)) else {
             faults.push(fault("unknown-function", word.span, None).with("code", word.number()));
             continue;
         };
-        if control.offsets.contains_key(&code) {
+        if control.offsets.has(code) {
             offset = Some(word);
         }
-        if control.offsets.contains_key(&code) || (27..=31).contains(&code) {
+        if control.offsets.has(code) || (27..=31).contains(&code) {
             no_corrector = Some(word);
         }
-        if let Some(dead) = last.insert(*group, word) {
+        if let Some(dead) = slot.replace(word) {
             let names = [dead, word].map(|word| format!("G{:02}", word.code()));
             faults.push(fault("group-twice", dead.span, None).with("first", &names[0]).with("second", &names[1]));
         }
@@ -162,7 +197,7 @@ fn groups(block: &Block, control: &Control, faults: &mut Vec<Fault>) {
     }
     // In the very block; radius correction of an earlier one is told when the block runs (note 3).
     if let Some(offset) = offset
-        && last.get(&3).is_some_and(|word| word.code() != 40)
+        && last[RADIUS].is_some_and(|word| word.code() != 40)
     {
         let name = format!("G{:02}", offset.code());
         faults.push(fault("offset-with-radius-correction", offset.span, None).with("function", name));

@@ -1,7 +1,5 @@
 //! The control's language as data: functions, groups, addresses, planes, cycles and limits, from catalogs/controls.
 
-use std::collections::BTreeMap;
-
 use crate::error::KnowledgeError;
 use crate::knowledge::{Knowledge, RowRef, Table, Value};
 use crate::motion::{Axis, Plane};
@@ -69,21 +67,50 @@ pub(super) struct Cycle {
     pub out_at_feed: bool,
 }
 
+/// What belongs to the codes of functions, or to the letters of addresses: an array, since every word asks for it.
+#[derive(Clone, Debug)]
+pub(super) struct ByCode<T>(Vec<Option<T>>);
+
+impl<T> ByCode<T> {
+    fn new() -> Self {
+        Self((0..=u8::MAX).map(|_| None).collect())
+    }
+
+    fn insert(&mut self, code: u8, content: T) {
+        self.0[usize::from(code)] = Some(content);
+    }
+
+    /// What belongs to a code.
+    pub(super) fn get(&self, code: u8) -> Option<&T> {
+        self.0[usize::from(code)].as_ref()
+    }
+
+    /// Whether anything belongs to a code.
+    pub(super) fn has(&self, code: u8) -> bool {
+        self.get(code).is_some()
+    }
+
+    /// What belongs to an address.
+    pub(super) fn of(&self, address: char) -> Option<&T> {
+        self.get(u8::try_from(address).ok()?)
+    }
+}
+
 /// The language.
 #[derive(Clone, Debug)]
 pub struct Control {
     /// G code to group.
-    pub(super) groups: BTreeMap<u8, usize>,
+    pub(super) groups: ByCode<usize>,
     /// The code of every group that is set at power-on; 0 where the group has none.
     pub(super) power_on: [u8; GROUPS],
-    pub(super) m_functions: BTreeMap<u8, MFunction>,
-    pub(super) addresses: BTreeMap<char, Address>,
-    pub(super) planes: BTreeMap<u8, PlaneRow>,
-    pub(super) cycles: BTreeMap<u8, Cycle>,
+    pub(super) m_functions: ByCode<MFunction>,
+    pub(super) addresses: ByCode<Address>,
+    pub(super) planes: ByCode<PlaneRow>,
+    pub(super) cycles: ByCode<Cycle>,
     /// G45…G48: how many offsets are added to the motion.
-    pub(super) offsets: BTreeMap<u8, i64>,
+    pub(super) offsets: ByCode<i64>,
     /// G17…G19: the words that G45…G48 act on.
-    pub(super) offset_words: BTreeMap<u8, Vec<char>>,
+    pub(super) offset_words: ByCode<Vec<char>>,
     pub(super) block_length: usize,
     pub(super) memory_bytes: usize,
     pub(super) programs: usize,
@@ -109,14 +136,14 @@ impl Control {
         };
         let count = |name: &str| number(name).map(|value| value as usize);
         let mut control = Self {
-            groups: BTreeMap::new(),
+            groups: ByCode::new(),
             power_on: [0; GROUPS],
-            m_functions: BTreeMap::new(),
+            m_functions: ByCode::new(),
             addresses: addresses(knowledge.table("2c42-65-addresses")?, number("dwell-step")?)?,
-            planes: BTreeMap::new(),
-            cycles: BTreeMap::new(),
-            offsets: BTreeMap::new(),
-            offset_words: BTreeMap::new(),
+            planes: ByCode::new(),
+            cycles: ByCode::new(),
+            offsets: ByCode::new(),
+            offset_words: ByCode::new(),
             block_length: count("block-length-max")?,
             memory_bytes: count("memory")? * 1024,
             programs: count("programs-max")?,
@@ -231,7 +258,7 @@ impl Control {
     /// The row of a plane function.
     pub(super) fn plane(&self, code: u8) -> PlaneRow {
         // Only codes of group 02 get here, and every one of them has a row; G17's values stand for a table without.
-        self.planes.get(&code).copied().unwrap_or(PlaneRow {
+        self.planes.get(code).copied().unwrap_or(PlaneRow {
             plane: Plane::Xy,
             length_axis: Axis::Z,
             cycle_axis: Axis::Z,
@@ -264,8 +291,8 @@ fn figures(table: &Table, name: &str) -> Result<Vec<f64>, KnowledgeError> {
 }
 
 /// The addresses with the limits of their numbers as these are written: a dwell is written in its steps.
-fn addresses(table: &Table, dwell_step: f64) -> Result<BTreeMap<char, Address>, KnowledgeError> {
-    let mut addresses = BTreeMap::new();
+fn addresses(table: &Table, dwell_step: f64) -> Result<ByCode<Address>, KnowledgeError> {
+    let mut addresses = ByCode::new();
     for row in table.all_rows() {
         let unit = row.text("unit").unwrap_or_default();
         let scale = if unit == "s" { 1.0 / dwell_step } else { 1.0 };
@@ -279,7 +306,8 @@ fn addresses(table: &Table, dwell_step: f64) -> Result<BTreeMap<char, Address>, 
             decimal: matches!(unit, "mm" | "deg" | "mm/min"),
             length: unit == "mm",
         };
-        addresses.insert(letter(row.text("address")?), address);
+        let letter = u8::try_from(letter(row.text("address")?));
+        addresses.insert(letter.map_err(|_| KnowledgeError::lacks(&table.id, "an address of one letter"))?, address);
     }
     Ok(addresses)
 }

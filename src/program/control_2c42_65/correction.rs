@@ -4,8 +4,10 @@
 //! 3.10.7) and no more. The rest is reconstructed, by what controls of that time do:
 //!
 //! 1. The first straight motion brings the tool beside the beginning of the next element, square to it.
-//! 2. Where two elements meet, the centre goes to the point S where their parallel curves meet; where these do not meet
-//!    within three radii of the corner, a straight motion joins their ends.
+//! 2. Where two elements meet, the centre goes to the point S where their parallel curves meet. On the inside of a corner
+//!    there is no other way: where they do not meet the tool does not fit. On its outside, where they do not meet within
+//!    three radii of the corner, the centre goes on straight by a radius past the end of the first, across, and comes
+//!    straight to the second from a radius before it: so it stays a radius away from the corner.
 //! 3. After the last element the tool stands square to its end; G40 lets the next straight motion leave from there.
 //!
 //! So every element waits for the next one of its plane. What stands between them (a motion across the plane, a dwell, a
@@ -56,46 +58,49 @@ impl Compensator {
         self.offset != 0.0
     }
 
-    /// How many steps wait.
-    pub(super) fn waiting(&self) -> usize {
-        self.queue.len()
-    }
-
     /// Begins, changes or ends the correction; gives out what has waited.
     ///
     /// # Errors
     /// The path that has waited cannot be corrected.
-    pub(super) fn set(&mut self, plane: Plane, offset: f64) -> Result<Vec<Step>, Trouble> {
-        let steps = self.flush()?;
+    pub(super) fn set(&mut self, plane: Plane, offset: f64, out: &mut Vec<Step>) -> Result<(), Trouble> {
+        self.flush(out)?;
         if self.plane.is_some_and(|old| old != plane) {
             self.held = None;
         }
         self.plane = Some(plane);
         self.offset = offset;
         self.entering = offset != 0.0;
-        Ok(steps)
+        Ok(())
     }
 
     /// Gives out what has waited; its last element ends square to itself.
     ///
     /// # Errors
     /// It cannot be corrected.
-    pub(super) fn flush(&mut self) -> Result<Vec<Step>, Trouble> {
-        let mut steps = Vec::new();
+    pub(super) fn flush(&mut self, out: &mut Vec<Step>) -> Result<(), Trouble> {
         if let Some(pending) = self.pending.take() {
             let end = pending.element.beside(self.offset, true).ok_or(("arc-smaller-than-tool", pending.span))?;
-            self.finish(pending, &[end], &mut steps)?;
+            self.finish(pending, &[end], out)?;
             self.entering = self.offset != 0.0;
         }
-        Ok(steps)
+        Ok(())
     }
 
     /// Takes a step of the programmed path that began there; gives out what is known by now.
     ///
     /// # Errors
     /// The path cannot be corrected.
-    pub(super) fn take(&mut self, mut step: Step, from: Position, span: Span) -> Result<Vec<Step>, Trouble> {
-        let Some(plane) = self.plane else { return Ok(vec![step]) };
+    pub(super) fn take(
+        &mut self,
+        mut step: Step,
+        from: Position,
+        span: Span,
+        out: &mut Vec<Step>,
+    ) -> Result<(), Trouble> {
+        let Some(plane) = self.plane else {
+            out.push(step);
+            return Ok(());
+        };
         let element = Element::of(&step, from, plane);
         if self.offset == 0.0 {
             match (element, self.held) {
@@ -104,20 +109,20 @@ impl Compensator {
                 (None, Some(held)) => step.at = put(step.at, plane, held),
                 (None, None) => {}
             }
-            return Ok(vec![step]);
+            out.push(step);
+            return Ok(());
         }
         let Some(element) = element else {
-            match (&self.pending, self.held) {
-                (Some(_), _) => {
-                    self.queue.push(step);
-                    return Ok(Vec::new());
-                }
-                (None, Some(held)) => step.at = put(step.at, plane, held),
-                (None, None) => {}
+            if self.pending.is_some() {
+                self.queue.push(step);
+                return Ok(());
             }
-            return Ok(vec![step]);
+            if let Some(held) = self.held {
+                step.at = put(step.at, plane, held);
+            }
+            out.push(step);
+            return Ok(());
         };
-        let mut steps = Vec::new();
         let approach = self.entering || self.pending.is_none();
         if approach && element.arc.is_some() {
             return Err(("correction-by-arc", span));
@@ -128,17 +133,17 @@ impl Compensator {
                 vec![start]
             } else {
                 let end = pending.element.beside(self.offset, true).ok_or(("arc-smaller-than-tool", pending.span))?;
-                meeting(&pending.element, &element, end, start, self.offset)
+                meeting(&pending.element, &element, end, start, self.offset).ok_or(("contour-too-tight", span))?
             };
-            self.finish(pending, &meeting, &mut steps)?;
+            self.finish(pending, &meeting, out)?;
         }
         self.entering = false;
         self.pending = Some(Pending { element, step, span, approach });
-        Ok(steps)
+        Ok(())
     }
 
-    /// Gives out an element that ends at the first of the points, a straight way to the second where there is one, and
-    /// what has waited behind it.
+    /// Gives out an element that ends at the first of the points, straight ways through the others, and what has waited
+    /// behind it.
     fn finish(&mut self, pending: Pending, points: &[Point], steps: &mut Vec<Step>) -> Result<(), Trouble> {
         let Some(plane) = self.plane else { return Ok(()) };
         let Pending { element, mut step, span, approach } = pending;
@@ -148,15 +153,17 @@ impl Compensator {
             return Err(("contour-too-tight", span));
         }
         step.at = put(step.at, plane, end);
-        let link = points.get(1).map(|&second| {
-            let motion = match &step.motion {
-                Motion::Arc { feed_mm_per_min, .. } => Motion::Feed { feed_mm_per_min: *feed_mm_per_min },
-                other => other.clone(),
-            };
-            Step { motion, at: put(step.at, plane, second), block: step.block }
-        });
+        let straight = match &step.motion {
+            Motion::Arc { feed_mm_per_min, .. } => Motion::Feed { feed_mm_per_min: *feed_mm_per_min },
+            other => other.clone(),
+        };
+        let (at, block) = (step.at, step.block);
         steps.push(step);
-        steps.extend(link);
+        steps.extend(points[1..].iter().map(|&point| Step {
+            motion: straight.clone(),
+            at: put(at, plane, point),
+            block,
+        }));
         let last = points.last().copied().unwrap_or(end);
         self.held = Some(last);
         for mut waiting in self.queue.drain(..) {
@@ -232,28 +239,51 @@ impl Element {
     }
 }
 
-/// Where the parallel curves of two elements meet: one point, or two that a straight way joins.
-fn meeting(first: &Element, second: &Element, end: Point, start: Point, offset: f64) -> Vec<Point> {
+/// The way of the centre from one element to the next: the point where their parallel curves meet, or several points that
+/// straight ways join; nothing when the tool does not fit between them.
+fn meeting(first: &Element, second: &Element, end: Point, start: Point, offset: f64) -> Option<Vec<Point>> {
     if distance(end, start) < 0.002 {
-        return vec![end];
+        return Some(vec![end]);
     }
     let corner = first.to;
-    let reach = 3.0 * offset.abs();
+    let (before, behind) = (first.direction(true), second.direction(false));
     let found = match (first.parallel_radius(offset), second.parallel_radius(offset)) {
-        (None, None) => lines_meet(end, first.direction(true), start, second.direction(false)).into_iter().collect(),
-        (None, Some(radius)) => line_meets_circle(end, first.direction(true), second, radius),
-        (Some(radius), None) => line_meets_circle(start, second.direction(false), first, radius),
+        (None, None) => lines_meet(end, before, start, behind).into_iter().collect(),
+        (None, Some(radius)) => line_meets_circle(end, before, second, radius),
+        (Some(radius), None) => line_meets_circle(start, behind, first, radius),
         (Some(one), Some(other)) => circles_meet(first, one, second, other),
     };
-    let nearest = found
-        .into_iter()
-        .filter(|point: &Point| distance(*point, corner) <= reach)
-        .min_by(|a, b| distance(*a, corner).total_cmp(&distance(*b, corner)));
-    match nearest {
-        Some(point) => vec![point],
-        None => vec![end, start],
+    let nearest = found.into_iter().min_by(|a, b| distance(*a, corner).total_cmp(&distance(*b, corner)));
+    let near = nearest.filter(|point| distance(*point, corner) <= 3.0 * offset.abs());
+    let turn = before[0] * behind[1] - before[1] * behind[0];
+    let onwards = before[0] * behind[0] + before[1] * behind[1] > 0.0;
+    if onwards && turn.abs() < SMOOTH {
+        // Tangent but for the rounding of the numbers.
+        return Some(near.map_or(vec![end, start], |point| vec![point]));
     }
+    // Of an exact turning round neither side is the inside.
+    if turn * offset > 0.0 && turn.abs() > 1e-9 {
+        return nearest.map(|point| vec![point]);
+    }
+    if let Some(point) = near {
+        return Some(vec![point]);
+    }
+    let radius = offset.abs();
+    let past = [end[0] + before[0] * radius, end[1] + before[1] * radius];
+    let ahead = [start[0] - behind[0] * radius, start[1] - behind[1] * radius];
+    let mut way = vec![past, ahead];
+    // A line only becomes longer; an arc ends and begins where it is.
+    if first.arc.is_some() {
+        way.insert(0, end);
+    }
+    if second.arc.is_some() {
+        way.push(start);
+    }
+    Some(way)
 }
+
+/// The sine of a turn so small that two elements count as tangent.
+const SMOOTH: f64 = 0.02;
 
 fn lines_meet(a: Point, along_a: Point, b: Point, along_b: Point) -> Option<Point> {
     let cross = along_a[0] * along_b[1] - along_a[1] * along_b[0];

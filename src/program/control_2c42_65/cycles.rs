@@ -16,9 +16,12 @@
 
 use super::block::Maker;
 use super::state::{CYCLE, PLANE, SYSTEM};
+use crate::program::limits::Floating;
 use super::words::{Given, Words, letter};
-use crate::motion::{Axis, Motion, Turning};
-use crate::program::Span;
+use std::collections::BTreeMap;
+
+use crate::motion::{Axis, BlockRef, Motion, Position, Turning};
+use crate::program::{Call, Span, path};
 use crate::units::Micrometres;
 
 /// The levels of a cycle along its axis, machine coordinates without corrections.
@@ -31,11 +34,26 @@ struct Levels {
     four: Micrometres,
 }
 
+/// A hole as a cycle makes it: with what, how, and where on the machine its bottom lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Hole {
+    tool: u32,
+    cycle: u8,
+    axis: Axis,
+    bottom: Position,
+    floating: [Floating; 3],
+    /// Level U.
+    from: Micrometres,
+}
+
+/// The block that has made each hole first, and the calls that led there.
+pub(super) type Holes = BTreeMap<Hole, (Vec<Call>, BlockRef)>;
+
 impl Maker<'_> {
     /// Runs the cycle in force: in the block that gives it and in every later one that moves an axis, last of all.
     pub(super) fn cycle(&mut self, words: &Words) {
         let code = self.state.groups[CYCLE];
-        let Some(cycle) = self.control.cycles.get(&code) else { return };
+        let Some(cycle) = self.control.cycles.get(code) else { return };
         let moved = words.any_axis() && words.function(SYSTEM) != Some(92);
         let span = words.g[CYCLE].map_or(self.span, |function| function.span);
         if let Some(given) = &words.cycle {
@@ -59,7 +77,37 @@ impl Maker<'_> {
         }
         let levels = self.levels(axis);
         let (in_steps, out_at_feed) = (cycle.in_steps, cycle.out_at_feed);
+        if words.cycle.is_none() && self.on_the_way_to_the_change() {
+            self.tell("cycle-at-tool-change", span, &[("cycle", format!("G{code}"))]);
+        }
         self.run_cycle(code, levels, in_steps, out_at_feed, span);
+        if !self.broken() {
+            self.drilled(code, levels, span);
+        }
+    }
+
+    /// Whether the block leads away from the part: in the machine's own system, or to where tools are changed. A cycle
+    /// that runs there has been forgotten.
+    fn on_the_way_to_the_change(&self) -> bool {
+        let (x, y) = self.machine.tool_change_at;
+        let known = self.state.floating[..2].iter().all(Option::is_none);
+        self.state.groups[SYSTEM] == 53 || (known && (self.state.base.x, self.state.base.y) == (x, y))
+    }
+
+    /// Remembers a hole; told when the same cycle has made it with the same tool at the same levels before.
+    fn drilled(&mut self, cycle: u8, levels: Levels, span: Span) {
+        let bottom = self.state.corrected(self.state.base.with(levels.axis, levels.two));
+        let floating = self.state.floating;
+        let hole = Hole { tool: self.state.tool, cycle, axis: levels.axis, bottom, floating, from: levels.one };
+        match self.holes.get(&hole) {
+            Some((calls, block)) => {
+                let first = path(calls, *block);
+                self.tell("hole-twice", span, &[("cycle", format!("G{cycle}")), ("first", first)]);
+            }
+            None => {
+                self.holes.insert(hole, (self.calls.to_vec(), self.block));
+            }
+        }
     }
 
     /// Parameters that must be there keep their last value when left out; those that need not be fall back to none

@@ -22,6 +22,6 @@ mod words;
 mod writer;
 
 pub use control::Control;
-pub use run::check;
+pub use run::{check, check_within};
 pub(super) use text::latin;
 pub use writer::write;

@@ -119,14 +119,14 @@ impl Maker<'_> {
     /// closes.
     fn offset(&mut self, words: &Words, target: &mut Target, centre: &mut [Option<Micrometres>; 3]) {
         let Some(function) = words.g[ONE_SHOT] else { return };
-        let Some(factor) = self.control.offsets.get(&function.code).copied() else { return };
+        let Some(factor) = self.control.offsets.get(function.code).copied() else { return };
         if self.cycle_in_force() {
             let name = format!("G{:02}", function.code);
             self.tell("offset-in-cycle", function.span, &[("function", name)]);
             return;
         }
         let value = self.corrector(self.state.radius_corrector, function.span).micrometres() * factor;
-        let on = self.control.offset_words.get(&self.state.groups[PLANE]).cloned().unwrap_or_default();
+        let on = self.control.offset_words.get(self.state.groups[PLANE]).cloned().unwrap_or_default();
         for axis in Axis::ALL {
             let sign = self.state.sign(axis, self.setting);
             if words.axis(axis).is_some() && on.contains(&axis.letter()) {

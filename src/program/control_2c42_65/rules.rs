@@ -23,6 +23,7 @@ pub(super) const RULES: &[Rule] = &[
     ("memory-full", Error, "2.3"),
     ("empty-program", Error, "3.6"),
     ("no-block-number", Warning, "3.7"),
+    ("block-number-gap", Remark, "3.7*"),
     ("word-twice", Error, "3.5*"),
     ("unknown-function", Error, "3.10"),
     ("group-twice", Warning, "3.10"),
@@ -85,6 +86,8 @@ pub(super) const RULES: &[Rule] = &[
     ("cycle-parameter-missing", Error, "3.12.1"),
     ("cycle-step-not-positive", Error, "3.12.1.3"),
     ("cannot-tap", Error, "3.12.1.4"),
+    ("hole-twice", Warning, "3.12.1*"),
+    ("cycle-at-tool-change", Warning, "3.12.1*"),
 ];
 
 /// A breach of a rule.

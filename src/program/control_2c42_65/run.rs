@@ -6,14 +6,15 @@ use std::ops::Range;
 use super::block::{After, Maker};
 use super::check::{self, Programs};
 use super::control::Control;
+use super::cycles::Holes;
 use super::rules::fault;
 use super::state::State;
 use super::text::{self, Block};
 use super::words::Words;
 use crate::machine::Machine;
-use crate::motion::{BlockRef, Sink};
+use crate::motion::{BlockRef, Sink, Step};
 use crate::program::limits::{Spans, without_zero};
-use crate::program::{Fault, Setting};
+use crate::program::{Call, Fault, Setting};
 
 /// Blocks and steps that a check carries out: 65535 repeats of 65535 repeats would never end.
 const BUDGET: usize = 500_000;
@@ -23,6 +24,18 @@ const BUDGET: usize = 500_000;
 /// A text with errors is not run. A block with an error makes no steps, its modal functions hold all the same, and the
 /// run goes on, so that every mistake is told at once.
 pub fn check<S: Sink>(
+    text: &str,
+    control: &Control,
+    machine: &Machine<'_>,
+    setting: &Setting,
+    sink: &mut S,
+) -> Vec<Fault> {
+    check_within(BUDGET, text, control, machine, setting, sink)
+}
+
+/// The same with another budget: a run ends, with an error, after so many blocks and motions.
+pub fn check_within<S: Sink>(
+    budget: usize,
     text: &str,
     control: &Control,
     machine: &Machine<'_>,
@@ -42,9 +55,13 @@ pub fn check<S: Sink>(
             state: State::power_on(control, setting),
             sink,
             told: BTreeSet::new(),
+            calls: Vec::new(),
+            holes: Holes::new(),
             faults: Vec::new(),
             spans: Spans::new(),
-            left: BUDGET,
+            steps: Vec::new(),
+            budget,
+            left: budget,
         };
         run.main();
         faults.append(&mut run.faults);
@@ -63,8 +80,14 @@ struct Run<'a, S> {
     sink: &'a mut S,
     /// What has been told of a word already: a block may run many times.
     told: BTreeSet<(u32, u32, &'static str)>,
+    /// The calls that led to the block that runs.
+    calls: Vec<Call>,
+    holes: Holes,
     faults: Vec<Fault>,
     spans: Spans,
+    /// The room for the steps of a block, empty between them: taken and given back, so that no block allocates its own.
+    steps: Vec<Step>,
+    budget: usize,
     left: usize,
 }
 
@@ -101,42 +124,42 @@ impl<S: Sink> Run<'_, S> {
 
     fn block(&mut self, block: &Block, depth: usize) -> Way {
         if self.left == 0 {
-            let fault = fault("run-too-long", block.span, block.number).with("budget", BUDGET);
+            let fault = fault("run-too-long", block.span, block.number).with("budget", self.budget);
             self.tell(fault);
             return Way::Out;
         }
-        // A block costs itself and what the copy of the state carries along.
-        self.left = self.left.saturating_sub(1 + self.state.compensator.waiting());
-        // 1. Copy the modal state.
-        let state = self.state.clone();
-        // 2. Read the words and check their groups.
+        self.left -= 1;
+        // 1. Read the words and check their groups.
         let words = Words::read(block, self.control, self.setting.skip);
-        // 3. Check everything: make the steps on the copy.
+        // 2. Check everything: make the steps.
         let mut maker = Maker {
             control: self.control,
             machine: self.machine,
             setting: self.setting,
-            state,
-            steps: Vec::new(),
+            state: &mut self.state,
+            steps: std::mem::take(&mut self.steps),
             faults: Vec::new(),
             block: BlockRef { line: block.span.line, number: block.number },
             span: block.span,
             spans: &mut self.spans,
+            holes: &mut self.holes,
+            calls: &self.calls,
             made: 0,
             budget: self.left,
         };
         maker.finer_than_machine(&words);
         let after = maker.make(&words);
-        let Maker { state, steps, faults, made, .. } = maker;
-        // 4. Carry it out: nothing of a block that is not good, but its modes.
+        let Maker { mut steps, faults, made, .. } = maker;
+        // 3. Carry it out: nothing of a block that is not good.
         let good = !faults.iter().any(Fault::is_error);
         if good {
             for step in &steps {
                 self.sink.take(step);
             }
         }
+        steps.clear();
+        self.steps = steps;
         self.left = self.left.saturating_sub(made);
-        self.state = state;
         for fault in faults {
             self.tell(fault);
         }
@@ -162,16 +185,22 @@ impl<S: Sink> Run<'_, S> {
             self.tell(fault);
             return Way::Out;
         }
+        let from = BlockRef { line: block.span.line, number: block.number };
+        self.calls.push(Call { from, program: number });
+        let mut way = Way::On;
         for _ in 0..words.get('L').map_or(1, super::words::Given::number) {
             if self.program(range.clone(), depth + 1) == Way::Out {
-                return Way::Out;
+                way = Way::Out;
+                break;
             }
         }
-        Way::On
+        self.calls.pop();
+        way
     }
 
-    fn tell(&mut self, fault: Fault) {
+    fn tell(&mut self, mut fault: Fault) {
         if self.told.insert((fault.span.line, fault.span.column, fault.code)) {
+            fault.calls.clone_from(&self.calls);
             self.faults.push(fault);
         }
     }

@@ -17,8 +17,8 @@ pub(super) const SYSTEM: usize = 5;
 pub(super) const CYCLE: usize = 6;
 pub(super) const DISTANCE: usize = 7;
 
-/// The state of the control. Copied before every block, and kept only when the block is good.
-#[derive(Clone, Debug)]
+/// The state of the control.
+#[derive(Debug)]
 pub(super) struct State {
     /// The function that holds in every group.
     pub groups: [u8; GROUPS],
@@ -30,6 +30,8 @@ pub(super) struct State {
     pub turning: Turning,
     /// T: the tool that the next M06 brings.
     pub wanted: u32,
+    /// The tool in the spindle; 0 before the first M06.
+    pub tool: u32,
     /// D and H.
     pub radius_corrector: u32,
     pub length_corrector: u32,
@@ -64,6 +66,7 @@ impl State {
             speed: 0,
             turning: Turning::Stopped,
             wanted: 0,
+            tool: 0,
             radius_corrector: 0,
             length_corrector: 0,
             parameters: [None; 26],

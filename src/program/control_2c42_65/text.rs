@@ -60,37 +60,63 @@ pub(super) fn blocks(text: &str, control: &Control) -> (Vec<Block>, Vec<Fault>) 
     let mut faults = Vec::new();
     let mut blocks = Vec::new();
     for (index, line) in text.lines().enumerate() {
-        let line_number = u32::try_from(index + 1).unwrap_or(u32::MAX);
-        let mut reader = Line { control, faults: &mut faults, line: line_number, in_cycle: false, skipped: false };
-        blocks.extend(reader.block(line));
+        let number = u32::try_from(index + 1).unwrap_or(u32::MAX);
+        let mut reader = Line {
+            control,
+            faults: &mut faults,
+            text: line,
+            ascii: line.is_ascii(),
+            number,
+            in_cycle: false,
+            skipped: false,
+        };
+        blocks.extend(reader.block());
+    }
+    // Once: whoever leaves the numbers out leaves out all of them.
+    let mut unnumbered = blocks.iter().filter(|block| block.number.is_none() && block.program.is_none());
+    if let Some(first) = unnumbered.next() {
+        faults.push(fault("no-block-number", first.span, None).with("count", unnumbered.count() + 1));
     }
     (blocks, faults)
 }
 
+/// A line on its way; places in it are counted in bytes, and told in characters.
 struct Line<'a> {
     control: &'a Control,
     faults: &'a mut Vec<Fault>,
-    line: u32,
+    text: &'a str,
+    /// Whether every character of it is one byte.
+    ascii: bool,
+    number: u32,
     in_cycle: bool,
     skipped: bool,
 }
 
 impl Line<'_> {
+    /// Characters before a place.
+    fn characters(&self, to: usize) -> usize {
+        if self.ascii { to } else { self.text[..to].chars().count() }
+    }
+
     fn span(&self, from: usize, to: usize) -> Span {
         let number = |value: usize| u32::try_from(value).unwrap_or(u32::MAX);
-        Span { line: self.line, column: number(from + 1), width: number(to.saturating_sub(from).max(1)) }
+        let (from, to) = (self.characters(from), self.characters(to));
+        Span { line: self.number, column: number(from + 1), width: number(to.saturating_sub(from).max(1)) }
     }
 
     /// One line; nothing of an empty one and of the sign `%` that begins a tape.
-    fn block(&mut self, line: &str) -> Option<Block> {
+    fn block(&mut self) -> Option<Block> {
         let before = self.faults.len();
-        let characters: Vec<char> = line.chars().collect();
-        let first = characters.iter().position(|c| !c.is_whitespace())?;
-        if characters[first] == '%' {
+        let end = self.text.trim_end().len();
+        // Editors put a mark of their encoding before the text; it is no part of the program.
+        let mark = if self.number == 1 && self.text.starts_with(MARK) { MARK.len_utf8() } else { 0 };
+        let content = self.text.get(mark..end)?;
+        let first = end - content.trim_start().len();
+        if first == end || self.text[first..].starts_with('%') {
             return None;
         }
-        let length = line.trim_end().chars().count();
-        let mut block = Block { span: self.span(first, length), ..Block::default() };
+        let length = self.characters(end);
+        let mut block = Block { span: self.span(first, end), ..Block::default() };
         // The end of the block counts as one character (3.4).
         if length + 1 > self.control.block_length {
             self.faults.push(
@@ -100,22 +126,21 @@ impl Line<'_> {
             );
         }
         let mut at = first;
-        while let Some(&character) = characters.get(at) {
-            if character.is_whitespace() {
-                at += 1;
+        while let Some(character) = self.text[at..end].chars().next() {
+            let behind = at + character.len_utf8();
+            if blank(character) {
+                at = behind;
             } else if character == '/' {
                 self.skipped = true;
-                at += 1;
+                at = behind;
             } else {
-                let end = number_end(&characters, at + 1);
-                if let Some(word) = self.word(&characters, at, end) {
+                let written = number(&self.text[behind..end]);
+                let next = behind + written.len();
+                if let Some(word) = self.word(character, written.trim_start_matches(blank), self.span(at, next)) {
                     self.place(word, &mut block);
                 }
-                at = end;
+                at = next;
             }
-        }
-        if block.number.is_none() && block.program.is_none() {
-            self.faults.push(fault("no-block-number", block.span, None));
         }
         for fault in &mut self.faults[before..] {
             fault.block = block.number;
@@ -126,34 +151,40 @@ impl Line<'_> {
     /// Puts a word where it belongs: the numbers of block and program aside, the rest in its order.
     fn place(&mut self, word: Word, block: &mut Block) {
         match word.address {
-            'N' if !word.in_cycle => block.number = u32::try_from(word.number()).ok(),
+            'N' if !word.in_cycle => {
+                let number = u32::try_from(word.number()).ok();
+                self.once(word, block.number.replace(number.unwrap_or_default()).is_some());
+            }
             ':' => {
-                block.program = Some(word.code());
+                self.once(word, block.program.replace(word.code()).is_some());
                 if word.digits != 2 {
                     self.faults.push(fault("program-one-digit", word.span, None));
                 }
             }
             _ => block.words.push(word),
         }
-        if word.address == 'G' && self.control.cycles.contains_key(&word.code()) {
+        if word.address == 'G' && self.control.cycles.has(word.code()) {
             self.in_cycle = true;
         }
     }
 
-    fn word(&mut self, characters: &[char], at: usize, end: usize) -> Option<Word> {
-        let address = characters[at];
-        let span = self.span(at, end);
-        if let Some(latin) = latin(address) {
-            self.faults.push(fault("cyrillic-letter", span, None).with("letter", address).with("latin", latin));
-            return None;
+    /// Tells a number of the block or the program that is not the first one there.
+    fn once(&mut self, word: Word, again: bool) {
+        if again {
+            self.faults.push(fault("word-twice", word.span, None).with("address", word.address));
         }
-        let Some(known) = self.control.addresses.get(&address).copied() else {
-            let code = if address.is_ascii_uppercase() { "unknown-address" } else { "unknown-character" };
-            self.faults.push(fault(code, span, None).with("letter", address));
+    }
+
+    fn word(&mut self, address: char, written: &str, span: Span) -> Option<Word> {
+        let Some(&known) = self.control.addresses.of(address) else {
+            self.faults.push(match latin(address) {
+                Some(latin) => fault("cyrillic-letter", span, None).with("letter", address).with("latin", latin),
+                None if address.is_ascii_uppercase() => fault("unknown-address", span, None).with("letter", address),
+                None => fault("unknown-character", span, None).with("letter", shown(address)),
+            });
             return None;
         };
-        let written: String = characters[at + 1..end].iter().filter(|c| !c.is_whitespace()).collect();
-        let (thousandths, digits) = self.number(&written, address, span)?;
+        let (thousandths, digits) = self.number(written, address, span)?;
         let word = Word { address, thousandths, digits, span, in_cycle: self.in_cycle, skipped: self.skipped };
         if !known.decimal && written.contains('.') && !(address == 'H' && self.in_cycle) {
             self.faults.push(fault("number-not-whole", span, None).with("address", address));
@@ -161,10 +192,10 @@ impl Line<'_> {
         }
         // In a cycle H is a feed (table 3.13).
         let limited = if address == 'H' && self.in_cycle { 'F' } else { address };
-        let limits = self.control.addresses.get(&limited).and_then(|it| it.limits).or(
+        let limits = self.control.addresses.of(limited).and_then(|it| it.limits).or_else(|| {
             // U, V and W stand in no table of limits: they are lengths as X is.
-            self.control.addresses.get(&'X').and_then(|it| it.limits).filter(|_| known.length),
-        );
+            self.control.addresses.of('X').and_then(|it| it.limits).filter(|_| known.length)
+        });
         if let Some((low, high)) = limits
             && !(low..=high).contains(&thousandths)
         {
@@ -207,31 +238,40 @@ impl Line<'_> {
     }
 }
 
-/// Where a number that may begin here ends: a sign, digits, one point; blanks may stand before it.
-fn number_end(characters: &[char], mut at: usize) -> usize {
-    let begin = at;
-    while characters.get(at).is_some_and(|c| c.is_whitespace()) {
-        at += 1;
-    }
-    let number = at;
-    if characters.get(at).is_some_and(|c| matches!(c, '+' | '-')) {
-        at += 1;
-    }
+/// The mark that editors put at the beginning of a file.
+const MARK: char = '\u{feff}';
+
+/// Whether a character only keeps words apart. A line end that is none here, such as a carriage return inside a line,
+/// does not: two blocks would run together unseen.
+fn blank(c: char) -> bool {
+    c.is_whitespace() && (c == '\t' || !c.is_control())
+}
+
+/// A character as a message shows it: by its code where it may be invisible or look like another.
+fn shown(c: char) -> String {
+    if c.is_ascii_graphic() || c.is_alphanumeric() { c.to_string() } else { format!("U+{:04X}", u32::from(c)) }
+}
+
+/// The number that may begin here: a sign, digits, one point; blanks may stand before it, and go with it.
+fn number(text: &str) -> &str {
+    let unsigned = text.trim_start_matches(blank);
+    let begin = text.len() - unsigned.len();
+    let mut end = begin + usize::from(unsigned.starts_with(['+', '-']));
     let mut point = false;
-    while let Some(c) = characters.get(at) {
-        match c {
-            '.' if !point => point = true,
-            c if c.is_ascii_digit() => {}
+    for byte in text[end..].bytes() {
+        match byte {
+            b'.' if !point => point = true,
+            b'0'..=b'9' => {}
             _ => break,
         }
-        at += 1;
+        end += 1;
     }
-    if at == number { begin } else { at }
+    if end == begin { "" } else { &text[..end] }
 }
 
 /// The Latin letter that a Cyrillic one looks like.
 pub(in crate::program) fn latin(letter: char) -> Option<char> {
-    let pairs = "АAВBСCЕEНHІIКKМMОOРPТTХXУYЗ3";
+    let pairs = "АAВBСCЕEНHІIЈJКKМMОOРPЅSТTХXУYЗ3";
     let found = pairs.chars().collect::<Vec<_>>();
     found.chunks(2).find(|pair| pair[0] == letter).and_then(|pair| pair.get(1).copied())
 }
@@ -253,6 +293,29 @@ mod tests {
         let words: Vec<(char, i64, u32)> =
             blocks[0].words.iter().map(|word| (word.address, word.thousandths, word.span.column)).collect();
         assert_eq!(words, [('G', 1000, 5), ('X', -1500, 8), ('Y', 250, 13), ('F', 100_000, 19)]);
+    }
+
+    /// What a text without any word of its own says, and how.
+    #[test]
+    fn characters_that_do_not_show_are_named_and_a_mark_of_encoding_is_none() {
+        let told = |text: &str| -> Vec<(String, u32)> {
+            let figure = |fault: &Fault| fault.note.params.values().next().cloned().unwrap_or_default();
+            read(text).1.iter().map(|fault| (format!("{} {}", fault.code, figure(fault)), fault.span.column)).collect()
+        };
+        assert_eq!(told("\u{feff}%\r\nN1 X1\r\n"), []);
+        assert_eq!(read("\u{feff}N1 X1").0[0].words[0].span.column, 5);
+        for (text, says, column) in [
+            ("N1 X1\0", "unknown-character U+0000", 6),
+            ("N1 X1\n\u{feff}N2 X1", "unknown-character U+FEFF", 1),
+            ("N1 X1\rX2", "unknown-character U+000D", 6),
+            ("N1 X1,5", "unknown-character ,", 6),
+            ("N1 У5", "cyrillic-letter Y", 4),
+            ("N1 N2 X1", "word-twice N", 4),
+            (":01 :02", "word-twice :", 5),
+            (":-01", "number-out-of-range :", 1),
+        ] {
+            assert!(told(text).contains(&(says.to_owned(), column)), "{text:?}: {:?}", told(text));
+        }
     }
 
     #[test]

@@ -1,9 +1,10 @@
 //! The way of a step to the sink: through the radius correction, held against the travels of the machine.
 
 use super::block::Maker;
-use crate::motion::{Motion, Position, Step};
+use super::correction::Trouble;
+use crate::motion::{Motion, Position, Step, geometry};
 use crate::program::Span;
-use crate::program::limits::beyond_travel;
+use crate::program::limits::{Reached, beyond_travel};
 
 impl Maker<'_> {
     /// One more step where the axes stand.
@@ -16,40 +17,40 @@ impl Maker<'_> {
     pub(super) fn push_from(&mut self, motion: Motion, from: Position, span: Span) {
         self.made += 1;
         let step = Step { motion, at: self.state.corrected(self.state.base), block: self.block };
-        match self.state.compensator.take(step, from, span) {
-            Ok(steps) => self.emit_all(steps, span),
-            Err((code, at)) => {
-                self.fault(code, at);
-            }
-        }
+        let begin = self.steps.len();
+        let taken = self.state.compensator.take(step, from, span, &mut self.steps);
+        self.emit(begin, taken, span);
     }
 
     /// What the radius correction still holds back.
     pub(super) fn flush(&mut self) {
-        match self.state.compensator.flush() {
-            Ok(steps) => self.emit_all(steps, self.span),
-            Err((code, at)) => {
-                self.fault(code, at);
-            }
-        }
+        let begin = self.steps.len();
+        let flushed = self.state.compensator.flush(&mut self.steps);
+        self.emit(begin, flushed, self.span);
     }
 
-    pub(super) fn emit_all(&mut self, steps: Vec<Step>, span: Span) {
-        for step in steps {
+    /// Holds what the radius correction has given out, from a place in the steps, against the travels.
+    pub(super) fn emit(&mut self, begin: usize, given: Result<(), Trouble>, span: Span) {
+        if let Err((code, at)) = given {
+            self.fault(code, at);
+            return;
+        }
+        for index in begin..self.steps.len() {
+            let step = &self.steps[index];
+            let at = step.at;
             if matches!(step.motion, Motion::Rapid | Motion::Feed { .. } | Motion::Arc { .. }) {
-                self.hold_in_travel(&step, span);
+                let reached = geometry::reach(&step.motion, self.state.actual, at);
+                self.hold_in_travel(reached, span);
             }
-            self.state.actual = step.at;
-            self.steps.push(step);
+            self.state.actual = at;
         }
     }
 
     /// An axis may not leave its travel (3.8.3).
-    fn hold_in_travel(&mut self, step: &Step, span: Span) {
+    fn hold_in_travel(&mut self, reached: Reached, span: Span) {
         let (from, floating) = (self.state.actual, self.state.floating);
-        for note in beyond_travel(self.machine, step, from, floating, self.spans) {
-            let fault = self.fault(note.0, span);
-            fault.note = note.1;
+        for (code, note) in beyond_travel(self.machine, reached, from, floating, self.spans) {
+            self.tell_note(code, span, note);
         }
     }
 }

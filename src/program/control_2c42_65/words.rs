@@ -1,4 +1,4 @@
-//! Step 2 of a block: its words, each in its place, the functions by their groups.
+//! Step 1 of a block: its words, each in its place, the functions by their groups.
 
 use super::control::{Control, GROUPS};
 use super::text::Block;
@@ -39,7 +39,7 @@ pub(super) struct Words {
     /// The M functions, as they stand.
     pub m: Vec<Function>,
     /// The parameters behind the function of a cycle, by their letters; absent when no cycle is given.
-    pub cycle: Option<[Option<Given>; 26]>,
+    pub cycle: Option<Box<[Option<Given>; 26]>>,
 }
 
 impl Words {
@@ -56,11 +56,11 @@ impl Words {
             }
             match word.address {
                 'G' => {
-                    if let Some(slot) = control.groups.get(&function.code).and_then(|group| words.g.get_mut(*group)) {
+                    if let Some(slot) = control.groups.get(function.code).and_then(|group| words.g.get_mut(*group)) {
                         *slot = Some(function);
                     }
-                    if control.cycles.contains_key(&function.code) {
-                        words.cycle = Some([None; 26]);
+                    if control.cycles.has(function.code) {
+                        words.cycle = Some(Box::new([None; 26]));
                     }
                 }
                 'M' => words.m.push(function),

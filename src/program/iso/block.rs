@@ -10,7 +10,7 @@ use super::rules::fault;
 use super::state::State;
 use super::words::{Function, Given, Words, place};
 use crate::machine::Machine;
-use crate::motion::{Axis, BlockRef, Motion, Position, Step, Turning};
+use crate::motion::{Axis, BlockRef, Motion, Position, Step, Turning, geometry};
 use crate::note::Note;
 use crate::program::limits::{Floating, Spans, beyond_travel, speed_off_steps};
 use crate::program::{Fault, Setting, Span};
@@ -304,7 +304,7 @@ impl Maker<'_> {
             return;
         }
         let step = Step { motion, at: to, block: self.block };
-        for (code, note) in beyond_travel(self.machine, &step, from, floating, self.spans) {
+        for (code, note) in beyond_travel(self.machine, geometry::reach(&step.motion, from, step.at), from, floating, self.spans) {
             self.fault(code, span).note = note;
         }
         self.steps.push(step);

@@ -28,7 +28,16 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "{bytes} bytes do not fit a memory of {memory}",
     ),
     ("empty-program", "програма порожня", "the program is empty"),
-    ("no-block-number", "кадр без номера N", "the block has no number N"),
+    (
+        "no-block-number",
+        "кадр без номера N (усього таких {count})",
+        "the block has no number N ({count} such blocks in all)",
+    ),
+    (
+        "block-number-gap",
+        "після {before} бракує {missing}, а номери йдуть через {step}",
+        "{missing} is missing behind {before}, and the numbers go by {step}",
+    ),
     ("word-twice", "адреса {address} стоїть у кадрі двічі", "the address {address} stands twice in the block"),
     ("unknown-function", "функції G{code} немає", "there is no function G{code}"),
     (
@@ -202,14 +211,24 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "інструменту T{tool} треба {way} мм ходу повзуна, а верстат має {travel}",
         "tool T{tool} needs {way} mm of the quill's travel and the machine has {travel}",
     ),
+    (
+        "hole-twice",
+        "{cycle} вдруге робить той самий отвір тим самим інструментом: уперше - {first}",
+        "{cycle} makes the same hole with the same tool again: first in {first}",
+    ),
+    (
+        "cycle-at-tool-change",
+        "{cycle} ще діє і виконується на шляху до зміни інструмента",
+        "{cycle} is still in force and runs on the way to the tool change",
+    ),
 ];
 
 /// Code, Ukrainian, English: what to do.
 pub(super) const REMEDIES: &[(&str, &str, &str)] = &[
     (
         "unknown-character",
-        "приберіть його; адреси - великі латинські літери",
-        "remove it; addresses are Latin capitals",
+        "приберіть його: адреси - великі латинські літери, кома й мінус у числах - «.» і «-», рядок кінчається LF або CR LF",
+        "remove it: addresses are Latin capitals, numbers have `.` and `-`, lines end with LF or CR LF",
     ),
     ("cyrillic-letter", "наберіть її латинською", "type it in Latin"),
     (
@@ -225,6 +244,7 @@ pub(super) const REMEDIES: &[(&str, &str, &str)] = &[
     ("memory-full", "винесіть повторення в підпрограми", "put what repeats into subprograms"),
     ("empty-program", "назвіть файл з кадрами", "name a file with blocks"),
     ("no-block-number", "почніть кадр з N і числа до 9999", "begin the block with N and a number up to 9999"),
+    ("block-number-gap", "перевірте, чи не загублено кадр", "see whether a block has been lost"),
     ("word-twice", "лишіть одне з двох слів", "keep one of the two"),
     (
         "unknown-function",
@@ -322,4 +342,10 @@ pub(super) const REMEDIES: &[(&str, &str, &str)] = &[
     ("cycle-parameter-missing", "задайте їх після G-функції циклу", "give them behind the G function of the cycle"),
     ("cycle-step-not-positive", "задайте додатну величину без знака мінус", "give it without a minus"),
     ("cannot-tap", "нарізайте різь на іншому верстаті", "cut the thread on another machine"),
+    (
+        "hole-twice",
+        "приберіть один із двох проходів або поставте G80 перед переміщенням",
+        "remove one of the two, or put G80 before the motion",
+    ),
+    ("cycle-at-tool-change", "поставте G80 перед відходом", "put G80 before going away"),
 ];

@@ -46,17 +46,53 @@ impl Decimal {
     }
 }
 
+/// Room for the longest of them: sign, 13 digits, point, 6 digits.
+const ROOM: usize = 24;
+
 impl fmt::Display for Decimal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let sign = if self.0 < 0 { "-" } else { "" };
-        let whole = self.0.unsigned_abs() / SCALE as u64;
-        let part = self.0.unsigned_abs() % SCALE as u64;
-        if part == 0 {
-            write!(f, "{sign}{whole}")
-        } else {
-            let digits = format!("{part:06}");
-            write!(f, "{sign}{whole}.{}", digits.trim_end_matches('0'))
+        f.write_str(self.written(&mut [0; ROOM]))
+    }
+}
+
+impl Decimal {
+    /// Puts it behind a text, as it is shown: what a trace of thousands of positions is written with.
+    pub fn put(self, text: &mut String) {
+        text.push_str(self.written(&mut [0; ROOM]));
+    }
+
+    /// Its digits, written backwards into a room.
+    fn written(self, text: &mut [u8; ROOM]) -> &str {
+        let mut at = text.len();
+        let mut put = |digit: u8| {
+            at -= 1;
+            text[at] = digit;
+        };
+        let mut whole = self.0.unsigned_abs() / SCALE as u64;
+        let mut part = (self.0.unsigned_abs() % SCALE as u64) as u32;
+        if part > 0 {
+            let mut places = 6;
+            while part.is_multiple_of(10) {
+                part /= 10;
+                places -= 1;
+            }
+            for _ in 0..places {
+                put(b'0' + (part % 10) as u8);
+                part /= 10;
+            }
+            put(b'.');
         }
+        loop {
+            put(b'0' + (whole % 10) as u8);
+            whole /= 10;
+            if whole == 0 {
+                break;
+            }
+        }
+        if self.0 < 0 {
+            put(b'-');
+        }
+        std::str::from_utf8(&text[at..]).unwrap_or_default()
     }
 }
 

@@ -96,6 +96,13 @@ impl fmt::Display for Micrometres {
     }
 }
 
+impl Micrometres {
+    /// Puts the number of millimetres behind a text, as it is shown.
+    pub fn put(self, text: &mut String) {
+        Decimal::from_millionths(self.0.saturating_mul(1000)).put(text);
+    }
+}
+
 impl FromStr for Micrometres {
     type Err = ParseError;
 
