@@ -1,0 +1,234 @@
+//! Drawings and encoding sheets: whole files against their snapshots, and what must hold of every one.
+//!
+//! `DRAWINGS=folder cargo test --test drawings` also writes every drawing there, to be looked at.
+
+#![allow(clippy::unwrap_used, reason = "clippy allows it in tests, but not in the functions they share")]
+
+mod common;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use common::{KNOWLEDGE, planned, read};
+use technolog::job::{self, Job, Kind};
+use technolog::machine::Machine;
+use technolog::motion::{BlockRef, Motion, Plane, Position, Step};
+use technolog::plan::{CuttingMethod, Plan};
+use technolog::program::control_2c42_65::{Control, check, read_setting};
+use technolog::program::written::{Line, Role, WorkRef, Written};
+use technolog::report::backplot::{Frame, backplot};
+use technolog::report::encoding::{self, Dictionary, encoding_sheet};
+use technolog::report::{Lang, cycles};
+use technolog::shop::Shop;
+use technolog::units::{Micrometres, MillimetresPerMinute};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).to_path_buf()
+}
+
+/// A drawing, written where the one who runs the tests wants to see it.
+fn seen(name: &str, svg: String) -> String {
+    if let Ok(folder) = std::env::var("DRAWINGS") {
+        fs::create_dir_all(&folder).unwrap();
+        fs::write(Path::new(&folder).join(format!("{name}.svg")), &svg).unwrap();
+    }
+    svg
+}
+
+fn planned_job(text: &str) -> (Plan, Job) {
+    let plan = planned(&read(text), CuttingMethod::Formula);
+    let shop = Shop::new(&plan.part, CuttingMethod::Formula, &KNOWLEDGE).unwrap();
+    let job = job::make(&plan, &shop).unwrap();
+    (plan, job)
+}
+
+fn of_file(path: &str) -> (Plan, Job) {
+    planned_job(&fs::read_to_string(root().join(path)).unwrap())
+}
+
+/// The steps of a job without a program: over each point down and up again, or round it.
+fn steps(job: &Job) -> Vec<Step> {
+    let mut steps = Vec::new();
+    let mut put = |motion: Motion, at: Position| steps.push(Step { motion, at, block: BlockRef::default() });
+    let feed = || Motion::Feed { feed_mm_per_min: MillimetresPerMinute(100.0) };
+    for setup in &job.setups {
+        for work in &setup.works {
+            put(Motion::Rapid, job.change_at);
+            put(Motion::ToolChange { tool: work.place }, job.change_at);
+            for stop in &work.stops {
+                let cycle = &work.cycles[stop.cycle];
+                let at = |z: Micrometres, dx: Micrometres| Position {
+                    x: setup.zero.x + stop.at.x + dx,
+                    y: setup.zero.y + stop.at.y,
+                    z: setup.zero.z + z,
+                };
+                let none = Micrometres::ZERO;
+                put(Motion::Rapid, at(cycle.out, none));
+                put(Motion::Rapid, at(cycle.begin, none));
+                put(feed(), at(cycle.end, none));
+                if let Kind::Circles { radii, sense, .. } = &cycle.kind {
+                    for radius in radii {
+                        put(feed(), at(cycle.end, *radius));
+                        let centre = [setup.zero.x + stop.at.x, setup.zero.y + stop.at.y];
+                        let feed_mm_per_min = MillimetresPerMinute(100.0);
+                        let arc = Motion::Arc { plane: Plane::Xy, sense: *sense, centre, turns: 0, feed_mm_per_min };
+                        put(arc, at(cycle.end, *radius));
+                    }
+                    put(feed(), at(cycle.end, none));
+                }
+                put(Motion::Rapid, at(cycle.out, none));
+            }
+        }
+    }
+    put(Motion::Rapid, job.change_at);
+    steps
+}
+
+fn of_job(plan: &Plan, job: &Job, lang: Lang) -> String {
+    backplot(&steps(job), Some(&Frame::of(job, &plan.part)), lang)
+}
+
+/// The steps of the worked example's program.
+fn appendix_g() -> Vec<Step> {
+    let folder = root().join("examples/appendix-g");
+    let control = Control::read(&KNOWLEDGE).unwrap();
+    let machine = Machine::find(&KNOWLEDGE, "gf2171").unwrap();
+    let setting = fs::read_to_string(folder.join("setting.yaml")).unwrap();
+    let setting = read_setting("setting.yaml", &setting, &control).unwrap();
+    let mut steps = Vec::new();
+    check(&fs::read_to_string(folder.join("program.nc")).unwrap(), &control, &machine, &setting, &mut steps);
+    steps
+}
+
+/// A plate with a grid of holes.
+fn grid(columns: u32, rows: u32) -> String {
+    format!(
+        "part: Сітка\nmaterial: steel-45\nblank: {{kind: plate, length: 400, width: 260, thickness: 20}}\nmachine: \
+         gf2171\nholes:\n  - name: A\n    diameter: 8H12\n    depth: 20\n    through: true\n    roughness: Ra 12.5\n    \
+         centre_tolerance: 0.46\n    pattern: {{grid: {{start: [-180, -110], columns: {columns}, rows: {rows}, step: 15}}}}\n"
+    )
+}
+
+/// The worked example's program as a writer of the plate's job might leave it: the first tool, a pause, the end.
+fn written() -> Written {
+    let mut lines = Vec::new();
+    let mut put = |text: &str, role: Role, work: Option<usize>, cycle: Option<usize>| {
+        let work = work.map(|work| WorkRef { setup: 0, work });
+        lines.push(Line { text: text.to_owned(), role, work, cycle });
+    };
+    put(":10", Role::Frame, None, None);
+    put("N5 G17 G40 G80 G90", Role::Frame, None, None);
+    put("N10 G49 G53 G0 Z0 M5", Role::Withdrawal, None, None);
+    put("N15 G53 G0 X0 Y196", Role::Withdrawal, None, None);
+    put("N20 T1 M6", Role::ToolChange, Some(0), None);
+    put("N25 S2000 M3 M8", Role::Spindle, Some(0), None);
+    put("N30 G0 G54 X-200 Y100", Role::Approach, Some(0), None);
+    put("N35 G43 H1 Z15", Role::Approach, Some(0), None);
+    put("N40 G81 U3 Z-3 I15 F300 E5", Role::Cycle, Some(0), Some(0));
+    put("N45 G0 Y0", Role::Point, Some(0), None);
+    put("N50 G91 L3 X25 G81 U-12 Z-6 I18", Role::Point, Some(0), None);
+    put("N55 G90 G80", Role::Withdrawal, Some(0), None);
+    put("N60 T2 M6", Role::ToolChange, Some(1), None);
+    put("/N65 M1", Role::Frame, None, None);
+    put("N70 M2", Role::End, None, None);
+    Written { lines }
+}
+
+#[test]
+fn the_encoding_sheet_says_every_transition_once_and_every_word() {
+    let (plan, job) = of_file("examples/plate.yaml");
+    for (name, lang) in [("uk", Lang::Uk), ("en", Lang::En)] {
+        let sheet = encoding_sheet(&written(), &job, &plan, "2c42-65", &KNOWLEDGE, lang).unwrap();
+        insta::assert_snapshot!(format!("encoding-plate-{name}"), sheet.text());
+        if name == "uk" {
+            insta::assert_snapshot!("encoding-plate-csv", sheet.csv());
+            insta::assert_snapshot!("encoding-plate-markdown", sheet.markdown());
+            // The transitions of the worked example stand as its own sheet has them (l. 10435-10490).
+            let said: Vec<&str> = sheet.rows.iter().filter_map(|row| row.transition.as_deref()).collect();
+            assert_eq!(said.len(), 2, "{said:?}");
+            assert!(said[0].starts_with("Центрування 6-и отв. Ø10H12 (A), 4-х отв. Ø20H12 (B)"), "{said:?}");
+            assert!(said[1].starts_with("Свердління 6-и отв. Ø10H12 (A), 4-х отв. Ø20H12"), "{said:?}");
+        }
+        assert_eq!(sheet.rows.len(), 15);
+        let json = serde_json::to_value(&sheet).unwrap();
+        assert_eq!(json["rows"][4]["tool"], "T1");
+        assert!(json["rows"][4]["code"].as_str().unwrap().ends_with(" LF"));
+    }
+}
+
+/// Every word of every program at hand has a meaning; of the words of the tests that break a rule those that exist.
+#[test]
+fn the_worked_example_has_no_word_without_a_meaning() {
+    let text = fs::read_to_string(root().join("examples/appendix-g/program.nc")).unwrap();
+    for lang in [Lang::Uk, Lang::En] {
+        let sheet = encoding::of_text(&text, "gf2171", "2c42-65", &KNOWLEDGE, lang).unwrap();
+        for row in &sheet.rows {
+            assert!(!row.meaning.contains("не знають") && !row.meaning.contains("not know"), "{row:?}");
+            assert!(row.transition.is_none());
+        }
+    }
+}
+
+/// What the words of three controls mean, word by word; the expectations are the manuals', not the tables'.
+#[test]
+fn words_mean_what_the_manuals_say() {
+    for (control, line, expected) in [
+        (
+            "2c42-65",
+            "N2 G81 U0.5 Z-15 I0.5 F100",
+            vec!["G81: drilling cycle", "U0.5: position of point 1 = 0.5 mm", "F100: feed on 1-2 = 100 mm/min"],
+        ),
+        ("2c42-65", "N3 G91 G81 U-9.5", vec!["U-9.5: motion to point 1 = -9.5 mm"]),
+        ("2c42-65", "N4 G4 E15", vec!["E15: dwell = 1.5 s"]),
+        ("2c42-65", "N5 G82 U1 Z-5 F60 H120", vec!["F60: feed on 1-2 = 60 mm/min", "H120: feed on 2-3 = 120 mm/min"]),
+        ("2c42-65", "N5 G82 U1 Z-5 F60", vec!["F60: feed on 1-2 and feed on 2-3 = 60 mm/min"]),
+        ("2c42-65", "N6 G85 U1 Z-5 M5", vec!["M5: spindle state at point 4: spindle stop"]),
+        ("2c42-65", "N7 H12 X10", vec!["H12: length corrector", "X10: motion along X to 10 mm"]),
+        ("2c42-65", "N8 M8", vec!["M8: coolant on"]),
+        ("2c42-65", "N9 G99", vec!["G99: the control's tables do not know this word"]),
+        (
+            "linuxcnc",
+            "G99 G83 X1 Y2 Z-40. R3 Q5 F100 (hole A)",
+            vec![
+                "G83: deep drilling cycle",
+                "Z-40.: level of the bottom = -40 mm",
+                "Q5: drilling step = 5 mm",
+                "comment: hole A",
+            ],
+        ),
+        (
+            "linuxcnc",
+            "G59.3 G82 Z-5 R1 P0.5",
+            vec!["G59.3: workpiece coordinate system 9", "P0.5: dwell at the bottom = 0.5 s"],
+        ),
+        ("fanuc", "N1 G82 Z-5. R1. P500", vec!["P500: dwell at the bottom = 500 ms"]),
+        ("fanuc", "M98 P1001", vec!["M98: subprogram call"]),
+    ] {
+        let sheet = encoding::of_text(line, "gf2171", control, &KNOWLEDGE, Lang::En).unwrap();
+        for part in expected {
+            let said: Vec<&str> = sheet.rows[0].meaning.split("; ").collect();
+            assert!(said.contains(&part), "{control} {line}: {part} is not in {said:?}");
+        }
+    }
+    let error = Dictionary::read("other", &KNOWLEDGE).unwrap_err().to_string();
+    assert!(error.contains("other-words"), "{error}");
+}
+
+#[test]
+fn look() {
+    seen("appendix-g", backplot(&appendix_g(), None, Lang::Uk));
+    for (name, path) in [
+        ("plate", "examples/plate.yaml"),
+        ("variant-2", "examples/variant-2.yaml"),
+        ("variant-4", "examples/variant-4.yaml"),
+        ("mixed", "tests/drawings/part.yaml"),
+    ] {
+        let (plan, job) = of_file(path);
+        seen(&format!("{name}-backplot"), of_job(&plan, &job, Lang::Uk));
+        seen(&format!("{name}-cycles"), cycles::page(&job, &plan, Lang::Uk));
+    }
+    let (plan, job) = planned_job(&grid(10, 5));
+    seen("grid-50", of_job(&plan, &job, Lang::En));
+    let (plan, job) = planned_job(&grid(20, 15));
+    seen("grid-300", of_job(&plan, &job, Lang::En));
+}
