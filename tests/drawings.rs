@@ -14,7 +14,7 @@ use technolog::job::{self, Job, Kind};
 use technolog::machine::Machine;
 use technolog::motion::{BlockRef, Motion, Plane, Position, Step};
 use technolog::plan::{CuttingMethod, Plan};
-use technolog::program::control_2c42_65::{Control, check, read_setting};
+use technolog::program::control_2c42_65::{Control, Setting, check, read_setting};
 use technolog::program::written::{Line, Role, WorkRef, Written};
 use technolog::report::backplot::{Frame, backplot};
 use technolog::report::encoding::{self, Dictionary, encoding_sheet};
@@ -214,21 +214,168 @@ fn words_mean_what_the_manuals_say() {
     assert!(error.contains("other-words"), "{error}");
 }
 
-#[test]
-fn look() {
-    seen("appendix-g", backplot(&appendix_g(), None, Lang::Uk));
-    for (name, path) in [
-        ("plate", "examples/plate.yaml"),
-        ("variant-2", "examples/variant-2.yaml"),
-        ("variant-4", "examples/variant-4.yaml"),
-        ("mixed", "tests/drawings/part.yaml"),
-    ] {
-        let (plan, job) = of_file(path);
-        seen(&format!("{name}-backplot"), of_job(&plan, &job, Lang::Uk));
-        seen(&format!("{name}-cycles"), cycles::page(&job, &plan, Lang::Uk));
+/// A text of a drawing: its box, estimated by letters half as wide as they are high, and what it says.
+#[derive(Clone, Debug)]
+struct Label {
+    left: f64,
+    right: f64,
+    top: f64,
+    foot: f64,
+    text: String,
+}
+
+impl Label {
+    fn over(&self, other: &Self) -> bool {
+        self.left < other.right && other.left < self.right && self.top < other.foot && other.top < self.foot
     }
-    let (plan, job) = planned_job(&grid(10, 5));
-    seen("grid-50", of_job(&plan, &job, Lang::En));
-    let (plan, job) = planned_job(&grid(20, 15));
-    seen("grid-300", of_job(&plan, &job, Lang::En));
+}
+
+/// The texts of a drawing without their rims.
+fn labels(svg: &str) -> Vec<Label> {
+    let lines = svg.lines().filter(|line| line.starts_with("<text") && !line.contains("stroke="));
+    lines
+        .map(|line| {
+            let value = |name: &str| line.split(&format!(" {name}=\"")).nth(1).unwrap().split('"').next().unwrap();
+            let number = |name: &str| value(name).parse::<f64>().unwrap();
+            let text = line.split('>').nth(1).unwrap().split('<').next().unwrap().to_owned();
+            let (x, y, size) = (number("x"), number("y"), number("font-size"));
+            let width = text.chars().count() as f64 * size * 0.5;
+            let left = if value("text-anchor") == "middle" { x - width / 2.0 } else { x };
+            Label { left, right: left + width, top: y - size * 0.7, foot: y, text }
+        })
+        .collect()
+}
+
+/// Nothing is cut off and no text stands on another, whatever is drawn.
+fn readable(name: &str, svg: &str) {
+    let size = svg.split("viewBox=\"0 0 ").nth(1).unwrap().split('"').next().unwrap();
+    let (width, height) = size.split_once(' ').unwrap();
+    let (width, height): (f64, f64) = (width.parse().unwrap(), height.parse().unwrap());
+    let labels = labels(svg);
+    assert!(!labels.is_empty(), "{name}");
+    for (index, label) in labels.iter().enumerate() {
+        let inside = label.left >= 0.0 && label.right <= width && label.top >= 0.0 && label.foot <= height;
+        assert!(inside, "{name}: cut off: {label:?}");
+        for other in &labels[index + 1..] {
+            assert!(!label.over(other), "{name}: {label:?} stands on {other:?}");
+        }
+    }
+    assert_eq!(svg.matches("<g ").count(), svg.matches("</g>").count(), "{name}");
+    assert!(!svg.contains("NaN") && !svg.contains("inf"), "{name}");
+}
+
+const PARTS: [(&str, &str); 4] = [
+    ("plate", "examples/plate.yaml"),
+    ("variant-2", "examples/variant-2.yaml"),
+    ("variant-4", "examples/variant-4.yaml"),
+    ("mixed", "tests/drawings/part.yaml"),
+];
+
+#[test]
+fn every_drawing_of_every_part_is_readable() {
+    for (name, path) in PARTS {
+        let (plan, job) = of_file(path);
+        for lang in [Lang::En, Lang::Uk] {
+            readable(name, &seen(&format!("{name}-backplot"), of_job(&plan, &job, lang)));
+            readable(name, &seen(&format!("{name}-cycles"), cycles::page(&job, &plan, lang)));
+            let diagrams = cycles::diagrams(&job, &plan, lang);
+            assert_eq!(diagrams.len(), job.setups.iter().map(|setup| setup.works.len()).sum::<usize>());
+            diagrams.iter().for_each(|diagram| readable(name, &diagram.svg));
+        }
+    }
+}
+
+/// With 6, 50 and 300 holes every plunge has its number, once on each panel.
+#[test]
+fn the_order_can_be_read_with_few_holes_and_with_many() {
+    for (columns, rows) in [(3, 2), (10, 5), (20, 15)] {
+        let (plan, job) = planned_job(&grid(columns, rows));
+        let count = columns * rows;
+        let svg = seen(&format!("grid-{count}"), of_job(&plan, &job, Lang::En));
+        readable(&format!("{count} holes"), &svg);
+        let numbers: Vec<u32> = labels(&svg).iter().filter_map(|label| label.text.parse().ok()).collect();
+        for number in 1..=count {
+            let shown = numbers.iter().filter(|shown| **shown == number).count();
+            assert_eq!(shown, plan.tools.len(), "number {number} of {count}");
+        }
+    }
+}
+
+/// Any program can be drawn, without a part: the worked example's, and those that show the rules of the control.
+#[test]
+fn programs_without_a_part_are_drawn() {
+    let svg = seen("appendix-g", backplot(&appendix_g(), None, Lang::Uk));
+    readable("appendix-g", &svg);
+    insta::assert_snapshot!("backplot-appendix-g", svg);
+    // The tool that is changed for the second time gets a second panel; what the check does not carry out has none.
+    assert_eq!(labels(&svg).iter().filter(|label| label.text.starts_with("T2,")).count(), 2);
+    let mut drawn = 0;
+    for entry in fs::read_dir(root().join("tests/programs")).unwrap().map(|entry| entry.unwrap().path()) {
+        let Ok(text) = fs::read_to_string(entry.join("program.nc")) else { continue };
+        let svg = backplot(&steps_of(&text), None, Lang::En);
+        readable(&entry.display().to_string(), &svg);
+        drawn += 1;
+    }
+    assert!(drawn > 50, "{drawn}");
+}
+
+fn steps_of(text: &str) -> Vec<Step> {
+    let machine = Machine::find(&KNOWLEDGE, "gf2171").unwrap();
+    let control = Control::read(&KNOWLEDGE).unwrap();
+    let mut steps = Vec::new();
+    check(text, &control, &machine, &Setting::default(), &mut steps);
+    steps
+}
+
+/// Arcs go round as the program says, seen from above.
+#[test]
+fn an_arc_is_drawn_as_an_arc_of_its_sense() {
+    let flags = |sense: &str| -> Vec<String> {
+        let text = format!(":01\nN1 S500 M3 F100 G0 X10 Y0\nN2 {sense} X0 Y10 I-10 J0\nN3 M02\n");
+        let svg = backplot(&steps_of(&text), None, Lang::En);
+        let arc = svg.lines().find(|line| line.contains(" A")).unwrap().to_owned();
+        // Behind the two radii: rotation, the larger arc, the sense in which angles grow on the page.
+        arc.split(" A").nth(1).unwrap().split(' ').skip(3).take(2).map(str::to_owned).collect()
+    };
+    // Y points down on the page, so that its angles grow with the clock: a quarter against it, three quarters with it.
+    assert_eq!(flags("G3"), ["0", "0"]);
+    assert_eq!(flags("G2"), ["1", "1"]);
+}
+
+/// One tool of each kind of cycle, and the plate with its holes under the path, as they are today.
+#[test]
+fn drawings_stay_as_they_are() {
+    let (plan, job) = of_file("examples/plate.yaml");
+    insta::assert_snapshot!("backplot-plate", of_job(&plan, &job, Lang::Uk));
+    insta::assert_snapshot!("cycles-plate", cycles::page(&job, &plan, Lang::En));
+    let (plan, job) = of_file("tests/drawings/part.yaml");
+    let diagrams = cycles::diagrams(&job, &plan, Lang::Uk);
+    for tool in [2, 4, 6, 9, 11] {
+        let diagram = diagrams.iter().find(|diagram| diagram.tool == tool).unwrap();
+        insta::assert_snapshot!(format!("cycles-mixed-t{tool}"), diagram.svg);
+    }
+}
+
+/// A part that is turned over: each panel shows the holes as they lie in its set-up, and its points on them.
+#[test]
+fn the_second_set_up_lies_the_other_way() {
+    let text = "part: P\nmaterial: steel-45\nblank: {kind: plate, length: 200, width: 120, thickness: 40}\nmachine: \
+                gf2171\nholes:\n  - {name: A, diameter: 12H12, depth: 40, through: true, roughness: Ra 12.5, \
+                centre_tolerance: 0.46, at: [[60, 20]], steps: [{diameter: 12H12, length: 30}, {diameter: 20H12, \
+                length: 10, bottom: flat}]}\n";
+    let (plan, job) = planned_job(text);
+    assert_eq!(job.setups.len(), 2);
+    let svg = seen("turned-over", of_job(&plan, &job, Lang::En));
+    readable("turned over", &svg);
+    let (one, two) = svg.split_at(svg.find("set-up 2").unwrap());
+    // Holes are the circles with the pen of a hole; points those without a pen.
+    let x = |text: &str, hole: bool| -> f64 {
+        let line = text.lines().find(|line| {
+            line.starts_with("<circle") && line.contains("#999") == hole && (hole || line.contains("r=\"2.20\""))
+        });
+        line.unwrap().split("cx=\"").nth(1).unwrap().split('"').next().unwrap().parse().unwrap()
+    };
+    assert_eq!(x(one, true), x(one, false));
+    assert_eq!(x(two, true), x(two, false));
+    assert!(labels(one).iter().any(|label| label.text.contains("set-up 1")));
 }

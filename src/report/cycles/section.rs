@@ -53,11 +53,12 @@ impl<'p> Section<'p> {
         let made = earlier.filter(|earlier| earlier.diameter_mm == transition.from_diameter_mm).map(|it| it.depth_mm);
         let made = made.map(|depth| top - depth.to_mm()).next();
         let through = if hole.through { bottom } else { top - hole.depth.to_mm() };
-        let before = (transition.from_diameter_mm > Micrometres::ZERO).then(|| match made {
+        let depth = match made {
             // What is drilled through goes through.
             Some(depth) if depth > bottom || !hole.through => depth,
             _ => through,
-        });
+        };
+        let before = (transition.from_diameter_mm > Micrometres::ZERO).then_some(depth);
         let widest = transition.diameter_mm.max(transition.from_diameter_mm).to_mm().max(0.1);
         let axis = corner.0 + MARGIN + PLATE + 10.0;
         Some(Self { hole, transition, top, bottom, high, low, before, axis, corner, across: BORE / widest })

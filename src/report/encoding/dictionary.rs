@@ -172,8 +172,8 @@ impl Dictionary {
             let several = meanings.len() > 1;
             let own: Vec<&Meaning> = meanings.iter().filter(|meaning| !(several && elsewhere(meaning))).collect();
             let texts: Vec<&str> = own.iter().map(|meaning| meaning.text(modes.incremental, lang)).collect();
-            let unit =
-                own.first().and_then(|meaning| meaning.unit.as_ref()).or(address.and_then(|it| it.unit.as_ref()));
+            let unit = own.first().and_then(|meaning| meaning.unit.as_ref());
+            let unit = unit.or(address.and_then(|it| it.unit.as_ref())).or_else(|| self.unit_alike(cycle?, meanings));
             let tenths = address.is_some_and(|address| address.tenths);
             let text = texts.join(lang.pick(" і ", " and "));
             return match letter {
@@ -192,6 +192,13 @@ impl Dictionary {
             _ => " = ",
         };
         valued(text, between, number, meaning.unit.as_ref(), meaning.tenths, lang)
+    }
+
+    /// The unit of the address that means the same in a cycle: H of a way out is a feed as F is.
+    fn unit_alike(&self, cycle: &str, meanings: &[Meaning]) -> Option<&String> {
+        let alike = |others: &[Meaning]| others.iter().any(|other| meanings.iter().any(|own| own.uk == other.uk));
+        let of_cycle = self.parameters.iter().filter(|((own, _), _)| own == cycle);
+        of_cycle.filter(|(_, others)| alike(others)).find_map(|((_, word), _)| self.words.get(word)?.unit.as_ref())
     }
 
     fn code(&self, letter: char, number: &str, lang: Lang) -> String {
