@@ -156,6 +156,45 @@ fn the_encoding_sheet_says_every_transition_once_and_every_word() {
     }
 }
 
+/// Whatever a writer says of its lines, every transition of the job is on the sheet, each at one block; so is every
+/// pause that has a block.
+#[test]
+fn no_transition_is_lost_or_said_twice() {
+    let (plan, job) = of_file("tests/drawings/part.yaml");
+    let works = &job.setups[0].works;
+    for names_cycles in [true, false] {
+        let mut lines = Vec::new();
+        for (index, work) in works.iter().enumerate() {
+            let mut put = |text: &str, role: Role, cycle: Option<usize>| {
+                let work = Some(WorkRef { setup: 0, work: index });
+                lines.push(Line { text: text.to_owned(), role, work, cycle });
+            };
+            for _ in &work.pauses {
+                put("M0", Role::Pause, None);
+            }
+            put("T1 M6", Role::ToolChange, None);
+            for stop in &work.stops {
+                put("X0 Y0", Role::Cycle, Some(stop.cycle).filter(|_| names_cycles));
+            }
+        }
+        let sheet = encoding_sheet(&Written { lines }, &job, &plan, "2c42-65", &KNOWLEDGE, Lang::En).unwrap();
+        let said: Vec<&str> = sheet.rows.iter().filter_map(|row| row.transition.as_deref()).collect();
+        let said = said.join("; ").to_lowercase();
+        for hole in &plan.holes {
+            for transition in &hole.transitions {
+                // Both millings of D are one noun, so it is counted as often as the plan has it.
+                let noun = technolog::report::operation_noun(transition.operation.name(), Lang::En);
+                let count = |text: &str| {
+                    let of_hole = text.split("; ").filter(|part| part.starts_with(noun));
+                    of_hole.map(|part| part.matches(&format!("({})", hole.name.to_lowercase())).count()).sum::<usize>()
+                };
+                let alike = hole.transitions.iter().filter(|other| other.operation == transition.operation).count();
+                assert_eq!(count(&said), alike, "{noun} {} in {said}", hole.name);
+            }
+        }
+    }
+}
+
 /// Every word of every program at hand has a meaning; of the words of the tests that break a rule those that exist.
 #[test]
 fn the_worked_example_has_no_word_without_a_meaning() {

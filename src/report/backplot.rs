@@ -29,8 +29,6 @@ pub struct Frame<'a> {
     pub part: &'a Part,
     /// Its set-ups, in order. A panel belongs to the one whose holes lie under its plunges.
     pub setups: Vec<Placed>,
-    /// Where tools are changed, machine coordinates.
-    pub change_at: Position,
     /// The designations of tools by what a program calls T.
     pub tools: Vec<(u32, String)>,
 }
@@ -59,7 +57,7 @@ impl<'a> Frame<'a> {
             }
         }
         let placed = job.setups.iter().map(|setup| Placed { number: setup.number, face: setup.face, zero: setup.zero });
-        Self { part, setups: placed.collect(), change_at: job.change_at, tools }
+        Self { part, setups: placed.collect(), tools }
     }
 }
 

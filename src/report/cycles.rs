@@ -120,8 +120,7 @@ fn tool(canvas: &mut Canvas, (x, y): (f64, f64), setup: &SetUp, work: &ToolWork,
 fn diagram(canvas: &mut Canvas, (x, y): (f64, f64), work: &ToolWork, index: usize, plan: &Plan, lang: Lang) {
     let cycle = &work.cycles[index];
     let mut row = y + 14.0;
-    for line in broken(&transitions::sentence(plan, work, Some(index), lang), 12.0, WIDTH - 2.0 * MARGIN).iter().take(4)
-    {
+    for line in broken(&transitions::sentence(plan, work, &[index], lang), 12.0, WIDTH - 2.0 * MARGIN).iter().take(4) {
         canvas.text((x + MARGIN, row), 12.0, Anchor::Start, line);
         row += 15.0;
     }

@@ -80,7 +80,8 @@ pub fn encoding_sheet(
     let mut sheet = of_text(&written.text(), &job.machine, control, knowledge, lang)?;
     sheet.part = Some(job.part.clone());
     sheet.instructions = instructions(job, lang);
-    let mut said = Said::default();
+    let named = written.lines.iter().filter_map(|line| Some((line.work?, line.cycle?))).collect();
+    let mut said = Said { named, ..Said::default() };
     for row in &mut sheet.rows {
         let Some(line) = written.lines.get(row.line - 1) else { continue };
         let Some((at, work)) = line.work.and_then(|at| Some((at, work_of(job, at)?))) else { continue };
@@ -165,13 +166,16 @@ fn instructions(job: &Job, lang: Lang) -> Vec<String> {
 /// What the sheet has said already: every transition stands at its first block only.
 #[derive(Debug, Default)]
 struct Said {
-    cycles: Vec<(WorkRef, Option<usize>)>,
+    /// The cycles that blocks of the program name.
+    named: Vec<(WorkRef, usize)>,
+    works: Vec<WorkRef>,
+    cycles: Vec<(WorkRef, usize)>,
     pauses: Vec<WorkRef>,
 }
 
 impl Said {
-    /// The transitions of a work with one cycle stand at the first block of the work; of a work with several each at
-    /// the first block of its own cycle.
+    /// What begins at a block: at the first one of a work all that has no block of its own, or all where there is one
+    /// cycle only; at the first block of a cycle what that cycle makes.
     fn transition(
         &mut self,
         at: WorkRef,
@@ -180,13 +184,15 @@ impl Said {
         plan: &Plan,
         lang: Lang,
     ) -> Option<String> {
-        let key = if work.cycles.len() == 1 { Some(0) } else { cycle };
-        key?;
-        if self.cycles.contains(&(at, key)) {
-            return None;
+        let mut begin: Vec<usize> = cycle.into_iter().collect();
+        if !self.works.contains(&at) {
+            self.works.push(at);
+            let alone = work.cycles.len() == 1;
+            begin.extend((0..work.cycles.len()).filter(|own| alone || !self.named.contains(&(at, *own))));
         }
-        self.cycles.push((at, key));
-        Some(transitions::sentence(plan, work, key, lang)).filter(|text| !text.is_empty())
+        begin.retain(|own| !self.cycles.contains(&(at, *own)));
+        self.cycles.extend(begin.iter().map(|own| (at, *own)));
+        Some(transitions::sentence(plan, work, &begin, lang)).filter(|text| !text.is_empty())
     }
 
     /// The pauses of a work in their order, one at each of its blocks of that role.

@@ -7,11 +7,11 @@ use crate::plan::{Feature, Operation, Plan, Transition};
 use super::sheet::mm;
 use super::{Lang, operation_noun};
 
-/// The transitions that a work makes with one of its cycles, or with any: each as its group, its number and how many
-/// of its holes are made, in the order of the work.
-pub(super) fn of_work(work: &ToolWork, cycle: Option<usize>) -> Vec<(&str, usize, usize)> {
+/// The transitions that a work makes with some of its cycles: each as its group, its number and how many of its holes
+/// are made, in the order of the work.
+pub(super) fn of_work<'w>(work: &'w ToolWork, cycles: &[usize]) -> Vec<(&'w str, usize, usize)> {
     let mut found: Vec<(&str, usize, usize)> = Vec::new();
-    for stop in work.stops.iter().filter(|stop| cycle.is_none_or(|cycle| stop.cycle == cycle)) {
+    for stop in work.stops.iter().filter(|stop| cycles.contains(&stop.cycle)) {
         let same = found.iter_mut().find(|(hole, transition, _)| *hole == stop.hole && *transition == stop.transition);
         match same {
             Some((.., count)) => *count += 1,
@@ -27,11 +27,11 @@ pub(super) fn of_plan<'p>(plan: &'p Plan, hole: &str, number: usize) -> Option<(
     Some((plan.part.holes.iter().find(|known| known.name == hole)?, own.transitions.get(number)?))
 }
 
-/// What a work does, or one cycle of it, in one sentence; a work done pass by pass counts a hole once.
-pub(super) fn sentence(plan: &Plan, work: &ToolWork, cycle: Option<usize>, lang: Lang) -> String {
+/// What some cycles of a work do, in one sentence; a work done pass by pass counts a hole once.
+pub(super) fn sentence(plan: &Plan, work: &ToolWork, cycles: &[usize], lang: Lang) -> String {
     let mut text = String::new();
     let mut before: Option<Operation> = None;
-    for (hole, number, count) in of_work(work, cycle) {
+    for (hole, number, count) in of_work(work, cycles) {
         let Some((hole, transition)) = of_plan(plan, hole, number) else { continue };
         let what = holes(hole, transition, count.min(hole.at.len()), lang);
         match before.replace(transition.operation) {

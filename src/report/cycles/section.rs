@@ -41,7 +41,7 @@ impl<'p> Section<'p> {
     /// The section for a cycle: of the first hole it makes.
     pub(super) fn of(plan: &'p Plan, work: &ToolWork, index: usize, corner: At) -> Option<Self> {
         let cycle = work.cycles.get(index)?;
-        let (hole, number, _) = transitions::of_work(work, Some(index)).into_iter().next()?;
+        let (hole, number, _) = transitions::of_work(work, &[index]).into_iter().next()?;
         let (hole, transition) = transitions::of_plan(plan, hole, number)?;
         let (datum, blank) = (plan.part.datum, plan.part.blank);
         let (top, bottom) = (datum.top.to_mm(), (datum.top - blank.thickness).to_mm());
