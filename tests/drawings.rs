@@ -8,8 +8,10 @@ mod common;
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use common::{KNOWLEDGE, planned, read};
+use proptest::prelude::*;
 use technolog::job::{self, Job, Kind};
 use technolog::machine::Machine;
 use technolog::motion::{BlockRef, Motion, Plane, Position, Step};
@@ -417,4 +419,33 @@ fn the_second_set_up_lies_the_other_way() {
     assert_eq!(x(one, true), x(one, false));
     assert_eq!(x(two, true), x(two, false));
     assert!(labels(one).iter().any(|label| label.text.contains("set-up 1")));
+}
+
+#[test]
+fn check_draws_a_program_as_svg() {
+    let program = "tests/programs/four-holes/program.nc";
+    let output = Command::new(env!("CARGO_BIN_EXE_technolog"))
+        .args(["check", program, "--control", "2c42-65", "--format", "svg", "--lang", "en"])
+        .current_dir(root())
+        .output()
+        .unwrap();
+    let svg = String::from_utf8(output.stdout).unwrap();
+    readable(program, &svg);
+    assert!(labels(&svg).iter().any(|label| label.text == "points: 4"), "{svg}");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 200, ..ProptestConfig::default() })]
+
+    /// A sheet shows whatever stands in a file, line by line.
+    #[test]
+    fn no_text_makes_a_sheet_panic(text in "([A-Za-z#%;/(\\[\\]<>).0-9 -]{0,30}|\\PC{0,40})(\n[GMXZTHODNP/(#.0-9 -]{0,40}){0,4}") {
+        for control in ["2c42-65", "linuxcnc", "fanuc"] {
+            let sheet = encoding::of_text(&text, "gf2171", control, &KNOWLEDGE, Lang::Uk).unwrap();
+            let lines = text.lines().filter(|line| !line.trim().is_empty()).count();
+            prop_assert_eq!(sheet.rows.len(), lines);
+            prop_assert_eq!(sheet.csv().is_empty(), false);
+            prop_assert!(sheet.text().lines().count() >= lines);
+        }
+    }
 }
