@@ -12,8 +12,7 @@ use technolog::motion::Step;
 use technolog::motion::time::{Clock, Times};
 use technolog::motion::trace;
 use technolog::note;
-use technolog::program::Fault;
-use technolog::program::control_2c42_65::{Control, Setting, check, read_setting};
+use technolog::program::{Fault, Language, Setting};
 use technolog::report;
 
 use super::diagnostics::{Texts, render};
@@ -27,12 +26,12 @@ pub struct Args {
     #[arg(value_name = "PROGRAM")]
     program: PathBuf,
     /// The control whose language it is
-    #[arg(long, value_parser = ["2c42-65"])]
+    #[arg(long, value_parser = Language::NAMES)]
     control: String,
     /// The machine, by its id in the catalog
     #[arg(long, value_name = "ID", default_value = "gf2171")]
     machine: String,
-    /// What the operator sets: zeros, correctors, switches (docs/control-2c42-65.md)
+    /// What the operator sets: zeros, correctors, switches (docs/control-….md)
     #[arg(long, value_name = "FILE.yaml")]
     setting: Option<PathBuf>,
 }
@@ -66,7 +65,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let at_fault = |error: technolog::error::KnowledgeError| {
         CliError::from(Diagnostic::error("knowledge", error.to_string(), None).help(words::run_lint(context.lang)))
     };
-    let control = Control::read(&knowledge).map_err(at_fault)?;
+    let language = Language::read(&args.control, &knowledge).map_err(at_fault)?;
     let machine = machine(&args.machine, &knowledge, context)?;
     let shown = args.program.display().to_string();
     let text = read(&args.program, context)?;
@@ -74,14 +73,14 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         None => Setting::default(),
         Some(path) => {
             let (shown, text) = (path.display().to_string(), read(path, context)?);
-            read_setting(&shown, &text, &control).map_err(|problems| CliError::Unusable {
+            language.setting(&shown, &text).map_err(|problems| CliError::Unusable {
                 problems,
                 texts: Texts::default().with(&shown, shown.clone(), Cow::Owned(text)),
             })?
         }
     };
     let mut sink = (Vec::<Step>::new(), Clock::new(&machine, setting.start));
-    let faults = check(&text, &control, &machine, &setting, &mut sink);
+    let faults = language.check(&text, &machine, &setting, &mut sink);
     let (steps, clock) = sink;
     match format {
         Format::Json => {
@@ -157,7 +156,8 @@ fn page(faults: &[Fault], steps: &[Step], times: Times, shown: &str, text: Strin
     page
 }
 
-fn diagnostic(fault: &Fault, file: &Arc<str>, context: &Context) -> Diagnostic {
+/// A mistake of a program with its place.
+pub fn diagnostic(fault: &Fault, file: &Arc<str>, context: &Context) -> Diagnostic {
     let span = fault.span;
     let place = Place { file: file.clone(), line: span.line, column: span.column, width: span.width };
     let severity = match fault.severity {

@@ -17,6 +17,7 @@ mod lookup;
 mod order;
 mod output;
 mod plan;
+mod program;
 mod record;
 mod sheet;
 mod table;
@@ -72,6 +73,7 @@ enum Command {
     Plan(plan::Args),
     Explain(plan::ExplainArgs),
     Order(order::Args),
+    Program(program::Args),
     Table(table::Args),
     Lookup(lookup::Args),
     Check(check::Args),
@@ -84,6 +86,7 @@ impl Command {
             Self::Plan(args) => plan::run(args, context),
             Self::Explain(args) => plan::explain(args, context),
             Self::Order(args) => order::run(args, context),
+            Self::Program(args) => program::run(args, context),
             Self::Table(args) => table::run(args, context),
             Self::Lookup(args) => lookup::run(args, context),
             Self::Check(args) => check::run(args, context),

@@ -7,7 +7,7 @@ use crate::note::{Because, Note};
 use crate::part::Part;
 use crate::plan::{Operation, Rounds, Transition};
 use crate::shop::Shop;
-use crate::units::{Decimal, Micrometres, Seconds, Unit};
+use crate::units::{Decimal, Micrometres, MillimetresPerMinute, RevsPerMinute, Seconds, Unit};
 
 use super::{Cycle, Kind};
 
@@ -46,8 +46,9 @@ pub(super) fn cycle(
     Ok(Cycle {
         operation: transition.operation,
         kind: kind(name, row, transition, pitch, top)?,
-        speed_rpm: conditions.spindle_rpm,
-        feed_mm_per_min: conditions.feed_mm_per_min,
+        // Programs count turns in whole numbers; a step between them is rounded down.
+        speed_rpm: RevsPerMinute(libm::floor(conditions.spindle_rpm.0)),
+        feed_mm_per_min: feed(transition, shop)?,
         begin,
         end,
         out: (top + withdrawal).max(begin),
@@ -99,6 +100,16 @@ fn circles(transition: &Transition, rounds: Rounds, top: Micrometres) -> Kind {
     }
 }
 
+/// The feed in the steps that programs count it in, rounded down; a tap's is bound to its pitch and stays.
+fn feed(transition: &Transition, shop: &Shop<'_>) -> Result<MillimetresPerMinute, KnowledgeError> {
+    let planned = transition.conditions.feed_mm_per_min;
+    if transition.operation == Operation::Tap {
+        return Ok(planned);
+    }
+    let step = convention("feed-step", shop)?.0;
+    Ok(MillimetresPerMinute(libm::floor(planned.0 / step).max(1.0) * step))
+}
+
 /// How high over the entry face a tool goes from point to point.
 fn withdrawal(shop: &Shop<'_>) -> Result<(Micrometres, Because), KnowledgeError> {
     let (value, row) = convention("withdrawal", shop)?;
@@ -107,7 +118,7 @@ fn withdrawal(shop: &Shop<'_>) -> Result<(Micrometres, Because), KnowledgeError>
 }
 
 /// A figure of the table `program-conventions`.
-pub(super) fn convention<'k>(name: &str, shop: &Shop<'k>) -> Result<(f64, RowRef<'k>), KnowledgeError> {
+pub(crate) fn convention<'k>(name: &str, shop: &Shop<'k>) -> Result<(f64, RowRef<'k>), KnowledgeError> {
     let table = shop.knowledge.table("program-conventions")?;
     let row = table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
     Ok((row.number_in("value", Unit::None)?, row))

@@ -21,6 +21,7 @@ use crate::part::{Face, Point};
 use crate::plan::Operation;
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute, Seconds};
 
+pub(crate) use cycle::convention;
 pub use make::make;
 
 /// Everything a machine is to do for a part.

@@ -2,6 +2,44 @@
 
 use serde::Serialize;
 
+use crate::error::KnowledgeError;
+use crate::part::Point;
+use crate::shop::Shop;
+use crate::units::Micrometres;
+
+/// What of the machine and of the conventions a program needs.
+#[derive(Clone, Copy, Debug)]
+pub struct Form {
+    /// The least step of the axes: coordinates stand on its grid.
+    pub resolution: Micrometres,
+    /// What block numbers grow by.
+    pub number_step: u32,
+}
+
+impl Form {
+    /// The form for the machine at hand.
+    ///
+    /// # Errors
+    /// The table of conventions lacks a figure.
+    pub fn read(shop: &Shop<'_>) -> Result<Self, KnowledgeError> {
+        let (step, _) = crate::job::convention("block-number-step", shop)?;
+        Ok(Self { resolution: shop.machine.resolution, number_step: step as u32 })
+    }
+
+    /// A length on the machine's grid, the nearest.
+    pub fn grid(self, value: Micrometres) -> Micrometres {
+        let step = self.resolution.micrometres().max(1);
+        let value = value.micrometres();
+        let away = (value.abs() + step / 2).div_euclid(step) * step;
+        Micrometres::new(away * value.signum())
+    }
+
+    /// A point on the machine's grid.
+    pub fn point(self, at: Point) -> Point {
+        Point { x: self.grid(at.x), y: self.grid(at.y) }
+    }
+}
+
 /// A program in the language of a control.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Written {

@@ -7,12 +7,13 @@ use crate::note::Note;
 
 use super::Lang;
 
+mod iso;
 mod programs;
 mod routes;
 
 /// Every sentence.
 fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'static str)> {
-    SENTENCES.iter().chain(routes::SENTENCES).chain(programs::SENTENCES)
+    SENTENCES.iter().chain(routes::SENTENCES).chain(programs::SENTENCES).chain(iso::SENTENCES)
 }
 
 /// A note as a sentence. A code without words shows itself with its figures, so that nothing is lost.
@@ -36,7 +37,8 @@ pub fn sentence(note: &Note, lang: Lang) -> String {
 
 /// What to do about a mistake of a program.
 pub fn remedy(note: &Note, lang: Lang) -> Option<&'static str> {
-    programs::REMEDIES.iter().find(|(code, ..)| *code == note.code).map(|(_, uk, en)| lang.pick(uk, en))
+    let mut remedies = programs::REMEDIES.iter().chain(iso::REMEDIES);
+    remedies.find(|(code, ..)| *code == note.code).map(|(_, uk, en)| lang.pick(uk, en))
 }
 
 /// Figures whose values are words of the program are translated too.
@@ -576,12 +578,18 @@ mod tests {
 
     #[test]
     fn every_mistake_of_a_program_says_what_to_do() {
-        let said: BTreeSet<_> = programs::SENTENCES.iter().map(|(code, ..)| *code).collect();
-        let done: BTreeSet<_> = programs::REMEDIES.iter().map(|(code, ..)| *code).collect();
-        assert_eq!(said, done);
-        let page = include_str!("../../docs/control-2c42-65.md");
-        let untold: Vec<_> = said.iter().filter(|code| !page.contains(&format!("`{code}`"))).collect();
-        assert!(untold.is_empty(), "docs/control-2c42-65.md does not name {untold:?}");
+        let codes = |table: &[(&'static str, &str, &str)]| -> BTreeSet<&'static str> {
+            table.iter().map(|(code, ..)| *code).collect()
+        };
+        for (sentences, remedies, page) in [
+            (programs::SENTENCES, programs::REMEDIES, include_str!("../../docs/control-2c42-65.md")),
+            (iso::SENTENCES, iso::REMEDIES, include_str!("../../docs/control-linuxcnc.md")),
+        ] {
+            let said = codes(sentences);
+            assert_eq!(said, codes(remedies));
+            let untold: Vec<_> = said.iter().filter(|code| !page.contains(&format!("`{code}`"))).collect();
+            assert!(untold.is_empty(), "the page of the control does not name {untold:?}");
+        }
     }
 
     #[test]

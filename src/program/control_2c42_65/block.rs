@@ -12,13 +12,12 @@
 
 use super::control::{Action, Control};
 use super::rules::fault;
-use super::setting::Setting;
 use super::state::{CYCLE, LENGTH, MOTION, ONE_SHOT, PLANE, RADIUS, SYSTEM, State};
-use super::travel::Spans;
 use super::words::{Function, Given, Words, letter};
 use crate::machine::Machine;
 use crate::motion::{Axis, BlockRef, Motion, Position, Side, Step, Turning};
-use crate::program::{Fault, Span};
+use crate::program::limits::{Spans, speed_off_steps};
+use crate::program::{Fault, Setting, Span};
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute};
 
 /// Step 3 on its way: the steps of one block, made on a copy of the state.
@@ -150,15 +149,8 @@ impl Maker<'_> {
     fn take_speed(&mut self, speed: Given) {
         let value = speed.number();
         self.state.speed = value;
-        let steps = &self.machine.spindle_steps;
-        let highest = steps.last().map_or(f64::INFINITY, |step| step.0);
-        if value as f64 > highest {
-            self.tell("speed-beyond-machine", speed.span, &[("limit", highest.to_string())]);
-        } else if value != 0 && !steps.iter().any(|step| step.0 == value as f64) {
-            let below = steps.iter().rev().find(|step| step.0 < value as f64);
-            let above = steps.iter().find(|step| step.0 > value as f64);
-            let near: Vec<String> = below.into_iter().chain(above).map(|step| step.0.to_string()).collect();
-            self.tell("no-spindle-step", speed.span, &[("speed", value.to_string()), ("near", near.join(", "))]);
+        if let Some((code, note)) = speed_off_steps(self.machine, value as f64) {
+            self.fault(code, speed.span).note = note;
         }
         if self.state.turning != Turning::Stopped {
             self.spindle(self.state.turning);

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use crate::error::KnowledgeError;
 use crate::knowledge::{Knowledge, RowRef, Table, Value};
 use crate::motion::{Axis, Plane};
+use crate::program::setting::Limits;
 
 /// What an M function makes the control do: the column `action` of table 2c42-65-m-actions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,13 +89,9 @@ pub struct Control {
     pub(super) programs: usize,
     pub(super) depth: usize,
     pub(super) m_per_block: usize,
-    pub(super) correctors: i64,
     /// Dwells are counted in so many of a second.
     pub(super) dwell_step_s: f64,
-    /// Settings of the feed switch, per cent.
-    pub(super) feed_overrides: Vec<i64>,
-    /// Settings of the spindle switch, per cent.
-    pub(super) speed_overrides: Vec<i64>,
+    pub(super) setting: Limits,
 }
 
 /// Groups 00 to 07 of table 3.5.
@@ -125,14 +122,23 @@ impl Control {
             programs: count("programs-max")?,
             depth: count("subprogram-depth-max")?,
             m_per_block: count("m-functions-per-block-max")?,
-            correctors: number("correctors")? as i64,
             dwell_step_s: number("dwell-step")?,
-            feed_overrides: figures(record, "feed-override")?.into_iter().map(|value| value as i64).collect(),
-            speed_overrides: figures(record, "spindle-override")?.into_iter().map(|value| value as i64).collect(),
+            setting: Limits {
+                correctors: number("correctors")? as i64,
+                feed_overrides: figures(record, "feed-override")?.into_iter().map(|value| value as i64).collect(),
+                speed_overrides: figures(record, "spindle-override")?.into_iter().map(|value| value as i64).collect(),
+                panel_2c42_65: true,
+                pecks: false,
+            },
         };
         control.read_functions(knowledge)?;
         control.read_planes_and_cycles(knowledge)?;
         Ok(control)
+    }
+
+    /// What of a setting it has.
+    pub const fn setting(&self) -> &Limits {
+        &self.setting
     }
 
     fn read_functions(&mut self, knowledge: &Knowledge) -> Result<(), KnowledgeError> {

@@ -1,7 +1,7 @@
 //! The control 2С42-65 (textbook section 3): its programs read and run. docs/control-2c42-65.md tells the language as it
 //! is carried out here, what of it is reconstructed, and both readings where the text contradicts itself.
 //!
-//! - `control` the language as data, from catalogs/controls; `setting` what the operator sets;
+//! - `control` the language as data, from catalogs/controls;
 //! - `text` words and blocks with their places; `check` what can be told of them without running them;
 //! - `words`, `block`, `moves`, `cycles`, `correction`, `travel` one block: its words, and the steps it makes;
 //! - `state` what stays from block to block; `run` the way through the blocks, calls and repeats;
@@ -15,12 +15,13 @@ mod cycles;
 mod moves;
 mod rules;
 mod run;
-mod setting;
 mod state;
 mod text;
 mod travel;
 mod words;
+mod writer;
 
 pub use control::Control;
 pub use run::check;
-pub use setting::{Setting, read_setting};
+pub(super) use text::latin;
+pub use writer::write;

@@ -1,11 +1,12 @@
 //! Motions of a block: positioning, lines, arcs, helices, returns, and the offset G45…G48 (textbook 3.10, 3.11.4).
 
 use super::block::Maker;
-use super::state::{Floating, ONE_SHOT, PLANE, SYSTEM};
+use super::state::{ONE_SHOT, PLANE, SYSTEM};
 use super::words::{Function, Given, Words};
 use crate::motion::geometry::{distance, in_plane, sweep};
 use crate::motion::{Axis, Motion, Position, Sense};
 use crate::program::Span;
+use crate::program::limits::Floating;
 use crate::units::Micrometres;
 
 /// Where a block wants to go.

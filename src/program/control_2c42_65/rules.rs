@@ -4,13 +4,13 @@
 //! the text is thin, told in docs/control-2c42-65.md. The words stand in `report/sentences/programs.rs`; tests hold the
 //! three together.
 
-use crate::note::{Note, Severity};
-use crate::program::{Fault, Span};
+use crate::note::Severity;
+use crate::program::{Fault, Rule, Span};
 
 use Severity::{Doubtful as Warning, Error, Note as Remark};
 
 /// Code, severity, section.
-pub(super) const RULES: &[(&str, Severity, &str)] = &[
+pub(super) const RULES: &[Rule] = &[
     // What is written.
     ("unknown-character", Error, "3.1"),
     ("cyrillic-letter", Error, "3.1"),
@@ -87,18 +87,7 @@ pub(super) const RULES: &[(&str, Severity, &str)] = &[
     ("cannot-tap", Error, "3.12.1.4"),
 ];
 
-/// A breach of a rule. A code that is not listed is an error without a section; a test keeps it from happening.
+/// A breach of a rule.
 pub(super) fn fault(code: &'static str, span: Span, block: Option<u32>) -> Fault {
-    let rule = RULES.iter().find(|(known, ..)| *known == code);
-    let (severity, section) = rule.map_or((Error, ""), |(_, severity, section)| (*severity, *section));
-    Fault { code, severity, rule: section, block, span, note: Note::new(code) }
-}
-
-impl Fault {
-    /// With one more figure.
-    #[must_use]
-    pub(super) fn with(mut self, name: &str, value: impl ToString) -> Self {
-        self.note = self.note.with(name, value);
-        self
-    }
+    Fault::of(RULES, code, span, block)
 }

@@ -7,14 +7,13 @@ use super::block::{After, Maker};
 use super::check::{self, Programs};
 use super::control::Control;
 use super::rules::fault;
-use super::setting::Setting;
 use super::state::State;
 use super::text::{self, Block};
-use super::travel::Spans;
 use super::words::Words;
 use crate::machine::Machine;
 use crate::motion::{BlockRef, Sink};
-use crate::program::Fault;
+use crate::program::limits::{Spans, without_zero};
+use crate::program::{Fault, Setting};
 
 /// Blocks and steps that a check carries out: 65535 repeats of 65535 repeats would never end.
 const BUDGET: usize = 500_000;
@@ -83,16 +82,9 @@ impl<S: Sink> Run<'_, S> {
     fn main(&mut self) {
         let main = self.programs.main.clone();
         self.program(main, 0);
-        for (system, _) in self.spans.clone().into_keys().collect::<BTreeSet<_>>() {
-            let axes: Vec<String> = crate::motion::Axis::ALL
-                .into_iter()
-                .filter(|axis| self.spans.contains_key(&(system, axis.index())))
-                .map(|axis| axis.letter().to_string())
-                .collect();
+        for (system, axes) in without_zero(&self.spans) {
             let span = self.blocks.first().map(|block| block.span).unwrap_or_default();
-            let fault =
-                fault("zero-not-set", span, None).with("system", format!("G{system}")).with("axes", axes.join(", "));
-            self.tell(fault);
+            self.tell(fault("zero-not-set", span, None).with("system", system).with("axes", axes));
         }
     }
 

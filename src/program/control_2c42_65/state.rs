@@ -2,8 +2,9 @@
 
 use super::control::{Control, GROUPS};
 use super::correction::Compensator;
-use super::setting::Setting;
 use crate::motion::{Axis, Position, Turning};
+use crate::program::Setting;
+use crate::program::limits::Floating;
 use crate::units::Micrometres;
 
 /// Groups of table 3.5 by what they are about.
@@ -15,10 +16,6 @@ pub(super) const LENGTH: usize = 4;
 pub(super) const SYSTEM: usize = 5;
 pub(super) const CYCLE: usize = 6;
 pub(super) const DISTANCE: usize = 7;
-
-/// Whose zero an axis counts from when nobody has set it: the function of that system. Its positions are right among
-/// themselves and unknown on the machine.
-pub(super) type Floating = Option<u8>;
 
 /// The state of the control. Copied before every block, and kept only when the block is good.
 #[derive(Clone, Debug)]

@@ -230,7 +230,7 @@ fn number_end(characters: &[char], mut at: usize) -> usize {
 }
 
 /// The Latin letter that a Cyrillic one looks like.
-fn latin(letter: char) -> Option<char> {
+pub(in crate::program) fn latin(letter: char) -> Option<char> {
     let pairs = "АAВBСCЕEНHІIКKМMОOРPТTХXУYЗ3";
     let found = pairs.chars().collect::<Vec<_>>();
     found.chunks(2).find(|pair| pair[0] == letter).and_then(|pair| pair.get(1).copied())

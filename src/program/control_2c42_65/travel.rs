@@ -1,14 +1,9 @@
 //! The way of a step to the sink: through the radius correction, held against the travels of the machine.
 
-use std::collections::BTreeMap;
-
 use super::block::Maker;
-use crate::motion::{Axis, Motion, Position, Step, geometry};
+use crate::motion::{Motion, Position, Step};
 use crate::program::Span;
-use crate::units::Micrometres;
-
-/// How far the axes of each system without a zero have gone, least and greatest.
-pub(super) type Spans = BTreeMap<(u8, usize), (Micrometres, Micrometres)>;
+use crate::program::limits::beyond_travel;
 
 impl Maker<'_> {
     /// One more step where the axes stand.
@@ -49,56 +44,12 @@ impl Maker<'_> {
         }
     }
 
-    /// An axis may not leave its travel (3.8.3). Where its zero is set, its place on the machine is known: X and Y have
-    /// their zero in the middle, Z at the upper end (textbook, l. 4719-4728). Where it is not, what it needs of travel is.
+    /// An axis may not leave its travel (3.8.3).
     fn hold_in_travel(&mut self, step: &Step, span: Span) {
-        let from = self.state.actual;
-        let reached = geometry::reach(&step.motion, from, step.at);
-        for axis in Axis::ALL {
-            let (low, high) = reached[axis.index()];
-            let here = from.get(axis);
-            if low == here && high == here {
-                continue;
-            }
-            let (least, most) = self.travel(axis);
-            match self.state.floating[axis.index()] {
-                None => {
-                    let beyond = if low < least { Some(low) } else { Some(high).filter(|high| *high > most) };
-                    if let Some(value) = beyond {
-                        let figures = [
-                            ("axis", axis.letter().to_string()),
-                            ("value", value.to_string()),
-                            ("low", least.to_string()),
-                            ("high", most.to_string()),
-                        ];
-                        self.tell("beyond-travel-of", span, &figures);
-                    }
-                }
-                Some(system) => {
-                    let entry = self.spans.entry((system, axis.index())).or_insert((low, high));
-                    *entry = (entry.0.min(low), entry.1.max(high));
-                    let needed = entry.1 - entry.0;
-                    let travel = most - least;
-                    if needed > travel {
-                        let figures = [
-                            ("axis", axis.letter().to_string()),
-                            ("system", format!("G{system}")),
-                            ("needed", needed.to_string()),
-                            ("travel", travel.to_string()),
-                        ];
-                        self.tell("span-beyond-travel", span, &figures);
-                    }
-                }
-            }
-        }
-    }
-
-    /// Where an axis can go, machine coordinates.
-    fn travel(&self, axis: Axis) -> (Micrometres, Micrometres) {
-        match axis {
-            Axis::X => (-self.machine.travel_x.half(), self.machine.travel_x.half()),
-            Axis::Y => (-self.machine.travel_y.half(), self.machine.travel_y.half()),
-            Axis::Z => (-self.machine.travel_z, Micrometres::ZERO),
+        let (from, floating) = (self.state.actual, self.state.floating);
+        for note in beyond_travel(self.machine, step, from, floating, self.spans) {
+            let fault = self.fault(note.0, span);
+            fault.note = note.1;
         }
     }
 }

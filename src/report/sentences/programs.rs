@@ -190,6 +190,18 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
     ),
     ("cycle-step-not-positive", "{address} у циклі має бути додатним", "{address} of a cycle must be positive"),
     ("cannot-tap", "верстат не нарізає різь: G84 не виконується", "the machine cannot tap: G84 is not carried out"),
+    ("machining-cycle", "цикл {cycle}, глибина {ratio} діаметра", "cycle {cycle}, {ratio} diameters deep"),
+    ("withdrawal", "між отворами на {height} мм над деталлю", "{height} mm over the part from hole to hole"),
+    (
+        "no-room-over-part",
+        "від столу до торця шпинделя треба {needed} мм, а верстат дає найбільше {most}: інструмент довжиною {tool} не проходить над деталлю",
+        "{needed} mm from table to spindle nose are needed and the machine gives {most} at most: a tool of {tool} does not pass over the part",
+    ),
+    (
+        "quill-too-short",
+        "інструменту T{tool} треба {way} мм ходу повзуна, а верстат має {travel}",
+        "tool T{tool} needs {way} mm of the quill's travel and the machine has {travel}",
+    ),
 ];
 
 /// Code, Ukrainian, English: what to do.
@@ -221,15 +233,15 @@ pub(super) const REMEDIES: &[(&str, &str, &str)] = &[
     ),
     ("group-twice", "лишіть одну", "keep one of them"),
     ("too-many-m", "перенесіть решту в інший кадр", "move the rest to another block"),
-    ("exclusive-m-twice", "лишіть одну з M00, M01, M02, M30, M99", "keep one of M00, M01, M02, M30, M99"),
+    ("exclusive-m-twice", "лишіть одну або поділіть кадр", "keep one of them or make two blocks of it"),
     ("machine-function", "дивіться опис верстата", "see the description of the machine"),
     ("return-with-call", "M99 пишіть окремим кадром", "write M99 in a block of its own"),
     ("subprogram-one-digit", "пишіть дві цифри, наприклад P05", "write two digits, as in P05"),
     ("program-one-digit", "пишіть дві цифри, наприклад :05", "write two digits, as in :05"),
     (
         "subprogram-missing",
-        "допишіть її у файл: від номера з : до M99",
-        "add it to the file, from its number with : to M99",
+        "допишіть її у файл: від номера до її кінця",
+        "add it to the file, from its number to its end",
     ),
     ("program-number-twice", "дайте одній з них інший номер", "give one of them another number"),
     ("too-many-programs", "приберіть зайві", "remove some"),
@@ -246,7 +258,7 @@ pub(super) const REMEDIES: &[(&str, &str, &str)] = &[
         "зменште вкладеність; чи не викликає підпрограма сама себе?",
         "nest them less; does one call itself?",
     ),
-    ("run-too-long", "зменште повторення L або збільште крок V", "make L smaller or V larger"),
+    ("run-too-long", "зменште повторення або збільште крок циклу", "repeat less or make the step of the cycle larger"),
     ("feed-beyond-machine", "задайте меншу F", "give a smaller F"),
     ("speed-beyond-machine", "задайте меншу S", "give a smaller S"),
     ("no-spindle-step", "задайте ступінь", "give a step"),

@@ -1,0 +1,139 @@
+//! `technolog program`: the NC program of a part, and what belongs to it.
+
+use std::borrow::Cow;
+use std::path::PathBuf;
+
+use clap::ValueEnum;
+use serde::Serialize;
+use technolog::error::KnowledgeError;
+use technolog::job::{self, Job};
+use technolog::knowledge::Diagnostic;
+use technolog::motion::Step;
+use technolog::motion::time::{Clock, Times};
+use technolog::note::{Finding, Severity};
+use technolog::plan::{CuttingMethod, Plan};
+use technolog::program::written::{Form, Line, Written};
+use technolog::program::{Fault, Language, Setting};
+use technolog::report;
+use technolog::shop::Shop;
+
+use super::diagnostics::{Texts, render};
+use super::{CliError, Context, Format, Outcome, check, knowledge, output, plan, words};
+
+/// The NC program of a part: planned, written, and read back before it is shown
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// The part file
+    #[arg(value_name = "PART.yaml")]
+    part: PathBuf,
+    /// The control it is for
+    #[arg(long, value_parser = Language::NAMES)]
+    control: String,
+    /// What to show: the program, or the setting that the operator needs for it
+    #[arg(long, value_enum, default_value = "program", hide_possible_values = true)]
+    show: Show,
+}
+
+/// What belongs to a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Show {
+    Program,
+    Setting,
+}
+
+/// The answer for programs.
+#[derive(Serialize)]
+struct Answer<'a> {
+    part: &'a str,
+    control: &'a str,
+    machine: &'a str,
+    program: String,
+    lines: &'a [Line],
+    job: &'a Job,
+    trace: &'a [Step],
+    time: Times,
+    findings: Vec<Told<'a>>,
+    faults: &'a [Fault],
+}
+
+#[derive(Serialize)]
+struct Told<'a> {
+    message: String,
+    #[serde(flatten)]
+    finding: &'a Finding,
+}
+
+/// Writes the program of a part and proves it by its control's own interpreter.
+///
+/// # Errors
+/// The part file cannot be used; every mistake in it is told at once.
+pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
+    let format = context.format("program", &[Format::Text, Format::Json])?;
+    let knowledge = knowledge::load(context)?;
+    let at_fault = |error: KnowledgeError| {
+        CliError::from(Diagnostic::error("knowledge", error.to_string(), None).help(words::run_lint(context.lang)))
+    };
+    let plan = plan::make(&args.part, CuttingMethod::default(), &knowledge, context)?;
+    let shop = Shop::new(&plan.part, plan.cutting, &knowledge).map_err(at_fault)?;
+    let job = job::make(&plan, &shop).map_err(at_fault)?;
+    let form = Form::read(&shop).map_err(at_fault)?;
+    let language = Language::read(&args.control, &knowledge).map_err(at_fault)?;
+    let written = language.write(&job, form);
+    let setting = Setting::of_job(&job);
+    let mut sink = (Vec::<Step>::new(), Clock::new(&shop.machine, setting.start));
+    let text = written.text();
+    let faults = language.check(&text, &shop.machine, &setting, &mut sink);
+    let (steps, clock) = sink;
+    let findings: Vec<&Finding> = serious(&plan, &job);
+    match (args.show, format) {
+        (_, Format::Json) => context.emit_json(&Answer {
+            part: &job.part,
+            control: &args.control,
+            machine: &job.machine,
+            program: text,
+            lines: &written.lines,
+            job: &job,
+            trace: &steps,
+            time: clock.times(),
+            findings: findings.iter().map(|finding| told(finding, context)).collect(),
+            faults: &faults,
+        })?,
+        (Show::Setting, _) => context.emit(&setting.to_yaml())?,
+        (Show::Program, _) => {
+            context.emit(&text)?;
+            complain(&findings, &faults, &written, context);
+        }
+    }
+    let wrong =
+        findings.iter().any(|finding| finding.severity <= Severity::Wrong) || faults.iter().any(Fault::is_error);
+    Ok(if wrong { Outcome::Findings } else { Outcome::Done })
+}
+
+/// What of the plan and the job keeps the program from making the part.
+fn serious<'a>(plan: &'a Plan, job: &'a Job) -> Vec<&'a Finding> {
+    plan.findings.iter().filter(|finding| finding.severity <= Severity::Wrong).chain(&job.findings).collect()
+}
+
+fn told<'a>(finding: &'a Finding, context: &Context) -> Told<'a> {
+    Told { message: report::sentence(&finding.note, context.lang), finding }
+}
+
+/// What is wrong with the program, beside it: of the part, of the machine, of its blocks.
+fn complain(findings: &[&Finding], faults: &[Fault], written: &Written, context: &Context) {
+    const NAME: &str = "program.nc";
+    let mut problems: Vec<Diagnostic> = findings
+        .iter()
+        .map(|finding| {
+            let sentence = report::sentence(&finding.note, context.lang);
+            let message = finding.hole.iter().fold(sentence, |sentence, hole| format!("{hole}: {sentence}"));
+            Diagnostic::error("finding", message, None)
+        })
+        .collect();
+    let file = std::sync::Arc::from(NAME);
+    problems.extend(faults.iter().map(|fault| check::diagnostic(fault, &file, context)));
+    if problems.is_empty() {
+        return;
+    }
+    let texts = Texts::default().with(NAME, NAME.to_owned(), Cow::Owned(written.text()));
+    output::complain(&render(&problems, &texts, context.lang));
+}

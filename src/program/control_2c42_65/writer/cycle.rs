@@ -1,0 +1,91 @@
+//! The blocks of one cycle: G81…G86 with their parameters, or the contour of a mill.
+
+use std::fmt::Write;
+
+use crate::job::{Cycle, Kind};
+use crate::motion::Sense;
+use crate::units::{Micrometres, Seconds};
+
+use super::sheet::{Called, Place, Sheet};
+use crate::program::block::Block;
+use crate::program::written::Form;
+
+/// A fixed cycle. With positions U, Z, I are levels; with ways they are 0-1, 1-2 and 2-4 (table 3.10), and the tool
+/// stands at the level of I before.
+pub(super) fn fixed(cycle: &Cycle, incremental: bool, form: Form) -> Block {
+    let (begin, end, out) = (form.grid(cycle.begin), form.grid(cycle.end), form.grid(cycle.out));
+    let [u, z, i] = if incremental { [begin - out, end - begin, out - end] } else { [begin, end, out] };
+    let (code, steps) = match &cycle.kind {
+        Kind::FeedOut => (82, None),
+        Kind::BoreStop => (85, None),
+        Kind::Peck { step, clearance } => (83, Some((*step, *clearance))),
+        Kind::ChipBreak { step, retreat } => (86, Some((*step, *retreat))),
+        Kind::Tap { .. } => (84, None),
+        // Circles are no fixed cycle: `contour` writes them.
+        Kind::Drill | Kind::Circles { .. } => (81, None),
+    };
+    let mut text = format!("G{code} U{u} Z{z} I{i}");
+    // Writing to a text cannot fail.
+    if let Some((step, clearance)) = steps {
+        let _ =
+            write!(text, " V{} W{}", form.grid(step).max(form.resolution), form.grid(clearance).max(form.resolution));
+    }
+    let _ = write!(text, " F{}", cycle.feed_mm_per_min.0);
+    if let Some(dwell) = cycle.dwell_s {
+        let _ = write!(text, " E{}", tenths(dwell));
+    }
+    let block = if incremental { Block::new().g(91) } else { Block::new().g(90) };
+    block.cycle(text)
+}
+
+/// E counts tenths of a second (3.10.6).
+fn tenths(dwell: Seconds) -> u64 {
+    libm::round(dwell.0 * 10.0) as u64
+}
+
+/// The contour of a mill about the point where it stands: down to a level, out to each circle and round, and back to the
+/// middle; the circles are a subprogram of their own where there are several levels.
+pub(super) fn contour(
+    cycle: &Cycle,
+    levels: &[Micrometres],
+    radii: &[Micrometres],
+    sense: Sense,
+    sheet: &mut Sheet,
+    place: Place,
+) -> Called {
+    let form = sheet.form;
+    let feed = cycle.feed_mm_per_min.0;
+    let mut blocks = vec![Block::new().g(90).g(0).axis('Z', form.grid(cycle.begin))];
+    let round = circles(radii, sense, form);
+    let rounds = (levels.len() > 1).then(|| sheet.subprogram(round.clone(), place));
+    for (index, level) in levels.iter().enumerate() {
+        let down = Block::new().g(90).g(1).axis('Z', form.grid(*level));
+        let down = if index == 0 { down.word('F', feed) } else { down };
+        match rounds.as_ref().and_then(Called::number) {
+            Some(number) => blocks.push(down.calls(number, 1)),
+            None => {
+                blocks.push(down);
+                blocks.extend(round.iter().cloned());
+            }
+        }
+    }
+    blocks.push(Block::new().g(90).g(0).axis('Z', form.grid(cycle.out)));
+    sheet.subprogram(blocks, place)
+}
+
+/// The circles of one level, in increments from the middle and back to it.
+fn circles(radii: &[Micrometres], sense: Sense, form: Form) -> Vec<Block> {
+    let code = match sense {
+        Sense::Clockwise => 2,
+        Sense::Counterclockwise => 3,
+    };
+    let mut blocks = Vec::new();
+    let mut at = Micrometres::ZERO;
+    for radius in radii.iter().map(|radius| form.grid(*radius)) {
+        blocks.push(Block::new().g(91).g(1).axis('X', radius - at));
+        blocks.push(Block::new().g(code).axis('I', -radius).axis('J', Micrometres::ZERO));
+        at = radius;
+    }
+    blocks.push(Block::new().g(1).axis('X', -at));
+    blocks
+}

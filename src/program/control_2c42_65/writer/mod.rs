@@ -1,0 +1,146 @@
+//! A job as a program for 2С42-65, in the manner of Appendix Г.
+//!
+//! ```text
+//! :01   the main program: for each tool its change, the spindle, the approach, its cycles and points
+//! :02   the quill up, cycle and correction off, the spindle stopped
+//! :03   the table to the place of the tool change
+//! :04…  cycles, contours of mills, rows of points that several tools go over
+//! ```
+//!
+//! - `cycle` the blocks of one cycle or contour;
+//! - `points` the blocks that lead over points, in rows where that is shorter;
+//! - `sheet` the program as it grows: main blocks and subprograms.
+
+mod cycle;
+mod points;
+mod sheet;
+
+use std::collections::BTreeMap;
+
+use crate::job::{Job, Kind, Pause, SetUp, ToolWork};
+use crate::program::written::{Form, Role, WorkRef, Written};
+
+use crate::program::block::Block;
+use points::Run;
+use sheet::{Place, Sheet};
+
+/// The program of a job.
+pub fn write(job: &Job, form: Form) -> Written {
+    let mut sheet = Sheet::new(form);
+    let up = Block::new().g(90).g(80).g(49).g(53).g(0).axis('Z', job.change_at.z).m(5).m(9);
+    let aside = Block::new().g(53).g(0).axis('X', job.change_at.x).axis('Y', job.change_at.y);
+    let withdrawal = [
+        sheet.subprogram(vec![up], Place::of(Role::Withdrawal)),
+        sheet.subprogram(vec![aside], Place::of(Role::Withdrawal)),
+    ];
+    let away = |sheet: &mut Sheet, place: Place| {
+        for call in &withdrawal {
+            sheet.call(call, None, Place { role: Role::Withdrawal, ..place });
+        }
+    };
+    sheet.put(Block::new().g(17).g(40).g(49).g(80).g(90), Place::of(Role::Frame));
+    away(&mut sheet, Place::of(Role::Withdrawal));
+    let shared = shared_points(job, form);
+    let mut in_spindle = None;
+    for (setup_index, setup) in job.setups.iter().enumerate() {
+        for (work_index, work) in setup.works.iter().enumerate() {
+            let work_ref = WorkRef { setup: setup_index, work: work_index };
+            let place = |role| Place { role, work: Some(work_ref), cycle: None };
+            for pause in &work.pauses {
+                sheet.put(Block::new().m(0), place(Role::Pause));
+                if matches!(pause, Pause::LoadTool { .. }) {
+                    in_spindle = None;
+                }
+            }
+            if in_spindle != Some(work.place) {
+                sheet.put(Block::new().word('T', work.place).m(6), place(Role::ToolChange));
+                in_spindle = Some(work.place);
+            }
+            one_tool(&mut sheet, setup, work, work_ref, &shared);
+            away(&mut sheet, place(Role::Withdrawal));
+        }
+    }
+    sheet.put(Block::new().m(2), Place::of(Role::End));
+    sheet.finish()
+}
+
+/// The lists of blocks over points that occur more than once.
+fn shared_points(job: &Job, form: Form) -> BTreeMap<Vec<Block>, usize> {
+    let mut counts = BTreeMap::new();
+    for work in job.setups.iter().flat_map(|setup| &setup.works) {
+        for run in points::runs(work, form) {
+            *counts.entry(run.blocks).or_insert(0) += 1;
+        }
+    }
+    counts
+}
+
+/// Spindle, approach, and the runs of one tool.
+fn one_tool(
+    sheet: &mut Sheet,
+    setup: &SetUp,
+    work: &ToolWork,
+    work_ref: WorkRef,
+    shared: &BTreeMap<Vec<Block>, usize>,
+) {
+    let form = sheet.form;
+    let mut speed = None;
+    let mut height = None;
+    for (index, run) in points::runs(work, form).into_iter().enumerate() {
+        let Some(cycle) = work.cycles.get(run.cycle) else { continue };
+        let place = |role| Place { role, work: Some(work_ref), cycle: Some(run.cycle) };
+        let [x, y] = [run.first.x, run.first.y];
+        let turning = Block::new().word('S', cycle.speed_rpm.0).m(3);
+        if index == 0 {
+            let turning = if work.coolant { turning.m(8) } else { turning };
+            sheet.put(turning, place(Role::Spindle));
+            let system = 53 + setup.number.clamp(1, 6);
+            sheet.put(Block::new().g(0).g(system).axis('X', x).axis('Y', y), place(Role::Approach));
+            let down = Block::new().g(0).g(43).axis('Z', form.grid(cycle.out)).word('H', work.corrector);
+            sheet.put(down, place(Role::Approach));
+        } else {
+            if speed != Some(cycle.speed_rpm) {
+                sheet.put(Block::new().g(80).word('S', cycle.speed_rpm.0), place(Role::Spindle));
+            }
+            // G80 stands before the motion, so that the cycle before does not run here.
+            sheet.put(Block::new().g(90).g(80).g(0).axis('X', x).axis('Y', y), place(Role::Point));
+            if height != Some(cycle.out) {
+                sheet.put(Block::new().g(0).axis('Z', form.grid(cycle.out)), place(Role::Approach));
+            }
+        }
+        (speed, height) = (Some(cycle.speed_rpm), Some(cycle.out));
+        put_run(sheet, work, &run, place(Role::Cycle), shared);
+    }
+}
+
+/// The cycle at the first point, and the way over the others.
+fn put_run(sheet: &mut Sheet, work: &ToolWork, run: &Run, place: Place, shared: &BTreeMap<Vec<Block>, usize>) {
+    let Some(cycle) = work.cycles.get(run.cycle) else { return };
+    let form = sheet.form;
+    if let Kind::Circles { levels, radii, sense } = &cycle.kind {
+        let contour = cycle::contour(cycle, levels, radii, *sense, sheet, place);
+        sheet.call(&contour, None, place);
+        for block in &run.blocks {
+            sheet.call(&contour, Some(block.clone()), Place { role: Role::Point, ..place });
+        }
+        return;
+    }
+    let fixed = sheet.subprogram(vec![cycle::fixed(cycle, run.incremental, form)], place);
+    sheet.call(&fixed, None, place);
+    let point = Place { role: Role::Point, ..place };
+    let again = shared.get(&run.blocks).copied().unwrap_or(1);
+    if points::worth_sharing(&run.blocks, again) {
+        let points = sheet.subprogram(run.blocks.clone(), Place::of(Role::Point));
+        sheet.call(&points, None, point);
+        return;
+    }
+    for repeated in points::repeats(&run.blocks) {
+        match repeated {
+            points::Piece::Once(block) => sheet.put(block, point),
+            points::Piece::Times(blocks, times) => {
+                let part = sheet.subprogram(blocks, Place::of(Role::Point));
+                sheet.repeat(&part, times, point);
+            }
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! The way over the points of one cycle: positions, or ways where equal steps follow each other and L repeats them.
+
+use crate::job::{Kind, ToolWork};
+use crate::part::Point;
+use crate::units::Micrometres;
+
+use crate::program::block::Block;
+use crate::program::written::Form;
+
+/// Points that follow each other with the same cycle.
+pub(super) struct Run {
+    /// The cycle, by its place in the work.
+    pub cycle: usize,
+    /// The first point, on the grid.
+    pub first: Point,
+    /// Whether `blocks` are ways (G91) and not positions.
+    pub incremental: bool,
+    /// A block for each further point, or for a row of them.
+    pub blocks: Vec<Block>,
+}
+
+/// A piece of the way.
+pub(super) enum Piece {
+    /// A block.
+    Once(Block),
+    /// Blocks that are run several times.
+    Times(Vec<Block>, usize),
+}
+
+/// What a block costs beside its words: its number and its end.
+const FRAME: usize = 6;
+/// What a subprogram costs beside its blocks: its number, its end, and the call.
+const SUBPROGRAM: usize = 22;
+
+/// The runs of a tool, in order.
+pub(super) fn runs(work: &ToolWork, form: Form) -> Vec<Run> {
+    let stops = work.stops.chunk_by(|a, b| a.cycle == b.cycle);
+    stops
+        .filter_map(|stops| {
+            let points: Vec<Point> = stops.iter().map(|stop| form.point(stop.at)).collect();
+            let cycle = stops.first()?.cycle;
+            // A mill's contour is called at each point, so there is nothing to repeat.
+            let fixed = !matches!(work.cycles.get(cycle)?.kind, Kind::Circles { .. });
+            let (positions, ways) = (positions(&points), ways(&points));
+            // Positions are easier to read: ways are taken where rows make the program a fifth shorter.
+            let incremental = fixed && length(&ways) * 5 < length(&positions) * 4;
+            let blocks = if incremental { ways } else { positions };
+            Some(Run { cycle, first: *points.first()?, incremental, blocks })
+        })
+        .collect()
+}
+
+/// The characters of a way, with what repeats would save.
+fn length(blocks: &[Block]) -> usize {
+    repeats(blocks)
+        .iter()
+        .map(|piece| match piece {
+            Piece::Once(block) => cost(block),
+            Piece::Times(blocks, _) => blocks.iter().map(cost).sum::<usize>() + SUBPROGRAM,
+        })
+        .sum()
+}
+
+fn cost(block: &Block) -> usize {
+    block.text().len() + FRAME
+}
+
+/// A block for each point after the first, with the axes that change. A point once more is named, or its cycle would
+/// not run.
+fn positions(points: &[Point]) -> Vec<Block> {
+    points
+        .windows(2)
+        .map(|pair| {
+            let (from, to) = (pair[0], pair[1]);
+            match (from.x == to.x, from.y == to.y) {
+                (true, true) => Block::new().axis('X', to.x),
+                (true, false) => Block::new().axis('Y', to.y),
+                (false, true) => Block::new().axis('X', to.x),
+                (false, false) => Block::new().axis('X', to.x).axis('Y', to.y),
+            }
+        })
+        .collect()
+}
+
+/// The same as ways; equal ones that follow each other are one block with L.
+fn ways(points: &[Point]) -> Vec<Block> {
+    let steps: Vec<(Micrometres, Micrometres)> =
+        points.windows(2).map(|pair| (pair[1].x - pair[0].x, pair[1].y - pair[0].y)).collect();
+    let row = |steps: &[(Micrometres, Micrometres)]| {
+        let (x, y) = steps[0];
+        let zero = Micrometres::ZERO;
+        let mut block = Block::new();
+        if x != zero || y == zero {
+            block = block.axis('X', x);
+        }
+        if y != zero {
+            block = block.axis('Y', y);
+        }
+        if steps.len() > 1 { block.word('L', steps.len()) } else { block }
+    };
+    steps.chunk_by(|a, b| a == b).map(row).collect()
+}
+
+/// Draws repeated groups of blocks together, where a subprogram with L is shorter. Positions do not repeat, but where
+/// they do (the same points over and over) the same holds.
+pub(super) fn repeats(blocks: &[Block]) -> Vec<Piece> {
+    let mut pieces = Vec::new();
+    let mut at = 0;
+    while at < blocks.len() {
+        match best_repeat(&blocks[at..]) {
+            Some((period, times)) => {
+                pieces.push(Piece::Times(blocks[at..at + period].to_vec(), times));
+                at += period * times;
+            }
+            None => {
+                pieces.push(Piece::Once(blocks[at].clone()));
+                at += 1;
+            }
+        }
+    }
+    pieces
+}
+
+/// Longest group that is looked for: a row, the step to the next, the row back, and the step.
+const LONGEST_PERIOD: usize = 8;
+
+/// The group of the next blocks that saves most when it is repeated: its blocks and how often it stands there.
+fn best_repeat(blocks: &[Block]) -> Option<(usize, usize)> {
+    (1..=LONGEST_PERIOD.min(blocks.len() / 2))
+        .filter_map(|period| {
+            let group = &blocks[..period];
+            let times = blocks.chunks_exact(period).take_while(|next| *next == group).count();
+            let once: usize = group.iter().map(cost).sum();
+            let saved = (once * times).checked_sub(once + SUBPROGRAM).filter(|saved| times > 1 && *saved > 0)?;
+            Some((saved, period, times))
+        })
+        .max_by_key(|(saved, period, _)| (*saved, std::cmp::Reverse(*period)))
+        .map(|(_, period, times)| (period, times))
+}
+
+/// Whether blocks that stand at several places are shorter as a subprogram.
+pub(super) fn worth_sharing(blocks: &[Block], places: usize) -> bool {
+    let once: usize = blocks.iter().map(cost).sum();
+    let call = FRAME + 3;
+    places > 1 && once + SUBPROGRAM + call * places < once * places
+}

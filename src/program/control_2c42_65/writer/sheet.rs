@@ -1,0 +1,130 @@
+//! The program as it grows: the main blocks, and the subprograms that they call.
+
+use crate::program::written::{Form, Line, Role, WorkRef, Written};
+
+use crate::program::block::Block;
+
+/// What a block serves.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    pub role: Role,
+    pub work: Option<WorkRef>,
+    pub cycle: Option<usize>,
+}
+
+impl Place {
+    pub(super) const fn of(role: Role) -> Self {
+        Self { role, work: None, cycle: None }
+    }
+}
+
+/// A group of blocks: a subprogram, or, where the numbers are used up, the blocks themselves.
+#[derive(Clone, Debug)]
+pub(super) enum Called {
+    Subprogram(u32),
+    Blocks(Vec<Block>),
+}
+
+impl Called {
+    pub(super) const fn number(&self) -> Option<u32> {
+        match self {
+            Self::Subprogram(number) => Some(*number),
+            Self::Blocks(_) => None,
+        }
+    }
+}
+
+/// The number of the main program; subprograms follow it.
+const MAIN: u32 = 1;
+/// The last number of a program (3.6).
+const LAST: u32 = 99;
+/// The last number of a block (3.7).
+const LAST_BLOCK: usize = 9999;
+
+/// The program so far.
+pub(super) struct Sheet {
+    pub form: Form,
+    main: Vec<(Block, Place)>,
+    subprograms: Vec<(Vec<Block>, Place)>,
+}
+
+impl Sheet {
+    pub(super) const fn new(form: Form) -> Self {
+        Self { form, main: Vec::new(), subprograms: Vec::new() }
+    }
+
+    /// One more block of the main program.
+    pub(super) fn put(&mut self, block: Block, place: Place) {
+        self.main.push((block, place));
+    }
+
+    /// Blocks as a subprogram; equal ones are one. It serves what its first caller named, or nothing alone when
+    /// several works call it.
+    pub(super) fn subprogram(&mut self, blocks: Vec<Block>, place: Place) -> Called {
+        let known = self.subprograms.iter().position(|(known, _)| *known == blocks);
+        let index = known.unwrap_or(self.subprograms.len());
+        let number = u32::try_from(index).unwrap_or(u32::MAX).saturating_add(MAIN + 1);
+        if number > LAST {
+            return Called::Blocks(blocks);
+        }
+        match self.subprograms.get_mut(index) {
+            Some((_, served)) if served.work != place.work => *served = Place { work: None, cycle: None, ..*served },
+            Some(_) => {}
+            None => self.subprograms.push((blocks, place)),
+        }
+        Called::Subprogram(number)
+    }
+
+    /// Runs a group once, after the motion of a block where one is given.
+    pub(super) fn call(&mut self, group: &Called, motion: Option<Block>, place: Place) {
+        match group {
+            Called::Subprogram(number) => self.put(motion.unwrap_or_default().calls(*number, 1), place),
+            Called::Blocks(blocks) => {
+                for block in motion.into_iter().chain(blocks.iter().cloned()) {
+                    self.put(block, place);
+                }
+            }
+        }
+    }
+
+    /// Runs a group several times.
+    pub(super) fn repeat(&mut self, group: &Called, times: usize, place: Place) {
+        match group {
+            Called::Subprogram(number) => self.put(Block::new().calls(*number, times), place),
+            Called::Blocks(_) => {
+                for _ in 0..times {
+                    self.call(group, None, place);
+                }
+            }
+        }
+    }
+
+    /// The whole: main program, then subprograms, blocks numbered.
+    pub(super) fn finish(self) -> Written {
+        let mut lines = vec![frame("%".to_owned()), frame(format!(":{MAIN:02}"))];
+        let step = (self.form.number_step as usize).max(1);
+        // A long program is numbered closer, so that its numbers stay within four digits.
+        let step = if self.main.len() * step > LAST_BLOCK { 1 } else { step };
+        for (index, (block, place)) in self.main.iter().enumerate() {
+            lines.push(line((index + 1) * step, block, *place));
+        }
+        for (number, (blocks, place)) in (MAIN + 1..).zip(&self.subprograms) {
+            let at = Place { role: Role::Frame, ..*place };
+            lines.push(Line { text: format!(":{number:02}"), role: at.role, work: at.work, cycle: at.cycle });
+            for (block, index) in blocks.iter().zip(1..) {
+                lines.push(line(index, block, *place));
+            }
+            lines.push(line(blocks.len() + 1, &Block::new().m(99), Place { role: Role::End, ..*place }));
+        }
+        Written { lines }
+    }
+}
+
+fn frame(text: String) -> Line {
+    Line { text, role: Role::Frame, work: None, cycle: None }
+}
+
+fn line(number: usize, block: &Block, place: Place) -> Line {
+    let text = format!("N{} {}", number % (LAST_BLOCK + 1), block.text());
+    Line { text, role: place.role, work: place.work, cycle: place.cycle }
+}

@@ -1,0 +1,102 @@
+//! Arcs and helices: G2 and G3 with I, J, K or R.
+
+use super::block::Maker;
+use super::control::{Group, Kind};
+use super::moves::Target;
+use super::words::{Given, Words};
+use crate::motion::geometry::{Point, distance, in_plane};
+use crate::motion::{Axis, Motion, Sense};
+use crate::program::Span;
+use crate::units::Micrometres;
+
+impl Maker<'_> {
+    /// An arc in the plane in force, with a word across it a helix. I, J, K count from the start; a word of the two left
+    /// out is 0. No axis of the plane named: a full circle. LinuxCNC makes P turns of it.
+    pub(super) fn arc(&mut self, words: &Words) {
+        let plane = self.state.plane();
+        let [a, b, _] = plane.axes();
+        let centre = [a, b].map(|axis| self.take(words, centre_letter(axis)));
+        let radius = self.take(words, 'R');
+        let target = self.target(words, false);
+        let given = centre.iter().flatten().next().or(radius.as_ref()).map(|word| word.span);
+        let Some(span) = target.span.or(given) else { return };
+        let sense = if self.state.mode(Group::Motion) == Some(20) { Sense::Clockwise } else { Sense::Counterclockwise };
+        let (start, end) = (in_plane(self.state.at, plane), in_plane(target.at, plane));
+        let middle = match (given, radius) {
+            (None, _) => {
+                self.fault("arc-without-centre", span);
+                None
+            }
+            (Some(_), Some(radius)) if centre.iter().any(Option::is_some) => {
+                self.tell("word-unused", radius.span, &[("word", "R".to_owned())]);
+                None
+            }
+            (Some(_), Some(radius)) => self.by_radius(start, end, radius, sense),
+            (Some(_), None) => self.by_centre([a, b], centre, &target, span),
+        };
+        let turns = if self.control.kind == Kind::LinuxCnc { self.take(words, 'P') } else { None };
+        let turns = turns.map_or(0, |given| u32::try_from(given.millionths / 1_000_000 - 1).unwrap_or_default());
+        let feed_mm_per_min = self.feed(span);
+        let Some(middle) = middle else { return };
+        let centre = middle.map(Micrometres::from_mm_rounded);
+        self.go(Motion::Arc { plane, sense, centre, turns, feed_mm_per_min }, target.at, target.floating, span);
+    }
+
+    fn by_centre(&mut self, axes: [Axis; 2], centre: [Option<Given>; 2], target: &Target, span: Span) -> Option<Point> {
+        let inches = self.state.inches();
+        let mut middle = [0.0; 2];
+        for ((value, axis), given) in middle.iter_mut().zip(axes).zip(centre) {
+            let way = given.map(|word| word.length(inches)).unwrap_or_default();
+            *value = (self.state.at.get(axis) + way).to_mm();
+        }
+        let plane = self.state.plane();
+        let (radius, other) =
+            (distance(in_plane(self.state.at, plane), middle), distance(in_plane(target.at, plane), middle));
+        if radius == 0.0 {
+            self.fault("arc-without-radius", span);
+            return None;
+        }
+        let off = (radius - other).abs();
+        let (near, part) = self.control.arc_tolerance;
+        // LinuxCNC refuses a hundred times the first, or both.
+        let wrong =
+            if part > 0.0 { off > 100.0 * near || (off > near && off > part * radius.max(other)) } else { off > near };
+        if wrong {
+            let shown = |value: f64| Micrometres::from_mm_rounded(value).to_string();
+            self.tell("arc-radius", span, &[("start", shown(radius)), ("end", shown(other))]);
+            return None;
+        }
+        Some(middle)
+    }
+
+    /// The centre of an arc by its radius: the smaller arc, with R below 0 the larger one.
+    fn by_radius(&mut self, start: Point, end: Point, given: Given, sense: Sense) -> Option<Point> {
+        let radius = given.length(self.state.inches()).to_mm();
+        let chord = distance(start, end);
+        if chord == 0.0 || radius == 0.0 {
+            self.fault("arc-radius-alone", given.span);
+            return None;
+        }
+        let half = chord / 2.0;
+        if half > radius.abs() + self.control.arc_tolerance.0 {
+            let shown = |value: f64| Micrometres::from_mm_rounded(value).to_string();
+            self.tell("arc-radius-short", given.span, &[("radius", shown(radius.abs())), ("needed", shown(half))]);
+            return None;
+        }
+        let height = libm::sqrt((radius * radius - half * half).max(0.0));
+        // Clockwise along the smaller arc the centre is to the right of the chord.
+        let right = (sense == Sense::Clockwise) == (radius > 0.0);
+        let side = if right { height } else { -height };
+        let [dx, dy] = [(end[0] - start[0]) / chord, (end[1] - start[1]) / chord];
+        Some([(start[0] + end[0]) / 2.0 + dy * side, (start[1] + end[1]) / 2.0 - dx * side])
+    }
+}
+
+/// The letter of a centre along an axis.
+const fn centre_letter(axis: Axis) -> char {
+    match axis {
+        Axis::X => 'I',
+        Axis::Y => 'J',
+        Axis::Z => 'K',
+    }
+}

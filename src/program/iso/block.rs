@@ -1,0 +1,318 @@
+//! One block, on a copy of the state: its steps are made, every rule they break is told, and only when nothing is wrong
+//! the steps go out and the copy becomes the state (`run.rs`).
+//!
+//! The order of a block, whatever the order of its words: units; F, S, T; functions of the start of a block, M6 first;
+//! the dwell; modal functions; length correction; the motion or the cycle; functions of the end of a block; the call of a
+//! subprogram. It is that of LinuxCNC; Fanuc's manual leaves most of it to the machine.
+
+use super::control::{Action, Control, Effect, Group, Kind};
+use super::rules::fault;
+use super::state::State;
+use super::words::{Function, Given, Words, place};
+use crate::machine::Machine;
+use crate::motion::{Axis, BlockRef, Motion, Position, Step, Turning};
+use crate::note::Note;
+use crate::program::limits::{Floating, Spans, beyond_travel, speed_off_steps};
+use crate::program::{Fault, Setting, Span};
+use crate::units::{Decimal, Micrometres, MillimetresPerMinute, RevsPerMinute};
+
+/// A block on its way: its steps, made on a copy of the state.
+pub(super) struct Maker<'a> {
+    pub control: &'a Control,
+    pub machine: &'a Machine<'a>,
+    pub setting: &'a Setting,
+    /// The copy.
+    pub state: State,
+    pub steps: Vec<Step>,
+    pub faults: Vec<Fault>,
+    pub block: BlockRef,
+    /// The whole block, for faults of no single word.
+    pub span: Span,
+    pub spans: &'a mut Spans,
+    /// Steps that may be made.
+    pub budget: usize,
+    /// Letters whose words something has asked for: the others would be silently ignored, and are told.
+    pub used: [bool; 26],
+}
+
+/// What a block asks for beside its steps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum After {
+    /// The next block.
+    Next,
+    /// M99.
+    Return(Span),
+    /// M2, M30.
+    End,
+}
+
+impl Maker<'_> {
+    /// Tells a breach of a rule.
+    pub(super) fn fault(&mut self, code: &'static str, span: Span) -> &mut Fault {
+        self.faults.push(fault(code, span, self.block.number));
+        let last = self.faults.len() - 1;
+        &mut self.faults[last]
+    }
+
+    /// Tells one with its figures.
+    pub(super) fn tell(&mut self, code: &'static str, span: Span, figures: &[(&str, String)]) {
+        let note = figures.iter().fold(Note::new(code), |note, (name, value)| note.with(name, value));
+        self.fault(code, span).note = note;
+    }
+
+    /// Whether something is wrong with the block.
+    pub(super) fn broken(&self) -> bool {
+        self.faults.iter().any(Fault::is_error)
+    }
+
+    /// A word that something needs; from now on it is used.
+    pub(super) fn take(&mut self, words: &Words, address: char) -> Option<Given> {
+        self.used[place(address)] = true;
+        words.get(address)
+    }
+
+    /// The steps of a block.
+    pub(super) fn make(&mut self, words: &Words) -> After {
+        if let Some(units) = words.function(Group::Units) {
+            self.state.set(Group::Units, Some(units.code));
+        }
+        self.numbers(words);
+        self.start_functions(words);
+        if let Some(function) = words.one_shot(Effect::Dwell, self.control) {
+            self.dwell(function, words);
+        }
+        self.modes(words);
+        self.length_correction(words);
+        self.motion(words);
+        let after = self.end_functions(words);
+        // Behind another mistake it would only follow from that.
+        let unused = if self.broken() { None } else { Some(words.all()) };
+        for (letter, given) in
+            unused.into_iter().flatten().filter(|(letter, _)| !self.used[place(*letter)]).collect::<Vec<_>>()
+        {
+            self.tell("word-unused", given.span, &[("word", letter.to_string())]);
+        }
+        after
+    }
+
+    /// F, S, T, held against the machine.
+    fn numbers(&mut self, words: &Words) {
+        if let Some(feed) = self.take(words, 'F') {
+            self.state.feed = feed.value() * if self.state.inches() { 25.4 } else { 1.0 };
+            let limit = self.machine.feed_max.0;
+            if self.state.feed > limit {
+                self.tell("feed-beyond-machine", feed.span, &[("limit", limit.to_string())]);
+            }
+        }
+        if let Some(speed) = self.take(words, 'S') {
+            self.state.speed = speed.value();
+            if let Some((code, note)) = speed_off_steps(self.machine, self.state.speed) {
+                self.fault(code, speed.span).note = note;
+            }
+            let starts = words.m.iter().any(|function| self.starts_spindle(*function));
+            if self.state.turning != Turning::Stopped && !starts {
+                self.spindle(self.state.turning);
+            }
+        }
+        if let Some(tool) = self.take(words, 'T') {
+            let number = tool.millionths / 1_000_000;
+            self.state.wanted = u32::try_from(number).unwrap_or_default();
+            let places = self.machine.magazine;
+            if number > places as i64 {
+                let figures = [("tool", number.to_string()), ("places", places.to_string())];
+                self.tell("tool-beyond-magazine", tool.span, &figures);
+            }
+        }
+    }
+
+    fn starts_spindle(&self, function: Function) -> bool {
+        let action = self.control.m.get(&function.code).map(|known| known.action);
+        matches!(action, Some(Action::SpindleClockwise | Action::SpindleCounterclockwise))
+    }
+
+    /// The spindle as it turns from now on, its speed by S and the operator's switch.
+    pub(super) fn spindle(&mut self, turning: Turning) {
+        self.state.turning = turning;
+        let speed = self.state.speed * self.setting.speed_override as f64 / 100.0;
+        self.push(Motion::Spindle { turning, speed_rpm: RevsPerMinute(speed) });
+    }
+
+    /// Functions of the start of a block, the change of tool before all others.
+    fn start_functions(&mut self, words: &Words) {
+        let mut functions = words.m.clone();
+        functions.sort_by_key(|function| {
+            self.control.m.get(&function.code).is_none_or(|known| known.action != Action::ToolChange)
+        });
+        for function in functions {
+            if let Some(known) = self.control.m.get(&function.code).filter(|known| known.at_start) {
+                self.machine_function(known.action, function, words);
+            }
+        }
+    }
+
+    fn end_functions(&mut self, words: &Words) -> After {
+        let mut after = After::Next;
+        for &function in &words.m {
+            let Some(known) = self.control.m.get(&function.code).filter(|known| !known.at_start) else { continue };
+            match known.action {
+                Action::Return => after = After::Return(function.span),
+                Action::End => {
+                    self.push(Motion::End);
+                    after = After::End;
+                }
+                action => self.machine_function(action, function, words),
+            }
+        }
+        after
+    }
+
+    fn machine_function(&mut self, action: Action, function: Function, words: &Words) {
+        match action {
+            Action::SpindleClockwise | Action::SpindleCounterclockwise => {
+                if self.state.speed == 0.0 {
+                    self.fault("spindle-without-speed", function.span);
+                }
+                let clockwise = action == Action::SpindleClockwise;
+                self.spindle(if clockwise { Turning::Clockwise } else { Turning::Counterclockwise });
+            }
+            Action::SpindleStop => self.spindle(Turning::Stopped),
+            Action::CoolantOn => self.push(Motion::Coolant { on: true }),
+            Action::CoolantOff => self.push(Motion::Coolant { on: false }),
+            Action::Stop => self.push(Motion::Stop { optional: false }),
+            Action::OptionalStop if self.setting.optional_stop => self.push(Motion::Stop { optional: true }),
+            Action::ToolChange => self.tool_change(function),
+            // What is called the run looks up; its words are used all the same.
+            Action::Call => {
+                self.take(words, 'P');
+                self.take(words, 'L');
+            }
+            Action::Auxiliary => {
+                // The angle of M19.
+                if function.code == 19 {
+                    self.take(words, 'R');
+                }
+                self.push(Motion::Auxiliary { word: format!("M{}", function.code) });
+            }
+            Action::OptionalStop | Action::End | Action::Return => {}
+        }
+    }
+
+    /// M6: the tool of T comes into the spindle, which stands still meanwhile.
+    fn tool_change(&mut self, function: Function) {
+        if self.state.wanted == 0 {
+            self.fault("no-tool", function.span);
+        }
+        let (x, y) = self.machine.tool_change_at;
+        let place = Position::of([x, y, self.machine.tool_change_z]);
+        let at = self.state.at;
+        if self.state.floating.iter().all(Option::is_none) && at != place {
+            let shown = crate::motion::trace::position;
+            self.tell("change-elsewhere", function.span, &[("at", shown(at)), ("place", shown(place))]);
+        }
+        if self.state.turning != Turning::Stopped {
+            self.spindle(Turning::Stopped);
+        }
+        self.state.tool = self.state.wanted;
+        self.push(Motion::ToolChange { tool: self.state.wanted });
+    }
+
+    /// G4: P in the control's unit; of Fanuc also X in seconds.
+    fn dwell(&mut self, function: Function, words: &Words) {
+        let pause = self.take(words, 'P').map(|given| given.value() * self.control.dwell_unit_s);
+        let pause = match pause {
+            None if self.control.kind == Kind::Fanuc => self.take(words, 'X').map(Given::value),
+            other => other,
+        };
+        match pause.filter(|seconds| *seconds >= 0.0) {
+            Some(seconds) => self.wait(seconds),
+            None => {
+                let address = if self.control.kind == Kind::Fanuc { "P, X" } else { "P" };
+                self.tell("dwell-time-missing", function.span, &[("words", address.to_owned())]);
+            }
+        }
+    }
+
+    pub(super) fn wait(&mut self, seconds: f64) {
+        self.push(Motion::Dwell { seconds: Decimal::from_f64_rounded(seconds).to_f64() });
+    }
+
+    /// Group by group the function of the block; one-shot functions hold for it only, motions and cycles see to
+    /// themselves.
+    fn modes(&mut self, words: &Words) {
+        for (_, group) in Group::NAMES {
+            let Some(function) = words.function(group) else { continue };
+            match self.control.g.get(&function.code).map(|known| known.effect) {
+                Some(Effect::Mode) => self.state.set(group, Some(function.code)),
+                Some(Effect::Noted) => {
+                    // The tolerance of G64.
+                    if function.code == 640 && self.control.kind == Kind::LinuxCnc {
+                        self.take(words, 'P');
+                    }
+                    self.push(Motion::Auxiliary { word: function.name() });
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// G43 H and G49. The axis does not move by itself: what is added shows in its next position.
+    fn length_correction(&mut self, words: &Words) {
+        let Some(function) = words.function(Group::Length) else { return };
+        let mut corrector = 0;
+        let mut value = Micrometres::ZERO;
+        if function.code == 430 {
+            let given =
+                self.take(words, 'H').map(|given| u32::try_from(given.millionths / 1_000_000).unwrap_or_default());
+            let tool = Some(self.state.tool).filter(|tool| self.control.length_of_tool && *tool > 0);
+            let Some(number) = given.or(tool) else {
+                self.fault("corrector-missing", function.span);
+                return;
+            };
+            corrector = number;
+            match self.setting.correctors.get(&number) {
+                Some(known) => value = *known,
+                None if number == 0 => {}
+                None => self.tell("corrector-unknown", function.span, &[("number", number.to_string())]),
+            }
+        }
+        self.state.length = value;
+        self.push(Motion::LengthCorrection { axis: Axis::Z, corrector, value });
+    }
+
+    /// The feed by F and the operator's switch; told when there is none, or when the spindle stands.
+    pub(super) fn feed(&mut self, span: Span) -> MillimetresPerMinute {
+        if self.state.turning == Turning::Stopped {
+            self.fault("feed-without-spindle", span);
+        }
+        let feed = self.state.feed * self.setting.feed_override as f64 / 100.0;
+        if feed <= 0.0 {
+            self.fault("feed-zero", span);
+        }
+        MillimetresPerMinute(feed)
+    }
+
+    /// One more step where the axes stand.
+    pub(super) fn push(&mut self, motion: Motion) {
+        self.steps.push(Step { motion, at: self.state.at, block: self.block });
+    }
+
+    /// One more step to a position; nothing where a straight motion would not move.
+    pub(super) fn go(&mut self, motion: Motion, to: Position, floating: [Floating; 3], span: Span) {
+        let from = std::mem::replace(&mut self.state.at, to);
+        self.state.floating = floating;
+        if from == to && !matches!(motion, Motion::Arc { .. }) {
+            return;
+        }
+        let step = Step { motion, at: to, block: self.block };
+        for (code, note) in beyond_travel(self.machine, &step, from, floating, self.spans) {
+            self.fault(code, span).note = note;
+        }
+        self.steps.push(step);
+    }
+
+    /// To a level of Z.
+    pub(super) fn to_level(&mut self, motion: Motion, z: Micrometres, span: Span) {
+        let (at, floating) = (self.state.at.with(Axis::Z, z), self.state.floating);
+        self.go(motion, at, floating, span);
+    }
+}

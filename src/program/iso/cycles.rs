@@ -1,0 +1,252 @@
+//! The fixed cycles G73 and G81 to G89, along Z.
+//!
+//! ```text
+//! initial  where Z was when the first of a row of cycles began
+//!    |     rapid: to the hole, then down
+//!    R     the feed begins
+//!    |     feed, at once or in steps of Q
+//!    Z     the bottom: dwell P, the spindle goes on, stops or turns back
+//!    |     rapid or feed
+//!    R     the end with G99; with G98 the initial level
+//! ```
+//!
+//! With G91 R counts from the initial level and Z from R, and every repeat steps X and Y on.
+//!
+//! LinuxCNC looks after the way to the hole: below R it first goes up to R, and it crosses no lower than the level where
+//! the last hole ended. Fanuc crosses at the level where it is.
+
+use super::block::Maker;
+use super::control::{Bottom, Cycle, Group, Inwards, Kind, Outwards};
+use super::words::{Function, Words, place};
+use crate::motion::{Axis, Motion, Position, Turning};
+use crate::program::Span;
+use crate::units::Micrometres;
+
+/// The levels of a cycle along Z, machine coordinates.
+#[derive(Clone, Copy, Debug)]
+struct Levels {
+    r: Micrometres,
+    bottom: Micrometres,
+    /// Where it ends.
+    clear: Micrometres,
+}
+
+impl Maker<'_> {
+    /// No cycle from now on. Fanuc forgets the parameters; LinuxCNC keeps P for a cycle that need not have it.
+    pub(super) fn cycle_off(&mut self) {
+        self.state.set(Group::Cycle, None);
+        self.state.initial = None;
+        self.forget();
+    }
+
+    fn forget(&mut self) {
+        let kept = self.state.parameters[place('P')].filter(|_| self.control.kind == Kind::LinuxCnc);
+        self.state.parameters = [None; 26];
+        self.state.parameters[place('P')] = kept;
+    }
+
+    /// Runs a cycle: in the block that gives it, and in every later one that names a hole.
+    pub(super) fn cycle(&mut self, code: i64, given: Option<Function>, words: &Words) {
+        let Some(cycle) = self.control.cycles.get(&code).cloned() else { return };
+        let span = given.map_or(self.span, |function| function.span);
+        let linuxcnc = self.control.kind == Kind::LinuxCnc;
+        if linuxcnc && self.state.mode(Group::Cycle) != Some(code) {
+            self.forget();
+            if cycle.required.contains(&'P') {
+                self.state.parameters[place('P')] = None;
+            }
+            self.state.set(Group::Motion, None);
+        }
+        self.state.set(Group::Cycle, Some(code));
+        let hole = Axis::ALL.iter().any(|axis| words.get(axis.letter()).is_some());
+        if !hole && linuxcnc {
+            if given.is_some() {
+                self.tell("axes-missing", span, &[("function", format!("G{}", code / 10))]);
+            }
+            return;
+        }
+        let named = hole || words.get('R').is_some();
+        let initial = self.initial();
+        self.parameters(&cycle, words);
+        let repeats = self.repeats(words, named);
+        if !named {
+            return;
+        }
+        let missing: Vec<String> =
+            cycle.required.iter().filter(|it| self.parameter(**it).is_none()).map(ToString::to_string).collect();
+        if !missing.is_empty() {
+            let figures = [("cycle", format!("G{}", code / 10)), ("words", missing.join(", "))];
+            self.tell("cycle-parameter-missing", span, &figures);
+            return;
+        }
+        if self.state.mode(Group::Plane) != Some(170) {
+            self.fault("cycle-plane", span);
+            return;
+        }
+        if let Some(levels) = self.levels(initial, span).filter(|_| self.may_run(&cycle, span)) {
+            self.holes(&cycle, levels, words, repeats, span);
+        }
+    }
+
+    /// Z where the first of the row began, machine coordinates.
+    fn initial(&mut self) -> Micrometres {
+        let origin = self.state.origin(Axis::Z, self.setting).0;
+        let here = self.state.at.get(Axis::Z) - origin;
+        origin + *self.state.initial.get_or_insert(here)
+    }
+
+    /// The words of the block that are parameters of the cycle; those left out keep their last value.
+    fn parameters(&mut self, cycle: &Cycle, words: &Words) {
+        let inches = self.state.inches();
+        for address in cycle.required.iter().chain(&cycle.optional).copied() {
+            if let Some(given) = self.take(words, address) {
+                let value = if address == 'P' { given.millionths } else { given.length(inches).micrometres() };
+                self.state.parameters[place(address)] = Some(value);
+                if address == 'Q' && value <= 0 {
+                    self.tell("cycle-step-not-positive", given.span, &[("address", "Q".to_owned())]);
+                }
+            }
+        }
+    }
+
+    fn parameter(&self, address: char) -> Option<i64> {
+        self.state.parameters[place(address)]
+    }
+
+    /// L of LinuxCNC, K of Fanuc; K0 only takes the parameters.
+    fn repeats(&mut self, words: &Words, named: bool) -> i64 {
+        let address = if self.control.kind == Kind::LinuxCnc { 'L' } else { 'K' };
+        let Some(given) = words.get(address).filter(|_| named) else { return 1 };
+        self.take(words, address);
+        if given.millionths % 1_000_000 != 0 {
+            self.tell("number-not-whole", given.span, &[("address", address.to_string())]);
+        }
+        let repeats = given.millionths / 1_000_000;
+        if repeats < i64::from(self.control.kind == Kind::LinuxCnc) {
+            self.tell("cycle-step-not-positive", given.span, &[("address", address.to_string())]);
+        }
+        repeats
+    }
+
+    fn levels(&mut self, initial: Micrometres, span: Span) -> Option<Levels> {
+        let [r, z] = ['R', 'Z'].map(|address| Micrometres::new(self.parameter(address).unwrap_or_default()));
+        let origin = self.state.origin(Axis::Z, self.setting).0;
+        let (r, bottom) = if self.state.absolute() { (origin + r, origin + z) } else { (initial + r, initial + r + z) };
+        if bottom > r {
+            let shown = |level: Micrometres| (level - origin).to_string();
+            self.tell("cycle-levels", span, &[("z", shown(bottom)), ("r", shown(r))]);
+            return None;
+        }
+        let clear = match (self.state.to_initial_level(), self.control.kind) {
+            (false, _) => r,
+            (true, Kind::LinuxCnc) => initial.max(r),
+            (true, Kind::Fanuc) => initial,
+        };
+        Some(Levels { r, bottom, clear })
+    }
+
+    /// Whether the machine and its spindle can.
+    fn may_run(&mut self, cycle: &Cycle, span: Span) -> bool {
+        if cycle.bottom == Bottom::Reversed {
+            if !self.machine.can_tap {
+                self.fault("cannot-tap", span);
+            }
+            if self.state.turning == Turning::Counterclockwise {
+                self.fault("tap-counterclockwise", span);
+            }
+        }
+        !self.broken()
+    }
+
+    fn holes(&mut self, cycle: &Cycle, levels: Levels, words: &Words, repeats: i64, span: Span) {
+        let feed = Motion::Feed { feed_mm_per_min: self.feed(span) };
+        if self.control.kind == Kind::LinuxCnc && self.initial() < levels.r {
+            self.set_floating();
+            self.to_level(Motion::Rapid, levels.r, span);
+        }
+        for _ in 0..repeats {
+            let here = self.state.at.get(Axis::Z);
+            let crossing = if self.control.kind == Kind::LinuxCnc { here.max(levels.clear) } else { here };
+            let target = self.target(words, false);
+            self.set_floating();
+            let mut floating = target.floating;
+            floating[2] = self.state.floating[2];
+            let over: Position = target.at.with(Axis::Z, crossing);
+            self.go(Motion::Rapid, over, floating, target.span.unwrap_or(span));
+            self.to_level(Motion::Rapid, levels.r, span);
+            self.hole(cycle, levels, &feed, span);
+            // A broken block makes nothing, and a budget ends what would never end.
+            if self.broken() || self.steps.len() > self.budget {
+                break;
+            }
+        }
+    }
+
+    /// The levels of a cycle with G90 count from the zero of the system.
+    fn set_floating(&mut self) {
+        if self.state.absolute() {
+            self.state.floating[2] = self.state.origin(Axis::Z, self.setting).1;
+        }
+    }
+
+    /// From R to the bottom and out again.
+    fn hole(&mut self, cycle: &Cycle, levels: Levels, feed: &Motion, span: Span) {
+        self.steps_inwards(cycle.inwards, levels, feed, span);
+        self.to_level(feed.clone(), levels.bottom, span);
+        let before = self.state.turning;
+        let waits = cycle.required.contains(&'P') || cycle.optional.contains(&'P');
+        let pause = self.parameter('P').filter(|_| waits).map(|millionths| millionths as f64 / 1e6);
+        let pause = pause.map(|value| value * self.control.dwell_unit_s).filter(|seconds| *seconds > 0.0);
+        // LinuxCNC waits with the tap turning back already, Fanuc before it.
+        let back_first = cycle.bottom == Bottom::Reversed && self.control.kind == Kind::LinuxCnc;
+        if back_first {
+            self.spindle(Turning::Counterclockwise);
+        }
+        if let Some(seconds) = pause {
+            self.wait(seconds);
+        }
+        match cycle.bottom {
+            Bottom::Turning => {}
+            Bottom::Stopped => self.spindle(Turning::Stopped),
+            Bottom::Reversed if !back_first => self.spindle(Turning::Counterclockwise),
+            Bottom::Reversed => {}
+        }
+        if cycle.outwards == Outwards::Feed {
+            self.to_level(feed.clone(), levels.r, span);
+            // The tap of Fanuc turns forward again as soon as it is out; a boring bar turns on all the way.
+            if cycle.bottom == Bottom::Reversed {
+                self.spindle(before);
+            }
+        }
+        let rest = if cycle.outwards == Outwards::FeedToTheEnd { feed.clone() } else { Motion::Rapid };
+        self.to_level(rest, levels.clear, span);
+        if self.state.turning != before {
+            self.spindle(before);
+        }
+    }
+
+    /// The way to the bottom in steps of Q, all but the last of them.
+    ///
+    /// G83: after every step out to R at rapid, which clears the flutes, and back at rapid to a clearance before the
+    /// metal. G73: after every step back at rapid by a little, which breaks the chip, and on.
+    fn steps_inwards(&mut self, inwards: Inwards, levels: Levels, feed: &Motion, span: Span) {
+        let step = Micrometres::new(self.parameter('Q').unwrap_or_default());
+        if inwards == Inwards::Feed || step <= Micrometres::ZERO {
+            return;
+        }
+        let back = if inwards == Inwards::StepsLeaving {
+            self.setting.g83_clearance.unwrap_or(self.control.pecks.0)
+        } else {
+            self.setting.g73_retract.unwrap_or(self.control.pecks.1)
+        };
+        let mut depth = levels.r - step;
+        while depth > levels.bottom && self.steps.len() <= self.budget && !self.broken() {
+            self.to_level(feed.clone(), depth, span);
+            if inwards == Inwards::StepsLeaving {
+                self.to_level(Motion::Rapid, levels.r, span);
+            }
+            self.to_level(Motion::Rapid, depth + back, span);
+            depth = depth - step;
+        }
+    }
+}

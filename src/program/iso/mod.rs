@@ -1,0 +1,29 @@
+//! The controls that read ISO 6983 (G and M words) in the dialects of LinuxCNC and Fanuc: their programs read and run.
+//! docs/control-linuxcnc.md and docs/control-fanuc.md tell what of the two languages is carried out.
+//!
+//! - `control` the language as data, from the tables iso-… and control-… of catalogs/controls;
+//! - `text` words and blocks with their places; `programs` subprograms and calls; `words` the words of a block by their
+//!   groups;
+//! - `block`, `moves`, `arc`, `cycles` one block: the steps it makes; `state` what stays from block to block;
+//! - `run` the way through the blocks; `rules` every rule;
+//! - `writer` a job as a program.
+//!
+//! Where the dialects differ in figures or words the tables say so. Where they differ in what a word does, [`Kind`]
+//! decides, and there are few such places: the levels of a cycle, the way to write a call, the time of G4.
+
+mod arc;
+mod block;
+mod control;
+mod cycles;
+mod moves;
+mod programs;
+mod rules;
+mod run;
+mod state;
+mod text;
+mod words;
+mod writer;
+
+pub use control::{Control, Kind};
+pub use run::check;
+pub use writer::write;

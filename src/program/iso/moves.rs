@@ -1,0 +1,149 @@
+//! Motions of a block: positioning and lines, in the system or on the machine (G53), and the returns G28 and G30.
+
+use super::block::Maker;
+use super::control::{Effect, Group, Kind};
+use super::words::{Function, Words};
+use crate::motion::{Axis, Motion, Position};
+use crate::program::Span;
+use crate::program::limits::Floating;
+
+/// Where a block wants to go.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Target {
+    pub at: Position,
+    pub floating: [Floating; 3],
+    /// The first word of an axis.
+    pub span: Option<Span>,
+}
+
+impl Maker<'_> {
+    /// The motion or the cycle of the block, if it has one.
+    ///
+    /// A function of motion ends a cycle. G80 ends it too; in LinuxCNC it ends the motions as well.
+    pub(super) fn motion(&mut self, words: &Words) {
+        let cycle = words.function(Group::Cycle);
+        let off = cycle.is_some_and(|it| self.control.g.get(&it.code).is_some_and(|it| it.effect == Effect::CycleOff));
+        if let Some(function) = words.function(Group::Motion) {
+            self.state.set(Group::Motion, Some(function.code));
+            if self.state.mode(Group::Cycle).is_some() {
+                self.cycle_off();
+            }
+        }
+        if off {
+            self.cycle_off();
+            if self.control.cycles_are_motions {
+                self.state.set(Group::Motion, None);
+            }
+        }
+        if let Some(function) = words.one_shot(Effect::Return, self.control) {
+            return self.returning(function, words);
+        }
+        if let Some(function) = words.one_shot(Effect::MachinePosition, self.control) {
+            return self.on_machine(function, words);
+        }
+        if let Some(function) = cycle.filter(|_| !off) {
+            return self.cycle(function.code, Some(function), words);
+        }
+        if let Some(code) = self.state.mode(Group::Cycle) {
+            return self.cycle(code, None, words);
+        }
+        match self.state.mode(Group::Motion) {
+            Some(20 | 30) => self.arc(words),
+            Some(code) => self.line(code, words),
+            None => {
+                if let Some(span) = self.target(words, false).span {
+                    self.fault("motion-missing", span);
+                }
+            }
+        }
+    }
+
+    fn line(&mut self, code: i64, words: &Words) {
+        let target = self.target(words, false);
+        let Some(span) = target.span else { return };
+        let motion = if code == 0 { Motion::Rapid } else { Motion::Feed { feed_mm_per_min: self.feed(span) } };
+        self.go(motion, target.at, target.floating, span);
+    }
+
+    /// Where the words lead: positions in the system in force (G90), or distances (G91). On the machine (G53) they are
+    /// positions from its zero, and no length correction is added. X of a dwell is no axis.
+    pub(super) fn target(&mut self, words: &Words, on_machine: bool) -> Target {
+        let mut target = Target { at: self.state.at, floating: self.state.floating, span: None };
+        let dwell = words.one_shot(Effect::Dwell, self.control).is_some() && self.control.kind == Kind::Fanuc;
+        for axis in Axis::ALL {
+            if dwell && axis == Axis::X {
+                continue;
+            }
+            let Some(word) = self.take(words, axis.letter()) else { continue };
+            let value = word.length(self.state.inches());
+            self.finer_than_machine(value, word.span);
+            let (at, floating) = if on_machine {
+                (value, None)
+            } else if self.state.absolute() {
+                let (origin, floating) = self.state.origin(axis, self.setting);
+                (origin + value, floating)
+            } else {
+                (target.at.get(axis) + value, target.floating[axis.index()])
+            };
+            target.at = target.at.with(axis, at);
+            target.floating[axis.index()] = floating;
+            target.span = target.span.or(Some(word.span));
+        }
+        target
+    }
+
+    /// The control counts thousandths, the machine may not. Inches are rounded anyway.
+    fn finer_than_machine(&mut self, value: crate::units::Micrometres, span: Span) {
+        let step = self.machine.resolution.micrometres().max(1);
+        if !self.state.inches() && value.micrometres() % step != 0 {
+            self.tell("finer-than-machine", span, &[("step", self.machine.resolution.to_string())]);
+        }
+    }
+
+    /// G53: to a position of the machine, with the motion of LinuxCNC, at rapid in Fanuc.
+    fn on_machine(&mut self, function: Function, words: &Words) {
+        if !self.state.absolute() {
+            self.fault("machine-position-with-g91", function.span);
+            return;
+        }
+        let target = self.target(words, true);
+        let Some(span) = target.span else { return };
+        let code = if self.control.kind == Kind::Fanuc { Some(0) } else { self.state.mode(Group::Motion) };
+        let motion = match code.filter(|_| words.function(Group::Cycle).is_none()) {
+            Some(0) => Motion::Rapid,
+            Some(10) => Motion::Feed { feed_mm_per_min: self.feed(span) },
+            _ => {
+                self.fault("motion-missing", function.span);
+                return;
+            }
+        };
+        self.go(motion, target.at, target.floating, span);
+    }
+
+    /// G28, G30: at rapid through the point of the words, and on along their axes to the machine zero or to the fixed
+    /// point of the setting. LinuxCNC without words goes there along every axis.
+    fn returning(&mut self, function: Function, words: &Words) {
+        let goal = if function.code == 280 { Some(Position::default()) } else { self.setting.fixed_point };
+        // P2 of Fanuc is the point of G30 alone.
+        let second = function.code == 280
+            || self.control.kind == Kind::LinuxCnc
+            || self.take(words, 'P').is_none_or(|point| point.millionths == 2_000_000);
+        let Some(goal) = goal.filter(|_| second) else {
+            self.tell("fixed-point-unknown", function.span, &[("function", function.name())]);
+            return;
+        };
+        let named: Vec<Axis> = Axis::ALL.into_iter().filter(|axis| words.get(axis.letter()).is_some()).collect();
+        let through = self.target(words, false);
+        if named.is_empty() && self.control.kind == Kind::Fanuc {
+            self.tell("axes-missing", function.span, &[("function", function.name())]);
+            return;
+        }
+        self.go(Motion::Rapid, through.at, through.floating, function.span);
+        let (mut at, mut floating) = (through.at, through.floating);
+        for axis in if named.is_empty() { Axis::ALL.to_vec() } else { named } {
+            at = at.with(axis, goal.get(axis));
+            floating[axis.index()] = None;
+        }
+        self.go(Motion::Rapid, at, floating, function.span);
+    }
+}

@@ -1,0 +1,108 @@
+//! Subprograms: where each stands, and whether what is called is there.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use super::control::{Action, Control};
+use super::rules::fault;
+use super::text::{Block, Label};
+use super::words::Words;
+use crate::program::{Fault, Span};
+
+/// The programs of a text.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Programs {
+    /// The blocks of each that can be called, by its name or number.
+    pub named: BTreeMap<String, Range<usize>>,
+    /// The blocks of the one that runs.
+    pub main: Range<usize>,
+    /// Of every `o… sub` the block behind its `o… endsub`: the main program passes by.
+    pub passed: BTreeMap<usize, usize>,
+}
+
+/// What a call asks for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Call {
+    pub name: String,
+    pub repeats: i64,
+    pub span: Span,
+}
+
+/// Finds the programs and holds every call against them.
+pub(super) fn programs(blocks: &[Block], words: &[Words], control: &Control, faults: &mut Vec<Fault>) -> Programs {
+    let mut programs = Programs::default();
+    if blocks.is_empty() && faults.is_empty() {
+        faults.push(fault("empty-program", Span { line: 1, column: 1, width: 1 }, None));
+    }
+    let number = |block: &Block| match &block.label {
+        Some(Label::Number(name)) => Some(name.clone()),
+        _ => None,
+    };
+    let starts: Vec<usize> = (0..blocks.len()).filter(|&index| number(&blocks[index]).is_some()).collect();
+    for (index, &start) in starts.iter().enumerate() {
+        let end = starts.get(index + 1).copied().unwrap_or(blocks.len());
+        if let Some(name) = number(&blocks[start]) {
+            put(&mut programs, name, start..end, blocks, faults);
+        }
+    }
+    // Fanuc runs the program that the text begins with. In LinuxCNC a number alone is no border: the run goes on.
+    let second = starts.iter().copied().find(|start| *start > 0);
+    programs.main = 0..second.filter(|_| !control.o_words).unwrap_or(blocks.len());
+    subs(blocks, &mut programs, faults);
+    for (block, words) in blocks.iter().zip(words) {
+        if let Some(call) = call(block, words, control)
+            && !programs.named.contains_key(&call.name)
+        {
+            faults.push(fault("subprogram-missing", call.span, block.number).with("number", call.name));
+        }
+    }
+    programs
+}
+
+fn put(programs: &mut Programs, name: String, range: Range<usize>, blocks: &[Block], faults: &mut Vec<Fault>) {
+    let head = &blocks[range.start];
+    if let Some(first) = programs.named.insert(name, range) {
+        let line = blocks[first.start].span.line;
+        faults.push(fault("program-number-twice", head.span, head.number).with("line", line));
+    }
+}
+
+/// The subprograms between `o… sub` and `o… endsub`.
+fn subs(blocks: &[Block], programs: &mut Programs, faults: &mut Vec<Fault>) {
+    let mut open: Option<(usize, &String)> = None;
+    for (index, block) in blocks.iter().enumerate() {
+        match (&block.label, open) {
+            (Some(Label::Sub(name)), None) => open = Some((index, name)),
+            (Some(Label::EndSub(name)), Some((start, opened))) if name == opened => {
+                programs.passed.insert(start, index + 1);
+                put(programs, name.clone(), start + 1..index + 1, blocks, faults);
+                open = None;
+            }
+            (Some(Label::Return(name)), Some((_, opened))) if name == opened => {}
+            (Some(Label::Sub(_) | Label::EndSub(_) | Label::Return(_)), _) => {
+                faults.push(fault("sub-without-pair", block.span, block.number));
+            }
+            _ => {}
+        }
+    }
+    if let Some((start, _)) = open {
+        let block = &blocks[start];
+        faults.push(fault("sub-without-pair", block.span, block.number));
+    }
+}
+
+/// What a block calls: `o… call`, or M98 with P and L.
+///
+/// In Fanuc a P of more than four digits holds the repeats before the number: `M98 P31001` calls O1001 three times.
+pub(super) fn call(block: &Block, words: &Words, control: &Control) -> Option<Call> {
+    if let Some(Label::Call(name)) = &block.label {
+        return Some(Call { name: name.clone(), repeats: 1, span: block.span });
+    }
+    words.m.iter().find(|function| control.m.get(&function.code).is_some_and(|it| it.action == Action::Call))?;
+    let program = words.get('P')?;
+    let number = program.millionths / 1_000_000;
+    let times = words.get('L').map(|given| given.millionths / 1_000_000);
+    let (number, packed) =
+        if !control.o_words && number > 9999 { (number % 10_000, number / 10_000) } else { (number, 1) };
+    Some(Call { name: number.to_string(), repeats: times.unwrap_or(packed), span: program.span })
+}

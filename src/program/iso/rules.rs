@@ -1,0 +1,75 @@
+//! Every rule a program is held against: its stable code, how grave a breach is, and the section of
+//! docs/control-linuxcnc.md and docs/control-fanuc.md that tells it. The words stand in `report/sentences`.
+
+use crate::note::Severity;
+use crate::program::{Fault, Rule, Span};
+
+use Severity::{Doubtful as Warning, Error, Note as Remark};
+
+/// Code, severity, section.
+pub(super) const RULES: &[Rule] = &[
+    // What is written.
+    ("unknown-character", Error, "text"),
+    ("cyrillic-letter", Error, "text"),
+    ("unknown-word", Error, "words"),
+    ("number-missing", Error, "text"),
+    ("number-too-long", Error, "text"),
+    ("number-not-whole", Error, "text"),
+    ("number-out-of-range", Error, "text"),
+    ("number-without-point", Remark, "text"),
+    ("comment-open", Error, "text"),
+    ("empty-program", Error, "text"),
+    ("word-twice", Error, "blocks"),
+    ("word-unused", Error, "blocks"),
+    ("group-twice", Warning, "blocks"),
+    ("group-exclusive", Error, "blocks"),
+    ("exclusive-m-twice", Error, "blocks"),
+    ("too-many-m", Error, "blocks"),
+    ("subprogram-missing", Error, "calls"),
+    ("program-number-twice", Error, "calls"),
+    ("sub-without-pair", Error, "calls"),
+    ("program-without-end", Error, "calls"),
+    // How the program runs.
+    ("return-without-call", Error, "calls"),
+    ("calls-too-deep", Error, "calls"),
+    ("run-too-long", Error, "calls"),
+    // What the machine can do.
+    ("feed-beyond-machine", Error, "machine"),
+    ("speed-beyond-machine", Error, "machine"),
+    ("no-spindle-step", Warning, "machine"),
+    ("finer-than-machine", Warning, "machine"),
+    ("tool-beyond-magazine", Warning, "machine"),
+    ("no-tool", Error, "machine"),
+    ("change-elsewhere", Warning, "machine"),
+    ("spindle-without-speed", Error, "machine"),
+    ("feed-without-spindle", Error, "machine"),
+    ("feed-zero", Error, "machine"),
+    ("beyond-travel-of", Error, "machine"),
+    ("span-beyond-travel", Error, "machine"),
+    ("cannot-tap", Error, "machine"),
+    ("zero-not-set", Remark, "machine"),
+    // Motions.
+    ("motion-missing", Error, "motions"),
+    ("machine-position-with-g91", Error, "motions"),
+    ("axes-missing", Error, "motions"),
+    ("fixed-point-unknown", Error, "motions"),
+    ("dwell-time-missing", Error, "motions"),
+    ("corrector-missing", Error, "motions"),
+    ("corrector-unknown", Remark, "motions"),
+    ("arc-without-centre", Error, "motions"),
+    ("arc-without-radius", Error, "motions"),
+    ("arc-radius", Error, "motions"),
+    ("arc-radius-alone", Error, "motions"),
+    ("arc-radius-short", Error, "motions"),
+    // Cycles.
+    ("cycle-parameter-missing", Error, "cycles"),
+    ("cycle-step-not-positive", Error, "cycles"),
+    ("cycle-levels", Error, "cycles"),
+    ("cycle-plane", Error, "cycles"),
+    ("tap-counterclockwise", Error, "cycles"),
+];
+
+/// A breach of a rule.
+pub(super) fn fault(code: &'static str, span: Span, block: Option<u32>) -> Fault {
+    Fault::of(RULES, code, span, block)
+}

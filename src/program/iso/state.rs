@@ -1,0 +1,103 @@
+//! What stays from block to block: the modal functions, and where the axes are.
+
+use super::control::{Control, Effect, Group};
+use crate::motion::{Axis, Plane, Position, Turning};
+use crate::program::Setting;
+use crate::program::limits::Floating;
+use crate::units::Micrometres;
+
+/// The state of the control. Copied before every block, and kept only when the block is good.
+#[derive(Clone, Debug)]
+pub(super) struct State {
+    /// The function that holds in every group, in tenths; none of cycles when no cycle is in force, and none of motions
+    /// where G80 ends those too.
+    modes: [Option<i64>; Group::NAMES.len()],
+    /// F, mm/min.
+    pub feed: f64,
+    /// S, 1/min.
+    pub speed: f64,
+    pub turning: Turning,
+    /// T: the tool that the next M6 brings.
+    pub wanted: u32,
+    /// The tool in the spindle.
+    pub tool: u32,
+    /// What G43 adds to Z.
+    pub length: Micrometres,
+    /// The parameters of cycles that were given last, by their letters: lengths in micrometres, P in millionths.
+    pub parameters: [Option<i64>; 26],
+    /// Z where the first of a row of cycles began, in the program's system.
+    pub initial: Option<Micrometres>,
+    /// Where the axes are, machine coordinates.
+    pub at: Position,
+    /// Axes whose place on the machine is not known.
+    pub floating: [Floating; 3],
+}
+
+impl State {
+    pub(super) fn power_on(control: &Control, setting: &Setting) -> Self {
+        let mut state = Self {
+            modes: [None; Group::NAMES.len()],
+            feed: 0.0,
+            speed: 0.0,
+            turning: Turning::Stopped,
+            wanted: 0,
+            tool: 0,
+            length: Micrometres::ZERO,
+            parameters: [None; 26],
+            initial: None,
+            at: setting.start,
+            floating: [None; 3],
+        };
+        for code in &control.power_on {
+            if let Some(function) = control.g.get(code).filter(|function| function.effect != Effect::CycleOff) {
+                state.set(function.group, Some(*code));
+            }
+        }
+        state
+    }
+
+    /// The function that holds in a group.
+    pub(super) const fn mode(&self, group: Group) -> Option<i64> {
+        self.modes[group as usize]
+    }
+
+    pub(super) const fn set(&mut self, group: Group, code: Option<i64>) {
+        self.modes[group as usize] = code;
+    }
+
+    fn is(&self, group: Group, code: i64) -> bool {
+        self.mode(group) == Some(code)
+    }
+
+    /// Whether lengths are inches (G20).
+    pub(super) fn inches(&self) -> bool {
+        self.is(Group::Units, 200)
+    }
+
+    /// Whether words are positions (G90).
+    pub(super) fn absolute(&self) -> bool {
+        !self.is(Group::Distance, 910)
+    }
+
+    /// Whether cycles end on their initial level (G98).
+    pub(super) fn to_initial_level(&self) -> bool {
+        self.is(Group::Retract, 980)
+    }
+
+    pub(super) fn plane(&self) -> Plane {
+        match self.mode(Group::Plane) {
+            Some(180) => Plane::Zx,
+            Some(190) => Plane::Yz,
+            _ => Plane::Xy,
+        }
+    }
+
+    /// Where the program's system has its zero along an axis, machine coordinates, length correction included, and
+    /// whether anybody has set it.
+    pub(super) fn origin(&self, axis: Axis, setting: &Setting) -> (Micrometres, Floating) {
+        let system = u8::try_from(self.mode(Group::System).unwrap_or(540) / 10).unwrap_or(54);
+        let zero = setting.zeros.get(usize::from(system.saturating_sub(54))).and_then(|it| it[axis.index()]);
+        let length = if axis == Axis::Z { self.length } else { Micrometres::ZERO };
+        (zero.unwrap_or_default() + length, zero.is_none().then_some(system))
+    }
+}

@@ -1,0 +1,262 @@
+//! The text of a program as words and blocks, each with its place. Nothing is understood here; reading recovers: a word
+//! that cannot be read is told and left out, and the reading goes on behind it.
+
+use super::control::{Control, Kind, Written};
+use super::rules::fault;
+use crate::program::control_2c42_65::latin;
+use crate::program::{Fault, Span};
+use crate::units::Micrometres;
+
+/// An address with its number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Word {
+    pub address: char,
+    /// The number in millionths: fine enough for inches.
+    pub millionths: i64,
+    pub span: Span,
+}
+
+/// What a line says of subprograms, beside its words.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Label {
+    /// A number that begins a program: `O1001`.
+    Number(String),
+    /// `o… sub`.
+    Sub(String),
+    /// `o… endsub`.
+    EndSub(String),
+    /// `o… return`.
+    Return(String),
+    /// `o… call`.
+    Call(String),
+}
+
+/// A line of the program.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Block {
+    /// The whole of it.
+    pub span: Span,
+    /// Its number.
+    pub number: Option<u32>,
+    /// Whether it begins with `/`.
+    pub skipped: bool,
+    pub label: Option<Label>,
+    /// Its other words, as they stand.
+    pub words: Vec<Word>,
+}
+
+/// Every block of the text, whether it is closed by a second `%`, and what could not be read.
+pub(super) fn blocks(text: &str, control: &Control) -> (Vec<Block>, bool, Vec<Fault>) {
+    let mut faults = Vec::new();
+    let mut blocks = Vec::new();
+    let mut opened = false;
+    let mut pointless = control.kind == Kind::Fanuc;
+    for (index, line) in text.lines().enumerate() {
+        let line_number = u32::try_from(index + 1).unwrap_or(u32::MAX);
+        if line.trim_start().starts_with('%') {
+            if opened || (control.kind == Kind::Fanuc && !blocks.is_empty()) {
+                return (blocks, true, faults);
+            }
+            if blocks.is_empty() {
+                opened = true;
+                continue;
+            }
+        }
+        let mut reader = Line { control, faults: &mut faults, line: line_number, pointless: &mut pointless };
+        blocks.extend(reader.block(line));
+    }
+    (blocks, false, faults)
+}
+
+struct Line<'a> {
+    control: &'a Control,
+    faults: &'a mut Vec<Fault>,
+    line: u32,
+    /// Whether the next length without a point is to be told: once in a program of Fanuc.
+    pointless: &'a mut bool,
+}
+
+impl Line<'_> {
+    fn span(&self, from: usize, to: usize) -> Span {
+        let number = |value: usize| u32::try_from(value).unwrap_or(u32::MAX);
+        Span { line: self.line, column: number(from + 1), width: number(to.saturating_sub(from).max(1)) }
+    }
+
+    /// One line; nothing of one that is empty or all comment.
+    fn block(&mut self, line: &str) -> Option<Block> {
+        let before = self.faults.len();
+        let characters = self.characters(line);
+        let (first, last) = (characters.first()?.0, characters.last()?.0);
+        let mut block = Block { span: self.span(first, last + 1), ..Block::default() };
+        let mut at = 0;
+        if characters.first().is_some_and(|(_, c)| *c == '/') {
+            block.skipped = true;
+            at = 1;
+            // The number of the switch: there is one switch here.
+            while self.control.kind == Kind::Fanuc && characters.get(at).is_some_and(|(_, c)| c.is_ascii_digit()) {
+                at += 1;
+            }
+        }
+        while let Some(&(column, character)) = characters.get(at) {
+            if character == 'O' && self.control.o_words && block.words.is_empty() {
+                self.label(&characters[at..], &mut block);
+                break;
+            }
+            let end = number_end(&characters, at + 1);
+            let until = characters.get(end - 1).map_or(column, |(column, _)| *column) + 1;
+            let written: String = characters[at + 1..end].iter().map(|(_, c)| *c).collect();
+            if let Some(word) = self.word(character, &written, self.span(column, until)) {
+                match character {
+                    'N' if block.number.is_none() && block.words.is_empty() => {
+                        block.number = u32::try_from(word.millionths / 1_000_000).ok();
+                    }
+                    'N' => self.faults.push(fault("word-twice", word.span, None).with("address", 'N')),
+                    'O' if block.words.is_empty() && block.label.is_none() => {
+                        block.label = Some(Label::Number((word.millionths / 1_000_000).to_string()));
+                    }
+                    'O' => self.faults.push(fault("unknown-word", word.span, None).with("word", "O")),
+                    _ => block.words.push(word),
+                }
+            }
+            at = end;
+        }
+        for fault in &mut self.faults[before..] {
+            fault.block = block.number;
+        }
+        Some(block)
+    }
+
+    /// The characters that count, with their columns: no blanks, no comments, and capitals where small letters do.
+    fn characters(&mut self, line: &str) -> Vec<(usize, char)> {
+        let mut kept = Vec::new();
+        let mut comment = None;
+        for (column, character) in line.chars().enumerate() {
+            match (comment, character) {
+                (Some(_), ')') => comment = None,
+                (Some(_), _) => {}
+                (None, '(') => comment = Some(column),
+                (None, ';') => break,
+                (None, c) if c.is_whitespace() => {}
+                (None, c) if self.control.small_letters => kept.push((column, c.to_ascii_uppercase())),
+                (None, c) => kept.push((column, c)),
+            }
+        }
+        if let Some(column) = comment {
+            self.faults.push(fault("comment-open", self.span(column, column + 1), None));
+        }
+        kept
+    }
+
+    /// An o-word of LinuxCNC: its name or number, then what it does.
+    fn label(&mut self, characters: &[(usize, char)], block: &mut Block) {
+        let text: String = characters.iter().skip(1).map(|(_, c)| *c).collect();
+        let (name, rest) = match text.strip_prefix('<').and_then(|text| text.split_once('>')) {
+            Some((name, rest)) => (name.to_owned(), rest),
+            None => {
+                let digits = text.chars().take_while(char::is_ascii_digit).count();
+                // Digits are one byte each.
+                let (number, rest) = text.split_at(digits);
+                (number.trim_start_matches('0').to_owned(), rest)
+            }
+        };
+        let span = block.span;
+        block.label = match rest {
+            _ if name.is_empty() && !text.starts_with('0') => None,
+            "" => Some(Label::Number(name)),
+            "SUB" => Some(Label::Sub(name)),
+            "ENDSUB" => Some(Label::EndSub(name)),
+            "RETURN" => Some(Label::Return(name)),
+            "CALL" => Some(Label::Call(name)),
+            _ => None,
+        };
+        if block.label.is_none() {
+            self.faults.push(fault("unknown-word", span, None).with("word", format!("o{}", text.to_ascii_lowercase())));
+        }
+    }
+
+    fn word(&mut self, address: char, written: &str, span: Span) -> Option<Word> {
+        if let Some(latin) = latin(address) {
+            self.faults.push(fault("cyrillic-letter", span, None).with("letter", address).with("latin", latin));
+            return None;
+        }
+        let Some(known) = self.control.addresses.get(&address).copied() else {
+            let problem = if address.is_ascii_uppercase() {
+                fault("unknown-word", span, None).with("word", format!("{address}{written}"))
+            } else {
+                fault("unknown-character", span, None).with("letter", address)
+            };
+            self.faults.push(problem);
+            return None;
+        };
+        let millionths = self.number(written, address, span)?;
+        if known == Written::Whole && millionths % 1_000_000 != 0 {
+            self.faults.push(fault("number-not-whole", span, None).with("address", address));
+            return None;
+        }
+        let (low, high) = limits(address, known);
+        if !(low..=high).contains(&millionths) {
+            let shown = |value: i64| Micrometres::new(value / 1000);
+            let problem = fault("number-out-of-range", span, None).with("address", address);
+            self.faults.push(problem.with("low", shown(low)).with("high", shown(high)));
+            return None;
+        }
+        // K may count repeats, and 0 is 0 everywhere.
+        let length = known == Written::Length && !matches!(address, 'K' | 'F') && millionths != 0;
+        if length && !written.contains('.') && std::mem::take(self.pointless) {
+            self.faults.push(fault("number-without-point", span, None).with("address", address));
+        }
+        Some(Word { address, millionths, span })
+    }
+
+    /// A number as written, in millionths.
+    fn number(&mut self, written: &str, address: char, span: Span) -> Option<i64> {
+        let unsigned = written.trim_start_matches(['+', '-']);
+        let (whole, part) = unsigned.split_once('.').unwrap_or((unsigned, ""));
+        let code = if whole.is_empty() && part.is_empty() {
+            "number-missing"
+        } else if part.trim_end_matches('0').len() > 6 {
+            "number-too-long"
+        } else {
+            ""
+        };
+        if !code.is_empty() {
+            self.faults.push(fault(code, span, None).with("address", address));
+            return None;
+        }
+        let places = part.bytes().chain(std::iter::repeat(b'0')).take(6);
+        let value = whole.bytes().chain(places).fold(0_i64, |value, digit| {
+            value.saturating_mul(10).saturating_add(i64::from(digit.wrapping_sub(b'0'))).min(i64::MAX / 4)
+        });
+        Some(if written.starts_with('-') { -value } else { value })
+    }
+}
+
+/// Least and greatest number of an address, in millionths: wide enough for every machine, narrow enough that no sum of
+/// them overflows. Below 0 are only positions, distances and the radius of an arc.
+const fn limits(address: char, written: Written) -> (i64, i64) {
+    const MANY: i64 = 99_999_999_999;
+    match address {
+        // A call of Fanuc has eight digits.
+        'P' => (0, 99_999_999_000_000),
+        'F' => (0, MANY),
+        _ if matches!(written, Written::Length) => (-MANY, MANY),
+        _ => (0, MANY),
+    }
+}
+
+/// Where a number that may begin here ends: a sign, digits, one point.
+fn number_end(characters: &[(usize, char)], mut at: usize) -> usize {
+    if characters.get(at).is_some_and(|(_, c)| matches!(c, '+' | '-')) {
+        at += 1;
+    }
+    let mut point = false;
+    while let Some((_, c)) = characters.get(at) {
+        match c {
+            '.' if !point => point = true,
+            c if c.is_ascii_digit() => {}
+            _ => break,
+        }
+        at += 1;
+    }
+    at
+}

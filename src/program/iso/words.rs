@@ -1,0 +1,153 @@
+//! The words of a block, each in its place, the functions by their groups; and what may not stand together.
+
+use super::control::{Control, Effect, Group};
+use super::rules::fault;
+use super::text::Block;
+use crate::program::{Fault, Span};
+use crate::units::Micrometres;
+
+/// A number with its place.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Given {
+    pub millionths: i64,
+    pub span: Span,
+}
+
+impl Given {
+    /// As it is written.
+    pub(super) const fn value(self) -> f64 {
+        self.millionths as f64 / 1e6
+    }
+
+    /// As a length, mm or inches, to the nearest micrometre.
+    pub(super) const fn length(self, inches: bool) -> Micrometres {
+        // An inch is 25.4 mm: 254 / 10 000 of a micrometre for a millionth of it.
+        let (times, over) = if inches { (254, 10_000) } else { (1, 1000) };
+        let scaled = self.millionths * times;
+        let half = if scaled < 0 { -(over / 2) } else { over / 2 };
+        Micrometres::new((scaled + half) / over)
+    }
+}
+
+/// A function with its place.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Function {
+    /// Of G in tenths, of M whole.
+    pub code: i64,
+    pub span: Span,
+}
+
+impl Function {
+    /// A G function as people write it.
+    pub(super) fn name(self) -> String {
+        let (whole, tenth) = (self.code / 10, self.code % 10);
+        if tenth == 0 { format!("G{whole}") } else { format!("G{whole}.{tenth}") }
+    }
+}
+
+/// The words of a block as they are to be carried out.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Words {
+    g: [Option<Function>; Group::NAMES.len()],
+    /// The M functions, as they stand.
+    pub m: Vec<Function>,
+    /// Every other address, by its letter.
+    values: [Option<Given>; 26],
+}
+
+impl Words {
+    /// The function of a group.
+    pub(super) const fn function(&self, group: Group) -> Option<Function> {
+        self.g[group as usize]
+    }
+
+    /// The one-shot function of that effect.
+    pub(super) fn one_shot(&self, effect: Effect, control: &Control) -> Option<Function> {
+        let function = self.function(Group::OneShot)?;
+        control.g.get(&function.code).filter(|known| known.effect == effect).map(|_| function)
+    }
+
+    /// A word that is no G and no M.
+    pub(super) const fn get(&self, address: char) -> Option<Given> {
+        self.values[place(address)]
+    }
+
+    /// Every such word with its letter.
+    pub(super) fn all(&self) -> impl Iterator<Item = (char, Given)> + '_ {
+        ('A'..='Z').zip(&self.values).filter_map(|(letter, given)| given.map(|given| (letter, given)))
+    }
+
+    /// Reads a block.
+    pub(super) fn read(block: &Block, control: &Control, faults: &mut Vec<Fault>) -> Self {
+        let before = faults.len();
+        let mut words = Self::default();
+        for word in &block.words {
+            let given = Given { millionths: word.millionths, span: word.span };
+            match word.address {
+                'G' => words.take_g(given, control, faults),
+                'M' => words.take_m(given, control, faults),
+                address => {
+                    if words.values[place(address)].replace(given).is_some() {
+                        faults.push(fault("word-twice", word.span, None).with("address", address));
+                    }
+                }
+            }
+        }
+        if let Some(many) = words.m.get(control.m_per_block) {
+            let problem = fault("too-many-m", many.span, None).with("count", words.m.len());
+            faults.push(problem.with("limit", control.m_per_block));
+        }
+        for fault in &mut faults[before..] {
+            fault.block = block.number;
+        }
+        words
+    }
+
+    fn take_g(&mut self, given: Given, control: &Control, faults: &mut Vec<Fault>) {
+        let function = Function { code: given.millionths / 100_000, span: given.span };
+        let known = control.g.get(&function.code).filter(|_| given.millionths % 100_000 == 0);
+        let Some(known) = known else {
+            let word = format!("G{}", given.value());
+            faults.push(fault("unknown-word", given.span, None).with("word", word));
+            return;
+        };
+        let Some(first) = self.g[known.group as usize].replace(function) else {
+            let pair = [Group::Motion, Group::Cycle].map(|group| self.function(group));
+            if let [Some(motion), Some(cycle)] = pair
+                && control.cycles_are_motions
+                && matches!(known.group, Group::Motion | Group::Cycle)
+            {
+                faults.push(twice("group-exclusive", motion, cycle, given.span));
+            }
+            return;
+        };
+        let code = if control.cycles_are_motions { "group-exclusive" } else { "group-twice" };
+        faults.push(twice(code, first, function, given.span));
+    }
+
+    fn take_m(&mut self, given: Given, control: &Control, faults: &mut Vec<Fault>) {
+        let function = Function { code: given.millionths / 1_000_000, span: given.span };
+        let Some(known) = control.m.get(&function.code) else {
+            let word = format!("M{}", function.code);
+            faults.push(fault("unknown-word", given.span, None).with("word", word));
+            return;
+        };
+        let group = |it: &&Function| control.m.get(&it.code).is_some_and(|other| other.group == known.group);
+        // Fanuc leaves it to the machine which M may stand together; the main program cannot end twice there either.
+        if let Some(first) = self.m.iter().find(group) {
+            let problem = fault("exclusive-m-twice", given.span, None).with("first", format!("M{}", first.code));
+            faults.push(problem.with("second", format!("M{}", function.code)));
+        }
+        self.m.push(function);
+    }
+}
+
+fn twice(code: &'static str, first: Function, second: Function, span: Span) -> Fault {
+    fault(code, span, None).with("first", first.name()).with("second", second.name())
+}
+
+/// The place of a letter in an array of 26.
+pub(super) const fn place(address: char) -> usize {
+    let code = address as usize;
+    if code >= 65 && code <= 90 { code - 65 } else { 0 }
+}

@@ -1,0 +1,140 @@
+//! One tool: the spindle, the approach, its cycles and its points.
+
+use crate::job::{self, Cycle, Job, SetUp, Stop, ToolWork};
+use crate::motion::Sense;
+use crate::part::Point;
+use crate::program::block::Block;
+use crate::program::written::{Form, Role, WorkRef};
+use crate::units::Micrometres;
+
+use super::{Shared, Sheet};
+use crate::program::iso::control::Kind;
+
+/// What a subprogram of points costs beside its blocks, characters.
+const SUBPROGRAM: usize = 30;
+
+/// How often each list of further points occurs.
+pub(super) fn shared_points(job: &Job, form: Form, dialect: Kind) -> Shared {
+    let mut counts = Shared::new();
+    for work in job.setups.iter().flat_map(|setup| &setup.works) {
+        for (cycle, stops) in runs(work) {
+            if !matches!(cycle.kind, job::Kind::Circles { .. }) {
+                *counts.entry(further(stops, form, dialect)).or_insert(0) += 1;
+            }
+        }
+    }
+    counts
+}
+
+/// Stops that follow each other with the same cycle.
+fn runs(work: &ToolWork) -> impl Iterator<Item = (&Cycle, &[Stop])> {
+    work.stops.chunk_by(|a, b| a.cycle == b.cycle).filter_map(|stops| {
+        let cycle = work.cycles.get(stops.first()?.cycle)?;
+        Some((cycle, stops))
+    })
+}
+
+fn point(at: Point, form: Form, dialect: Kind) -> Block {
+    let at = form.point(at);
+    Block::new().word('X', dialect.length(at.x)).word('Y', dialect.length(at.y))
+}
+
+/// A block for every stop after the first.
+fn further(stops: &[Stop], form: Form, dialect: Kind) -> Vec<Block> {
+    stops.iter().skip(1).map(|stop| point(stop.at, form, dialect)).collect()
+}
+
+impl Sheet {
+    pub(super) fn one_tool(&mut self, setup: &SetUp, work: &ToolWork, place: Option<WorkRef>, shared: &Shared) {
+        let (form, dialect) = (self.form, self.dialect);
+        let length = |value: Micrometres| dialect.length(form.grid(value));
+        let mut speed = None;
+        let mut height = None;
+        for (index, (cycle, stops)) in runs(work).enumerate() {
+            let Some(first) = stops.first() else { continue };
+            let number = Some(first.cycle);
+            let to = point(first.at, form, dialect);
+            if speed != Some(cycle.speed_rpm) {
+                let turning = Block::new().word('S', cycle.speed_rpm.0).m(3);
+                let turning = if index == 0 && work.coolant { turning.m(8) } else { turning };
+                self.put(turning, Role::Spindle, place, number);
+            }
+            if index == 0 {
+                let system = 53 + setup.number.clamp(1, 6);
+                self.put(to.clone().g(0).g(system), Role::Approach, place, number);
+                let down = Block::new().g(0).g(43).word('Z', length(cycle.out)).word('H', work.corrector);
+                self.put(down, Role::Approach, place, number);
+            } else {
+                self.put(to.clone().g(0), Role::Point, place, number);
+                if height != Some(cycle.out) {
+                    self.put(Block::new().g(0).word('Z', length(cycle.out)), Role::Approach, place, number);
+                }
+            }
+            (speed, height) = (Some(cycle.speed_rpm), Some(cycle.out));
+            match &cycle.kind {
+                job::Kind::Circles { levels, radii, sense } => {
+                    let contour = contour(cycle, levels, radii, *sense, dialect, form);
+                    let contour = self.subprogram(contour, place);
+                    self.call(contour, Role::Cycle, place, number);
+                    for block in further(stops, form, dialect) {
+                        self.put(block.g(0), Role::Point, place, number);
+                        self.call(contour, Role::Cycle, place, number);
+                    }
+                }
+                _ => self.fixed(cycle, to, stops, place, shared),
+            }
+        }
+    }
+
+    /// A fixed cycle at its first point and the further ones.
+    fn fixed(&mut self, cycle: &Cycle, to: Block, stops: &[Stop], place: Option<WorkRef>, shared: &Shared) {
+        let (form, dialect) = (self.form, self.dialect);
+        let number = stops.first().map(|stop| stop.cycle);
+        let words = dialect.cycle(cycle, |value| form.grid(value));
+        // The point itself stands in the block, or the cycle would not run there.
+        self.put(words.with(&to), Role::Cycle, place, number);
+        let further = further(stops, form, dialect);
+        let again = shared.get(&further).copied().unwrap_or(1);
+        let once: usize = further.iter().map(|block| block.text().len() + 6).sum();
+        if again > 1 && once + SUBPROGRAM < once * again {
+            let points = self.subprogram(further, None);
+            self.call(points, Role::Point, place, number);
+        } else {
+            for block in further {
+                self.put(block, Role::Point, place, number);
+            }
+        }
+        self.put(Block::new().g(80), Role::Cycle, place, number);
+    }
+}
+
+/// The contour of a mill about the point where it stands.
+fn contour(
+    cycle: &Cycle,
+    levels: &[Micrometres],
+    radii: &[Micrometres],
+    sense: Sense,
+    dialect: Kind,
+    form: Form,
+) -> Vec<Block> {
+    let length = |value: Micrometres| dialect.length(form.grid(value));
+    let code = match sense {
+        Sense::Clockwise => 2,
+        Sense::Counterclockwise => 3,
+    };
+    let mut blocks = vec![Block::new().g(90).g(0).word('Z', length(cycle.begin))];
+    for level in levels {
+        let feed = dialect.feed(cycle);
+        blocks.push(Block::new().g(90).g(1).word('Z', length(*level)).word('F', feed));
+        let mut at = Micrometres::ZERO;
+        for radius in radii.iter().map(|radius| form.grid(*radius)) {
+            blocks.push(Block::new().g(91).g(1).word('X', dialect.length(radius - at)));
+            let centre = (dialect.length(-radius), dialect.length(Micrometres::ZERO));
+            blocks.push(Block::new().g(code).word('I', centre.0).word('J', centre.1));
+            at = radius;
+        }
+        blocks.push(Block::new().g(1).word('X', dialect.length(-at)));
+    }
+    blocks.push(Block::new().g(90).g(0).word('Z', length(cycle.out)));
+    blocks
+}

@@ -1,0 +1,95 @@
+//! What the machine cannot do, whatever control it has: leave its travels, turn at a speed it has no step for.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::machine::Machine;
+use crate::motion::{Axis, Position, Step, geometry};
+use crate::note::Note;
+use crate::units::Micrometres;
+
+/// Whose zero an axis counts from when nobody has set it: the function of that system. Its positions are right among
+/// themselves and unknown on the machine.
+pub(super) type Floating = Option<u8>;
+
+/// How far the axes of each system without a zero have gone, least and greatest.
+pub(super) type Spans = BTreeMap<(u8, usize), (Micrometres, Micrometres)>;
+
+/// What of a motion leaves the travels. Where the zero of an axis is set, its place on the machine is known: X and Y have
+/// their zero in the middle, Z at the upper end (textbook, l. 4719-4728). Where it is not, what it needs of travel is.
+pub(super) fn beyond_travel(
+    machine: &Machine<'_>,
+    step: &Step,
+    from: Position,
+    floating: [Floating; 3],
+    spans: &mut Spans,
+) -> Vec<(&'static str, Note)> {
+    let mut notes = Vec::new();
+    let reached = geometry::reach(&step.motion, from, step.at);
+    for axis in Axis::ALL {
+        let (low, high) = reached[axis.index()];
+        let here = from.get(axis);
+        if low == here && high == here {
+            continue;
+        }
+        let (least, most) = travel(machine, axis);
+        match floating[axis.index()] {
+            None => {
+                let beyond = if low < least { Some(low) } else { Some(high).filter(|high| *high > most) };
+                if let Some(value) = beyond {
+                    let code = "beyond-travel-of";
+                    let note = Note::new(code).with("axis", axis.letter()).with("value", value);
+                    notes.push((code, note.with("low", least).with("high", most)));
+                }
+            }
+            Some(system) => {
+                let entry = spans.entry((system, axis.index())).or_insert((low, high));
+                *entry = (entry.0.min(low), entry.1.max(high));
+                let (needed, travel) = (entry.1 - entry.0, most - least);
+                if needed > travel {
+                    let code = "span-beyond-travel";
+                    let note = Note::new(code).with("axis", axis.letter()).with("system", format!("G{system}"));
+                    notes.push((code, note.with("needed", needed).with("travel", travel)));
+                }
+            }
+        }
+    }
+    notes
+}
+
+/// The systems without a zero that a run has used, each with its axes: what the note `zero-not-set` says of them.
+pub(super) fn without_zero(spans: &Spans) -> Vec<(String, String)> {
+    let systems: BTreeSet<u8> = spans.keys().map(|(system, _)| *system).collect();
+    let axes = |system: u8| -> Vec<String> {
+        let used = Axis::ALL.into_iter().filter(|axis| spans.contains_key(&(system, axis.index())));
+        used.map(|axis| axis.letter().to_string()).collect()
+    };
+    systems.into_iter().map(|system| (format!("G{system}"), axes(system).join(", "))).collect()
+}
+
+/// Where an axis can go, machine coordinates.
+fn travel(machine: &Machine<'_>, axis: Axis) -> (Micrometres, Micrometres) {
+    match axis {
+        Axis::X => (-machine.travel_x.half(), machine.travel_x.half()),
+        Axis::Y => (-machine.travel_y.half(), machine.travel_y.half()),
+        Axis::Z => (-machine.travel_z, Micrometres::ZERO),
+    }
+}
+
+/// What is wrong with a spindle speed on the machine, if anything is; 1/min.
+pub(super) fn speed_off_steps(machine: &Machine<'_>, speed: f64) -> Option<(&'static str, Note)> {
+    let steps = &machine.spindle_steps;
+    let highest = steps.last().map_or(f64::INFINITY, |step| step.0);
+    if speed > highest {
+        let code = "speed-beyond-machine";
+        return Some((code, Note::new(code).with("limit", highest)));
+    }
+    // A step between whole numbers may be written as the whole number below it.
+    if speed == 0.0 || steps.iter().any(|step| step.0 == speed || libm::floor(step.0) == speed) {
+        return None;
+    }
+    let below = steps.iter().rev().find(|step| step.0 < speed);
+    let above = steps.iter().find(|step| step.0 > speed);
+    let near: Vec<String> = below.into_iter().chain(above).map(|step| step.0.to_string()).collect();
+    let code = "no-spindle-step";
+    Some((code, Note::new(code).with("speed", speed).with("near", near.join(", "))))
+}

@@ -1,0 +1,259 @@
+//! What the operator sets before a program runs: zeros, correctors, switches (textbook section 4). The file of a setting
+//! is YAML and tells every mistake with its place. All controls share it; what a control has of it are [`Limits`].
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+use crate::job::Job;
+use crate::knowledge::diagnostic::{Diagnostic, Severity};
+use crate::knowledge::yaml::{Node, Problems, parse};
+use crate::motion::{Axis, Position};
+use crate::units::Micrometres;
+
+/// What of a setting a control has.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Limits {
+    /// The highest number of a corrector.
+    pub correctors: i64,
+    /// Settings of the feed switch, per cent.
+    pub feed_overrides: Vec<i64>,
+    /// Settings of the spindle switch, per cent.
+    pub speed_overrides: Vec<i64>,
+    /// Whether it seeks the machine zero by a program, mirrors axes, and has the shifts СМ1 and СМ2: 2С42-65 alone.
+    pub panel_2c42_65: bool,
+    /// Whether the clearances of deep drilling are parameters of it: Fanuc alone.
+    pub pecks: bool,
+}
+
+/// The state of the operator's panel.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Setting {
+    /// Where the axes stand, machine coordinates, mm.
+    pub start: Position,
+    /// Whether the axes have been at the machine zero since power-on.
+    pub homed: bool,
+    /// The zeros of G54…G59, machine coordinates; an axis left out is not set.
+    pub zeros: [[Option<Micrometres>; 3]; 6],
+    /// СМ1 and СМ2 together: added to every zero of G54…G59.
+    pub shift: Position,
+    /// Values of the correctors by their numbers, mm.
+    pub correctors: BTreeMap<u32, Micrometres>,
+    /// Axes that are mirrored (4.2.4.4).
+    pub mirror: [bool; 3],
+    /// Whether blocks and parts of blocks behind `/` are left out (4.2.4.3).
+    pub skip: bool,
+    /// Whether M01 stops (4.2.4.2).
+    pub optional_stop: bool,
+    /// The feed switch, per cent.
+    pub feed_override: i64,
+    /// The spindle switch, per cent.
+    pub speed_override: i64,
+    /// The fixed point of G29 and G31 (2С42-65) and of G30 (the others), machine coordinates: a constant of the machine
+    /// that no source gives.
+    pub fixed_point: Option<Position>,
+    /// How far before the metal the rapid of G83 ends, where that is a parameter of the control.
+    pub g83_clearance: Option<Micrometres>,
+    /// How far G73 draws back, where that is a parameter of the control.
+    pub g73_retract: Option<Micrometres>,
+}
+
+impl Default for Setting {
+    fn default() -> Self {
+        Self {
+            start: Position::default(),
+            homed: true,
+            zeros: [[None; 3]; 6],
+            shift: Position::default(),
+            correctors: BTreeMap::new(),
+            mirror: [false; 3],
+            skip: false,
+            optional_stop: false,
+            feed_override: 100,
+            speed_override: 100,
+            fixed_point: None,
+            g83_clearance: None,
+            g73_retract: None,
+        }
+    }
+}
+
+impl Setting {
+    /// What the operator sets for a job: the zeros of its set-ups in G54, G55, and the correctors.
+    pub fn of_job(job: &Job) -> Self {
+        let mut setting = Self::default();
+        for setup in &job.setups {
+            let system = usize::try_from(setup.number).unwrap_or(1).saturating_sub(1);
+            if let Some(zero) = setting.zeros.get_mut(system) {
+                *zero = Axis::ALL.map(|axis| Some(setup.zero.get(axis)));
+            }
+        }
+        setting.correctors = job.correctors.iter().copied().collect();
+        setting
+    }
+
+    /// The file of a setting, as [`read_setting`] reads it: what differs from the power-on state.
+    pub fn to_yaml(&self) -> String {
+        let mut text = String::from("zeros:\n");
+        // Writing to a text cannot fail.
+        for (name, zero) in ZEROS.iter().zip(&self.zeros) {
+            let axes: Vec<String> = AXES
+                .iter()
+                .zip(zero)
+                .filter_map(|(axis, value)| value.map(|value| format!("{axis}: {value}")))
+                .collect();
+            if !axes.is_empty() {
+                let _ = writeln!(text, "  {name}: {{{}}}", axes.join(", "));
+            }
+        }
+        let correctors: Vec<String> =
+            self.correctors.iter().map(|(number, value)| format!("{number}: {value}")).collect();
+        let _ = writeln!(text, "correctors: {{{}}}", correctors.join(", "));
+        text
+    }
+}
+
+/// Keys that every control has.
+const KEYS: &[&str] =
+    &["start", "zeros", "correctors", "skip", "optional_stop", "feed_override", "speed_override", "fixed_point"];
+const PANEL: &[&str] = &["homed", "mirror"];
+const PECKS: &[&str] = &["g83_clearance", "g73_retract"];
+/// The last two are of 2С42-65.
+const ZEROS: &[&str] = &["G54", "G55", "G56", "G57", "G58", "G59", "CM1", "CM2"];
+const AXES: &[&str] = &["x", "y", "z"];
+
+/// Reads a setting.
+///
+/// # Errors
+/// Every mistake of the file, each with its place and what to do.
+pub fn read_setting(file: &str, text: &str, limits: &Limits) -> Result<Setting, Vec<Diagnostic>> {
+    let (root, diagnostics) = parse(file, text);
+    let mut problems = Problems(diagnostics);
+    let setting = root.and_then(|root| read(&root, limits, &mut problems));
+    match setting {
+        Some(setting) if !problems.0.iter().any(|problem| problem.severity == Severity::Error) => Ok(setting),
+        _ => {
+            problems.0.sort_by(|a, b| a.place.cmp(&b.place));
+            Err(problems.0)
+        }
+    }
+}
+
+fn read(root: &Node, limits: &Limits, problems: &mut Problems) -> Option<Setting> {
+    let mut setting = Setting::default();
+    let mut fields = problems.map(root)?;
+    if let Some(node) = fields.take("start") {
+        setting.start = position(node, problems);
+    }
+    setting.fixed_point = fields.take("fixed_point").map(|node| position(node, problems));
+    for (key, slot) in [("skip", &mut setting.skip), ("optional_stop", &mut setting.optional_stop)] {
+        if let Some(value) = fields.take(key).and_then(|node| problems.boolean(node)) {
+            *slot = value;
+        }
+    }
+    let mut keys = KEYS.to_vec();
+    if limits.panel_2c42_65 {
+        keys.extend(PANEL);
+        if let Some(value) = fields.take("homed").and_then(|node| problems.boolean(node)) {
+            setting.homed = value;
+        }
+        if let Some(items) = fields.take("mirror").and_then(|node| problems.list(node)) {
+            for item in items {
+                mirror(item, &mut setting, problems);
+            }
+        }
+    }
+    if limits.pecks {
+        keys.extend(PECKS);
+        setting.g83_clearance = positive(fields.take("g83_clearance"), problems);
+        setting.g73_retract = positive(fields.take("g73_retract"), problems);
+    }
+    for (key, slot, steps) in [
+        ("feed_override", &mut setting.feed_override, &limits.feed_overrides),
+        ("speed_override", &mut setting.speed_override, &limits.speed_overrides),
+    ] {
+        let Some(node) = fields.take(key) else { continue };
+        match problems.scalar::<i64>(node) {
+            Some(value) if steps.contains(&value) => *slot = value,
+            Some(value) => {
+                let known: Vec<String> = steps.iter().map(ToString::to_string).collect();
+                let help = format!("the switch has {} %", known.join(", "));
+                problems.error_help::<()>("bad-override", format!("the switch has no step {value}"), &node.place, help);
+            }
+            None => {}
+        }
+    }
+    if let Some(node) = fields.take("zeros") {
+        zeros(node, &mut setting, limits, problems);
+    }
+    if let Some(mut entries) = fields.take("correctors").and_then(|node| problems.map(node)) {
+        for (key, node) in entries.rest() {
+            let number = key.text.parse::<u32>().ok().filter(|n| (1..=limits.correctors).contains(&i64::from(*n)));
+            match number {
+                Some(number) => {
+                    if let Some(value) = problems.scalar::<Micrometres>(node) {
+                        setting.correctors.insert(number, value);
+                    }
+                }
+                None => {
+                    let help = format!("correctors have the numbers 1 to {}", limits.correctors);
+                    problems.error_help::<()>("bad-corrector", "there is no such corrector", &key.place, help);
+                }
+            }
+        }
+    }
+    fields.finish(&keys, problems);
+    Some(setting)
+}
+
+fn mirror(item: &Node, setting: &mut Setting, problems: &mut Problems) {
+    match item.text().and_then(|text| text.chars().next().filter(|_| text.len() == 1)).and_then(Axis::of) {
+        Some(axis) => setting.mirror[axis.index()] = true,
+        None => {
+            problems.error_help::<()>("bad-axis", "this is no axis", &item.place, "name X, Y or Z");
+        }
+    }
+}
+
+/// A length above 0.
+fn positive(node: Option<&Node>, problems: &mut Problems) -> Option<Micrometres> {
+    let node = node?;
+    let value = problems.scalar::<Micrometres>(node)?;
+    if value <= Micrometres::ZERO {
+        problems.error_help::<()>("bad-value", "this must be above 0", &node.place, "give a length in mm");
+    }
+    Some(value)
+}
+
+/// The zeros of the systems, and the two further shifts.
+fn zeros(node: &Node, setting: &mut Setting, limits: &Limits, problems: &mut Problems) {
+    let names = if limits.panel_2c42_65 { ZEROS } else { ZEROS.get(..6).unwrap_or(ZEROS) };
+    let Some(mut fields) = problems.map(node) else { return };
+    for (index, name) in names.iter().enumerate() {
+        let Some(node) = fields.take(name) else { continue };
+        let values = axes(node, problems);
+        match setting.zeros.get_mut(index) {
+            Some(zero) => *zero = values,
+            None => {
+                for axis in Axis::ALL {
+                    let shifted = setting.shift.get(axis) + values[axis.index()].unwrap_or_default();
+                    setting.shift = setting.shift.with(axis, shifted);
+                }
+            }
+        }
+    }
+    fields.finish(names, problems);
+}
+
+fn position(node: &Node, problems: &mut Problems) -> Position {
+    Position::of(axes(node, problems).map(Option::unwrap_or_default))
+}
+
+fn axes(node: &Node, problems: &mut Problems) -> [Option<Micrometres>; 3] {
+    let mut values = [None; 3];
+    let Some(mut fields) = problems.map(node) else { return values };
+    for (value, name) in values.iter_mut().zip(AXES) {
+        *value = fields.take(name).and_then(|node| problems.scalar::<Micrometres>(node));
+    }
+    fields.finish(AXES, problems);
+    values
+}
