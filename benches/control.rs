@@ -10,7 +10,8 @@ use criterion::{Criterion, Throughput};
 use technolog::machine::Machine;
 use technolog::motion::time::Clock;
 use technolog::motion::trace::Trace;
-use technolog::program::control_2c42_65::{Control, Setting, check};
+use technolog::program::Setting;
+use technolog::program::control_2c42_65::{Control, check};
 use technolog::shipped;
 
 const MEMORY: usize = 32 * 1024;

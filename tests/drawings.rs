@@ -16,8 +16,9 @@ use technolog::job::{self, Job, Kind};
 use technolog::machine::Machine;
 use technolog::motion::{BlockRef, Motion, Plane, Position, Step};
 use technolog::plan::{CuttingMethod, Plan};
-use technolog::program::control_2c42_65::{Control, Setting, check, read_setting};
-use technolog::program::written::{Line, Role, WorkRef, Written};
+use technolog::program::control_2c42_65::{Control, check};
+use technolog::program::written::{Form, Line, Role, WorkRef, Written};
+use technolog::program::{Language, Setting};
 use technolog::report::backplot::{Frame, backplot};
 use technolog::report::encoding::{self, Dictionary, encoding_sheet};
 use technolog::report::{Lang, cycles};
@@ -96,7 +97,7 @@ fn appendix_g() -> Vec<Step> {
     let control = Control::read(&KNOWLEDGE).unwrap();
     let machine = Machine::find(&KNOWLEDGE, "gf2171").unwrap();
     let setting = fs::read_to_string(folder.join("setting.yaml")).unwrap();
-    let setting = read_setting("setting.yaml", &setting, &control).unwrap();
+    let setting = Language::read("2c42-65", &KNOWLEDGE).unwrap().setting("setting.yaml", &setting).unwrap();
     let mut steps = Vec::new();
     check(&fs::read_to_string(folder.join("program.nc")).unwrap(), &control, &machine, &setting, &mut steps);
     steps
@@ -419,6 +420,31 @@ fn the_second_set_up_lies_the_other_way() {
     assert_eq!(x(one, true), x(one, false));
     assert_eq!(x(two, true), x(two, false));
     assert!(labels(one).iter().any(|label| label.text.contains("set-up 1")));
+}
+
+/// What the writers write: every word has a meaning, every part is drawn from the steps of its own program, and the
+/// program goes down at every stop of the job.
+#[test]
+fn written_programs_are_drawn_and_told_in_words() {
+    for (name, path) in PARTS {
+        let (plan, job) = of_file(path);
+        let shop = Shop::new(&plan.part, CuttingMethod::Formula, &KNOWLEDGE).unwrap();
+        let form = Form::read(&shop).unwrap();
+        for control in Language::NAMES {
+            let language = Language::read(control, &KNOWLEDGE).unwrap();
+            let written = language.write(&job, form);
+            let mut steps: Vec<Step> = Vec::new();
+            language.check(&written.text(), &shop.machine, &Setting::of_job(&job), &mut steps);
+            let svg = backplot(&steps, Some(&Frame::of(&job, &plan.part)), Lang::Uk);
+            readable(name, &seen(&format!("{name}-{control}"), svg));
+            let sheet = encoding_sheet(&written, &job, &plan, control, &KNOWLEDGE, Lang::Uk).unwrap();
+            seen(&format!("{name}-{control}-sheet"), sheet.text());
+            for row in &sheet.rows {
+                assert!(!row.meaning.contains("не знають"), "{control} {name}: {row:?}");
+            }
+            assert!(sheet.rows.iter().filter(|row| row.transition.is_some()).count() >= job.setups[0].works.len());
+        }
+    }
 }
 
 #[test]

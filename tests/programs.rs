@@ -1,6 +1,8 @@
-//! Every program of `tests/programs` is read and run as the file beside it says.
+//! Every program of `tests/programs` (2С42-65), `tests/programs-linuxcnc` and `tests/programs-fanuc` is read and run as
+//! the file beside it says.
 //!
-//! A folder holds `program.nc`, `expected` and, where they matter, `setting.yaml` and `machine` (an id of the catalog).
+//! A folder holds `program.nc` (or `.ngc`), `expected` and, where they matter, `setting.yaml` and `machine` (an id of the
+//! catalog).
 //! `expected` names every finding as `line:column code` and then the trace. A case is added by adding a folder;
 //! `PROGRAMS=write cargo test --test programs` writes what the program says today, to be read before it is kept.
 
@@ -17,26 +19,33 @@ use technolog::knowledge::Knowledge;
 use technolog::machine::Machine;
 use technolog::motion::Step;
 use technolog::motion::trace::Trace;
-use technolog::program::Fault;
-use technolog::program::control_2c42_65::{Control, Setting, check, read_setting};
+use technolog::program::{Fault, Language, Setting};
 use technolog::shipped;
 
 static KNOWLEDGE: LazyLock<Knowledge> = LazyLock::new(|| shipped::knowledge().unwrap());
-static CONTROL: LazyLock<Control> = LazyLock::new(|| Control::read(&KNOWLEDGE).unwrap());
+static CONTROL: LazyLock<Language> = LazyLock::new(|| Language::read("2c42-65", &KNOWLEDGE).unwrap());
+
+/// A folder of programs: its control, the name of a program in it, the machine where none is named, and how many programs
+/// there are at least.
+const FOLDERS: [(&str, &str, &str, &str, usize); 3] = [
+    ("tests/programs", "2c42-65", "program.nc", "gf2171", 60),
+    ("tests/programs-linuxcnc", "linuxcnc", "program.ngc", "ir500pmf4", 100),
+    ("tests/programs-fanuc", "fanuc", "program.nc", "ir500pmf4", 40),
+];
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).to_path_buf()
 }
 
 /// What is said of a folder today.
-fn said(folder: &Path) -> String {
+fn said(folder: &Path, language: &Language, program: &str, machine: &str) -> String {
     let read = |name: &str| fs::read_to_string(folder.join(name)).ok();
-    let machine = read("machine").map_or("gf2171".to_owned(), |id| id.trim().to_owned());
+    let machine = read("machine").map_or(machine.to_owned(), |id| id.trim().to_owned());
     let machine = Machine::find(&KNOWLEDGE, &machine).unwrap();
-    let setting = read("setting.yaml")
-        .map_or_else(Setting::default, |text| read_setting("setting.yaml", &text, &CONTROL).unwrap());
+    let setting =
+        read("setting.yaml").map_or_else(Setting::default, |text| language.setting("setting.yaml", &text).unwrap());
     let mut trace = Trace::default();
-    let faults = check(&read("program.nc").unwrap(), &CONTROL, &machine, &setting, &mut trace);
+    let faults = language.check(&read(program).unwrap(), &machine, &setting, &mut trace);
     let mut text = String::new();
     for fault in &faults {
         let figures: String = fault.note.params.iter().map(|(name, value)| format!(" {name}={value}")).collect();
@@ -50,22 +59,27 @@ fn said(folder: &Path) -> String {
 #[test]
 fn every_program_does_what_the_file_beside_it_says() {
     let write = std::env::var("PROGRAMS").is_ok_and(|value| value == "write");
-    let mut folders: Vec<PathBuf> =
-        fs::read_dir(root().join("tests/programs")).unwrap().map(|entry| entry.unwrap().path()).collect();
-    folders.retain(|path| path.is_dir());
-    folders.push(root().join("examples/appendix-g"));
-    folders.sort();
     let mut wrong = Vec::new();
-    for folder in &folders {
-        let said = said(folder);
-        let expected = fs::read_to_string(folder.join("expected")).unwrap_or_default();
-        if write {
-            fs::write(folder.join("expected"), &said).unwrap();
-        } else if said != expected {
-            wrong.push(format!("{}\n--- expected\n{expected}\n--- said\n{said}", folder.display()));
+    for (root_of, control, program, machine, least) in FOLDERS {
+        let language = Language::read(control, &KNOWLEDGE).unwrap();
+        let mut folders: Vec<PathBuf> =
+            fs::read_dir(root().join(root_of)).unwrap().map(|entry| entry.unwrap().path()).collect();
+        folders.retain(|path| path.is_dir());
+        if control == "2c42-65" {
+            folders.push(root().join("examples/appendix-g"));
         }
+        folders.sort();
+        for folder in &folders {
+            let said = said(folder, &language, program, machine);
+            let expected = fs::read_to_string(folder.join("expected")).unwrap_or_default();
+            if write {
+                fs::write(folder.join("expected"), &said).unwrap();
+            } else if said != expected {
+                wrong.push(format!("{}\n--- expected\n{expected}\n--- said\n{said}", folder.display()));
+            }
+        }
+        assert!(folders.len() >= least, "only {} programs in {root_of}", folders.len());
     }
-    assert!(folders.len() > 30, "only {} programs", folders.len());
     assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
 }
 
@@ -105,7 +119,7 @@ fn no_repetition_lasts() {
         let setting =
             Setting { correctors: [(1, technolog::units::Micrometres::from_mm(5))].into(), ..Setting::default() };
         let machine = Machine::find(&KNOWLEDGE, "gf2171").unwrap();
-        let faults = check(text, &CONTROL, &machine, &setting, &mut Vec::<Step>::new());
+        let faults = CONTROL.check(text, &machine, &setting, &mut Vec::<Step>::new());
         assert!(faults.iter().any(Fault::is_error), "{text}");
         // Not a measurement: what is not held by the budget takes hours.
         assert!(begin.elapsed().as_secs() < 60, "{text}");
@@ -115,7 +129,7 @@ fn no_repetition_lasts() {
 fn run(text: &str) -> (Vec<Fault>, Vec<Step>) {
     let machine = Machine::find(&KNOWLEDGE, "gf2171").unwrap();
     let mut steps = Vec::new();
-    let faults = check(text, &CONTROL, &machine, &Setting::default(), &mut steps);
+    let faults = CONTROL.check(text, &machine, &Setting::default(), &mut steps);
     (faults, steps)
 }
 
@@ -152,7 +166,7 @@ fn the_command_tells_line_caret_and_rule_and_its_exit_code() {
 #[test]
 fn a_bad_setting_tells_all_its_mistakes() {
     let text = fs::read_to_string(root().join("tests/programs/setting-bad.yaml")).unwrap();
-    let problems = read_setting("setting-bad.yaml", &text, &CONTROL).unwrap_err();
+    let problems = CONTROL.setting("setting-bad.yaml", &text).unwrap_err();
     let codes: Vec<&str> = problems.iter().map(|problem| problem.code).collect();
     assert_eq!(codes, ["unknown-key", "bad-override", "bad-axis", "unknown-key", "bad-value", "bad-corrector"]);
 }

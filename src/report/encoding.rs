@@ -111,7 +111,9 @@ pub fn of_text(
         let found = words::of_line(line);
         let tool = dictionary.tool(&found);
         let meaning = dictionary.meaning(&found, &mut modes, lang);
-        let code = format!("{} {}", line.trim(), end(control)).trim_end().to_owned();
+        // The sign of a tape is no block and has no end.
+        let end = if found == [words::Word::Tape] { "" } else { end(control) };
+        let code = format!("{} {end}", line.trim()).trim_end().to_owned();
         rows.push(Row { line: index + 1, transition: None, tool, code, meaning });
     }
     // A machine without a record is an error, so that nobody reads a sheet of another one.

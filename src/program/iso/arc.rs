@@ -35,9 +35,18 @@ impl Maker<'_> {
             (Some(_), None) => self.by_centre([a, b], centre, &target, span),
         };
         let turns = if self.control.kind == Kind::LinuxCnc { self.take(words, 'P') } else { None };
+        if let Some(given) = turns.filter(|given| given.millionths < 1_000_000 || given.millionths % 1_000_000 != 0) {
+            let figures = [("address", "P".to_owned()), ("low", "1".to_owned()), ("high", "99999".to_owned())];
+            self.tell("number-out-of-range", given.span, &figures);
+        }
         let turns = turns.map_or(0, |given| u32::try_from(given.millionths / 1_000_000 - 1).unwrap_or_default());
         let feed_mm_per_min = self.feed(span);
-        let Some(middle) = middle else { return };
+        let Some(middle) = middle else {
+            // The run goes on as if it had arrived.
+            self.state.at = target.at;
+            self.state.floating = target.floating;
+            return;
+        };
         let centre = middle.map(Micrometres::from_mm_rounded);
         self.go(Motion::Arc { plane, sense, centre, turns, feed_mm_per_min }, target.at, target.floating, span);
     }

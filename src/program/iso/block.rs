@@ -310,8 +310,8 @@ impl Maker<'_> {
         self.steps.push(step);
     }
 
-    /// To a level of Z.
-    pub(super) fn to_level(&mut self, motion: Motion, z: Micrometres, span: Span) {
+    /// Along Z to a level.
+    pub(super) fn climb(&mut self, motion: Motion, z: Micrometres, span: Span) {
         let (at, floating) = (self.state.at.with(Axis::Z, z), self.state.floating);
         self.go(motion, at, floating, span);
     }

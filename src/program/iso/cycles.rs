@@ -12,8 +12,8 @@
 //!
 //! With G91 R counts from the initial level and Z from R, and every repeat steps X and Y on.
 //!
-//! LinuxCNC looks after the way to the hole: below R it first goes up to R, and it crosses no lower than the level where
-//! the last hole ended. Fanuc crosses at the level where it is.
+//! LinuxCNC looks after the way to the hole: where the initial level is below R it first goes up to R, and from R or below
+//! it crosses at the level where this hole will end. Fanuc crosses at the level where it is.
 
 use super::block::Maker;
 use super::control::{Bottom, Cycle, Group, Inwards, Kind, Outwards};
@@ -162,18 +162,19 @@ impl Maker<'_> {
         let feed = Motion::Feed { feed_mm_per_min: self.feed(span) };
         if self.control.kind == Kind::LinuxCnc && self.initial() < levels.r {
             self.set_floating();
-            self.to_level(Motion::Rapid, levels.r, span);
+            self.climb(Motion::Rapid, levels.r, span);
         }
         for _ in 0..repeats {
             let here = self.state.at.get(Axis::Z);
-            let crossing = if self.control.kind == Kind::LinuxCnc { here.max(levels.clear) } else { here };
+            let low = self.control.kind == Kind::LinuxCnc && here <= levels.r;
+            let crossing = if low { levels.clear } else { here };
             let target = self.target(words, false);
             self.set_floating();
             let mut floating = target.floating;
             floating[2] = self.state.floating[2];
             let over: Position = target.at.with(Axis::Z, crossing);
             self.go(Motion::Rapid, over, floating, target.span.unwrap_or(span));
-            self.to_level(Motion::Rapid, levels.r, span);
+            self.climb(Motion::Rapid, levels.r, span);
             self.hole(cycle, levels, &feed, span);
             // A broken block makes nothing, and a budget ends what would never end.
             if self.broken() || self.steps.len() > self.budget {
@@ -192,7 +193,7 @@ impl Maker<'_> {
     /// From R to the bottom and out again.
     fn hole(&mut self, cycle: &Cycle, levels: Levels, feed: &Motion, span: Span) {
         self.steps_inwards(cycle.inwards, levels, feed, span);
-        self.to_level(feed.clone(), levels.bottom, span);
+        self.climb(feed.clone(), levels.bottom, span);
         let before = self.state.turning;
         let waits = cycle.required.contains(&'P') || cycle.optional.contains(&'P');
         let pause = self.parameter('P').filter(|_| waits).map(|millionths| millionths as f64 / 1e6);
@@ -212,14 +213,14 @@ impl Maker<'_> {
             Bottom::Reversed => {}
         }
         if cycle.outwards == Outwards::Feed {
-            self.to_level(feed.clone(), levels.r, span);
+            self.climb(feed.clone(), levels.r, span);
             // The tap of Fanuc turns forward again as soon as it is out; a boring bar turns on all the way.
             if cycle.bottom == Bottom::Reversed {
                 self.spindle(before);
             }
         }
         let rest = if cycle.outwards == Outwards::FeedToTheEnd { feed.clone() } else { Motion::Rapid };
-        self.to_level(rest, levels.clear, span);
+        self.climb(rest, levels.clear, span);
         if self.state.turning != before {
             self.spindle(before);
         }
@@ -241,11 +242,11 @@ impl Maker<'_> {
         };
         let mut depth = levels.r - step;
         while depth > levels.bottom && self.steps.len() <= self.budget && !self.broken() {
-            self.to_level(feed.clone(), depth, span);
+            self.climb(feed.clone(), depth, span);
             if inwards == Inwards::StepsLeaving {
-                self.to_level(Motion::Rapid, levels.r, span);
+                self.climb(Motion::Rapid, levels.r, span);
             }
-            self.to_level(Motion::Rapid, depth + back, span);
+            self.climb(Motion::Rapid, depth + back, span);
             depth = depth - step;
         }
     }

@@ -36,7 +36,17 @@ impl Maker<'_> {
             }
         }
         if let Some(function) = words.one_shot(Effect::Return, self.control) {
+            let other = words.function(Group::Motion).or(cycle.filter(|_| !off));
+            if let Some(other) = other.filter(|_| self.control.kind == Kind::LinuxCnc) {
+                let figures = [("first", other.name()), ("second", function.name())];
+                self.tell("axes-taken-twice", function.span, &figures);
+                return;
+            }
             return self.returning(function, words);
+        }
+        // G4 of Fanuc moves nothing, and its X is a time.
+        if self.control.kind == Kind::Fanuc && words.one_shot(Effect::Dwell, self.control).is_some() {
+            return;
         }
         if let Some(function) = words.one_shot(Effect::MachinePosition, self.control) {
             return self.on_machine(function, words);
@@ -66,14 +76,10 @@ impl Maker<'_> {
     }
 
     /// Where the words lead: positions in the system in force (G90), or distances (G91). On the machine (G53) they are
-    /// positions from its zero, and no length correction is added. X of a dwell is no axis.
+    /// positions from its zero, and no length correction is added.
     pub(super) fn target(&mut self, words: &Words, on_machine: bool) -> Target {
         let mut target = Target { at: self.state.at, floating: self.state.floating, span: None };
-        let dwell = words.one_shot(Effect::Dwell, self.control).is_some() && self.control.kind == Kind::Fanuc;
         for axis in Axis::ALL {
-            if dwell && axis == Axis::X {
-                continue;
-            }
             let Some(word) = self.take(words, axis.letter()) else { continue };
             let value = word.length(self.state.inches());
             self.finer_than_machine(value, word.span);

@@ -6,7 +6,7 @@ use std::ops::Range;
 use super::control::{Action, Control};
 use super::rules::fault;
 use super::text::{Block, Label};
-use super::words::Words;
+use super::words::{Function, Words};
 use crate::program::{Fault, Span};
 
 /// The programs of a text.
@@ -50,7 +50,11 @@ pub(super) fn programs(blocks: &[Block], words: &[Words], control: &Control, fau
     programs.main = 0..second.filter(|_| !control.o_words).unwrap_or(blocks.len());
     subs(blocks, &mut programs, faults);
     for (block, words) in blocks.iter().zip(words) {
-        if let Some(call) = call(block, words, control)
+        let called = call(block, words, control);
+        if let Some(function) = calls(words, control).filter(|_| called.is_none()) {
+            faults.push(fault("call-without-number", function.span, block.number));
+        }
+        if let Some(call) = called
             && !programs.named.contains_key(&call.name)
         {
             faults.push(fault("subprogram-missing", call.span, block.number).with("number", call.name));
@@ -91,6 +95,12 @@ fn subs(blocks: &[Block], programs: &mut Programs, faults: &mut Vec<Fault>) {
     }
 }
 
+/// M98 of a block.
+fn calls(words: &Words, control: &Control) -> Option<Function> {
+    let call = |function: &&Function| control.m.get(&function.code).is_some_and(|it| it.action == Action::Call);
+    words.m.iter().find(call).copied()
+}
+
 /// What a block calls: `o… call`, or M98 with P and L.
 ///
 /// In Fanuc a P of more than four digits holds the repeats before the number: `M98 P31001` calls O1001 three times.
@@ -98,7 +108,7 @@ pub(super) fn call(block: &Block, words: &Words, control: &Control) -> Option<Ca
     if let Some(Label::Call(name)) = &block.label {
         return Some(Call { name: name.clone(), repeats: 1, span: block.span });
     }
-    words.m.iter().find(|function| control.m.get(&function.code).is_some_and(|it| it.action == Action::Call))?;
+    calls(words, control)?;
     let program = words.get('P')?;
     let number = program.millionths / 1_000_000;
     let times = words.get('L').map(|given| given.millionths / 1_000_000);

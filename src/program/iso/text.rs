@@ -50,11 +50,16 @@ pub(super) fn blocks(text: &str, control: &Control) -> (Vec<Block>, bool, Vec<Fa
     let mut faults = Vec::new();
     let mut blocks = Vec::new();
     let mut opened = false;
-    let mut pointless = control.kind == Kind::Fanuc;
-    for (index, line) in text.lines().enumerate() {
+    let fanuc = control.kind == Kind::Fanuc;
+    let mut pointless = fanuc;
+    // Fanuc reads nothing before the first of two signs %.
+    let sign = |line: &str| line.trim_start().starts_with('%');
+    let signs = text.lines().filter(|line| sign(line)).take(2).count();
+    let leader = text.lines().position(sign).filter(|_| fanuc && signs == 2).unwrap_or_default();
+    for (index, line) in text.lines().enumerate().skip(leader) {
         let line_number = u32::try_from(index + 1).unwrap_or(u32::MAX);
-        if line.trim_start().starts_with('%') {
-            if opened || (control.kind == Kind::Fanuc && !blocks.is_empty()) {
+        if sign(line) {
+            if opened || (fanuc && !blocks.is_empty()) {
                 return (blocks, true, faults);
             }
             if blocks.is_empty() {
