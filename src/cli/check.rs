@@ -60,7 +60,7 @@ struct Finding<'a> {
 /// # Errors
 /// The program, the setting or the machine cannot be used.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    let format = context.format("check", &[Format::Text, Format::Json])?;
+    let format = context.format("check", &[Format::Text, Format::Json, Format::Svg])?;
     let knowledge = knowledge::load(context)?;
     let at_fault = |error: technolog::error::KnowledgeError| {
         CliError::from(Diagnostic::error("knowledge", error.to_string(), None).help(words::run_lint(context.lang)))
@@ -101,6 +101,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
                 time: clock.times(),
             })?;
         }
+        Format::Svg => context.emit(&report::backplot::backplot(&steps, None, context.lang))?,
         _ => context.emit(&page(&faults, &steps, clock.times(), &shown, text, context))?,
     }
     Ok(if faults.iter().any(Fault::is_error) { Outcome::Findings } else { Outcome::Done })

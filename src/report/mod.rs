@@ -1,9 +1,14 @@
 //! Reports: functions of a plan. They decide nothing.
 
+pub mod backplot;
+mod canvas;
+pub mod cycles;
+pub mod encoding;
 pub mod grid;
 mod lang;
 pub mod sentences;
 pub mod svg;
+mod transitions;
 mod why;
 mod words;
 

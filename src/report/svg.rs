@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::canvas::{COLOURS, escaped};
 use crate::part::{Part, Point};
 use crate::units::Micrometres;
 
@@ -18,8 +19,6 @@ pub struct Panel {
     pub closed: bool,
 }
 
-/// Colours of the paths that are told apart by people who see colours differently too (Okabe and Ito, 2008).
-const COLOURS: [&str; 6] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"];
 /// Width of a panel, in units of the drawing.
 const WIDTH: f64 = 560.0;
 const TITLE: f64 = 26.0;
@@ -141,10 +140,4 @@ fn line(text: &mut String, arguments: std::fmt::Arguments<'_>) {
     // Writing to a text cannot fail.
     let _ = text.write_fmt(arguments);
     text.push('\n');
-}
-
-/// A text that may stand between tags; what XML cannot hold at all is left out.
-fn escaped(text: &str) -> String {
-    let kept = text.chars().filter(|letter| !letter.is_control());
-    kept.collect::<String>().replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

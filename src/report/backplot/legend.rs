@@ -1,0 +1,72 @@
+//! Under the panels: what the signs mean, and how long a length is.
+
+use crate::report::Lang;
+use crate::report::canvas::{Anchor, At, Canvas, Pen, width_of};
+use crate::report::sheet::mm;
+use crate::units::Micrometres;
+
+/// The zero of the drawing: a quartered circle.
+pub(super) fn zero(canvas: &mut Canvas, (x, y): At) {
+    let pen = Pen::solid("#444", 1.0);
+    canvas.circle((x, y), 4.5, "white", Some(pen));
+    canvas.path(&format!("M{:.2} {y:.2} H{:.2} M{x:.2} {:.2} V{:.2}", x - 8.0, x + 8.0, y - 8.0, y + 8.0), pen);
+}
+
+/// The legend with its scale bar.
+pub(super) fn legend(canvas: &mut Canvas, (x, y): At, scale: f64, width: f64, framed: bool, lang: Lang) {
+    const INK: &str = "#333";
+    canvas.line(&[(x, y), (width - x, y)], Pen::solid("#ccc", 1.0));
+    let mut at = x;
+    let row = y + 22.0;
+    let mut entry = |canvas: &mut Canvas, wide: f64, text: &str, sign: &dyn Fn(&mut Canvas, f64)| {
+        sign(canvas, at);
+        canvas.text((at + wide + 6.0, row + 4.0), 11.0, Anchor::Start, text);
+        at += wide + 6.0 + width_of(text, 11.0) + 16.0;
+    };
+    entry(canvas, 26.0, lang.pick("прискорений хід", "rapid"), &|canvas, at| {
+        canvas.line(&[(at, row), (at + 26.0, row)], Pen::dashed(INK, 1.0));
+    });
+    entry(canvas, 26.0, lang.pick("робоча подача", "feed"), &|canvas, at| {
+        canvas.line(&[(at, row), (at + 26.0, row)], Pen::solid(INK, 1.6));
+    });
+    entry(
+        canvas,
+        8.0,
+        lang.pick("подача вздовж Z, за чергою", "down along Z, in this order"),
+        &|canvas, at| {
+            canvas.circle((at + 4.0, row), 2.2, INK, None);
+        },
+    );
+    entry(canvas, 10.0, lang.pick("заміна інструмента", "tool change"), &|canvas, at| {
+        canvas.rectangle((at, row - 5.0), (at + 10.0, row + 5.0), INK, None);
+    });
+    if framed {
+        entry(canvas, 16.0, lang.pick("нуль деталі", "zero of the part"), &|canvas, at| {
+            zero(canvas, (at + 8.0, row))
+        });
+    }
+    // A round length of at most a quarter of the page.
+    let room = (width / 4.0).min(200.0) / scale;
+    let power = libm::pow(10.0, libm::floor(libm::log10(room)));
+    let length = [5.0, 2.0, 1.0].into_iter().map(|step| step * power).find(|length| *length <= room).unwrap_or(power);
+    let (bar, row) = (length * scale, y + 46.0);
+    canvas.path(
+        &format!(
+            "M{x:.2} {:.2} V{:.2} M{x:.2} {row:.2} H{:.2} M{:.2} {:.2} V{:.2}",
+            row - 4.0,
+            row + 4.0,
+            x + bar,
+            x + bar,
+            row - 4.0,
+            row + 4.0
+        ),
+        Pen::solid(INK, 1.2),
+    );
+    let system = match framed {
+        true => lang.pick("координати креслення", "coordinates of the drawing"),
+        false => lang.pick("координати верстата", "coordinates of the machine"),
+    };
+    let length = mm(Micrometres::from_mm_rounded(length), lang);
+    let text = format!("{length} {}; {system}", lang.pick("мм", "mm"));
+    canvas.text((x + bar + 8.0, row + 4.0), 11.0, Anchor::Start, &text);
+}

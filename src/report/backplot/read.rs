@@ -1,0 +1,163 @@
+//! From the steps of a program to its panels.
+
+use crate::motion::geometry::{Point, in_plane, sweep};
+use crate::motion::{Axis, Motion, Plane, Position, Sense, Step};
+use crate::units::Micrometres;
+
+use super::{Frame, Placed};
+
+/// A point of the drawing, mm.
+pub(super) type Spot = (f64, f64);
+
+/// What one tool does until the next tool or stop.
+#[derive(Debug, Default)]
+pub(super) struct Panel<'f> {
+    /// T.
+    pub tool: Option<u32>,
+    /// The set-up whose holes lie under it.
+    pub placed: Option<&'f Placed>,
+    /// The way seen from above.
+    pub lines: Vec<Line>,
+    /// Where the tool goes down at feed, each place once.
+    pub plunges: Vec<Spot>,
+    /// Where the tool was changed.
+    pub change: Option<Spot>,
+}
+
+/// A stretch of the way.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Line {
+    pub from: Spot,
+    pub to: Spot,
+    pub rapid: bool,
+    pub shape: Shape,
+}
+
+/// Its form.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Shape {
+    Straight,
+    Arc { centre: Spot, sense: Sense, sweep: f64 },
+}
+
+impl Line {
+    /// What it surely stays within: its ends, and of an arc the whole circle.
+    pub(super) fn reach(&self) -> Vec<Spot> {
+        match self.shape {
+            Shape::Straight => vec![self.from, self.to],
+            Shape::Arc { centre: (x, y), .. } => {
+                let radius = libm::hypot(self.from.0 - x, self.from.1 - y);
+                vec![self.from, self.to, (x - radius, y - radius), (x + radius, y + radius)]
+            }
+        }
+    }
+
+    /// A straight way by its ends, whichever comes first; nothing of an arc.
+    pub(super) fn way(&self) -> Option<[(i64, i64); 2]> {
+        let Shape::Straight = self.shape else { return None };
+        let exact = |(x, y): Spot| [x, y].map(|value| Micrometres::from_mm_rounded(value).micrometres());
+        let mut ends = [exact(self.from), exact(self.to)].map(|[x, y]| (x, y));
+        ends.sort_unstable();
+        Some(ends)
+    }
+
+    fn moved(&mut self, (dx, dy): Spot) {
+        for spot in [&mut self.from, &mut self.to] {
+            *spot = (spot.0 + dx, spot.1 + dy);
+        }
+        if let Shape::Arc { centre, .. } = &mut self.shape {
+            *centre = (centre.0 + dx, centre.1 + dy);
+        }
+    }
+}
+
+/// The panels of a program; what cuts nothing is no panel.
+pub(super) fn panels<'f>(steps: &[Step], frame: Option<&'f Frame<'_>>) -> Vec<Panel<'f>> {
+    let mut panels: Vec<Panel<'f>> = Vec::new();
+    let mut panel = Panel::default();
+    let mut at: Option<Position> = None;
+    for step in steps {
+        let from = at.unwrap_or(step.at);
+        at = Some(step.at);
+        match &step.motion {
+            Motion::ToolChange { tool } => {
+                if panel.cuts() {
+                    panels.push(std::mem::take(&mut panel));
+                }
+                panel = Panel { tool: Some(*tool), change: Some(spot(step.at)), ..Panel::default() };
+            }
+            // The operator may do anything now: turn the part over, set the bar of a boring tool.
+            Motion::Stop { optional: false } if panel.cuts() => {
+                let next = Panel { tool: panel.tool, change: panel.change, ..Panel::default() };
+                panels.push(std::mem::replace(&mut panel, next));
+            }
+            motion => panel.take(motion, from, step.at),
+        }
+    }
+    if panel.cuts() {
+        panels.push(panel);
+    }
+    if let Some(frame) = frame {
+        for panel in &mut panels {
+            panel.put_on(frame);
+        }
+    }
+    panels
+}
+
+fn spot(at: Position) -> Spot {
+    (at.x.to_mm(), at.y.to_mm())
+}
+
+impl<'f> Panel<'f> {
+    fn cuts(&self) -> bool {
+        !self.plunges.is_empty() || self.lines.iter().any(|line| !line.rapid)
+    }
+
+    fn take(&mut self, motion: &Motion, from: Position, to: Position) {
+        let straight = |rapid| Line { from: spot(from), to: spot(to), rapid, shape: Shape::Straight };
+        let moves = spot(from) != spot(to);
+        match motion {
+            Motion::Rapid if moves => self.lines.push(straight(true)),
+            Motion::Feed { .. } if moves => self.lines.push(straight(false)),
+            // Down at feed, and deeper than the approach of a program that goes there at feed: a further stretch down
+            // at the same place is the same plunge.
+            Motion::Feed { .. } if to.z < from.z && self.plunges.last() != Some(&spot(to)) => {
+                self.plunges.push(spot(to));
+            }
+            Motion::Arc { plane: Plane::Xy, sense, centre, turns, .. } => {
+                let centre: Point = centre.map(Micrometres::to_mm);
+                let turned = sweep(in_plane(from, Plane::Xy), in_plane(to, Plane::Xy), centre, *sense);
+                let whole = if *turns > 0 { std::f64::consts::TAU } else { turned };
+                let shape = Shape::Arc { centre: (centre[0], centre[1]), sense: *sense, sweep: whole };
+                self.lines.push(Line { shape, ..straight(false) });
+            }
+            // From above an arc across the table is the straight line between its ends.
+            Motion::Arc { .. } if moves => self.lines.push(straight(false)),
+            _ => {}
+        }
+    }
+
+    /// Puts the panel into the coordinates of the set-up whose holes lie under most of its plunges.
+    fn put_on(&mut self, frame: &'f Frame<'_>) {
+        let hits = |placed: &Placed| {
+            let holes: Vec<Spot> = placed.holes(frame.part).map(|(at, _)| (at.x.to_mm(), at.y.to_mm())).collect();
+            let zero = spot(placed.zero);
+            let on = |(x, y): &Spot| {
+                holes.iter().any(|hole| (hole.0 + zero.0 - x).abs() < 0.02 && (hole.1 + zero.1 - y).abs() < 0.02)
+            };
+            self.plunges.iter().filter(|plunge| on(plunge)).count()
+        };
+        // The first of those with most.
+        let best = frame.setups.iter().rev().max_by_key(|placed| hits(placed));
+        let Some(placed) = best else { return };
+        let shift = (-placed.zero.get(Axis::X).to_mm(), -placed.zero.get(Axis::Y).to_mm());
+        for line in &mut self.lines {
+            line.moved(shift);
+        }
+        for spot in self.plunges.iter_mut().chain(&mut self.change) {
+            *spot = (spot.0 + shift.0, spot.1 + shift.1);
+        }
+        self.placed = Some(placed);
+    }
+}

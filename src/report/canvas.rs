@@ -1,0 +1,149 @@
+//! What every drawing is made with: lines, arrows, circles and texts of an SVG file, in units of the drawing.
+
+use std::fmt::Write;
+
+/// Colours of what is told apart by people who see colours differently too (Okabe and Ito, 2008).
+pub(super) const COLOURS: [&str; 6] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"];
+
+/// A point of the page: to the right and down.
+pub(super) type At = (f64, f64);
+
+/// How a line is drawn.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pen {
+    pub colour: &'static str,
+    pub width: f64,
+    pub dashed: bool,
+}
+
+impl Pen {
+    pub(super) const fn solid(colour: &'static str, width: f64) -> Self {
+        Self { colour, width, dashed: false }
+    }
+
+    pub(super) const fn dashed(colour: &'static str, width: f64) -> Self {
+        Self { colour, width, dashed: true }
+    }
+}
+
+/// Where a text stands at its point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Anchor {
+    Start,
+    Middle,
+}
+
+/// A drawing on its way.
+#[derive(Debug, Default)]
+pub(super) struct Canvas {
+    text: String,
+}
+
+impl Canvas {
+    /// Anything that stands in an SVG file as it is.
+    pub(super) fn put(&mut self, element: std::fmt::Arguments<'_>) {
+        // Writing to a text cannot fail.
+        let _ = self.text.write_fmt(element);
+        self.text.push('\n');
+    }
+
+    /// A line through points.
+    pub(super) fn line(&mut self, points: &[At], pen: Pen) {
+        let points: Vec<String> = points.iter().map(|(x, y)| format!("{x:.2},{y:.2}")).collect();
+        self.put(format_args!("<polyline points=\"{}\" fill=\"none\"{}/>", points.join(" "), stroke(pen)));
+    }
+
+    /// A path in the language of SVG.
+    pub(super) fn path(&mut self, path: &str, pen: Pen) {
+        self.put(format_args!("<path d=\"{path}\" fill=\"none\"{}/>", stroke(pen)));
+    }
+
+    /// The head of an arrow that points from one point to another and ends there; nothing without a way between them.
+    pub(super) fn head(&mut self, from: At, to: At, pen: Pen) {
+        let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+        let long = libm::hypot(dx, dy);
+        if long < 1e-6 {
+            return;
+        }
+        let (ux, uy) = (dx / long, dy / long);
+        let (size, half) = (4.0 + 2.0 * pen.width, 1.6 + 0.8 * pen.width);
+        let (bx, by) = (to.0 - ux * size, to.1 - uy * size);
+        let corners = [to, (bx - uy * half, by + ux * half), (bx + uy * half, by - ux * half)];
+        self.area(&corners, pen.colour, None);
+    }
+
+    /// A filled area, with a line around it.
+    pub(super) fn area(&mut self, corners: &[At], fill: &str, pen: Option<Pen>) {
+        let points: Vec<String> = corners.iter().map(|(x, y)| format!("{x:.2},{y:.2}")).collect();
+        let stroke = pen.map_or_else(String::new, stroke);
+        self.put(format_args!("<polygon points=\"{}\" fill=\"{fill}\"{stroke}/>", points.join(" ")));
+    }
+
+    /// A rectangle by two opposite corners.
+    pub(super) fn rectangle(&mut self, a: At, b: At, fill: &str, pen: Option<Pen>) {
+        self.area(&[a, (b.0, a.1), b, (a.0, b.1)], fill, pen);
+    }
+
+    /// A circle.
+    pub(super) fn circle(&mut self, (x, y): At, radius: f64, fill: &str, pen: Option<Pen>) {
+        let stroke = pen.map_or_else(String::new, stroke);
+        self.put(format_args!("<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius:.2}\" fill=\"{fill}\"{stroke}/>"));
+    }
+
+    /// A text. A white rim under it keeps it readable over lines.
+    pub(super) fn text(&mut self, (x, y): At, size: f64, anchor: Anchor, text: &str) {
+        let anchor = match anchor {
+            Anchor::Start => "start",
+            Anchor::Middle => "middle",
+        };
+        let text = escaped(text);
+        self.put(format_args!(
+            "<text x=\"{x:.2}\" y=\"{y:.2}\" font-size=\"{size}\" text-anchor=\"{anchor}\" stroke=\"white\" \
+             stroke-width=\"3\">{text}</text>"
+        ));
+        self.put(format_args!(
+            "<text x=\"{x:.2}\" y=\"{y:.2}\" font-size=\"{size}\" text-anchor=\"{anchor}\">{text}</text>"
+        ));
+    }
+
+    /// The whole file, on white.
+    pub(super) fn page(self, width: f64, height: f64) -> String {
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.0}\" height=\"{height:.0}\" \
+             viewBox=\"0 0 {width:.2} {height:.2}\" font-family=\"sans-serif\">\n\
+             <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n{}</svg>\n",
+            self.text
+        )
+    }
+}
+
+fn stroke(pen: Pen) -> String {
+    let dashes = if pen.dashed { " stroke-dasharray=\"6 4\"" } else { "" };
+    format!(" stroke=\"{}\" stroke-width=\"{}\"{dashes}", pen.colour, pen.width)
+}
+
+/// How wide a text is at most, in units of the drawing: no font is at hand, so by a wide letter.
+pub(super) fn width_of(text: &str, size: f64) -> f64 {
+    text.chars().count() as f64 * size * 0.6
+}
+
+/// A text broken between words into lines that are no wider; a longer word stands alone.
+pub(super) fn broken(text: &str, size: f64, width: f64) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if width_of(line, size) + width_of(word, size) + size * 0.6 <= width => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
+/// A text that may stand between tags; what XML cannot hold at all is left out.
+pub(super) fn escaped(text: &str) -> String {
+    let kept = text.chars().filter(|letter| !letter.is_control());
+    kept.collect::<String>().replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}

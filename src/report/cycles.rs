@@ -1,0 +1,186 @@
+//! Diagrams of cycles: how a tool goes through the points 0 to 4, in the section of the hole.
+//!
+//! The points are those of the textbook's figure 3.3 (l. 2601-3060): 0 where the tool is over the hole, 1 where the feed
+//! begins, 2 the bottom, 3 the way out, 4 where the tool goes on. Letters of the levels are those of 2C42-65: U, Z, I.
+//! Heights are in the coordinates of the drawing; neither way is to scale, so that 3 mm can be read beside 150.
+//!
+//! - `section` the hole, the plate and the levels; `way` the tool's way through them.
+
+use super::canvas::{Anchor, Canvas, Pen, broken, width_of};
+use super::sheet::{mm, number};
+use super::{Lang, transitions};
+use crate::job::{Cycle, Job, Kind, SetUp, ToolWork};
+use crate::plan::Plan;
+
+mod section;
+mod way;
+
+use section::Section;
+
+/// Width of a diagram.
+const WIDTH: f64 = 350.0;
+/// The narrowest page: its foot needs so much.
+const LEAST: f64 = 560.0;
+/// Most diagrams in a row.
+const COLUMNS: usize = 4;
+const TITLE: f64 = 32.0;
+const HEAD: f64 = 92.0;
+const BODY: f64 = 400.0;
+/// The view from above, of a mill's circles.
+const ABOVE: f64 = 190.0;
+const FOOT: f64 = 34.0;
+const MARGIN: f64 = 16.0;
+
+const INK: &str = "#333";
+const GREY: &str = "#888";
+const WAY: &str = "#0072b2";
+
+/// The diagrams of one tool.
+#[derive(Clone, Debug)]
+pub struct Diagram {
+    /// The set-up, from 1.
+    pub setup: u32,
+    /// The tool's number in the plan.
+    pub tool: u32,
+    /// The drawing: all distinct cycles of the tool side by side.
+    pub svg: String,
+}
+
+/// One drawing for each tool, in the order of the work.
+pub fn diagrams(job: &Job, plan: &Plan, lang: Lang) -> Vec<Diagram> {
+    works(job)
+        .map(|(setup, work)| {
+            let mut canvas = Canvas::default();
+            tool(&mut canvas, (0.0, 0.0), setup, work, job, plan, lang);
+            let (width, height) = size(work);
+            foot(&mut canvas, height, lang);
+            Diagram { setup: setup.number, tool: work.tool, svg: canvas.page(width.max(LEAST), height + FOOT) }
+        })
+        .collect()
+}
+
+/// All of them on one page, side by side as far as they fit.
+pub fn page(job: &Job, plan: &Plan, lang: Lang) -> String {
+    let mut canvas = Canvas::default();
+    let (mut x, mut y, mut row, mut all) = (0.0_f64, 0.0_f64, 0.0_f64, LEAST);
+    for (setup, work) in works(job) {
+        let (width, height) = size(work);
+        if x > 0.0 && x + width > WIDTH * COLUMNS as f64 {
+            (x, y, row) = (0.0, y + row, 0.0);
+        }
+        tool(&mut canvas, (x, y), setup, work, job, plan, lang);
+        (x, row) = (x + width, row.max(height));
+        all = all.max(x);
+    }
+    foot(&mut canvas, y + row, lang);
+    canvas.page(all, y + row + FOOT)
+}
+
+fn works(job: &Job) -> impl Iterator<Item = (&SetUp, &ToolWork)> {
+    job.setups.iter().flat_map(|setup| setup.works.iter().map(move |work| (setup, work)))
+}
+
+/// The rows of a tool's cycles.
+fn rows(work: &ToolWork) -> Vec<Vec<usize>> {
+    let cycles: Vec<usize> = (0..work.cycles.len()).collect();
+    cycles.chunks(COLUMNS).map(<[usize]>::to_vec).collect()
+}
+
+fn row_height(work: &ToolWork, row: &[usize]) -> f64 {
+    let round = row.iter().any(|&cycle| matches!(work.cycles[cycle].kind, Kind::Circles { .. }));
+    HEAD + BODY + if round { ABOVE } else { 0.0 }
+}
+
+/// The room that a tool takes.
+fn size(work: &ToolWork) -> (f64, f64) {
+    let height: f64 = rows(work).iter().map(|row| row_height(work, row)).sum();
+    (WIDTH * work.cycles.len().clamp(1, COLUMNS) as f64, TITLE + height)
+}
+
+/// The cycles of a tool side by side.
+fn tool(canvas: &mut Canvas, (x, y): (f64, f64), setup: &SetUp, work: &ToolWork, job: &Job, plan: &Plan, lang: Lang) {
+    let own = plan.tools.iter().find(|tool| tool.number == work.tool);
+    let diameter = own.map_or_else(String::new, |tool| format!(" Ø{}", mm(tool.diameter_mm, lang)));
+    let mut title = format!("T{} {}{diameter}, H{:02}", work.place, work.designation, work.corrector);
+    if job.setups.len() > 1 {
+        title.push_str(&format!(", {} {}", lang.pick("установ", "set-up"), setup.number));
+    }
+    let edge = [(x + MARGIN, y + 1.0), (x + size(work).0 - MARGIN, y + 1.0)];
+    canvas.line(&edge, Pen::solid("#ccc", 1.0));
+    canvas.text((x + MARGIN, y + 24.0), 15.0, Anchor::Start, &title);
+    let mut down = y + TITLE;
+    for row in rows(work) {
+        for (column, &cycle) in row.iter().enumerate() {
+            diagram(canvas, (x + column as f64 * WIDTH, down), work, cycle, plan, lang);
+        }
+        down += row_height(work, &row);
+    }
+}
+
+fn diagram(canvas: &mut Canvas, (x, y): (f64, f64), work: &ToolWork, index: usize, plan: &Plan, lang: Lang) {
+    let cycle = &work.cycles[index];
+    let mut row = y + 14.0;
+    for line in broken(&transitions::sentence(plan, work, &[index], lang), 12.0, WIDTH - 2.0 * MARGIN).iter().take(4) {
+        canvas.text((x + MARGIN, row), 12.0, Anchor::Start, line);
+        row += 15.0;
+    }
+    for line in broken(&figures(cycle, work, lang), 11.0, WIDTH - 2.0 * MARGIN) {
+        canvas.text((x + MARGIN, row), 11.0, Anchor::Start, &line);
+        row += 14.0;
+    }
+    let Some(section) = Section::of(plan, work, index, (x, y + HEAD)) else { return };
+    section.hole(canvas, lang);
+    way::draw(canvas, &section, cycle);
+    section.levels(canvas, cycle, lang);
+    if let Kind::Circles { radii, sense, .. } = &cycle.kind {
+        way::from_above(canvas, (x + WIDTH / 2.0, y + HEAD + BODY + ABOVE / 2.0 - 12.0), radii, *sense, &section, lang);
+    }
+}
+
+/// Speed, feed, dwell, and the steps of a cycle that has them.
+fn figures(cycle: &Cycle, work: &ToolWork, lang: Lang) -> String {
+    let mut parts = vec![
+        format!("S {} {}", number(cycle.speed_rpm.0, 0, lang), lang.pick("об/хв", "1/min")),
+        format!("F {} {}", number(cycle.feed_mm_per_min.0, 0, lang), lang.pick("мм/хв", "mm/min")),
+    ];
+    if let Some(dwell) = cycle.dwell_s {
+        parts.push(format!("{} {} {}", lang.pick("витримка", "dwell"), number(dwell.0, 1, lang), lang.pick("с", "s")));
+    }
+    let (step, back, unit) = (lang.pick("крок", "step"), lang.pick("відскок", "retreat"), lang.pick("мм", "mm"));
+    match &cycle.kind {
+        Kind::Peck { step: depth, clearance } => {
+            let room = lang.pick("запас", "clearance");
+            parts.push(format!("{step} V {} {unit}", mm(*depth, lang)));
+            parts.push(format!("{room} W {} {unit}", mm(*clearance, lang)));
+        }
+        Kind::ChipBreak { step: depth, retreat } => {
+            parts.push(format!("{step} V {} {unit}", mm(*depth, lang)));
+            parts.push(format!("{back} W {} {unit}", mm(*retreat, lang)));
+        }
+        Kind::Tap { pitch } => parts.push(format!("{} {} {unit}", lang.pick("крок різі", "pitch"), mm(*pitch, lang))),
+        Kind::BoreStop => {
+            parts.push(lang.pick("вихід зі зупиненим шпинделем", "way out with stopped spindle").to_owned())
+        }
+        Kind::FeedOut => parts.push(lang.pick("вихід на робочій подачі", "way out at feed").to_owned()),
+        Kind::Drill | Kind::Circles { .. } => {}
+    }
+    if work.coolant {
+        parts.push(lang.pick("з охолодженням", "with coolant").to_owned());
+    }
+    parts.join(", ")
+}
+
+fn foot(canvas: &mut Canvas, y: f64, lang: Lang) {
+    let row = y + 16.0;
+    let mut at = MARGIN;
+    for (pen, text) in [
+        (Pen::dashed(WAY, 1.4), lang.pick("прискорений хід", "rapid")),
+        (Pen::solid(WAY, 2.0), lang.pick("робоча подача", "feed")),
+    ] {
+        canvas.line(&[(at, row), (at + 26.0, row)], pen);
+        canvas.text((at + 32.0, row + 4.0), 11.0, Anchor::Start, text);
+        at += 32.0 + width_of(text, 11.0) + 10.0;
+    }
+    let text = lang.pick("Z - за кресленням, мм; не в масштабі", "Z as on the drawing, mm; not to scale");
+    canvas.text((at, row + 4.0), 11.0, Anchor::Start, text);
+}

@@ -1,0 +1,207 @@
+//! The encoding sheet of a program (карта кодування інформації, GOST 3.1404-86, form 5a): transition, block, meaning.
+//!
+//! The textbook's sheet (Appendix Г, l. 10380-10505) has two columns, the content of the transition and the content of
+//! the block, under a head of equipment and special instructions. The columns of tool and corrector and of the meaning
+//! in words are ours, and marked.
+//!
+//! - `words` a line as words; `dictionary` what they mean, from the tables of the control; `print` the sheet as a page.
+
+use serde::Serialize;
+
+use crate::error::KnowledgeError;
+use crate::job::{Job, ToolWork};
+use crate::knowledge::Knowledge;
+use crate::machine::Machine;
+use crate::plan::Plan;
+use crate::program::written::{Role, WorkRef, Written};
+
+use super::sheet::mm;
+use super::{Lang, transitions};
+
+mod dictionary;
+mod print;
+mod words;
+
+pub use dictionary::Dictionary;
+
+/// The sheet.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Sheet {
+    /// The form it follows.
+    pub form: &'static str,
+    /// The part; absent of a program without one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub part: Option<String>,
+    /// Machine and control.
+    pub equipment: String,
+    /// What the operator sets before the start: zeros, correctors.
+    pub instructions: Vec<String>,
+    /// One row for each block.
+    pub rows: Vec<Row>,
+    /// The fields that are not in the textbook's sheet but ours.
+    pub supplied: [&'static str; 3],
+    /// The language of its words.
+    #[serde(skip)]
+    lang: Lang,
+}
+
+/// A block on the sheet.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Row {
+    /// The line of the program, from 1.
+    pub line: usize,
+    /// The transition that begins here, or what the operator does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub transition: Option<String>,
+    /// The tool and the correctors that the block names: `T1`, `H01`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tool: Option<String>,
+    /// The block as it stands, with its end.
+    pub code: String,
+    /// What it says, word by word.
+    pub meaning: String,
+}
+
+const FORM: &str = "ГОСТ 3.1404-86, форма 5а";
+const SUPPLIED: [&str; 3] = ["instructions", "tool", "meaning"];
+
+/// The sheet of a program that was written for a job.
+///
+/// # Errors
+/// There are no tables of words for the control, or they lack a meaning.
+pub fn encoding_sheet(
+    written: &Written,
+    job: &Job,
+    plan: &Plan,
+    control: &str,
+    knowledge: &Knowledge,
+    lang: Lang,
+) -> Result<Sheet, KnowledgeError> {
+    let mut sheet = of_text(&written.text(), &job.machine, control, knowledge, lang)?;
+    sheet.part = Some(job.part.clone());
+    sheet.instructions = instructions(job, lang);
+    let named = written.lines.iter().filter_map(|line| Some((line.work?, line.cycle?))).collect();
+    let mut said = Said { named, ..Said::default() };
+    for row in &mut sheet.rows {
+        let Some(line) = written.lines.get(row.line - 1) else { continue };
+        let Some((at, work)) = line.work.and_then(|at| Some((at, work_of(job, at)?))) else { continue };
+        row.transition = match line.role {
+            Role::Pause => said.pause(at, work, plan, lang),
+            _ => said.transition(at, work, line.cycle, plan, lang),
+        };
+    }
+    Ok(sheet)
+}
+
+/// The sheet of any program: its blocks and their meaning.
+///
+/// # Errors
+/// There are no tables of words for the control, or they lack a meaning; the machine is not known.
+pub fn of_text(
+    text: &str,
+    machine: &str,
+    control: &str,
+    knowledge: &Knowledge,
+    lang: Lang,
+) -> Result<Sheet, KnowledgeError> {
+    let dictionary = Dictionary::read(control, knowledge)?;
+    let mut modes = dictionary::Modes::default();
+    let mut rows = Vec::new();
+    for (index, line) in text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()) {
+        let found = words::of_line(line);
+        let tool = dictionary.tool(&found);
+        let meaning = dictionary.meaning(&found, &mut modes, lang);
+        // The sign of a tape is no block and has no end.
+        let end = if found == [words::Word::Tape] { "" } else { end(control) };
+        let code = format!("{} {end}", line.trim()).trim_end().to_owned();
+        rows.push(Row { line: index + 1, transition: None, tool, code, meaning });
+    }
+    // A machine without a record is an error, so that nobody reads a sheet of another one.
+    Machine::find(knowledge, machine)?;
+    let named = &knowledge.table(&format!("machine-{machine}"))?.title;
+    let equipment =
+        format!("{}, {} {}", lang.pick(&named.uk, &named.en), lang.pick("ПЧПК", "control"), name(control, lang));
+    Ok(Sheet { form: FORM, part: None, equipment, instructions: Vec::new(), rows, supplied: SUPPLIED, lang })
+}
+
+/// What people call a control.
+fn name(control: &str, lang: Lang) -> &str {
+    match control {
+        "2c42-65" => lang.pick("2С42-65", "2C42-65"),
+        "linuxcnc" => "LinuxCNC",
+        "fanuc" => "Fanuc",
+        other => other,
+    }
+}
+
+/// How a block ends on paper: LF on the textbook's sheet, `;` in Fanuc's manuals; LinuxCNC writes none.
+fn end(control: &str) -> &'static str {
+    match control {
+        "2c42-65" => "LF",
+        "fanuc" => ";",
+        _ => "",
+    }
+}
+
+fn work_of(job: &Job, at: WorkRef) -> Option<&ToolWork> {
+    job.setups.get(at.setup)?.works.get(at.work)
+}
+
+/// Where the part's zero is, and what the correctors hold.
+fn instructions(job: &Job, lang: Lang) -> Vec<String> {
+    let mut lines = Vec::new();
+    for setup in &job.setups {
+        let zero = setup.zero;
+        let [x, y, z] = [zero.x, zero.y, zero.z].map(|value| mm(value, lang));
+        let place = lang.pick("нуль деталі від нуля верстата", "zero of the part from the machine zero");
+        let number = setup.number;
+        lines.push(format!("{} {number}: {place} X{x} Y{y} Z{z}", lang.pick("установ", "set-up")));
+    }
+    let held: Vec<String> =
+        job.correctors.iter().map(|(number, value)| format!("H{number:02} = {}", mm(*value, lang))).collect();
+    if !held.is_empty() {
+        lines.push(format!("{}: {}", lang.pick("коректори, мм", "correctors, mm"), held.join("; ")));
+    }
+    lines
+}
+
+/// What the sheet has said already: every transition stands at its first block only.
+#[derive(Debug, Default)]
+struct Said {
+    /// The cycles that blocks of the program name.
+    named: Vec<(WorkRef, usize)>,
+    works: Vec<WorkRef>,
+    cycles: Vec<(WorkRef, usize)>,
+    pauses: Vec<WorkRef>,
+}
+
+impl Said {
+    /// What begins at a block: at the first one of a work all that has no block of its own, or all where there is one
+    /// cycle only; at the first block of a cycle what that cycle makes.
+    fn transition(
+        &mut self,
+        at: WorkRef,
+        work: &ToolWork,
+        cycle: Option<usize>,
+        plan: &Plan,
+        lang: Lang,
+    ) -> Option<String> {
+        let mut begin: Vec<usize> = cycle.into_iter().collect();
+        if !self.works.contains(&at) {
+            self.works.push(at);
+            let alone = work.cycles.len() == 1;
+            begin.extend((0..work.cycles.len()).filter(|own| alone || !self.named.contains(&(at, *own))));
+        }
+        begin.retain(|own| !self.cycles.contains(&(at, *own)));
+        self.cycles.extend(begin.iter().map(|own| (at, *own)));
+        Some(transitions::sentence(plan, work, &begin, lang)).filter(|text| !text.is_empty())
+    }
+
+    /// The pauses of a work in their order, one at each of its blocks of that role.
+    fn pause(&mut self, at: WorkRef, work: &ToolWork, plan: &Plan, lang: Lang) -> Option<String> {
+        let before = self.pauses.iter().filter(|known| **known == at).count();
+        self.pauses.push(at);
+        let pause = work.pauses.get(before)?;
+        Some(transitions::pause(*pause, &plan.part, lang))
+    }
+}

@@ -1,0 +1,263 @@
+//! What the words of a control mean: one dictionary from its tables.
+//!
+//! The tables of a control `NAME` are `NAME-g-functions`, `NAME-m-functions`, `NAME-m-actions`, `NAME-addresses`,
+//! `NAME-cycle-parameters` and `NAME-words`, as far as there are such. Each has the columns `meaning_uk`, `meaning_en`
+//! and a key `code`, `address` or `word`; a row with `cycles` is a parameter of those cycles. A control whose words
+//! stand in one table has only `NAME-words`.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::error::KnowledgeError;
+use crate::knowledge::{Knowledge, RowRef};
+use crate::report::Lang;
+
+use super::words::Word;
+
+const TABLES: [&str; 6] = ["g-functions", "m-functions", "m-actions", "addresses", "cycle-parameters", "words"];
+const KEYS: [&str; 3] = ["code", "address", "word"];
+/// Functions by whose block the words of the axes are no way to go: a setting or a wait.
+const NO_WAY: [&str; 4] = ["G04", "G10", "G52", "G92"];
+
+/// A meaning in both languages.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+struct Meaning {
+    uk: String,
+    en: String,
+    /// With G91, where it is another one.
+    incremental: Option<(String, String)>,
+    unit: Option<String>,
+    /// Whether the number counts tenths of its unit.
+    tenths: bool,
+}
+
+/// The meanings of a control's words.
+#[derive(Clone, Debug, Default)]
+pub struct Dictionary {
+    /// By code (`G81`, `M06`) or address (`X`).
+    words: BTreeMap<String, Meaning>,
+    /// Of cycles: by the cycle and the address of the parameter.
+    parameters: BTreeMap<(String, String), Vec<Meaning>>,
+    /// The codes that begin a cycle.
+    cycles: BTreeSet<String>,
+}
+
+/// What stays from block to block and changes a meaning.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Modes {
+    incremental: bool,
+}
+
+impl Dictionary {
+    /// Reads the words of a control.
+    ///
+    /// # Errors
+    /// There is no such table, or a row lacks a meaning.
+    pub fn read(control: &str, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
+        let mut own = Self::default();
+        for name in TABLES {
+            let Ok(table) = knowledge.table(&format!("{control}-{name}")) else { continue };
+            let Some(key) = KEYS.into_iter().find(|key| table.column_index(key).is_some()) else { continue };
+            // A table of actions says only what the others leave out.
+            for row in table.all_rows().filter(|row| name != "m-actions" || row.text("meaning_uk").is_ok()) {
+                own.take(row, key)?;
+            }
+        }
+        if own.words.is_empty() {
+            let wanted = format!("{control}-words");
+            return Err(KnowledgeError::lacks(&wanted, "no table says what the words of this control mean"));
+        }
+        Ok(own)
+    }
+
+    fn take(&mut self, row: RowRef<'_>, key: &str) -> Result<(), KnowledgeError> {
+        let word = row.text(key)?.to_owned();
+        let text = |column: &str| row.text(column).ok().map(str::to_owned);
+        let meaning = Meaning {
+            uk: row.text("meaning_uk")?.to_owned(),
+            en: row.text("meaning_en")?.to_owned(),
+            incremental: text("incremental_uk").zip(text("incremental_en")),
+            unit: text("unit").filter(|unit| unit != "1"),
+            tenths: row.text("format").is_ok_and(|format| format == "tenths of a second"),
+        };
+        match row.texts("cycles") {
+            Ok(cycles) if !cycles.is_empty() => {
+                for cycle in cycles {
+                    self.cycles.insert(cycle.to_owned());
+                    self.parameters.entry((cycle.to_owned(), word.clone())).or_default().push(meaning.clone());
+                }
+            }
+            _ => {
+                self.words.entry(word).or_insert(meaning);
+            }
+        }
+        Ok(())
+    }
+
+    /// What a block says, word by word; its number says nothing.
+    pub(super) fn meaning(&self, words: &[Word], modes: &mut Modes, lang: Lang) -> String {
+        let codes: Vec<String> = words.iter().filter_map(code).collect();
+        for code in &codes {
+            match code.as_str() {
+                "G90" => modes.incremental = false,
+                "G91" => modes.incremental = true,
+                _ => {}
+            }
+        }
+        let way = !codes.iter().any(|code| NO_WAY.contains(&code.as_str()));
+        let mut cycle: Option<String> = None;
+        let mut said = Vec::new();
+        for word in words {
+            match word {
+                Word::Address('N', _) if cycle.is_none() => {}
+                Word::Address(letter, number) => {
+                    let text = self.word(*letter, number, cycle.as_deref(), words, *modes, way, lang);
+                    said.push(format!("{letter}{number}: {text}"));
+                    cycle = cycle.or(code(word).filter(|code| self.cycles.contains(code)));
+                }
+                Word::Comment(text) => said.push(format!("{}: {text}", lang.pick("примітка", "comment"))),
+                Word::Skip => {
+                    let skip = lang.pick("далі - пропуск за ознакою оператора", "what follows is left out on request");
+                    said.push(format!("/: {skip}"));
+                }
+                Word::Tape => said.push(format!("%: {}", lang.pick("межа файлу", "end of the file"))),
+                Word::Statement(text) => {
+                    said.push(format!("{text}: {}", lang.pick("оператор мови керування", "statement of the control")));
+                }
+            }
+        }
+        said.join("; ")
+    }
+
+    /// The tool and the correctors that a block names, not the parameters of a cycle: `T1`, `H01`.
+    pub(super) fn tool(&self, words: &[Word]) -> Option<String> {
+        let mut cycle: Option<String> = None;
+        let mut named = Vec::new();
+        for word in words {
+            if let Word::Address(letter @ ('T' | 'H' | 'D'), number) = word {
+                let key = |cycle: &String| (cycle.clone(), letter.to_string());
+                if !cycle.as_ref().is_some_and(|cycle| self.parameters.contains_key(&key(cycle))) {
+                    named.push(format!("{letter}{number}"));
+                }
+            }
+            cycle = cycle.or(code(word).filter(|code| self.cycles.contains(code)));
+        }
+        (!named.is_empty()).then(|| named.join(", "))
+    }
+
+    /// What a word means, behind the G function of a cycle as its parameter.
+    #[allow(clippy::too_many_arguments, reason = "the word, what stands around it, and the language")]
+    fn word(
+        &self,
+        letter: char,
+        number: &str,
+        cycle: Option<&str>,
+        block: &[Word],
+        modes: Modes,
+        way: bool,
+        lang: Lang,
+    ) -> String {
+        let address = self.words.get(&letter.to_string());
+        let parameter =
+            |letter: char| cycle.and_then(|cycle| self.parameters.get(&(cycle.to_owned(), letter.to_string())));
+        if let Some(meanings) = parameter(letter) {
+            // What another word of the block says alone, this one does not say: F of a way out that has its own H.
+            let elsewhere = |meaning: &Meaning| {
+                block.iter().any(|word| match word {
+                    Word::Address(other, _) if *other != letter => {
+                        parameter(*other).is_some_and(|others| others.iter().any(|other| other.uk == meaning.uk))
+                    }
+                    _ => false,
+                })
+            };
+            let several = meanings.len() > 1;
+            let own: Vec<&Meaning> = meanings.iter().filter(|meaning| !(several && elsewhere(meaning))).collect();
+            let texts: Vec<&str> = own.iter().map(|meaning| meaning.text(modes.incremental, lang)).collect();
+            let unit = own.first().and_then(|meaning| meaning.unit.as_ref());
+            let unit = unit.or(address.and_then(|it| it.unit.as_ref())).or_else(|| self.unit_alike(cycle?, meanings));
+            let tenths = address.is_some_and(|address| address.tenths);
+            let text = texts.join(lang.pick(" і ", " and "));
+            return match letter {
+                'M' => format!("{text}: {}", self.code(letter, number, lang)),
+                _ => valued(&text, " = ", number, unit, tenths, lang),
+            };
+        }
+        if matches!(letter, 'G' | 'M') {
+            return self.code(letter, number, lang);
+        }
+        let Some(meaning) = address else { return unknown(lang) };
+        let text = meaning.text(false, lang);
+        let between = match letter {
+            'X' | 'Y' | 'Z' | 'A' | 'B' | 'C' if way && modes.incremental => lang.pick(" на ", " by "),
+            'X' | 'Y' | 'Z' | 'A' | 'B' | 'C' if way => lang.pick(" до ", " to "),
+            _ => " = ",
+        };
+        valued(text, between, number, meaning.unit.as_ref(), meaning.tenths, lang)
+    }
+
+    /// The unit of the address that means the same in a cycle: H of a way out is a feed as F is.
+    fn unit_alike(&self, cycle: &str, meanings: &[Meaning]) -> Option<&String> {
+        let alike = |others: &[Meaning]| others.iter().any(|other| meanings.iter().any(|own| own.uk == other.uk));
+        let of_cycle = self.parameters.iter().filter(|((own, _), _)| own == cycle);
+        of_cycle.filter(|(_, others)| alike(others)).find_map(|((_, word), _)| self.words.get(word)?.unit.as_ref())
+    }
+
+    fn code(&self, letter: char, number: &str, lang: Lang) -> String {
+        let code = two_digits(letter, number);
+        self.words.get(&code).map_or_else(|| unknown(lang), |meaning| meaning.text(false, lang).to_owned())
+    }
+}
+
+impl Meaning {
+    fn text(&self, incremental: bool, lang: Lang) -> &str {
+        match &self.incremental {
+            Some((uk, en)) if incremental => lang.pick(uk, en),
+            _ => lang.pick(&self.uk, &self.en),
+        }
+    }
+}
+
+fn unknown(lang: Lang) -> String {
+    lang.pick("таблиці керування не знають цього слова", "the control's tables do not know this word").to_owned()
+}
+
+/// A meaning with its number, where the number has a unit: others say all that is to say by themselves.
+fn valued(text: &str, between: &str, number: &str, unit: Option<&String>, tenths: bool, lang: Lang) -> String {
+    let Some(unit) = unit else { return text.to_owned() };
+    let shown = match number.parse::<f64>() {
+        Ok(value) if tenths => (value / 10.0).to_string(),
+        Ok(value) => value.to_string(),
+        Err(_) => number.to_owned(),
+    };
+    format!("{text}{between}{} {}", lang.pick(&shown.replace('.', ","), &shown), unit_name(unit, lang))
+}
+
+fn unit_name(unit: &str, lang: Lang) -> &str {
+    match unit {
+        "mm" => lang.pick("мм", "mm"),
+        "mm/min" => lang.pick("мм/хв", "mm/min"),
+        "1/min" => lang.pick("об/хв", "1/min"),
+        "s" => lang.pick("с", "s"),
+        "ms" => lang.pick("мс", "ms"),
+        "deg" => lang.pick("град", "deg"),
+        other => other,
+    }
+}
+
+/// The code of a function: `G0` is `G00`, `G54.1` stays.
+fn code(word: &Word) -> Option<String> {
+    match word {
+        Word::Address(letter @ ('G' | 'M'), number) => Some(two_digits(*letter, number)),
+        _ => None,
+    }
+}
+
+fn two_digits(letter: char, number: &str) -> String {
+    let whole = number.split('.').next().unwrap_or_default();
+    let number = number.strip_suffix(".0").unwrap_or(number);
+    match whole.len() {
+        1 => format!("{letter}0{number}"),
+        // M003 is M03, too.
+        _ if !number.contains('.') && number.len() > 2 => format!("{letter}{:0>2}", number.trim_start_matches('0')),
+        _ => format!("{letter}{number}"),
+    }
+}
