@@ -17,6 +17,7 @@ mod lookup;
 mod order;
 mod output;
 mod plan;
+mod proof;
 mod record;
 mod sheet;
 mod table;

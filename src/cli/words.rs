@@ -81,6 +81,12 @@ words! {
         "Рухи: рядок, кадр, рух, положення осей верстата, мм", "Motions: line, block, motion, machine position in mm";
     AlsoSays: "Рядок каже також", "The row also says";
 
+    // The proof.
+    ProofHead: "Зроблено з того, що вимагає план:", "Made of what the plan asks for:";
+    Hole: "отвір", "hole";
+    Transition: "перехід", "transition";
+    Made: "зроблено", "made";
+
     // The order.
     Tool: "T", "T";
     Stops: "зупинок", "stops";
@@ -306,6 +312,7 @@ pub const HELP_UK: &[(&str, &str)] = &[
     ("check.program", "Файл програми"),
     ("check.control", "ПЧПК, мовою якого вона написана"),
     ("check.machine", "Верстат, за назвою в каталозі"),
+    ("check.part", "Деталь, яку програма має виготовити: кожен отвір, кожен перехід (docs/proof.md)"),
     ("check.setting", "Що задає оператор: нулі, коректори, перемикачі (docs/control-2c42-65.md)"),
     ("order", "Порядок інструментів і шлях обходу отворів з довжиною, часом і нижньою межею; також для списку точок"),
     ("order.file", "Файл деталі або список точок: CSV (x,y у мм) чи TSPLIB (EUC_2D)"),

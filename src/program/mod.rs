@@ -4,6 +4,7 @@
 //! backwards. What an interpreter has to say about a program are [`Fault`]s: data, without a language.
 
 pub mod control_2c42_65;
+pub mod proof;
 pub mod written;
 
 use serde::Serialize;

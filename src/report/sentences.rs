@@ -8,11 +8,12 @@ use crate::note::Note;
 use super::Lang;
 
 mod programs;
+mod proof;
 mod routes;
 
 /// Every sentence.
 fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'static str)> {
-    SENTENCES.iter().chain(routes::SENTENCES).chain(programs::SENTENCES)
+    SENTENCES.iter().chain(routes::SENTENCES).chain(programs::SENTENCES).chain(proof::SENTENCES)
 }
 
 /// A note as a sentence. A code without words shows itself with its figures, so that nothing is lost.
@@ -36,7 +37,10 @@ pub fn sentence(note: &Note, lang: Lang) -> String {
 
 /// What to do about a mistake of a program.
 pub fn remedy(note: &Note, lang: Lang) -> Option<&'static str> {
-    programs::REMEDIES.iter().find(|(code, ..)| *code == note.code).map(|(_, uk, en)| lang.pick(uk, en))
+    let of_program = programs::REMEDIES.iter().find(|(code, ..)| *code == note.code).map(|(_, uk, en)| lang.pick(*uk, *en));
+    of_program.or_else(|| {
+        proof::REMEDIES.iter().find(|(code, _)| *code == note.code).map(|(_, (uk, en))| lang.pick(*uk, *en))
+    })
 }
 
 /// Figures whose values are words of the program are translated too.
