@@ -80,6 +80,14 @@ impl<'t> Around<'_, 't> {
                 }
                 continue;
             }
+            let from_change = number.checked_sub(1).and_then(|before| self.made.walk.stays.get(before));
+            if self.at_change(stay) || from_change.is_some_and(|stay| self.at_change(stay)) {
+                findings.push(
+                    Finding::new("travel-not-up", Severity::Note, stay.block)
+                        .with("at", shown(stay.at))
+                        .with("z", high),
+                );
+            }
             let before = number.checked_sub(1).and_then(|before| cuts.get(&before)).map(|(_, last)| *last);
             let after = cuts.get(&number).map(|(first, _)| *first);
             let out = |cut: Option<usize>| Some(self.task(cut?)?.cycle.out);
@@ -125,6 +133,9 @@ impl<'t> Around<'_, 't> {
                 }
                 continue;
             };
+            if leads.is_some() && made.turning == Turning::Stopped {
+                findings.push(say("approach-standing").with("z", made.to[2]));
+            }
             let cycle = task.cycle;
             let known = [cycle.begin, cycle.out].iter().any(|level| near(*level, made.to[2]));
             let up_again = leads.is_none() && made.machine.z == up;
@@ -217,6 +228,7 @@ impl<'t> Around<'_, 't> {
         for (_, block, event) in &self.made.walk.events {
             match event {
                 Event::Stop => {}
+                Event::Radius => findings.push(Finding::new("radius-correction", Severity::Doubtful, *block)),
                 Event::Change { turned, coolant } => {
                     if *turned {
                         findings.push(Finding::new("turns-at-change", Severity::Note, *block));

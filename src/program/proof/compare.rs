@@ -57,9 +57,9 @@ pub(super) fn all(
             _ => {
                 milled::none(&say, findings);
                 steps(&say, asked, findings);
-                way_out(&say, findings);
             }
         }
+        way_out(&say, findings);
     }
     missing(matched, tasks, findings);
 }
@@ -177,6 +177,9 @@ fn levels(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
     let part = &asked.plan.part;
     if let Some(begin) = say.cut.begin() {
         let metal = part.datum.top - transition.start_mm;
+        // A rapid may have gone lower before it.
+        let rapids = say.cut.moves.iter().take_while(|made| made.feed().is_none()).filter(|made| made.moves());
+        let begin = rapids.map(|made| made.to[2]).fold(begin, Micrometres::min);
         if begin < cycle.begin - TOLERANCE {
             let finding = if begin < metal {
                 say.figure("rapid-into-metal", Severity::Error, begin, metal)

@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::motion::{Axis, BlockRef, Motion, Plane, Position, Sense, Step, Turning, geometry};
+use crate::motion::{Axis, BlockRef, Motion, Plane, Position, Sense, Side, Step, Turning, geometry};
 use crate::units::Micrometres;
 
 /// A place of the tip.
@@ -106,6 +106,8 @@ pub(super) struct Stay {
 pub(super) enum Event {
     /// The program waits for the operator.
     Stop,
+    /// The path is kept beside the programmed one, which no drilling does.
+    Radius,
     /// A tool comes; whether the spindle turned and the coolant flowed until then.
     Change { turned: bool, coolant: bool },
     /// The program ends there; whether the spindle turns and the coolant flows.
@@ -229,8 +231,13 @@ fn take(walk: &mut Walk, state: &mut State, (order, step): (usize, &Step), setup
             walk.events.push((order, step.block, Event::End { at: step.at, turns, coolant: state.coolant }));
             return;
         }
-        // Neither moves the tip: a radius correction is in the positions already.
-        Motion::LengthCorrection { .. } | Motion::RadiusCorrection { .. } | Motion::Auxiliary { .. } => return,
+        Motion::RadiusCorrection { side, .. } => {
+            if *side != Side::Off {
+                walk.events.push((order, step.block, Event::Radius));
+            }
+            return;
+        }
+        Motion::LengthCorrection { .. } | Motion::Auxiliary { .. } => return,
     };
     let (from, to) = (tip(state.at, state, frame), tip(step.at, state, frame));
     let made = Move {

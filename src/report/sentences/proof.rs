@@ -318,6 +318,21 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "перехід до {at} на Z{made}, вище за Z{needed}",
         "the way to {at} is at Z{made}, higher than Z{needed}",
     ),
+    (
+        "travel-not-up",
+        "шлях від заміни інструмента чи до неї ({at}) на Z{z}, а не з піднятим повзуном",
+        "the way from or to the tool change ({at}) is at Z{z}, not with the quill up",
+    ),
+    (
+        "radius-correction",
+        "діє корекція на радіус, якої план не має",
+        "a radius correction acts, which the plan has not",
+    ),
+    (
+        "approach-standing",
+        "підхід до Z{z} при зупиненому шпинделі",
+        "the way down to Z{z} while the spindle stands",
+    ),
     ("dwell-in-air", "витримка {made} с над деталлю", "a dwell of {made} s over the part"),
     (
         "turns-to-change",
@@ -415,6 +430,9 @@ pub(super) const REMEDIES: &[(&str, (&str, &str))] = &[
     ("air-at-feed", CHECK_IDLE),
     ("travel-at-feed", CHECK_IDLE),
     ("travel-high", CHECK_IDLE),
+    ("travel-not-up", ("спершу підніміть повзун", "raise the quill first")),
+    ("radius-correction", ("скасуйте її: G40", "end it: G40")),
+    ("approach-standing", ("запустіть шпиндель раніше: S і M03", "start the spindle before it: S and M03")),
     ("dwell-in-air", CHECK_IDLE),
     ("turns-to-change", ("зупиніть шпиндель: M05", "stop the spindle: M05")),
     ("turns-at-change", ("зупиніть шпиндель: M05", "stop the spindle: M05")),
