@@ -80,7 +80,13 @@ impl Say<'_, '_> {
     }
 
     /// A finding about a figure of it.
-    pub fn figure(&self, code: &'static str, severity: Severity, made: impl ToString, needed: impl ToString) -> Finding {
+    pub fn figure(
+        &self,
+        code: &'static str,
+        severity: Severity,
+        made: impl ToString,
+        needed: impl ToString,
+    ) -> Finding {
         self.now(code, severity).with("made", made).with("needed", needed)
     }
 }
@@ -98,7 +104,9 @@ fn collisions(cut: &Cut, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
     }
     if cut.begin().is_none() {
         findings.push(
-            Finding::new("rapid-into-part", Severity::Error, cut.block).with("at", shown(cut.at)).with("z", cut.deepest()),
+            Finding::new("rapid-into-part", Severity::Error, cut.block)
+                .with("at", shown(cut.at))
+                .with("z", cut.deepest()),
         );
         return;
     }
@@ -119,9 +127,7 @@ fn collisions(cut: &Cut, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
     let turning = cut.turning();
     if turning != Turning::Clockwise {
         let code = if turning == Turning::Stopped { "spindle-stands" } else { "wrong-turn" };
-        findings.push(
-            Finding::new(code, Severity::Error, cut.block).with("at", shown(cut.at)).with("tool", cut.tool),
-        );
+        findings.push(Finding::new(code, Severity::Error, cut.block).with("at", shown(cut.at)).with("tool", cut.tool));
     }
 }
 
@@ -197,7 +203,11 @@ fn levels(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
     }
     // A hole is through from the lower face on, and what is beyond is overrun.
     let through = transition.depth_mm >= part.blank.thickness;
-    let preparing = transition.operation == Operation::CentreDrill;
+    // A spot of 90° that is no deeper than the hole's radius is no wider than the hole.
+    let hole = part.holes.iter().find(|hole| hole.name == say.task.stop.hole);
+    let radius = hole.map(|hole| hole.diameter.nominal.half()).unwrap_or_default();
+    let spot = part.datum.top - transition.start_mm - radius;
+    let preparing = transition.operation == Operation::CentreDrill && deepest >= spot;
     let finding = if deepest > cycle.end {
         let enough = through && deepest <= cycle.end + asked.overrun + TOLERANCE;
         let (code, severity) =

@@ -56,7 +56,9 @@ pub(super) fn cuts(number: usize, stay: &Stay, top: Micrometres) -> (Vec<Cut>, V
             above.push((None, *made));
             continue;
         }
-        if !inside && !cuts.last().is_some_and(|cut| goes_on(cut, &stay.moves[index..], top)) {
+        // Also what goes in again from the very face is another way in.
+        let from_above = made.moves() && made.from[2] >= top;
+        if (!inside || from_above) && !cuts.last().is_some_and(|cut| goes_on(cut, &stay.moves[index..], top)) {
             for (leads, _) in above.iter_mut().rev().take_while(|(leads, _)| leads.is_none()) {
                 *leads = Some(cuts.len());
             }

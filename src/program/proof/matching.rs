@@ -46,8 +46,8 @@ pub(super) fn fits(cut: &Cut, task: &Task<'_>) -> bool {
     near(cut.deepest(), task.cycle.end)
 }
 
-/// Gives each cut its task: first what fits in tool, point and depth, in the order of the program; then what has another
-/// depth; then what another tool made.
+/// Gives each cut its task: first what fits in tool, point and depth, in the order of the program; then what another
+/// tool made; then what has another depth.
 pub(super) fn matched(cuts: &[Cut], tools: &Tools, tasks: &[Task<'_>]) -> Matched {
     let places = Places::of(tasks);
     let mut matched = Matched { task_of: vec![None; cuts.len()], cut_of: vec![None; tasks.len()] };
@@ -59,9 +59,9 @@ pub(super) fn matched(cuts: &[Cut], tools: &Tools, tasks: &[Task<'_>]) -> Matche
             }
             let own = tools.of_section(cut.section);
             let free = places.at(cut, tasks).into_iter().filter(|&task| matched.cut_of[task].is_none());
-            let mut free = free.filter(|&task| (own == Some(tasks[task].tool.tool)) == (round < 2));
+            let mut free = free.filter(|&task| (own == Some(tasks[task].tool.tool)) == (round != 1));
             let found = match round {
-                1 => free.min_by_key(|&task| ((tasks[task].cycle.end - cut.deepest()).abs(), task)),
+                2 => free.min_by_key(|&task| ((tasks[task].cycle.end - cut.deepest()).abs(), task)),
                 _ => free.find(|&task| fits(cut, &tasks[task])),
             };
             if let Some(task) = found {

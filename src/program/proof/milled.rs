@@ -1,7 +1,7 @@
 //! Circles of a mill, and motions across in the part.
 
-use super::Finding;
 use super::Asked;
+use super::Finding;
 use super::compare::Say;
 use super::cuts::{Circle, TOLERANCE, near};
 use super::shown;
@@ -14,9 +14,8 @@ use crate::units::Micrometres;
 pub(super) fn none(say: &Say<'_, '_>, findings: &mut Vec<Finding>) {
     let across = say.cut.moves.iter().find(|made| made.feed().is_some() && made.across());
     if let Some(made) = across {
-        findings.push(
-            say.now("slot", Severity::Error).with("to", shown([made.to[0], made.to[1]])).with("z", made.to[2]),
-        );
+        findings
+            .push(say.now("slot", Severity::Error).with("to", shown([made.to[0], made.to[1]])).with("z", made.to[2]));
     }
 }
 
@@ -50,9 +49,8 @@ pub(super) fn circles(
     };
     let straight = say.cut.moves.iter().filter(|made| matches!(made.how, How::Feed(_)));
     for made in straight.clone().filter(|made| made.across() && outside(made.to)) {
-        findings.push(
-            say.now("slot", Severity::Error).with("to", shown([made.to[0], made.to[1]])).with("z", made.to[2]),
-        );
+        findings
+            .push(say.now("slot", Severity::Error).with("to", shown([made.to[0], made.to[1]])).with("z", made.to[2]));
     }
     // Straight ways: out to every circle of a level, and back to the middle.
     let ways = straight.clone().filter(|made| made.across()).count();

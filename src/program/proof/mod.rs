@@ -227,7 +227,10 @@ struct Made {
 
 impl Made {
     fn of(steps: &[Step], asked: &Asked<'_>, frames: &[Frame], turned_over: usize) -> Self {
-        let walk = walk::walk(steps, asked.start, frames, turned_over);
+        let works = asked.job.setups.iter().flat_map(|setup| &setup.works).filter(|_| !asked.own_correctors);
+        let needs_none = |tool: u32| asked.job.correctors.contains(&(tool, Micrometres::ZERO));
+        let references = works.filter(|work| needs_none(work.corrector)).map(|work| work.place).collect();
+        let walk = walk::walk(steps, asked.start, frames, turned_over, &references);
         let (mut cuts, mut above) = (Vec::new(), Vec::new());
         for (number, stay) in walk.stays.iter().enumerate() {
             let Some(frame) = frames.get(stay.setup) else { continue };
@@ -277,10 +280,8 @@ fn folded(findings: Vec<Finding>) -> Vec<Finding> {
             }
         }
     }
-    let mut findings: Vec<Finding> = kept
-        .into_iter()
-        .map(|(finding, more)| if more > 0 { finding.with("more", more) } else { finding })
-        .collect();
+    let mut findings: Vec<Finding> =
+        kept.into_iter().map(|(finding, more)| if more > 0 { finding.with("more", more) } else { finding }).collect();
     findings.sort_by_key(|finding| (finding.severity, finding.block.is_none(), finding.block));
     findings
 }

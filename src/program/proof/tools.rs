@@ -33,10 +33,15 @@ impl Tools {
 pub(super) fn tools(made: &Made, tasks: &[Task<'_>], asked: &Asked<'_>) -> Tools {
     let mut tools = Tools::default();
     let places = Places::of(tasks);
-    // For every cut the tools of the plan that would make it.
+    // For every cut the tools of the plan that would make it: that of the place, or one whose correction acts.
+    let corrected =
+        |tool: u32| asked.plan.tools.iter().find(|known| known.number == tool).map(|known| known.correction_mm);
     let makes = |cut: &Cut| -> BTreeSet<u32> {
         let fitting = places.at(cut, tasks).into_iter().filter(|&task| fits(cut, &tasks[task]));
-        fitting.map(|task| tasks[task].tool.tool).collect()
+        let fitting = fitting.map(|task| tasks[task].tool).filter(|tool| {
+            asked.own_correctors || tool.place == cut.tool || corrected(tool.tool) == Some(cut.corrector.1)
+        });
+        fitting.map(|tool| tool.tool).collect()
     };
     let mut in_place: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
     for tool in asked.job.setups.iter().flat_map(|setup| &setup.works) {
@@ -74,7 +79,9 @@ pub(super) fn tools(made: &Made, tasks: &[Task<'_>], asked: &Asked<'_>) -> Tools
         {
             other.insert(tool, plan);
             tools.findings.push(
-                Finding::new("tool-by-work", Severity::Doubtful, first(made, tool)).with("tool", tool).with("plan", plan),
+                Finding::new("tool-by-work", Severity::Doubtful, first(made, tool))
+                    .with("tool", tool)
+                    .with("plan", plan),
             );
         }
     }
@@ -93,7 +100,7 @@ pub(super) fn tools(made: &Made, tasks: &[Task<'_>], asked: &Asked<'_>) -> Tools
             let now = loaded.get(&stay.tool).copied().filter(|tool| score(tool) == most);
             now.or_else(|| known.into_iter().find(|tool| score(tool) == most))
         });
-        if let Some(plan) = plan {
+        if let Some(plan) = plan.filter(|_| !other.contains_key(&stay.tool)) {
             let before = *loaded.entry(stay.tool).or_insert_with(|| first_in(stay.tool, plan, asked));
             if before != plan {
                 let asked_for = made.walk.events.iter().any(|(order, _, event)| {
@@ -128,7 +135,9 @@ pub(super) fn tools(made: &Made, tasks: &[Task<'_>], asked: &Asked<'_>) -> Tools
 fn first_in(place: u32, first: u32, asked: &Asked<'_>) -> u32 {
     let works = || asked.job.setups.iter().flat_map(|setup| &setup.works).filter(|work| work.place == place);
     let loads = |tool: u32| {
-        works().flat_map(|work| &work.pauses).any(|pause| matches!(pause, Pause::LoadTool { tool: it, .. } if *it == tool))
+        works()
+            .flat_map(|work| &work.pauses)
+            .any(|pause| matches!(pause, Pause::LoadTool { tool: it, .. } if *it == tool))
     };
     let known = works().map(|work| work.tool).find(|tool| !loads(*tool));
     // A place that the plan leaves empty holds what the program takes for it.
@@ -184,9 +193,10 @@ fn correctors(made: &Made, tools: &mut Tools, asked: &Asked<'_>) {
         let first = usual.get(&cut.tool).copied().unwrap_or(cut.corrector);
         if cut.corrector != first {
             findings.push(say("wrong-correction", Severity::Error).with("needed", first.1).with("own", first.0));
-        } else if let Some((other, _)) = usual.iter().find(|(tool, used)| {
-            **tool != cut.tool && used.0 == number && number != 0 && value != Micrometres::ZERO
-        }) {
+        } else if let Some((other, _)) = usual
+            .iter()
+            .find(|(tool, used)| **tool != cut.tool && used.0 == number && number != 0 && value != Micrometres::ZERO)
+        {
             findings.push(say("shared-corrector", Severity::Error).with("other", other));
         } else if value != own.correction_mm && told.insert(cut.tool) {
             findings.push(say("correction-otherwise", Severity::Doubtful));

@@ -2,9 +2,9 @@
 //!
 //! Motions are told as the tool's tip makes them, in the coordinates of the drawing as the part lies in the set-up:
 //! machine position less the zero, and along Z less how much longer the tool is than the reference. How long it is does
-//! not change when a correction ends: it is what the program adds for it most often.
+//! not change when a correction ends: it is what the program adds for it most often between two tool changes, or else in all.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::motion::{Axis, BlockRef, Motion, Plane, Position, Sense, Side, Step, Turning, geometry};
 use crate::units::Micrometres;
@@ -130,14 +130,21 @@ struct State {
     speed: f64,
     coolant: bool,
     corrector: (u32, Micrometres),
-    /// How much longer than the reference every tool is.
-    longer: BTreeMap<u32, Micrometres>,
+    /// How much longer than the reference the tool of every section is.
+    longer: BTreeMap<usize, Micrometres>,
     /// The block that stopped the spindle last.
     stopped_by: Option<BlockRef>,
 }
 
 /// Walks through the steps. The part is turned over before the step of that number, if the job has a second set-up.
-pub(super) fn walk(steps: &[Step], start: Position, frames: &[Frame], turned_over: usize) -> Walk {
+/// References are tools, as the program calls them, that are known to need no correction.
+pub(super) fn walk(
+    steps: &[Step],
+    start: Position,
+    frames: &[Frame],
+    turned_over: usize,
+    references: &BTreeSet<u32>,
+) -> Walk {
     let mut walk = Walk::default();
     let mut state = State {
         at: start,
@@ -147,7 +154,7 @@ pub(super) fn walk(steps: &[Step], start: Position, frames: &[Frame], turned_ove
         speed: 0.0,
         coolant: false,
         corrector: (0, Micrometres::ZERO),
-        longer: longer(steps),
+        longer: longer(steps, references),
         stopped_by: None,
     };
     for (order, step) in steps.iter().enumerate() {
@@ -159,25 +166,34 @@ pub(super) fn walk(steps: &[Step], start: Position, frames: &[Frame], turned_ove
     walk
 }
 
-/// What is added along Z for every tool, the value that is brought in most often; of equals the first.
-fn longer(steps: &[Step]) -> BTreeMap<u32, Micrometres> {
-    let mut tool = 0;
-    let mut used: BTreeMap<u32, Vec<(Micrometres, usize)>> = BTreeMap::new();
+/// What is added along Z after every tool change: the value that is brought in most often there; where none is, the one
+/// of that tool elsewhere, but for a reference tool, which needs none.
+fn longer(steps: &[Step], references: &BTreeSet<u32>) -> BTreeMap<usize, Micrometres> {
+    let (mut section, mut tool) = (0, 0);
+    let mut tools: BTreeMap<usize, u32> = BTreeMap::new();
+    let mut used: BTreeMap<usize, BTreeMap<Micrometres, usize>> = BTreeMap::new();
+    let mut by_tool: BTreeMap<u32, BTreeMap<Micrometres, usize>> = BTreeMap::new();
     for step in steps {
         match &step.motion {
-            Motion::ToolChange { tool: next } => tool = *next,
+            Motion::ToolChange { tool: next } => {
+                (section, tool) = (section + 1, *next);
+                tools.insert(section, tool);
+            }
             Motion::LengthCorrection { axis: Axis::Z, value, .. } if *value != Micrometres::ZERO => {
-                let values = used.entry(tool).or_default();
-                match values.iter_mut().find(|(known, _)| known == value) {
-                    Some((_, count)) => *count += 1,
-                    None => values.push((*value, 1)),
-                }
+                *used.entry(section).or_default().entry(*value).or_default() += 1;
+                *by_tool.entry(tool).or_default().entry(*value).or_default() += 1;
             }
             _ => {}
         }
     }
-    let most = |values: &[(Micrometres, usize)]| values.iter().rev().max_by_key(|(_, count)| *count).map(|it| it.0);
-    used.into_iter().filter_map(|(tool, values)| Some((tool, most(&values)?))).collect()
+    let most = |values: Option<&BTreeMap<Micrometres, usize>>| {
+        values.and_then(|values| values.iter().max_by_key(|(_, count)| **count)).map(|(value, _)| *value)
+    };
+    let elsewhere = |tool: u32| most(by_tool.get(&tool)).filter(|_| !references.contains(&tool));
+    tools
+        .into_iter()
+        .filter_map(|(section, tool)| Some((section, most(used.get(&section)).or_else(|| elsewhere(tool))?)))
+        .collect()
 }
 
 fn take(walk: &mut Walk, state: &mut State, (order, step): (usize, &Step), setup: usize, frame: &Frame) {
@@ -272,7 +288,7 @@ fn take(walk: &mut Walk, state: &mut State, (order, step): (usize, &Step), setup
 }
 
 fn tip(at: Position, state: &State, frame: &Frame) -> Tip {
-    let longer = state.longer.get(&state.tool).copied().unwrap_or_default();
+    let longer = state.longer.get(&state.section).copied().unwrap_or_default();
     [at.x - frame.zero.x, at.y - frame.zero.y, at.z - frame.zero.z - longer]
 }
 

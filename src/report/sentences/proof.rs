@@ -76,11 +76,7 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "прискорений рух у деталі: до {at} на висоті Z{z}",
         "a rapid across inside the part: to {at} at Z{z}",
     ),
-    (
-        "rapid-into-part",
-        "прискорений рух у метал у {at} до Z{z}",
-        "a rapid into the metal at {at} to Z{z}",
-    ),
+    ("rapid-into-part", "прискорений рух у метал у {at} до Z{z}", "a rapid into the metal at {at} to Z{z}"),
     (
         "rapid-into-metal",
         "{hole}: {operation} в {at}: подача починається на Z{made}, а метал на Z{needed}",
@@ -149,11 +145,7 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "{hole}: {operation} в {at}: витримка {made} с не на дні",
         "{hole}: {operation} at {at}: a dwell of {made} s not at the bottom",
     ),
-    (
-        "coolant-missing",
-        "{hole}: {operation} в {at}: без охолодження",
-        "{hole}: {operation} at {at}: without coolant",
-    ),
+    ("coolant-missing", "{hole}: {operation} в {at}: без охолодження", "{hole}: {operation} at {at}: without coolant"),
     (
         "coolant-superfluous",
         "{hole}: {operation} в {at}: з охолодженням, якого план не має",
@@ -328,11 +320,7 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "діє корекція на радіус, якої план не має",
         "a radius correction acts, which the plan has not",
     ),
-    (
-        "approach-standing",
-        "підхід до Z{z} при зупиненому шпинделі",
-        "the way down to Z{z} while the spindle stands",
-    ),
+    ("approach-standing", "підхід до Z{z} при зупиненому шпинделі", "the way down to Z{z} while the spindle stands"),
     ("dwell-in-air", "витримка {made} с над деталлю", "a dwell of {made} s over the part"),
     (
         "turns-to-change",
@@ -340,7 +328,11 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "the spindle turns on the way to the tool change",
     ),
     ("turns-at-change", "шпиндель обертається до самої заміни інструмента", "the spindle turns until the tool change"),
-    ("coolant-at-change", "охолодження не вимкнено перед заміною інструмента", "the coolant flows during a tool change"),
+    (
+        "coolant-at-change",
+        "охолодження не вимкнено перед заміною інструмента",
+        "the coolant flows during a tool change",
+    ),
     ("turns-at-end", "програма закінчується, а шпиндель обертається", "the program ends and the spindle turns"),
     ("coolant-at-end", "програма закінчується, а охолодження ввімкнено", "the program ends and the coolant flows"),
     (
@@ -354,13 +346,18 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
 const CHECK_POINT: (&str, &str) = ("перевірте координати й підпрограму", "check the coordinates and the subprogram");
 const CHECK_LEVEL: (&str, &str) =
     ("перевірте рівні циклу, нуль деталі й коректор", "check the levels of the cycle, the zero and the corrector");
-const CHECK_FIGURE: (&str, &str) =
-    ("візьміть величину плану або переконайтеся, що ця годиться", "take the plan's figure, or be sure that this one does");
-const CHECK_CYCLE: (&str, &str) = ("візьміть цикл, якого вимагає перехід", "take the cycle that the transition asks for");
-const CHECK_CIRCLE: (&str, &str) = ("перевірте коло: рівень, радіус, центр, бік", "check the circle: level, radius, centre, sense");
+const CHECK_FIGURE: (&str, &str) = (
+    "візьміть величину плану або переконайтеся, що ця годиться",
+    "take the plan's figure, or be sure that this one does",
+);
+const CHECK_CYCLE: (&str, &str) =
+    ("візьміть цикл, якого вимагає перехід", "take the cycle that the transition asks for");
+const CHECK_CIRCLE: (&str, &str) =
+    ("перевірте коло: рівень, радіус, центр, бік", "check the circle: level, radius, centre, sense");
 const ADD_STOP: (&str, &str) = ("поставте M00 перед цим інструментом", "put M00 before this tool");
 const CHECK_TOOL: (&str, &str) = ("перевірте T і H цього інструмента", "check T and H of this tool");
-const CHECK_IDLE: (&str, &str) = ("приберіть зайве або переконайтеся, що це навмисно", "remove it, or be sure that it is meant");
+const CHECK_IDLE: (&str, &str) =
+    ("приберіть зайве або переконайтеся, що це навмисно", "remove it, or be sure that it is meant");
 
 /// Code, Ukrainian, English: what to do.
 pub(super) const REMEDIES: &[(&str, (&str, &str))] = &[
@@ -368,7 +365,10 @@ pub(super) const REMEDIES: &[(&str, (&str, &str))] = &[
     ("cut-again", ("приберіть повтор", "remove the repetition")),
     ("cut-not-planned", CHECK_POINT),
     ("cut-elsewhere", CHECK_POINT),
-    ("wrong-order", ("поставте переходи отвору в порядку плану", "put the transitions of the hole in the plan's order")),
+    (
+        "wrong-order",
+        ("поставте переходи отвору в порядку плану", "put the transitions of the hole in the plan's order"),
+    ),
     ("wrong-tool", CHECK_TOOL),
     ("tool-unknown", CHECK_TOOL),
     ("tool-by-work", ("перевірте, що стоїть у магазині", "check what stands in the magazine")),
@@ -461,14 +461,15 @@ mod tests {
             for opening in ["new(\"", "now(\"", "figure(\"", "say(\"", "at(\"", "=> \"", "{ \"", "(\""] {
                 for rest in text.split(opening).skip(1) {
                     let code = rest.split('"').next().unwrap();
-                    // Names of figures have no hyphen; `slot` and `oblique` are the codes without one.
-                    if code.contains('-') && !code.contains(' ') || ["slot", "oblique"].contains(&code) {
+                    // Names of figures have no hyphen; these are the codes without one.
+                    if code.contains('-') && !code.contains(' ') || ["slot", "oblique", "deeper"].contains(&code) {
                         codes.insert(code.to_owned());
                     }
                 }
             }
         }
-        let owned = |codes: &mut dyn Iterator<Item = &&str>| codes.map(|code| (*code).to_owned()).collect::<BTreeSet<_>>();
+        let owned =
+            |codes: &mut dyn Iterator<Item = &&str>| codes.map(|code| (*code).to_owned()).collect::<BTreeSet<_>>();
         assert_eq!(codes, owned(&mut SENTENCES.iter().map(|(code, ..)| code)));
         assert_eq!(codes, owned(&mut REMEDIES.iter().map(|(code, _)| code)));
     }
