@@ -361,3 +361,30 @@ fn pauses_need_stops() {
     assert_eq!(held.codes(&loaded), ["not-loaded", "no-stop-to-load"]);
     assert_eq!(held.codes(&stopped.replace("T3 M6", "T1 M6")), [""; 0]);
 }
+
+fn technolog(args: &[&str]) -> std::process::Output {
+    std::process::Command::new(env!("CARGO_BIN_EXE_technolog")).current_dir(root()).args(args).output().unwrap()
+}
+
+/// The command takes zeros and correctors of the job, shows what is made, and fails what is not.
+#[test]
+fn the_command_shows_what_is_made_of_what_is_needed() {
+    let part = ["--part", "examples/plate.yaml", "--control", "2c42-65", "--lang", "en"];
+    let right = technolog(&[&["check", "tests/proof/plate/program.nc"], &part[..]].concat());
+    let text = String::from_utf8(right.stdout).unwrap();
+    assert_eq!(right.status.code(), Some(0), "{text}");
+    assert!(text.starts_with("Made of what the plan asks for:\n"), "{text}");
+    assert!(text.contains("\n B    | drilling out | T3 | 4/4\n"), "{text}");
+
+    let printed = ["check", "examples/appendix-g/program.nc", "--setting", "examples/appendix-g/setting.yaml"];
+    let printed = technolog(&[&printed, &part[..], &["--format", "json"]].concat());
+    assert_eq!(printed.status.code(), Some(1));
+    let answer: serde_json::Value = serde_json::from_slice(&printed.stdout).unwrap();
+    let proof = &answer["proof"];
+    let count = |key: &str| proof[key].as_array().unwrap().len();
+    assert_eq!([count("visits"), count("missing"), count("superfluous")], [18, 6, 3]);
+    assert_eq!(proof["findings"][0]["block"], 105);
+    let keys: Vec<&String> = proof["visits"][0].as_object().unwrap().keys().collect();
+    assert_eq!(keys, ["at", "block", "hole", "line", "pass", "tool", "transition"]);
+    assert_eq!(proof["visits"][0]["at"], serde_json::json!([-200, 100]));
+}

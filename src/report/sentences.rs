@@ -38,10 +38,9 @@ pub fn sentence(note: &Note, lang: Lang) -> String {
 /// What to do about a mistake of a program.
 pub fn remedy(note: &Note, lang: Lang) -> Option<&'static str> {
     let of_program =
-        programs::REMEDIES.iter().find(|(code, ..)| *code == note.code).map(|(_, uk, en)| lang.pick(*uk, *en));
-    of_program.or_else(|| {
-        proof::REMEDIES.iter().find(|(code, _)| *code == note.code).map(|(_, (uk, en))| lang.pick(*uk, *en))
-    })
+        programs::REMEDIES.iter().find(|(code, ..)| *code == note.code).map(|(_, uk, en)| lang.pick(uk, en));
+    of_program
+        .or_else(|| proof::REMEDIES.iter().find(|(code, _)| *code == note.code).map(|(_, (uk, en))| lang.pick(uk, en)))
 }
 
 /// Figures whose values are words of the program are translated too.

@@ -53,7 +53,7 @@ pub(super) fn all(
         levels(&say, asked, findings);
         conditions(&say, findings);
         match &task.cycle.kind {
-            Kind::Circles { levels, radii, sense } => milled::circles(&say, levels, radii, *sense, asked, findings),
+            Kind::Circles { levels, radii, sense } => milled::circles(&say, levels, radii, *sense, findings),
             _ => {
                 milled::none(&say, findings);
                 steps(&say, asked, findings);
@@ -311,8 +311,8 @@ fn way_out(say: &Say<'_, '_>, findings: &mut Vec<Finding>) {
             }
         }
     }
-    let turns = |made: &&&Move| made.turning != Turning::Stopped;
-    turning_out(say, cycle, inside.iter().any(|made| turns(&made)), inside.iter().any(|made| !turns(&made)), findings);
+    let turns = |made: &&Move| made.turning != Turning::Stopped;
+    turning_out(say, cycle, inside.iter().any(|made| turns(made)), inside.iter().any(|made| !turns(made)), findings);
     // Higher than its feed begins a reamer leaves at rapid.
     if let Some(made) = moves.iter().find(|made| at_feed(made) && made.to[2] > cycle.begin + TOLERANCE) {
         findings.push(say.figure("out-too-high", Severity::Note, made.to[2], cycle.begin));

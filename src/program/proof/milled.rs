@@ -1,6 +1,5 @@
 //! Circles of a mill, and motions across in the part.
 
-use super::Asked;
 use super::Finding;
 use super::compare::Say;
 use super::cuts::{Circle, TOLERANCE, near};
@@ -25,7 +24,6 @@ pub(super) fn circles(
     levels: &[Micrometres],
     radii: &[Micrometres],
     sense: Sense,
-    asked: &Asked<'_>,
     findings: &mut Vec<Finding>,
 ) {
     let made = say.cut.circles();
@@ -76,7 +74,6 @@ pub(super) fn circles(
     if downs != levels.len() {
         findings.push(say.figure("ways-down", Severity::Note, downs, levels.len()));
     }
-    let _ = asked;
 }
 
 fn one(
