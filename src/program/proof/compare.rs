@@ -139,6 +139,10 @@ fn superfluous(
     tasks: &[Task<'_>],
     findings: &mut Vec<Finding>,
 ) {
+    // What never feeds is told as a rapid into the part.
+    if cut.begin().is_none() {
+        return;
+    }
     let here = places.at(cut, tasks);
     let own = tools.of_section(cut.section);
     let again = here.iter().find(|&&task| own == Some(tasks[task].tool.tool) && matched.cut_of[task].is_some());
