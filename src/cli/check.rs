@@ -1,4 +1,5 @@
-//! `technolog check`: a program read and run, its mistakes, its trace and its time.
+//! `technolog check`: a program read and run, its mistakes, its trace and its time; with a part the proof that it makes
+//! the part (`proof.rs`).
 
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
@@ -16,6 +17,7 @@ use technolog::program::{Fault, Language, Setting};
 use technolog::report;
 
 use super::diagnostics::{Texts, render};
+use super::proof::{self, Held};
 use super::words::Word;
 use super::{CliError, Context, Format, Outcome, knowledge, words};
 
@@ -34,6 +36,9 @@ pub struct Args {
     /// What the operator sets: zeros, correctors, switches (docs/control-….md)
     #[arg(long, value_name = "FILE.yaml")]
     setting: Option<PathBuf>,
+    /// The part that the program must make: every hole, every transition (docs/proof.md)
+    #[arg(long, value_name = "PART.yaml")]
+    part: Option<PathBuf>,
 }
 
 /// The answer for programs.
@@ -45,6 +50,8 @@ struct Answer<'a> {
     findings: Vec<Finding<'a>>,
     trace: &'a [Step],
     time: Times,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    proof: Option<proof::Answer<'a>>,
 }
 
 #[derive(Serialize)]
@@ -69,7 +76,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let machine = machine(&args.machine, &knowledge, context)?;
     let shown = args.program.display().to_string();
     let text = read(&args.program, context)?;
-    let setting = match &args.setting {
+    let mut setting = match &args.setting {
         None => Setting::default(),
         Some(path) => {
             let (shown, text) = (path.display().to_string(), read(path, context)?);
@@ -79,9 +86,11 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             })?
         }
     };
+    let held = args.part.as_deref().map(|part| Held::make(part, &mut setting, &knowledge, context)).transpose()?;
     let mut sink = (Vec::<Step>::new(), Clock::new(&machine, setting.start));
     let faults = language.check(&text, &machine, &setting, &mut sink);
     let (steps, clock) = sink;
+    let proof = held.as_ref().map(|held| held.prove(&steps, &setting));
     match format {
         Format::Json => {
             let findings = faults
@@ -99,12 +108,26 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
                 findings,
                 trace: &steps,
                 time: clock.times(),
+                proof: proof.as_ref().map(|proof| proof::answer(proof, context)),
             })?;
         }
-        Format::Svg => context.emit(&report::backplot::backplot(&steps, None, context.lang))?,
-        _ => context.emit(&page(&faults, &steps, clock.times(), &shown, text, context))?,
+        Format::Svg => {
+            let frame = held.as_ref().map(Held::frame);
+            context.emit(&report::backplot::backplot(&steps, frame.as_ref(), context.lang))?;
+        }
+        _ => {
+            let file: Arc<str> = Arc::from(shown.as_str());
+            let mut problems: Vec<Diagnostic> = faults.iter().map(|fault| diagnostic(fault, &file, context)).collect();
+            let mut made = String::new();
+            if let (Some(held), Some(proof)) = (&held, &proof) {
+                problems.extend(proof::diagnostics(proof, &text, &file, context));
+                made = held.table(proof, context);
+            }
+            context.emit(&page(&problems, &made, &steps, clock.times(), &shown, text, context))?;
+        }
     }
-    Ok(if faults.iter().any(Fault::is_error) { Outcome::Findings } else { Outcome::Done })
+    let unproven = proof.as_ref().is_some_and(technolog::program::proof::Proof::has_errors);
+    Ok(if unproven || faults.iter().any(Fault::is_error) { Outcome::Findings } else { Outcome::Done })
 }
 
 fn machine<'k>(id: &str, knowledge: &'k Knowledge, context: &Context) -> Result<Machine<'k>, CliError> {
@@ -129,13 +152,23 @@ fn read(path: &Path, context: &Context) -> Result<String, CliError> {
     Ok(text_of(&shown, bytes)?)
 }
 
-/// The answer for people: mistakes with their lines, the trace, the times.
-fn page(faults: &[Fault], steps: &[Step], times: Times, shown: &str, text: String, context: &Context) -> String {
-    let file: Arc<str> = Arc::from(shown);
-    let problems: Vec<Diagnostic> = faults.iter().map(|fault| diagnostic(fault, &file, context)).collect();
+/// The answer for people: mistakes with their lines, what is made of the part, the trace, the times.
+fn page(
+    problems: &[Diagnostic],
+    made: &str,
+    steps: &[Step],
+    times: Times,
+    shown: &str,
+    text: String,
+    context: &Context,
+) -> String {
     let texts = Texts::default().with(shown, shown.to_owned(), Cow::Owned(text));
-    let mut page = render(&problems, &texts, context.lang);
+    let mut page = render(problems, &texts, context.lang);
     if !problems.is_empty() {
+        page.push('\n');
+    }
+    if !made.is_empty() {
+        page.push_str(made);
         page.push('\n');
     }
     if !steps.is_empty() {
@@ -151,7 +184,7 @@ fn page(faults: &[Fault], steps: &[Step], times: Times, shown: &str, text: Strin
         page.push_str(&words::times(context.lang, total, feed, rapid, dwell, change));
         page.push('\n');
     }
-    page.push_str(&words::findings(context.lang, faults.len()));
+    page.push_str(&words::findings(context.lang, problems.len()));
     page.push('\n');
     page
 }

@@ -18,6 +18,7 @@ mod order;
 mod output;
 mod plan;
 mod program;
+mod proof;
 mod record;
 mod sheet;
 mod table;

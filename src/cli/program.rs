@@ -6,18 +6,21 @@ use std::path::PathBuf;
 use clap::ValueEnum;
 use serde::Serialize;
 use technolog::error::KnowledgeError;
-use technolog::job::{self, Job};
+use technolog::job::Job;
 use technolog::knowledge::Diagnostic;
 use technolog::motion::Step;
 use technolog::motion::time::{Clock, Times};
 use technolog::note::{Finding, Severity};
 use technolog::plan::{CuttingMethod, Plan};
-use technolog::program::written::{Form, Line, Written};
+use technolog::program::proof::Proof;
+use technolog::program::written::{Form, Line};
 use technolog::program::{Fault, Language, Setting};
 use technolog::report;
+use technolog::report::encoding::encoding_sheet;
 use technolog::shop::Shop;
 
 use super::diagnostics::{Texts, render};
+use super::proof::{self, Held};
 use super::{CliError, Context, Format, Outcome, check, knowledge, output, plan, words};
 
 /// The NC program of a part: planned, written, and read back before it is shown
@@ -29,7 +32,7 @@ pub struct Args {
     /// The control it is for
     #[arg(long, value_parser = Language::NAMES)]
     control: String,
-    /// What to show: the program, or the setting that the operator needs for it
+    /// What to show: the program, the operator's setting, the encoding sheet, or as SVG the backplot or the cycles
     #[arg(long, value_enum, default_value = "program", hide_possible_values = true)]
     show: Show,
 }
@@ -39,6 +42,9 @@ pub struct Args {
 enum Show {
     Program,
     Setting,
+    Encoding,
+    Backplot,
+    Cycles,
 }
 
 /// The answer for programs.
@@ -47,13 +53,14 @@ struct Answer<'a> {
     part: &'a str,
     control: &'a str,
     machine: &'a str,
-    program: String,
+    program: &'a str,
     lines: &'a [Line],
     job: &'a Job,
     trace: &'a [Step],
     time: Times,
     findings: Vec<Told<'a>>,
     faults: &'a [Fault],
+    proof: proof::Answer<'a>,
 }
 
 #[derive(Serialize)]
@@ -68,45 +75,64 @@ struct Told<'a> {
 /// # Errors
 /// The part file cannot be used; every mistake in it is told at once.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    let format = context.format("program", &[Format::Text, Format::Json])?;
+    let formats: &[Format] = match args.show {
+        Show::Program | Show::Setting => &[Format::Text, Format::Json],
+        Show::Encoding => &[Format::Text, Format::Json, Format::Csv],
+        Show::Backplot | Show::Cycles => &[Format::Svg],
+    };
+    let format = context.format("program", formats)?;
     let knowledge = knowledge::load(context)?;
     let at_fault = |error: KnowledgeError| {
         CliError::from(Diagnostic::error("knowledge", error.to_string(), None).help(words::run_lint(context.lang)))
     };
     let plan = plan::make(&args.part, CuttingMethod::default(), &knowledge, context)?;
+    let held = Held::of(plan, &knowledge, context)?;
+    let (plan, job) = (&held.plan, &held.job);
     let shop = Shop::new(&plan.part, plan.cutting, &knowledge).map_err(at_fault)?;
-    let job = job::make(&plan, &shop).map_err(at_fault)?;
     let form = Form::read(&shop).map_err(at_fault)?;
     let language = Language::read(&args.control, &knowledge).map_err(at_fault)?;
-    let written = language.write(&job, form);
-    let setting = Setting::of_job(&job);
+    let written = language.write(job, form);
+    let setting = Setting::of_job(job);
     let mut sink = (Vec::<Step>::new(), Clock::new(&shop.machine, setting.start));
     let text = written.text();
     let faults = language.check(&text, &shop.machine, &setting, &mut sink);
     let (steps, clock) = sink;
-    let findings: Vec<&Finding> = serious(&plan, &job);
+    let findings: Vec<&Finding> = serious(plan, job);
+    let proof = held.prove(&steps, &setting);
+    let sheet = || encoding_sheet(&written, job, plan, &args.control, &knowledge, context.lang).map_err(at_fault);
     match (args.show, format) {
+        (Show::Encoding, Format::Json) => context.emit_json(&sheet()?)?,
+        (Show::Encoding, Format::Csv) => context.emit(&sheet()?.csv())?,
+        (Show::Encoding, _) => context.emit(&sheet()?.text())?,
+        (Show::Backplot, _) => {
+            context.emit(&report::backplot::backplot(&steps, Some(&held.frame()), context.lang))?;
+        }
+        (Show::Cycles, _) => context.emit(&report::cycles::page(job, plan, context.lang))?,
         (_, Format::Json) => context.emit_json(&Answer {
             part: &job.part,
             control: &args.control,
             machine: &job.machine,
-            program: text,
+            program: &text,
             lines: &written.lines,
-            job: &job,
+            job,
             trace: &steps,
             time: clock.times(),
             findings: findings.iter().map(|finding| told(finding, context)).collect(),
             faults: &faults,
+            proof: proof::answer(&proof, context),
         })?,
         (Show::Setting, _) => context.emit(&setting.to_yaml())?,
-        (Show::Program, _) => {
-            context.emit(&text)?;
-            complain(&findings, &faults, &written, context);
-        }
+        (Show::Program, _) => context.emit(&text)?,
     }
-    let wrong =
-        findings.iter().any(|finding| finding.severity <= Severity::Wrong) || faults.iter().any(Fault::is_error);
-    Ok(if wrong { Outcome::Findings } else { Outcome::Done })
+    if format != Format::Json {
+        complain(&findings, &faults, &proof, text, context);
+    }
+    let wrong = findings.iter().any(|finding| finding.severity <= Severity::Wrong);
+    Ok(if wrong || proof.has_errors() || faults.iter().any(Fault::is_error) {
+        Outcome::Findings
+    } else {
+        Outcome::Done
+    })
 }
 
 /// What of the plan and the job keeps the program from making the part.
@@ -119,7 +145,7 @@ fn told<'a>(finding: &'a Finding, context: &Context) -> Told<'a> {
 }
 
 /// What is wrong with the program, beside it: of the part, of the machine, of its blocks.
-fn complain(findings: &[&Finding], faults: &[Fault], written: &Written, context: &Context) {
+fn complain(findings: &[&Finding], faults: &[Fault], proof: &Proof, text: String, context: &Context) {
     const NAME: &str = "program.nc";
     let mut problems: Vec<Diagnostic> = findings
         .iter()
@@ -131,9 +157,10 @@ fn complain(findings: &[&Finding], faults: &[Fault], written: &Written, context:
         .collect();
     let file = std::sync::Arc::from(NAME);
     problems.extend(faults.iter().map(|fault| check::diagnostic(fault, &file, context)));
+    problems.extend(proof::diagnostics(proof, &text, &file, context));
     if problems.is_empty() {
         return;
     }
-    let texts = Texts::default().with(NAME, NAME.to_owned(), Cow::Owned(written.text()));
+    let texts = Texts::default().with(NAME, NAME.to_owned(), Cow::Owned(text));
     output::complain(&render(&problems, &texts, context.lang));
 }

@@ -85,6 +85,12 @@ words! {
         "Рухи: рядок, кадр, рух, положення осей верстата, мм", "Motions: line, block, motion, machine position in mm";
     AlsoSays: "Рядок каже також", "The row also says";
 
+    // The proof.
+    ProofHead: "Зроблено з того, що вимагає план:", "Made of what the plan asks for:";
+    Hole: "отвір", "hole";
+    Transition: "перехід", "transition";
+    Made: "зроблено", "made";
+
     // The order.
     Tool: "T", "T";
     Stops: "зупинок", "stops";
@@ -316,11 +322,15 @@ pub const HELP_UK: &[(&str, &str)] = &[
     ("check.program", "Файл програми"),
     ("check.control", "ПЧПК, мовою якого вона написана"),
     ("check.machine", "Верстат, за назвою в каталозі"),
+    ("check.part", "Деталь, яку програма має виготовити: кожен отвір, кожен перехід (docs/proof.md)"),
     ("check.setting", "Що задає оператор: нулі, коректори, перемикачі (docs/control-….md)"),
     ("program", "Керуюча програма деталі: спроектована, записана і перед показом прочитана назад"),
     ("program.part", "Файл деталі"),
     ("program.control", "ПЧПК, для якого вона"),
-    ("program.show", "Що показати: програму (program) чи налагодження, потрібне операторові (setting)"),
+    (
+        "program.show",
+        "Що показати: програму (program), налагодження для оператора (setting), карту кодування (encoding), рисунок рухів (backplot) чи циклів (cycles)",
+    ),
     ("order", "Порядок інструментів і шлях обходу отворів з довжиною, часом і нижньою межею; також для списку точок"),
     ("order.file", "Файл деталі або список точок: CSV (x,y у мм) чи TSPLIB (EUC_2D)"),
     ("order.metric", "Для списку: відстань по прямій (euclid, так без цього) чи час швидких ходів (rapid)"),

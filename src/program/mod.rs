@@ -1,5 +1,6 @@
-//! Programs of controls, written and read back. There are two rooms: [`control_2c42_65`], and [`iso`] for LinuxCNC and Fanuc, which differ
-//! in their tables. [`Language`] is whichever of them a program is written for.
+//! Programs of controls, written and read back. There are two rooms: [`control_2c42_65`], and [`iso`] for LinuxCNC and
+//! Fanuc, which differ in their tables. [`Language`] is whichever of them a program is written for; [`proof`] holds what a
+//! program does against a job.
 //!
 //! An interpreter reads the text of a program and makes the steps of [`crate::motion`] of it. A writer is the same way
 //! backwards. What an interpreter has to say about a program are [`Fault`]s: data, without a language. What the operator
@@ -9,6 +10,7 @@ mod block;
 pub mod control_2c42_65;
 pub mod iso;
 mod limits;
+pub mod proof;
 pub mod setting;
 pub mod written;
 

@@ -81,11 +81,8 @@ impl Setting {
     /// What the operator sets for a job: the zeros of its set-ups in G54, G55, and the correctors.
     pub fn of_job(job: &Job) -> Self {
         let mut setting = Self::default();
-        for setup in &job.setups {
-            let system = usize::try_from(setup.number).unwrap_or(1).saturating_sub(1);
-            if let Some(zero) = setting.zeros.get_mut(system) {
-                *zero = Axis::ALL.map(|axis| Some(setup.zero.get(axis)));
-            }
+        for (setup, zero) in job.setups.iter().zip(&mut setting.zeros) {
+            *zero = Axis::ALL.map(|axis| Some(setup.zero.get(axis)));
         }
         setting.correctors = job.correctors.iter().copied().collect();
         setting

@@ -81,6 +81,13 @@ pub struct WorkRef {
     pub work: usize,
 }
 
+impl WorkRef {
+    /// The function of the coordinate system of its set-up: G54 of the first, G55 of the second.
+    pub(crate) fn system(self) -> u32 {
+        54 + u32::try_from(self.setup).unwrap_or_default().min(5)
+    }
+}
+
 /// What a line of a program is there for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]

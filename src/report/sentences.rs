@@ -10,12 +10,13 @@ use super::Lang;
 mod iso;
 mod lists;
 mod programs;
+mod proof;
 mod routes;
 
 /// Every sentence.
 fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'static str)> {
     let all = SENTENCES.iter().chain(routes::SENTENCES).chain(programs::SENTENCES);
-    all.chain(iso::SENTENCES).chain(lists::SENTENCES)
+    all.chain(iso::SENTENCES).chain(lists::SENTENCES).chain(proof::SENTENCES)
 }
 
 /// A note as a sentence. A code without words shows itself with its figures, so that nothing is lost.
@@ -40,7 +41,9 @@ pub fn sentence(note: &Note, lang: Lang) -> String {
 /// What to do about a mistake of a program or of a list of points.
 pub fn remedy(note: &Note, lang: Lang) -> Option<&'static str> {
     let mut remedies = programs::REMEDIES.iter().chain(iso::REMEDIES).chain(lists::REMEDIES);
-    remedies.find(|(code, ..)| *code == note.code).map(|(_, uk, en)| lang.pick(uk, en))
+    let of_program = remedies.find(|(code, ..)| *code == note.code).map(|(_, uk, en)| lang.pick(uk, en));
+    let of_proof = || proof::REMEDIES.iter().find(|(code, _)| *code == note.code);
+    of_program.or_else(|| of_proof().map(|(_, (uk, en))| lang.pick(uk, en)))
 }
 
 /// Figures whose values are words of the program are translated too.

@@ -16,8 +16,8 @@
 
 use super::block::Maker;
 use super::state::{CYCLE, PLANE, SYSTEM};
-use crate::program::limits::Floating;
 use super::words::{Given, Words, letter};
+use crate::program::limits::Floating;
 use std::collections::BTreeMap;
 
 use crate::motion::{Axis, BlockRef, Motion, Position, Turning};

@@ -304,7 +304,9 @@ impl Maker<'_> {
             return;
         }
         let step = Step { motion, at: to, block: self.block };
-        for (code, note) in beyond_travel(self.machine, geometry::reach(&step.motion, from, step.at), from, floating, self.spans) {
+        for (code, note) in
+            beyond_travel(self.machine, geometry::reach(&step.motion, from, step.at), from, floating, self.spans)
+        {
             self.fault(code, span).note = note;
         }
         self.steps.push(step);

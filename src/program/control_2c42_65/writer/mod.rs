@@ -17,7 +17,7 @@ mod sheet;
 
 use std::collections::BTreeMap;
 
-use crate::job::{Job, Kind, Pause, SetUp, ToolWork};
+use crate::job::{Job, Kind, Pause, ToolWork};
 use crate::program::written::{Form, Role, WorkRef, Written};
 
 use crate::program::block::Block;
@@ -56,7 +56,7 @@ pub fn write(job: &Job, form: Form) -> Written {
                 sheet.put(Block::new().word('T', work.place).m(6), place(Role::ToolChange));
                 in_spindle = Some(work.place);
             }
-            one_tool(&mut sheet, setup, work, work_ref, &shared);
+            one_tool(&mut sheet, work, work_ref, &shared);
             away(&mut sheet, place(Role::Withdrawal));
         }
     }
@@ -76,13 +76,7 @@ fn shared_points(job: &Job, form: Form) -> BTreeMap<Vec<Block>, usize> {
 }
 
 /// Spindle, approach, and the runs of one tool.
-fn one_tool(
-    sheet: &mut Sheet,
-    setup: &SetUp,
-    work: &ToolWork,
-    work_ref: WorkRef,
-    shared: &BTreeMap<Vec<Block>, usize>,
-) {
+fn one_tool(sheet: &mut Sheet, work: &ToolWork, work_ref: WorkRef, shared: &BTreeMap<Vec<Block>, usize>) {
     let form = sheet.form;
     let mut speed = None;
     let mut height = None;
@@ -94,8 +88,7 @@ fn one_tool(
         if index == 0 {
             let turning = if work.coolant { turning.m(8) } else { turning };
             sheet.put(turning, place(Role::Spindle));
-            let system = 53 + setup.number.clamp(1, 6);
-            sheet.put(Block::new().g(0).g(system).axis('X', x).axis('Y', y), place(Role::Approach));
+            sheet.put(Block::new().g(0).g(work_ref.system()).axis('X', x).axis('Y', y), place(Role::Approach));
             let down = Block::new().g(0).g(43).axis('Z', form.grid(cycle.out)).word('H', work.corrector);
             sheet.put(down, place(Role::Approach));
         } else {

@@ -63,7 +63,8 @@ pub fn write(job: &Job, dialect: Kind, form: Form) -> Written {
     let mut in_spindle = None;
     for (setup_index, setup) in job.setups.iter().enumerate() {
         for (work_index, work) in setup.works.iter().enumerate() {
-            let place = Some(WorkRef { setup: setup_index, work: work_index });
+            let work_ref = WorkRef { setup: setup_index, work: work_index };
+            let place = Some(work_ref);
             for pause in &work.pauses {
                 sheet.main.push((Piece::Remarked(Block::new().m(0), remark(*pause)), Role::Pause, place, None));
                 if matches!(pause, Pause::LoadTool { .. }) {
@@ -76,7 +77,7 @@ pub fn write(job: &Job, dialect: Kind, form: Form) -> Written {
                 sheet.main.push((Piece::Remarked(change, name), Role::ToolChange, place, None));
                 in_spindle = Some(work.place);
             }
-            sheet.one_tool(setup, work, place, &shared);
+            sheet.one_tool(work, work_ref, &shared);
             sheet.call(away, Role::Withdrawal, place, None);
         }
     }

@@ -1,6 +1,6 @@
 //! One tool: the spindle, the approach, its cycles and its points.
 
-use crate::job::{self, Cycle, Job, SetUp, Stop, ToolWork};
+use crate::job::{self, Cycle, Job, Stop, ToolWork};
 use crate::motion::Sense;
 use crate::part::Point;
 use crate::program::block::Block;
@@ -45,7 +45,8 @@ fn further(stops: &[Stop], form: Form, dialect: Kind) -> Vec<Block> {
 }
 
 impl Sheet {
-    pub(super) fn one_tool(&mut self, setup: &SetUp, work: &ToolWork, place: Option<WorkRef>, shared: &Shared) {
+    pub(super) fn one_tool(&mut self, work: &ToolWork, work_ref: WorkRef, shared: &Shared) {
+        let place = Some(work_ref);
         let (form, dialect) = (self.form, self.dialect);
         let length = |value: Micrometres| dialect.length(form.grid(value));
         let mut speed = None;
@@ -60,8 +61,7 @@ impl Sheet {
                 self.put(turning, Role::Spindle, place, number);
             }
             if index == 0 {
-                let system = 53 + setup.number.clamp(1, 6);
-                self.put(to.clone().g(0).g(system), Role::Approach, place, number);
+                self.put(to.clone().g(0).g(work_ref.system()), Role::Approach, place, number);
                 let down = Block::new().g(0).g(43).word('Z', length(cycle.out)).word('H', work.corrector);
                 self.put(down, Role::Approach, place, number);
             } else {

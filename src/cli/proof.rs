@@ -1,0 +1,188 @@
+//! What `technolog check --part` adds: the part's plan and job, and what a program makes of them.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use serde::Serialize;
+use technolog::error::KnowledgeError;
+use technolog::job::{self, Job};
+use technolog::knowledge::{Diagnostic, Input, Knowledge, Place, Severity};
+use technolog::motion::{Axis, Position, Step};
+use technolog::note;
+use technolog::part::{Entry, Part};
+use technolog::plan::{CuttingMethod, Plan};
+use technolog::program::Setting;
+use technolog::program::proof::{Asked, Finding, Missing, Proof, Superfluous, Visit, prove};
+use technolog::report::backplot::Frame;
+use technolog::report::{self, grid};
+use technolog::shop::Shop;
+use technolog::units::Micrometres;
+
+use super::words::{self, Word};
+use super::{CliError, Context, plan};
+
+/// A part with its plan and job, to hold programs against.
+#[derive(Debug)]
+pub struct Held {
+    /// The plan.
+    pub plan: Plan,
+    /// Its job.
+    pub job: Job,
+    overrun: Micrometres,
+    own_correctors: bool,
+}
+
+/// The answer for programs.
+#[derive(Serialize)]
+pub struct Answer<'a> {
+    visits: &'a [Visit],
+    missing: &'a [Missing],
+    superfluous: &'a [Superfluous],
+    findings: Vec<Said<'a>>,
+}
+
+#[derive(Serialize)]
+struct Said<'a> {
+    message: String,
+    help: Option<&'static str>,
+    #[serde(flatten)]
+    finding: &'a Finding,
+}
+
+impl Held {
+    /// Plans a part and makes its job. Zeros and correctors that the setting leaves out are set to those of the job; with
+    /// correctors of his own the operator may number and measure tools in his own way.
+    ///
+    /// # Errors
+    /// The part cannot be used, or the knowledge has no answer.
+    pub fn make(
+        path: &Path,
+        setting: &mut Setting,
+        knowledge: &Knowledge,
+        context: &Context,
+    ) -> Result<Self, CliError> {
+        let mut held = Self::of(plan::make(path, CuttingMethod::default(), knowledge, context)?, knowledge, context)?;
+        let job = &held.job;
+        for (setup, zero) in job.setups.iter().zip(&mut setting.zeros) {
+            for axis in Axis::ALL {
+                zero[axis.index()].get_or_insert(setup.zero.get(axis));
+            }
+        }
+        held.own_correctors = !setting.correctors.is_empty();
+        if !held.own_correctors {
+            setting.correctors = job.correctors.iter().copied().collect();
+        }
+        Ok(held)
+    }
+
+    /// A plan and its job, with the job's own zeros and correctors.
+    ///
+    /// # Errors
+    /// The knowledge has no answer.
+    pub fn of(plan: Plan, knowledge: &Knowledge, context: &Context) -> Result<Self, CliError> {
+        let at_fault = |error: KnowledgeError| {
+            CliError::from(Diagnostic::error("knowledge", error.to_string(), None).help(words::run_lint(context.lang)))
+        };
+        let shop = Shop::new(&plan.part, plan.cutting, knowledge).map_err(at_fault)?;
+        let job = job::make(&plan, &shop).map_err(at_fault)?;
+        let overrun = overrun(&plan.part, knowledge).map_err(at_fault)?;
+        Ok(Self { plan, job, overrun, own_correctors: false })
+    }
+
+    /// The part under the motions of a program.
+    pub fn frame(&self) -> Frame<'_> {
+        Frame::of(&self.job, &self.plan.part)
+    }
+
+    /// Holds the steps of a program against the job.
+    pub fn prove(&self, steps: &[Step], setting: &Setting) -> Proof {
+        let zero = |zero: &[Option<Micrometres>; 3]| {
+            Position::of(Axis::ALL.map(|axis| zero[axis.index()].unwrap_or_default() + setting.shift.get(axis)))
+        };
+        let zeros: Vec<Position> = setting.zeros.iter().take(self.job.setups.len()).map(zero).collect();
+        prove(
+            steps,
+            &Asked {
+                plan: &self.plan,
+                job: &self.job,
+                zeros: &zeros,
+                start: setting.start,
+                overrun: self.overrun,
+                own_correctors: self.own_correctors,
+            },
+        )
+    }
+
+    /// Transition by transition how many points are made of those that are needed.
+    pub fn table(&self, proof: &Proof, context: &Context) -> String {
+        let mut rows = Vec::new();
+        for hole in &self.plan.holes {
+            for (number, transition) in hole.transitions.iter().enumerate() {
+                let of = |name: &str, transition: usize| name == hole.name && transition == number;
+                let made = proof.visits.iter().filter(|visit| of(&visit.hole, visit.transition)).count();
+                let missing = proof.missing.iter().filter(|stop| of(&stop.hole, stop.transition)).count();
+                // What is done on another machine is in no job.
+                if made + missing > 0 {
+                    rows.push(vec![
+                        hole.name.clone(),
+                        report::operation_noun(transition.operation.name(), context.lang).to_owned(),
+                        format!("T{}", transition.tool.number),
+                        format!("{made}/{}", made + missing),
+                    ]);
+                }
+            }
+        }
+        let head = [Word::Hole, Word::Transition, Word::Tool, Word::Made].map(|word| context.word(word).to_owned());
+        let table = grid::ruled(&head, &rows).unwrap_or_else(|| grid::columns(&rows, 2));
+        format!("{}\n{table}", context.word(Word::ProofHead))
+    }
+}
+
+/// How far a tool comes out of a through hole.
+fn overrun(part: &Part, knowledge: &Knowledge) -> Result<Micrometres, KnowledgeError> {
+    let rule = knowledge.table("approach")?;
+    let entry = if part.entry == Entry::Rough { "rough" } else { "machined" };
+    let answer = rule.decide(&[("entry", Input::Text(entry)), ("through", Input::Bool(true))])?;
+    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, entry))?;
+    Ok(row.length("overrun")?)
+}
+
+/// The proof with its words.
+pub fn answer<'a>(proof: &'a Proof, context: &Context) -> Answer<'a> {
+    let said = |finding: &'a Finding| Said {
+        message: report::sentence(&finding.note, context.lang),
+        help: report::remedy(&finding.note, context.lang),
+        finding,
+    };
+    Answer {
+        visits: &proof.visits,
+        missing: &proof.missing,
+        superfluous: &proof.superfluous,
+        findings: proof.findings.iter().map(said).collect(),
+    }
+}
+
+/// The findings with the lines they are about.
+pub fn diagnostics(proof: &Proof, text: &str, file: &Arc<str>, context: &Context) -> Vec<Diagnostic> {
+    let lines: Vec<&str> = text.lines().collect();
+    let one = |finding: &Finding| {
+        let place = finding.block.map(|block| {
+            let line = usize::try_from(block.line).ok().and_then(|line| lines.get(line.checked_sub(1)?));
+            let width = line.map_or(1, |line| line.trim_end().chars().count().max(1));
+            Place { file: file.clone(), line: block.line, column: 1, width: u32::try_from(width).unwrap_or(1) }
+        });
+        let sentence = report::sentence(&finding.note, context.lang);
+        let message = match finding.block.and_then(|block| block.number) {
+            Some(number) => format!("N{number}: {sentence}"),
+            None => sentence,
+        };
+        let severity = match finding.severity {
+            note::Severity::Error | note::Severity::Wrong => Severity::Error,
+            note::Severity::Doubtful => Severity::Warning,
+            note::Severity::Note => Severity::Note,
+        };
+        let help = report::remedy(&finding.note, context.lang).map(str::to_owned);
+        Diagnostic { severity, code: finding.code, message, place, help }
+    };
+    proof.findings.iter().map(one).collect()
+}

@@ -1,0 +1,273 @@
+//! What is no cut: ways over the part, pauses, the order of the points, the ends.
+
+use std::collections::BTreeMap;
+
+use super::cuts::{TOLERANCE, near};
+use super::matching::Matched;
+use super::walk::{Event, How, Stay};
+use super::{Asked, Finding, Made, Task, shown};
+use crate::job::Pause;
+use crate::motion::{BlockRef, Turning};
+use crate::note::Severity;
+use crate::units::Micrometres;
+
+/// Everything around the cuts.
+pub(super) fn all(
+    made: &Made,
+    matched: &Matched,
+    tasks: &[Task<'_>],
+    asked: &Asked<'_>,
+    turned_over: usize,
+    findings: &mut Vec<Finding>,
+) {
+    let around = Around { made, matched, tasks, asked };
+    around.stays(findings);
+    around.above(findings);
+    around.pauses(findings);
+    around.turned_over(turned_over, findings);
+    around.order(findings);
+    around.ends(findings);
+}
+
+struct Around<'a, 't> {
+    made: &'a Made,
+    matched: &'a Matched,
+    tasks: &'a [Task<'t>],
+    asked: &'a Asked<'t>,
+}
+
+impl<'t> Around<'_, 't> {
+    fn task(&self, cut: usize) -> Option<&Task<'t>> {
+        self.matched.task_of.get(cut).copied().flatten().and_then(|task| self.tasks.get(task))
+    }
+
+    /// The first and last task at every stay.
+    fn tasks_at(&self) -> BTreeMap<usize, (usize, usize)> {
+        let mut at: BTreeMap<usize, (usize, usize)> = BTreeMap::new();
+        for (number, cut) in self.made.cuts.iter().enumerate() {
+            at.entry(cut.stay).and_modify(|(_, last)| *last = number).or_insert((number, number));
+        }
+        at
+    }
+
+    fn at_change(&self, stay: &Stay) -> bool {
+        let change = self.asked.job.change_at;
+        stay.machine == [change.x, change.y]
+    }
+
+    /// Ways from point to point: at rapid, at the height of the cycles or with the quill up, to a point where something
+    /// is done, else to the place of the tool change.
+    fn stays(&self, findings: &mut Vec<Finding>) {
+        let cuts = self.tasks_at();
+        let top = self.asked.plan.part.datum.top;
+        for (number, stay) in self.made.walk.stays.iter().enumerate() {
+            let Some(travel) = stay.travel else { continue };
+            if !cuts.contains_key(&number) && !self.at_change(stay) {
+                findings.push(Finding::new("idle-point", Severity::Note, stay.block).with("at", shown(stay.at)));
+            }
+            if let Some(feed) = travel.feed() {
+                findings.push(
+                    Finding::new("travel-at-feed", Severity::Note, stay.block)
+                        .with("at", shown(stay.at))
+                        .with("made", feed),
+                );
+            }
+            let low = travel.from[2].min(travel.to[2]);
+            let high = travel.from[2].max(travel.to[2]);
+            if travel.machine.z == self.asked.job.change_at.z && low == high {
+                if self.at_change(stay) && travel.turning != Turning::Stopped {
+                    findings.push(Finding::new("turns-to-change", Severity::Note, stay.block));
+                }
+                continue;
+            }
+            let from_change = number.checked_sub(1).and_then(|before| self.made.walk.stays.get(before));
+            if self.at_change(stay) || from_change.is_some_and(|stay| self.at_change(stay)) {
+                findings.push(
+                    Finding::new("travel-not-up", Severity::Note, stay.block)
+                        .with("at", shown(stay.at))
+                        .with("z", high),
+                );
+            }
+            let before = number.checked_sub(1).and_then(|before| cuts.get(&before)).map(|(_, last)| *last);
+            let after = cuts.get(&number).map(|(first, _)| *first);
+            let out = |cut: Option<usize>| Some(self.task(cut?)?.cycle.out);
+            // After a cut that is nobody's, and before one, every height over the part does.
+            let needed = match (out(before), out(after)) {
+                (Some(a), Some(b)) => a.min(b),
+                (Some(one), None) | (None, Some(one)) => one,
+                (None, None) => continue,
+            };
+            let say = |code, severity, made: Micrometres| {
+                Finding::new(code, severity, stay.block)
+                    .with("at", shown(stay.at))
+                    .with("made", made)
+                    .with("needed", needed)
+            };
+            if low < needed - TOLERANCE {
+                let severity = if low <= top { Severity::Error } else { Severity::Doubtful };
+                findings.push(say("travel-low", severity, low));
+            } else if high > needed + TOLERANCE {
+                findings.push(say("travel-high", Severity::Note, high));
+            }
+        }
+    }
+
+    /// Motions over a point: only to the heights of its cycle, at rapid.
+    fn above(&self, findings: &mut Vec<Finding>) {
+        let cuts = self.tasks_at();
+        let up = self.asked.job.change_at.z;
+        for (stay, leads, made) in &self.made.above {
+            let say = |code| Finding::new(code, Severity::Note, made.block);
+            if let How::Dwell(seconds) = made.how {
+                findings.push(say("dwell-in-air").with("made", seconds));
+                continue;
+            }
+            if !made.moves() {
+                continue;
+            }
+            let of = leads.or_else(|| cuts.get(stay).map(|(_, last)| *last)).and_then(|cut| self.task(cut));
+            // What leads to nothing planned is told with the cut.
+            let Some(task) = of else {
+                if !cuts.contains_key(stay) && made.machine.z != up {
+                    findings.push(say("idle-height").with("z", made.to[2]));
+                }
+                continue;
+            };
+            if leads.is_some() && made.turning == Turning::Stopped {
+                findings.push(say("approach-standing").with("z", made.to[2]));
+            }
+            let cycle = task.cycle;
+            let known = [cycle.begin, cycle.out].iter().any(|level| near(*level, made.to[2]));
+            let up_again = leads.is_none() && made.machine.z == up;
+            if !known && !up_again {
+                findings.push(say("idle-height").with("z", made.to[2]));
+            }
+            if let Some(feed) = made.feed() {
+                findings.push(say("air-at-feed").with("z", made.to[2]).with("made", feed));
+            }
+        }
+    }
+
+    /// What the operator has to do before a work, and stops at which there is nothing to do.
+    fn pauses(&self, findings: &mut Vec<Finding>) {
+        let stops: Vec<(usize, BlockRef)> = self
+            .made
+            .walk
+            .events
+            .iter()
+            .filter(|(.., event)| *event == Event::Stop)
+            .map(|(order, block, _)| (*order, *block))
+            .collect();
+        let mut used = vec![false; stops.len()];
+        let mut seen: BTreeMap<usize, ()> = BTreeMap::new();
+        let mut last = 0;
+        for (number, cut) in self.made.cuts.iter().enumerate() {
+            let Some(task) = self.task(number) else { continue };
+            if seen.insert(task.work, ()).is_none() && !task.tool.pauses.is_empty() {
+                let between: Vec<usize> = (0..stops.len())
+                    .filter(|&at| !used[at] && (last..cut.order).contains(&stops[at].0))
+                    .take(task.tool.pauses.len())
+                    .collect();
+                for at in &between {
+                    used[*at] = true;
+                }
+                for pause in task.tool.pauses.iter().skip(between.len()) {
+                    findings.push(no_stop(pause, cut.place, between.is_empty()));
+                }
+            }
+            last = cut.order;
+        }
+        for (stop, _) in stops.iter().zip(&used).filter(|(_, used)| !**used) {
+            findings.push(Finding::new("stop-for-nothing", Severity::Note, stop.1));
+        }
+    }
+
+    /// The zero of the other side must come with the stop, and not by the way.
+    fn turned_over(&self, turned_over: usize, findings: &mut Vec<Finding>) {
+        let first = self.made.cuts.iter().find(|cut| cut.setup > 0);
+        if let Some(cut) = first
+            && !self.made.walk.events.iter().any(|(order, _, event)| *order == turned_over && *event == Event::Stop)
+        {
+            findings.push(Finding::new("not-turned-over", Severity::Error, cut.place));
+        }
+    }
+
+    /// The points in another order than the plan's: allowed, but its path is another.
+    fn order(&self, findings: &mut Vec<Finding>) {
+        let visited: Vec<(usize, usize)> =
+            (0..self.made.cuts.len()).filter_map(|cut| Some((cut, self.matched.task_of[cut]?))).collect();
+        let made: Vec<usize> = visited.iter().map(|(_, task)| *task).collect();
+        let planned: Vec<usize> = (0..self.tasks.len()).filter(|task| self.matched.cut_of[*task].is_some()).collect();
+        let Some(at) = (0..made.len()).find(|&at| made.get(at) != planned.get(at)) else { return };
+        let Some(cut) = visited.get(at).and_then(|(cut, _)| self.made.cuts.get(*cut)) else { return };
+        let Some(task) = planned.get(at).and_then(|task| self.tasks.get(*task)) else { return };
+        let others = made.iter().zip(&planned).filter(|(made, planned)| made != planned).count();
+        // The way over the points by its coordinates tells two orders apart.
+        let way: f64 = self
+            .made
+            .cuts
+            .windows(2)
+            .map(|pair| {
+                let [a, b] = [pair[0].at, pair[1].at].map(|at| at.map(Micrometres::to_mm));
+                libm::hypot(b[0] - a[0], b[1] - a[1])
+            })
+            .sum();
+        findings.push(
+            Finding::new("other-order", Severity::Note, cut.place)
+                .with("at", shown(cut.at))
+                .with("needed", shown([task.stop.at.x, task.stop.at.y]))
+                .with("count", others)
+                .with("way", crate::units::round_to(way, 1)),
+        );
+    }
+
+    /// Tool changes and the end: spindle and coolant off, the axes at the place of the change.
+    fn ends(&self, findings: &mut Vec<Finding>) {
+        let change = self.asked.job.change_at;
+        let mut ended = false;
+        for (_, block, event) in &self.made.walk.events {
+            match event {
+                Event::Stop => {}
+                Event::Radius => findings.push(Finding::new("radius-correction", Severity::Doubtful, *block)),
+                Event::Change { turned, coolant } => {
+                    if *turned {
+                        findings.push(Finding::new("turns-at-change", Severity::Note, *block));
+                    }
+                    if *coolant {
+                        findings.push(Finding::new("coolant-at-change", Severity::Note, *block));
+                    }
+                }
+                Event::End { at, turns, coolant } => {
+                    ended = true;
+                    if *at != change {
+                        let at = format!("X{} Y{} Z{}", at.x, at.y, at.z);
+                        findings.push(Finding::new("ends-elsewhere", Severity::Note, *block).with("at", at));
+                    }
+                    if *turns {
+                        findings.push(Finding::new("turns-at-end", Severity::Doubtful, *block));
+                    }
+                    if *coolant {
+                        findings.push(Finding::new("coolant-at-end", Severity::Note, *block));
+                    }
+                }
+            }
+        }
+        if !ended {
+            findings.push(Finding::new("no-end", Severity::Doubtful, None));
+        }
+    }
+}
+
+fn no_stop(pause: &Pause, block: BlockRef, none: bool) -> Finding {
+    // One stop may do for two things; that there is one is what counts.
+    let severity = if none { Severity::Error } else { Severity::Note };
+    match pause {
+        Pause::LoadTool { tool, place } => {
+            Finding::new("no-stop-to-load", severity, block).with("tool", tool).with("place", place)
+        }
+        Pause::TurnOver => Finding::new("no-stop-to-turn-over", severity, block),
+        Pause::SetBar { diameter_mm } => {
+            Finding::new("no-stop-to-set-bar", severity, block).with("diameter", diameter_mm)
+        }
+    }
+}

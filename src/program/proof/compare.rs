@@ -1,0 +1,334 @@
+//! A cut beside the cycle of its stop, and cuts and stops that have no partner.
+
+use std::collections::BTreeMap;
+
+use super::cuts::{Cut, TOLERANCE, near};
+use super::matching::{Matched, Places};
+use super::tools::Tools;
+use super::walk::{How, Move};
+use super::{Asked, Finding, Made, Task, milled, shown};
+use crate::job::{Cycle, Kind};
+use crate::motion::Turning;
+use crate::note::Severity;
+use crate::plan::Operation;
+use crate::units::Micrometres;
+
+/// Speeds, feeds and times that differ by less are the same figure, printed.
+const FIGURE: f64 = 0.05;
+
+/// Every cut beside its stop.
+pub(super) fn all(
+    made: &Made,
+    matched: &Matched,
+    tools: &Tools,
+    tasks: &[Task<'_>],
+    asked: &Asked<'_>,
+    findings: &mut Vec<Finding>,
+) {
+    let places = Places::of(tasks);
+    // The furthest task made at every point so far, to tell the order.
+    let mut furthest: BTreeMap<(usize, Micrometres, Micrometres), usize> = BTreeMap::new();
+    for (number, cut) in made.cuts.iter().enumerate() {
+        collisions(cut, asked, findings);
+        let Some(number) = matched.task_of.get(number).copied().flatten() else {
+            superfluous(cut, matched, &places, tools, tasks, findings);
+            continue;
+        };
+        let task = &tasks[number];
+        let say = Say { cut, task };
+        if tools.of_section(cut.section) != Some(task.tool.tool) {
+            let needed = task.tool.tool;
+            findings.push(say.now("wrong-tool", Severity::Error).with("tool", cut.tool).with("needed", needed));
+        }
+        let point = (task.setup, task.stop.at.x, task.stop.at.y);
+        match furthest.get(&point) {
+            Some(&before) if before > number => {
+                let earlier = tasks[before].cycle.operation.name();
+                findings.push(say.now("wrong-order", Severity::Error).with("instead", earlier));
+            }
+            _ => {
+                furthest.insert(point, number);
+            }
+        }
+        levels(&say, asked, findings);
+        conditions(&say, findings);
+        match &task.cycle.kind {
+            Kind::Circles { levels, radii, sense } => milled::circles(&say, levels, radii, *sense, findings),
+            _ => {
+                milled::none(&say, findings);
+                steps(&say, asked, findings);
+            }
+        }
+        way_out(&say, findings);
+    }
+    missing(matched, tasks, findings);
+}
+
+/// A cut and its stop, to tell what is wrong.
+pub(super) struct Say<'a, 't> {
+    pub cut: &'a Cut,
+    pub task: &'a Task<'t>,
+}
+
+impl Say<'_, '_> {
+    /// A finding about the cut.
+    pub fn now(&self, code: &'static str, severity: Severity) -> Finding {
+        Finding::new(code, severity, self.cut.block)
+            .with("hole", &self.task.stop.hole)
+            .with("operation", self.task.cycle.operation.name())
+            .with("at", shown(self.cut.at))
+    }
+
+    /// A finding about a figure of it.
+    pub fn figure(
+        &self,
+        code: &'static str,
+        severity: Severity,
+        made: impl ToString,
+        needed: impl ToString,
+    ) -> Finding {
+        self.now(code, severity).with("made", made).with("needed", needed)
+    }
+}
+
+/// What no tool may do inside the part: go across at rapid, or be pushed in.
+fn collisions(cut: &Cut, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
+    let top = asked.plan.part.datum.top;
+    let across = cut.moves.iter().find(|made| made.how == How::Rapid && made.across() && made.below(top));
+    if let Some(made) = across {
+        findings.push(
+            Finding::new("rapid-across", Severity::Error, made.block)
+                .with("at", shown([made.to[0], made.to[1]]))
+                .with("z", made.from[2].min(made.to[2])),
+        );
+    }
+    if cut.begin().is_none() {
+        findings.push(
+            Finding::new("rapid-into-part", Severity::Error, cut.block)
+                .with("at", shown(cut.at))
+                .with("z", cut.deepest()),
+        );
+        return;
+    }
+    // At rapid no deeper than the feed was.
+    let mut deepest: Option<Micrometres> = None;
+    for made in cut.moves.iter().filter(|made| made.moves()) {
+        if made.how == How::Rapid && !made.across() && deepest.is_some_and(|deepest| made.to[2] < deepest - TOLERANCE) {
+            findings.push(
+                Finding::new("rapid-into-part", Severity::Error, made.block)
+                    .with("at", shown(cut.at))
+                    .with("z", made.to[2]),
+            );
+        }
+        if made.feed().is_some() {
+            deepest = Some(deepest.map_or(made.to[2], |deepest| deepest.min(made.to[2])));
+        }
+    }
+    let turning = cut.turning();
+    if turning != Turning::Clockwise {
+        let code = if turning == Turning::Stopped { "spindle-stands" } else { "wrong-turn" };
+        findings.push(Finding::new(code, Severity::Error, cut.block).with("at", shown(cut.at)).with("tool", cut.tool));
+    }
+}
+
+fn superfluous(
+    cut: &Cut,
+    matched: &Matched,
+    places: &Places,
+    tools: &Tools,
+    tasks: &[Task<'_>],
+    findings: &mut Vec<Finding>,
+) {
+    // What never feeds is told as a rapid into the part.
+    if cut.begin().is_none() {
+        return;
+    }
+    let here = places.at(cut, tasks);
+    let own = tools.of_section(cut.section);
+    let again = here.iter().find(|&&task| own == Some(tasks[task].tool.tool) && matched.cut_of[task].is_some());
+    let code = match (again, here.is_empty()) {
+        (Some(_), _) => "cut-again",
+        (None, false) => "cut-not-planned",
+        (None, true) => "cut-elsewhere",
+    };
+    findings.push(
+        Finding::new(code, Severity::Error, cut.place)
+            .with("at", shown(cut.at))
+            .with("z", cut.deepest())
+            .with("tool", cut.tool),
+    );
+}
+
+/// One finding for the points of a transition.
+fn missing(matched: &Matched, tasks: &[Task<'_>], findings: &mut Vec<Finding>) {
+    let mut without: BTreeMap<(usize, &str, usize), Vec<&Task<'_>>> = BTreeMap::new();
+    for (task, cut) in tasks.iter().zip(&matched.cut_of) {
+        if cut.is_none() {
+            without.entry((task.setup, &task.stop.hole, task.stop.transition)).or_default().push(task);
+        }
+    }
+    for tasks in without.values() {
+        let Some(task) = tasks.first() else { continue };
+        let points: Vec<String> = tasks.iter().map(|task| format!("[{};{}]", task.stop.at.x, task.stop.at.y)).collect();
+        findings.push(
+            Finding::new("not-made", Severity::Error, None)
+                .with("hole", &task.stop.hole)
+                .with("operation", task.cycle.operation.name())
+                .with("tool", task.tool.tool)
+                .with("count", points.len())
+                .with("points", points.join(", ")),
+        );
+    }
+}
+
+/// Where the feed begins and how deep it goes.
+fn levels(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
+    let (cycle, transition) = (say.task.cycle, say.task.transition);
+    let part = &asked.plan.part;
+    if let Some(begin) = say.cut.begin() {
+        let metal = part.datum.top - transition.start_mm;
+        // A rapid may have gone lower before it.
+        let rapids = say.cut.moves.iter().take_while(|made| made.feed().is_none()).filter(|made| made.moves());
+        let begin = rapids.map(|made| made.to[2]).fold(begin, Micrometres::min);
+        if begin < cycle.begin - TOLERANCE {
+            let finding = if begin < metal {
+                say.figure("rapid-into-metal", Severity::Error, begin, metal)
+            } else {
+                say.figure("begins-lower", Severity::Doubtful, begin, cycle.begin)
+            };
+            findings.push(finding);
+        } else if begin > cycle.begin + TOLERANCE {
+            findings.push(say.figure("begins-higher", Severity::Note, begin, cycle.begin));
+        }
+    }
+    let deepest = say.cut.deepest();
+    if near(deepest, cycle.end) {
+        return;
+    }
+    // A hole is through from the lower face on, and what is beyond is overrun.
+    let through = transition.depth_mm >= part.blank.thickness;
+    // A spot of 90° that is no deeper than the hole's radius is no wider than the hole.
+    let hole = part.holes.iter().find(|hole| hole.name == say.task.stop.hole);
+    let radius = hole.map(|hole| hole.diameter.nominal.half()).unwrap_or_default();
+    let spot = part.datum.top - transition.start_mm - radius;
+    let preparing = transition.operation == Operation::CentreDrill && deepest >= spot;
+    let finding = if deepest > cycle.end {
+        let enough = through && deepest <= cycle.end + asked.overrun + TOLERANCE;
+        let (code, severity) =
+            if enough { ("less-overrun", Severity::Doubtful) } else { ("too-shallow", Severity::Error) };
+        say.figure(code, severity, deepest, cycle.end)
+    } else {
+        let severity = if through || preparing { Severity::Doubtful } else { Severity::Wrong };
+        say.figure("deeper", severity, deepest, cycle.end)
+    };
+    findings.push(finding);
+}
+
+/// Speed, feed, dwell, coolant.
+fn conditions(say: &Say<'_, '_>, findings: &mut Vec<Finding>) {
+    let (cut, cycle) = (say.cut, say.task.cycle);
+    let other = |made: f64, needed: f64| (made - needed).abs() > FIGURE;
+    if let Some(made) = cut.cutting().find(|made| other(made.speed, cycle.speed_rpm.0)) {
+        findings.push(say.figure("other-speed", Severity::Doubtful, made.speed, cycle.speed_rpm.0));
+    }
+    let mut feeds = cut.cutting().filter_map(Move::feed);
+    if let Some(feed) = feeds.find(|feed| other(*feed, cycle.feed_mm_per_min.0)) {
+        findings.push(say.figure("other-feed", Severity::Doubtful, feed, cycle.feed_mm_per_min.0));
+    }
+    let needed = cycle.dwell_s.map_or(0.0, |dwell| dwell.0);
+    if other(cut.dwell(), needed) {
+        let severity = if cut.dwell() < needed { Severity::Doubtful } else { Severity::Note };
+        findings.push(say.figure("other-dwell", severity, crate::units::round_to(cut.dwell(), 3), needed));
+    }
+    if cut.other_dwells() > 0.0 {
+        findings.push(say.now("dwell-elsewhere", Severity::Note).with("made", cut.other_dwells()));
+    }
+    let flows = cut.cutting().all(|made| made.coolant);
+    if say.task.tool.coolant && !flows {
+        findings.push(say.now("coolant-missing", Severity::Doubtful));
+    } else if !say.task.tool.coolant && cut.cutting().any(|made| made.coolant) {
+        findings.push(say.now("coolant-superfluous", Severity::Note));
+    }
+}
+
+/// The way in, at once or in steps.
+fn steps(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
+    let (cut, cycle) = (say.cut, say.task.cycle);
+    let downs = cut.downs();
+    let (step, back, leaves) = match cycle.kind {
+        Kind::Peck { step, clearance } => (step, clearance, true),
+        Kind::ChipBreak { step, retreat } => (step, retreat, false),
+        _ => {
+            if downs.len() > 1 {
+                findings.push(say.now("steps-not-planned", Severity::Note).with("made", downs.len()));
+            }
+            return;
+        }
+    };
+    let mut reached = cut.begin().unwrap_or(cycle.begin);
+    for (index, (from, to)) in downs.iter().enumerate() {
+        let taken = reached - *to;
+        let last = index + 1 == downs.len();
+        if taken > step + TOLERANCE {
+            findings.push(say.figure("step-too-large", Severity::Wrong, taken, step));
+        } else if !last && taken < step - TOLERANCE {
+            findings.push(say.figure("step-smaller", Severity::Note, taken, step));
+        }
+        // With a step smaller than the way back the tool returns to the beginning.
+        let needed = (reached + back).min(cycle.begin);
+        if index > 0 && !near(*from, needed) {
+            findings.push(say.figure("step-clearance", Severity::Note, *from - reached, needed - reached));
+        }
+        reached = reached.min(*to);
+    }
+    let returns = cut.returns(asked.plan.part.datum.top);
+    for (returned, (from, _)) in returns.iter().zip(downs.iter().skip(1)) {
+        let needed = if leaves { cycle.begin } else { *from };
+        if near(*returned, needed) {
+            continue;
+        }
+        let severity = if leaves && *returned < needed { Severity::Doubtful } else { Severity::Note };
+        findings.push(say.figure("step-return", severity, returned, needed));
+    }
+}
+
+/// The way out.
+fn way_out(say: &Say<'_, '_>, findings: &mut Vec<Finding>) {
+    let (cut, cycle) = (say.cut, say.task.cycle);
+    let moves: Vec<&Move> = cut.way_out().iter().filter(|made| made.moves()).collect();
+    let inside: Vec<&&Move> = moves.iter().filter(|made| made.from[2] < cycle.begin - TOLERANCE).collect();
+    let at_feed = |made: &Move| made.feed().is_some();
+    match &cycle.kind {
+        Kind::FeedOut | Kind::Tap { .. } => {
+            if inside.iter().any(|made| !at_feed(made)) {
+                findings.push(say.now("out-at-rapid", Severity::Wrong));
+            }
+            let other = inside.iter().filter_map(|made| made.feed());
+            let mut other = other.filter(|feed| (feed - cycle.feed_mm_per_min.0).abs() > FIGURE);
+            if let Some(feed) = other.next() {
+                findings.push(say.figure("out-other-feed", Severity::Doubtful, feed, cycle.feed_mm_per_min.0));
+            }
+        }
+        _ => {
+            if let Some(feed) = moves.iter().find_map(|made| made.feed()) {
+                findings.push(say.now("out-at-feed", Severity::Note).with("made", feed));
+            }
+        }
+    }
+    let turns = |made: &&Move| made.turning != Turning::Stopped;
+    turning_out(say, cycle, inside.iter().any(|made| turns(made)), inside.iter().any(|made| !turns(made)), findings);
+    // Higher than its feed begins a reamer leaves at rapid.
+    if let Some(made) = moves.iter().find(|made| at_feed(made) && made.to[2] > cycle.begin + TOLERANCE) {
+        findings.push(say.figure("out-too-high", Severity::Note, made.to[2], cycle.begin));
+    }
+}
+
+fn turning_out(say: &Say<'_, '_>, cycle: &Cycle, turned: bool, stood: bool, findings: &mut Vec<Finding>) {
+    if cycle.kind == Kind::BoreStop {
+        if turned {
+            findings.push(say.now("out-turning", Severity::Wrong));
+        }
+    } else if stood {
+        findings.push(say.now("out-standing", Severity::Doubtful));
+    }
+}

@@ -1,0 +1,220 @@
+//! From stays to cuts: one way of the tip into the part and out of it, pecks and circles drawn together.
+
+use super::walk::{How, Move, Stay};
+use crate::motion::{BlockRef, Sense, Turning};
+use crate::units::Micrometres;
+
+/// Positions that differ by no more are the same: a step of the machine, 0.01 mm.
+pub(super) const TOLERANCE: Micrometres = Micrometres::new(10);
+
+/// Whether two positions are the same to a step of the machine.
+pub(super) fn near(a: Micrometres, b: Micrometres) -> bool {
+    (a - b).abs() <= TOLERANCE
+}
+
+/// One way into the part at a point.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Cut {
+    /// Its stay.
+    pub stay: usize,
+    /// The tool change it follows.
+    pub section: usize,
+    /// The tool, as the program calls it.
+    pub tool: u32,
+    /// The place of its set-up in the job.
+    pub setup: usize,
+    /// The point.
+    pub at: [Micrometres; 2],
+    /// The block that brought the tool here; of a second cut at the same point its own.
+    pub place: BlockRef,
+    /// The block of its first feed.
+    pub block: BlockRef,
+    /// Its place among the steps.
+    pub order: usize,
+    /// The corrector in force, and what it adds.
+    pub corrector: (u32, Micrometres),
+    /// From the first motion below the face to the last.
+    pub moves: Vec<Move>,
+    /// How high the tip rose afterwards before it went on or down again.
+    pub rose: Micrometres,
+}
+
+/// The cuts of a stay, and its motions above the face, each with the cut that it leads to.
+pub(super) fn cuts(number: usize, stay: &Stay, top: Micrometres) -> (Vec<Cut>, Vec<(Option<usize>, Move)>) {
+    let mut cuts: Vec<Cut> = Vec::new();
+    let mut above: Vec<(Option<usize>, Move)> = Vec::new();
+    // The last motion was below the face.
+    let mut inside = false;
+    // The spindle is switched and dwells happen where the tip is.
+    let low = |made: &Move| if made.moves() { made.below(top) } else { made.to[2] < top };
+    for (index, made) in stay.moves.iter().enumerate() {
+        if !low(made) {
+            if let Some(cut) = cuts.last_mut() {
+                cut.rose = cut.rose.max(made.to[2]);
+            }
+            inside = false;
+            above.push((None, *made));
+            continue;
+        }
+        // Also what goes in again from the very face is another way in.
+        let from_above = made.moves() && made.from[2] >= top;
+        if (!inside || from_above) && !cuts.last().is_some_and(|cut| goes_on(cut, &stay.moves[index..], top)) {
+            for (leads, _) in above.iter_mut().rev().take_while(|(leads, _)| leads.is_none()) {
+                *leads = Some(cuts.len());
+            }
+            let place = if cuts.is_empty() { stay.block } else { made.block };
+            cuts.push(Cut {
+                stay: number,
+                section: stay.section,
+                tool: stay.tool,
+                setup: stay.setup,
+                at: stay.at,
+                place,
+                block: made.block,
+                order: made.order,
+                corrector: made.corrector,
+                moves: Vec::new(),
+                rose: Micrometres::new(i64::MIN / 4),
+            });
+        }
+        inside = true;
+        if let Some(cut) = cuts.last_mut() {
+            cut.moves.push(*made);
+            cut.rose = cut.rose.max(made.to[2]);
+        }
+    }
+    // What a cut goes in from, and what it leaves to, is above: motions that lead nowhere belong to the way on.
+    (cuts, above)
+}
+
+/// Whether a new way in continues a cut: it was left no higher than where its feed began, and goes deeper by a feed that
+/// begins below. A drill that comes out for its chips does so.
+fn goes_on(cut: &Cut, rest: &[Move], top: Micrometres) -> bool {
+    let Some(begin) = cut.begin() else { return false };
+    let Some(feed) = rest.iter().find(|made| made.feed().is_some()).filter(|made| made.below(top)) else {
+        return false;
+    };
+    cut.rose <= begin + TOLERANCE && feed.from[2] < begin - TOLERANCE && feed.to[2] < cut.deepest()
+}
+
+impl Cut {
+    /// Z where its first feed begins; absent where it never feeds.
+    pub fn begin(&self) -> Option<Micrometres> {
+        self.moves.iter().find(|made| made.feed().is_some()).map(|made| made.from[2])
+    }
+
+    /// Z of its deepest point.
+    pub fn deepest(&self) -> Micrometres {
+        self.moves.iter().map(|made| made.to[2]).min().unwrap_or_default()
+    }
+
+    /// Its ways down at feed: from where to where, what follows straight on drawn together.
+    pub fn downs(&self) -> Vec<(Micrometres, Micrometres)> {
+        let mut downs: Vec<(Micrometres, Micrometres)> = Vec::new();
+        let mut goes_on = false;
+        for made in self.moves.iter().filter(|made| made.moves()) {
+            let down = matches!(made.how, How::Feed(_)) && made.to[2] < made.from[2];
+            match downs.last_mut() {
+                Some(last) if down && goes_on => last.1 = made.to[2],
+                _ if down => downs.push((made.from[2], made.to[2])),
+                _ => {}
+            }
+            goes_on = down;
+        }
+        downs
+    }
+
+    /// How high the tip went between its ways down.
+    pub fn returns(&self, top: Micrometres) -> Vec<Micrometres> {
+        let mut returns = Vec::new();
+        let mut highest: Option<Micrometres> = None;
+        for made in self.moves.iter().filter(|made| made.moves()) {
+            if matches!(made.how, How::Feed(_)) && made.to[2] < made.from[2] {
+                returns.extend(highest.take());
+                continue;
+            }
+            let reached = made.to[2].max(made.from[2]);
+            highest = highest.max(Some(reached.max(if made.below(top) { reached } else { top })));
+        }
+        // What was before the first way down is no return.
+        let first = self.moves.iter().find(|made| made.moves());
+        if first.is_some_and(|made| made.how == How::Rapid) && !returns.is_empty() {
+            returns.remove(0);
+        }
+        returns
+    }
+
+    /// The motions after the deepest point was reached for the last time and left.
+    pub fn way_out(&self) -> &[Move] {
+        let deepest = self.deepest();
+        let last = self.moves.iter().rposition(|made| made.moves() && made.to[2] == deepest).map_or(0, |at| at + 1);
+        &self.moves[last..]
+    }
+
+    /// How long it waited at its deepest point, s.
+    pub fn dwell(&self) -> f64 {
+        let deepest = self.deepest();
+        let waits = self.moves.iter().filter(|made| made.to[2] == deepest);
+        waits.map(|made| if let How::Dwell(seconds) = made.how { seconds } else { 0.0 }).sum()
+    }
+
+    /// Waits elsewhere, s.
+    pub fn other_dwells(&self) -> f64 {
+        let deepest = self.deepest();
+        let waits = self.moves.iter().filter(|made| made.to[2] != deepest);
+        waits.map(|made| if let How::Dwell(seconds) = made.how { seconds } else { 0.0 }).sum()
+    }
+
+    /// Its circles in order: depth, centre, radius in mm and sense; arcs of one circle that follow each other are drawn
+    /// together, with how far they turn, rad.
+    pub fn circles(&self) -> Vec<Circle> {
+        let mut circles: Vec<Circle> = Vec::new();
+        let mut goes_on = false;
+        for made in self.moves.iter().filter(|made| made.moves()) {
+            let How::Round { centre, radius, sense, turned, .. } = made.how else {
+                goes_on = false;
+                continue;
+            };
+            let next = Circle { z: made.to[2], from_z: made.from[2], centre, radius, sense, turned, block: made.block };
+            match circles.last_mut() {
+                Some(last) if goes_on && last.same(&next) => last.turned += turned,
+                _ => circles.push(next),
+            }
+            goes_on = true;
+        }
+        circles
+    }
+
+    /// The motions in the metal: at feed, not on the way out.
+    pub fn cutting(&self) -> impl Iterator<Item = &Move> {
+        let into = self.moves.len() - self.way_out().len();
+        self.moves[..into].iter().filter(|made| made.feed().is_some())
+    }
+
+    /// Whether the spindle turned right while it cut.
+    pub fn turning(&self) -> Turning {
+        let wrong = self.cutting().map(|made| made.turning).find(|turning| *turning != Turning::Clockwise);
+        wrong.unwrap_or(Turning::Clockwise)
+    }
+}
+
+/// A circle of a mill.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Circle {
+    pub from_z: Micrometres,
+    pub z: Micrometres,
+    pub centre: [Micrometres; 2],
+    pub radius: f64,
+    pub sense: Sense,
+    pub turned: f64,
+    pub block: BlockRef,
+}
+
+impl Circle {
+    fn same(&self, other: &Self) -> bool {
+        self.z == other.z
+            && self.centre == other.centre
+            && self.sense == other.sense
+            && (self.radius - other.radius).abs() < 0.005
+    }
+}

@@ -1,0 +1,101 @@
+//! Which stop of the job each cut makes.
+
+use std::collections::BTreeMap;
+
+use super::cuts::{Cut, TOLERANCE, near};
+use super::tools::Tools;
+use super::walk::Frame;
+use super::{Asked, Made, Task};
+use crate::motion::{Motion, Step};
+use crate::units::Micrometres;
+
+/// Cuts and stops, each with its partner.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Matched {
+    /// The task of each cut.
+    pub task_of: Vec<Option<usize>>,
+    /// The cut of each task.
+    pub cut_of: Vec<Option<usize>>,
+}
+
+/// Tasks by set-up and X: a plate may have thousands.
+pub(super) struct Places(BTreeMap<(usize, Micrometres), Vec<usize>>);
+
+impl Places {
+    pub fn of(tasks: &[Task<'_>]) -> Self {
+        let mut places: BTreeMap<_, Vec<usize>> = BTreeMap::new();
+        for (number, task) in tasks.iter().enumerate() {
+            places.entry((task.setup, task.stop.at.x)).or_default().push(number);
+        }
+        Self(places)
+    }
+
+    /// The tasks at the point of a cut, in the order of the job.
+    pub fn at(&self, cut: &Cut, tasks: &[Task<'_>]) -> Vec<usize> {
+        let [x, y] = cut.at;
+        let found = self.0.range((cut.setup, x - TOLERANCE)..=(cut.setup, x + TOLERANCE));
+        let mut found: Vec<usize> = found.flat_map(|(_, numbers)| numbers.iter().copied()).collect();
+        found.retain(|&number| tasks.get(number).is_some_and(|task| near(task.stop.at.y, y)));
+        found.sort_unstable();
+        found
+    }
+}
+
+/// Whether a cut goes as deep as a task asks.
+pub(super) fn fits(cut: &Cut, task: &Task<'_>) -> bool {
+    near(cut.deepest(), task.cycle.end)
+}
+
+/// Gives each cut its task: first what fits in tool, point and depth, in the order of the program; then what another
+/// tool made; then what has another depth.
+pub(super) fn matched(cuts: &[Cut], tools: &Tools, tasks: &[Task<'_>]) -> Matched {
+    let places = Places::of(tasks);
+    let mut matched = Matched { task_of: vec![None; cuts.len()], cut_of: vec![None; tasks.len()] };
+    for round in 0..3 {
+        for (number, cut) in cuts.iter().enumerate() {
+            // A tip that is only pushed into the part makes nothing.
+            if matched.task_of[number].is_some() || cut.begin().is_none() {
+                continue;
+            }
+            let own = tools.of_section(cut.section);
+            let free = places.at(cut, tasks).into_iter().filter(|&task| matched.cut_of[task].is_none());
+            let mut free = free.filter(|&task| (own == Some(tasks[task].tool.tool)) == (round != 1));
+            let found = match round {
+                2 => free.min_by_key(|&task| ((tasks[task].cycle.end - cut.deepest()).abs(), task)),
+                _ => free.find(|&task| fits(cut, &tasks[task])),
+            };
+            if let Some(task) = found {
+                matched.task_of[number] = Some(task);
+                matched.cut_of[task] = Some(number);
+            }
+        }
+    }
+    matched
+}
+
+/// Before which step the part is turned over: at the stop or, where there is none, the tool change at which most cuts
+/// fit. Never, where the job has one set-up only.
+pub(super) fn turned_over(steps: &[Step], asked: &Asked<'_>, frames: &[Frame], tasks: &[Task<'_>]) -> usize {
+    let never = steps.len();
+    if frames.len() < 2 {
+        return never;
+    }
+    let places = Places::of(tasks);
+    let score = |at: usize| {
+        let cuts = Made::of(steps, asked, frames, at).cuts;
+        cuts.iter().filter(|cut| places.at(cut, tasks).into_iter().any(|task| fits(cut, &tasks[task]))).count()
+    };
+    let at = |wanted: fn(&Motion) -> bool| {
+        steps.iter().enumerate().filter(move |(_, step)| wanted(&step.motion)).map(|(at, _)| at)
+    };
+    let stops = at(|motion| matches!(motion, Motion::Stop { .. }));
+    let changes = at(|motion| matches!(motion, Motion::ToolChange { .. }));
+    let mut best = (0, never);
+    for place in stops.chain(changes) {
+        let fitting = score(place);
+        if fitting > best.0 {
+            best = (fitting, place);
+        }
+    }
+    best.1
+}

@@ -1,0 +1,117 @@
+//! Circles of a mill, and motions across in the part.
+
+use super::Finding;
+use super::compare::Say;
+use super::cuts::{Circle, TOLERANCE, near};
+use super::shown;
+use super::walk::How;
+use crate::motion::{Sense, geometry};
+use crate::note::Severity;
+use crate::units::Micrometres;
+
+/// A transition without circles: whatever goes across at feed is a slot.
+pub(super) fn none(say: &Say<'_, '_>, findings: &mut Vec<Finding>) {
+    let across = say.cut.moves.iter().find(|made| made.feed().is_some() && made.across());
+    if let Some(made) = across {
+        findings
+            .push(say.now("slot", Severity::Error).with("to", shown([made.to[0], made.to[1]])).with("z", made.to[2]));
+    }
+}
+
+/// The circles of a cycle in their order, and the ways between them.
+pub(super) fn circles(
+    say: &Say<'_, '_>,
+    levels: &[Micrometres],
+    radii: &[Micrometres],
+    sense: Sense,
+    findings: &mut Vec<Finding>,
+) {
+    let made = say.cut.circles();
+    let planned: Vec<(Micrometres, Micrometres)> =
+        levels.iter().flat_map(|level| radii.iter().map(|radius| (*level, *radius))).collect();
+    let widest = radii.iter().max().copied().unwrap_or_default();
+    for (index, (level, radius)) in planned.iter().enumerate() {
+        let Some(circle) = made.get(index) else {
+            let count = planned.len() - index;
+            findings.push(say.now("circle-missing", Severity::Error).with("count", count).with("z", level));
+            break;
+        };
+        one(say, circle, *level, *radius, sense, findings);
+    }
+    if let Some(circle) = made.get(planned.len()) {
+        findings.push(say.now("circle-superfluous", Severity::Error).with("z", circle.z));
+    }
+    let centre = say.cut.at.map(Micrometres::to_mm);
+    let outside = |to: [Micrometres; 3]| {
+        geometry::distance([to[0].to_mm(), to[1].to_mm()], centre) > (widest + TOLERANCE).to_mm()
+    };
+    let straight = say.cut.moves.iter().filter(|made| matches!(made.how, How::Feed(_)));
+    for made in straight.clone().filter(|made| made.across() && outside(made.to)) {
+        findings
+            .push(say.now("slot", Severity::Error).with("to", shown([made.to[0], made.to[1]])).with("z", made.to[2]));
+    }
+    // Straight ways: out to every circle of a level, and back to the middle.
+    let ways = straight.clone().filter(|made| made.across()).count();
+    let needed = levels.len() * (radii.len() + 1);
+    if ways != needed {
+        findings.push(say.figure("ways-between-circles", Severity::Note, ways, needed));
+    }
+    if let Some(oblique) = straight.clone().find(|made| made.across() && made.from[2] != made.to[2]) {
+        findings.push(say.now("oblique", Severity::Doubtful).with("z", oblique.to[2]));
+    }
+    // It goes down and comes out in the middle, where it was let in.
+    let aside = say.cut.moves.iter().find(|made| {
+        !made.across() && made.moves() && !(near(made.to[0], say.cut.at[0]) && near(made.to[1], say.cut.at[1]))
+    });
+    if let Some(made) = aside {
+        findings.push(
+            say.now("not-in-the-middle", Severity::Doubtful)
+                .with("to", shown([made.to[0], made.to[1]]))
+                .with("z", made.to[2]),
+        );
+    }
+    let downs = straight.filter(|made| !made.across() && made.to[2] < made.from[2]).count();
+    if downs != levels.len() {
+        findings.push(say.figure("ways-down", Severity::Note, downs, levels.len()));
+    }
+}
+
+fn one(
+    say: &Say<'_, '_>,
+    circle: &Circle,
+    level: Micrometres,
+    radius: Micrometres,
+    sense: Sense,
+    findings: &mut Vec<Finding>,
+) {
+    let at = |code, severity| {
+        let mut finding = say.now(code, severity).with("z", circle.z);
+        finding.block = Some(circle.block);
+        finding
+    };
+    let step = TOLERANCE.to_mm();
+    if !near(circle.z, level) {
+        findings.push(at("circle-level", Severity::Error).with("needed", level));
+    }
+    if circle.from_z != circle.z {
+        findings.push(at("oblique", Severity::Doubtful));
+    }
+    if (circle.radius - radius.to_mm()).abs() > step {
+        let made = crate::units::round_to(circle.radius, 3);
+        findings.push(at("circle-radius", Severity::Error).with("made", made).with("needed", radius));
+    }
+    if !(near(circle.centre[0], say.cut.at[0]) && near(circle.centre[1], say.cut.at[1])) {
+        findings.push(at("circle-centre", Severity::Error).with("made", shown(circle.centre)));
+    }
+    if circle.sense != sense {
+        findings.push(at("circle-sense", Severity::Wrong));
+    }
+    // Once round, with what a step of the machine is on the arc.
+    let turns = circle.turned / std::f64::consts::TAU;
+    let slack = 2.0 * step / circle.radius.max(step);
+    if turns < 1.0 - slack {
+        findings.push(at("circle-open", Severity::Error).with("made", crate::units::round_to(turns, 3)));
+    } else if turns > 1.0 + slack {
+        findings.push(at("circle-again", Severity::Note).with("made", crate::units::round_to(turns, 3)));
+    }
+}

@@ -1,0 +1,292 @@
+//! The proof that a program makes a part: what it cuts, held against the job of the part's plan, stop by stop.
+//!
+//! It works on the steps that an interpreter emits, so it is the same for every control.
+//!
+//! ```text
+//! steps → walk (stays: what was done at one point) → cuts (one way in and out) → matching (which stop of the job each
+//! cut makes, with which tool) → compare (cut beside cycle) and around (what is no cut) → Proof
+//! ```
+//!
+//! - every stop of the job needs a cut: what has none is missing, a cut that makes no stop is superfluous;
+//! - a cut is held against its stop: tool and corrector, beginning, depth, steps, circles, way out, speed, feed, dwell,
+//!   coolant, and its turn among the transitions of its hole;
+//! - a motion that no cut explains is told, too: so a program about which nothing is said does what the job says, and
+//!   nothing else.
+//!
+//! Where the part stands and what the correctors hold is taken as given. docs/proof.md tells what is held against what,
+//! and how grave it is.
+//!
+//! Architecture invariant: the proof knows no control and chooses nothing; what is right stands in the job.
+
+mod around;
+mod compare;
+mod cuts;
+mod matching;
+mod milled;
+mod tools;
+mod walk;
+
+#[cfg(test)]
+mod tests;
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use crate::job::{Cycle, Job, SetUp, Stop, ToolWork};
+use crate::motion::{BlockRef, Position, Step};
+use crate::note::{Note, Severity};
+use crate::part::Point;
+use crate::plan::{Operation, Plan, Transition};
+use crate::units::Micrometres;
+
+use cuts::Cut;
+use walk::{Frame, Walk};
+
+/// What a program is held against.
+#[derive(Clone, Copy, Debug)]
+pub struct Asked<'a> {
+    /// The plan of the part.
+    pub plan: &'a Plan,
+    /// Its job.
+    pub job: &'a Job,
+    /// Where the drawing's zero stands in each set-up of the job, machine coordinates.
+    pub zeros: &'a [Position],
+    /// Where the axes stand when the program begins, machine coordinates.
+    pub start: Position,
+    /// How far the tool comes out of a through hole, by the rule `approach`: so much less still makes the hole.
+    pub overrun: Micrometres,
+    /// Whether the correctors are the operator's own: then their numbers and values may be others than the plan's.
+    pub own_correctors: bool,
+}
+
+/// What a program makes of a part, and what it does beside.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Proof {
+    /// The stops of the job that it makes, in the order of the program.
+    pub visits: Vec<Visit>,
+    /// The stops that it does not make.
+    pub missing: Vec<Missing>,
+    /// The cuts that make no stop.
+    pub superfluous: Vec<Superfluous>,
+    /// Every deviation, the gravest first.
+    pub findings: Vec<Finding>,
+}
+
+impl Proof {
+    /// Whether the part is not made as planned.
+    pub fn has_errors(&self) -> bool {
+        self.findings.iter().any(|finding| finding.severity <= Severity::Wrong)
+    }
+}
+
+/// A stop of the job that the program makes.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Visit {
+    /// The group of holes.
+    pub hole: String,
+    /// The transition of the group, from 0.
+    pub transition: usize,
+    /// Its pass, from 1.
+    pub pass: u32,
+    /// The point, in the drawing's coordinates as the part lies.
+    pub at: Point,
+    /// The tool of the program.
+    pub tool: u32,
+    /// The block that brings the tool there.
+    #[serde(flatten)]
+    pub block: BlockRef,
+}
+
+/// A stop of the job that the program does not make.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Missing {
+    /// The group of holes.
+    pub hole: String,
+    /// The transition of the group, from 0.
+    pub transition: usize,
+    /// What it is.
+    pub operation: Operation,
+    /// Its pass, from 1.
+    pub pass: u32,
+    /// The point.
+    pub at: Point,
+    /// The tool of the plan.
+    pub tool: u32,
+}
+
+/// A cut that makes no stop of the job.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Superfluous {
+    /// The point.
+    pub at: Point,
+    /// How deep it goes, in the drawing.
+    pub z: Micrometres,
+    /// The tool of the program.
+    pub tool: u32,
+    /// The block that brings the tool there.
+    #[serde(flatten)]
+    pub block: BlockRef,
+}
+
+/// A deviation from the job.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Finding {
+    /// Its stable id; the note has it too.
+    #[serde(skip)]
+    pub code: &'static str,
+    /// How grave.
+    pub severity: Severity,
+    /// Where in the program; absent where it is nowhere.
+    #[serde(flatten)]
+    pub block: Option<BlockRef>,
+    /// What it says.
+    #[serde(flatten)]
+    pub note: Note,
+}
+
+impl Finding {
+    /// A deviation that needs figures.
+    fn new(code: &'static str, severity: Severity, block: impl Into<Option<BlockRef>>) -> Self {
+        Self { code, severity, block: block.into(), note: Note::new(code) }
+    }
+
+    /// With one more figure.
+    fn with(mut self, name: &str, value: impl ToString) -> Self {
+        self.note = self.note.with(name, value);
+        self
+    }
+}
+
+/// A stop of the job with what it belongs to.
+#[derive(Clone, Copy, Debug)]
+struct Task<'a> {
+    /// Place of the set-up in the job.
+    setup: usize,
+    /// Place of the work among all works.
+    work: usize,
+    tool: &'a ToolWork,
+    stop: &'a Stop,
+    cycle: &'a Cycle,
+    transition: &'a Transition,
+}
+
+/// Holds the steps of a program against a job.
+pub fn prove(steps: &[Step], asked: &Asked<'_>) -> Proof {
+    let tasks = tasks(asked);
+    let frames: Vec<Frame> =
+        asked.zeros.iter().map(|zero| Frame { zero: *zero, top: asked.plan.part.datum.top }).collect();
+    let turned_over = matching::turned_over(steps, asked, &frames, &tasks);
+    let made = Made::of(steps, asked, &frames, turned_over);
+    let tools = tools::tools(&made, &tasks, asked);
+    let matched = matching::matched(&made.cuts, &tools, &tasks);
+
+    let mut findings = tools.findings.clone();
+    compare::all(&made, &matched, &tools, &tasks, asked, &mut findings);
+    around::all(&made, &matched, &tasks, asked, turned_over, &mut findings);
+    let mut proof = Proof { findings: folded(findings), ..Proof::default() };
+    for (cut, task) in made.cuts.iter().zip(&matched.task_of) {
+        let at = Point::from(cut.at);
+        match task.and_then(|task| tasks.get(task)) {
+            Some(Task { stop, .. }) => proof.visits.push(Visit {
+                hole: stop.hole.clone(),
+                transition: stop.transition,
+                pass: stop.pass,
+                at: stop.at,
+                tool: cut.tool,
+                block: cut.place,
+            }),
+            None => {
+                proof.superfluous.push(Superfluous { at, z: cut.deepest(), tool: cut.tool, block: cut.place });
+            }
+        }
+    }
+    for (task, cut) in tasks.iter().zip(&matched.cut_of) {
+        if cut.is_none() {
+            proof.missing.push(Missing {
+                hole: task.stop.hole.clone(),
+                transition: task.stop.transition,
+                operation: task.cycle.operation,
+                pass: task.stop.pass,
+                at: task.stop.at,
+                tool: task.tool.tool,
+            });
+        }
+    }
+    proof
+}
+
+/// What a program does, as cuts and what is around them.
+#[derive(Clone, Debug)]
+struct Made {
+    walk: Walk,
+    cuts: Vec<Cut>,
+    /// Motions above the face: the stay, the cut they lead to, the motion.
+    above: Vec<(usize, Option<usize>, walk::Move)>,
+}
+
+impl Made {
+    fn of(steps: &[Step], asked: &Asked<'_>, frames: &[Frame], turned_over: usize) -> Self {
+        let works = asked.job.setups.iter().flat_map(|setup| &setup.works).filter(|_| !asked.own_correctors);
+        let needs_none = |tool: u32| asked.job.correctors.contains(&(tool, Micrometres::ZERO));
+        let references = works.filter(|work| needs_none(work.corrector)).map(|work| work.place).collect();
+        let walk = walk::walk(steps, asked.start, frames, turned_over, &references);
+        let (mut cuts, mut above) = (Vec::new(), Vec::new());
+        for (number, stay) in walk.stays.iter().enumerate() {
+            let Some(frame) = frames.get(stay.setup) else { continue };
+            let before = cuts.len();
+            let (mut own, high) = cuts::cuts(number, stay, frame.top);
+            cuts.append(&mut own);
+            above.extend(high.into_iter().map(|(leads, made)| (number, leads.map(|at| before + at), made)));
+        }
+        Self { walk, cuts, above }
+    }
+}
+
+fn tasks<'a>(asked: &Asked<'a>) -> Vec<Task<'a>> {
+    let mut tasks = Vec::new();
+    let mut work = 0;
+    let setups: &'a [SetUp] = &asked.job.setups;
+    for (setup, of) in setups.iter().enumerate() {
+        for tool in &of.works {
+            for stop in &tool.stops {
+                let hole = asked.plan.holes.iter().find(|hole| hole.name == stop.hole);
+                let transition = hole.and_then(|hole| hole.transitions.get(stop.transition));
+                if let (Some(cycle), Some(transition)) = (tool.cycles.get(stop.cycle), transition) {
+                    tasks.push(Task { setup, work, tool, stop, cycle, transition });
+                }
+            }
+            work += 1;
+        }
+    }
+    tasks
+}
+
+/// What is said alike of several points of a group is said once, with how many more; the gravest first, then in the
+/// program's order.
+fn folded(findings: Vec<Finding>) -> Vec<Finding> {
+    let mut kept: Vec<(Finding, usize)> = Vec::new();
+    let mut known: BTreeMap<(Severity, Note), usize> = BTreeMap::new();
+    for finding in findings {
+        let mut alike = finding.note.clone();
+        if alike.params.contains_key("hole") {
+            alike.params.remove("at");
+        }
+        match known.get(&(finding.severity, alike.clone())) {
+            Some(&at) => kept[at].1 += 1,
+            None => {
+                known.insert((finding.severity, alike), kept.len());
+                kept.push((finding, 0));
+            }
+        }
+    }
+    let mut findings: Vec<Finding> =
+        kept.into_iter().map(|(finding, more)| if more > 0 { finding.with("more", more) } else { finding }).collect();
+    findings.sort_by_key(|finding| (finding.severity, finding.block.is_none(), finding.block));
+    findings
+}
+
+/// A point as sentences show it.
+fn shown(at: [Micrometres; 2]) -> String {
+    format!("X{} Y{}", at[0], at[1])
+}

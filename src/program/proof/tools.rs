@@ -1,0 +1,206 @@
+//! Which tool of the plan each tool of the program is, and whether its length corrector is right.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::cuts::Cut;
+use super::matching::{Places, fits};
+use super::walk::Event;
+use super::{Asked, Finding, Made, Task};
+use crate::job::Pause;
+use crate::note::Severity;
+use crate::units::Micrometres;
+
+/// The tools of a program.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Tools {
+    /// The tool of the plan that is in the spindle after each tool change; 0 is before the first.
+    sections: Vec<Option<u32>>,
+    pub findings: Vec<Finding>,
+}
+
+impl Tools {
+    /// The tool of the plan after that tool change.
+    pub fn of_section(&self, section: usize) -> Option<u32> {
+        self.sections.get(section).copied().flatten()
+    }
+}
+
+/// Finds the tools.
+///
+/// T is the plan's place in the magazine. Where the tool of that place would make none of its cuts and another would make
+/// most of them, the program numbers its tools in its own way, which is told. Where a place is filled several times, the
+/// tool is the one whose work is done, and the operator must have been asked before.
+pub(super) fn tools(made: &Made, tasks: &[Task<'_>], asked: &Asked<'_>) -> Tools {
+    let mut tools = Tools::default();
+    let places = Places::of(tasks);
+    // For every cut the tools of the plan that would make it: that of the place, or one whose correction acts.
+    let corrected =
+        |tool: u32| asked.plan.tools.iter().find(|known| known.number == tool).map(|known| known.correction_mm);
+    let makes = |cut: &Cut| -> BTreeSet<u32> {
+        let fitting = places.at(cut, tasks).into_iter().filter(|&task| fits(cut, &tasks[task]));
+        let fitting = fitting.map(|task| tasks[task].tool).filter(|tool| {
+            asked.own_correctors || tool.place == cut.tool || corrected(tool.tool) == Some(cut.corrector.1)
+        });
+        fitting.map(|tool| tool.tool).collect()
+    };
+    let mut in_place: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+    for tool in asked.job.setups.iter().flat_map(|setup| &setup.works) {
+        let known = in_place.entry(tool.place).or_default();
+        if !known.contains(&tool.tool) {
+            known.push(tool.tool);
+        }
+    }
+    // Scores of every T, and of every section.
+    let mut by_tool: BTreeMap<u32, (usize, BTreeMap<u32, usize>)> = BTreeMap::new();
+    let mut by_section: BTreeMap<usize, BTreeMap<u32, usize>> = BTreeMap::new();
+    for cut in &made.cuts {
+        let (count, scores) = by_tool.entry(cut.tool).or_default();
+        *count += 1;
+        for tool in makes(cut) {
+            *scores.entry(tool).or_default() += 1;
+            *by_section.entry(cut.section).or_default().entry(tool).or_default() += 1;
+        }
+    }
+    let named = |tool: u32| in_place.get(&tool).cloned().unwrap_or_default();
+    let works = |tool: u32| {
+        by_tool.get(&tool).is_some_and(|(_, scores)| named(tool).iter().any(|own| scores.contains_key(own)))
+    };
+    let taken: BTreeSet<u32> = by_tool.keys().filter(|tool| works(**tool)).flat_map(|tool| named(*tool)).collect();
+    let mut other: BTreeMap<u32, u32> = BTreeMap::new();
+    for (&tool, (count, scores)) in &by_tool {
+        let best = scores.iter().filter(|(plan, _)| !taken.contains(plan)).max_by_key(|(plan, score)| {
+            // Of equals the first.
+            (**score, std::cmp::Reverse(**plan))
+        });
+        if let Some((&plan, &score)) = best
+            && !works(tool)
+            && 2 * score > *count
+            && !other.values().any(|known| *known == plan)
+        {
+            other.insert(tool, plan);
+            tools.findings.push(
+                Finding::new("tool-by-work", Severity::Doubtful, first(made, tool))
+                    .with("tool", tool)
+                    .with("plan", plan),
+            );
+        }
+    }
+    let sections = made.walk.stays.iter().map(|stay| stay.section).max().unwrap_or_default();
+    let mut loaded: BTreeMap<u32, u32> = BTreeMap::new();
+    let mut changed_at = 0;
+    for section in 0..=sections {
+        let Some(stay) = made.walk.stays.iter().find(|stay| stay.section == section) else {
+            tools.sections.push(None);
+            continue;
+        };
+        let plan = other.get(&stay.tool).copied().or_else(|| {
+            let known = named(stay.tool);
+            let score = |tool: &u32| by_section.get(&section).and_then(|it| it.get(tool)).copied().unwrap_or_default();
+            let most = known.iter().map(score).max()?;
+            let now = loaded.get(&stay.tool).copied().filter(|tool| score(tool) == most);
+            now.or_else(|| known.into_iter().find(|tool| score(tool) == most))
+        });
+        if let Some(plan) = plan.filter(|_| !other.contains_key(&stay.tool)) {
+            let before = *loaded.entry(stay.tool).or_insert_with(|| first_in(stay.tool, plan, asked));
+            if before != plan {
+                let asked_for = made.walk.events.iter().any(|(order, _, event)| {
+                    *event == Event::Stop && *order >= changed_at && *order < begin_of(made, section)
+                });
+                if !asked_for {
+                    tools.findings.push(
+                        Finding::new("not-loaded", Severity::Error, stay.block)
+                            .with("tool", plan)
+                            .with("place", stay.tool),
+                    );
+                }
+                loaded.insert(stay.tool, plan);
+            }
+        }
+        changed_at = begin_of(made, section);
+        tools.sections.push(plan);
+    }
+    for (section, plan) in tools.sections.clone().into_iter().enumerate() {
+        if section > 0 && plan.is_none() && made.cuts.iter().any(|cut| cut.section == section) {
+            let stay = made.walk.stays.iter().find(|stay| stay.section == section);
+            if let Some(stay) = stay {
+                tools.findings.push(Finding::new("tool-unknown", Severity::Error, stay.block).with("tool", stay.tool));
+            }
+        }
+    }
+    correctors(made, &mut tools, asked);
+    tools
+}
+
+/// The tool that is in a place when the program begins: the first to work there, unless it is loaded by a pause.
+fn first_in(place: u32, first: u32, asked: &Asked<'_>) -> u32 {
+    let works = || asked.job.setups.iter().flat_map(|setup| &setup.works).filter(|work| work.place == place);
+    let loads = |tool: u32| {
+        works()
+            .flat_map(|work| &work.pauses)
+            .any(|pause| matches!(pause, Pause::LoadTool { tool: it, .. } if *it == tool))
+    };
+    let known = works().map(|work| work.tool).find(|tool| !loads(*tool));
+    // A place that the plan leaves empty holds what the program takes for it.
+    known.unwrap_or(if loads(first) { 0 } else { first })
+}
+
+fn first(made: &Made, tool: u32) -> Option<crate::motion::BlockRef> {
+    made.walk.stays.iter().find(|stay| stay.tool == tool).map(|stay| stay.block)
+}
+
+/// The step of the tool change that begins a section.
+fn begin_of(made: &Made, section: usize) -> usize {
+    let changes = made.walk.events.iter().filter(|(_, _, event)| matches!(event, Event::Change { .. }));
+    section.checked_sub(1).and_then(|at| changes.map(|(order, ..)| *order).nth(at)).unwrap_or_default()
+}
+
+/// The length correction of every cut.
+///
+/// With the plan's correctors the value must be that of the tool, and the number, too. With the operator's own every tool
+/// has the corrector that most of its cuts use, no two tools have one, and a value other than the plan's is told.
+fn correctors(made: &Made, tools: &mut Tools, asked: &Asked<'_>) {
+    let mut used: BTreeMap<u32, BTreeMap<(u32, Micrometres), usize>> = BTreeMap::new();
+    for cut in &made.cuts {
+        *used.entry(cut.tool).or_default().entry(cut.corrector).or_default() += 1;
+    }
+    let usual: BTreeMap<u32, (u32, Micrometres)> = used
+        .iter()
+        .filter_map(|(tool, counts)| Some((*tool, *counts.iter().max_by_key(|(_, count)| **count)?.0)))
+        .collect();
+    let mut findings = Vec::new();
+    let mut told = BTreeSet::new();
+    for cut in &made.cuts {
+        let Some(plan) = tools.of_section(cut.section) else { continue };
+        let Some(own) = asked.plan.tools.iter().find(|tool| tool.number == plan) else { continue };
+        let (number, value) = cut.corrector;
+        let say = |code, severity| {
+            Finding::new(code, severity, cut.block)
+                .with("tool", cut.tool)
+                .with("corrector", number)
+                .with("value", value)
+                .with("needed", own.correction_mm)
+                .with("own", own.corrector)
+        };
+        if !asked.own_correctors {
+            if value != own.correction_mm {
+                let none = number == 0 || value == Micrometres::ZERO;
+                findings.push(say(if none { "no-correction" } else { "wrong-correction" }, Severity::Error));
+            } else if number != own.corrector && number != 0 && value != Micrometres::ZERO {
+                findings.push(say("other-corrector", Severity::Doubtful));
+            }
+            continue;
+        }
+        let first = usual.get(&cut.tool).copied().unwrap_or(cut.corrector);
+        if cut.corrector != first {
+            findings.push(say("wrong-correction", Severity::Error).with("needed", first.1).with("own", first.0));
+        } else if let Some((other, _)) = usual
+            .iter()
+            .find(|(tool, used)| **tool != cut.tool && used.0 == number && number != 0 && value != Micrometres::ZERO)
+        {
+            findings.push(say("shared-corrector", Severity::Error).with("other", other));
+        } else if value != own.correction_mm && told.insert(cut.tool) {
+            findings.push(say("correction-otherwise", Severity::Doubtful));
+        }
+    }
+    tools.findings.append(&mut findings);
+}

@@ -1,0 +1,306 @@
+//! From steps to stays: what was done at one point of the part, from the motion that came there to the one that goes on.
+//!
+//! Motions are told as the tool's tip makes them, in the coordinates of the drawing as the part lies in the set-up:
+//! machine position less the zero, and along Z less how much longer the tool is than the reference. How long it is does
+//! not change when a correction ends: it is what the program adds for it most often between two tool changes, or else in all.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::motion::{Axis, BlockRef, Motion, Plane, Position, Sense, Side, Step, Turning, geometry};
+use crate::units::Micrometres;
+
+/// A place of the tip.
+pub(super) type Tip = [Micrometres; 3];
+
+/// Where the drawing's zero and the part's face are in a set-up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Frame {
+    /// The zero, machine coordinates, measured with the reference tool.
+    pub zero: Position,
+    /// Z of the face that is up, in the drawing.
+    pub top: Micrometres,
+}
+
+/// How the tip went.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum How {
+    /// At rapid.
+    Rapid,
+    /// Straight at feed.
+    Feed(f64),
+    /// Round a point of the XY plane at feed; `turned` is how far, rad.
+    Round { centre: [Micrometres; 2], radius: f64, sense: Sense, turned: f64, feed: f64 },
+    /// It waited, s.
+    Dwell(f64),
+    /// The spindle was switched.
+    Spindle,
+}
+
+/// One motion of the tip, with the state it was made in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Move {
+    pub how: How,
+    pub from: Tip,
+    pub to: Tip,
+    /// Where the axes stand after it, machine coordinates.
+    pub machine: Position,
+    /// The spindle while it was made; of a switch, after it.
+    pub turning: Turning,
+    pub speed: f64,
+    pub coolant: bool,
+    /// The length corrector that acts, and what it adds.
+    pub corrector: (u32, Micrometres),
+    pub block: BlockRef,
+    /// Its place among the steps.
+    pub order: usize,
+}
+
+impl Move {
+    /// Whether it goes along X or Y.
+    pub fn across(&self) -> bool {
+        matches!(self.how, How::Round { .. }) || self.from[0] != self.to[0] || self.from[1] != self.to[1]
+    }
+
+    /// The feed, of a motion at feed.
+    pub const fn feed(&self) -> Option<f64> {
+        match self.how {
+            How::Feed(feed) | How::Round { feed, .. } => Some(feed),
+            _ => None,
+        }
+    }
+
+    /// Whether the axes move.
+    pub const fn moves(&self) -> bool {
+        matches!(self.how, How::Rapid | How::Feed(_) | How::Round { .. })
+    }
+
+    /// Whether it is below the face anywhere.
+    pub fn below(&self, top: Micrometres) -> bool {
+        self.from[2] < top || self.to[2] < top
+    }
+}
+
+/// What was done at a point.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Stay {
+    /// Which tool change it follows, from 1; before the first one 0.
+    pub section: usize,
+    /// The tool in the spindle, as the program calls it.
+    pub tool: u32,
+    /// The place of its set-up in the job.
+    pub setup: usize,
+    /// The point, drawing coordinates.
+    pub at: [Micrometres; 2],
+    /// The point, machine coordinates.
+    pub machine: [Micrometres; 2],
+    /// The motion that came here; none where a tool change or the beginning of the program is.
+    pub travel: Option<Move>,
+    /// The block that brought the tool here.
+    pub block: BlockRef,
+    /// What followed.
+    pub moves: Vec<Move>,
+}
+
+/// What of a program is no motion at a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Event {
+    /// The program waits for the operator.
+    Stop,
+    /// The path is kept beside the programmed one, which no drilling does.
+    Radius,
+    /// A tool comes; whether the spindle turned and the coolant flowed until then.
+    Change { turned: bool, coolant: bool },
+    /// The program ends there; whether the spindle turns and the coolant flows.
+    End { at: Position, turns: bool, coolant: bool },
+}
+
+/// A program as stays and events.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Walk {
+    pub stays: Vec<Stay>,
+    /// With their place among the steps, and the stay they happened at.
+    pub events: Vec<(usize, BlockRef, Event)>,
+}
+
+struct State {
+    at: Position,
+    section: usize,
+    tool: u32,
+    turning: Turning,
+    speed: f64,
+    coolant: bool,
+    corrector: (u32, Micrometres),
+    /// How much longer than the reference the tool of every section is.
+    longer: BTreeMap<usize, Micrometres>,
+    /// The block that stopped the spindle last.
+    stopped_by: Option<BlockRef>,
+}
+
+/// Walks through the steps. The part is turned over before the step of that number, if the job has a second set-up.
+/// References are tools, as the program calls them, that are known to need no correction.
+pub(super) fn walk(
+    steps: &[Step],
+    start: Position,
+    frames: &[Frame],
+    turned_over: usize,
+    references: &BTreeSet<u32>,
+) -> Walk {
+    let mut walk = Walk::default();
+    let mut state = State {
+        at: start,
+        section: 0,
+        tool: 0,
+        turning: Turning::Stopped,
+        speed: 0.0,
+        coolant: false,
+        corrector: (0, Micrometres::ZERO),
+        longer: longer(steps, references),
+        stopped_by: None,
+    };
+    for (order, step) in steps.iter().enumerate() {
+        let setup = usize::from(order >= turned_over).min(frames.len().saturating_sub(1));
+        let Some(frame) = frames.get(setup) else { return walk };
+        take(&mut walk, &mut state, (order, step), setup, frame);
+        state.at = step.at;
+    }
+    walk
+}
+
+/// What is added along Z after every tool change: the value that is brought in most often there; where none is, the one
+/// of that tool elsewhere, but for a reference tool, which needs none.
+fn longer(steps: &[Step], references: &BTreeSet<u32>) -> BTreeMap<usize, Micrometres> {
+    let (mut section, mut tool) = (0, 0);
+    let mut tools: BTreeMap<usize, u32> = BTreeMap::new();
+    let mut used: BTreeMap<usize, BTreeMap<Micrometres, usize>> = BTreeMap::new();
+    let mut by_tool: BTreeMap<u32, BTreeMap<Micrometres, usize>> = BTreeMap::new();
+    for step in steps {
+        match &step.motion {
+            Motion::ToolChange { tool: next } => {
+                (section, tool) = (section + 1, *next);
+                tools.insert(section, tool);
+            }
+            Motion::LengthCorrection { axis: Axis::Z, value, .. } if *value != Micrometres::ZERO => {
+                *used.entry(section).or_default().entry(*value).or_default() += 1;
+                *by_tool.entry(tool).or_default().entry(*value).or_default() += 1;
+            }
+            _ => {}
+        }
+    }
+    let most = |values: Option<&BTreeMap<Micrometres, usize>>| {
+        values.and_then(|values| values.iter().max_by_key(|(_, count)| **count)).map(|(value, _)| *value)
+    };
+    let elsewhere = |tool: u32| most(by_tool.get(&tool)).filter(|_| !references.contains(&tool));
+    tools
+        .into_iter()
+        .filter_map(|(section, tool)| Some((section, most(used.get(&section)).or_else(|| elsewhere(tool))?)))
+        .collect()
+}
+
+fn take(walk: &mut Walk, state: &mut State, (order, step): (usize, &Step), setup: usize, frame: &Frame) {
+    let how = match &step.motion {
+        Motion::Rapid => How::Rapid,
+        Motion::Feed { feed_mm_per_min } => How::Feed(feed_mm_per_min.0),
+        Motion::Arc { plane: Plane::Xy, sense, centre, turns, feed_mm_per_min } => {
+            let middle = [centre[0].to_mm(), centre[1].to_mm()];
+            let [start, end] = [state.at, step.at].map(|at| geometry::in_plane(at, Plane::Xy));
+            let turned = geometry::sweep(start, end, middle, *sense) + std::f64::consts::TAU * f64::from(*turns);
+            let centre = [centre[0] - frame.zero.x, centre[1] - frame.zero.y];
+            let radius = geometry::distance(start, middle);
+            How::Round { centre, radius, sense: *sense, turned, feed: feed_mm_per_min.0 }
+        }
+        // An arc in another plane is no way round a hole: it counts as a straight cut.
+        Motion::Arc { feed_mm_per_min, .. } => How::Feed(feed_mm_per_min.0),
+        Motion::Dwell { seconds } => How::Dwell(*seconds),
+        Motion::Spindle { turning, speed_rpm } => {
+            if state.turning != Turning::Stopped && *turning == Turning::Stopped {
+                state.stopped_by = Some(step.block);
+            }
+            (state.turning, state.speed) = (*turning, speed_rpm.0);
+            How::Spindle
+        }
+        Motion::Coolant { on } => {
+            state.coolant = *on;
+            return;
+        }
+        Motion::LengthCorrection { axis: Axis::Z, corrector, value } => {
+            // A corrector of 0 and none are the same to the machine.
+            state.corrector = if *value == Micrometres::ZERO { (0, *value) } else { (*corrector, *value) };
+            return;
+        }
+        Motion::ToolChange { tool } => {
+            let turned = state.turning != Turning::Stopped || state.stopped_by == Some(step.block);
+            let event = Event::Change { turned, coolant: state.coolant };
+            walk.events.push((order, step.block, event));
+            state.section += 1;
+            state.tool = *tool;
+            state.turning = Turning::Stopped;
+            let tip = tip(step.at, state, frame);
+            walk.stays.push(stay(state, setup, tip, step, None));
+            return;
+        }
+        Motion::Stop { .. } => {
+            walk.events.push((order, step.block, Event::Stop));
+            return;
+        }
+        Motion::End => {
+            let turns = state.turning != Turning::Stopped;
+            walk.events.push((order, step.block, Event::End { at: step.at, turns, coolant: state.coolant }));
+            return;
+        }
+        Motion::RadiusCorrection { side, .. } => {
+            if *side != Side::Off {
+                walk.events.push((order, step.block, Event::Radius));
+            }
+            return;
+        }
+        Motion::LengthCorrection { .. } | Motion::Auxiliary { .. } => return,
+    };
+    let (from, to) = (tip(state.at, state, frame), tip(step.at, state, frame));
+    let made = Move {
+        how,
+        from,
+        to,
+        machine: step.at,
+        turning: state.turning,
+        speed: state.speed,
+        coolant: state.coolant,
+        corrector: state.corrector,
+        block: step.block,
+        order,
+    };
+    let nowhere = made.moves() && from == to && !made.across();
+    if nowhere {
+        return;
+    }
+    if walk.stays.is_empty() {
+        walk.stays.push(stay(state, setup, from, step, None));
+    }
+    if made.across() && !made.below(frame.top) {
+        walk.stays.push(stay(state, setup, to, step, Some(made)));
+    } else if let Some(last) = walk.stays.last_mut() {
+        // A part turned over at the same point is another part to the tool.
+        if last.setup != setup && last.moves.is_empty() && last.travel.is_none() {
+            last.setup = setup;
+            last.at = [from[0], from[1]];
+        }
+        last.moves.push(made);
+    }
+}
+
+fn tip(at: Position, state: &State, frame: &Frame) -> Tip {
+    let longer = state.longer.get(&state.section).copied().unwrap_or_default();
+    [at.x - frame.zero.x, at.y - frame.zero.y, at.z - frame.zero.z - longer]
+}
+
+fn stay(state: &State, setup: usize, at: Tip, step: &Step, travel: Option<Move>) -> Stay {
+    Stay {
+        section: state.section,
+        tool: state.tool,
+        setup,
+        at: [at[0], at[1]],
+        machine: [step.at.x, step.at.y],
+        travel,
+        block: step.block,
+        moves: Vec::new(),
+    }
+}
