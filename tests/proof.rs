@@ -376,6 +376,18 @@ fn own_correctors_have_their_own_numbers() {
     assert_eq!(held.codes(&numbered.replace(" H12 ", " H13 ")), ["correction-otherwise"]);
 }
 
+/// The second set-up has a zero of its own, and the part is turned over at the stop.
+#[test]
+fn the_second_set_up_counts_from_its_own_zero() {
+    let (_, text, mut held) = right().into_iter().find(|(name, ..)| name == "two-sides").unwrap();
+    let shifted = held.job.setups[1].zero.x + Micrometres::from_mm(30);
+    held.job.setups[1].zero.x = shifted;
+    held.setting.zeros[1][0] = Some(shifted);
+    assert_eq!(held.codes(&text), [""; 0]);
+    let codes = held.codes(&text.replace("G55", "G54"));
+    assert!(codes.contains(&"not-made") && codes.contains(&"cut-elsewhere"), "{codes:?}");
+}
+
 /// What the operator has to do needs a stop before the work.
 #[test]
 fn pauses_need_stops() {

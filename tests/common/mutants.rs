@@ -146,7 +146,7 @@ pub fn mutants(text: &str) -> Vec<Mutant> {
     mutants
 }
 
-/// The words of a line, a letter with its number, by their places; what stands in brackets is a comment.
+/// The words of a line, a letter with its number, by their places; what stands in brackets or behind `;` is a comment.
 fn words(line: &str) -> Vec<(usize, usize)> {
     let mut words = Vec::new();
     let bytes = line.as_bytes();
@@ -155,6 +155,7 @@ fn words(line: &str) -> Vec<(usize, usize)> {
         match bytes[at] {
             b'(' => comment = true,
             b')' => comment = false,
+            b';' if !comment => return words,
             letter if !comment && (letter.is_ascii_alphabetic() || letter == b':') => {
                 let mut end = at + 1;
                 while bytes.get(end).is_some_and(|c| c.is_ascii_digit() || matches!(c, b'.' | b'-' | b'+')) {
