@@ -20,7 +20,7 @@ use technolog::planner;
 use technolog::program::Fault;
 use technolog::program::Setting;
 use technolog::program::control_2c42_65::{Control, check};
-use technolog::program::proof::{Asked, Proof, prove};
+use technolog::program::proof::{Asked, Proof, Tolerated, prove};
 use technolog::shipped;
 use technolog::shop::Shop;
 use technolog::units::Micrometres;
@@ -84,7 +84,7 @@ impl Held {
                 job: &self.job,
                 zeros: &zeros,
                 start: self.setting.start,
-                overrun: Micrometres::from_mm(3),
+                tolerated: Tolerated { overrun: Micrometres::from_mm(3), overload: 1.5 },
                 own_correctors: self.own_correctors,
             },
         );
@@ -203,8 +203,8 @@ const FAULTS: &[(&str, &str, &str, &str)] = &[
     ("two-sides", "G3 I-7", "L2 G3 I-7", "circle-again"),
     ("two-sides", "G1 X-7", "G1 X-7 Z1", "oblique"),
     ("two-sides", "G91 X7\n", "G91 X4\nN4 X3\n", "ways-between-circles"),
-    ("two-sides", "G1 Z-12 F41.8", "G1 Z-6 F41.8\nN3 Z-12", "ways-down"),
-    ("two-sides", "G1 X-7\n", "", "not-in-the-middle"),
+    ("two-sides", "G1 Z-12 F41", "G1 Z-6 F41.8\nN3 Z-12", "ways-down"),
+    ("two-sides", "N5 G1 X-7\n", "", "not-in-the-middle"),
     ("two-sides", "M00", "", "no-stop-to-turn-over"),
     ("two-sides", "M00", "", "not-turned-over"),
     ("plate", "N80 X175 Y50\n", "N80 X175 Y50\nN81 M00\n", "stop-for-nothing"),
@@ -231,7 +231,7 @@ const FAULTS: &[(&str, &str, &str, &str)] = &[
     ),
     ("variant-4", "T4 M6", "T3 M6", "wrong-tool"),
     ("plate", "M9\nN2 M99\n:09\nN1 G53 G0", "M99\n:09\nN1 G53 G0 M8", "coolant-at-end"),
-    ("plate", "P09\nN245 M02", "N245 M02", "ends-elsewhere"),
+    ("plate", "N240 P09\n", "", "ends-elsewhere"),
 ];
 
 #[test]

@@ -6,13 +6,12 @@ use std::sync::Arc;
 use serde::Serialize;
 use technolog::error::KnowledgeError;
 use technolog::job::{self, Job};
-use technolog::knowledge::{Diagnostic, Input, Knowledge, Place, Severity};
+use technolog::knowledge::{Diagnostic, Knowledge, Place, Severity};
 use technolog::motion::{Axis, Position, Step};
 use technolog::note;
-use technolog::part::{Entry, Part};
 use technolog::plan::{CuttingMethod, Plan};
 use technolog::program::Setting;
-use technolog::program::proof::{Asked, Finding, Missing, Proof, Superfluous, Visit, prove};
+use technolog::program::proof::{Asked, Finding, Missing, Proof, Superfluous, Tolerated, Visit, prove};
 use technolog::report::backplot::Frame;
 use technolog::report::{self, grid};
 use technolog::shop::Shop;
@@ -28,7 +27,7 @@ pub struct Held {
     pub plan: Plan,
     /// Its job.
     pub job: Job,
-    overrun: Micrometres,
+    tolerated: Tolerated,
     own_correctors: bool,
 }
 
@@ -85,8 +84,8 @@ impl Held {
         };
         let shop = Shop::new(&plan.part, plan.cutting, knowledge).map_err(at_fault)?;
         let job = job::make(&plan, &shop).map_err(at_fault)?;
-        let overrun = overrun(&plan.part, knowledge).map_err(at_fault)?;
-        Ok(Self { plan, job, overrun, own_correctors: false })
+        let tolerated = Tolerated::read(&plan.part, knowledge).map_err(at_fault)?;
+        Ok(Self { plan, job, tolerated, own_correctors: false })
     }
 
     /// The part under the motions of a program.
@@ -107,7 +106,7 @@ impl Held {
                 job: &self.job,
                 zeros: &zeros,
                 start: setting.start,
-                overrun: self.overrun,
+                tolerated: self.tolerated,
                 own_correctors: self.own_correctors,
             },
         )
@@ -136,15 +135,6 @@ impl Held {
         let table = grid::ruled(&head, &rows).unwrap_or_else(|| grid::columns(&rows, 2));
         format!("{}\n{table}", context.word(Word::ProofHead))
     }
-}
-
-/// How far a tool comes out of a through hole.
-fn overrun(part: &Part, knowledge: &Knowledge) -> Result<Micrometres, KnowledgeError> {
-    let rule = knowledge.table("approach")?;
-    let entry = if part.entry == Entry::Rough { "rough" } else { "machined" };
-    let answer = rule.decide(&[("entry", Input::Text(entry)), ("through", Input::Bool(true))])?;
-    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, entry))?;
-    Ok(row.length("overrun")?)
 }
 
 /// The proof with its words.

@@ -1,7 +1,7 @@
 //! The cycle of one transition, by the rule `machining-cycle`.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::{Input, RowRef};
+use crate::knowledge::{Input, Knowledge, RowRef};
 use crate::motion::Sense;
 use crate::note::{Because, Note};
 use crate::part::Part;
@@ -106,20 +106,20 @@ fn feed(transition: &Transition, shop: &Shop<'_>) -> Result<MillimetresPerMinute
     if transition.operation == Operation::Tap {
         return Ok(planned);
     }
-    let step = convention("feed-step", shop)?.0;
+    let step = convention("feed-step", shop.knowledge)?.0;
     Ok(MillimetresPerMinute(libm::floor(planned.0 / step).max(1.0) * step))
 }
 
 /// How high over the entry face a tool goes from point to point.
 fn withdrawal(shop: &Shop<'_>) -> Result<(Micrometres, Because), KnowledgeError> {
-    let (value, row) = convention("withdrawal", shop)?;
+    let (value, row) = convention("withdrawal", shop.knowledge)?;
     let height = Micrometres::from_mm_rounded(value);
     Ok((height, Because::row(row, Note::new("withdrawal").with("height", height))))
 }
 
 /// A figure of the table `program-conventions`.
-pub(crate) fn convention<'k>(name: &str, shop: &Shop<'k>) -> Result<(f64, RowRef<'k>), KnowledgeError> {
-    let table = shop.knowledge.table("program-conventions")?;
+pub(crate) fn convention<'k>(name: &str, knowledge: &'k Knowledge) -> Result<(f64, RowRef<'k>), KnowledgeError> {
+    let table = knowledge.table("program-conventions")?;
     let row = table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
     Ok((row.number_in("value", Unit::None)?, row))
 }

@@ -41,7 +41,7 @@ pub(super) fn stand(
     // From the table to the zero of the drawing.
     let zero_height = fixture + part.blank.thickness - part.datum.top;
     let needed = zero_height + heights + reference + longest;
-    let step = Micrometres::from_mm_rounded(convention("knee-step", shop)?.0);
+    let step = Micrometres::from_mm_rounded(convention("knee-step", shop.knowledge)?.0);
     let (least, most) = machine.nose_to_table.unwrap_or((Micrometres::ZERO, needed));
     let nose = up_to(needed, step).max(least);
     if needed > most {

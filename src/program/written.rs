@@ -22,7 +22,7 @@ impl Form {
     /// # Errors
     /// The table of conventions lacks a figure.
     pub fn read(shop: &Shop<'_>) -> Result<Self, KnowledgeError> {
-        let (step, _) = crate::job::convention("block-number-step", shop)?;
+        let (step, _) = crate::job::convention("block-number-step", shop.knowledge)?;
         Ok(Self { resolution: shop.machine.resolution, number_step: step as u32 })
     }
 

@@ -8,6 +8,7 @@ use crate::note::Note;
 use super::Lang;
 
 mod iso;
+mod jobs;
 mod lists;
 mod programs;
 mod proof;
@@ -16,7 +17,7 @@ mod routes;
 /// Every sentence.
 fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'static str)> {
     let all = SENTENCES.iter().chain(routes::SENTENCES).chain(programs::SENTENCES);
-    all.chain(iso::SENTENCES).chain(lists::SENTENCES).chain(proof::SENTENCES)
+    all.chain(iso::SENTENCES).chain(jobs::SENTENCES).chain(lists::SENTENCES).chain(proof::SENTENCES)
 }
 
 /// A note as a sentence. A code without words shows itself with its figures, so that nothing is lost.
@@ -573,7 +574,7 @@ mod tests {
     #[test]
     fn every_code_of_the_program_has_its_words() {
         let mut codes = BTreeSet::new();
-        for room in ["route", "tooling", "cutting", "planner", "program"] {
+        for room in ["route", "tooling", "cutting", "planner", "job", "program"] {
             codes_in(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src").join(room), &mut codes);
         }
         assert!(codes.len() > 50, "the search for codes finds too few: {}", codes.len());

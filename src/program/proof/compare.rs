@@ -51,7 +51,7 @@ pub(super) fn all(
             }
         }
         levels(&say, asked, findings);
-        conditions(&say, findings);
+        conditions(&say, asked, findings);
         match &task.cycle.kind {
             Kind::Circles { levels, radii, sense } => milled::circles(&say, levels, radii, *sense, findings),
             _ => {
@@ -213,7 +213,7 @@ fn levels(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
     let spot = part.datum.top - transition.start_mm - radius;
     let preparing = transition.operation == Operation::CentreDrill && deepest >= spot;
     let finding = if deepest > cycle.end {
-        let enough = through && deepest <= cycle.end + asked.overrun + TOLERANCE;
+        let enough = through && deepest <= cycle.end + asked.tolerated.overrun + TOLERANCE;
         let (code, severity) =
             if enough { ("less-overrun", Severity::Doubtful) } else { ("too-shallow", Severity::Error) };
         say.figure(code, severity, deepest, cycle.end)
@@ -225,15 +225,21 @@ fn levels(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
 }
 
 /// Speed, feed, dwell, coolant.
-fn conditions(say: &Say<'_, '_>, findings: &mut Vec<Finding>) {
+fn conditions(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
     let (cut, cycle) = (say.cut, say.task.cycle);
     let other = |made: f64, needed: f64| (made - needed).abs() > FIGURE;
+    // Somebody may have chosen otherwise, but not far beyond what the tool bears.
+    let load = |made: f64, needed: f64| {
+        if made > needed * asked.tolerated.overload { Severity::Wrong } else { Severity::Doubtful }
+    };
     if let Some(made) = cut.cutting().find(|made| other(made.speed, cycle.speed_rpm.0)) {
-        findings.push(say.figure("other-speed", Severity::Doubtful, made.speed, cycle.speed_rpm.0));
+        let severity = load(made.speed, cycle.speed_rpm.0);
+        findings.push(say.figure("other-speed", severity, made.speed, cycle.speed_rpm.0));
     }
     let mut feeds = cut.cutting().filter_map(Move::feed);
     if let Some(feed) = feeds.find(|feed| other(*feed, cycle.feed_mm_per_min.0)) {
-        findings.push(say.figure("other-feed", Severity::Doubtful, feed, cycle.feed_mm_per_min.0));
+        let severity = load(feed, cycle.feed_mm_per_min.0);
+        findings.push(say.figure("other-feed", severity, feed, cycle.feed_mm_per_min.0));
     }
     let needed = cycle.dwell_s.map_or(0.0, |dwell| dwell.0);
     if other(cut.dwell(), needed) {

@@ -33,10 +33,13 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
+use crate::error::KnowledgeError;
 use crate::job::{Cycle, Job, SetUp, Stop, ToolWork};
+use crate::knowledge::{Input, Knowledge};
 use crate::motion::{BlockRef, Position, Step};
 use crate::note::{Note, Severity};
 use crate::part::Point;
+use crate::part::{Entry, Part};
 use crate::plan::{Operation, Plan, Transition};
 use crate::units::Micrometres;
 
@@ -54,10 +57,34 @@ pub struct Asked<'a> {
     pub zeros: &'a [Position],
     /// Where the axes stand when the program begins, machine coordinates.
     pub start: Position,
-    /// How far the tool comes out of a through hole, by the rule `approach`: so much less still makes the hole.
-    pub overrun: Micrometres,
+    /// What may differ from the job.
+    pub tolerated: Tolerated,
     /// Whether the correctors are the operator's own: then their numbers and values may be others than the plan's.
     pub own_correctors: bool,
+}
+
+/// How far a program may differ from its job.
+#[derive(Clone, Copy, Debug)]
+pub struct Tolerated {
+    /// How far the tool comes out of a through hole, by the rule `approach`: so much less still makes the hole.
+    pub overrun: Micrometres,
+    /// How many times the planned speed or feed somebody else may have chosen.
+    pub overload: f64,
+}
+
+impl Tolerated {
+    /// What the knowledge tolerates for a part.
+    ///
+    /// # Errors
+    /// A table lacks a figure.
+    pub fn read(part: &Part, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
+        let rule = knowledge.table("approach")?;
+        let entry = if part.entry == Entry::Rough { "rough" } else { "machined" };
+        let answer = rule.decide(&[("entry", Input::Text(entry)), ("through", Input::Bool(true))])?;
+        let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, entry))?;
+        let overload = crate::job::convention("overload", knowledge)?.0;
+        Ok(Self { overrun: row.length("overrun")?, overload })
+    }
 }
 
 /// What a program makes of a part, and what it does beside.

@@ -199,18 +199,6 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
     ),
     ("cycle-step-not-positive", "{address} у циклі має бути додатним", "{address} of a cycle must be positive"),
     ("cannot-tap", "верстат не нарізає різь: G84 не виконується", "the machine cannot tap: G84 is not carried out"),
-    ("machining-cycle", "цикл {cycle}, глибина {ratio} діаметра", "cycle {cycle}, {ratio} diameters deep"),
-    ("withdrawal", "між отворами на {height} мм над деталлю", "{height} mm over the part from hole to hole"),
-    (
-        "no-room-over-part",
-        "від столу до торця шпинделя треба {needed} мм, а верстат дає найбільше {most}: інструмент довжиною {tool} не проходить над деталлю",
-        "{needed} mm from table to spindle nose are needed and the machine gives {most} at most: a tool of {tool} does not pass over the part",
-    ),
-    (
-        "quill-too-short",
-        "інструменту T{tool} треба {way} мм ходу повзуна, а верстат має {travel}",
-        "tool T{tool} needs {way} mm of the quill's travel and the machine has {travel}",
-    ),
     (
         "hole-twice",
         "{cycle} вдруге робить той самий отвір тим самим інструментом: уперше - {first}",
