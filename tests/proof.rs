@@ -4,96 +4,24 @@
 
 #![allow(clippy::unwrap_used, reason = "clippy allows it in tests, but not in the functions they share")]
 
+mod common;
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-use technolog::job::{self, Job, Pause};
-use technolog::knowledge::Knowledge;
-use technolog::machine::Machine;
-use technolog::motion::time::Clock;
-use technolog::motion::{Axis, Position, Step};
-use technolog::part::read_part;
-use technolog::plan::{CuttingMethod, Plan};
-use technolog::planner;
-use technolog::program::Fault;
-use technolog::program::Setting;
-use technolog::program::control_2c42_65::{Control, check};
-use technolog::program::proof::{Asked, Proof, Tolerated, prove};
-use technolog::shipped;
-use technolog::shop::Shop;
+use common::KNOWLEDGE;
+use common::held::Held;
+use common::mutants::{Score, score};
+use technolog::job::Pause;
+use technolog::program::Language;
 use technolog::units::Micrometres;
 
-#[path = "common/mutants.rs"]
-mod mutants;
-
-use mutants::{Run, Score, score};
-
-static KNOWLEDGE: LazyLock<Knowledge> = LazyLock::new(|| shipped::knowledge().unwrap());
-static CONTROL: LazyLock<Control> = LazyLock::new(|| Control::read(&KNOWLEDGE).unwrap());
+static CONTROL: LazyLock<Language> = LazyLock::new(|| Language::read("2c42-65", &KNOWLEDGE).unwrap());
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).to_path_buf()
-}
-
-/// A part as programs are held against it.
-struct Held {
-    plan: Plan,
-    job: Job,
-    machine: Machine<'static>,
-    setting: Setting,
-    own_correctors: bool,
-}
-
-impl Held {
-    fn new(path: &str) -> Self {
-        let text = fs::read_to_string(root().join(path)).unwrap();
-        let part = read_part(path, &text, &KNOWLEDGE).unwrap();
-        let plan = planner::plan(&part, CuttingMethod::default(), &KNOWLEDGE).unwrap();
-        let shop = Shop::new(&plan.part, plan.cutting, &KNOWLEDGE).unwrap();
-        let job = job::make(&plan, &shop).unwrap();
-        let mut setting = Setting { correctors: job.correctors.iter().copied().collect(), ..Setting::default() };
-        for (setup, zero) in job.setups.iter().zip(&mut setting.zeros) {
-            *zero = Axis::ALL.map(|axis| Some(setup.zero.get(axis)));
-        }
-        Self { plan, job, machine: Machine::find(&KNOWLEDGE, "gf2171").unwrap(), setting, own_correctors: false }
-    }
-
-    /// Whether the correctors are the operator's own is what Appendix Г needs.
-    fn own(mut self, correctors: &[(u32, i64)]) -> Self {
-        self.setting.correctors =
-            correctors.iter().map(|(number, value)| (*number, Micrometres::new(*value))).collect();
-        self.own_correctors = true;
-        self
-    }
-
-    fn codes(&self, text: &str) -> Vec<&'static str> {
-        self.run(text).1.findings.iter().map(|finding| finding.code).collect()
-    }
-
-    fn run(&self, text: &str) -> (Vec<Fault>, Proof, Run) {
-        let mut sink = (Vec::<Step>::new(), Clock::new(&self.machine, self.setting.start));
-        let faults = check(text, &CONTROL, &self.machine, &self.setting, &mut sink);
-        let (steps, clock) = sink;
-        let zeros: Vec<Position> = self.job.setups.iter().map(|setup| setup.zero).collect();
-        let proof = prove(
-            &steps,
-            &Asked {
-                plan: &self.plan,
-                job: &self.job,
-                zeros: &zeros,
-                start: self.setting.start,
-                tolerated: Tolerated { overrun: Micrometres::from_mm(3), overload: 1.5 },
-                own_correctors: self.own_correctors,
-            },
-        );
-        let said = faults.iter().map(|fault| format!("{:?} {:?}", fault.severity, fault.note));
-        let said =
-            said.chain(proof.findings.iter().map(|finding| format!("{:?} {:?}", finding.severity, finding.note)));
-        let run = Run::of(&steps, self.setting.start, said, format!("{:?}", clock.times()));
-        (faults, proof, run)
-    }
 }
 
 /// The right programs: folder, program, part.
@@ -116,7 +44,7 @@ fn of_a_right_program_nothing_is_said_and_every_stop_is_visited_in_the_order_of_
     let programs = right();
     assert!(programs.len() > 2);
     for (name, text, held) in programs {
-        let (faults, proof, _) = held.run(&text);
+        let (faults, proof, _) = held.run(&CONTROL, &text);
         assert!(faults.is_empty(), "{name}: {faults:?}");
         assert!(proof.findings.is_empty(), "{name}: {:?}", proof.findings);
         let visited: Vec<_> =
@@ -133,7 +61,7 @@ fn no_word_can_be_changed_unnoticed() {
     let mut kinds: BTreeMap<&str, [usize; 3]> = BTreeMap::new();
     let mut unnoticed = Vec::new();
     for (name, text, held) in right() {
-        let Score { kinds: own, unnoticed: mut more } = score(&name, &text, |text| held.run(text).2);
+        let Score { kinds: own, unnoticed: mut more } = score(&name, &text, |text| held.run(&CONTROL, text).2);
         for (kind, counts) in own {
             let all = kinds.entry(kind).or_default();
             for (all, count) in all.iter_mut().zip(counts) {
@@ -232,6 +160,10 @@ const FAULTS: &[(&str, &str, &str, &str)] = &[
     ("variant-4", "T4 M6", "T3 M6", "wrong-tool"),
     ("plate", "M9\nN2 M99\n:09\nN1 G53 G0", "M99\n:09\nN1 G53 G0 M8", "coolant-at-end"),
     ("plate", "N240 P09\n", "", "ends-elsewhere"),
+    ("plate", "H3 Z15", "H0 Z15", "no-corrector"),
+    ("plate", "G49 ", "", "correction-at-change"),
+    ("large-bore", "N26 G0 Z15", "N26 G0 Z18", "out-elsewhere"),
+    ("variant-4", "N1 G82 U3 Z-13 I15 F320", "N1 G82 U3 Z-13 I0 F320", "out-too-low"),
 ];
 
 #[test]
@@ -241,7 +173,7 @@ fn what_deviates_is_called_by_its_name() {
     for (name, before, after, code) in FAULTS {
         let (_, text, held) = programs.iter().find(|(known, ..)| known == name).unwrap();
         assert!(text.contains(before), "{name} has no {before:?}");
-        let codes = held.codes(&text.replacen(before, after, 1));
+        let codes = held.codes(&CONTROL, &text.replacen(before, after, 1));
         if !codes.contains(code) {
             wrong.push(format!("{name}: {before:?} → {after:?}: {codes:?}, not {code}"));
         }
@@ -320,7 +252,7 @@ fn appendix_g_is_held_against_its_part() {
     held.setting.zeros[0] = [0, 0, -120].map(|zero| Some(Micrometres::from_mm(zero)));
     held.job.setups[0].zero.z = Micrometres::from_mm(-120);
     let mut said: Vec<(String, &str, Option<u32>, String)> = Vec::new();
-    for finding in held.run(&text).1.findings {
+    for finding in held.run(&CONTROL, &text).1.findings {
         let severity = format!("{:?}", finding.severity).to_lowercase();
         let params = &finding.note.params;
         // What tells one from another: the points, how many more, the corrector, the place.
@@ -346,11 +278,12 @@ fn appendix_g_is_held_against_its_part() {
 fn another_order_makes_the_part_as_well() {
     let (_, text, held) = right().into_iter().find(|(name, ..)| name == "plate").unwrap();
     let other = text.replacen("N45 X-175 Y50\nN50 X-200 Y0\n", "N45 X-200 Y0\nN50 X-175 Y50\n", 1);
-    let proof = held.run(&other).1;
+    let proof = held.run(&CONTROL, &other).1;
     assert!(!proof.has_errors(), "{:?}", proof.findings);
     assert_eq!(proof.missing.len() + proof.superfluous.len(), 0);
     // Transitions of a hole the other way round are not.
-    let codes = held.codes(&text.replacen("P01\n", "P02\n", 1).replacen("H2 Z15\nN125 P02\n", "H2 Z15\nN125 P01\n", 1));
+    let codes = held
+        .codes(&CONTROL, &text.replacen("P01\n", "P02\n", 1).replacen("H2 Z15\nN125 P02\n", "H2 Z15\nN125 P01\n", 1));
     assert!(codes.contains(&"wrong-tool"), "{codes:?}");
     let reamers = right().into_iter().find(|(name, ..)| name == "variant-4").unwrap();
     let (four, five) = ("S400 M3\nN180 G0 G43 H4 Z15\nN185 P04", "S500 M3\nN225 G0 G43 H5 Z15\nN230 P05");
@@ -362,7 +295,7 @@ fn another_order_makes_the_part_as_well() {
         .replace(four, "#")
         .replace(five, "S400 M3\nN225 G0 G43 H4 Z15\nN230 P04")
         .replace('#', "S500 M3\nN180 G0 G43 H5 Z15\nN185 P05");
-    assert_eq!(reamers.2.codes(&swapped), ["wrong-order", "other-order"]);
+    assert_eq!(reamers.2.codes(&CONTROL, &swapped), ["wrong-order", "other-order"]);
 }
 
 /// Correctors of the operator have his numbers and values; one of them for two tools, or two for one, is an error.
@@ -371,9 +304,9 @@ fn own_correctors_have_their_own_numbers() {
     let (_, text, held) = right().into_iter().find(|(name, ..)| name == "plate").unwrap();
     let held = held.own(&[(11, -102_400), (12, -60_400), (13, -50_000)]);
     let numbered = text.replace(" H1 ", " H11 ").replace(" H2 ", " H12 ");
-    assert_eq!(held.codes(&numbered), [""; 0]);
-    assert_eq!(held.codes(&numbered.replace(" H12 ", " H11 ")), ["shared-corrector", "shared-corrector"]);
-    assert_eq!(held.codes(&numbered.replace(" H12 ", " H13 ")), ["correction-otherwise"]);
+    assert_eq!(held.codes(&CONTROL, &numbered), [""; 0]);
+    assert_eq!(held.codes(&CONTROL, &numbered.replace(" H12 ", " H11 ")), ["shared-corrector", "shared-corrector"]);
+    assert_eq!(held.codes(&CONTROL, &numbered.replace(" H12 ", " H13 ")), ["correction-otherwise"]);
 }
 
 /// The second set-up has a zero of its own, and the part is turned over at the stop.
@@ -383,8 +316,8 @@ fn the_second_set_up_counts_from_its_own_zero() {
     let shifted = held.job.setups[1].zero.x + Micrometres::from_mm(30);
     held.job.setups[1].zero.x = shifted;
     held.setting.zeros[1][0] = Some(shifted);
-    assert_eq!(held.codes(&text), [""; 0]);
-    let codes = held.codes(&text.replace("G55", "G54"));
+    assert_eq!(held.codes(&CONTROL, &text), [""; 0]);
+    let codes = held.codes(&CONTROL, &text.replace("G55", "G54"));
     assert!(codes.contains(&"not-made") && codes.contains(&"cut-elsewhere"), "{codes:?}");
 }
 
@@ -395,14 +328,14 @@ fn pauses_need_stops() {
     let stopped = text.replacen("N190 T3", "N189 M00\nN190 T3", 1);
     assert_ne!(stopped, text);
     held.job.setups[0].works[2].pauses = vec![Pause::SetBar { diameter_mm: Micrometres::from_mm(20) }];
-    assert_eq!(held.codes(&text), ["no-stop-to-set-bar"]);
-    assert_eq!(held.codes(&stopped), [""; 0]);
+    assert_eq!(held.codes(&CONTROL, &text), ["no-stop-to-set-bar"]);
+    assert_eq!(held.codes(&CONTROL, &stopped), [""; 0]);
     // The third tool comes into the place of the first.
     held.job.setups[0].works[2].pauses = vec![Pause::LoadTool { tool: 3, place: 1 }];
     held.job.setups[0].works[2].place = 1;
     let loaded = text.replace("T3 M6", "T1 M6");
-    assert_eq!(held.codes(&loaded), ["not-loaded", "no-stop-to-load"]);
-    assert_eq!(held.codes(&stopped.replace("T3 M6", "T1 M6")), [""; 0]);
+    assert_eq!(held.codes(&CONTROL, &loaded), ["not-loaded", "no-stop-to-load"]);
+    assert_eq!(held.codes(&CONTROL, &stopped.replace("T3 M6", "T1 M6")), [""; 0]);
 }
 
 fn technolog(args: &[&str]) -> std::process::Output {

@@ -4,9 +4,11 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "clippy allows it in tests, but not in the functions they share")]
 
 pub mod cuts;
+pub mod held;
 pub mod holes;
 pub mod kinds;
 pub mod lawful;
+pub mod mutants;
 pub mod spoilt;
 
 use std::collections::BTreeMap;

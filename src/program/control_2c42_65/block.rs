@@ -213,7 +213,11 @@ impl Maker<'_> {
             Action::SpindleStop => self.spindle(Turning::Stopped),
             Action::CoolantOn => self.push(Motion::Coolant { on: true }),
             Action::CoolantOff => self.push(Motion::Coolant { on: false }),
-            Action::Stop => self.push(Motion::Stop { optional: false }),
+            Action::Stop => {
+                // The operator may set the tool otherwise, as a boring bar, for the same holes.
+                self.holes.clear();
+                self.push(Motion::Stop { optional: false });
+            }
             // Without the operator's SI it does not stop (4.2.4.2).
             Action::OptionalStop if self.setting.optional_stop => self.push(Motion::Stop { optional: true }),
             Action::ToolChange => self.tool_change(function, words),
@@ -284,11 +288,17 @@ impl Maker<'_> {
             _ => Micrometres::ZERO,
         };
         let axis = self.control.plane(self.state.groups[PLANE]).length_axis;
+        let corrector = if self.state.groups[LENGTH] == 49 { 0 } else { self.state.length_corrector };
         let old = self.state.length;
-        if old == (axis, value) || (old.1 == value && value == Micrometres::ZERO) {
+        let same = old == (axis, value) || (old.1 == value && value == Micrometres::ZERO);
+        if same && corrector == self.state.length_in_force {
             return;
         }
-        self.push(Motion::LengthCorrection { axis, corrector: self.state.length_corrector, value });
+        self.state.length_in_force = corrector;
+        self.push(Motion::LengthCorrection { axis, corrector, value });
+        if same {
+            return;
+        }
         // Of the old axis first, where it is another one.
         let axes = if old.0 == axis { vec![axis] } else { vec![old.0, axis] };
         for moved in axes {

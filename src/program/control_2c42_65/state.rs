@@ -41,6 +41,8 @@ pub(super) struct State {
     pub base: Position,
     /// The length correction that is in: axis and what is added.
     pub length: (Axis, Micrometres),
+    /// The number of its corrector; 0 where there is none.
+    pub length_in_force: u32,
     /// Axes whose place on the machine is not known.
     pub floating: [Floating; 3],
     /// The origin that G92 has set.
@@ -72,6 +74,7 @@ impl State {
             parameters: [None; 26],
             base: setting.start,
             length: (Axis::Z, Micrometres::ZERO),
+            length_in_force: 0,
             floating: [None; 3],
             origin: Position::default(),
             origin_floating: [None; 3],

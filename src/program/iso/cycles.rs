@@ -17,6 +17,7 @@
 
 use super::block::Maker;
 use super::control::{Bottom, Cycle, Group, Inwards, Kind, Outwards};
+use super::programs::calls;
 use super::words::{Function, Words, place};
 use crate::motion::{Axis, Motion, Position, Turning};
 use crate::program::Span;
@@ -98,7 +99,12 @@ impl Maker<'_> {
     /// The words of the block that are parameters of the cycle; those left out keep their last value.
     fn parameters(&mut self, cycle: &Cycle, words: &Words) {
         let inches = self.state.inches();
+        // P and L beside M98 name the subprogram.
+        let called = calls(words, self.control).is_some();
         for address in cycle.required.iter().chain(&cycle.optional).copied() {
+            if called && matches!(address, 'P' | 'L') {
+                continue;
+            }
             if let Some(given) = self.take(words, address) {
                 let value = if address == 'P' { given.millionths } else { given.length(inches).micrometres() };
                 self.state.parameters[place(address)] = Some(value);

@@ -96,7 +96,7 @@ fn subs(blocks: &[Block], programs: &mut Programs, faults: &mut Vec<Fault>) {
 }
 
 /// M98 of a block.
-fn calls(words: &Words, control: &Control) -> Option<Function> {
+pub(super) fn calls(words: &Words, control: &Control) -> Option<Function> {
     let call = |function: &&Function| control.m.get(&function.code).is_some_and(|it| it.action == Action::Call);
     words.m.iter().find(call).copied()
 }

@@ -23,6 +23,7 @@ pub(super) fn all(
     let around = Around { made, matched, tasks, asked };
     around.stays(findings);
     around.above(findings);
+    around.between(findings);
     around.pauses(findings);
     around.turned_over(turned_over, findings);
     around.order(findings);
@@ -74,14 +75,15 @@ impl<'t> Around<'_, 't> {
             }
             let low = travel.from[2].min(travel.to[2]);
             let high = travel.from[2].max(travel.to[2]);
-            if travel.machine.z == self.asked.job.change_at.z && low == high {
-                if self.at_change(stay) && travel.turning != Turning::Stopped {
-                    findings.push(Finding::new("turns-to-change", Severity::Note, stay.block));
-                }
-                continue;
+            let up = travel.machine.z == self.asked.job.change_at.z && low == high;
+            if up && self.at_change(stay) && travel.turning != Turning::Stopped {
+                findings.push(Finding::new("turns-to-change", Severity::Note, stay.block));
             }
             let from_change = number.checked_sub(1).and_then(|before| self.made.walk.stays.get(before));
             if self.at_change(stay) || from_change.is_some_and(|stay| self.at_change(stay)) {
+                if up {
+                    continue;
+                }
                 findings.push(
                     Finding::new("travel-not-up", Severity::Note, stay.block)
                         .with("at", shown(stay.at))
@@ -137,6 +139,11 @@ impl<'t> Around<'_, 't> {
                 findings.push(say("approach-standing").with("z", made.to[2]));
             }
             let cycle = task.cycle;
+            let metal = self.asked.plan.part.datum.top - task.transition.start_mm;
+            if made.to[2] < cycle.begin && made.to[2] >= task.reached_in_air(metal) && made.turning != Turning::Stopped
+            {
+                continue;
+            }
             let known = [cycle.begin, cycle.out].iter().any(|level| near(*level, made.to[2]));
             let up_again = leads.is_none() && made.machine.z == up;
             if !known && !up_again {
@@ -144,6 +151,23 @@ impl<'t> Around<'_, 't> {
             }
             if let Some(feed) = made.feed() {
                 findings.push(say("air-at-feed").with("z", made.to[2]).with("made", feed));
+            }
+        }
+    }
+
+    /// Between two cuts at one point the tool goes as high as from point to point.
+    fn between(&self, findings: &mut Vec<Finding>) {
+        for (next, pair) in self.made.cuts.windows(2).enumerate().map(|(at, pair)| (at + 1, pair)) {
+            let Some(task) = self.task(next - 1).filter(|_| pair[0].stay == pair[1].stay) else { continue };
+            let above = self.made.above.iter().filter(|(_, leads, made)| *leads == Some(next) && made.moves());
+            let high = above.map(|(.., made)| made.to[2]).fold(pair[0].rose, Micrometres::max);
+            if high < task.cycle.out - TOLERANCE {
+                findings.push(
+                    Finding::new("travel-low", Severity::Note, pair[1].block)
+                        .with("at", shown(pair[1].at))
+                        .with("made", high)
+                        .with("needed", task.cycle.out),
+                );
             }
         }
     }
@@ -229,7 +253,10 @@ impl<'t> Around<'_, 't> {
             match event {
                 Event::Stop => {}
                 Event::Radius => findings.push(Finding::new("radius-correction", Severity::Doubtful, *block)),
-                Event::Change { turned, coolant } => {
+                Event::Change { turned, coolant, corrected } => {
+                    if *corrected {
+                        findings.push(Finding::new("correction-at-change", Severity::Note, *block));
+                    }
                     if *turned {
                         findings.push(Finding::new("turns-at-change", Severity::Note, *block));
                     }

@@ -59,7 +59,7 @@ pub(super) fn all(
                 steps(&say, asked, findings);
             }
         }
-        way_out(&say, findings);
+        way_out(&say, asked, findings);
     }
     missing(matched, tasks, findings);
 }
@@ -190,7 +190,9 @@ fn levels(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
         // A rapid may have gone lower before it.
         let rapids = say.cut.moves.iter().take_while(|made| made.feed().is_none()).filter(|made| made.moves());
         let begin = rapids.map(|made| made.to[2]).fold(begin, Micrometres::min);
-        if begin < cycle.begin - TOLERANCE {
+        // Steps that end above the metal are made in the air; the cut begins after them.
+        let in_air = say.task.reached_in_air(metal) < cycle.begin && begin >= metal;
+        if begin < cycle.begin - TOLERANCE && !in_air {
             let finding = if begin < metal {
                 say.figure("rapid-into-metal", Severity::Error, begin, metal)
             } else {
@@ -242,7 +244,8 @@ fn conditions(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>)
         findings.push(say.figure("other-feed", severity, feed, cycle.feed_mm_per_min.0));
     }
     let needed = cycle.dwell_s.map_or(0.0, |dwell| dwell.0);
-    if other(cut.dwell(), needed) {
+    // Dwells are written in tenths or thousandths: there is nothing to round.
+    if (cut.dwell() - needed).abs() > 0.0005 {
         let severity = if cut.dwell() < needed { Severity::Doubtful } else { Severity::Note };
         findings.push(say.figure("other-dwell", severity, crate::units::round_to(cut.dwell(), 3), needed));
     }
@@ -271,7 +274,8 @@ fn steps(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
             return;
         }
     };
-    let mut reached = cut.begin().unwrap_or(cycle.begin);
+    let metal = asked.plan.part.datum.top - say.task.transition.start_mm;
+    let mut reached = cut.begin().unwrap_or(cycle.begin).min(say.task.reached_in_air(metal));
     for (index, (from, to)) in downs.iter().enumerate() {
         let taken = reached - *to;
         let last = index + 1 == downs.len();
@@ -299,7 +303,7 @@ fn steps(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
 }
 
 /// The way out.
-fn way_out(say: &Say<'_, '_>, findings: &mut Vec<Finding>) {
+fn way_out(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
     let (cut, cycle) = (say.cut, say.task.cycle);
     let moves: Vec<&Move> = cut.way_out().iter().filter(|made| made.moves()).collect();
     let inside: Vec<&&Move> = moves.iter().filter(|made| made.from[2] < cycle.begin - TOLERANCE).collect();
@@ -323,6 +327,17 @@ fn way_out(say: &Say<'_, '_>, findings: &mut Vec<Finding>) {
     }
     let turns = |made: &&Move| made.turning != Turning::Stopped;
     turning_out(say, cycle, inside.iter().any(|made| turns(made)), inside.iter().any(|made| !turns(made)), findings);
+    let known = |made: &&Move| {
+        near(made.to[2], cycle.begin) || near(made.to[2], cycle.out) || made.machine.z == asked.job.change_at.z
+    };
+    if let Some(made) = moves.last().filter(|made| !at_feed(made) && !known(made)) {
+        findings.push(say.figure("out-elsewhere", Severity::Note, made.to[2], cycle.out));
+    }
+    if let Some(made) = moves.iter().rfind(|made| at_feed(made))
+        && made.to[2] < cycle.begin - TOLERANCE
+    {
+        findings.push(say.figure("out-too-low", Severity::Note, made.to[2], cycle.begin));
+    }
     // Higher than its feed begins a reamer leaves at rapid.
     if let Some(made) = moves.iter().find(|made| at_feed(made) && made.to[2] > cycle.begin + TOLERANCE) {
         findings.push(say.figure("out-too-high", Severity::Note, made.to[2], cycle.begin));

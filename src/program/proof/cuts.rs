@@ -37,6 +37,8 @@ pub(super) struct Cut {
     pub moves: Vec<Move>,
     /// How high the tip rose afterwards before it went on or down again.
     pub rose: Micrometres,
+    /// Z where a feed towards it began over the face: steps of a deep hole that end in the air.
+    pub begun_above: Option<Micrometres>,
 }
 
 /// The cuts of a stay, and its motions above the face, each with the cut that it leads to.
@@ -45,6 +47,7 @@ pub(super) fn cuts(number: usize, stay: &Stay, top: Micrometres) -> (Vec<Cut>, V
     let mut above: Vec<(Option<usize>, Move)> = Vec::new();
     // The last motion was below the face.
     let mut inside = false;
+    let mut begun_above: Option<Micrometres> = None;
     // The spindle is switched and dwells happen where the tip is.
     let low = |made: &Move| if made.moves() { made.below(top) } else { made.to[2] < top };
     for (index, made) in stay.moves.iter().enumerate() {
@@ -53,6 +56,9 @@ pub(super) fn cuts(number: usize, stay: &Stay, top: Micrometres) -> (Vec<Cut>, V
                 cut.rose = cut.rose.max(made.to[2]);
             }
             inside = false;
+            if made.feed().is_some() {
+                begun_above = begun_above.max(Some(made.from[2]));
+            }
             above.push((None, *made));
             continue;
         }
@@ -75,6 +81,7 @@ pub(super) fn cuts(number: usize, stay: &Stay, top: Micrometres) -> (Vec<Cut>, V
                 corrector: made.corrector,
                 moves: Vec::new(),
                 rose: Micrometres::new(i64::MIN / 4),
+                begun_above: begun_above.take(),
             });
         }
         inside = true;
@@ -90,7 +97,7 @@ pub(super) fn cuts(number: usize, stay: &Stay, top: Micrometres) -> (Vec<Cut>, V
 /// Whether a new way in continues a cut: it was left no higher than where its feed began, and goes deeper by a feed that
 /// begins below. A drill that comes out for its chips does so.
 fn goes_on(cut: &Cut, rest: &[Move], top: Micrometres) -> bool {
-    let Some(begin) = cut.begin() else { return false };
+    let Some(begin) = cut.begin().max(cut.begun_above) else { return false };
     let Some(feed) = rest.iter().find(|made| made.feed().is_some()).filter(|made| made.below(top)) else {
         return false;
     };

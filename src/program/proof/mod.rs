@@ -34,7 +34,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use crate::error::KnowledgeError;
-use crate::job::{Cycle, Job, SetUp, Stop, ToolWork};
+use crate::job::{Cycle, Job, Kind, SetUp, Stop, ToolWork};
 use crate::knowledge::{Input, Knowledge};
 use crate::motion::{BlockRef, Position, Step};
 use crate::note::{Note, Severity};
@@ -43,7 +43,7 @@ use crate::part::{Entry, Part};
 use crate::plan::{Operation, Plan, Transition};
 use crate::units::Micrometres;
 
-use cuts::Cut;
+use cuts::{Cut, TOLERANCE};
 use walk::{Frame, Walk};
 
 /// What a program is held against.
@@ -198,11 +198,27 @@ struct Task<'a> {
     transition: &'a Transition,
 }
 
+impl Task<'_> {
+    /// Z that the steps of a deep hole reach before the first that goes into the metal: a small drill's step may be
+    /// shorter than the approach. Without such steps the beginning of the feed.
+    fn reached_in_air(&self, metal: Micrometres) -> Micrometres {
+        let (Kind::Peck { step, .. } | Kind::ChipBreak { step, .. }) = self.cycle.kind else {
+            return self.cycle.begin;
+        };
+        let room = (self.cycle.begin - metal).micrometres().max(0);
+        self.cycle.begin - Micrometres::new(room / step.micrometres().max(1) * step.micrometres())
+    }
+}
+
 /// Holds the steps of a program against a job.
 pub fn prove(steps: &[Step], asked: &Asked<'_>) -> Proof {
     let tasks = tasks(asked);
-    let frames: Vec<Frame> =
-        asked.zeros.iter().map(|zero| Frame { zero: *zero, top: asked.plan.part.datum.top }).collect();
+    let frame = |zero: &Position| Frame { zero: *zero, top: asked.plan.part.datum.top };
+    let mut frames: Vec<Frame> = asked.zeros.iter().map(frame).collect();
+    if frames.is_empty() {
+        // A job without work has no set-up; its program begins and ends all the same.
+        frames.push(frame(&Position::default()));
+    }
     let turned_over = matching::turned_over(steps, asked, &frames, &tasks);
     let made = Made::of(steps, asked, &frames, turned_over);
     let tools = tools::tools(&made, &tasks, asked);
@@ -258,16 +274,38 @@ impl Made {
         let needs_none = |tool: u32| asked.job.correctors.contains(&(tool, Micrometres::ZERO));
         let references = works.filter(|work| needs_none(work.corrector)).map(|work| work.place).collect();
         let walk = walk::walk(steps, asked.start, frames, turned_over, &references);
+        let faced = faced(asked);
         let (mut cuts, mut above) = (Vec::new(), Vec::new());
         for (number, stay) in walk.stays.iter().enumerate() {
             let Some(frame) = frames.get(stay.setup) else { continue };
             let before = cuts.len();
-            let (mut own, high) = cuts::cuts(number, stay, frame.top);
+            let here = |(setup, at, _): &&(usize, [Micrometres; 2], Micrometres)| {
+                *setup == stay.setup && cuts::near(at[0], stay.at[0]) && cuts::near(at[1], stay.at[1])
+            };
+            let top = faced.iter().find(here).map_or(frame.top, |(.., top)| *top);
+            let (mut own, high) = cuts::cuts(number, stay, top);
             cuts.append(&mut own);
             above.extend(high.into_iter().map(|(leads, made)| (number, leads.map(|at| before + at), made)));
         }
         Self { walk, cuts, above }
     }
+}
+
+/// Points where the job cuts the face itself, its stock standing over the drawing: by set-up and point the height below
+/// which a tool cuts there.
+fn faced(asked: &Asked<'_>) -> Vec<(usize, [Micrometres; 2], Micrometres)> {
+    let top = asked.plan.part.datum.top;
+    let mut faced = Vec::new();
+    for (number, setup) in asked.job.setups.iter().enumerate() {
+        for work in &setup.works {
+            for stop in &work.stops {
+                if let Some(cycle) = work.cycles.get(stop.cycle).filter(|cycle| cycle.end >= top) {
+                    faced.push((number, [stop.at.x, stop.at.y], cycle.end + TOLERANCE + TOLERANCE));
+                }
+            }
+        }
+    }
+    faced
 }
 
 fn tasks<'a>(asked: &Asked<'a>) -> Vec<Task<'a>> {

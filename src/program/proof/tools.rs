@@ -187,12 +187,17 @@ fn correctors(made: &Made, tools: &mut Tools, asked: &Asked<'_>) {
                 findings.push(say(if none { "no-correction" } else { "wrong-correction" }, Severity::Error));
             } else if number != own.corrector && number != 0 && value != Micrometres::ZERO {
                 findings.push(say("other-corrector", Severity::Doubtful));
+            } else if number != own.corrector {
+                findings.push(say("no-corrector", Severity::Note));
             }
             continue;
         }
         let first = usual.get(&cut.tool).copied().unwrap_or(cut.corrector);
-        if cut.corrector != first {
+        // A corrector that holds 0 and none are the same to the machine.
+        if cut.corrector != first && (value != Micrometres::ZERO || first.1 != Micrometres::ZERO) {
             findings.push(say("wrong-correction", Severity::Error).with("needed", first.1).with("own", first.0));
+        } else if cut.corrector != first {
+            findings.push(say("no-corrector", Severity::Note).with("own", first.0));
         } else if let Some((other, _)) = usual
             .iter()
             .find(|(tool, used)| **tool != cut.tool && used.0 == number && number != 0 && value != Micrometres::ZERO)

@@ -108,8 +108,8 @@ pub(super) enum Event {
     Stop,
     /// The path is kept beside the programmed one, which no drilling does.
     Radius,
-    /// A tool comes; whether the spindle turned and the coolant flowed until then.
-    Change { turned: bool, coolant: bool },
+    /// A tool comes; whether the spindle turned, the coolant flowed and a length correction acted until then.
+    Change { turned: bool, coolant: bool, corrected: bool },
     /// The program ends there; whether the spindle turns and the coolant flows.
     End { at: Position, turns: bool, coolant: bool },
 }
@@ -223,13 +223,13 @@ fn take(walk: &mut Walk, state: &mut State, (order, step): (usize, &Step), setup
             return;
         }
         Motion::LengthCorrection { axis: Axis::Z, corrector, value } => {
-            // A corrector of 0 and none are the same to the machine.
-            state.corrector = if *value == Micrometres::ZERO { (0, *value) } else { (*corrector, *value) };
+            state.corrector = (*corrector, *value);
             return;
         }
         Motion::ToolChange { tool } => {
             let turned = state.turning != Turning::Stopped || state.stopped_by == Some(step.block);
-            let event = Event::Change { turned, coolant: state.coolant };
+            let event =
+                Event::Change { turned, coolant: state.coolant, corrected: state.corrector.1 != Micrometres::ZERO };
             walk.events.push((order, step.block, event));
             state.section += 1;
             state.tool = *tool;

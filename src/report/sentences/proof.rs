@@ -61,6 +61,11 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "T{tool} cuts with H{corrector}, and its corrector is H{own}; the value is the same, {value} of {needed}",
     ),
     (
+        "no-corrector",
+        "T{tool} ріже без свого коректора H{own}; він нульовий, тому рухи ті самі",
+        "T{tool} cuts without its corrector H{own}; it holds 0, so the motions are the same",
+    ),
+    (
         "shared-corrector",
         "T{tool} ріже з H{corrector} = {value}, який має T{other}; за планом H{own} = {needed}",
         "T{tool} cuts with H{corrector} = {value}, which is that of T{other}; the plan has H{own} = {needed}",
@@ -199,6 +204,16 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "{hole}: {operation} at {at}: at feed up to Z{made}, from Z{needed} rapid would do",
     ),
     (
+        "out-too-low",
+        "{hole}: {operation} в {at}: подачею лише до Z{made}, а треба до Z{needed}",
+        "{hole}: {operation} at {at}: at feed only up to Z{made}, and Z{needed} is needed",
+    ),
+    (
+        "out-elsewhere",
+        "{hole}: {operation} в {at}: вихід на Z{made}, а не на Z{needed}",
+        "{hole}: {operation} at {at}: the way out ends at Z{made} and not at Z{needed}",
+    ),
+    (
         "out-turning",
         "{hole}: {operation} в {at}: вихід при обертанні шпинделя, а він має стояти",
         "{hole}: {operation} at {at}: out while the spindle turns, and it must stand",
@@ -327,6 +342,11 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "шпиндель обертається на шляху до заміни інструмента",
         "the spindle turns on the way to the tool change",
     ),
+    (
+        "correction-at-change",
+        "корекція на довжину діє ще під час заміни інструмента",
+        "the length correction still acts at the tool change",
+    ),
     ("turns-at-change", "шпиндель обертається до самої заміни інструмента", "the spindle turns until the tool change"),
     (
         "coolant-at-change",
@@ -376,6 +396,7 @@ pub(super) const REMEDIES: &[(&str, (&str, &str))] = &[
     ("no-correction", ("введіть корекцію: G43 H", "bring it in: G43 H")),
     ("wrong-correction", CHECK_TOOL),
     ("other-corrector", CHECK_TOOL),
+    ("no-corrector", CHECK_TOOL),
     ("shared-corrector", CHECK_TOOL),
     ("correction-otherwise", ("перевірте довжину інструмента", "check the length of the tool")),
     ("rapid-across", ("спершу вийдіть з деталі", "leave the part first")),
@@ -405,6 +426,8 @@ pub(super) const REMEDIES: &[(&str, (&str, &str))] = &[
     ("out-at-feed", CHECK_CYCLE),
     ("out-other-feed", CHECK_FIGURE),
     ("out-too-high", CHECK_CYCLE),
+    ("out-too-low", CHECK_CYCLE),
+    ("out-elsewhere", CHECK_CYCLE),
     ("out-turning", CHECK_CYCLE),
     ("out-standing", CHECK_CYCLE),
     ("circle-missing", CHECK_CIRCLE),
@@ -435,6 +458,7 @@ pub(super) const REMEDIES: &[(&str, (&str, &str))] = &[
     ("approach-standing", ("запустіть шпиндель раніше: S і M03", "start the spindle before it: S and M03")),
     ("dwell-in-air", CHECK_IDLE),
     ("turns-to-change", ("зупиніть шпиндель: M05", "stop the spindle: M05")),
+    ("correction-at-change", ("скасуйте її: G49", "cancel it: G49")),
     ("turns-at-change", ("зупиніть шпиндель: M05", "stop the spindle: M05")),
     ("coolant-at-change", ("вимкніть охолодження: M09", "switch it off: M09")),
     ("turns-at-end", ("зупиніть шпиндель: M05", "stop the spindle: M05")),

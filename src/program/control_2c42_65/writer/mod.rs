@@ -17,7 +17,7 @@ mod sheet;
 
 use std::collections::BTreeMap;
 
-use crate::job::{Job, Kind, Pause, ToolWork};
+use crate::job::{Cycle, Job, Kind, Pause, ToolWork};
 use crate::program::written::{Form, Role, WorkRef, Written};
 
 use crate::program::block::Block;
@@ -78,31 +78,45 @@ fn shared_points(job: &Job, form: Form) -> BTreeMap<Vec<Block>, usize> {
 /// Spindle, approach, and the runs of one tool.
 fn one_tool(sheet: &mut Sheet, work: &ToolWork, work_ref: WorkRef, shared: &BTreeMap<Vec<Block>, usize>) {
     let form = sheet.form;
-    let mut speed = None;
-    let mut height = None;
-    for (index, run) in points::runs(work, form).into_iter().enumerate() {
+    let mut before: Option<(Run, &Cycle)> = None;
+    for run in points::runs(work, form) {
         let Some(cycle) = work.cycles.get(run.cycle) else { continue };
         let place = |role| Place { role, work: Some(work_ref), cycle: Some(run.cycle) };
-        let [x, y] = [run.first.x, run.first.y];
-        let turning = Block::new().word('S', cycle.speed_rpm.0).m(3);
-        if index == 0 {
-            let turning = if work.coolant { turning.m(8) } else { turning };
-            sheet.put(turning, place(Role::Spindle));
-            sheet.put(Block::new().g(0).g(work_ref.system()).axis('X', x).axis('Y', y), place(Role::Approach));
-            let down = Block::new().g(0).g(43).axis('Z', form.grid(cycle.out)).word('H', work.corrector);
-            sheet.put(down, place(Role::Approach));
-        } else {
-            if speed != Some(cycle.speed_rpm) {
-                sheet.put(Block::new().g(80).word('S', cycle.speed_rpm.0), place(Role::Spindle));
+        let to = |block: Block| block.axis('X', run.first.x).axis('Y', run.first.y);
+        let down = Block::new().g(0).axis('Z', form.grid(cycle.out));
+        match &before {
+            None => {
+                let turning = Block::new().word('S', cycle.speed_rpm.0).m(3);
+                let turning = if work.coolant { turning.m(8) } else { turning };
+                sheet.put(turning, place(Role::Spindle));
+                sheet.put(to(Block::new().g(0).g(work_ref.system())), place(Role::Approach));
+                sheet.put(down.g(43).word('H', work.corrector), place(Role::Approach));
             }
-            // G80 stands before the motion, so that the cycle before does not run here.
-            sheet.put(Block::new().g(90).g(80).g(0).axis('X', x).axis('Y', y), place(Role::Point));
-            if height != Some(cycle.out) {
-                sheet.put(Block::new().g(0).axis('Z', form.grid(cycle.out)), place(Role::Approach));
+            Some((last, known)) => {
+                let mut block = Block::new();
+                if last.incremental {
+                    block = block.g(90);
+                }
+                // In the block of the motion, so that the cycle before does not run at its end.
+                if !matches!(known.kind, Kind::Circles { .. }) {
+                    block = block.g(80);
+                }
+                if last.last != run.first {
+                    block = to(block.g(0));
+                }
+                if known.speed_rpm != cycle.speed_rpm {
+                    block = block.word('S', cycle.speed_rpm.0);
+                }
+                if block != Block::new() {
+                    sheet.put(block, place(Role::Point));
+                }
+                if known.out != cycle.out {
+                    sheet.put(down, place(Role::Approach));
+                }
             }
         }
-        (speed, height) = (Some(cycle.speed_rpm), Some(cycle.out));
         put_run(sheet, work, &run, place(Role::Cycle), shared);
+        before = Some((run, cycle));
     }
 }
 

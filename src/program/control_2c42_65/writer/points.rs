@@ -13,6 +13,8 @@ pub(super) struct Run {
     pub cycle: usize,
     /// The first point, on the grid.
     pub first: Point,
+    /// The last, where the tool is then.
+    pub last: Point,
     /// Whether `blocks` are ways (G91) and not positions.
     pub incremental: bool,
     /// A block for each further point, or for a row of them.
@@ -45,7 +47,7 @@ pub(super) fn runs(work: &ToolWork, form: Form) -> Vec<Run> {
             // Positions are easier to read: ways are taken where rows make the program a fifth shorter.
             let incremental = fixed && length(&ways) * 5 < length(&positions) * 4;
             let blocks = if incremental { ways } else { positions };
-            Some(Run { cycle, first: *points.first()?, incremental, blocks })
+            Some(Run { cycle, first: *points.first()?, last: *points.last()?, incremental, blocks })
         })
         .collect()
 }
