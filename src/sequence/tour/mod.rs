@@ -8,6 +8,7 @@
 mod exact;
 mod local;
 mod neighbours;
+mod rows;
 mod search;
 
 use crate::part::Point;
@@ -111,9 +112,9 @@ pub fn path(space: &Space<'_>, effort: Effort) -> Path {
     path_in(space, effort.kicks(space.nodes()))
 }
 
-/// The path of a visit of a plan: quickly found.
+/// The path of a visit of a plan: quickly found, along rows where these cost no more.
 pub(super) fn plan_path(space: &Space<'_>) -> Path {
-    path_in(space, (space.nodes() as u64).clamp(PLAN_KICKS.0, PLAN_KICKS.1))
+    rows::at_no_cost(space, path_in(space, (space.nodes() as u64).clamp(PLAN_KICKS.0, PLAN_KICKS.1)))
 }
 
 /// A path found at once, where its length alone is asked for.

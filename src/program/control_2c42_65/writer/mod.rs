@@ -22,7 +22,7 @@ use crate::program::written::{Form, Role, WorkRef, Written};
 
 use crate::program::block::Block;
 use points::Run;
-use sheet::{Place, Sheet};
+use sheet::{Called, Place, Sheet};
 
 /// The program of a job.
 pub fn write(job: &Job, form: Form) -> Written {
@@ -135,19 +135,29 @@ fn put_run(sheet: &mut Sheet, work: &ToolWork, run: &Run, place: Place, shared: 
     let fixed = sheet.subprogram(vec![cycle::fixed(cycle, run.incremental, form)], place);
     sheet.call(&fixed, None, place);
     let point = Place { role: Role::Point, ..place };
+    let blocks = drawn_together(sheet, &run.blocks);
     let again = shared.get(&run.blocks).copied().unwrap_or(1);
-    if points::worth_sharing(&run.blocks, again) {
-        let points = sheet.subprogram(run.blocks.clone(), Place::of(Role::Point));
+    if points::worth_sharing(&blocks, again) {
+        let points = sheet.subprogram(blocks, Place::of(Role::Point));
         sheet.call(&points, None, point);
-        return;
-    }
-    for repeated in points::repeats(&run.blocks) {
-        match repeated {
-            points::Piece::Once(block) => sheet.put(block, point),
-            points::Piece::Times(blocks, times) => {
-                let part = sheet.subprogram(blocks, Place::of(Role::Point));
-                sheet.repeat(&part, times, point);
-            }
+    } else {
+        for block in blocks {
+            sheet.put(block, point);
         }
     }
+}
+
+/// Blocks of which those that repeat are a subprogram with L.
+fn drawn_together(sheet: &mut Sheet, blocks: &[Block]) -> Vec<Block> {
+    let mut drawn = Vec::new();
+    for piece in points::repeats(blocks) {
+        match piece {
+            points::Piece::Once(block) => drawn.push(block),
+            points::Piece::Times(group, times) => match sheet.subprogram(group.clone(), Place::of(Role::Point)) {
+                Called::Subprogram(number) => drawn.push(Block::new().calls(number, times)),
+                Called::Blocks(_) => drawn.extend(std::iter::repeat_n(group, times).flatten()),
+            },
+        }
+    }
+    drawn
 }

@@ -87,18 +87,6 @@ impl Sheet {
         }
     }
 
-    /// Runs a group several times.
-    pub(super) fn repeat(&mut self, group: &Called, times: usize, place: Place) {
-        match group {
-            Called::Subprogram(number) => self.put(Block::new().calls(*number, times), place),
-            Called::Blocks(_) => {
-                for _ in 0..times {
-                    self.call(group, None, place);
-                }
-            }
-        }
-    }
-
     /// The whole: main program, then subprograms, blocks numbered.
     pub(super) fn finish(self) -> Written {
         let mut lines = vec![frame("%".to_owned()), frame(format!(":{MAIN:02}"))];
