@@ -1,9 +1,9 @@
 //! The machine's limits, from its record in catalogs/machines.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::{Knowledge, RowRef, Table, Value};
+use crate::knowledge::{Knowledge, RowRef, Table};
 use crate::units::{
-    Decimal, Kilowatts, Micrometres, MillimetresPerMinute, MillimetresPerSecondSquared, Minutes, NewtonMetres, Newtons,
+    Kilowatts, Micrometres, MillimetresPerMinute, MillimetresPerSecondSquared, Minutes, NewtonMetres, Newtons,
     RevsPerMinute,
 };
 
@@ -131,14 +131,5 @@ fn row<'k>(table: &'k Table, name: &str) -> Result<RowRef<'k>, KnowledgeError> {
 
 /// The figures of a quantity; `lint` has proven that their unit is the one the schema names.
 fn numbers(table: &Table, name: &str) -> Result<Vec<f64>, KnowledgeError> {
-    let row = row(table, name)?;
-    let values = row.value("value").map(Value::items).unwrap_or_default();
-    Ok(values
-        .iter()
-        .filter_map(|value| match value {
-            Value::Number(number, _) => Some(*number),
-            _ => None,
-        })
-        .map(Decimal::to_f64)
-        .collect())
+    Ok(row(table, name)?.numbers("value"))
 }

@@ -20,8 +20,8 @@ pub use setting::Setting;
 
 use crate::error::KnowledgeError;
 use crate::job::Job;
-use crate::knowledge::Knowledge;
 use crate::knowledge::diagnostic::Diagnostic;
+use crate::knowledge::{Knowledge, Table};
 use crate::machine::Machine;
 use crate::motion::{BlockRef, Sink};
 use crate::note::{Note, Severity};
@@ -164,3 +164,14 @@ impl Fault {
 
 /// A rule that programs are held against: its code, how grave a breach is, and the section that says so.
 type Rule = (&'static str, Severity, &'static str);
+
+/// The figures of a record of a control, by its name.
+fn figures(record: &Table, name: &str) -> Result<Vec<f64>, KnowledgeError> {
+    let row = record.find("name", name).ok_or_else(|| KnowledgeError::no_row(record, name))?;
+    Ok(row.numbers("value"))
+}
+
+/// The letter that a cell of a control's tables holds.
+fn letter(text: &str) -> char {
+    text.chars().next().unwrap_or_default()
+}

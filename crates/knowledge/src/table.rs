@@ -359,6 +359,15 @@ impl<'t> RowRef<'t> {
         self.typed(column, "a list of texts", |value| value.items().iter().map(Value::as_text).collect())
     }
 
+    /// The numbers of a cell, in the unit of its column; empty where the row has none.
+    pub fn numbers(self, column: &str) -> Vec<f64> {
+        let number = |value: &Value| match value {
+            Value::Number(number, _) => Some(number.to_f64()),
+            _ => None,
+        };
+        self.value(column).map(Value::items).unwrap_or_default().iter().filter_map(number).collect()
+    }
+
     /// A length.
     ///
     /// # Errors

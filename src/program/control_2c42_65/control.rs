@@ -4,6 +4,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::{Knowledge, RowRef, Table, Value};
 use crate::motion::{Axis, Plane};
 use crate::program::setting::Limits;
+use crate::program::{figures, letter};
 
 /// What an M function makes the control do: the column `action` of table 2c42-65-m-actions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -272,22 +273,6 @@ fn code(row: RowRef<'_>) -> Result<u8, KnowledgeError> {
     let text = row.text("code")?;
     let digits = text.trim_start_matches(|c: char| !c.is_ascii_digit());
     digits.parse().map_err(|_| KnowledgeError::lacks(&row.table.id, "a code such as G01"))
-}
-
-fn letter(text: &str) -> char {
-    text.chars().next().unwrap_or_default()
-}
-
-fn figures(table: &Table, name: &str) -> Result<Vec<f64>, KnowledgeError> {
-    let row = table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
-    let items = row.value("value").map(Value::items).unwrap_or_default();
-    Ok(items
-        .iter()
-        .filter_map(|value| match value {
-            Value::Number(number, _) => Some(number.to_f64()),
-            _ => None,
-        })
-        .collect())
 }
 
 /// The addresses with the limits of their numbers as these are written: a dwell is written in its steps.

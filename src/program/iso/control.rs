@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 
 use crate::error::KnowledgeError;
-use crate::knowledge::{Knowledge, RowRef, Table, Value};
+use crate::knowledge::{Knowledge, RowRef, Table};
 use crate::program::setting::Limits;
+use crate::program::{figures, letter};
 use crate::units::Micrometres;
 
 /// Which dialect it is, where that is no figure of a table.
@@ -324,22 +325,6 @@ fn code(row: RowRef<'_>) -> Result<i64, KnowledgeError> {
     parsed
         .map(|(whole, tenth)| whole * 10 + tenth)
         .ok_or_else(|| KnowledgeError::lacks(&row.table.id, "a code such as G1 or G91.1"))
-}
-
-fn letter(text: &str) -> char {
-    text.chars().next().unwrap_or_default()
-}
-
-fn figures(table: &Table, name: &str) -> Result<Vec<f64>, KnowledgeError> {
-    let row = table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
-    let items = row.value("value").map(Value::items).unwrap_or_default();
-    Ok(items
-        .iter()
-        .filter_map(|value| match value {
-            Value::Number(number, _) => Some(number.to_f64()),
-            _ => None,
-        })
-        .collect())
 }
 
 /// The steps of a switch: those listed, or with two figures every whole number between them.
