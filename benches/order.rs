@@ -8,9 +8,10 @@
 
 use std::time::Instant;
 
+use technolog::machine::Rapid;
 use technolog::part::Point;
 use technolog::sequence::bound::{lower_bound, rounds};
-use technolog::sequence::metric::{Metric, Rapid};
+use technolog::sequence::metric::Metric;
 use technolog::sequence::tour::{Effort, Space, nearest_rule, path};
 use technolog::units::MillimetresPerMinute;
 

@@ -7,9 +7,10 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 use serde_json::Value;
+use technolog::machine::Rapid;
 use technolog::plan::CuttingMethod;
 use technolog::sequence::bound::{lower_bound, rounds};
-use technolog::sequence::metric::{Metric, Rapid};
+use technolog::sequence::metric::Metric;
 use technolog::sequence::tour::{Effort, Space, nearest_rule, path};
 use technolog::units::MillimetresPerMinute;
 use technolog::{part, planner, shipped};

@@ -15,7 +15,7 @@ use technolog::report::{grid, remedy, sentence};
 use technolog::sequence::list::{Form, List, Slip, read_list};
 use technolog::sequence::metric::Metric;
 use technolog::sequence::tour::{Effort, Space, nearest_rule, path};
-use technolog::sequence::{bound, rapid, sequence, tool_change_point, visit_bound};
+use technolog::sequence::{bound, sequence, tool_change_point, visit_bound};
 use technolog::units::{Micrometres, Minutes, round_to};
 
 use super::diagnostics::Texts;
@@ -229,7 +229,7 @@ fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
         (MetricName::Euclid, Form::Tsplib) => Metric::EuclidWhole,
         (MetricName::Rapid, _) => {
             let id = args.machine.as_deref().unwrap_or(MACHINE);
-            Metric::Rapid(rapid(&machine(id, knowledge, context)?))
+            Metric::Rapid(machine(id, knowledge, context)?.rapids())
         }
     };
     let space = if args.closed { Space::closed(&points, metric) } else { Space::open(&points, metric) };
@@ -244,7 +244,7 @@ fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
     let timed = matches!(metric, Metric::Rapid(rapid) if rapid.acceleration.is_some());
     let way = |order: &[usize], cost: i64| match metric {
         Metric::Rapid(rapid) if timed => {
-            let even = Metric::Rapid(technolog::sequence::metric::Rapid { acceleration: None, ..rapid });
+            let even = Metric::Rapid(technolog::machine::Rapid { acceleration: None, ..rapid });
             let space = if args.closed { Space::closed(&points, even) } else { Space::open(&points, even) };
             Micrometres::new(space.length(order))
         }

@@ -3,14 +3,14 @@
 use serde::Serialize;
 
 use super::{Axis, Motion, Position, Sink, Step, geometry};
-use crate::machine::Machine;
+use crate::machine::{Machine, Rapid};
 use crate::units::Minutes;
 
 /// The times of the steps so far, min.
 ///
 /// Rapids at the machine's rate by the slower axis, since each axis moves by itself (textbook 3.9.1, 3.10.2); feeds along
-/// their path at their feed; dwells as they say; tool changes by the machine's record. Acceleration is not counted: no
-/// record gives it.
+/// their path at their feed; dwells as they say; tool changes by the machine's record. Rapids speed up and slow down where
+/// the machine's record has an acceleration; feeds are counted without.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Times {
     /// At feed.
@@ -28,7 +28,7 @@ pub struct Times {
 /// A sink that sums up times.
 #[derive(Clone, Debug)]
 pub struct Clock {
-    rapid_mm_per_min: f64,
+    rapid: Rapid,
     tool_change: Minutes,
     at: Position,
     times: Times,
@@ -39,7 +39,7 @@ impl Clock {
     pub const fn new(machine: &Machine<'_>, at: Position) -> Self {
         let none = Minutes(0.0);
         Self {
-            rapid_mm_per_min: machine.rapid.0,
+            rapid: machine.rapids(),
             tool_change: machine.tool_change,
             at,
             times: Times { feed_min: none, rapid_min: none, dwell_min: none, tool_change_min: none, total_min: none },
@@ -64,8 +64,8 @@ impl Sink for Clock {
         match &step.motion {
             Motion::Rapid => {
                 let farthest = Axis::ALL.map(|axis| (step.at.get(axis) - self.at.get(axis)).abs()).into_iter().max();
-                let way = farthest.unwrap_or_default().to_mm();
-                self.times.rapid_min = self.times.rapid_min + Minutes(way / self.rapid_mm_per_min);
+                let time = self.rapid.time(farthest.unwrap_or_default());
+                self.times.rapid_min = self.times.rapid_min + time;
             }
             Motion::Feed { feed_mm_per_min } | Motion::Arc { feed_mm_per_min, .. } => {
                 let way = geometry::length(&step.motion, self.at, step.at);

@@ -3,8 +3,9 @@
 //! Every cost is a whole number, so that no path is preferred for the last digit of a floating-point sum:
 //! micrometres of the way, or, where axes have to speed up, microseconds of the time.
 
+use crate::machine::Rapid;
 use crate::part::Point;
-use crate::units::{Micrometres, MillimetresPerMinute, MillimetresPerSecondSquared, Minutes};
+use crate::units::{Micrometres, Minutes};
 
 /// What makes one path shorter than another.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,35 +18,9 @@ pub enum Metric {
     Rapid(Rapid),
 }
 
-/// Rapids that move each axis on its own, so that the slower axis decides.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rapid {
-    /// Rate of each axis.
-    pub rate: MillimetresPerMinute,
-    /// Acceleration of each axis, where the machine's record has it.
-    pub acceleration: Option<MillimetresPerSecondSquared>,
-}
-
-impl Rapid {
-    /// Time of a rapid along one axis, min: `d/v`, and with an acceleration `a` that both speeds up and slows
-    /// down `d/v + v/a` for a way of at least `v²/a`, `2·√(d/a)` for a shorter one (a trapezium and a triangle
-    /// of speed over time). Textbook 1.3.1 adds the same to the way of speeding up, as εр.т.
-    pub fn time(self, way: Micrometres) -> Minutes {
-        let (way, rate) = (way.abs().to_mm(), self.rate.0 / 60.0);
-        let seconds = match self.acceleration.map(|acceleration| acceleration.0) {
-            Some(acceleration) if acceleration > 0.0 && way < rate * rate / acceleration => {
-                2.0 * (way / acceleration).sqrt()
-            }
-            Some(acceleration) if acceleration > 0.0 => way / rate + rate / acceleration,
-            _ => way / rate,
-        };
-        Minutes(seconds / 60.0)
-    }
-
-    /// Time of a rapid from point to point, min.
-    pub fn between(self, from: Point, to: Point) -> Minutes {
-        self.time(slower_axis(from, to))
-    }
+/// Time of a rapid from point to point, min.
+pub(super) fn between(rapid: Rapid, from: Point, to: Point) -> Minutes {
+    rapid.time(slower_axis(from, to))
 }
 
 /// The way of the axis that goes farther: both have the same rate, so it arrives last.
@@ -65,7 +40,7 @@ impl Metric {
             Self::Euclid => (straight(from, to) + 0.5) as i64,
             Self::EuclidWhole => ((straight(from, to) / WHOLE + 0.5) as i64) * WHOLE as i64,
             Self::Rapid(rapid) if rapid.acceleration.is_some() => {
-                (rapid.between(from, to).0 * MICROSECONDS).round() as i64
+                (between(*rapid, from, to).0 * MICROSECONDS).round() as i64
             }
             Self::Rapid(_) => slower_axis(from, to).micrometres(),
         }
@@ -92,6 +67,7 @@ fn straight(from: Point, to: Point) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::units::{MillimetresPerMinute, MillimetresPerSecondSquared};
 
     fn point(x: i64, y: i64) -> Point {
         Point { x: Micrometres::from_mm(x), y: Micrometres::from_mm(y) }

@@ -12,12 +12,12 @@ pub mod metric;
 pub mod tour;
 pub mod visiting;
 
-use crate::machine::Machine;
+use crate::machine::{Machine, Rapid};
 use crate::part::{Face, Part, Point};
 use crate::plan::{HolePlan, Stop, Times, Visit};
 use crate::units::{Micrometres, Minutes};
 
-use metric::{Metric, Rapid};
+use metric::Metric;
 use tour::{Effort, Space};
 
 /// Visits of every tool, in order, and where the time goes.
@@ -93,7 +93,7 @@ fn visit(
     let home = tool_change_point(part, machine);
     let at = places.iter().filter_map(|stops| stops.first()).map(|stop| stop.at);
     let points: Vec<Point> = std::iter::once(home).chain(at).collect();
-    let rapid = rapid(machine);
+    let rapid = machine.rapids();
     let metric = Metric::Rapid(rapid);
     let space = Space::closed(&points, metric);
     let path = effort.map_or_else(|| tour::plan_path(&space), |effort| tour::path(&space, effort));
@@ -116,7 +116,7 @@ pub fn visit_bound(visit: &Visit, part: &Part, machine: &Machine<'_>) -> Option<
     if visit.bound_min.is_some() || points.len() > bound::BOUND_NODES {
         return visit.bound_min;
     }
-    let metric = Metric::Rapid(rapid(machine));
+    let metric = Metric::Rapid(machine.rapids());
     let space = Space::closed(&points, metric);
     let order: Vec<usize> = (0..points.len()).collect();
     let cost = space.length(&order);
@@ -125,11 +125,6 @@ pub fn visit_bound(visit: &Visit, part: &Part, machine: &Machine<'_>) -> Option<
         metric.minutes(cost - bound::lower_bound(&space, cost, bound::rounds(space.nodes()))).unwrap_or_default();
     // Rounded down, so that it stays a bound.
     Some(Minutes((((visit.rapid_min.0 - saved.0) * 1000.0).floor() / 1000.0).max(0.0)))
-}
-
-/// How the machine's axes move in rapids.
-pub const fn rapid(machine: &Machine<'_>) -> Rapid {
-    Rapid { rate: machine.rapid, acceleration: machine.rapid_acceleration }
 }
 
 /// Where the spindle stands over the part when tools are changed: the machine's zero is over the middle of

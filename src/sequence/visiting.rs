@@ -9,9 +9,9 @@ use crate::plan::{HolePlan, Mixture, Operation, Visiting, VisitingMethod};
 use crate::shop::Shop;
 use crate::units::{Decimal, Minutes, round_to};
 
-use super::metric::Metric;
+use super::metric::{self, Metric};
+use super::tool_change_point;
 use super::tour::{self, Space};
-use super::{rapid, tool_change_point};
 
 /// Time of the parallel method, `Tпар = m(τ+θ)`: each of `m` tools is changed once, τ, and goes round all holes
 /// once, θ (textbook 1.3.1).
@@ -92,7 +92,7 @@ fn of_group(part: &Part, plan: &HolePlan, hole: &Hole, shop: &Shop<'_>) -> Resul
     let (tools, finishing) = (count(false), count(true));
     let Some(route) = plan.route.as_ref().filter(|_| tools > 1) else { return Ok(None) };
     let machine = &shop.machine;
-    let rapid = rapid(machine);
+    let rapid = machine.rapids();
     let home = tool_change_point(part, machine);
     let points: Vec<Point> = std::iter::once(home).chain(hole.at.iter().copied()).collect();
     let metric = Metric::Rapid(rapid);
@@ -101,7 +101,7 @@ fn of_group(part: &Part, plan: &HolePlan, hole: &Hole, shop: &Shop<'_>) -> Resul
     // The book's round does not lead to the change position: a tool is taken wherever the table stands.
     let change = machine.tool_change;
     let k_t = ratio(hole.at.len(), tools, change, round);
-    let each: f64 = hole.at.iter().map(|&at| change.0 + 2.0 * rapid.between(home, at).0).sum();
+    let each: f64 = hole.at.iter().map(|&at| change.0 + 2.0 * metric::between(rapid, home, at).0).sum();
     let rule = shop.knowledge.table("visiting-method")?;
     let it = hole.diameter.it;
     let answer = rule.decide(&[

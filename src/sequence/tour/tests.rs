@@ -6,7 +6,7 @@ use super::*;
 use crate::units::{Micrometres, MillimetresPerMinute, MillimetresPerSecondSquared};
 
 use super::super::bound::lower_bound;
-use super::super::metric::Rapid;
+use crate::machine::Rapid;
 
 fn metrics() -> [Metric; 4] {
     let rapid = Rapid { rate: MillimetresPerMinute(7000.0), acceleration: None };
