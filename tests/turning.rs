@@ -141,18 +141,18 @@ fn between_centres_the_longitudinal_variant_is_taken_and_a_forging_none() {
     }
 }
 
-/// What is shorter than a level may be cut lengthwise over one step alone, which no pass of the model does: here the
-/// better of one direction per step is 14.9, and the model has 15.2 at best.
+/// A step of 1 mm with 3 mm of stock, then one of 2 mm with 1 mm. By hand: lengthwise over the first alone, in levels
+/// of 1 and 2 mm, is 2 × 1, and one slice over the second is 1. In the model a pass goes on to its shoulder: lengthwise
+/// 3 + 1, crosswise 3 + 1, the first level lengthwise and the rest crosswise 3 + 2, a slice first 3 + 1.
 #[test]
 fn where_one_direction_per_step_beats_the_model_it_is_the_optimum_and_it_is_told() {
-    let shaft = shaft(40_000, &[(24_000, 3_600), (31_800, 3_500)], 4_000, 3_500, Division::Full);
+    let shaft = shaft(60_000, &[(54_000, 1_000), (58_000, 2_000)], 2_000, 2_000, Division::Full);
     let knowledge = shipped::knowledge().unwrap();
     let found = find(&shaft, Objective::Path, &knowledge).unwrap();
     let of = |name: &str| found.variants.iter().find(|one| one.name == name).unwrap().cutting_path_mm.to_string();
-    assert_eq!((of("per-step").as_str(), of("optimal").as_str()), ("14.9", "14.9"));
+    assert_eq!((of("per-step").as_str(), of("optimal").as_str()), ("3", "3"));
     assert_eq!(found.findings[0].note.code, "variant-beyond-model");
-    let grid = Grid::of(&shaft);
-    assert_eq!(CostToGo::of(&grid, Objective::Path).optimum().main, 2 * 15_200);
+    assert_eq!(CostToGo::of(&Grid::of(&shaft), Objective::Path).optimum().main, 2 * 4_000);
 }
 
 #[test]

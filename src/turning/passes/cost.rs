@@ -40,7 +40,7 @@ impl Objective {
     }
 
     /// The cost of a pass of that length, and of the way to it from where the one before ended.
-    #[inline]
+    #[inline(always)]
     pub(super) fn pass(&self, start: Start, length: Half, before: Option<Spot>, bar: Half) -> Cost {
         let long = length.halves().unsigned_abs();
         // The first pass changes no direction.
@@ -67,7 +67,7 @@ impl Objective {
 
 /// A cost: what the objective counts (halves of a micrometre, nanoseconds or passes), and two numbers that decide
 /// among equals.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub struct Cost {
     /// What the objective counts.
     pub main: u64,

@@ -12,7 +12,7 @@ use crate::note::Note;
 use crate::turning::length::Half;
 
 use super::cost::{Cost, Objective};
-use super::grid::Grid;
+use super::grid::{Grid, Level, Slice};
 use super::pass::{Kind, Pass, Point, Spot, Start};
 
 /// A pass that a state allows.
@@ -33,7 +33,12 @@ pub fn moves(grid: &Grid, levels: usize, slices: usize) -> Option<[Move; 2]> {
         return None;
     }
     let (level, slice) = (grid.levels.get(levels)?, grid.slices.get(slices)?);
-    let (radius, face) = (grid.radius(levels), grid.face(slices));
+    Some(both(level, slice, grid.radius(levels), grid.face(slices)))
+}
+
+/// Both passes where the stock has that radius and that face.
+#[inline]
+fn both(level: &Level, slice: &Slice, radius: Half, face: Half) -> [Move; 2] {
     let longitudinal = Move {
         start: Start { kind: Kind::Longitudinal, at: Point { radius: level.to, z: face } },
         end: Point { radius: level.to, z: level.end },
@@ -44,7 +49,7 @@ pub fn moves(grid: &Grid, levels: usize, slices: usize) -> Option<[Move; 2]> {
         end: Point { radius: slice.bottom, z: slice.to },
         length: radius - slice.bottom,
     };
-    Some([longitudinal, transverse])
+    [longitudinal, transverse]
 }
 
 /// Where the pass before this state ended, if it had that direction.
@@ -79,49 +84,65 @@ impl<'g> CostToGo<'g> {
         let width = grid.slices.len() + 1;
         let mut all = Self { grid, objective, costs: vec![[Cost::ZERO; 2]; (grid.levels.len() + 1) * width], width };
         for levels in (0..=grid.levels.len()).rev() {
-            for slices in (0..width).rev() {
+            let radius = grid.radius(levels);
+            // From this number of slices on nothing is left to cut.
+            let live = grid.levels.get(levels).map_or(0, |level| {
+                (1 + grid.slices.partition_point(|slice| slice.to < level.end)).min(grid.slices.len())
+            });
+            if matches!(objective, Objective::Time { .. }) {
+                for slices in live..width {
+                    let home = |kind| objective.home(ended(grid, levels, slices, kind), grid.bar);
+                    all.costs[levels * width + slices] = KINDS.map(home);
+                }
+            }
+            let Some(level) = grid.levels.get(levels) else { continue };
+            for (slices, slice) in grid.slices.iter().enumerate().take(live).rev() {
+                let at = levels * width + slices;
+                let [longitudinal, transverse] = both(level, slice, radius, slice.from);
+                let (after_longitudinal, after_transverse) = (all.costs[at + width][0], all.costs[at + 1][1]);
                 for (index, kind) in KINDS.into_iter().enumerate() {
                     let before = ended(grid, levels, slices, kind);
-                    if before.is_some() {
-                        all.costs[levels * width + slices][index] = all.cheapest(levels, slices, before);
-                    }
+                    let cost = |pass: Move| objective.pass(pass.start, pass.length, before, grid.bar);
+                    let one = cost(longitudinal).plus(after_longitudinal);
+                    let other = cost(transverse).plus(after_transverse);
+                    all.costs[at][index] = if other < one { other } else { one };
                 }
             }
         }
         all
     }
 
-    /// The cheapest cost from a state, with the pass before.
-    fn cheapest(&self, levels: usize, slices: usize, before: Option<Spot>) -> Cost {
-        let [longitudinal, transverse] = match self.each(levels, slices, before) {
-            Some(each) => each,
-            None => return self.objective.home(before, self.grid.bar),
-        };
-        longitudinal.min(transverse)
-    }
-
-    /// The cheapest cost from a state that begins with either pass; none where no stock is left.
+    /// Both passes of a state, each with the cost from where it leads to; none where no stock is left.
     #[inline]
-    fn each(&self, levels: usize, slices: usize, before: Option<Spot>) -> Option<[Cost; 2]> {
+    fn begun(&self, levels: usize, slices: usize) -> Option<[(Move, Cost); 2]> {
         let [longitudinal, transverse] = moves(self.grid, levels, slices)?;
-        let cost = |pass: Move| self.objective.pass(pass.start, pass.length, before, self.grid.bar);
         let after_longitudinal = self.costs[(levels + 1) * self.width + slices][0];
         let after_transverse = self.costs[levels * self.width + slices + 1][1];
-        Some([cost(longitudinal).plus(after_longitudinal), cost(transverse).plus(after_transverse)])
+        Some([(longitudinal, after_longitudinal), (transverse, after_transverse)])
+    }
+
+    /// The cheapest cost that begins with either of both passes.
+    #[inline]
+    fn each(&self, begun: &[(Move, Cost); 2], before: Option<Spot>) -> [Cost; 2] {
+        begun.map(|(pass, after)| self.objective.pass(pass.start, pass.length, before, self.grid.bar).plus(after))
     }
 
     /// The cost of the optimum.
     pub fn optimum(&self) -> Cost {
-        self.cheapest(0, 0, None)
+        match self.begun(0, 0) {
+            Some(begun) => self.each(&begun, None).into_iter().min().unwrap_or_default(),
+            None => Cost::ZERO,
+        }
     }
 
     /// The passes of the optimum; where both directions cost the same to the last, longitudinal.
     pub fn passes(&self) -> Vec<Pass> {
         let (mut levels, mut slices, mut before, mut passes) = (0, 0, None, Vec::new());
-        while let (Some(each), Some(moves)) = (self.each(levels, slices, before), moves(self.grid, levels, slices)) {
+        while let Some(begun) = self.begun(levels, slices) {
+            let each = self.each(&begun, before);
             let taken = usize::from(each[1] < each[0]);
             let reason = reason(self.objective, each, taken);
-            let pass = pass(self.grid, levels, slices, moves[taken], reason);
+            let pass = pass(self.grid, levels, slices, begun[taken].0, reason);
             before = Some(pass.end());
             passes.push(pass);
             if taken == 0 { levels += 1 } else { slices += 1 }
