@@ -41,7 +41,10 @@ fn main() {
         let by_petgraph = microseconds(|| shortest_by_petgraph(&grid));
         let found = CostToGo::of(&grid, Objective::Path).optimum().main;
         assert_eq!(found, shortest_by_petgraph(&grid));
-        print!("{steps:>5} {levels:>7} {slices:>7} {:>8} {path:>8.1} {time:>8.1} {by_petgraph:>12.1}", (levels + 1) * (slices + 1));
+        print!(
+            "{steps:>5} {levels:>7} {slices:>7} {:>8} {path:>8.1} {time:>8.1} {by_petgraph:>12.1}",
+            (levels + 1) * (slices + 1)
+        );
         // Every order of 15 levels and 15 slices takes seconds already.
         if levels + slices <= 30 {
             let start = Instant::now();

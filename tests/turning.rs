@@ -19,8 +19,9 @@ use technolog::turning::passes::enumeration::enumerate;
 use technolog::turning::passes::grid::{Grid, states};
 use technolog::turning::passes::optimum::{CostToGo, moves};
 use technolog::turning::passes::pass::{Kind, Pass, Point, legs};
+use technolog::turning::passes::rich::staircase::{Lines, Stairs};
 use technolog::turning::passes::variants::{per_step, total};
-use technolog::turning::passes::{find, named};
+use technolog::turning::passes::{find, named, rich};
 use technolog::turning::shaft::{Division, Mistake, Rates, Shaft, read_shaft};
 use technolog::units::{Micrometres, MillimetresPerMinute};
 
@@ -245,8 +246,9 @@ struct Stock {
 
 impl Stock {
     /// Columns between all the places where anything begins or ends.
-    fn of(grid: &Grid) -> Self {
-        let mut cuts: Vec<Half> = grid.slices.iter().map(|slice| slice.to).chain([Half::ZERO]).collect();
+    fn of(grid: &Grid, passes: &[Pass]) -> Self {
+        let ends = passes.iter().flat_map(|pass| [pass.from.z, pass.to.z]);
+        let mut cuts: Vec<Half> = grid.slices.iter().map(|slice| slice.to).chain([Half::ZERO]).chain(ends).collect();
         cuts.sort_unstable();
         cuts.dedup();
         let columns = cuts.windows(2).map(|pair| (pair[0], pair[1], grid.bar)).collect();
@@ -296,7 +298,7 @@ impl Stock {
 /// Carries passes out on the stock: each takes what it says, none too much at once, none below the contour, no rapid goes
 /// through metal, and in the end nothing is left.
 fn carry_out(grid: &Grid, passes: &[Pass], rates: &Rates) {
-    let mut stock = Stock::of(grid);
+    let mut stock = Stock::of(grid, passes);
     let mut before = None;
     let rapid = |stock: &Stock, (a, b): (Point, Point)| {
         let metal = stock.over(a.z, b.z);
@@ -318,6 +320,111 @@ fn carry_out(grid: &Grid, passes: &[Pass], rates: &Rates) {
         legs(before, None, grid.bar, rates).for_each(|leg| rapid(&stock, leg));
     }
     assert_eq!(stock.columns, stock.part, "stock is left");
+}
+
+/// The least cost of rich moves by trying every cut of every staircase, each staircase once.
+fn by_recursion(
+    lines: &Lines,
+    stairs: &Stairs,
+    objective: Objective,
+    known: &mut std::collections::BTreeMap<Stairs, u64>,
+) -> u64 {
+    if let Some(cost) = known.get(stairs) {
+        return *cost;
+    }
+    let mut cuts = Vec::new();
+    lines.cuts(stairs, &mut cuts);
+    let best = cuts.into_iter().map(|cut| {
+        let mut next = stairs.clone();
+        lines.cut(&mut next, cut);
+        cut.cost(objective) + by_recursion(lines, &next, objective, known)
+    });
+    let cost = best.min().unwrap_or(0);
+    assert!(lines.at_least(stairs, objective) <= cost, "the bound is none");
+    known.insert(stairs.clone(), cost);
+    cost
+}
+
+/// No sequence on the grid is below 89 mm: not with rich moves either.
+#[test]
+fn the_optimum_of_the_paper_s_shaft_stays_with_rich_moves() {
+    let grid = Grid::of(&example("shaft"));
+    let (better, proof) = rich::find(&grid, Objective::Path, 2 * 89_000, 4_000_000);
+    assert!(better.is_none() && proof.optimal_on_the_grid && proof.lower_bound == 89.0, "{proof:?}");
+}
+
+#[test]
+fn rich_moves_shorten_the_six_steps_and_the_bound_is_close() {
+    let shaft = example("shaft-six-steps");
+    let grid = Grid::of(&shaft);
+    let basic = CostToGo::of(&grid, Objective::Path).optimum().main;
+    let (better, proof) = rich::find(&grid, Objective::Path, basic, 200_000);
+    let passes = better.unwrap();
+    carry_out(&grid, &passes, &rates());
+    let cost = total(&passes, Objective::Path, grid.bar).main;
+    assert!(cost < basic && proof.lower_bound <= cost as f64 / 2000.0, "{cost} {proof:?}");
+    assert!(proof.lower_bound * 1.05 > cost as f64 / 2000.0, "{cost} {proof:?}");
+}
+
+#[test]
+fn rich_moves_are_asked_for_by_the_file_or_the_flag_and_not_for_time() {
+    let small = Path::new(env!("CARGO_TARGET_TMPDIR")).join("rich.yaml");
+    let text = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/shaft.yaml")).unwrap();
+    fs::write(&small, text.replace("transverse_depth: 3.5", "transverse_depth: 9, moves: rich")).unwrap();
+    let small = small.to_str().unwrap();
+    let answer = json(&[small]);
+    assert_eq!(json(&[small, "--moves", "basic"])["moves"], "basic");
+    assert_eq!(answer["moves"], "rich");
+    assert!(answer["proof"]["lower_bound"].as_f64().unwrap() <= path(&answer, "optimal"));
+    assert!(json(&["examples/shaft.yaml"])["proof"].is_null());
+    let output = run(&["examples/shaft-six-steps.yaml", "--moves", "rich", "--objective", "time", "--lang", "en"]);
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(said.contains("rich-has-no-time"), "{said}");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+}
+
+proptest! {
+    // The exact answer of these is looked for in every way there is, which takes its time.
+    #![proptest_config(ProptestConfig::with_cases(60))]
+
+    #[test]
+    fn rich_moves_are_exact_on_small_grids(shaft in shafts(7), per_pass in 0_i64..4_000) {
+        let grid = Grid::of(&shaft);
+        let lines = Lines::of(&grid);
+        for objective in objectives(Half::new(per_pass), rates()) {
+            if matches!(objective, Objective::Time { .. }) {
+                continue;
+            }
+            let exact = by_recursion(&lines, &lines.bar(), objective, &mut std::collections::BTreeMap::new());
+            let basic = CostToGo::of(&grid, objective).optimum().main;
+            prop_assert!(exact <= basic);
+            let (better, proof) = rich::find(&grid, objective, basic, 1_000_000);
+            let passes = better.unwrap_or_else(|| CostToGo::of(&grid, objective).passes());
+            prop_assert_eq!(total(&passes, objective, grid.bar).main, exact);
+            prop_assert!(proof.optimal_on_the_grid, "{proof:?}");
+            carry_out(&grid, &passes, &rates());
+            let per_step = total(&per_step(&grid, objective), objective, grid.bar).main;
+            prop_assert!(exact <= per_step);
+        }
+    }
+
+    #[test]
+    fn a_search_that_is_stopped_tells_a_true_bound(shaft in shafts(7), effort in 1_usize..400) {
+        let grid = Grid::of(&shaft);
+        let lines = Lines::of(&grid);
+        let exact = by_recursion(&lines, &lines.bar(), Objective::Path, &mut std::collections::BTreeMap::new());
+        let basic = CostToGo::of(&grid, Objective::Path).optimum().main;
+        let (better, proof) = rich::find(&grid, Objective::Path, basic, effort);
+        let cost = better.map_or(basic, |passes| total(&passes, Objective::Path, grid.bar).main);
+        prop_assert!(proof.lower_bound <= exact as f64 / 2000.0 && exact <= cost, "{proof:?} {exact} {cost}");
+        prop_assert_eq!(proof.optimal_on_the_grid, proof.lower_bound >= cost as f64 / 2000.0);
+    }
+
 }
 
 proptest! {

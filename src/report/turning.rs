@@ -22,6 +22,20 @@ pub fn page(found: &Sequences, knowledge: &Knowledge, lang: Lang) -> String {
     let mut page = head(found, knowledge, lang);
     page.push_str(&format!("\n1. {}\n", lang.pick("Варіанти", "Variants")));
     page.push_str(&variants(found, lang));
+    if let Some(proof) = found.proof {
+        let line = match proof.optimal_on_the_grid {
+            true => lang.pick(
+                "Доведено: на сітці з {radii} радіусів і {zs} Z кращої послідовності немає.",
+                "Proven: on the grid of {radii} radii and {zs} Z no sequence is better.",
+            ),
+            false => lang.pick(
+                "На сітці з {radii} радіусів і {zs} Z жодна послідовність не нижча за {bound}; показана - найкраща знайдена.",
+                "On the grid of {radii} radii and {zs} Z no sequence is below {bound}; the one shown is the best found.",
+            ),
+        };
+        let line = line.replace("{radii}", &proof.lines.0.to_string()).replace("{zs}", &proof.lines.1.to_string());
+        page.push_str(&grid::paragraph(&line.replace("{bound}", &figure(proof.lower_bound, lang)), 0));
+    }
     if let Some(best) = found.variants.last().filter(|best| !best.passes.is_empty()) {
         page.push_str(&format!("\n2. {}\n", lang.pick("Оптимум, прохід за проходом", "The optimum, pass by pass")));
         page.push_str(&passes(best, lang));

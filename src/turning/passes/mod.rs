@@ -8,6 +8,7 @@ pub mod enumeration;
 pub mod grid;
 pub mod optimum;
 pub mod pass;
+pub mod rich;
 pub mod variants;
 
 use serde::Serialize;
@@ -23,6 +24,9 @@ use cost::{Cost, Objective, minutes};
 use grid::Grid;
 use optimum::CostToGo;
 use pass::{Kind, Pass, Told};
+
+/// How many cuts the search over rich moves weighs: some seconds at most.
+const EFFORT: usize = 4_000_000;
 
 /// The passes of a shaft, in several ways.
 #[derive(Clone, Debug, Serialize)]
@@ -40,6 +44,9 @@ pub struct Sequences {
     pub slices: Vec<SliceTold>,
     /// `longitudinal`, `transverse`, `per-step`, `optimal`, in this order.
     pub variants: Vec<Variant>,
+    /// With rich moves: how good the optimum is proven to be. Without them it is exact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub proof: Option<rich::Proof>,
     /// The variant to take.
     pub recommended: Recommended,
     /// What its reader must know.
@@ -136,6 +143,15 @@ pub fn find(shaft: &Shaft, objective: Objective, knowledge: &Knowledge) -> Resul
         findings.push(Finding::of_part(Severity::Note, Note::new("variant-beyond-model").with("variant", name)));
         optimal.clone_from(passes);
     }
+    let mut proof = None;
+    if shaft.roughing.moves == Moves::Rich {
+        let (better, told) = rich::find(&grid, objective, total(&optimal, objective, &grid).main, EFFORT);
+        proof = Some(told);
+        if let Some(better) = better {
+            optimal = better;
+            findings.clear();
+        }
+    }
     let best = total(&optimal, objective, &grid);
     let all = named.into_iter().chain([("optimal", optimal)]);
     let variants: Vec<Variant> =
@@ -151,6 +167,7 @@ pub fn find(shaft: &Shaft, objective: Objective, knowledge: &Knowledge) -> Resul
         levels: grid.levels.iter().map(level_told).collect(),
         slices: grid.slices.iter().map(slice_told).collect(),
         variants,
+        proof,
         recommended,
         findings,
     })

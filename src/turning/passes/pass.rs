@@ -120,10 +120,11 @@ impl From<Point> for Told {
 /// pass before, and without one after, it is the point home: off the corner of the bar by the approach on both axes.
 ///
 /// 1. The tool draws back by the retract on both axes, off the surface and off the shoulder.
-/// 2. Before a longitudinal pass it goes along the axis in front of the face, then to its radius.
-///    Before a transverse pass, and home, it goes out over the stock first, then along the axis.
+/// 2. Where a longitudinal pass begins farther to the free end, it goes there along the axis, then to its radius.
+/// 3. Else, before a transverse pass, and home, it goes out over the stock first, then along the axis, then in.
 ///
-/// So no rapid goes through metal: what lies beside the end of a pass towards the free end and outwards is gone.
+/// So no rapid goes through metal: what lies beside the end of a pass towards the free end and outwards is gone, and the
+/// stock never falls towards the chuck.
 pub fn legs(
     before: Option<Spot>,
     next: Option<Start>,
@@ -137,16 +138,18 @@ pub fn legs(
         Some(_) => Point { radius: ended.radius + retract, z: ended.z - retract },
         None => home,
     };
-    let (corner, to) = match next {
+    let (to, over) = match next {
         Some(Start { kind: Kind::Longitudinal, at }) => {
             let to = Point { radius: at.radius, z: at.z - approach };
-            (Point { radius: free.radius, z: to.z }, to)
+            let over = if to.z <= free.z { free.radius } else { free.radius.max(to.radius + retract) };
+            (to, over)
         }
         Some(Start { kind: Kind::Transverse, at }) => {
             let to = Point { radius: at.radius + approach, z: at.z };
-            (Point { radius: to.radius, z: free.z }, to)
+            (to, free.radius.max(to.radius))
         }
-        None => (Point { radius: home.radius, z: free.z }, home),
+        None => (home, free.radius.max(home.radius)),
     };
-    [(ended, free), (free, corner), (corner, to)].into_iter().filter(|(a, b)| a != b)
+    let (out, along) = (Point { radius: over, z: free.z }, Point { radius: over, z: to.z });
+    [(ended, free), (free, out), (out, along), (along, to)].into_iter().filter(|(a, b)| a != b)
 }
