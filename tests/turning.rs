@@ -198,6 +198,26 @@ fn every_bad_shaft_is_refused_with_every_mistake_at_its_place() {
     assert!(seen >= 12, "{seen}");
 }
 
+/// The figures of the map at the paper's own length are those of the paper's shaft: L/D = 34/65 lies between the ratios,
+/// so the shaft is made 65 mm long and held against a shaft of that length.
+#[test]
+fn the_map_stretches_the_shaft() {
+    let map = json(&["examples/shaft.yaml", "--show", "map"]);
+    let map = map.as_array().unwrap();
+    assert_eq!(map.len(), 21);
+    let one = map.iter().find(|one| one["length_to_diameter"] == 1.0).unwrap();
+    let shaft = shaft(65_000, &[(40_000, 30_588), (50_000, 34_412)], 4_000, 3_500, Division::Full);
+    let grid = Grid::of(&shaft);
+    let best = CostToGo::of(&grid, Objective::Path).optimum().main as f64;
+    for (index, (_, passes)) in named(&grid, Objective::Path).iter().enumerate() {
+        let above = (total(passes, Objective::Path, grid.bar).main as f64 / best - 1.0) * 100.0;
+        assert!((above - one["above_optimum_percent"][index].as_f64().unwrap()).abs() <= 0.05, "{index}: {above}");
+    }
+    insta::assert_snapshot!("turn_map_uk", text(&["examples/shaft.yaml", "--show", "map", "--lang", "uk"]));
+    let drawing = text(&["examples/shaft.yaml", "--show", "map", "--format", "svg"]);
+    assert_eq!(drawing.matches("<circle").count(), 3 * 21);
+}
+
 #[test]
 fn time_without_rates_is_refused_with_a_remedy() {
     let output = run(&["examples/shaft.yaml", "--objective", "time", "--lang", "en"]);

@@ -9,8 +9,8 @@ use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::note::Note;
 use technolog::report::{self, remedy, sentence};
 use technolog::turning::length::Half;
+use technolog::turning::passes;
 use technolog::turning::passes::cost::Objective;
-use technolog::turning::passes::{self};
 use technolog::turning::shaft::{Mistake, Moves, Shaft, read_shaft};
 use technolog::units::Micrometres;
 
@@ -32,6 +32,16 @@ pub struct Args {
     /// Moves: basic, as the paper has them, or rich: stopping anywhere and with less depth; else as the file says
     #[arg(long, value_enum, hide_possible_values = true)]
     moves: Option<MovesName>,
+    /// What to show: the passes, or the map of the variants over length to diameter (the shaft stretched)
+    #[arg(long, value_enum, hide_possible_values = true, default_value = "passes")]
+    show: Show,
+}
+
+/// What is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Show {
+    Passes,
+    Map,
 }
 
 /// Objectives by their names.
@@ -62,6 +72,16 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         shaft.roughing.moves = if moves == MovesName::Rich { Moves::Rich } else { Moves::Basic };
     }
     let objective = objective(args, &shaft, context)?;
+    if args.show == Show::Map {
+        let map = passes::map::map(&shaft, objective);
+        match format {
+            Format::Json => context.emit_json(&map)?,
+            Format::Yaml => context.emit_yaml(&map)?,
+            Format::Svg => context.emit(&report::turning::map_drawing(&shaft, &map, context.lang))?,
+            _ => context.emit(&report::turning::map_page(&shaft, &map, context.lang))?,
+        }
+        return Ok(Outcome::Done);
+    }
     let found = passes::find(&shaft, objective, &knowledge).map_err(|error| {
         CliError::from(Diagnostic::error("knowledge", error.to_string(), None).help(words::run_lint(context.lang)))
     })?;
