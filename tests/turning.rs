@@ -451,6 +451,25 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
 
     #[test]
+    fn no_shaft_file_makes_the_reader_panic_and_none_is_refused_without_a_word(
+        from in 0_usize..400, long in 0_usize..12, put in "[-0-9.,:{}\\[\\] a-zа-я\n\"']{0,6}"
+    ) {
+        let text = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/shaft.yaml")).unwrap();
+        let letters: Vec<char> = text.lines().filter(|line| !line.starts_with('#')).collect::<Vec<_>>().join("\n").chars().collect();
+        let from = from.min(letters.len());
+        let rest = letters.iter().skip(from + long);
+        let spoilt: String = letters.iter().take(from).copied().chain(put.chars()).chain(rest.copied()).collect();
+        let knowledge = shipped::knowledge().unwrap();
+        match read_shaft("shaft", &spoilt, &knowledge) {
+            Err(mistakes) => prop_assert!(!mistakes.is_empty(), "{spoilt}"),
+            Ok(shaft) => {
+                let found = find(&shaft, Objective::Path, &knowledge).unwrap();
+                prop_assert_eq!(found.variants.len(), 4);
+            }
+        }
+    }
+
+    #[test]
     fn the_optimum_is_that_of_the_enumeration_and_of_petgraph(shaft in shafts(12), per_pass in 0_i64..20_000) {
         let grid = Grid::of(&shaft);
         prop_assert_eq!(((grid.levels.len() + 1) * (grid.slices.len() + 1)) as u64, states(&shaft));
