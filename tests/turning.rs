@@ -226,6 +226,14 @@ fn time_without_rates_is_refused_with_a_remedy() {
     assert!(said.contains("no-rates") && said.contains("longitudinal_feed"), "{said}");
 }
 
+#[test]
+fn what_a_pass_adds_is_no_less_than_nothing() {
+    for bad in ["--per-pass=-3", "--per-pass=1e9", "--per-pass=99999999999", "--per-pass=0.00001"] {
+        let output = run(&["examples/shaft.yaml", "--objective", "path-and-passes", bad]);
+        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{bad}");
+    }
+}
+
 fn rates() -> Rates {
     Rates {
         longitudinal_feed: MillimetresPerMinute(100.0),

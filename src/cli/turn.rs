@@ -27,7 +27,7 @@ pub struct Args {
     #[arg(long, value_enum, hide_possible_values = true, default_value = "path")]
     objective: Aim,
     /// With path-and-passes: what each pass adds to the path, mm
-    #[arg(long, value_name = "MM", default_value = "1")]
+    #[arg(long, value_name = "MM", default_value = "1", value_parser = per_pass)]
     per_pass: Micrometres,
     /// Moves: basic, as the paper has them, or rich: stopping anywhere and with less depth; else as the file says
     #[arg(long, value_enum, hide_possible_values = true)]
@@ -94,6 +94,16 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     Ok(Outcome::Done)
 }
 
+/// What a pass adds: 0 to 100,000 mm, so that sums stay exact.
+fn per_pass(text: &str) -> Result<Micrometres, String> {
+    let length: Micrometres = text.parse().map_err(|error| format!("{error}"))?;
+    if (Micrometres::ZERO..=Micrometres::from_mm(100_000)).contains(&length) {
+        Ok(length)
+    } else {
+        Err(format!("{length}: 0 … 100000"))
+    }
+}
+
 fn objective(args: &Args, shaft: &Shaft, context: &Context) -> Result<Objective, CliError> {
     let refused = |code: &'static str| {
         let note = Note::new(code);
@@ -102,7 +112,7 @@ fn objective(args: &Args, shaft: &Shaft, context: &Context) -> Result<Objective,
     };
     Ok(match args.objective {
         Aim::Path => Objective::Path,
-        Aim::PathAndPasses => Objective::PathAndPasses { per_pass_mm: Half::of(args.per_pass.abs()) },
+        Aim::PathAndPasses => Objective::PathAndPasses { per_pass_mm: Half::of(args.per_pass) },
         Aim::Passes => Objective::Passes,
         Aim::Time if shaft.roughing.moves == Moves::Rich => return Err(refused("rich-has-no-time")),
         Aim::Time => Objective::Time { rates: shaft.rates.ok_or_else(|| refused("no-rates"))? },
