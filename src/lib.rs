@@ -10,6 +10,7 @@
 //! - [`planner`] is the one place where a refusal makes it try the next alternative;
 //! - [`plan`] is the result, a value; [`report`] prints it;
 //! - [`job`] is the plan as work of a machine, [`program`] its language, written and read back as [`motion`].
+//! - [`turning`] is a room of its own: a shaft, and the passes that rough it.
 //!
 //! Architecture invariant: nothing in this library reads a file, prints or asks the time.
 
@@ -34,3 +35,4 @@ pub mod setup;
 pub mod shipped;
 pub mod shop;
 pub mod tooling;
+pub mod turning;

@@ -22,6 +22,7 @@ mod proof;
 mod record;
 mod sheet;
 mod table;
+mod turn;
 mod words;
 
 use std::path::PathBuf;
@@ -74,6 +75,7 @@ enum Command {
     Plan(plan::Args),
     Explain(plan::ExplainArgs),
     Order(order::Args),
+    Turn(turn::Args),
     Program(program::Args),
     Table(table::Args),
     Lookup(lookup::Args),
@@ -87,6 +89,7 @@ impl Command {
             Self::Plan(args) => plan::run(args, context),
             Self::Explain(args) => plan::explain(args, context),
             Self::Order(args) => order::run(args, context),
+            Self::Turn(args) => turn::run(args, context),
             Self::Program(args) => program::run(args, context),
             Self::Table(args) => table::run(args, context),
             Self::Lookup(args) => lookup::run(args, context),

@@ -9,6 +9,7 @@ mod lang;
 pub mod sentences;
 pub mod svg;
 mod transitions;
+pub mod turning;
 mod why;
 mod words;
 

@@ -13,11 +13,13 @@ mod lists;
 mod programs;
 mod proof;
 mod routes;
+mod turning;
 
 /// Every sentence.
 fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'static str)> {
     let all = SENTENCES.iter().chain(routes::SENTENCES).chain(programs::SENTENCES);
-    all.chain(iso::SENTENCES).chain(jobs::SENTENCES).chain(lists::SENTENCES).chain(proof::SENTENCES)
+    let all = all.chain(iso::SENTENCES).chain(jobs::SENTENCES).chain(lists::SENTENCES);
+    all.chain(proof::SENTENCES).chain(turning::SENTENCES)
 }
 
 /// A note as a sentence. A code without words shows itself with its figures, so that nothing is lost.
@@ -39,9 +41,9 @@ pub fn sentence(note: &Note, lang: Lang) -> String {
     text
 }
 
-/// What to do about a mistake of a program or of a list of points.
+/// What to do about a mistake of a program, of a list of points or of a shaft.
 pub fn remedy(note: &Note, lang: Lang) -> Option<&'static str> {
-    let mut remedies = programs::REMEDIES.iter().chain(iso::REMEDIES).chain(lists::REMEDIES);
+    let mut remedies = programs::REMEDIES.iter().chain(iso::REMEDIES).chain(lists::REMEDIES).chain(turning::REMEDIES);
     let of_program = remedies.find(|(code, ..)| *code == note.code).map(|(_, uk, en)| lang.pick(uk, en));
     let of_proof = || proof::REMEDIES.iter().find(|(code, _)| *code == note.code);
     of_program.or_else(|| of_proof().map(|(_, (uk, en))| lang.pick(uk, en)))
@@ -52,7 +54,7 @@ fn shown(name: &str, value: &str, lang: Lang) -> String {
     match name {
         "operation" | "instead" => super::operation_noun(value, lang).to_owned(),
         "transitions" => value.split(", ").map(|name| super::operation_noun(name, lang)).collect::<Vec<_>>().join(", "),
-        "kind" | "method" => term(value, lang).to_owned(),
+        "kind" | "method" | "variant" | "direction" => term(value, lang).to_owned(),
         "take" | "by" | "name" | "shank" => term(value, lang).to_owned(),
         "stages" => value.split(" + ").map(|stage| term(stage, lang)).collect::<Vec<_>>().join(" + "),
         "scheme" | "same" | "first" => scheme_name(value, lang),
@@ -76,6 +78,15 @@ pub fn term(id: &str, lang: Lang) -> &str {
 const TERMS: &[(&str, &str, &str)] = &[
     ("parallel", "паралельно", "in parallel"),
     ("sequential", "послідовно", "in sequence"),
+    ("longitudinal", "поздовжній", "longitudinal"),
+    ("transverse", "поперечний", "transverse"),
+    ("per-step", "за ступенями", "per step"),
+    ("optimal", "оптимальний", "optimal"),
+    ("chuck", "у патроні", "in a chuck"),
+    ("centres", "у центрах", "between centres"),
+    ("bar", "пруток", "bar"),
+    ("forging", "поковка", "forging"),
+    ("casting", "виливок", "casting"),
     (
         "first-parallel-finish-sequential",
         "перші переходи паралельно, кінцеві послідовно",
@@ -574,7 +585,7 @@ mod tests {
     #[test]
     fn every_code_of_the_program_has_its_words() {
         let mut codes = BTreeSet::new();
-        for room in ["route", "tooling", "cutting", "planner", "job", "program"] {
+        for room in ["route", "tooling", "cutting", "planner", "job", "program", "turning"] {
             codes_in(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src").join(room), &mut codes);
         }
         assert!(codes.len() > 50, "the search for codes finds too few: {}", codes.len());

@@ -1,0 +1,98 @@
+//! How long the shortest sequence of passes takes to find, beside trying every order, and beside petgraph's Dijkstra.
+//!
+//! `cargo bench --bench turning` prints a line for each shaft; the clock is read here, never by the search.
+
+#![allow(clippy::unwrap_used, reason = "a bench that cannot begin has nothing to measure")]
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use petgraph::algo::dijkstra;
+use petgraph::graph::DiGraph;
+use technolog::turning::length::Half;
+use technolog::turning::passes::cost::Objective;
+use technolog::turning::passes::enumeration::enumerate;
+use technolog::turning::passes::grid::Grid;
+use technolog::turning::passes::optimum::{CostToGo, moves};
+use technolog::turning::shaft::{Division, Rates, Shaft};
+use technolog::units::{Micrometres, MillimetresPerMinute};
+
+#[path = "../tests/common/shafts.rs"]
+mod shafts;
+
+fn main() {
+    let rates = Rates {
+        longitudinal_feed: MillimetresPerMinute(180.0),
+        transverse_feed: MillimetresPerMinute(150.0),
+        rapid: MillimetresPerMinute(6000.0),
+        approach: Micrometres::from_mm(2),
+        retract: Micrometres::new(500),
+    };
+    println!("steps  levels  slices   states  path us  time us  petgraph us           orders  enumeration us");
+    for (steps, each_levels, each_slices) in
+        [(2, 2, 2), (2, 3, 3), (3, 3, 3), (3, 4, 4), (3, 5, 5), (12, 5, 5), (12, 10, 10), (12, 60, 60)]
+    {
+        let shaft = stepped(steps, each_levels, each_slices);
+        let grid = Grid::of(&shaft);
+        let (levels, slices) = (grid.levels.len(), grid.slices.len());
+        assert_eq!((levels, slices), ((steps * each_levels) as usize, (steps * each_slices) as usize));
+        let path = microseconds(|| CostToGo::of(&grid, Objective::Path).passes().len());
+        let time = microseconds(|| CostToGo::of(&grid, Objective::Time { rates }).passes().len());
+        let by_petgraph = microseconds(|| shortest_by_petgraph(&grid));
+        let found = CostToGo::of(&grid, Objective::Path).optimum().main;
+        assert_eq!(found, shortest_by_petgraph(&grid));
+        print!(
+            "{steps:>5} {levels:>7} {slices:>7} {:>8} {path:>8.1} {time:>8.1} {by_petgraph:>12.1}",
+            (levels + 1) * (slices + 1)
+        );
+        // Every order of 15 levels and 15 slices takes seconds already.
+        if levels + slices <= 30 {
+            let start = Instant::now();
+            let (best, orders) = enumerate(&grid, Objective::Path);
+            println!(" {orders:>16} {:>15.1}", start.elapsed().as_secs_f64() * 1e6);
+            assert_eq!(best.unwrap().main, found);
+        } else {
+            println!(" {:>16} {:>15}", "-", "-");
+        }
+    }
+}
+
+/// The least time of many runs: what the work takes when nothing else disturbs it.
+fn microseconds<T>(mut work: impl FnMut() -> T) -> f64 {
+    let mut least = f64::INFINITY;
+    for _ in 0..30 {
+        let start = Instant::now();
+        black_box(work());
+        least = least.min(start.elapsed().as_secs_f64() * 1e6);
+    }
+    least
+}
+
+/// A shaft of equal steps with so many levels and slices over each.
+fn stepped(steps: i64, levels: i64, slices: i64) -> Shaft {
+    // The last level and slice of each step are remainders.
+    let (rise, length) = (2 * (levels * 4_000 - 1_500), slices * 3_500 - 1_200);
+    let all: Vec<(i64, i64)> = (0..steps).map(|step| (20_000 + step * rise, length)).collect();
+    shafts::shaft(20_000 + steps * rise, &all, 4_000, 3_500, Division::Full)
+}
+
+/// The cutting path by petgraph: the graph is made, then searched.
+fn shortest_by_petgraph(grid: &Grid) -> u64 {
+    let width = grid.slices.len() + 1;
+    let mut graph = DiGraph::<(), u64>::new();
+    let nodes: Vec<_> = (0..(grid.levels.len() + 1) * width).map(|_| graph.add_node(())).collect();
+    let end = graph.add_node(());
+    for levels in 0..=grid.levels.len() {
+        for slices in 0..width {
+            let here = nodes[levels * width + slices];
+            let Some([longitudinal, transverse]) = moves(grid, levels, slices) else {
+                graph.add_edge(here, end, 0);
+                continue;
+            };
+            let cost = |length: Half| length.halves().unsigned_abs();
+            graph.add_edge(here, nodes[(levels + 1) * width + slices], cost(longitudinal.length));
+            graph.add_edge(here, nodes[levels * width + slices + 1], cost(transverse.length));
+        }
+    }
+    dijkstra(&graph, nodes[0], Some(end), |edge| *edge.weight())[&end]
+}

@@ -1,0 +1,150 @@
+//! `technolog turn`: the passes that rough a shaft, the shortest sequence beside those that people use.
+
+use std::borrow::Cow;
+use std::path::{Path, PathBuf};
+
+use clap::ValueEnum;
+use technolog::knowledge::yaml::text_of;
+use technolog::knowledge::{Diagnostic, Knowledge};
+use technolog::note::Note;
+use technolog::report::{self, remedy, sentence};
+use technolog::turning::length::Half;
+use technolog::turning::passes;
+use technolog::turning::passes::cost::Objective;
+use technolog::turning::shaft::{Mistake, Moves, Shaft, read_shaft};
+use technolog::units::Micrometres;
+
+use super::diagnostics::Texts;
+use super::{CliError, Context, Format, Outcome, knowledge, words};
+
+/// The roughing passes of a shaft: the shortest sequence, beside longitudinal, transverse and one direction per step
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// The shaft file
+    #[arg(value_name = "SHAFT.yaml")]
+    shaft: PathBuf,
+    /// What to make small: path, path-and-passes, time or passes
+    #[arg(long, value_enum, hide_possible_values = true, default_value = "path")]
+    objective: Aim,
+    /// With path-and-passes: what each pass adds to the path, mm
+    #[arg(long, value_name = "MM", default_value = "1", value_parser = per_pass)]
+    per_pass: Micrometres,
+    /// Moves: basic, as the paper has them, or rich: stopping anywhere and with less depth; else as the file says
+    #[arg(long, value_enum, hide_possible_values = true)]
+    moves: Option<MovesName>,
+    /// What to show: the passes, or the map of the variants over length to diameter (the shaft stretched)
+    #[arg(long, value_enum, hide_possible_values = true, default_value = "passes")]
+    show: Show,
+}
+
+/// What is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Show {
+    Passes,
+    Map,
+}
+
+/// Objectives by their names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Aim {
+    Path,
+    PathAndPasses,
+    Time,
+    Passes,
+}
+
+/// Moves by their names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum MovesName {
+    Basic,
+    Rich,
+}
+
+/// Shows the passes of a shaft.
+///
+/// # Errors
+/// The file cannot be used; every mistake in it is told at once.
+pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
+    let format = context.format("turn", &[Format::Text, Format::Json, Format::Yaml, Format::Svg])?;
+    let knowledge = knowledge::load(context)?;
+    let mut shaft = read(&args.shaft, &knowledge, context)?;
+    if let Some(moves) = args.moves {
+        shaft.roughing.moves = if moves == MovesName::Rich { Moves::Rich } else { Moves::Basic };
+    }
+    let objective = objective(args, &shaft, context)?;
+    if args.show == Show::Map {
+        let map = passes::map::map(&shaft, objective);
+        match format {
+            Format::Json => context.emit_json(&map)?,
+            Format::Yaml => context.emit_yaml(&map)?,
+            Format::Svg => context.emit(&report::turning::map_drawing(&shaft, &map, context.lang))?,
+            _ => context.emit(&report::turning::map_page(&shaft, &map, context.lang))?,
+        }
+        return Ok(Outcome::Done);
+    }
+    let found = passes::find(&shaft, objective, &knowledge).map_err(|error| {
+        CliError::from(Diagnostic::error("knowledge", error.to_string(), None).help(words::run_lint(context.lang)))
+    })?;
+    match format {
+        Format::Json => context.emit_json(&found)?,
+        Format::Yaml => context.emit_yaml(&found)?,
+        Format::Svg => context.emit(&report::turning::drawing(&found, context.lang))?,
+        _ => context.emit(&report::turning::page(&found, &knowledge, context.lang))?,
+    }
+    Ok(Outcome::Done)
+}
+
+/// What a pass adds: 0 to 100,000 mm, so that sums stay exact.
+fn per_pass(text: &str) -> Result<Micrometres, String> {
+    let length: Micrometres = text.parse().map_err(|error| format!("{error}"))?;
+    if (Micrometres::ZERO..=Micrometres::from_mm(100_000)).contains(&length) {
+        Ok(length)
+    } else {
+        Err(format!("{length}: 0 … 100000"))
+    }
+}
+
+fn objective(args: &Args, shaft: &Shaft, context: &Context) -> Result<Objective, CliError> {
+    let refused = |code: &'static str| {
+        let note = Note::new(code);
+        let problem = Diagnostic::error(code, sentence(&note, context.lang), None);
+        CliError::from(problem.help(remedy(&note, context.lang).unwrap_or_default()))
+    };
+    Ok(match args.objective {
+        Aim::Path => Objective::Path,
+        Aim::PathAndPasses => Objective::PathAndPasses { per_pass_mm: Half::of(args.per_pass) },
+        Aim::Passes => Objective::Passes,
+        Aim::Time if shaft.roughing.moves == Moves::Rich => return Err(refused("rich-has-no-time")),
+        Aim::Time => Objective::Time { rates: shaft.rates.ok_or_else(|| refused("no-rates"))? },
+    })
+}
+
+/// Reads a shaft.
+///
+/// # Errors
+/// The file cannot be used; every mistake in it is told at once.
+fn read(path: &Path, knowledge: &Knowledge, context: &Context) -> Result<Shaft, CliError> {
+    let shown = path.display().to_string();
+    let bytes = std::fs::read(path).map_err(|error| {
+        let message = words::cannot_read(context.lang, &shown, error);
+        CliError::from(Diagnostic::error("unreadable", message, None).help(words::check_path(context.lang)))
+    })?;
+    let text = text_of(&shown, bytes)?;
+    read_shaft(&shown, &text, knowledge).map_err(|mistakes| CliError::Unusable {
+        problems: mistakes.into_iter().map(|mistake| problem(mistake, context)).collect(),
+        texts: Texts::default().with(&shown, shown.clone(), Cow::Owned(text)),
+    })
+}
+
+fn problem(mistake: Mistake, context: &Context) -> Diagnostic {
+    match mistake {
+        Mistake::Form(problem) => problem,
+        Mistake::Meaning(code, note, place) => {
+            let problem = Diagnostic::error(code, sentence(&note, context.lang), place);
+            match remedy(&note, context.lang) {
+                Some(remedy) => problem.help(remedy),
+                None => problem,
+            }
+        }
+    }
+}

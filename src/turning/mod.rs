@@ -1,0 +1,12 @@
+//! Turning: what stands over a stepped shaft, and in which passes it is roughed away.
+//!
+//! - [`shaft`] is the file of a shaft: what it says, and every mistake of it at once;
+//! - [`length`] is the exact length of this room, in halves of a micrometre, because half of a diameter is one;
+//! - [`passes`] finds the shortest sequence of longitudinal and transverse passes (docs/turning.md).
+//!
+//! Sources: "the paper" is the article on structural optimisation of multi-pass rough turning, "the lecture" is lecture
+//! 12 on turning on NC lathes.
+
+pub mod length;
+pub mod passes;
+pub mod shaft;

@@ -1,0 +1,266 @@
+//! The shortest sequence of roughing passes over a stepped shaft (the paper), beside the sequences people use.
+//!
+//! The way: [`grid`] makes levels and slices of a shaft, [`optimum`] finds the best order of its passes, [`variants`] the
+//! ones it is shown beside, and [`find`] puts them together into [`Sequences`], which is plain data.
+
+pub mod cost;
+pub mod enumeration;
+pub mod grid;
+pub mod map;
+pub mod optimum;
+pub mod pass;
+pub mod rich;
+pub mod variants;
+
+use serde::Serialize;
+
+use crate::error::KnowledgeError;
+use crate::knowledge::{Input, Knowledge};
+use crate::note::{Because, Finding, Note, Severity};
+use crate::units::{Micrometres, Minutes};
+
+use super::length::Half;
+use super::shaft::{Moves, Shaft};
+use cost::{Cost, Objective, minutes};
+use grid::Grid;
+use optimum::CostToGo;
+use pass::{Kind, Pass, Told};
+
+/// How many cuts the search over rich moves weighs: some seconds at most.
+const EFFORT: usize = 4_000_000;
+
+/// The passes of a shaft, in several ways.
+#[derive(Clone, Debug, Serialize)]
+pub struct Sequences {
+    /// The shaft.
+    #[serde(flatten)]
+    pub shaft: Shaft,
+    /// What is made small.
+    pub objective: Objective,
+    /// Which moves passes may make.
+    pub moves: Moves,
+    /// The levels from the bar inwards.
+    pub levels: Vec<LevelTold>,
+    /// The slices from the free end.
+    pub slices: Vec<SliceTold>,
+    /// `longitudinal`, `transverse`, `per-step`, `optimal`, in this order.
+    pub variants: Vec<Variant>,
+    /// With rich moves: how good the optimum is proven to be. Without them it is exact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub proof: Option<rich::Proof>,
+    /// The variant to take.
+    pub recommended: Recommended,
+    /// What its reader must know.
+    pub findings: Vec<Finding>,
+}
+
+/// A level as it is told.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct LevelTold {
+    /// Diameter before, mm.
+    pub from_diameter_mm: Micrometres,
+    /// Diameter after, mm.
+    pub to_diameter_mm: Micrometres,
+    /// Its radial depth, mm.
+    pub depth_mm: Half,
+    /// Z of its shoulder, mm.
+    pub shoulder_z_mm: Half,
+}
+
+/// A slice as it is told.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct SliceTold {
+    /// Z before, mm.
+    pub from_z_mm: Half,
+    /// Z after, mm.
+    pub to_z_mm: Half,
+    /// Its axial depth, mm.
+    pub depth_mm: Half,
+    /// Diameter that it goes down to, mm.
+    pub bottom_diameter_mm: Micrometres,
+}
+
+/// A sequence of passes.
+#[derive(Clone, Debug, Serialize)]
+pub struct Variant {
+    /// `longitudinal`, `transverse`, `per-step` or `optimal`.
+    pub name: &'static str,
+    /// The way through metal, mm.
+    pub cutting_path_mm: Half,
+    /// What the objective counts: mm, min or passes.
+    pub cost: f64,
+    /// By how much that is above the optimum, per cent.
+    pub above_optimum_percent: f64,
+    /// The time with feeds, approach, retract and rapids, where the file gives rates, min.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub time_min: Option<Minutes>,
+    /// The passes in order.
+    pub passes: Vec<PassTold>,
+    /// The passes for drawings.
+    #[serde(skip)]
+    pub drawn: Vec<Pass>,
+}
+
+/// A pass as it is told.
+#[derive(Clone, Debug, Serialize)]
+pub struct PassTold {
+    /// Its number, from 1.
+    pub number: usize,
+    /// Its direction.
+    pub kind: Kind,
+    /// Where the metal begins.
+    pub from: Told,
+    /// Where it ends.
+    pub to: Told,
+    /// Its largest depth, mm: radial of a longitudinal pass, axial of a transverse one.
+    pub depth_mm: Half,
+    /// Its way through metal, mm.
+    pub length_mm: Half,
+    /// Why it was taken.
+    pub reason: Note,
+}
+
+/// The variant to take, by the rule `pass-direction`.
+#[derive(Clone, Debug, Serialize)]
+pub struct Recommended {
+    /// Its name; absent where the blank is turned parallel to its contour and no variant of these fits.
+    pub variant: Option<&'static str>,
+    /// Why.
+    pub because: Because,
+}
+
+/// Finds the sequences of a shaft.
+///
+/// # Errors
+/// The knowledge base lacks the rule `pass-direction`.
+pub fn find(shaft: &Shaft, objective: Objective, knowledge: &Knowledge) -> Result<Sequences, KnowledgeError> {
+    let grid = Grid::of(shaft);
+    let mut findings = Vec::new();
+    let named = named(&grid, objective);
+    let mut optimal = CostToGo::of(&grid, objective).passes();
+    let best = total(&optimal, objective, &grid);
+    // Only one direction per step lets a longitudinal pass end before its shoulder, so it can win (docs/turning.md).
+    if let Some((name, passes)) = named.iter().find(|(_, passes)| total(passes, objective, &grid) < best) {
+        findings.push(Finding::of_part(Severity::Note, Note::new("variant-beyond-model").with("variant", name)));
+        optimal.clone_from(passes);
+    }
+    let mut proof = None;
+    if shaft.roughing.moves == Moves::Rich {
+        let (better, told) = rich::find(&grid, objective, total(&optimal, objective, &grid).main, EFFORT);
+        proof = Some(told);
+        if let Some(better) = better {
+            optimal = better;
+            findings.clear();
+        }
+    }
+    let best = total(&optimal, objective, &grid);
+    let all = named.into_iter().chain([("optimal", optimal)]);
+    let variants: Vec<Variant> =
+        all.map(|(name, passes)| variant(name, passes, shaft, objective, &grid, best)).collect();
+    if grid.slices.is_empty() {
+        findings.push(Finding::of_part(Severity::Note, Note::new("nothing-to-turn")));
+    }
+    let recommended = recommend(shaft, knowledge, &mut findings)?;
+    Ok(Sequences {
+        shaft: shaft.clone(),
+        objective,
+        moves: shaft.roughing.moves,
+        levels: grid.levels.iter().map(level_told).collect(),
+        slices: grid.slices.iter().map(slice_told).collect(),
+        variants,
+        proof,
+        recommended,
+        findings,
+    })
+}
+
+/// The named variants.
+pub fn named(grid: &Grid, objective: Objective) -> [(&'static str, Vec<Pass>); 3] {
+    [
+        ("longitudinal", variants::one_direction(grid, Kind::Longitudinal)),
+        ("transverse", variants::one_direction(grid, Kind::Transverse)),
+        ("per-step", variants::per_step(grid, objective)),
+    ]
+}
+
+fn total(passes: &[Pass], objective: Objective, grid: &Grid) -> Cost {
+    variants::total(passes, objective, grid.bar)
+}
+
+fn variant(
+    name: &'static str,
+    passes: Vec<Pass>,
+    shaft: &Shaft,
+    objective: Objective,
+    grid: &Grid,
+    best: Cost,
+) -> Variant {
+    let own = total(&passes, objective, grid);
+    let shown = |main: u64| match objective {
+        Objective::Path | Objective::PathAndPasses { .. } => main as f64 / 2000.0,
+        Objective::Time { .. } => crate::units::round_to(minutes(main).0, 4),
+        Objective::Passes => main as f64,
+    };
+    let above = if best.main == 0 { 0.0 } else { (own.main as f64 / best.main as f64 - 1.0) * 100.0 };
+    let told = |(index, pass): (usize, &Pass)| PassTold {
+        number: index + 1,
+        kind: pass.kind,
+        from: pass.from.into(),
+        to: pass.to.into(),
+        depth_mm: pass.depth,
+        length_mm: pass.length(),
+        reason: pass.reason.clone(),
+    };
+    Variant {
+        name,
+        cutting_path_mm: passes.iter().map(Pass::length).sum(),
+        cost: shown(own.main),
+        above_optimum_percent: crate::units::round_to(above, 2),
+        time_min: shaft.rates.map(|rates| minutes(total(&passes, Objective::Time { rates }, grid).main).rounded(4)),
+        passes: passes.iter().enumerate().map(told).collect(),
+        drawn: passes,
+    }
+}
+
+fn level_told(level: &grid::Level) -> LevelTold {
+    LevelTold {
+        from_diameter_mm: level.from.diameter(),
+        to_diameter_mm: level.to.diameter(),
+        depth_mm: level.from - level.to,
+        shoulder_z_mm: Half::ZERO - level.end,
+    }
+}
+
+fn slice_told(slice: &grid::Slice) -> SliceTold {
+    SliceTold {
+        from_z_mm: Half::ZERO - slice.from,
+        to_z_mm: Half::ZERO - slice.to,
+        depth_mm: slice.to - slice.from,
+        bottom_diameter_mm: slice.bottom.diameter(),
+    }
+}
+
+/// Asks the rule `pass-direction`.
+fn recommend(shaft: &Shaft, knowledge: &Knowledge, findings: &mut Vec<Finding>) -> Result<Recommended, KnowledgeError> {
+    let rule = knowledge.table("pass-direction")?;
+    let answer = rule.decide(&[
+        ("blank_shape", Input::Text(shaft.blank.kind.shape())),
+        ("holding", Input::Text(shaft.holding.name())),
+    ])?;
+    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, shaft.holding.name()))?;
+    let direction = row.text("direction")?;
+    let note = Note::new(match direction {
+        "lengthwise" => "take-lengthwise",
+        "searched" => "take-searched",
+        _ => "take-contour",
+    });
+    let variant = match direction {
+        "lengthwise" => Some("longitudinal"),
+        "searched" => Some("optimal"),
+        _ => None,
+    };
+    if variant.is_none() {
+        findings.push(Finding::of_part(Severity::Doubtful, Note::new("contour-passes-not-planned")));
+    }
+    Ok(Recommended { variant, because: Because::answer(&answer, note) })
+}

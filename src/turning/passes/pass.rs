@@ -1,0 +1,155 @@
+//! A pass, and the way of the tool between two passes.
+
+use serde::Serialize;
+
+use crate::note::Note;
+use crate::turning::length::Half;
+use crate::turning::shaft::Rates;
+use crate::units::Micrometres;
+
+/// The direction of a pass.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Kind {
+    /// Along the axis, towards the chuck.
+    Longitudinal,
+    /// Across it, towards the axis.
+    Transverse,
+}
+
+impl Kind {
+    /// Its name for programs.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Longitudinal => "longitudinal",
+            Self::Transverse => "transverse",
+        }
+    }
+
+    /// The other direction.
+    #[must_use]
+    pub const fn other(self) -> Self {
+        match self {
+            Self::Longitudinal => Self::Transverse,
+            Self::Transverse => Self::Longitudinal,
+        }
+    }
+}
+
+/// A point of the half section: radius from the axis, Z from the face of the free end towards the chuck.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub struct Point {
+    /// Radius.
+    pub radius: Half,
+    /// Z.
+    pub z: Half,
+}
+
+/// Where a pass begins in the metal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Start {
+    /// Its direction.
+    pub kind: Kind,
+    /// The point.
+    pub at: Point,
+}
+
+/// Where a pass has ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Spot {
+    /// Its direction.
+    pub kind: Kind,
+    /// The point.
+    pub at: Point,
+}
+
+/// A pass as it is found.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Pass {
+    /// Its direction.
+    pub kind: Kind,
+    /// Where the metal begins.
+    pub from: Point,
+    /// Where it ends.
+    pub to: Point,
+    /// The largest depth: radial of a longitudinal pass, axial of a transverse one.
+    pub depth: Half,
+    /// The rectangles of metal that it takes, each by its corner nearest to axis and free end, and the one opposite.
+    pub removed: Vec<(Point, Point)>,
+    /// Why this one.
+    pub reason: Note,
+}
+
+impl Pass {
+    /// Its way through metal.
+    pub fn length(&self) -> Half {
+        match self.kind {
+            Kind::Longitudinal => self.to.z - self.from.z,
+            Kind::Transverse => self.from.radius - self.to.radius,
+        }
+    }
+
+    /// Where it begins.
+    pub const fn start(&self) -> Start {
+        Start { kind: self.kind, at: self.from }
+    }
+
+    /// Where it ends.
+    pub const fn end(&self) -> Spot {
+        Spot { kind: self.kind, at: self.to }
+    }
+}
+
+/// A point as it is told: the diameter, and Z of the lathe, which is negative towards the chuck from the face of the
+/// free end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Told {
+    /// Diameter, mm.
+    pub diameter_mm: Micrometres,
+    /// Z, mm.
+    pub z_mm: Half,
+}
+
+impl From<Point> for Told {
+    fn from(point: Point) -> Self {
+        Self { diameter_mm: point.radius.diameter(), z_mm: Half::ZERO - point.z }
+    }
+}
+
+/// The rapids from the end of a pass to where the feed of the next begins, each from a point to a point. Without a
+/// pass before, and without one after, it is the point home: off the corner of the bar by the approach on both axes.
+///
+/// 1. The tool draws back by the retract on both axes, off the surface and off the shoulder.
+/// 2. Where a longitudinal pass begins farther to the free end, it goes there along the axis, then to its radius.
+/// 3. Else, before a transverse pass, and home, it goes out over the stock first, then along the axis, then in.
+///
+/// So no rapid goes through metal: what lies beside the end of a pass towards the free end and outwards is gone, and the
+/// stock never falls towards the chuck.
+pub fn legs(
+    before: Option<Spot>,
+    next: Option<Start>,
+    bar: Half,
+    rates: &Rates,
+) -> impl Iterator<Item = (Point, Point)> + use<> {
+    let (approach, retract) = (Half::of(rates.approach), Half::of(rates.retract));
+    let home = Point { radius: bar + approach, z: Half::ZERO - approach };
+    let ended = before.map_or(home, |spot| spot.at);
+    let free = match before {
+        Some(_) => Point { radius: ended.radius + retract, z: ended.z - retract },
+        None => home,
+    };
+    let (to, over) = match next {
+        Some(Start { kind: Kind::Longitudinal, at }) => {
+            let to = Point { radius: at.radius, z: at.z - approach };
+            let over = if to.z <= free.z { free.radius } else { free.radius.max(to.radius + retract) };
+            (to, over)
+        }
+        Some(Start { kind: Kind::Transverse, at }) => {
+            let to = Point { radius: at.radius + approach, z: at.z };
+            (to, free.radius.max(to.radius))
+        }
+        None => (home, free.radius.max(home.radius)),
+    };
+    let (out, along) = (Point { radius: over, z: free.z }, Point { radius: over, z: to.z });
+    [(ended, free), (free, out), (out, along), (along, to)].into_iter().filter(|(a, b)| a != b)
+}

@@ -1,0 +1,67 @@
+//! Richer moves: passes that stop anywhere on a grid and take less than the full depth.
+//!
+//! What is left of the stock is a staircase that rises towards the chuck ([`staircase`]). A pass cuts a corner of it: to
+//! one line of radii, up to one line of Z. The best sequence is looked for by A* over the staircases ([`search`]), which
+//! is exact where it comes to its end, and where it is stopped before tells what no sequence can be below.
+
+pub mod search;
+pub mod staircase;
+
+use serde::Serialize;
+
+use crate::note::Note;
+
+use super::cost::Objective;
+use super::grid::Grid;
+use super::pass::Pass;
+
+/// What the search over rich moves says of its answer.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Proof {
+    /// Whether no sequence on this grid is better.
+    pub optimal_on_the_grid: bool,
+    /// What no sequence on this grid can be below: mm or passes, as the objective counts.
+    pub lower_bound: f64,
+    /// Staircases that were looked at.
+    pub states: usize,
+    /// Lines of radii and of Z on which passes may run and stop.
+    pub lines: (usize, usize),
+}
+
+/// The best sequence with rich moves that was found, if it is better than what costs `known`; and what is proven.
+pub fn find(grid: &Grid, objective: Objective, known: u64, effort: usize) -> (Option<Vec<Pass>>, Proof) {
+    let lines = staircase::Lines::of(grid);
+    // First quickly something good, so that the second search can leave out what cannot be better.
+    let quick = search::search(&lines, objective, search::Greed::Quick, known, effort / 4);
+    let so_far = quick.found.as_ref().map_or(known, |found| found.cost);
+    let exact = search::search(&lines, objective, search::Greed::Exact, so_far, effort);
+    let bound = exact.bound.min(exact.found.as_ref().map_or(so_far, |found| found.cost));
+    let best = exact.found.or(quick.found);
+    let cost = best.as_ref().map_or(known, |found| found.cost);
+    let proof = Proof {
+        optimal_on_the_grid: bound >= cost,
+        lower_bound: match objective {
+            Objective::Passes => bound as f64,
+            _ => bound as f64 / 2000.0,
+        },
+        states: quick.states + exact.states,
+        lines: (lines.radii.len(), lines.zs.len()),
+    };
+    let passes = best.map(|found| {
+        let unit = |left: u64| match objective {
+            Objective::Passes => left.to_string(),
+            _ => crate::turning::length::Half::new(i64::try_from(left).unwrap_or(i64::MAX)).to_string(),
+        };
+        let mut left = found.cost;
+        let mut stairs = lines.bar();
+        let mut passes = Vec::new();
+        for cut in found.cuts {
+            let reason = Note::new("pass-of-search").with("left", unit(left));
+            passes.push(lines.pass(&stairs, cut, reason));
+            left = left.saturating_sub(cut.cost(objective));
+            lines.cut(&mut stairs, cut);
+        }
+        passes
+    });
+    (passes, proof)
+}

@@ -1,0 +1,93 @@
+//! The variants that the optimum is shown beside: longitudinal only, transverse only, and one direction per step.
+
+use crate::note::Note;
+use crate::turning::length::Half;
+
+use super::cost::{Cost, Objective};
+use super::grid::{Cylinder, Grid};
+use super::optimum::{moves, pass};
+use super::pass::{Kind, Pass, Point, Spot};
+
+/// What passes cost in that order, the way home included.
+pub fn total(passes: &[Pass], objective: Objective, bar: Half) -> Cost {
+    let mut before: Option<Spot> = None;
+    let mut sum = Cost::ZERO;
+    for pass in passes {
+        sum = sum.plus(objective.pass(pass.start(), pass.length(), before, bar));
+        before = Some(pass.end());
+    }
+    sum.plus(objective.home(before, bar))
+}
+
+/// Every pass in one direction.
+pub fn one_direction(grid: &Grid, kind: Kind) -> Vec<Pass> {
+    let (mut levels, mut slices, mut passes) = (0, 0, Vec::new());
+    while let Some([longitudinal, transverse]) = moves(grid, levels, slices) {
+        let made = if kind == Kind::Longitudinal { longitudinal } else { transverse };
+        passes.push(pass(grid, levels, slices, made, Note::new("pass-of-variant").with("direction", kind.name())));
+        if kind == Kind::Longitudinal { levels += 1 } else { slices += 1 }
+    }
+    passes
+}
+
+/// The best of all combinations of one direction per step: the steps from the free end, each cleared over its own length
+/// down to its diameter before the next is begun.
+///
+/// The combinations need not be tried one by one: what a step costs depends on the one before only by where its last
+/// pass ended, so the best way to end a step in either direction is kept, step by step.
+pub fn per_step(grid: &Grid, objective: Objective) -> Vec<Pass> {
+    let mut best: Vec<(Cost, Vec<Pass>)> = vec![(Cost::ZERO, Vec::new())];
+    let cost = |passes: &[Pass], before: Option<Spot>| {
+        let mut sum = Cost::ZERO;
+        let mut before = before;
+        for pass in passes {
+            sum = sum.plus(objective.pass(pass.start(), pass.length(), before, grid.bar));
+            before = Some(pass.end());
+        }
+        sum
+    };
+    for (index, cylinder) in grid.cylinders.iter().enumerate() {
+        let mut next: Vec<(Cost, Vec<Pass>)> = Vec::new();
+        for kind in [Kind::Longitudinal, Kind::Transverse] {
+            let own = of_step(grid, index, cylinder, kind);
+            let ends =
+                best.iter().map(|(spent, passes)| (spent.plus(cost(&own, passes.last().map(Pass::end))), passes));
+            if let Some((spent, passes)) = ends.min_by_key(|(spent, _)| *spent) {
+                next.push((spent, passes.iter().cloned().chain(own).collect()));
+            }
+        }
+        best = next;
+    }
+    let home = |(spent, passes): &(Cost, Vec<Pass>)| spent.plus(objective.home(passes.last().map(Pass::end), grid.bar));
+    best.into_iter().min_by_key(home).map(|(_, passes)| passes).unwrap_or_default()
+}
+
+/// The passes that clear one step over its own length.
+fn of_step(grid: &Grid, index: usize, cylinder: &Cylinder, kind: Kind) -> Vec<Pass> {
+    let reason = Note::new("pass-of-step").with("step", index + 1).with("direction", kind.name());
+    let rectangle = |near, far| vec![(near, far)];
+    match kind {
+        Kind::Longitudinal => {
+            let over = grid.levels.iter().filter(|level| level.to >= cylinder.radius);
+            over.map(|level| {
+                let from = Point { radius: level.to, z: cylinder.from };
+                let far = Point { radius: level.from, z: cylinder.to };
+                let to = Point { radius: level.to, z: cylinder.to };
+                let depth = level.from - level.to;
+                Pass { kind, from, to, depth, removed: rectangle(from, far), reason: reason.clone() }
+            })
+            .collect()
+        }
+        Kind::Transverse => {
+            let own = grid.slices.iter().filter(|slice| slice.step == index);
+            own.map(|slice| {
+                let from = Point { radius: grid.bar, z: slice.to };
+                let to = Point { radius: slice.bottom, z: slice.to };
+                let near = Point { radius: slice.bottom, z: slice.from };
+                let depth = slice.to - slice.from;
+                Pass { kind, from, to, depth, removed: rectangle(near, from), reason: reason.clone() }
+            })
+            .collect()
+        }
+    }
+}

@@ -1,0 +1,57 @@
+//! What a shaft file says, held against itself: the steps against each other and against the blank.
+
+use std::fmt::Display;
+
+use crate::knowledge::diagnostic::Place;
+use crate::turning::passes::grid::{MOST_STATES, states};
+use crate::units::Micrometres;
+
+use super::Shaft;
+use super::read::{Placed, PlacedStep, Reader};
+
+/// Every step against the one before it and against the blank.
+pub(super) fn steps(
+    steps: &[PlacedStep],
+    blank_diameter: Option<&Placed<Micrometres>>,
+    blank_length: Option<&Placed<Micrometres>>,
+    reader: &mut Reader<'_>,
+) {
+    let mut largest: Option<(Micrometres, usize)> = None;
+    for (index, step) in steps.iter().enumerate() {
+        let Some((diameter, place)) = &step.diameter else { continue };
+        let (diameter, number) = (*diameter, index + 1);
+        if let Some((blank, _)) = blank_diameter.filter(|(blank, _)| diameter > *blank) {
+            let figures: [(&str, &dyn Display); 3] = [("step", &number), ("diameter", &diameter), ("blank", blank)];
+            reader.fault::<()>("step-beyond-blank", &figures, place);
+        }
+        match largest {
+            Some((before, other)) if diameter < before => {
+                let figures: [(&str, &dyn Display); 4] =
+                    [("step", &number), ("diameter", &diameter), ("before", &before), ("other", &other)];
+                reader.fault::<()>("step-rises-to-the-free-end", &figures, place);
+            }
+            _ => largest = Some((diameter, number)),
+        }
+    }
+    // The first step that goes beyond the blank; those after it do so of necessity.
+    let Some((blank, _)) = blank_length else { return };
+    let mut sum = Micrometres::ZERO;
+    for step in steps {
+        let Some((length, place)) = &step.length else { return };
+        sum = sum + *length;
+        if sum > *blank {
+            let all: Option<Micrometres> = steps.iter().map(|step| step.length.as_ref().map(|(it, _)| *it)).sum();
+            let all = all.unwrap_or(sum);
+            reader.fault::<()>("steps-beyond-blank", &[("sum", &all), ("blank", blank)], place);
+            return;
+        }
+    }
+}
+
+/// Whether the levels and slices are few enough to be looked through.
+pub(super) fn grid(shaft: &Shaft, place: &Place, reader: &mut Reader<'_>) {
+    let states = states(shaft);
+    if states > MOST_STATES {
+        reader.fault::<()>("grid-too-fine", &[("states", &states), ("most", &MOST_STATES)], place);
+    }
+}

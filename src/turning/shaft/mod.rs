@@ -1,0 +1,159 @@
+//! A stepped shaft, its blank, and how much one pass takes.
+//!
+//! [`read_shaft`] turns the user's YAML into these types and reports every mistake of the file at once. [`schema`] is
+//! the file's form for editors.
+
+mod check;
+pub mod file;
+mod keys;
+mod read;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::units::{Micrometres, MillimetresPerMinute};
+
+pub use file::schema;
+pub use read::{Mistake, read_shaft};
+
+/// A stepped shaft.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Shaft {
+    /// Its name.
+    pub shaft: String,
+    /// The id of its material in the catalog `materials`.
+    pub material: String,
+    /// What it is made from.
+    pub blank: Blank,
+    /// How it is held.
+    pub holding: Holding,
+    /// Its cylinders from the free end towards the chuck; no diameter is smaller than the one before it.
+    pub steps: Vec<Step>,
+    /// How much one pass takes.
+    pub roughing: Roughing,
+    /// How fast the tool moves; absent: times are not told.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rates: Option<Rates>,
+}
+
+/// The blank.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Blank {
+    /// Its kind.
+    pub kind: BlankKind,
+    /// Its diameter, mm; of a forging or casting that of the cylinder around it.
+    pub diameter: Micrometres,
+    /// Its length, mm; what is longer than the steps stays in the chuck.
+    pub length: Micrometres,
+}
+
+/// Kinds of blanks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum BlankKind {
+    /// Bar: a full cylinder.
+    Bar,
+    /// A forging, near the shape of the part.
+    Forging,
+    /// A casting, near the shape of the part.
+    Casting,
+}
+
+impl BlankKind {
+    /// Its name in the file.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Bar => "bar",
+            Self::Forging => "forging",
+            Self::Casting => "casting",
+        }
+    }
+
+    /// What the rule `pass-direction` calls its shape.
+    pub const fn shape(self) -> &'static str {
+        match self {
+            Self::Bar => "bar",
+            Self::Forging | Self::Casting => "near-part",
+        }
+    }
+}
+
+/// How the blank is held.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Holding {
+    /// In the chuck, the free end without a centre.
+    #[default]
+    Chuck,
+    /// Between centres.
+    Centres,
+}
+
+impl Holding {
+    /// Its name in the file and in the rule `pass-direction`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Chuck => "chuck",
+            Self::Centres => "centres",
+        }
+    }
+}
+
+/// A cylinder of the shaft.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Step {
+    /// Its diameter after roughing, mm.
+    pub diameter: Micrometres,
+    /// Its length, mm.
+    pub length: Micrometres,
+}
+
+/// How much stock one pass takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Roughing {
+    /// Largest radial depth of a longitudinal pass, mm.
+    pub longitudinal_depth: Micrometres,
+    /// Largest axial depth of a transverse pass, mm.
+    pub transverse_depth: Micrometres,
+    /// How stock is divided into depths.
+    pub division: Division,
+    /// Which moves passes may make.
+    pub moves: Moves,
+}
+
+/// How the stock between two shoulders is divided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Division {
+    /// Full depths, the remainder last.
+    #[default]
+    Full,
+    /// As few equal depths as the largest allows.
+    Equal,
+}
+
+/// Which moves passes may make.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Moves {
+    /// Those of the paper: a level to the shoulder, or a slice down to the step.
+    #[default]
+    Basic,
+    /// Passes may stop anywhere on the grid and take less than the full depth.
+    Rich,
+}
+
+/// How fast the tool moves, and how near the metal.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Rates {
+    /// Feed of longitudinal passes.
+    pub longitudinal_feed: MillimetresPerMinute,
+    /// Feed of transverse passes.
+    pub transverse_feed: MillimetresPerMinute,
+    /// Rapid rate of an axis.
+    pub rapid: MillimetresPerMinute,
+    /// How far before the metal the feed begins, mm.
+    pub approach: Micrometres,
+    /// How far the tool draws back on both axes after a pass, mm.
+    pub retract: Micrometres,
+}
