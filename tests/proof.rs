@@ -85,7 +85,7 @@ const FAULTS: &[(&str, &str, &str, &str)] = &[
     ("plate", "P03\n", "P03\nN1 X-200 Y100\n", "cut-not-planned"),
     ("plate", "N45 X-175 Y50\n", "N45 X-170 Y50\n", "cut-elsewhere"),
     ("plate", "T2 M6", "T3 M6", "wrong-tool"),
-    ("plate", "T3 M6", "T9 M6", "tool-by-work"),
+    ("plate", "T3 M6", "T9 M6", "tool-unknown"),
     ("plate", " H2", " H0", "no-correction"),
     ("plate", " H2", " H1", "wrong-correction"),
     ("variant-4", " H4", " H5", "other-corrector"),
@@ -107,7 +107,7 @@ const FAULTS: &[(&str, &str, &str, &str)] = &[
     ("two-sides", "E4", "E2", "other-dwell"),
     ("plate", "G81 U3 Z-46.01 I15 F225", "G1 Z-20 F225\nN2 G4 E5\nN3 G1 Z-46.01\nN4 G0 Z15", "dwell-elsewhere"),
     ("plate", "S1000 M3 M8", "S1000 M3", "coolant-missing"),
-    ("plate", "S400 M3", "S400 M3 M8", "coolant-superfluous"),
+    ("large-bore", "S2500 M3", "S2500 M3 M8", "coolant-superfluous"),
     ("two-sides", "V9", "V10", "step-too-large"),
     ("two-sides", "V9", "V8", "step-smaller"),
     ("two-sides", "W1", "W2", "step-clearance"),
@@ -153,14 +153,16 @@ const FAULTS: &[(&str, &str, &str, &str)] = &[
     ("plate", "S1000 M3 M8\nN120 G0 G43 H2 Z15", "M8\nN120 G0 G43 H2 Z15 S1000\nN121 M3", "approach-standing"),
     (
         "plate",
-        "T3 M6\nN195 G0 G54 X-175 Y50\nN200 S400 M3\nN205 G0 G43 H3",
-        "T9 M6\nN195 G0 G54 X-175 Y50\nN200 S400 M3\nN205 G0 G43 H1",
+        "T3 M6\nN195 G0 G54 X-175 Y50\nN200 S400 M3 M8\nN205 G0 G43 H3",
+        "T9 M6\nN195 G0 G54 X-175 Y50\nN200 S400 M3 M8\nN205 G0 G43 H1",
         "tool-unknown",
     ),
     ("variant-4", "T4 M6", "T3 M6", "wrong-tool"),
     ("plate", "M9\nN2 M99\n:09\nN1 G53 G0", "M99\n:09\nN1 G53 G0 M8", "coolant-at-end"),
     ("plate", "N240 P09\n", "", "ends-elsewhere"),
     ("plate", "H3 Z15", "H0 Z15", "no-corrector"),
+    ("plate", "S1000 M3 M8", "S50 M3 M8", "feed-per-turn"),
+    ("plate", "P09\n", "\n", "changes-elsewhere"),
     ("plate", "G49 ", "", "correction-at-change"),
     ("large-bore", "N26 G0 Z15", "N26 G0 Z18", "out-elsewhere"),
     ("variant-4", "N1 G82 U3 Z-13 I15 F320", "N1 G82 U3 Z-13 I0 F320", "out-too-low"),
@@ -186,6 +188,8 @@ fn what_deviates_is_called_by_its_name() {
 fn every_deviation_is_shown_by_some_program() {
     let below = [
         "wrong-order",
+        "tool-by-work",
+        "wrong-sign",
         "shared-corrector",
         "correction-otherwise",
         "not-loaded",
@@ -212,7 +216,7 @@ fn every_deviation_is_shown_by_some_program() {
 /// centred there: N190 and N220 go there for nothing. The program ends without P05.
 /// The example's figures beside the plan's: centring to 5 mm at F400 (3 mm, F300); A drilled to 45 mm at S700 F175
 /// (46.004, S1000 F225) in five holes, B to 48 mm at S700 F60 in four; B drilled out to 48 mm at S500 F60 (49.009, S400
-/// F304) in three; no coolant, which the plan has for T1 and T2; correctors -50 and -85 (-102.4, -60.4); approaches at
+/// F304) in three; no coolant, which the plan has for all three; correctors -50 and -85 (-102.4, -60.4); approaches at
 /// F2000 by T1, T2 and T3 (a further one goes to the hole at Y196).
 const APPENDIX: &[(&str, &str, Option<u32>, &str)] = &[
     ("error", "cut-elsewhere", Some(105), "X-200 Y196"),
@@ -234,6 +238,7 @@ const APPENDIX: &[(&str, &str, Option<u32>, &str)] = &[
     ("doubtful", "other-speed", Some(1), "3"),
     ("doubtful", "other-feed", Some(1), "3"),
     ("doubtful", "coolant-missing", Some(1), "3"),
+    ("doubtful", "coolant-missing", Some(1), "2"),
     ("doubtful", "less-overrun", Some(1), "2"),
     ("doubtful", "other-speed", Some(1), "2"),
     ("doubtful", "other-feed", Some(1), "2"),
@@ -286,15 +291,15 @@ fn another_order_makes_the_part_as_well() {
         .codes(&CONTROL, &text.replacen("P01\n", "P02\n", 1).replacen("H2 Z15\nN125 P02\n", "H2 Z15\nN125 P01\n", 1));
     assert!(codes.contains(&"wrong-tool"), "{codes:?}");
     let reamers = right().into_iter().find(|(name, ..)| name == "variant-4").unwrap();
-    let (four, five) = ("S400 M3\nN180 G0 G43 H4 Z15\nN185 P04", "S500 M3\nN225 G0 G43 H5 Z15\nN230 P05");
+    let (four, five) = ("S400 M3 M8\nN180 G0 G43 H4 Z15\nN185 P04", "S500 M3 M8\nN225 G0 G43 H5 Z15\nN230 P05");
     let swapped = reamers
         .1
         .replace("T4 M6", "T0 M6")
         .replace("T5 M6", "T4 M6")
         .replace("T0 M6", "T5 M6")
         .replace(four, "#")
-        .replace(five, "S400 M3\nN225 G0 G43 H4 Z15\nN230 P04")
-        .replace('#', "S500 M3\nN180 G0 G43 H5 Z15\nN185 P05");
+        .replace(five, "S400 M3 M8\nN225 G0 G43 H4 Z15\nN230 P04")
+        .replace('#', "S500 M3 M8\nN180 G0 G43 H5 Z15\nN185 P05");
     assert_eq!(reamers.2.codes(&CONTROL, &swapped), ["wrong-order", "other-order"]);
 }
 
@@ -307,6 +312,13 @@ fn own_correctors_have_their_own_numbers() {
     assert_eq!(held.codes(&CONTROL, &numbered), [""; 0]);
     assert_eq!(held.codes(&CONTROL, &numbered.replace(" H12 ", " H11 ")), ["shared-corrector", "shared-corrector"]);
     assert_eq!(held.codes(&CONTROL, &numbered.replace(" H12 ", " H13 ")), ["correction-otherwise"]);
+    // Tools that he numbers in his own way are known by what they do.
+    assert_eq!(held.codes(&CONTROL, &numbered.replace("T2 M6", "T9 M6")), ["tool-by-work"]);
+    let mut held = held.own(&[(11, 102_400), (12, -60_400), (13, 0)]);
+    // Low enough that the quill can follow the wrong sign.
+    held.job.setups[0].zero.z = Micrometres::from_mm(-130);
+    held.setting.zeros[0][2] = Some(Micrometres::from_mm(-130));
+    assert!(held.codes(&CONTROL, &numbered).contains(&"wrong-sign"));
 }
 
 /// The second set-up has a zero of its own, and the part is turned over at the stop.

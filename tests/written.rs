@@ -33,6 +33,11 @@ const PARTS: [&str; 7] = [
     "tests/written/every-cycle.yaml",
 ];
 
+/// Whether the part fits on its machine.
+fn fits(held: &Held) -> bool {
+    held.job.findings.iter().all(|finding| finding.severity > Severity::Wrong)
+}
+
 type Visits = Vec<(String, usize, u32, Point)>;
 
 /// The visits of the program of a control, after it was found right.
@@ -40,7 +45,7 @@ fn visits(held: &Held, name: &str, language: &Language) -> Result<Visits, TestCa
     let text = held.written(language);
     let (faults, proof, _) = held.run(language, &text);
     // A part that does not fit on the machine has a finding of its job, and its program leaves the travels.
-    let fits = held.job.findings.is_empty();
+    let fits = fits(held);
     let faults: Vec<_> = faults.iter().filter(|fault| fits || fault.code != "beyond-travel-of").collect();
     prop_assert!(faults.is_empty(), "{name}: {faults:?}\n{text}");
     // A control has peck clearances of its own; that is a note.
@@ -53,7 +58,7 @@ fn visits(held: &Held, name: &str, language: &Language) -> Result<Visits, TestCa
 fn holds(held: &Held) -> Result<(), TestCaseError> {
     let planned: Visits =
         held.job.stops().map(|(.., stop)| (stop.hole.clone(), stop.transition, stop.pass, stop.at)).collect();
-    if !held.job.findings.is_empty() {
+    if !fits(held) {
         return Ok(());
     }
     for (name, language) in &*LANGUAGES {
@@ -67,7 +72,7 @@ fn holds(held: &Held) -> Result<(), TestCaseError> {
 fn all_three_programs_of_a_part_make_the_same_stops() {
     for part in PARTS {
         let held = Held::new(part);
-        assert!(!held.job.setups.is_empty() && held.job.findings.is_empty(), "{part}: {:?}", held.job.findings);
+        assert!(!held.job.setups.is_empty() && fits(&held), "{part}: {:?}", held.job.findings);
         holds(&held).unwrap_or_else(|error| panic!("{part}: {error}"));
     }
 }

@@ -30,9 +30,9 @@ pub struct Args {
     /// The control whose language it is
     #[arg(long, value_parser = Language::NAMES)]
     control: String,
-    /// The machine, by its id in the catalog
-    #[arg(long, value_name = "ID", default_value = "gf2171")]
-    machine: String,
+    /// The machine, by its id in the catalog; without it the part's, or gf2171
+    #[arg(long, value_name = "ID")]
+    machine: Option<String>,
     /// What the operator sets: zeros, correctors, switches (docs/control-….md)
     #[arg(long, value_name = "FILE.yaml")]
     setting: Option<PathBuf>,
@@ -47,6 +47,9 @@ struct Answer<'a> {
     program: &'a str,
     control: &'a str,
     machine: &'a str,
+    /// What keeps any program from making the part.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    part: Vec<String>,
     findings: Vec<Finding<'a>>,
     trace: &'a [Step],
     time: Times,
@@ -73,7 +76,6 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         CliError::from(Diagnostic::error("knowledge", error.to_string(), None).help(words::run_lint(context.lang)))
     };
     let language = Language::read(&args.control, &knowledge).map_err(at_fault)?;
-    let machine = machine(&args.machine, &knowledge, context)?;
     let shown = args.program.display().to_string();
     let text = read(&args.program, context)?;
     let mut setting = match &args.setting {
@@ -87,10 +89,18 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         }
     };
     let held = args.part.as_deref().map(|part| Held::make(part, &mut setting, &knowledge, context)).transpose()?;
+    let of_part = held.as_ref().map(|held| held.plan.part.machine.as_str());
+    let id = args.machine.as_deref().or(of_part).unwrap_or("gf2171");
+    if let Some(own) = of_part.filter(|own| *own != id) {
+        let message = words::other_machine(context.lang, id, own);
+        return Err(Diagnostic::error("other-machine", message, None).help(words::leave_machine(context.lang)).into());
+    }
+    let machine = machine(id, &knowledge, context)?;
     let mut sink = (Vec::<Step>::new(), Clock::new(&machine, setting.start));
     let faults = language.check(&text, &machine, &setting, &mut sink);
     let (steps, clock) = sink;
     let proof = held.as_ref().map(|held| held.prove(&steps, &setting));
+    let serious = held.as_ref().map(Held::serious).unwrap_or_default();
     match format {
         Format::Json => {
             let findings = faults
@@ -104,7 +114,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             context.emit_json(&Answer {
                 program: &shown,
                 control: &args.control,
-                machine: &args.machine,
+                machine: id,
+                part: serious.iter().map(|finding| report::sentence(&finding.note, context.lang)).collect(),
                 findings,
                 trace: &steps,
                 time: clock.times(),
@@ -118,6 +129,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         _ => {
             let file: Arc<str> = Arc::from(shown.as_str());
             let mut problems: Vec<Diagnostic> = faults.iter().map(|fault| diagnostic(fault, &file, context)).collect();
+            problems.extend(proof::of_part(&serious, context));
             let mut made = String::new();
             if let (Some(held), Some(proof)) = (&held, &proof) {
                 problems.extend(proof::diagnostics(proof, &text, &file, context));
@@ -126,7 +138,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             context.emit(&page(&problems, &made, &steps, clock.times(), &shown, text, context))?;
         }
     }
-    let unproven = proof.as_ref().is_some_and(technolog::program::proof::Proof::has_errors);
+    let unproven = !serious.is_empty() || proof.as_ref().is_some_and(technolog::program::proof::Proof::has_errors);
     Ok(if unproven || faults.iter().any(Fault::is_error) { Outcome::Findings } else { Outcome::Done })
 }
 

@@ -99,6 +99,12 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let (steps, clock) = sink;
     let findings: Vec<&Finding> = serious(plan, job);
     let proof = held.prove(&steps, &setting);
+    if job.setups.is_empty() {
+        // No hole can be made: there is nothing to write, and half a program is worse than none.
+        let problems = proof::of_part(&findings, context);
+        output::complain(&render(&problems, &Texts::default(), context.lang));
+        return Ok(Outcome::Findings);
+    }
     let sheet = || encoding_sheet(&written, job, plan, &args.control, &knowledge, context.lang).map_err(at_fault);
     match (args.show, format) {
         (Show::Encoding, Format::Json) => context.emit_json(&sheet()?)?,
@@ -121,7 +127,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             faults: &faults,
             proof: proof::answer(&proof, context),
         })?,
-        (Show::Setting, _) => context.emit(&setting.to_yaml())?,
+        (Show::Setting, _) => context.emit(&(remarks(plan, job, context) + &setting.to_yaml()))?,
         (Show::Program, _) => context.emit(&text)?,
     }
     if format != Format::Json {
@@ -133,6 +139,24 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     } else {
         Outcome::Done
     })
+}
+
+/// What the operator needs beside the figures of a setting: how the part stands, and what hangs in which place.
+fn remarks(plan: &Plan, job: &Job, context: &Context) -> String {
+    let mut text = String::new();
+    for setup in &job.setups {
+        text += &format!("# {}\n", words::stand_of_part(context.lang, setup.number, setup.supports, setup.nose));
+    }
+    for tool in &plan.tools {
+        let places = job.setups.iter().flat_map(|setup| &setup.works).find(|work| work.tool == tool.number);
+        let place = places.map_or(tool.number, |work| work.place);
+        let (name, length) = (&tool.designation, tool.length_mm);
+        text += &format!(
+            "# {}\n",
+            words::tool_in_place(context.lang, place, tool.corrector, name, tool.diameter_mm, length)
+        );
+    }
+    text
 }
 
 /// What of the plan and the job keeps the program from making the part.
@@ -147,14 +171,7 @@ fn told<'a>(finding: &'a Finding, context: &Context) -> Told<'a> {
 /// What is wrong with the program, beside it: of the part, of the machine, of its blocks.
 fn complain(findings: &[&Finding], faults: &[Fault], proof: &Proof, text: String, context: &Context) {
     const NAME: &str = "program.nc";
-    let mut problems: Vec<Diagnostic> = findings
-        .iter()
-        .map(|finding| {
-            let sentence = report::sentence(&finding.note, context.lang);
-            let message = finding.hole.iter().fold(sentence, |sentence, hole| format!("{hole}: {sentence}"));
-            Diagnostic::error("finding", message, None)
-        })
-        .collect();
+    let mut problems = proof::of_part(findings, context);
     let file = std::sync::Arc::from(NAME);
     problems.extend(faults.iter().map(|fault| check::diagnostic(fault, &file, context)));
     problems.extend(proof::diagnostics(proof, &text, &file, context));

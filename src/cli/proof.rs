@@ -1,5 +1,6 @@
 //! What `technolog check --part` adds: the part's plan and job, and what a program makes of them.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -67,9 +68,10 @@ impl Held {
                 zero[axis.index()].get_or_insert(setup.zero.get(axis));
             }
         }
-        held.own_correctors = !setting.correctors.is_empty();
+        let correctors: BTreeMap<u32, Micrometres> = job.correctors.iter().copied().collect();
+        held.own_correctors = !setting.correctors.is_empty() && setting.correctors != correctors;
         if !held.own_correctors {
-            setting.correctors = job.correctors.iter().copied().collect();
+            setting.correctors = correctors;
         }
         Ok(held)
     }
@@ -86,6 +88,13 @@ impl Held {
         let job = job::make(&plan, &shop).map_err(at_fault)?;
         let tolerated = Tolerated::read(&plan.part, knowledge).map_err(at_fault)?;
         Ok(Self { plan, job, tolerated, own_correctors: false })
+    }
+
+    /// What keeps any program from making the part: holes without a route, a part that does not fit on the machine.
+    pub fn serious(&self) -> Vec<&note::Finding> {
+        let grave = |finding: &&note::Finding| finding.severity <= note::Severity::Wrong;
+        let of_holes = self.plan.findings.iter().filter(|finding| finding.hole.is_some());
+        of_holes.filter(grave).chain(self.job.findings.iter().filter(grave)).collect()
     }
 
     /// The part under the motions of a program.
@@ -135,6 +144,21 @@ impl Held {
         let table = grid::ruled(&head, &rows).unwrap_or_else(|| grid::columns(&rows, 2));
         format!("{}\n{table}", context.word(Word::ProofHead))
     }
+}
+
+/// Findings about the part as diagnostics, without a place in the program.
+pub fn of_part(findings: &[&note::Finding], context: &Context) -> Vec<Diagnostic> {
+    let told = |finding: &&note::Finding| {
+        let sentence = report::sentence(&finding.note, context.lang);
+        let message = finding.hole.iter().fold(sentence, |sentence, hole| format!("{hole}: {sentence}"));
+        let severity = match finding.severity {
+            note::Severity::Error | note::Severity::Wrong => Severity::Error,
+            note::Severity::Doubtful => Severity::Warning,
+            note::Severity::Note => Severity::Note,
+        };
+        Diagnostic { severity, code: "finding", message, place: None, help: None }
+    };
+    findings.iter().map(told).collect()
 }
 
 /// The proof with its words.

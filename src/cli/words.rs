@@ -175,6 +175,16 @@ phrases! {
         "ключ `{key}`: {value} поза межами таблиці, {domain}", "key `{key}`: {value} is outside the table's domain {domain}";
     missing_keys(table, keys): "таблиці {table} бракує: {keys}", "table {table} also needs {keys}";
     give_keys(example): "допишіть, наприклад, {example}", "add, for example, {example}";
+    stand_of_part(setup, supports, nose):
+        "установ {setup}: деталь на опорах {supports} мм; від столу до торця шпинделя при верхньому повзуні {nose} мм",
+        "set-up {setup}: the part on supports of {supports} mm; {nose} mm from the table to the spindle's nose with the quill up";
+    tool_in_place(place, corrector, name, diameter, length):
+        "T{place} H{corrector}: {name}, Ø{diameter}, довжина {length} мм",
+        "T{place} H{corrector}: {name}, Ø{diameter}, {length} mm long";
+    other_machine(asked, own):
+        "верстат {asked}, а деталь - для {own}", "the machine is {asked}, and the part is for {own}";
+    leave_machine():
+        "приберіть --machine або змініть machine у файлі деталі", "leave out --machine, or change the part's machine";
     no_machine(id): "верстата `{id}` в каталозі немає", "the catalog has no machine `{id}`";
     by_rule(what, section): "{what} (правило: {section})", "{what} (rule: {section})";
     times(total, feed, rapid, dwell, change):
@@ -321,7 +331,7 @@ pub const HELP_UK: &[(&str, &str)] = &[
     ("check", "Прочитати й виконати керуючу програму: помилки, рухи, час"),
     ("check.program", "Файл програми"),
     ("check.control", "ПЧПК, мовою якого вона написана"),
-    ("check.machine", "Верстат, за назвою в каталозі"),
+    ("check.machine", "Верстат, за назвою в каталозі; без цього - верстат деталі або gf2171"),
     ("check.part", "Деталь, яку програма має виготовити: кожен отвір, кожен перехід (docs/proof.md)"),
     ("check.setting", "Що задає оператор: нулі, коректори, перемикачі (docs/control-….md)"),
     ("program", "Керуюча програма деталі: спроектована, записана і перед показом прочитана назад"),

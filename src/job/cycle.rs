@@ -36,8 +36,10 @@ pub(super) fn cycle(
     let note = Note::new("machining-cycle").with("cycle", name).with("ratio", crate::units::round_to(ratio, 2));
 
     let top = part.datum.top;
-    let begin = top - transition.start_mm + transition.approach_mm;
-    let end = top - transition.end();
+    // What a control is told stands on the machine's grid.
+    let grid = |length: Micrometres| length.on_grid(shop.machine.resolution);
+    let begin = grid(top - transition.start_mm + transition.approach_mm);
+    let end = grid(top - transition.end());
     let conditions = &transition.conditions;
     let dwell = row.number_in("dwell", Unit::None).ok().filter(|turns| *turns > 0.0);
     // Up to the next tenth of a second, in which dwells are counted.
@@ -45,13 +47,13 @@ pub(super) fn cycle(
     let (withdrawal, convention) = withdrawal(shop)?;
     Ok(Cycle {
         operation: transition.operation,
-        kind: kind(name, row, transition, pitch, top)?,
+        kind: kind(name, row, transition, pitch, top, shop.machine.resolution)?,
         // Programs count turns in whole numbers; a step between them is rounded down.
         speed_rpm: RevsPerMinute(libm::floor(conditions.spindle_rpm.0)),
         feed_mm_per_min: feed(transition, shop)?,
         begin,
         end,
-        out: (top + withdrawal).max(begin),
+        out: grid(top + withdrawal).max(begin),
         dwell_s: dwell,
         because: vec![Because::answer(&answer, note), convention],
     })
@@ -63,10 +65,11 @@ fn kind(
     transition: &Transition,
     pitch: Option<Micrometres>,
     top: Micrometres,
+    resolution: Micrometres,
 ) -> Result<Kind, KnowledgeError> {
     let step = || -> Result<Micrometres, KnowledgeError> {
         let share = row.number_in("step", Unit::None)?;
-        Ok(Micrometres::from_mm_rounded(transition.diameter_mm.to_mm() * share))
+        Ok(Micrometres::from_mm_rounded(transition.diameter_mm.to_mm() * share).on_grid(resolution).max(resolution))
     };
     Ok(match name {
         "feed-out" => Kind::FeedOut,
@@ -75,7 +78,7 @@ fn kind(
         "chip-break" => Kind::ChipBreak { step: step()?, retreat: row.length("clearance")? },
         "tap" => Kind::Tap { pitch: pitch.unwrap_or_default() },
         "circles" => match transition.conditions.rounds {
-            Some(rounds) => circles(transition, rounds, top),
+            Some(rounds) => circles(transition, rounds, top, resolution),
             // No figures of circles: the plan has none for a mill that only goes down.
             None => Kind::Drill,
         },
@@ -84,7 +87,7 @@ fn kind(
 }
 
 /// The levels and circles of a mill: the stock in equal passes, the depth in equal levels, the overrun with the last.
-fn circles(transition: &Transition, rounds: Rounds, top: Micrometres) -> Kind {
+fn circles(transition: &Transition, rounds: Rounds, top: Micrometres, resolution: Micrometres) -> Kind {
     let (levels, passes) = (i64::from(rounds.levels.max(1)), i64::from(rounds.passes.max(1)));
     let depth = transition.depth_mm - transition.start_mm;
     let level = |number: i64| match number == levels {
@@ -94,8 +97,8 @@ fn circles(transition: &Transition, rounds: Rounds, top: Micrometres) -> Kind {
     let stock = transition.diameter_mm - rounds.from_diameter_mm;
     let radius = |pass: i64| (rounds.from_diameter_mm + stock.ratio(pass, passes) - rounds.mill_diameter_mm).half();
     Kind::Circles {
-        levels: (1..=levels).map(level).collect(),
-        radii: (1..=passes).map(radius).collect(),
+        levels: (1..=levels).map(|number| level(number).on_grid(resolution)).collect(),
+        radii: (1..=passes).map(|pass| radius(pass).on_grid(resolution)).collect(),
         sense: Sense::Counterclockwise,
     }
 }

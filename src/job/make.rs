@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::error::KnowledgeError;
+use crate::knowledge::Input;
 use crate::motion::Position;
 use crate::part::{Face, Part, Point};
 use crate::plan::{Plan, ToolPlan, Transition, Visit};
@@ -11,6 +12,7 @@ use crate::units::Micrometres;
 
 use super::cycle::cycle;
 use super::stand::{reach_of_quill, stand};
+use super::ways::{change_over_part, ways_over_clamps};
 use super::{Job, Pause, SetUp, Stop, ToolWork};
 
 /// The job of a plan, in the shop it was planned for.
@@ -46,8 +48,13 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
         if works.is_empty() {
             continue;
         }
-        let zero = stand(part, plan, &works, shop, &mut findings)?;
-        let setup = SetUp { number, face, zero, works };
+        let stand = stand(part, plan, &works, shop, &mut findings)?;
+        let setup = SetUp { number, face, zero: stand.zero, supports: stand.supports, nose: stand.nose, works };
+        change_over_part(&setup, part, machine.tool_change_at, &mut findings);
+        // The clamps of the file are those of the first set-up.
+        if face == Face::Entry {
+            ways_over_clamps(&setup, part, machine.tool_change_at, shop, &mut findings)?;
+        }
         reach_of_quill(&setup, plan, shop, &mut findings);
         setups.push(setup);
     }
@@ -113,7 +120,7 @@ fn rounds(
                     let hole = plan.part.holes.iter().find(|hole| hole.name == stop.hole);
                     let pitch = hole.and_then(|hole| hole.thread_at(transition.step)).map(|thread| thread.pitch);
                     let made = cycle(transition, pitch, &plan.part, shop)?;
-                    work.coolant |= transition.conditions.coolant == Some(true);
+                    work.coolant |= coolant(transition, shop)?;
                     let at = work.cycles.iter().position(|known| known.same(&made)).unwrap_or_else(|| {
                         work.cycles.push(made);
                         work.cycles.len() - 1
@@ -132,6 +139,18 @@ fn rounds(
 
 fn transition_of<'p>(plan: &'p Plan, hole: &str, transition: usize) -> Option<&'p Transition> {
     plan.holes.iter().find(|plan| plan.name == hole)?.transitions.get(transition)
+}
+
+/// Whether a transition is cooled: as its cutting speed is meant, else by the rule `coolant`.
+fn coolant(transition: &Transition, shop: &Shop<'_>) -> Result<bool, KnowledgeError> {
+    if let Some(said) = transition.conditions.coolant {
+        return Ok(said);
+    }
+    let rule = shop.knowledge.table("coolant")?;
+    let operation = Input::Text(transition.operation.name());
+    let answer = rule.decide(&[("operation", operation), ("material_group", Input::Text(shop.material.group))])?;
+    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, transition.operation.name()))?;
+    Ok(row.flag("coolant"))
 }
 
 /// What the bar of a boring tool is set to for a pass: the stock is taken in equal passes.

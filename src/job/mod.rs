@@ -5,13 +5,14 @@
 //! Heights are those of the part's drawing (Z of its zero), in the set-up at hand.
 //!
 //! - `make` from a plan to the tree; `cycle` one transition's cycle, by the rule `machining-cycle`;
-//! - `stand` where the part stands on the machine.
+//! - `stand` where the part stands on the machine; `ways` what the tools pass over.
 //!
 //! Architecture invariant: a job knows no language of a control. It decides nothing that a rule could.
 
 mod cycle;
 mod make;
 mod stand;
+mod ways;
 
 use serde::Serialize;
 
@@ -60,6 +61,10 @@ pub struct SetUp {
     /// Where the zero of the part's drawing is, machine coordinates, measured with the reference tool. In the second
     /// set-up the part is turned over about the line through its middle along Y: its X count the other way.
     pub zero: Position,
+    /// Height of what the part lies on, over the table.
+    pub supports: Micrometres,
+    /// From the table to the spindle's nose with the quill up: where the knee is set.
+    pub nose: Micrometres,
     /// What each tool does, in order.
     pub works: Vec<ToolWork>,
 }

@@ -11,12 +11,22 @@ use crate::units::Micrometres;
 use super::cycle::convention;
 use super::{SetUp, ToolWork};
 
+/// How the part stands.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stand {
+    pub zero: Position,
+    pub supports: Micrometres,
+    pub nose: Micrometres,
+}
+
 /// The zero of a set-up, and what does not fit.
 ///
 /// - X and Y: the middle of the blank lies over the middle of the table, where the machine has its zero; where points
 ///   would then lie outside the travel, the blank is shifted so that they lie in its middle.
 /// - Z: the knee is set as high as the longest tool allows: with the quill up it clears the part by the withdrawal.
 ///   The reference of the corrections is that tool, so its tip is what the zero is measured with.
+/// - Under the part there is room for the tools that go through: without a height of the fixture, supports of whole
+///   millimetres are taken, and said.
 ///
 /// # Errors
 /// The knowledge cannot answer.
@@ -26,7 +36,7 @@ pub(super) fn stand(
     works: &[ToolWork],
     shop: &Shop<'_>,
     findings: &mut Vec<Finding>,
-) -> Result<Position, KnowledgeError> {
+) -> Result<Stand, KnowledgeError> {
     let points = || works.iter().flat_map(|work| &work.stops).map(|stop| stop.at);
     let machine = &shop.machine;
     let middle = part.middle();
@@ -37,9 +47,9 @@ pub(super) fn stand(
     let reference = plan.tools.iter().map(|tool| tool.length_mm - tool.correction_mm).max().unwrap_or_default();
     let longest = plan.tools.iter().map(|tool| tool.correction_mm).max().unwrap_or_default();
     let heights = works.iter().flat_map(|work| work.cycles.iter().map(|cycle| cycle.out)).max().unwrap_or_default();
-    let fixture = part.fixture.height.unwrap_or_default();
+    let supports = supports(part, works, shop, findings)?;
     // From the table to the zero of the drawing.
-    let zero_height = fixture + part.blank.thickness - part.datum.top;
+    let zero_height = supports + part.blank.thickness - part.datum.top;
     let needed = zero_height + heights + reference + longest;
     let step = Micrometres::from_mm_rounded(convention("knee-step", shop.knowledge)?.0);
     let (least, most) = machine.nose_to_table.unwrap_or((Micrometres::ZERO, needed));
@@ -48,7 +58,36 @@ pub(super) fn stand(
         let note = Note::new("no-room-over-part").with("needed", needed).with("most", most);
         findings.push(Finding::of_part(Severity::Error, note.with("tool", reference + longest)));
     }
-    Ok(Position { x, y, z: zero_height + reference - nose })
+    Ok(Stand { zero: Position { x, y, z: zero_height + reference - nose }, supports, nose })
+}
+
+/// How high the part stands over the table: the fixture's height, or what the tools that go through need.
+fn supports(
+    part: &Part,
+    works: &[ToolWork],
+    shop: &Shop<'_>,
+    findings: &mut Vec<Finding>,
+) -> Result<Micrometres, KnowledgeError> {
+    let lowest = works.iter().flat_map(|work| work.cycles.iter().map(|cycle| cycle.end)).min().unwrap_or_default();
+    let below = (part.datum.top - part.blank.thickness - lowest).max(Micrometres::ZERO);
+    match part.fixture.height {
+        Some(height) => {
+            if below > height {
+                let note = Note::new("no-room-under-part").with("below", below).with("height", height);
+                findings.push(Finding::of_part(Severity::Error, note));
+            }
+            Ok(height)
+        }
+        None => {
+            let step = Micrometres::from_mm_rounded(convention("knee-step", shop.knowledge)?.0);
+            let height = up_to(below, step);
+            if below > Micrometres::ZERO {
+                let note = Note::new("supports-assumed").with("below", below).with("height", height);
+                findings.push(Finding::of_part(Severity::Note, note));
+            }
+            Ok(height)
+        }
+    }
 }
 
 /// The zero of one axis: as it would lie with the blank in the middle, or shifted so far that all points are reached.

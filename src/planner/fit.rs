@@ -87,6 +87,8 @@ pub(super) struct Fitting<'p, 'k> {
     clearance: Micrometres,
     floor_clearance: Micrometres,
     grind_limit: Micrometres,
+    /// Lead of a tap, pitches.
+    tap_lead: f64,
     known: RefCell<BTreeMap<Key, Result<Outfit, Note>>>,
 }
 
@@ -126,6 +128,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             clearance: shop.convention("mill-clearance-mm")?,
             floor_clearance: shop.convention("floor-clearance-mm")?,
             grind_limit: shop.convention("cutter-grind-limit-mm")?,
+            tap_lead: shop.share("tap-lead-pitches")?,
             known: RefCell::new(BTreeMap::new()),
         })
     }
@@ -397,6 +400,8 @@ impl<'p, 'k> Fitting<'p, 'k> {
         match step.operation {
             Operation::Drill | Operation::DrillOut => cone(step.diameter, self.drill_point),
             Operation::CoreDrill => cone(step.diameter - step.from, self.core_drill_point),
+            // The thread is full only behind the tap's lead.
+            Operation::Tap => Micrometres::from_mm_rounded(step.pitch.unwrap_or_default().to_mm() * self.tap_lead),
             _ => Micrometres::ZERO,
         }
     }

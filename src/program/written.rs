@@ -28,10 +28,7 @@ impl Form {
 
     /// A length on the machine's grid, the nearest.
     pub fn grid(self, value: Micrometres) -> Micrometres {
-        let step = self.resolution.micrometres().max(1);
-        let value = value.micrometres();
-        let away = (value.abs() + step / 2).div_euclid(step) * step;
-        Micrometres::new(away * value.signum())
+        value.on_grid(self.resolution)
     }
 
     /// A point on the machine's grid.

@@ -253,7 +253,11 @@ impl<'t> Around<'_, 't> {
             match event {
                 Event::Stop => {}
                 Event::Radius => findings.push(Finding::new("radius-correction", Severity::Doubtful, *block)),
-                Event::Change { turned, coolant, corrected } => {
+                Event::Change { at, turned, coolant, corrected } => {
+                    if *at != change {
+                        let at = format!("X{} Y{} Z{}", at.x, at.y, at.z);
+                        findings.push(Finding::new("changes-elsewhere", Severity::Wrong, *block).with("at", at));
+                    }
                     if *corrected {
                         findings.push(Finding::new("correction-at-change", Severity::Note, *block));
                     }

@@ -220,7 +220,9 @@ fn levels(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
             if enough { ("less-overrun", Severity::Doubtful) } else { ("too-shallow", Severity::Error) };
         say.figure(code, severity, deepest, cycle.end)
     } else {
-        let severity = if through || preparing { Severity::Doubtful } else { Severity::Wrong };
+        // Under a through hole stands the table.
+        let within = through && deepest >= cycle.end - asked.tolerated.overrun - TOLERANCE;
+        let severity = if within || preparing { Severity::Doubtful } else { Severity::Wrong };
         say.figure("deeper", severity, deepest, cycle.end)
     };
     findings.push(finding);
@@ -243,10 +245,24 @@ fn conditions(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>)
         let severity = load(feed, cycle.feed_mm_per_min.0);
         findings.push(say.figure("other-feed", severity, feed, cycle.feed_mm_per_min.0));
     }
+    // What a tooth takes grows when the spindle is slower, though each figure may be another's choice.
+    let per_turn = |feed: f64, speed: f64| feed / speed.max(f64::MIN_POSITIVE);
+    let planned = per_turn(cycle.feed_mm_per_min.0, cycle.speed_rpm.0);
+    let turned = cut.cutting().filter(|made| made.speed > 0.0);
+    let made = turned.filter_map(|made| Some(per_turn(made.feed()?, made.speed))).fold(0.0, f64::max);
+    if made > planned * asked.tolerated.overload {
+        let figure = |value: f64| crate::units::round_to(value, 3);
+        findings.push(say.figure("feed-per-turn", Severity::Wrong, figure(made), figure(planned)));
+    }
     let needed = cycle.dwell_s.map_or(0.0, |dwell| dwell.0);
     // Dwells are written in tenths or thousandths: there is nothing to round.
     if (cut.dwell() - needed).abs() > 0.0005 {
-        let severity = if cut.dwell() < needed { Severity::Doubtful } else { Severity::Note };
+        // Ten times as long is another unit of time.
+        let severity = match cut.dwell() {
+            made if made < needed => Severity::Doubtful,
+            made if made > (10.0 * needed).max(1.0) => Severity::Wrong,
+            _ => Severity::Note,
+        };
         findings.push(say.figure("other-dwell", severity, crate::units::round_to(cut.dwell(), 3), needed));
     }
     if cut.other_dwells() > 0.0 {
@@ -339,7 +355,9 @@ fn way_out(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
         findings.push(say.figure("out-too-low", Severity::Note, made.to[2], cycle.begin));
     }
     // Higher than its feed begins a reamer leaves at rapid.
-    if let Some(made) = moves.iter().find(|made| at_feed(made) && made.to[2] > cycle.begin + TOLERANCE) {
+    if let Some(made) = moves.iter().find(|made| at_feed(made) && made.to[2] > cycle.begin + TOLERANCE)
+        && !matches!(cycle.kind, Kind::Tap { .. })
+    {
         findings.push(say.figure("out-too-high", Severity::Note, made.to[2], cycle.begin));
     }
 }

@@ -72,7 +72,8 @@ pub(super) fn tools(made: &Made, tasks: &[Task<'_>], asked: &Asked<'_>) -> Tools
             // Of equals the first.
             (**score, std::cmp::Reverse(**plan))
         });
-        if let Some((&plan, &score)) = best
+        // Who takes the plan's magazine has its numbers; only with correctors of his own he may have others.
+        if let Some((&plan, &score)) = best.filter(|_| asked.own_correctors)
             && !works(tool)
             && 2 * score > *count
             && !other.values().any(|known| *known == plan)
@@ -203,6 +204,10 @@ fn correctors(made: &Made, tools: &mut Tools, asked: &Asked<'_>) {
             .find(|(tool, used)| **tool != cut.tool && used.0 == number && number != 0 && value != Micrometres::ZERO)
         {
             findings.push(say("shared-corrector", Severity::Error).with("other", other));
+        } else if value == Micrometres::ZERO && own.correction_mm != Micrometres::ZERO {
+            findings.push(say("no-correction", Severity::Error));
+        } else if value == -own.correction_mm && value != Micrometres::ZERO {
+            findings.push(say("wrong-sign", Severity::Error));
         } else if value != own.correction_mm && told.insert(cut.tool) {
             findings.push(say("correction-otherwise", Severity::Doubtful));
         }

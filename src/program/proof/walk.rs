@@ -108,8 +108,8 @@ pub(super) enum Event {
     Stop,
     /// The path is kept beside the programmed one, which no drilling does.
     Radius,
-    /// A tool comes; whether the spindle turned, the coolant flowed and a length correction acted until then.
-    Change { turned: bool, coolant: bool, corrected: bool },
+    /// A tool comes; where, and whether the spindle turned, the coolant flowed and a length correction acted until then.
+    Change { at: Position, turned: bool, coolant: bool, corrected: bool },
     /// The program ends there; whether the spindle turns and the coolant flows.
     End { at: Position, turns: bool, coolant: bool },
 }
@@ -228,8 +228,12 @@ fn take(walk: &mut Walk, state: &mut State, (order, step): (usize, &Step), setup
         }
         Motion::ToolChange { tool } => {
             let turned = state.turning != Turning::Stopped || state.stopped_by == Some(step.block);
-            let event =
-                Event::Change { turned, coolant: state.coolant, corrected: state.corrector.1 != Micrometres::ZERO };
+            let event = Event::Change {
+                at: step.at,
+                turned,
+                coolant: state.coolant,
+                corrected: state.corrector.1 != Micrometres::ZERO,
+            };
             walk.events.push((order, step.block, event));
             state.section += 1;
             state.tool = *tool;

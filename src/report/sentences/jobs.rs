@@ -3,6 +3,26 @@
 /// Code, Ukrainian, English.
 pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
     ("machining-cycle", "цикл {cycle}, глибина {ratio} діаметра", "cycle {cycle}, {ratio} diameters deep"),
+    (
+        "no-room-under-part",
+        "інструмент виходить на {below} мм під деталь, а пристрій заввишки {height} мм: він зайде в стіл",
+        "a tool comes out {below} mm under the part and the fixture is {height} mm high: it goes into the table",
+    ),
+    (
+        "supports-assumed",
+        "висоту пристрою не задано (fixture.height), а інструмент виходить на {below} мм під деталь: прийнято опори {height} мм",
+        "no height of the fixture is given (fixture.height) and a tool comes out {below} mm under the part: supports of {height} mm are assumed",
+    ),
+    (
+        "change-over-part",
+        "точка заміни інструмента X{x} Y{y} - над деталлю",
+        "the place of the tool change, X{x} Y{y}, is over the part",
+    ),
+    (
+        "ways-over-clamps",
+        "шляхи інструментів ведуть над притискачами {clamps} на {height} мм над деталлю, а висота притискачів не відома",
+        "ways of tools lead over the clamps at {clamps}, {height} mm over the part, and how high these are is not known",
+    ),
     ("withdrawal", "між отворами на {height} мм над деталлю", "{height} mm over the part from hole to hole"),
     (
         "no-room-over-part",

@@ -61,6 +61,21 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "T{tool} cuts with H{corrector}, and its corrector is H{own}; the value is the same, {value} of {needed}",
     ),
     (
+        "wrong-sign",
+        "T{tool}: H{corrector} = {value}, а за планом {needed}: знак протилежний",
+        "T{tool}: H{corrector} = {value}, and {needed} by the plan: the sign is the opposite",
+    ),
+    (
+        "feed-per-turn",
+        "{hole}: {operation} в {at}: {made} мм/об замість {needed}",
+        "{hole}: {operation} at {at}: {made} mm/rev instead of {needed}",
+    ),
+    (
+        "changes-elsewhere",
+        "інструмент замінюють у {at}, а не в точці заміни",
+        "the tool is changed at {at}, not at the place of the tool change",
+    ),
+    (
         "no-corrector",
         "T{tool} ріже без свого коректора H{own}; він нульовий, тому рухи ті самі",
         "T{tool} cuts without its corrector H{own}; it holds 0, so the motions are the same",
@@ -396,6 +411,15 @@ pub(super) const REMEDIES: &[(&str, (&str, &str))] = &[
     ("no-correction", ("введіть корекцію: G43 H", "bring it in: G43 H")),
     ("wrong-correction", CHECK_TOOL),
     ("other-corrector", CHECK_TOOL),
+    (
+        "wrong-sign",
+        (
+            "коректор - це довжина інструмента мінус довжина найдовшого",
+            "a corrector is the tool's length less that of the longest",
+        ),
+    ),
+    ("feed-per-turn", ("узгодьте F і S", "make F and S agree")),
+    ("changes-elsewhere", ("перед заміною відведіть стіл і повзун", "bring table and quill there before the change")),
     ("no-corrector", CHECK_TOOL),
     ("shared-corrector", CHECK_TOOL),
     ("correction-otherwise", ("перевірте довжину інструмента", "check the length of the tool")),

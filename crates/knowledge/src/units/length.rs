@@ -54,6 +54,13 @@ impl Micrometres {
         Self(self.0.div_euclid(2))
     }
 
+    /// The nearest multiple of a step, half away from zero.
+    #[must_use]
+    pub fn on_grid(self, step: Self) -> Self {
+        let step = step.0.max(1);
+        Self((self.0.abs() + step / 2).div_euclid(step) * step * self.0.signum())
+    }
+
     /// `self · numerator / denominator`, rounded to the nearest micrometre; zero for a zero denominator.
     pub fn ratio(self, numerator: i64, denominator: i64) -> Self {
         if denominator == 0 {

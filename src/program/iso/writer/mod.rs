@@ -66,7 +66,12 @@ pub fn write(job: &Job, dialect: Kind, form: Form) -> Written {
             let work_ref = WorkRef { setup: setup_index, work: work_index };
             let place = Some(work_ref);
             for pause in &work.pauses {
-                sheet.main.push((Piece::Remarked(Block::new().m(0), remark(*pause)), Role::Pause, place, None));
+                sheet.main.push((
+                    Piece::Remarked(Block::new().m(0), remark(*pause, &work.designation)),
+                    Role::Pause,
+                    place,
+                    None,
+                ));
                 if matches!(pause, Pause::LoadTool { .. }) {
                     in_spindle = None;
                 }
@@ -86,9 +91,9 @@ pub fn write(job: &Job, dialect: Kind, form: Form) -> Written {
 }
 
 /// What the operator does, in the letters that every control shows.
-fn remark(pause: Pause) -> String {
+fn remark(pause: Pause, designation: &str) -> String {
     match pause {
-        Pause::LoadTool { tool, place } => format!("LOAD TOOL {tool} INTO PLACE {place}"),
+        Pause::LoadTool { tool, place } => format!("LOAD TOOL {tool} INTO PLACE {place}: {}", ascii(designation)),
         Pause::TurnOver => "TURN THE PART OVER ABOUT Y".to_owned(),
         Pause::SetBar { diameter_mm } => format!("SET THE BAR TO D{diameter_mm}"),
     }
@@ -134,7 +139,8 @@ fn ascii(text: &str) -> String {
         ('ø', "D"),
     ];
     let mut latin = String::with_capacity(text.len());
-    for letter in text.chars() {
+    // The name of the standards is written so in other languages.
+    for letter in text.replace("ГОСТ", "GOST").chars() {
         let small = letter.to_lowercase().next().unwrap_or(letter);
         match LATIN.iter().find(|(known, _)| *known == small) {
             Some((_, written)) if letter == small => latin.push_str(written),
