@@ -1,6 +1,8 @@
 //! The passes of a shaft as its reader sees them: the variants side by side, and the best one pass by pass.
 
 mod drawing;
+mod schemes;
+mod schemes_drawing;
 
 use std::fmt::Display;
 
@@ -9,6 +11,7 @@ use crate::material::Material;
 use crate::turning::passes::cost::Objective;
 use crate::turning::passes::pass::Kind;
 use crate::turning::passes::{Sequences, Variant};
+use crate::turning::schemes::Schemes;
 use crate::turning::shaft::{Division, Moves};
 use crate::units::round_to;
 
@@ -18,7 +21,7 @@ use super::{Lang, grid, sentence};
 pub use drawing::drawing;
 
 /// The whole page of a shaft.
-pub fn page(found: &Sequences, knowledge: &Knowledge, lang: Lang) -> String {
+pub fn page(found: &Sequences, schemes: &Schemes, knowledge: &Knowledge, lang: Lang) -> String {
     let mut page = head(found, knowledge, lang);
     page.push_str(&format!("\n1. {}\n", lang.pick("Варіанти", "Variants")));
     page.push_str(&variants(found, lang));
@@ -56,6 +59,7 @@ pub fn page(found: &Sequences, knowledge: &Knowledge, lang: Lang) -> String {
     for finding in &found.findings {
         page.push_str(&grid::paragraph(&sentence(&finding.note, lang), 2));
     }
+    page.push_str(&schemes::sections(schemes, 4, lang));
     page
 }
 
