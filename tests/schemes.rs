@@ -6,6 +6,7 @@
 
 use std::fs;
 use std::path::Path as File;
+use std::process::Command;
 
 use proptest::prelude::*;
 use technolog::shipped;
@@ -47,7 +48,7 @@ fn example(name: &str) -> Shaft {
     read_shaft(name, &text, &shipped::knowledge().unwrap()).unwrap_or_else(|mistakes| panic!("{mistakes:?}"))
 }
 
-/// The lecture, 12.4 a-e (l. 608-650), for a bar Ø80 and a limiting depth of 4 mm:
+/// Statements 12.4-1 to 12.4-5 (docs/turning.md): the lecture, 12.4 a-e (l. 608-650), for a bar Ø80 and a limiting depth of 4 mm:
 ///
 /// - a: t1 = (80 − 51.2) / 2 = 14.4, t2 = (80 − 64.8) / 2 = 7.6, t3 = (80 − 73) / 2 = 3.5, so (t1, t2) > 4 > t3;
 /// - b: 14.4 / 4 = 3.6 → 4, 7.6 / 4 = 1.9 → 2, 3.5 / 4 = 0.875 → 1;
@@ -80,7 +81,7 @@ fn names(scheme: Scheme, levels: &Levels) -> String {
     points(&path(scheme, levels), levels).into_iter().map(|point| point.name).collect::<Vec<_>>().join(" ")
 }
 
-/// Lecture l. 687-697: A, 4, 5, 6, (7, 8), 2, 9-16, 5; then 5, 17, 18, 19, 20, 21, 3, 17, 22, 23, 24, 3, 25, 26, A.
+/// 12.4-7. Lecture l. 687-697: A, 4, 5, 6, (7, 8), 2, 9-16, 5; then 5, 17, 18, 19, 20, 21, 3, 17, 22, 23, 24, 3, 25, 26, A.
 /// Ours is the same up to 24, but for corner 2, which the tool passes between 16 and 5. Then we stop δ before corner 3
 /// at a point of its own (25), so that the end and the way off it count one more.
 #[test]
@@ -91,7 +92,7 @@ fn verticals_visit_the_points_in_the_order_of_figure_12_7() {
     assert_eq!(found, ours);
 }
 
-/// Lecture l. 712-727: A, 4, 5, 6, 7, 8, 9, 3, 10; after the return from 11 to 12; from 1 to 15; 15-2; A. The text
+/// 12.4-8. Lecture l. 712-727: A, 4, 5, 6, 7, 8, 9, 3, 10; after the return from 11 to 12; from 1 to 15; 15-2; A. The text
 /// counts no points for the return after 10, and begins the last pass at the corner 1 itself; by roles it is the same.
 #[test]
 fn levels_visit_the_points_in_the_order_of_figure_12_8() {
@@ -118,14 +119,14 @@ fn working(scheme: Scheme, levels: &Levels) -> String {
     points(&kept, levels).into_iter().map(|point| point.name).collect::<Vec<_>>().join(" ")
 }
 
-/// Lecture l. 739-750: A-4-5 over all zones, 4-6-2 and 6-7-8 over the first, then 1, 9, 2, 10, 3, 11, A. Point 2 ends
+/// 12.4-9. Lecture l. 739-750: A-4-5 over all zones, 4-6-2 and 6-7-8 over the first, then 1, 9, 2, 10, 3, 11, A. Point 2 ends
 /// the second pass, so the second cylinder keeps a full t_p: "all but the second keep less than the limit" (l. 754).
 #[test]
 fn horizontals_a_visit_the_points_in_the_order_of_figure_12_9_a() {
     assert_eq!(working(Scheme::HorizontalsA, &figure()), "A 4 5 6 2 7 8 1 9 2 10 3 11 A");
 }
 
-/// Lecture l. 778-786: layers 1, 2, 3, then the pass from 1 by 10, 2, 11, 3, 12 to A, with less than t_p between 8 and 1
+/// 12.4-10. Lecture l. 778-786: layers 1, 2, 3, then the pass from 1 by 10, 2, 11, 3, 12 to A, with less than t_p between 8 and 1
 /// and between 9 and 10: so 8-9 is the third level, 9 its end at the face of 10. That 7 is not the point 11 asks for a
 /// second cylinder between two levels: t2 = 8 mm here.
 #[test]
@@ -135,7 +136,7 @@ fn horizontals_b_visit_the_points_in_the_order_of_figure_12_9_b() {
     assert_eq!(working(Scheme::HorizontalsB, &levels), "A 4 5 6 7 8 9 1 10 2 11 3 12 A");
 }
 
-/// One cylinder Ø30 × 10 of a bar Ø40, depth at most 4. By hand: t = 5, n = 2, t_p = 2.5; A is at radius 22, Z +2.
+/// 12.4-6. One cylinder Ø30 × 10 of a bar Ø40, depth at most 4. By hand: t = 5, n = 2, t_p = 2.5; A is at radius 22, Z +2.
 ///
 /// | motion | to (radius, Z in) | way | feed |
 /// |---|---|---|---|
@@ -166,7 +167,7 @@ fn lengths_and_time_of_a_path_are_those_of_its_motions() {
     assert_eq!((b.cutting_mm, b.passes), (mm(35.0), 3));
 }
 
-/// The lecture's zones (l. 249-269) and conclusions (l. 500-512) for the three cylinders: faces ahead of the first two,
+/// 12.3-1 and 12.4-13. The lecture's zones (l. 249-269) and conclusions (l. 500-512) for the three cylinders: faces ahead of the first two,
 /// none ahead of the third, which runs out.
 #[test]
 fn zones_and_their_schemes_come_from_the_rules() {
@@ -178,7 +179,7 @@ fn zones_and_their_schemes_come_from_the_rules() {
     assert_eq!(zones, [half(), half(), of("open", "loop"), of("combined", "loop+semi-finishing")]);
 }
 
-/// By hand: the forging has Ø56 up to Z 48 and Ø80 behind it; the second cylinder Ø50 lies under both. t = 7 and 3 in the
+/// 12.4-12. By hand: the forging has Ø56 up to Z 48 and Ø80 behind it; the second cylinder Ø50 lies under both. t = 7 and 3 in the
 /// first section, 15 and 6 in the second; n = 2, 1, 4, 2; means 3.5, 3, 3.75, 3: t_p = 3.75 for both.
 #[test]
 fn a_stepped_blank_has_a_section_under_each_of_its_diameters() {
@@ -191,6 +192,7 @@ fn a_stepped_blank_has_a_section_under_each_of_its_diameters() {
     assert_eq!(levels.sections.len(), 2);
 }
 
+/// 12.4-11: the best is the quickest, and on the examples it is the third scheme, with the second within 2 % of it.
 #[test]
 fn the_quickest_scheme_is_named_with_its_margin() {
     for name in ["shaft-three-cylinders", "shaft-forging", "shaft", "shaft-six-steps"] {
@@ -202,6 +204,8 @@ fn the_quickest_scheme_is_named_with_its_margin() {
             assert!(scheme.name == best.scheme || time(best.next) <= time(scheme.name), "{name} {}", scheme.name);
         }
         assert!((time(best.next) - time(best.scheme) - best.margin_min.0).abs() < 1e-9);
+        assert_eq!(best.scheme, "horizontals-a", "{name}");
+        assert!(time("levels") / time("horizontals-a") < 1.02, "{name}");
     }
 }
 
@@ -309,6 +313,64 @@ fn forgings() -> impl Strategy<Value = Shaft> {
         shaft.blank.diameter = shaft.blank.diameter.max(largest);
         shaft
     })
+}
+
+fn turn(args: &[&str]) -> String {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_technolog"));
+    let output =
+        command.current_dir(env!("CARGO_MANIFEST_DIR")).env_remove("LANG").arg("turn").args(args).output().unwrap();
+    assert_eq!((output.status.code(), &*String::from_utf8_lossy(&output.stderr)), (Some(0), ""), "{args:?}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// The sections about levels and schemes; the others stand in tests/turning.rs.
+fn sections(args: &[&str]) -> String {
+    let page = turn(args);
+    page[page.find("\n4. ").unwrap()..].to_owned()
+}
+
+#[test]
+fn the_sections_of_the_page() {
+    insta::assert_snapshot!("turn_three_uk", sections(&["examples/shaft-three-cylinders.yaml", "--lang", "uk"]));
+    insta::assert_snapshot!("turn_three_en", sections(&["examples/shaft-three-cylinders.yaml", "--lang", "en"]));
+    insta::assert_snapshot!("turn_forging_en", sections(&["examples/shaft-forging.yaml", "--lang", "en"]));
+}
+
+/// The keys that docs/turning.md names, the points with both coordinates, and a finding for each rate that is ours.
+#[test]
+fn json_has_schemes_with_their_points() {
+    let answer = turn(&["examples/shaft-three-cylinders.yaml", "--format", "json"]);
+    let answer: serde_json::Value = serde_json::from_str(&answer).unwrap();
+    let schemes = answer["schemes"].as_array().unwrap();
+    let names: Vec<&str> = schemes.iter().map(|scheme| scheme["name"].as_str().unwrap()).collect();
+    assert_eq!(names, ["verticals", "levels", "horizontals-a", "horizontals-b"]);
+    for scheme in schemes {
+        assert!(["cutting_mm", "idle_mm", "time_min"].iter().all(|key| scheme[key].as_f64().unwrap() > 0.0));
+        assert_eq!(scheme["because"]["table"], "removal-scheme");
+        let second = &scheme["points"][1];
+        assert_eq!((&second["name"], &second["diameter_mm"], &second["z_mm"]), (&"4".into(), &72.4.into(), &2.into()));
+    }
+    assert_eq!(answer["splitting"]["depth_mm"], 3.8);
+    let unconfirmed = answer["findings"].as_array().unwrap().iter().filter(|one| one["code"] == "unconfirmed").count();
+    assert_eq!(unconfirmed, 3);
+}
+
+/// A solid line for each motion at the feed and a dashed one for each rapid, in every panel, and two in the legend.
+#[test]
+fn the_drawing_has_every_motion_of_every_scheme() {
+    let drawing = turn(&["examples/shaft-forging.yaml", "--format", "svg"]);
+    let found = find(&example("shaft-forging"), &shipped::knowledge().unwrap()).unwrap();
+    let motions = found.schemes.iter().flat_map(|scheme| scheme.path.iter().skip(1));
+    let (rapids, feeds): (Vec<_>, Vec<_>) = motions.partition(|vertex| vertex.motion == Motion::Rapid);
+    assert_eq!(drawing.matches("stroke=\"#cc79a7\" stroke-width=\"0.9\"").count(), rapids.len() + 1);
+    assert_eq!(drawing.matches("stroke=\"#009e73\" stroke-width=\"1.3\"").count(), feeds.len() + 1);
+}
+
+#[test]
+fn a_shaft_as_large_as_its_blank_has_no_schemes() {
+    let found = find(&shaft(40_000, &[(40_000, 10_000)], 4_000, 4_000, Division::Full), &shipped::knowledge().unwrap());
+    let found = found.unwrap();
+    assert!(found.schemes.is_empty() && found.best_scheme.is_none() && found.findings.is_empty());
 }
 
 #[test]

@@ -40,8 +40,8 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
     ),
     (
         "scheme-as-quick",
-        "{variant}: так само швидко, як {rival}; лекція віддає перевагу {variant}",
-        "{variant}: as quick as {rival}; of the two {variant} is preferred",
+        "{variant}: так само швидко, як {rival}; з двох перевага за першою",
+        "{variant}: as quick as {rival}; of the two the first is preferred",
     ),
     // What a zone is.
     ("zone-is", "зона: {kind}", "zone: {kind}"),

@@ -47,7 +47,22 @@ pub(super) fn panels(canvas: &mut Canvas, found: &Sequences, schemes: &Schemes, 
         part(canvas, found, &place);
         way(canvas, scheme, &place);
     }
-    top + schemes.schemes.len().div_ceil(2) as f64 * height
+    let bottom = top + schemes.schemes.len().div_ceil(2) as f64 * height;
+    if schemes.schemes.is_empty() {
+        return bottom;
+    }
+    legend(canvas, bottom, lang);
+    bottom + 26.0
+}
+
+fn legend(canvas: &mut Canvas, top: f64, lang: Lang) {
+    let mut left = MARGIN;
+    let kinds = [(FEED, lang.pick("робоча подача", "working feed")), (RAPID, lang.pick("прискорений хід", "rapid"))];
+    for (pen, name) in kinds {
+        canvas.line(&[(left, top + 6.0), (left + 40.0, top + 6.0)], pen);
+        canvas.text((left + 46.0, top + 10.0), 12.0, Anchor::Start, name);
+        left += 184.0;
+    }
 }
 
 /// The stock with its horizontals.

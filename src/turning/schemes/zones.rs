@@ -33,8 +33,10 @@ pub struct Zone {
 pub fn zones(levels: &Levels, knowledge: &Knowledge) -> Result<Vec<Zone>, KnowledgeError> {
     let cylinders: Vec<_> = levels.sections.iter().flat_map(|section| &section.cylinders).collect();
     let mut zones = Vec::new();
-    for cylinder in &cylinders {
-        zones.push(zone(knowledge, cylinder.from, cylinder.to, cylinder.wall.is_some(), "alone")?);
+    for (index, cylinder) in cylinders.iter().enumerate() {
+        // The stock of the next section of a stepped blank is a face ahead too, though not one of the contour.
+        let stock_ahead = cylinders.get(index + 1).is_some_and(|next| next.from == cylinder.to);
+        zones.push(zone(knowledge, cylinder.from, cylinder.to, cylinder.wall.is_some() || stock_ahead, "alone")?);
     }
     if let (Some(first), Some(last), true) = (cylinders.first(), cylinders.last(), cylinders.len() > 1) {
         let open = zones.iter().any(|zone| zone.zone == "open");
