@@ -361,7 +361,7 @@ fn the_drawing_has_every_motion_of_every_scheme() {
     let drawing = turn(&["examples/shaft-forging.yaml", "--format", "svg"]);
     let found = find(&example("shaft-forging"), &shipped::knowledge().unwrap()).unwrap();
     let motions = found.schemes.iter().flat_map(|scheme| scheme.path.iter().skip(1));
-    let (rapids, feeds): (Vec<_>, Vec<_>) = motions.partition(|vertex| vertex.motion == Motion::Rapid);
+    let (rapids, feeds): (Vec<&Vertex>, Vec<&Vertex>) = motions.partition(|vertex| vertex.motion == Motion::Rapid);
     assert_eq!(drawing.matches("stroke=\"#cc79a7\" stroke-width=\"0.9\"").count(), rapids.len() + 1);
     assert_eq!(drawing.matches("stroke=\"#009e73\" stroke-width=\"1.3\"").count(), feeds.len() + 1);
 }
