@@ -198,12 +198,40 @@ fn every_bad_shaft_is_refused_with_every_mistake_at_its_place() {
     assert!(seen >= 12, "{seen}");
 }
 
+/// The figures of the map at the paper's own length are those of the paper's shaft: L/D = 34/65 lies between the ratios,
+/// so the shaft is made 65 mm long and held against a shaft of that length.
+#[test]
+fn the_map_stretches_the_shaft() {
+    let map = json(&["examples/shaft.yaml", "--show", "map"]);
+    let map = map.as_array().unwrap();
+    assert_eq!(map.len(), 21);
+    let one = map.iter().find(|one| one["length_to_diameter"] == 1.0).unwrap();
+    let shaft = shaft(65_000, &[(40_000, 30_588), (50_000, 34_412)], 4_000, 3_500, Division::Full);
+    let grid = Grid::of(&shaft);
+    let best = CostToGo::of(&grid, Objective::Path).optimum().main as f64;
+    for (index, (_, passes)) in named(&grid, Objective::Path).iter().enumerate() {
+        let above = (total(passes, Objective::Path, grid.bar).main as f64 / best - 1.0) * 100.0;
+        assert!((above - one["above_optimum_percent"][index].as_f64().unwrap()).abs() <= 0.05, "{index}: {above}");
+    }
+    insta::assert_snapshot!("turn_map_uk", text(&["examples/shaft.yaml", "--show", "map", "--lang", "uk"]));
+    let drawing = text(&["examples/shaft.yaml", "--show", "map", "--format", "svg"]);
+    assert_eq!(drawing.matches("<circle").count(), 3 * 21);
+}
+
 #[test]
 fn time_without_rates_is_refused_with_a_remedy() {
     let output = run(&["examples/shaft.yaml", "--objective", "time", "--lang", "en"]);
     let said = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(2), "{said}");
     assert!(said.contains("no-rates") && said.contains("longitudinal_feed"), "{said}");
+}
+
+#[test]
+fn what_a_pass_adds_is_no_less_than_nothing() {
+    for bad in ["--per-pass=-3", "--per-pass=1e9", "--per-pass=99999999999", "--per-pass=0.00001"] {
+        let output = run(&["examples/shaft.yaml", "--objective", "path-and-passes", bad]);
+        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{bad}");
+    }
 }
 
 fn rates() -> Rates {
@@ -429,6 +457,25 @@ proptest! {
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn no_shaft_file_makes_the_reader_panic_and_none_is_refused_without_a_word(
+        from in 0_usize..400, long in 0_usize..12, put in "[-0-9.,:{}\\[\\] a-zа-я\n\"']{0,6}"
+    ) {
+        let text = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/shaft.yaml")).unwrap();
+        let letters: Vec<char> = text.lines().filter(|line| !line.starts_with('#')).collect::<Vec<_>>().join("\n").chars().collect();
+        let from = from.min(letters.len());
+        let rest = letters.iter().skip(from + long);
+        let spoilt: String = letters.iter().take(from).copied().chain(put.chars()).chain(rest.copied()).collect();
+        let knowledge = shipped::knowledge().unwrap();
+        match read_shaft("shaft", &spoilt, &knowledge) {
+            Err(mistakes) => prop_assert!(!mistakes.is_empty(), "{spoilt}"),
+            Ok(shaft) => {
+                let found = find(&shaft, Objective::Path, &knowledge).unwrap();
+                prop_assert_eq!(found.variants.len(), 4);
+            }
+        }
+    }
 
     #[test]
     fn the_optimum_is_that_of_the_enumeration_and_of_petgraph(shaft in shafts(12), per_pass in 0_i64..20_000) {

@@ -30,11 +30,21 @@ pub struct Args {
     #[arg(long, value_enum, hide_possible_values = true, default_value = "path")]
     objective: Aim,
     /// With path-and-passes: what each pass adds to the path, mm
-    #[arg(long, value_name = "MM", default_value = "1")]
+    #[arg(long, value_name = "MM", default_value = "1", value_parser = per_pass)]
     per_pass: Micrometres,
     /// Moves: basic, as the paper has them, or rich: stopping anywhere and with less depth; else as the file says
     #[arg(long, value_enum, hide_possible_values = true)]
     moves: Option<MovesName>,
+    /// What to show: the passes, or the map of the variants over length to diameter (the shaft stretched)
+    #[arg(long, value_enum, hide_possible_values = true, default_value = "passes")]
+    show: Show,
+}
+
+/// What is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Show {
+    Passes,
+    Map,
 }
 
 /// Objectives by their names.
@@ -65,6 +75,16 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         shaft.roughing.moves = if moves == MovesName::Rich { Moves::Rich } else { Moves::Basic };
     }
     let objective = objective(args, &shaft, context)?;
+    if args.show == Show::Map {
+        let map = passes::map::map(&shaft, objective);
+        match format {
+            Format::Json => context.emit_json(&map)?,
+            Format::Yaml => context.emit_yaml(&map)?,
+            Format::Svg => context.emit(&report::turning::map_drawing(&shaft, &map, context.lang))?,
+            _ => context.emit(&report::turning::map_page(&shaft, &map, context.lang))?,
+        }
+        return Ok(Outcome::Done);
+    }
     let lacking = |error: KnowledgeError| {
         CliError::from(Diagnostic::error("knowledge", error.to_string(), None).help(words::run_lint(context.lang)))
     };
@@ -95,6 +115,16 @@ impl<'a> Answer<'a> {
     }
 }
 
+/// What a pass adds: 0 to 100,000 mm, so that sums stay exact.
+fn per_pass(text: &str) -> Result<Micrometres, String> {
+    let length: Micrometres = text.parse().map_err(|error| format!("{error}"))?;
+    if (Micrometres::ZERO..=Micrometres::from_mm(100_000)).contains(&length) {
+        Ok(length)
+    } else {
+        Err(format!("{length}: 0 … 100000"))
+    }
+}
+
 fn objective(args: &Args, shaft: &Shaft, context: &Context) -> Result<Objective, CliError> {
     let refused = |code: &'static str| {
         let note = Note::new(code);
@@ -103,7 +133,7 @@ fn objective(args: &Args, shaft: &Shaft, context: &Context) -> Result<Objective,
     };
     Ok(match args.objective {
         Aim::Path => Objective::Path,
-        Aim::PathAndPasses => Objective::PathAndPasses { per_pass_mm: Half::of(args.per_pass.abs()) },
+        Aim::PathAndPasses => Objective::PathAndPasses { per_pass_mm: Half::of(args.per_pass) },
         Aim::Passes => Objective::Passes,
         Aim::Time if shaft.roughing.moves == Moves::Rich => return Err(refused("rich-has-no-time")),
         Aim::Time => Objective::Time { rates: shaft.rates.ok_or_else(|| refused("no-rates"))? },

@@ -1,6 +1,7 @@
 //! The passes of a shaft as its reader sees them: the variants side by side, and the best one pass by pass.
 
 mod drawing;
+mod map;
 mod schemes;
 mod schemes_drawing;
 
@@ -19,6 +20,7 @@ use super::sentences::term;
 use super::{Lang, grid, sentence};
 
 pub use drawing::drawing;
+pub use map::{map_drawing, map_page};
 
 /// The whole page of a shaft.
 pub fn page(found: &Sequences, schemes: &Schemes, knowledge: &Knowledge, lang: Lang) -> String {

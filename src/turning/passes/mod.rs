@@ -6,6 +6,7 @@
 pub mod cost;
 pub mod enumeration;
 pub mod grid;
+pub mod map;
 pub mod optimum;
 pub mod pass;
 pub mod rich;
