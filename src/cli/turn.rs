@@ -4,13 +4,16 @@ use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
+use serde::Serialize;
+use technolog::error::KnowledgeError;
 use technolog::knowledge::yaml::text_of;
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::note::Note;
 use technolog::report::{self, remedy, sentence};
 use technolog::turning::length::Half;
-use technolog::turning::passes;
 use technolog::turning::passes::cost::Objective;
+use technolog::turning::passes::{self, Sequences};
+use technolog::turning::schemes::{self, Schemes};
 use technolog::turning::shaft::{Mistake, Moves, Shaft, read_shaft};
 use technolog::units::Micrometres;
 
@@ -82,16 +85,34 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         }
         return Ok(Outcome::Done);
     }
-    let found = passes::find(&shaft, objective, &knowledge).map_err(|error| {
+    let lacking = |error: KnowledgeError| {
         CliError::from(Diagnostic::error("knowledge", error.to_string(), None).help(words::run_lint(context.lang)))
-    })?;
+    };
+    let found = passes::find(&shaft, objective, &knowledge).map_err(lacking)?;
+    let schemes = schemes::find(&shaft, &knowledge).map_err(lacking)?;
     match format {
-        Format::Json => context.emit_json(&found)?,
-        Format::Yaml => context.emit_yaml(&found)?,
-        Format::Svg => context.emit(&report::turning::drawing(&found, context.lang))?,
-        _ => context.emit(&report::turning::page(&found, &knowledge, context.lang))?,
+        Format::Json => context.emit_json(&Answer::of(found, &schemes))?,
+        Format::Yaml => context.emit_yaml(&Answer::of(found, &schemes))?,
+        Format::Svg => context.emit(&report::turning::drawing(&found, &schemes, context.lang))?,
+        _ => context.emit(&report::turning::page(&found, &schemes, &knowledge, context.lang))?,
     }
     Ok(Outcome::Done)
+}
+
+/// Passes and schemes as one answer.
+#[derive(Debug, Serialize)]
+struct Answer<'a> {
+    #[serde(flatten)]
+    found: Sequences,
+    #[serde(flatten)]
+    schemes: &'a Schemes,
+}
+
+impl<'a> Answer<'a> {
+    fn of(mut found: Sequences, schemes: &'a Schemes) -> Self {
+        found.findings.extend(schemes.findings.iter().cloned());
+        Self { found, schemes }
+    }
 }
 
 /// What a pass adds: 0 to 100,000 mm, so that sums stay exact.

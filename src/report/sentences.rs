@@ -13,13 +13,14 @@ mod lists;
 mod programs;
 mod proof;
 mod routes;
+mod schemes;
 mod turning;
 
 /// Every sentence.
 fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'static str)> {
     let all = SENTENCES.iter().chain(routes::SENTENCES).chain(programs::SENTENCES);
     let all = all.chain(iso::SENTENCES).chain(jobs::SENTENCES).chain(lists::SENTENCES);
-    all.chain(proof::SENTENCES).chain(turning::SENTENCES)
+    all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES)
 }
 
 /// A note as a sentence. A code without words shows itself with its figures, so that nothing is lost.
@@ -43,7 +44,12 @@ pub fn sentence(note: &Note, lang: Lang) -> String {
 
 /// What to do about a mistake of a program, of a list of points or of a shaft.
 pub fn remedy(note: &Note, lang: Lang) -> Option<&'static str> {
-    let mut remedies = programs::REMEDIES.iter().chain(iso::REMEDIES).chain(lists::REMEDIES).chain(turning::REMEDIES);
+    let mut remedies = programs::REMEDIES
+        .iter()
+        .chain(iso::REMEDIES)
+        .chain(lists::REMEDIES)
+        .chain(turning::REMEDIES)
+        .chain(schemes::REMEDIES);
     let of_program = remedies.find(|(code, ..)| *code == note.code).map(|(_, uk, en)| lang.pick(uk, en));
     let of_proof = || proof::REMEDIES.iter().find(|(code, _)| *code == note.code);
     of_program.or_else(|| of_proof().map(|(_, (uk, en))| lang.pick(uk, en)))
@@ -54,7 +60,7 @@ fn shown(name: &str, value: &str, lang: Lang) -> String {
     match name {
         "operation" | "instead" => super::operation_noun(value, lang).to_owned(),
         "transitions" => value.split(", ").map(|name| super::operation_noun(name, lang)).collect::<Vec<_>>().join(", "),
-        "kind" | "method" | "variant" | "direction" => term(value, lang).to_owned(),
+        "kind" | "method" | "variant" | "direction" | "rival" => term(value, lang).to_owned(),
         "take" | "by" | "name" | "shank" => term(value, lang).to_owned(),
         "stages" => value.split(" + ").map(|stage| term(stage, lang)).collect::<Vec<_>>().join(" + "),
         "scheme" | "same" | "first" => scheme_name(value, lang),
@@ -72,7 +78,7 @@ pub fn scheme_name(scheme: &str, lang: Lang) -> String {
 
 /// A word that stands in a table as an id.
 pub fn term(id: &str, lang: Lang) -> &str {
-    TERMS.iter().find(|(known, ..)| *known == id).map_or(id, |(_, uk, en)| lang.pick(uk, en))
+    TERMS.iter().chain(schemes::TERMS).find(|(known, ..)| *known == id).map_or(id, |(_, uk, en)| lang.pick(uk, en))
 }
 
 const TERMS: &[(&str, &str, &str)] = &[

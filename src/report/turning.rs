@@ -2,6 +2,8 @@
 
 mod drawing;
 mod map;
+mod schemes;
+mod schemes_drawing;
 
 use std::fmt::Display;
 
@@ -10,6 +12,7 @@ use crate::material::Material;
 use crate::turning::passes::cost::Objective;
 use crate::turning::passes::pass::Kind;
 use crate::turning::passes::{Sequences, Variant};
+use crate::turning::schemes::Schemes;
 use crate::turning::shaft::{Division, Moves};
 use crate::units::round_to;
 
@@ -20,7 +23,7 @@ pub use drawing::drawing;
 pub use map::{map_drawing, map_page};
 
 /// The whole page of a shaft.
-pub fn page(found: &Sequences, knowledge: &Knowledge, lang: Lang) -> String {
+pub fn page(found: &Sequences, schemes: &Schemes, knowledge: &Knowledge, lang: Lang) -> String {
     let mut page = head(found, knowledge, lang);
     page.push_str(&format!("\n1. {}\n", lang.pick("Варіанти", "Variants")));
     page.push_str(&variants(found, lang));
@@ -58,6 +61,7 @@ pub fn page(found: &Sequences, knowledge: &Knowledge, lang: Lang) -> String {
     for finding in &found.findings {
         page.push_str(&grid::paragraph(&sentence(&finding.note, lang), 2));
     }
+    page.push_str(&schemes::sections(schemes, 4, lang));
     page
 }
 

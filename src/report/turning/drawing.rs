@@ -3,25 +3,26 @@
 
 use super::super::canvas::{Anchor, At, Canvas, Pen};
 use super::super::sentences::term;
-use super::{Lang, figure};
+use super::{Lang, figure, schemes_drawing};
 use crate::turning::length::Half;
 use crate::turning::passes::pass::{Kind, Pass, Point};
 use crate::turning::passes::{Sequences, Variant};
+use crate::turning::schemes::Schemes;
 
 /// Width of a panel, in units of the drawing.
-const PANEL: f64 = 600.0;
+pub(super) const PANEL: f64 = 600.0;
 /// The tallest section of a panel.
-const TALL: f64 = 420.0;
-const MARGIN: f64 = 34.0;
-const TITLE: f64 = 30.0;
+pub(super) const TALL: f64 = 420.0;
+pub(super) const MARGIN: f64 = 34.0;
+pub(super) const TITLE: f64 = 30.0;
 /// Fills of longitudinal and of transverse passes, two of each in turn so that neighbours differ.
 const FILLS: [[&str; 2]; 2] = [["#9fc8e8", "#cfe3f3"], ["#f6c69a", "#fbe0c6"]];
 const STEEL: &str = "#d9d9d9";
 /// The smallest side of a rectangle that still takes a number, in units of the drawing.
 const NUMBERED: f64 = 9.0;
 
-/// One panel for each variant, two in a row.
-pub fn drawing(found: &Sequences, lang: Lang) -> String {
+/// One panel for each variant, two in a row; under them one for each scheme.
+pub fn drawing(found: &Sequences, schemes: &Schemes, lang: Lang) -> String {
     let shaft = &found.shaft;
     let (length, radius) = (shaft.blank.length.to_mm(), shaft.blank.diameter.to_mm() / 2.0);
     let scale = ((PANEL - 2.0 * MARGIN) / length.max(0.001)).min(TALL / radius.max(0.001));
@@ -40,7 +41,8 @@ pub fn drawing(found: &Sequences, lang: Lang) -> String {
     }
     let rows = found.variants.len().div_ceil(2).max(1);
     legend(&mut canvas, rows as f64 * panel_height, lang);
-    canvas.page(2.0 * PANEL, rows as f64 * panel_height + 26.0)
+    let bottom = schemes_drawing::panels(&mut canvas, found, schemes, rows as f64 * panel_height + 26.0, lang);
+    canvas.page(2.0 * PANEL, bottom)
 }
 
 fn legend(canvas: &mut Canvas, top: f64, lang: Lang) {
@@ -86,7 +88,7 @@ fn panel(
 }
 
 /// The part under the stock, with its axis and its diameters.
-fn part(canvas: &mut Canvas, found: &Sequences, place: &impl Fn(Point) -> At) {
+pub(super) fn part(canvas: &mut Canvas, found: &Sequences, place: &impl Fn(Point) -> At) {
     let shaft = &found.shaft;
     let mut outline = vec![Point::default()];
     let mut z = Half::ZERO;

@@ -48,6 +48,10 @@ pub struct Blank {
     pub diameter: Size,
     /// Its length, not less than that of all steps.
     pub length: Size,
+    /// Of a forging or casting: its own cylinders from the free end, none smaller than the one before it; behind them it
+    /// has its full diameter.
+    #[schemars(length(min = 1))]
+    pub steps: Option<Vec<Step>>,
 }
 
 /// A cylinder of the shaft.

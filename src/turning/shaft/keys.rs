@@ -3,7 +3,7 @@
 /// The keys of a shaft.
 pub(super) const SHAFT: &[&str] = &["shaft", "material", "blank", "holding", "steps", "roughing", "rates"];
 /// The keys of a blank.
-pub(super) const BLANK: &[&str] = &["kind", "diameter", "length"];
+pub(super) const BLANK: &[&str] = &["kind", "diameter", "length", "steps"];
 /// The keys of a step.
 pub(super) const STEP: &[&str] = &["diameter", "length"];
 /// The keys of roughing.

@@ -7,6 +7,7 @@ mod check;
 pub mod file;
 mod keys;
 mod read;
+mod shape;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -25,6 +26,10 @@ pub struct Shaft {
     pub material: String,
     /// What it is made from.
     pub blank: Blank,
+    /// The cylinders of a stepped blank from the free end, none smaller than the one before it; behind them it has the
+    /// diameter of the blank.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub blank_steps: Vec<Step>,
     /// How it is held.
     pub holding: Holding,
     /// Its cylinders from the free end towards the chuck; no diameter is smaller than the one before it.

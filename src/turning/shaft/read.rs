@@ -8,6 +8,7 @@ use crate::units::{Micrometres, MillimetresPerMinute};
 
 use super::check;
 use super::keys::{BLANK, RATES, ROUGHING, SHAFT, STEP};
+use super::shape::{self, Shape};
 use super::{Blank, BlankKind, Division, Holding, Moves, Rates, Roughing, Shaft, Step};
 
 /// The largest length or diameter of a file, mm: sums of passes stay exact.
@@ -50,7 +51,7 @@ impl Mistake {
 /// Every mistake of the file, each with its place, in the order of the file.
 pub fn read_shaft(file: &str, text: &str, knowledge: &Knowledge) -> Result<Shaft, Vec<Mistake>> {
     let (root, diagnostics) = parse(file, text);
-    let mut reader = Reader { knowledge, problems: Problems(diagnostics), meant: Vec::new() };
+    let mut reader = Reader { knowledge, problems: Problems(diagnostics), meant: Vec::new(), shape: None };
     let shaft = root.and_then(|root| reader.shaft(&root));
     let Reader { problems, meant, .. } = reader;
     let broken = !meant.is_empty() || problems.0.iter().any(|problem| problem.severity == Severity::Error);
@@ -78,6 +79,8 @@ pub(super) struct Reader<'a> {
     knowledge: &'a Knowledge,
     problems: Problems,
     meant: Vec<Mistake>,
+    /// The steps of the blank, as far as they could be read.
+    shape: Option<Shape>,
 }
 
 impl Reader<'_> {
@@ -115,11 +118,16 @@ impl Reader<'_> {
             None => Some(None),
         };
         check::steps(&steps, diameter.as_ref(), length.as_ref(), self);
+        let shape = self.shape.take();
+        if let Some(shape) = &shape {
+            shape::check(shape, kind, &steps, diameter.as_ref(), length.as_ref(), self);
+        }
         let whole = |step: PlacedStep| Some(Step { diameter: step.diameter?.0, length: step.length?.0 });
         let shaft = Shaft {
             shaft: name?,
             material: material?,
             blank: Blank { kind: kind?, diameter: diameter?.0, length: length?.0 },
+            blank_steps: shape.map_or(Some(Vec::new()), |shape| shape.steps.into_iter().map(whole).collect())?,
             holding: holding?,
             steps: steps.into_iter().map(whole).collect::<Option<_>>()?,
             roughing: roughing?,
@@ -192,6 +200,7 @@ impl Reader<'_> {
         let kind = fields.need("kind", &mut self.problems).and_then(|node| self.choice(node, &kinds));
         let diameter = self.need(&mut fields, "diameter");
         let length = self.need(&mut fields, "length");
+        self.shape = fields.take("steps").map(|node| Shape { steps: self.steps(node), place: node.place.clone() });
         fields.finish(BLANK, &mut self.problems);
         (kind, diameter, length)
     }

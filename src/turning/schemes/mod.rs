@@ -1,0 +1,217 @@
+//! The schemes by which the rough zone of a stepped shaft is cleared (lecture 12.4), each as the path of its tool.
+//!
+//! [`removal`] puts the passes of a scheme in order, [`path`] makes points of them, [`told`] names and measures these;
+//! [`zones`] says what kinds of zones there are and which scheme of passes suits each; [`find`] puts all together.
+
+pub mod path;
+pub mod rates;
+pub mod removal;
+pub mod told;
+pub mod zones;
+
+use serde::Serialize;
+
+use crate::error::KnowledgeError;
+use crate::knowledge::{Input, Knowledge};
+use crate::note::{Because, Finding, Note};
+use crate::units::{Micrometres, Minutes, round_to};
+
+use super::length::Half;
+use super::levels::Levels;
+use super::shaft::{Rates, Shaft};
+use path::Vertex;
+use removal::Scheme;
+use told::{Measures, PointTold};
+use zones::Zone;
+
+/// The levels of a shaft, its zones and its schemes.
+#[derive(Clone, Debug, Serialize)]
+pub struct Schemes {
+    /// How the rough zone is split.
+    pub splitting: Splitting,
+    /// The zone over each cylinder, and the whole one.
+    pub zones: Vec<Zone>,
+    /// The schemes in the order of the lecture; none where there is no stock.
+    pub schemes: Vec<SchemeTold>,
+    /// The best of them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub best_scheme: Option<Best>,
+    /// What the reader must know; in an answer they stand with all other findings.
+    #[serde(skip)]
+    pub findings: Vec<Finding>,
+    /// The levels, for drawings.
+    #[serde(skip)]
+    pub levels: Levels,
+}
+
+/// How the rough zone is split.
+#[derive(Clone, Debug, Serialize)]
+pub struct Splitting {
+    /// The limiting depth, mm.
+    pub limiting_depth_mm: Half,
+    /// The one depth t_p of all passes, mm.
+    pub depth_mm: Half,
+    /// What stands over each cylinder, from the free end.
+    pub cylinders: Vec<CylinderTold>,
+    /// The horizontals of each section, from the blank inwards.
+    pub horizontals: Vec<HorizontalsTold>,
+    /// The rates and distances of the paths.
+    pub rates: Rates,
+}
+
+/// What stands over a cylinder.
+#[derive(Clone, Debug, Serialize)]
+pub struct CylinderTold {
+    /// Its diameter after roughing, mm.
+    pub diameter_mm: Micrometres,
+    /// The diameter of the blank over it, mm.
+    pub blank_diameter_mm: Micrometres,
+    /// Z of its beginning, mm.
+    pub from_z_mm: Half,
+    /// Z of its end, mm.
+    pub to_z_mm: Half,
+    /// The stock, radial, mm.
+    pub stock_mm: Half,
+    /// The fewest passes that the limiting depth allows.
+    pub passes: i64,
+    /// The stock divided equally over them, mm.
+    pub mean_depth_mm: Half,
+}
+
+/// The horizontals of a section.
+#[derive(Clone, Debug, Serialize)]
+pub struct HorizontalsTold {
+    /// Z of the section's beginning, mm.
+    pub from_z_mm: Half,
+    /// Their diameters, mm.
+    pub diameters_mm: Vec<Micrometres>,
+}
+
+/// A scheme.
+#[derive(Clone, Debug, Serialize)]
+pub struct SchemeTold {
+    /// `verticals`, `levels`, `horizontals-a` or `horizontals-b`.
+    pub name: &'static str,
+    /// Its lengths and its time.
+    #[serde(flatten)]
+    pub measures: Measures,
+    /// The points of the tool path in order, from home and back.
+    pub points: Vec<PointTold>,
+    /// What it is and where it stands.
+    pub because: Because,
+    /// The path, for drawings.
+    #[serde(skip)]
+    pub path: Vec<Vertex>,
+}
+
+/// The quickest scheme.
+#[derive(Clone, Debug, Serialize)]
+pub struct Best {
+    /// Its name.
+    pub scheme: &'static str,
+    /// The next best.
+    pub next: &'static str,
+    /// By how much it is quicker than that, min.
+    pub margin_min: Minutes,
+    /// The same as a share of the next best's time, per cent.
+    pub margin_percent: f64,
+    /// By what: the time, and among equals the preference of the lecture.
+    pub because: Because,
+}
+
+/// Finds levels, zones and schemes of a shaft.
+///
+/// # Errors
+/// The knowledge base lacks one of the rules.
+pub fn find(shaft: &Shaft, knowledge: &Knowledge) -> Result<Schemes, KnowledgeError> {
+    let levels = Levels::of(shaft);
+    let (rates, mut findings) = rates::rates(shaft, knowledge)?;
+    let zones = zones::zones(&levels, knowledge)?;
+    let mut ranked = Vec::new();
+    if !levels.sections.is_empty() {
+        for scheme in Scheme::ALL {
+            ranked.push(told(scheme, &levels, &rates, knowledge)?);
+        }
+    } else {
+        findings.clear();
+    }
+    let best_scheme = best(&ranked);
+    Ok(Schemes {
+        splitting: splitting(&levels, rates),
+        zones,
+        schemes: ranked.into_iter().map(|(_, scheme)| scheme).collect(),
+        best_scheme,
+        findings,
+        levels,
+    })
+}
+
+/// A scheme with its place in the preference of the lecture.
+fn told(
+    scheme: Scheme,
+    levels: &Levels,
+    rates: &Rates,
+    knowledge: &Knowledge,
+) -> Result<(i64, SchemeTold), KnowledgeError> {
+    let table = knowledge.table("removal-scheme")?;
+    let answer = table.decide(&[("scheme", Input::Text(scheme.name()))])?;
+    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(table, scheme.name()))?;
+    let path = scheme.path(levels, Half::of(rates.approach), Half::of(rates.retract));
+    let told = SchemeTold {
+        name: scheme.name(),
+        measures: told::measure(&path, rates),
+        points: told::points(&path, levels),
+        because: Because::row(row, Note::new(&format!("scheme-{}", scheme.name()))),
+        path,
+    };
+    Ok((row.int("preference")?, told))
+}
+
+/// The quickest scheme, among equals the one that the lecture prefers.
+fn best(ranked: &[(i64, SchemeTold)]) -> Option<Best> {
+    let mut order: Vec<_> = ranked.iter().collect();
+    let time = |scheme: &SchemeTold| scheme.measures.time_min.0;
+    order.sort_by(|a, b| time(&a.1).total_cmp(&time(&b.1)).then(a.0.cmp(&b.0)));
+    let [(_, best), (_, next), ..] = order.as_slice() else { return None };
+    let margin = time(next) - time(best);
+    let percent = if time(next) > 0.0 { margin / time(next) * 100.0 } else { 0.0 };
+    let tied = if margin > 0.0 { "scheme-quickest" } else { "scheme-as-quick" };
+    let note = Note::new(tied)
+        .with("variant", best.name)
+        .with("rival", next.name)
+        .with("margin", round_to(margin, 4))
+        .with("percent", round_to(percent, 1));
+    Some(Best {
+        scheme: best.name,
+        next: next.name,
+        margin_min: Minutes(round_to(margin, 4)),
+        margin_percent: round_to(percent, 2),
+        because: Because { note, ..best.because.clone() },
+    })
+}
+
+fn splitting(levels: &Levels, rates: Rates) -> Splitting {
+    let cylinder = |one: super::levels::Stock| CylinderTold {
+        diameter_mm: one.cylinder.radius.diameter(),
+        blank_diameter_mm: one.blank.diameter(),
+        from_z_mm: Half::ZERO - one.cylinder.from,
+        to_z_mm: Half::ZERO - one.cylinder.to,
+        stock_mm: one.stock,
+        passes: one.passes,
+        mean_depth_mm: one.mean,
+    };
+    let horizontals = levels.sections.iter().map(|section| {
+        let first = section.cylinders.first();
+        let lowest = first.map_or(section.blank, |first| first.radius);
+        let count = first.map_or(0, |first| levels.count(section, first));
+        let at = |level| levels.horizontal(section, level).max(lowest).diameter();
+        HorizontalsTold { from_z_mm: Half::ZERO - section.from(), diameters_mm: (1..=count).map(at).collect() }
+    });
+    Splitting {
+        limiting_depth_mm: levels.limit,
+        depth_mm: levels.depth,
+        cylinders: levels.stocks().into_iter().map(cylinder).collect(),
+        horizontals: horizontals.collect(),
+        rates,
+    }
+}

@@ -1,0 +1,139 @@
+//! The path of the tool: points in order, each with the motion that comes to it.
+
+use serde::Serialize;
+
+use crate::turning::length::Half;
+use crate::turning::passes::pass::Point;
+
+/// How the tool comes to a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Motion {
+    /// Through air, as fast as the axes go.
+    Rapid,
+    /// At the working feed along the axis.
+    Along,
+    /// At the working feed across the axis, outwards: up a face of the contour.
+    Across,
+}
+
+/// What a point is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Role {
+    /// A: off the corner of the blank by δ.
+    Home,
+    /// On the vertical in front of a pass, δ before the metal.
+    Start,
+    /// Where a motion at the working feed ends on a vertical.
+    End,
+    /// The outer corner of a face, after it was cleaned.
+    Corner,
+    /// Drawn back from the metal.
+    Retracted,
+    /// Back on the vertical of the start, before going to the depth.
+    Returned,
+}
+
+/// A point of the path.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Vertex {
+    /// Where.
+    pub at: Point,
+    /// How the tool comes here.
+    pub motion: Motion,
+    /// What it is.
+    pub role: Role,
+    /// How much of the motion at the feed lies before the metal: δ, or nothing.
+    pub air: Half,
+}
+
+/// A path as it grows.
+#[derive(Clone, Debug)]
+pub struct Path {
+    vertices: Vec<Vertex>,
+    approach: Half,
+    retract: Half,
+}
+
+impl Path {
+    /// From home, which is off the free end and off the largest radius of the blank by the approach δ.
+    pub fn new(largest: Half, approach: Half, retract: Half) -> Self {
+        let at = Point { radius: largest + approach, z: Half::ZERO - approach };
+        let home = Vertex { at, motion: Motion::Rapid, role: Role::Home, air: Half::ZERO };
+        Self { vertices: vec![home], approach, retract }
+    }
+
+    /// Goes to where the metal of a pass begins, in the order of the lecture (l. 691, 712-716).
+    ///
+    /// 1. The tool draws back by the retract, off the surface and off the face that it stands at.
+    /// 2. It returns at this radius to the vertical of the start, δ before the metal.
+    /// 3. It goes across to the depth of the pass.
+    ///
+    /// To a start further out, which is that of the next section of a stepped blank, it goes across first: between
+    /// here and there the blank may be as large as the part.
+    pub fn start(&mut self, metal: Point) {
+        self.draw_back();
+        let start = Point { radius: metal.radius, z: metal.z - self.approach };
+        let here = self.here();
+        let corner = if start.radius > here.radius {
+            Point { radius: start.radius, z: here.z }
+        } else {
+            Point { radius: here.radius, z: start.z }
+        };
+        if corner != here && corner != start {
+            self.put(corner, Motion::Rapid, Role::Returned, Half::ZERO);
+        }
+        self.put(start, Motion::Rapid, Role::Start, Half::ZERO);
+    }
+
+    /// Cuts along the axis to a Z.
+    pub fn along(&mut self, z: Half) {
+        let at = Point { radius: self.here().radius, z };
+        let started = self.vertices.last().is_some_and(|last| last.role == Role::Start);
+        let air = if started { self.approach } else { Half::ZERO };
+        self.put(at, Motion::Along, Role::End, air);
+    }
+
+    /// Goes up a face to its corner.
+    pub fn corner(&mut self, radius: Half) {
+        self.across(radius, Role::Corner);
+    }
+
+    /// Goes up along the face of stock that still stands, to where the next pass begins.
+    pub fn rise(&mut self, radius: Half) {
+        self.across(radius, Role::End);
+    }
+
+    /// The points with the way home.
+    pub fn home(mut self) -> Vec<Vertex> {
+        self.draw_back();
+        if let Some(&home) = self.vertices.first().filter(|_| self.vertices.len() > 1) {
+            self.vertices.push(home);
+        }
+        self.vertices
+    }
+
+    fn across(&mut self, radius: Half, role: Role) {
+        let here = self.here();
+        if radius > here.radius {
+            self.put(Point { radius, z: here.z }, Motion::Across, role, Half::ZERO);
+        }
+    }
+
+    fn draw_back(&mut self) {
+        if self.vertices.len() > 1 {
+            let here = self.here();
+            let at = Point { radius: here.radius + self.retract, z: here.z - self.retract };
+            self.put(at, Motion::Rapid, Role::Retracted, Half::ZERO);
+        }
+    }
+
+    fn here(&self) -> Point {
+        self.vertices.last().map(|last| last.at).unwrap_or_default()
+    }
+
+    fn put(&mut self, at: Point, motion: Motion, role: Role, air: Half) {
+        self.vertices.push(Vertex { at, motion, role, air });
+    }
+}

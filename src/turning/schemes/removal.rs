@@ -1,0 +1,134 @@
+//! The schemes of removal for stepped shafts (lecture 12.4, l. 684-790): in which order the tool takes the pieces
+//! between horizontals and verticals.
+
+use serde::Serialize;
+
+use crate::turning::length::Half;
+use crate::turning::levels::Levels;
+use crate::turning::levels::zone::Section;
+use crate::turning::passes::pass::Point;
+
+use super::path::{Path, Vertex};
+
+/// A scheme of removal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Scheme {
+    /// Cycles of verticals: cylinder after cylinder (fig. 12.7).
+    Verticals,
+    /// Cycles of levels: level after level over all cylinders (fig. 12.8).
+    Levels,
+    /// Cycles of horizontals: straight passes, which leave at most one depth over each cylinder, then one pass along
+    /// the contour (fig. 12.9 a).
+    HorizontalsA,
+    /// The same, but what is left for the pass along the contour is less than the depth everywhere (fig. 12.9 b).
+    HorizontalsB,
+}
+
+impl Scheme {
+    /// Every scheme, in the order of the lecture.
+    pub const ALL: [Self; 4] = [Self::Verticals, Self::Levels, Self::HorizontalsA, Self::HorizontalsB];
+
+    /// Its name in the answer and in the table `removal-scheme`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Verticals => "verticals",
+            Self::Levels => "levels",
+            Self::HorizontalsA => "horizontals-a",
+            Self::HorizontalsB => "horizontals-b",
+        }
+    }
+
+    /// The path of the tool over a zone, from home and back, with the approach δ and the retract.
+    pub fn path(self, levels: &Levels, approach: Half, retract: Half) -> Vec<Vertex> {
+        let largest = levels.sections.iter().map(|section| section.blank).max().unwrap_or_default();
+        let mut path = Path::new(largest, approach, retract);
+        for section in &levels.sections {
+            match self {
+                Self::Verticals => verticals(levels, section, &mut path),
+                Self::Levels => by_levels(levels, section, &mut path),
+                Self::HorizontalsA => {
+                    // All levels but the last of each cylinder, which the pass along the contour takes.
+                    let counts = section.cylinders.iter().map(|one| levels.count(section, one) - 1);
+                    straight(levels, section, &counts.collect::<Vec<_>>(), &mut path);
+                    contour(section, &mut path);
+                }
+                Self::HorizontalsB => {
+                    let counts = section.cylinders.iter().map(|one| levels.full(section, one));
+                    straight(levels, section, &counts.collect::<Vec<_>>(), &mut path);
+                    contour(section, &mut path);
+                }
+            }
+        }
+        path.home()
+    }
+}
+
+/// Cylinder after cylinder, each level by level. The last pass of a cylinder goes up its face, and on along the stock of
+/// the next cylinder to that one's first level, where the tool is already at the metal.
+fn verticals(levels: &Levels, section: &Section, path: &mut Path) {
+    for (index, cylinder) in section.cylinders.iter().enumerate() {
+        for level in 1..=levels.count(section, cylinder) {
+            if level > 1 || index == 0 {
+                let radius = levels.horizontal(section, level).max(cylinder.radius);
+                path.start(Point { radius, z: cylinder.from });
+            }
+            path.along(cylinder.to);
+        }
+        if let Some(wall) = cylinder.wall {
+            path.corner(wall);
+        }
+        if let Some(next) = section.cylinders.get(index + 1) {
+            path.rise(levels.horizontal(section, 1).max(next.radius));
+        }
+    }
+}
+
+/// Level after level over all cylinders. Where a cylinder ends above a level, the tool goes up the face and on along
+/// that cylinder; where it reaches the surface of a cylinder, it cleans the face at its end.
+fn by_levels(levels: &Levels, section: &Section, path: &mut Path) {
+    let Some(first) = section.cylinders.first() else { return };
+    for level in 1..=levels.count(section, first) {
+        let (above, at) = (levels.horizontal(section, level - 1), levels.horizontal(section, level));
+        let over: Vec<_> = section.cylinders.iter().take_while(|one| one.radius < above).collect();
+        path.start(Point { radius: at.max(first.radius), z: first.from });
+        for (index, cylinder) in over.iter().enumerate() {
+            // The pass goes straight on where the next cylinder is under this level too.
+            let on_surface = at <= cylinder.radius;
+            let ends = on_surface || over.get(index + 1).is_none_or(|next| next.radius > at);
+            if !ends {
+                continue;
+            }
+            path.along(cylinder.to);
+            match (over.get(index + 1), cylinder.wall) {
+                (Some(next), _) => path.corner(next.radius),
+                (None, Some(wall)) if on_surface => path.corner(wall),
+                _ => {}
+            }
+        }
+    }
+}
+
+/// Straight passes, of which each cylinder has so many; they grow fewer towards the chuck, so a level ends at the first
+/// cylinder that has none of it.
+fn straight(levels: &Levels, section: &Section, counts: &[i64], path: &mut Path) {
+    for level in 1..=counts.first().copied().unwrap_or(0) {
+        let over = section.cylinders.iter().zip(counts).take_while(|(_, count)| **count >= level);
+        if let Some((last, _)) = over.last() {
+            path.start(Point { radius: levels.horizontal(section, level), z: section.from() });
+            path.along(last.to);
+        }
+    }
+}
+
+/// One pass along the whole contour of a section.
+fn contour(section: &Section, path: &mut Path) {
+    let Some(first) = section.cylinders.first() else { return };
+    path.start(Point { radius: first.radius, z: first.from });
+    for cylinder in &section.cylinders {
+        path.along(cylinder.to);
+        if let Some(wall) = cylinder.wall {
+            path.corner(wall);
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! A path as it is told: points with names, lengths and time.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use crate::turning::length::Half;
+use crate::turning::levels::Levels;
+use crate::turning::passes::pass::Point;
+use crate::turning::shaft::Rates;
+use crate::units::{Micrometres, MillimetresPerMinute, Minutes, round_to};
+
+use super::path::{Motion, Role, Vertex};
+
+/// A point of the path.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PointTold {
+    /// Its name: `A` is home, the corners of the rough contour have the first numbers from the free end, and the other
+    /// points the next ones in the order of the first visit, as in the figures of the lecture. A place that is visited
+    /// again keeps its name.
+    pub name: String,
+    /// Diameter, mm.
+    pub diameter_mm: Micrometres,
+    /// Z, mm: negative towards the chuck.
+    pub z_mm: Half,
+    /// How the tool comes here.
+    pub motion: Motion,
+    /// What the point is.
+    pub role: Role,
+}
+
+/// The points of a path with their names.
+pub fn points(path: &[Vertex], levels: &Levels) -> Vec<PointTold> {
+    let mut names: BTreeMap<(i64, i64), String> = BTreeMap::new();
+    let key = |at: Point| (at.radius.halves(), at.z.halves());
+    let corners = levels.sections.iter().flat_map(|section| &section.cylinders);
+    let mut count = 0;
+    for cylinder in corners {
+        count += 1;
+        names.insert(key(Point { radius: cylinder.radius, z: cylinder.from }), count.to_string());
+    }
+    let told = |vertex: &Vertex| {
+        let name = if vertex.role == Role::Home {
+            "A".to_owned()
+        } else {
+            let named = names.entry(key(vertex.at)).or_insert_with(|| {
+                count += 1;
+                count.to_string()
+            });
+            named.clone()
+        };
+        PointTold {
+            name,
+            diameter_mm: vertex.at.radius.diameter(),
+            z_mm: Half::ZERO - vertex.at.z,
+            motion: vertex.motion,
+            role: vertex.role,
+        }
+    };
+    path.iter().map(told).collect()
+}
+
+/// What a path is measured by.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Measures {
+    /// The way at the working feed from the metal on, along faces of the contour too, mm.
+    pub cutting_mm: Half,
+    /// All other ways: rapids, and the approach δ at the working feed, mm.
+    pub idle_mm: f64,
+    /// Feeds and rapids together.
+    pub time_min: Minutes,
+    /// Motions along the axis at the working feed.
+    pub passes: usize,
+}
+
+/// Measures a path. Rapids move both axes at once, so their time is that of the longer axis.
+pub fn measure(path: &[Vertex], rates: &Rates) -> Measures {
+    let (mut cutting, mut idle, mut time, mut passes) = (Half::ZERO, 0.0, 0.0, 0);
+    for (before, vertex) in path.iter().zip(path.iter().skip(1)) {
+        let across = (vertex.at.radius - before.at.radius).halves().abs();
+        let along = (vertex.at.z - before.at.z).halves().abs();
+        let minutes = |way: i64, rate: MillimetresPerMinute| Half::new(way).to_mm() / rate.0;
+        match vertex.motion {
+            Motion::Rapid => {
+                idle += libm::hypot(Half::new(across).to_mm(), Half::new(along).to_mm());
+                time += minutes(across.max(along), rates.rapid);
+            }
+            Motion::Along => {
+                cutting = cutting + Half::new(along) - vertex.air;
+                idle += vertex.air.to_mm();
+                time += minutes(along, rates.longitudinal_feed);
+                passes += 1;
+            }
+            Motion::Across => {
+                cutting = cutting + Half::new(across);
+                time += minutes(across, rates.transverse_feed);
+            }
+        }
+    }
+    Measures { cutting_mm: cutting, idle_mm: round_to(idle, 3), time_min: Minutes(round_to(time, 4)), passes }
+}
