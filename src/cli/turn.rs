@@ -20,7 +20,7 @@ use technolog::units::Micrometres;
 use super::diagnostics::Texts;
 use super::{CliError, Context, Format, Outcome, knowledge, words};
 
-/// The roughing passes of a shaft: the shortest sequence, beside longitudinal, transverse and one direction per step
+/// The roughing of a shaft: the shortest sequence of passes, beside longitudinal, transverse and one direction per step; levels, zones and removal schemes with their tool paths
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// The shaft file
