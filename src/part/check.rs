@@ -116,6 +116,9 @@ pub(super) fn clamps(
     }
 }
 
+/// What is shallower cannot be centred: the spot of a hole is no wider than it is deep.
+const LEAST_DEPTH: Micrometres = Micrometres::new(100);
+
 fn depth(group: &Group, blank: &Blank, problems: &mut Problems) {
     let (Some((depth, place)), Some(through)) = (&group.depth, group.through) else { return };
     let (name, thickness) = (group.label(), blank.thickness);
@@ -125,6 +128,10 @@ fn depth(group: &Group, blank: &Blank, problems: &mut Problems) {
     } else if !through && *depth >= thickness {
         let message = format!("hole {name}: a blind hole is {depth} deep in a blank {thickness} thick");
         problems.error_help::<()>("bad-depth", message, place, "say `through: true`, or make it shallower");
+    } else if *depth < LEAST_DEPTH {
+        let message = format!("hole {name}: {depth} mm deep is a mark and no hole");
+        let help = format!("mind the unit: depths are in mm, and {LEAST_DEPTH} is the least");
+        problems.error_help::<()>("bad-depth", message, place, help);
     }
 }
 
