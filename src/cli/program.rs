@@ -99,7 +99,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let (steps, clock) = sink;
     let findings: Vec<&Finding> = serious(plan, job);
     let proof = held.prove(&steps, &setting);
-    if job.setups.is_empty() {
+    if job.setups.is_empty() && format != Format::Json {
         // No hole can be made: there is nothing to write, and half a program is worse than none.
         let problems = proof::of_part(&findings, context);
         output::complain(&render(&problems, &Texts::default(), context.lang));
