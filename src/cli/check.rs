@@ -7,12 +7,11 @@ use std::sync::Arc;
 
 use serde::Serialize;
 use technolog::knowledge::yaml::text_of;
-use technolog::knowledge::{Diagnostic, Knowledge, Place, Severity};
+use technolog::knowledge::{Diagnostic, Knowledge, Place};
 use technolog::machine::Machine;
 use technolog::motion::Step;
 use technolog::motion::time::{Clock, Times};
 use technolog::motion::trace;
-use technolog::note;
 use technolog::program::{Fault, Language, Setting};
 use technolog::report;
 
@@ -72,9 +71,7 @@ struct Finding<'a> {
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let format = context.format("check", &[Format::Text, Format::Json, Format::Svg])?;
     let knowledge = knowledge::load(context)?;
-    let at_fault = |error: technolog::error::KnowledgeError| {
-        CliError::from(Diagnostic::error("knowledge", error.to_string(), None).help(words::run_lint(context.lang)))
-    };
+    let at_fault = |error: technolog::error::KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let language = Language::read(&args.control, &knowledge).map_err(at_fault)?;
     let shown = args.program.display().to_string();
     let text = read(&args.program, context)?;
@@ -150,9 +147,7 @@ fn machine<'k>(id: &str, knowledge: &'k Knowledge, context: &Context) -> Result<
             .help(words::known(context.lang, known.join(", ")))
             .into());
     }
-    Machine::find(knowledge, id).map_err(|error| {
-        Diagnostic::error("knowledge", error.to_string(), None).help(words::run_lint(context.lang)).into()
-    })
+    Machine::find(knowledge, id).map_err(|error| CliError::of_knowledge(&error, context.lang))
 }
 
 fn read(path: &Path, context: &Context) -> Result<String, CliError> {
@@ -205,11 +200,7 @@ fn page(
 pub fn diagnostic(fault: &Fault, file: &Arc<str>, context: &Context) -> Diagnostic {
     let span = fault.span;
     let place = Place { file: file.clone(), line: span.line, column: span.column, width: span.width };
-    let severity = match fault.severity {
-        note::Severity::Error | note::Severity::Wrong => Severity::Error,
-        note::Severity::Doubtful => Severity::Warning,
-        note::Severity::Note => Severity::Note,
-    };
+    let severity = proof::shown(fault.severity);
     let sentence = report::sentence(&fault.note, context.lang);
     let message = match fault.path() {
         Some(path) => format!("{path}: {sentence}"),

@@ -30,6 +30,7 @@ use std::process::ExitCode;
 
 use clap::{ArgAction, FromArgMatches, Parser, Subcommand, ValueEnum};
 use serde::Serialize;
+use technolog::error::KnowledgeError;
 use technolog::knowledge::Diagnostic;
 use technolog::report::grid;
 
@@ -217,6 +218,13 @@ pub enum CliError {
     /// The command has shown the problems as its answer already.
     #[error("the input could not be used")]
     Shown,
+}
+
+impl CliError {
+    /// The knowledge base lacks what is asked of it.
+    pub fn of_knowledge(error: &KnowledgeError, lang: Lang) -> Self {
+        Diagnostic::error("knowledge", error.to_string(), None).help(words::run_lint(lang)).into()
+    }
 }
 
 impl From<Diagnostic> for CliError {

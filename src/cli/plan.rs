@@ -105,8 +105,5 @@ pub fn make(path: &Path, method: CuttingMethod, knowledge: &Knowledge, context: 
         problems,
         texts: Texts::default().with(&shown, shown.clone(), Cow::Owned(text)),
     })?;
-    planner::plan(&part, method, knowledge).map_err(|error| {
-        let message = error.to_string();
-        Diagnostic::error("knowledge", message, None).help(words::run_lint(context.lang)).into()
-    })
+    planner::plan(&part, method, knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))
 }

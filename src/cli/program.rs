@@ -7,7 +7,6 @@ use clap::ValueEnum;
 use serde::Serialize;
 use technolog::error::KnowledgeError;
 use technolog::job::Job;
-use technolog::knowledge::Diagnostic;
 use technolog::motion::Step;
 use technolog::motion::time::{Clock, Times};
 use technolog::note::{Finding, Severity};
@@ -82,9 +81,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     };
     let format = context.format("program", formats)?;
     let knowledge = knowledge::load(context)?;
-    let at_fault = |error: KnowledgeError| {
-        CliError::from(Diagnostic::error("knowledge", error.to_string(), None).help(words::run_lint(context.lang)))
-    };
+    let at_fault = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let plan = plan::make(&args.part, CuttingMethod::default(), &knowledge, context)?;
     let held = Held::of(plan, &knowledge, context)?;
     let (plan, job) = (&held.plan, &held.job);

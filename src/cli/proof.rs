@@ -18,7 +18,7 @@ use technolog::report::{self, grid};
 use technolog::shop::Shop;
 use technolog::units::Micrometres;
 
-use super::words::{self, Word};
+use super::words::Word;
 use super::{CliError, Context, plan};
 
 /// A part with its plan and job, to hold programs against.
@@ -81,9 +81,7 @@ impl Held {
     /// # Errors
     /// The knowledge has no answer.
     pub fn of(plan: Plan, knowledge: &Knowledge, context: &Context) -> Result<Self, CliError> {
-        let at_fault = |error: KnowledgeError| {
-            CliError::from(Diagnostic::error("knowledge", error.to_string(), None).help(words::run_lint(context.lang)))
-        };
+        let at_fault = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
         let shop = Shop::new(&plan.part, plan.cutting, knowledge).map_err(at_fault)?;
         let job = job::make(&plan, &shop).map_err(at_fault)?;
         let tolerated = Tolerated::read(&plan.part, knowledge).map_err(at_fault)?;
@@ -146,16 +144,21 @@ impl Held {
     }
 }
 
+/// How grave a finding is, as a diagnostic.
+pub const fn shown(severity: note::Severity) -> Severity {
+    match severity {
+        note::Severity::Error | note::Severity::Wrong => Severity::Error,
+        note::Severity::Doubtful => Severity::Warning,
+        note::Severity::Note => Severity::Note,
+    }
+}
+
 /// Findings about the part as diagnostics, without a place in the program.
 pub fn of_part(findings: &[&note::Finding], context: &Context) -> Vec<Diagnostic> {
     let told = |finding: &&note::Finding| {
         let sentence = report::sentence(&finding.note, context.lang);
         let message = finding.hole.iter().fold(sentence, |sentence, hole| format!("{hole}: {sentence}"));
-        let severity = match finding.severity {
-            note::Severity::Error | note::Severity::Wrong => Severity::Error,
-            note::Severity::Doubtful => Severity::Warning,
-            note::Severity::Note => Severity::Note,
-        };
+        let severity = shown(finding.severity);
         Diagnostic { severity, code: "finding", message, place: None, help: None }
     };
     findings.iter().map(told).collect()
@@ -190,11 +193,7 @@ pub fn diagnostics(proof: &Proof, text: &str, file: &Arc<str>, context: &Context
             Some(number) => format!("N{number}: {sentence}"),
             None => sentence,
         };
-        let severity = match finding.severity {
-            note::Severity::Error | note::Severity::Wrong => Severity::Error,
-            note::Severity::Doubtful => Severity::Warning,
-            note::Severity::Note => Severity::Note,
-        };
+        let severity = shown(finding.severity);
         let help = report::remedy(&finding.note, context.lang).map(str::to_owned);
         Diagnostic { severity, code: finding.code, message, place, help }
     };

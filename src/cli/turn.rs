@@ -85,9 +85,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         }
         return Ok(Outcome::Done);
     }
-    let lacking = |error: KnowledgeError| {
-        CliError::from(Diagnostic::error("knowledge", error.to_string(), None).help(words::run_lint(context.lang)))
-    };
+    let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let found = passes::find(&shaft, objective, &knowledge).map_err(lacking)?;
     let schemes = schemes::find(&shaft, &knowledge).map_err(lacking)?;
     match format {

@@ -42,8 +42,12 @@ pub(super) fn cycle(
     let end = grid(top - transition.end());
     let conditions = &transition.conditions;
     let dwell = row.number_in("dwell", Unit::None).ok().filter(|turns| *turns > 0.0);
-    // Up to the next tenth of a second, in which dwells are counted.
-    let dwell = dwell.map(|turns| Seconds(libm::ceil(turns * 600.0 / conditions.spindle_rpm.0) / 10.0));
+    let dwell_step = convention("dwell-step", shop.knowledge)?.0;
+    let dwell = dwell.map(|turns| {
+        // Up to the next step in which dwells are counted, rounded because tenths do not add up exactly in binary.
+        let steps = libm::ceil(turns * 60.0 / conditions.spindle_rpm.0 / dwell_step);
+        Seconds(crate::units::round_to(steps * dwell_step, 3))
+    });
     let (withdrawal, convention) = withdrawal(shop)?;
     Ok(Cycle {
         operation: transition.operation,
@@ -71,23 +75,26 @@ fn kind(
         let share = row.number_in("step", Unit::None)?;
         Ok(Micrometres::from_mm_rounded(transition.diameter_mm.to_mm() * share).on_grid(resolution).max(resolution))
     };
+    let lacks = |what: &str| KnowledgeError::lacks(&row.table.id, what);
     Ok(match name {
         "feed-out" => Kind::FeedOut,
         "bore-stop" => Kind::BoreStop,
         "peck" => Kind::Peck { step: step()?, clearance: row.length("clearance")? },
         "chip-break" => Kind::ChipBreak { step: step()?, retreat: row.length("clearance")? },
-        "tap" => Kind::Tap { pitch: pitch.unwrap_or_default() },
-        "circles" => match transition.conditions.rounds {
-            Some(rounds) => circles(transition, rounds, top, resolution),
-            // No figures of circles: the plan has none for a mill that only goes down.
-            None => Kind::Drill,
-        },
-        _ => Kind::Drill,
+        "tap" => Kind::Tap { pitch: pitch.ok_or_else(|| lacks("the pitch of the thread that is tapped"))? },
+        "circles" => {
+            let rounds = transition.conditions.rounds.ok_or_else(|| lacks("the circles of the mill"))?;
+            // The spindle turns clockwise: against it the teeth go with the feed.
+            let sense = if row.text("cut")? == "climb" { Sense::Counterclockwise } else { Sense::Clockwise };
+            circles(transition, rounds, top, sense, resolution)
+        }
+        "drill" => Kind::Drill,
+        other => return Err(lacks(other)),
     })
 }
 
 /// The levels and circles of a mill: the stock in equal passes, the depth in equal levels, the overrun with the last.
-fn circles(transition: &Transition, rounds: Rounds, top: Micrometres, resolution: Micrometres) -> Kind {
+fn circles(transition: &Transition, rounds: Rounds, top: Micrometres, sense: Sense, resolution: Micrometres) -> Kind {
     let (levels, passes) = (i64::from(rounds.levels.max(1)), i64::from(rounds.passes.max(1)));
     let depth = transition.depth_mm - transition.start_mm;
     let level = |number: i64| match number == levels {
@@ -99,7 +106,7 @@ fn circles(transition: &Transition, rounds: Rounds, top: Micrometres, resolution
     Kind::Circles {
         levels: (1..=levels).map(|number| level(number).on_grid(resolution)).collect(),
         radii: (1..=passes).map(|pass| radius(pass).on_grid(resolution)).collect(),
-        sense: Sense::Counterclockwise,
+        sense,
     }
 }
 

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use crate::error::KnowledgeError;
 use crate::knowledge::Input;
 use crate::motion::Position;
+use crate::note::{Because, Note};
 use crate::part::{Face, Part, Point};
 use crate::plan::{Plan, ToolPlan, Transition, Visit};
 use crate::shop::Shop;
@@ -106,6 +107,7 @@ fn rounds(
             designation: tool.designation.clone(),
             pauses: std::mem::take(&mut pauses),
             coolant: false,
+            because: Vec::new(),
             cycles: Vec::new(),
             stops: Vec::new(),
         };
@@ -120,7 +122,9 @@ fn rounds(
                     let hole = plan.part.holes.iter().find(|hole| hole.name == stop.hole);
                     let pitch = hole.and_then(|hole| hole.thread_at(transition.step)).map(|thread| thread.pitch);
                     let made = cycle(transition, pitch, &plan.part, shop)?;
-                    work.coolant |= coolant(transition, shop)?;
+                    let (cooled, reason) = coolant(transition, shop)?;
+                    work.coolant |= cooled;
+                    work.because.extend(reason.filter(|reason| !work.because.contains(reason)));
                     let at = work.cycles.iter().position(|known| known.same(&made)).unwrap_or_else(|| {
                         work.cycles.push(made);
                         work.cycles.len() - 1
@@ -142,15 +146,18 @@ fn transition_of<'p>(plan: &'p Plan, hole: &str, transition: usize) -> Option<&'
 }
 
 /// Whether a transition is cooled: as its cutting speed is meant, else by the rule `coolant`.
-fn coolant(transition: &Transition, shop: &Shop<'_>) -> Result<bool, KnowledgeError> {
+fn coolant(transition: &Transition, shop: &Shop<'_>) -> Result<(bool, Option<Because>), KnowledgeError> {
     if let Some(said) = transition.conditions.coolant {
-        return Ok(said);
+        // The row of the speed stands with the conditions.
+        return Ok((said, None));
     }
     let rule = shop.knowledge.table("coolant")?;
     let operation = Input::Text(transition.operation.name());
     let answer = rule.decide(&[("operation", operation), ("material_group", Input::Text(shop.material.group))])?;
     let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, transition.operation.name()))?;
-    Ok(row.flag("coolant"))
+    let cooled = row.flag("coolant");
+    let code = if cooled { "cooled" } else { "dry" };
+    Ok((cooled, Some(Because::answer(&answer, Note::new(code).with("operation", transition.operation.name())))))
 }
 
 /// What the bar of a boring tool is set to for a pass: the stock is taken in equal passes.

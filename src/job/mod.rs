@@ -84,6 +84,9 @@ pub struct ToolWork {
     pub pauses: Vec<Pause>,
     /// Whether the coolant flows.
     pub coolant: bool,
+    /// Why, where a rule decided it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub because: Vec<Because>,
     /// The cycles it runs; stops name them by their place here.
     pub cycles: Vec<Cycle>,
     /// The points, in order.

@@ -257,10 +257,10 @@ fn conditions(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>)
     let needed = cycle.dwell_s.map_or(0.0, |dwell| dwell.0);
     // Dwells are written in tenths or thousandths: there is nothing to round.
     if (cut.dwell() - needed).abs() > 0.0005 {
-        // Ten times as long is another unit of time.
+        // So much longer it is another unit of time.
         let severity = match cut.dwell() {
             made if made < needed => Severity::Doubtful,
-            made if made > (10.0 * needed).max(1.0) => Severity::Wrong,
+            made if made > (asked.tolerated.overlong * needed).max(1.0) => Severity::Wrong,
             _ => Severity::Note,
         };
         findings.push(say.figure("other-dwell", severity, crate::units::round_to(cut.dwell(), 3), needed));

@@ -70,6 +70,8 @@ pub struct Tolerated {
     pub overrun: Micrometres,
     /// How many times the planned speed or feed somebody else may have chosen.
     pub overload: f64,
+    /// How many times the planned dwell is no choice any more.
+    pub overlong: f64,
 }
 
 impl Tolerated {
@@ -83,7 +85,8 @@ impl Tolerated {
         let answer = rule.decide(&[("entry", Input::Text(entry)), ("through", Input::Bool(true))])?;
         let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, entry))?;
         let overload = crate::job::convention("overload", knowledge)?.0;
-        Ok(Self { overrun: row.length("overrun")?, overload })
+        let overlong = crate::job::convention("overlong", knowledge)?.0;
+        Ok(Self { overrun: row.length("overrun")?, overload, overlong })
     }
 }
 

@@ -23,6 +23,8 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "шляхи інструментів ведуть над притискачами {clamps} на {height} мм над деталлю, а висота притискачів не відома",
         "ways of tools lead over the clamps at {clamps}, {height} mm over the part, and how high these are is not known",
     ),
+    ("cooled", "{operation}: з охолодженням", "{operation}: with coolant"),
+    ("dry", "{operation}: без охолодження", "{operation}: without coolant"),
     ("withdrawal", "між отворами на {height} мм над деталлю", "{height} mm over the part from hole to hole"),
     (
         "no-room-over-part",

@@ -40,7 +40,9 @@ pub fn write(job: &Job, form: Form) -> Written {
     };
     sheet.put(Block::new().g(17).g(40).g(49).g(80).g(90), Place::of(Role::Frame));
     away(&mut sheet, Place::of(Role::Withdrawal));
-    let shared = shared_points(job, form);
+    let runs: Runs =
+        job.setups.iter().map(|setup| setup.works.iter().map(|work| points::runs(work, form)).collect()).collect();
+    let shared = shared_points(job, &runs);
     let mut in_spindle = None;
     for (setup_index, setup) in job.setups.iter().enumerate() {
         for (work_index, work) in setup.works.iter().enumerate() {
@@ -56,7 +58,7 @@ pub fn write(job: &Job, form: Form) -> Written {
                 sheet.put(Block::new().word('T', work.place).m(6), place(Role::ToolChange));
                 in_spindle = Some(work.place);
             }
-            one_tool(&mut sheet, work, work_ref, &shared);
+            one_tool(&mut sheet, work, work_ref, &runs[setup_index][work_index], &shared);
             away(&mut sheet, place(Role::Withdrawal));
         }
     }
@@ -64,22 +66,26 @@ pub fn write(job: &Job, form: Form) -> Written {
     sheet.finish()
 }
 
-/// The lists of blocks over points that occur more than once.
-fn shared_points(job: &Job, form: Form) -> BTreeMap<Vec<Block>, usize> {
+/// The runs of every work, by set-up.
+type Runs = Vec<Vec<Vec<Run>>>;
+
+/// How often each list of blocks over points occurs. A mill's contour is called at each of its points, so its list is no
+/// list that another tool could share.
+fn shared_points(job: &Job, runs: &Runs) -> BTreeMap<Vec<Block>, usize> {
     let mut counts = BTreeMap::new();
-    for work in job.setups.iter().flat_map(|setup| &setup.works) {
-        for run in points::runs(work, form) {
-            *counts.entry(run.blocks).or_insert(0) += 1;
+    for (work, runs) in job.setups.iter().flat_map(|setup| &setup.works).zip(runs.iter().flatten()) {
+        for run in runs.iter().filter(|run| work.cycles.get(run.cycle).is_some_and(points::is_fixed)) {
+            *counts.entry(run.blocks.clone()).or_insert(0) += 1;
         }
     }
     counts
 }
 
 /// Spindle, approach, and the runs of one tool.
-fn one_tool(sheet: &mut Sheet, work: &ToolWork, work_ref: WorkRef, shared: &BTreeMap<Vec<Block>, usize>) {
+fn one_tool(sheet: &mut Sheet, work: &ToolWork, work_ref: WorkRef, runs: &[Run], shared: &BTreeMap<Vec<Block>, usize>) {
     let form = sheet.form;
-    let mut before: Option<(Run, &Cycle)> = None;
-    for run in points::runs(work, form) {
+    let mut before: Option<(&Run, &Cycle)> = None;
+    for run in runs {
         let Some(cycle) = work.cycles.get(run.cycle) else { continue };
         let place = |role| Place { role, work: Some(work_ref), cycle: Some(run.cycle) };
         let to = |block: Block| block.axis('X', run.first.x).axis('Y', run.first.y);
@@ -98,7 +104,7 @@ fn one_tool(sheet: &mut Sheet, work: &ToolWork, work_ref: WorkRef, shared: &BTre
                     block = block.g(90);
                 }
                 // In the block of the motion, so that the cycle before does not run at its end.
-                if !matches!(known.kind, Kind::Circles { .. }) {
+                if points::is_fixed(known) {
                     block = block.g(80);
                 }
                 if last.last != run.first {
@@ -115,7 +121,7 @@ fn one_tool(sheet: &mut Sheet, work: &ToolWork, work_ref: WorkRef, shared: &BTre
                 }
             }
         }
-        put_run(sheet, work, &run, place(Role::Cycle), shared);
+        put_run(sheet, work, run, place(Role::Cycle), shared);
         before = Some((run, cycle));
     }
 }

@@ -1,6 +1,6 @@
 //! The way over the points of one cycle: positions, or ways where equal steps follow each other and L repeats them.
 
-use crate::job::{Kind, ToolWork};
+use crate::job::{Cycle, Kind, ToolWork};
 use crate::part::Point;
 use crate::units::Micrometres;
 
@@ -34,6 +34,11 @@ const FRAME: usize = 6;
 /// What a subprogram costs beside its blocks: its number, its end, and the call.
 const SUBPROGRAM: usize = 22;
 
+/// Whether it is a cycle of the control, which runs at every point until it is cancelled.
+pub(super) const fn is_fixed(cycle: &Cycle) -> bool {
+    !matches!(cycle.kind, Kind::Circles { .. })
+}
+
 /// The runs of a tool, in order.
 pub(super) fn runs(work: &ToolWork, form: Form) -> Vec<Run> {
     let stops = work.stops.chunk_by(|a, b| a.cycle == b.cycle);
@@ -42,7 +47,7 @@ pub(super) fn runs(work: &ToolWork, form: Form) -> Vec<Run> {
             let points: Vec<Point> = stops.iter().map(|stop| form.point(stop.at)).collect();
             let cycle = stops.first()?.cycle;
             // A mill's contour is called at each point, so there is nothing to repeat.
-            let fixed = !matches!(work.cycles.get(cycle)?.kind, Kind::Circles { .. });
+            let fixed = is_fixed(work.cycles.get(cycle)?);
             let (positions, ways) = (positions(&points), ways(&points));
             // Positions are easier to read: ways are taken where rows make the program a fifth shorter.
             let incremental = fixed && length(&ways) * 5 < length(&positions) * 4;
