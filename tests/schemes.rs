@@ -12,7 +12,7 @@ use proptest::prelude::*;
 use technolog::shipped;
 use technolog::turning::length::Half;
 use technolog::turning::levels::Levels;
-use technolog::turning::passes::pass::Point;
+use technolog::turning::point::Point;
 use technolog::turning::schemes::find;
 use technolog::turning::schemes::path::{Motion, Role, Vertex};
 use technolog::turning::schemes::removal::Scheme;

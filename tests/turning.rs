@@ -18,10 +18,11 @@ use technolog::turning::passes::cost::{Cost, Objective};
 use technolog::turning::passes::enumeration::enumerate;
 use technolog::turning::passes::grid::{Grid, states};
 use technolog::turning::passes::optimum::{CostToGo, moves};
-use technolog::turning::passes::pass::{Kind, Pass, Point, legs};
+use technolog::turning::passes::pass::{Kind, Pass, legs};
 use technolog::turning::passes::rich::staircase::{Lines, Stairs};
 use technolog::turning::passes::variants::{per_step, total};
 use technolog::turning::passes::{find, named, rich};
+use technolog::turning::point::Point;
 use technolog::turning::shaft::{Division, Mistake, Rates, Shaft, read_shaft};
 use technolog::units::{Micrometres, MillimetresPerMinute};
 

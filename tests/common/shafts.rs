@@ -7,7 +7,8 @@ use technolog::note::Note;
 use technolog::turning::length::Half;
 use technolog::turning::passes::cost::Objective;
 use technolog::turning::passes::grid::Grid;
-use technolog::turning::passes::pass::{Kind, Pass, Point};
+use technolog::turning::passes::pass::{Kind, Pass};
+use technolog::turning::point::Point;
 use technolog::turning::shaft::{Blank, BlankKind, Division, Holding, Moves, Rates, Roughing, Shaft, Step};
 use technolog::units::Micrometres;
 

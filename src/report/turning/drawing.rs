@@ -5,8 +5,9 @@ use super::super::canvas::{Anchor, At, Canvas, Pen};
 use super::super::sentences::term;
 use super::{Lang, figure, schemes_drawing};
 use crate::turning::length::Half;
-use crate::turning::passes::pass::{Kind, Pass, Point};
+use crate::turning::passes::pass::{Kind, Pass};
 use crate::turning::passes::{Sequences, Variant};
+use crate::turning::point::Point;
 use crate::turning::schemes::Schemes;
 
 /// Width of a panel, in units of the drawing.

@@ -7,7 +7,7 @@ use super::drawing::{MARGIN, PANEL, TALL, TITLE, part};
 use super::{Lang, figure};
 use crate::turning::length::Half;
 use crate::turning::passes::Sequences;
-use crate::turning::passes::pass::Point;
+use crate::turning::point::Point;
 use crate::turning::schemes::path::Motion;
 use crate::turning::schemes::{SchemeTold, Schemes};
 use crate::units::round_to;

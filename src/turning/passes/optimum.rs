@@ -13,7 +13,8 @@ use crate::turning::length::Half;
 
 use super::cost::{Cost, Objective};
 use super::grid::{Grid, Level, Slice};
-use super::pass::{Kind, Pass, Point, Spot, Start};
+use super::pass::{Kind, Pass, Spot, Start};
+use crate::turning::point::Point;
 
 /// A pass that a state allows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use crate::note::Note;
 use crate::turning::length::Half;
+use crate::turning::point::Point;
 use crate::turning::shaft::Rates;
 use crate::units::Micrometres;
 
@@ -34,15 +35,6 @@ impl Kind {
             Self::Transverse => Self::Longitudinal,
         }
     }
-}
-
-/// A point of the half section: radius from the axis, Z from the face of the free end towards the chuck.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub struct Point {
-    /// Radius.
-    pub radius: Half,
-    /// Z.
-    pub z: Half,
 }
 
 /// Where a pass begins in the metal.

@@ -6,7 +6,8 @@ use crate::turning::length::Half;
 use super::cost::{Cost, Objective};
 use super::grid::{Cylinder, Grid};
 use super::optimum::{moves, pass};
-use super::pass::{Kind, Pass, Point, Spot};
+use super::pass::{Kind, Pass, Spot};
+use crate::turning::point::Point;
 
 /// What passes cost in that order, the way home included.
 pub fn total(passes: &[Pass], objective: Objective, bar: Half) -> Cost {

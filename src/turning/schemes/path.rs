@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::turning::length::Half;
-use crate::turning::passes::pass::Point;
+use crate::turning::point::Point;
 
 /// How the tool comes to a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

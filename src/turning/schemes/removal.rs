@@ -6,7 +6,7 @@ use serde::Serialize;
 use crate::turning::length::Half;
 use crate::turning::levels::Levels;
 use crate::turning::levels::zone::Section;
-use crate::turning::passes::pass::Point;
+use crate::turning::point::Point;
 
 use super::path::{Path, Vertex};
 

@@ -15,7 +15,7 @@ pub use decimal::Decimal;
 pub use grade::ItGrade;
 pub use length::Micrometres;
 pub use quantity::{
-    Kilowatts, MetresPerMinute, MillimetresPerMinute, MillimetresPerRev, MillimetresPerSecondSquared, Minutes,
+    Degrees, Kilowatts, MetresPerMinute, MillimetresPerMinute, MillimetresPerRev, MillimetresPerSecondSquared, Minutes,
     NewtonMetres, Newtons, RevsPerMinute, Seconds, round_to,
 };
 pub use roughness::Roughness;

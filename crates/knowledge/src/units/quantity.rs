@@ -50,6 +50,8 @@ quantities! {
     MillimetresPerRev,
     /// Feed rate, mm/min.
     MillimetresPerMinute,
+    /// Angle, degrees.
+    Degrees,
     /// Acceleration, mm/s².
     MillimetresPerSecondSquared,
     /// Spindle speed, 1/min.

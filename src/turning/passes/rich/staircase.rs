@@ -5,7 +5,8 @@ use crate::turning::length::Half;
 
 use super::super::cost::Objective;
 use super::super::grid::Grid;
-use super::super::pass::{Kind, Pass, Point};
+use super::super::pass::{Kind, Pass};
+use crate::turning::point::Point;
 
 /// The lines on which passes run and stop.
 ///

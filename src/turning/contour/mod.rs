@@ -1,0 +1,162 @@
+//! The contour of a turned part or blank in the half section: lines and arcs, one after the other.
+//!
+//! A contour goes from the free end towards the chuck. The metal lies to its right, which is towards the axis, where it is
+//! an outer one, and to its left where it is a bore.
+
+pub mod piece;
+pub mod surface;
+
+use serde::{Deserialize, Serialize};
+
+use super::length::Half;
+use super::point::Point;
+pub use piece::{Curve, Piece, Turn};
+pub use surface::{Profile, Surface, SurfaceKind};
+
+/// On which side of a contour the metal lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Side {
+    /// Towards the axis: the contour is turned from outside.
+    Outer,
+    /// Away from the axis: the contour is bored.
+    Inner,
+}
+
+/// Pieces that hang together: each begins where the one before it ends.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Contour {
+    /// Where its metal lies.
+    pub side: Side,
+    /// Its pieces from the free end.
+    pub pieces: Vec<Piece>,
+}
+
+impl Contour {
+    /// A contour of straight lines through points, without those that have no length.
+    pub fn through(side: Side, points: &[Point]) -> Self {
+        let lines = points.iter().zip(points.iter().skip(1)).map(|(from, to)| Piece::line(*from, *to));
+        Self { side, pieces: lines.filter(|piece| !piece.is_nothing()).collect() }
+    }
+
+    /// Where it begins, at the free end.
+    pub fn start(&self) -> Option<Point> {
+        self.pieces.first().map(|piece| piece.from)
+    }
+
+    /// Where it ends, towards the chuck.
+    pub fn end(&self) -> Option<Point> {
+        self.pieces.last().map(|piece| piece.to)
+    }
+
+    /// Its ends and corners in order.
+    pub fn corners(&self) -> Vec<Point> {
+        self.start().into_iter().chain(self.pieces.iter().map(|piece| piece.to)).collect()
+    }
+
+    /// Whether each piece begins where the one before it ends.
+    pub fn hangs_together(&self) -> bool {
+        self.pieces.iter().zip(self.pieces.iter().skip(1)).all(|(one, next)| one.to == next.from)
+    }
+
+    /// Whether no piece leads back towards the free end, so that each Z has one radius, or a face.
+    pub fn is_monotone(&self) -> bool {
+        let forward = |piece: &Piece| {
+            piece.to.z >= piece.from.z
+                && piece.extremes().iter().all(|point| (piece.from.z..=piece.to.z).contains(&point.z))
+        };
+        self.pieces.iter().all(forward)
+    }
+
+    /// Whether it has nothing but cylinders and faces.
+    pub fn is_stepped(&self) -> bool {
+        self.pieces.iter().all(|piece| piece.is_face() || piece.is_cylinder())
+    }
+
+    /// The least and the greatest radius at a Z, of a monotone contour: the same but on a face. None beyond its ends.
+    pub fn radii_at(&self, z: Half) -> Option<(Half, Half)> {
+        let radii = self.pieces.iter().flat_map(|piece| piece.at_z(z)).map(|point| point.radius);
+        radii.fold(None, |found: Option<(Half, Half)>, radius| {
+            Some(found.map_or((radius, radius), |(least, most)| (least.min(radius), most.max(radius))))
+        })
+    }
+
+    /// Where it crosses, touches or lies on the horizontal of a radius, in its own order; a point that two pieces share
+    /// stands once.
+    pub fn at_radius(&self, radius: Half) -> Vec<Point> {
+        let mut found: Vec<Point> = self.pieces.iter().flat_map(|piece| piece.at_radius(radius)).collect();
+        found.dedup();
+        found
+    }
+
+    /// The least and the greatest radius of it anywhere.
+    pub fn radii(&self) -> Option<(Half, Half)> {
+        let radii = self.pieces.iter().flat_map(|piece| piece.extremes()).map(|point| point.radius);
+        radii.fold(None, |found: Option<(Half, Half)>, radius| {
+            Some(found.map_or((radius, radius), |(least, most)| (least.min(radius), most.max(radius))))
+        })
+    }
+
+    /// The part turned over: what was Z = `length` becomes Z = 0, and the contour again goes from the free end.
+    #[must_use]
+    pub fn turned_over(&self, length: Half) -> Self {
+        let place = |point: Point| Point { radius: point.radius, z: length - point.z };
+        // Mirrored and walked the other way, an arc bends to the side that it bent to.
+        let pieces = self.pieces.iter().rev().map(|piece| piece.mapped(true, place).reversed()).collect();
+        Self { side: self.side, pieces }
+    }
+
+    /// Inside out: radii count inwards from `top`. A bore becomes an outer contour and the other way round, so that what
+    /// is written for outer contours serves for bores.
+    #[must_use]
+    pub fn inside_out(&self, top: Half) -> Self {
+        let place = |point: Point| Point { radius: top - point.radius, z: point.z };
+        let side = match self.side {
+            Side::Outer => Side::Inner,
+            Side::Inner => Side::Outer,
+        };
+        Self { side, pieces: self.pieces.iter().map(|piece| piece.mapped(true, place)).collect() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(radius: f64, z: f64) -> Point {
+        Point { radius: Half::from(radius), z: Half::from(z) }
+    }
+
+    /// A pin of 10 with a fillet of 5 into a flange of 30, which a chamfer of 2 ends.
+    fn pin() -> Contour {
+        let mut pin = Contour::through(Side::Outer, &[at(0.0, 0.0), at(10.0, 0.0), at(10.0, 20.0)]);
+        pin.pieces.push(Piece::arc(at(10.0, 20.0), at(15.0, 25.0), Half::from(5.0), Turn::Left));
+        pin.pieces.push(Piece::line(at(15.0, 25.0), at(28.0, 25.0)));
+        pin.pieces.push(Piece::line(at(28.0, 25.0), at(30.0, 27.0)));
+        pin.pieces.push(Piece::line(at(30.0, 27.0), at(30.0, 40.0)));
+        pin
+    }
+
+    #[test]
+    fn a_contour_tells_its_radii_and_crossings() {
+        let pin = pin();
+        assert!(pin.hangs_together() && pin.is_monotone() && !pin.is_stepped());
+        assert_eq!(pin.radii_at(Half::from(24.0)), Some((Half::from(12.0), Half::from(12.0))));
+        assert_eq!(pin.radii_at(Half::from(25.0)), Some((Half::from(15.0), Half::from(28.0))));
+        assert_eq!(pin.radii_at(Half::from(41.0)), None);
+        assert_eq!(pin.at_radius(Half::from(12.0)), [at(12.0, 24.0)]);
+        assert_eq!(pin.at_radius(Half::from(10.0)), [at(10.0, 0.0), at(10.0, 20.0)]);
+    }
+
+    #[test]
+    fn turning_over_and_inside_out_twice_change_nothing() {
+        let pin = pin();
+        let over = pin.turned_over(Half::from(40.0));
+        assert!(over.hangs_together());
+        assert_eq!(over.radii_at(Half::from(16.0)), Some((Half::from(12.0), Half::from(12.0))));
+        assert_eq!(over.turned_over(Half::from(40.0)), pin);
+        let out = pin.inside_out(Half::from(50.0));
+        assert_eq!(out.radii_at(Half::from(24.0)), Some((Half::from(38.0), Half::from(38.0))));
+        assert_eq!(out.inside_out(Half::from(50.0)), pin);
+    }
+}

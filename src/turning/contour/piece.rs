@@ -1,0 +1,297 @@
+//! A piece of a contour: a straight line or an arc between two exact points.
+
+use serde::{Deserialize, Serialize};
+
+use crate::turning::length::Half;
+use crate::turning::point::{Point, Vector};
+
+/// To which side an arc bends, going along it with Z to the right and the radius upwards.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Turn {
+    /// Counter-clockwise: on an outer contour from the free end a fillet, hollow.
+    Left,
+    /// Clockwise: on an outer contour from the free end a ball, bulging.
+    Right,
+}
+
+impl Turn {
+    /// The other side.
+    #[must_use]
+    pub const fn other(self) -> Self {
+        match self {
+            Self::Left => Self::Right,
+            Self::Right => Self::Left,
+        }
+    }
+}
+
+/// What a piece follows between its ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Curve {
+    /// A straight line.
+    Line,
+    /// An arc of at most half a circle.
+    Arc {
+        /// Its radius, at least half the distance of its ends.
+        #[serde(rename = "radius_mm")]
+        radius: Half,
+        /// To which side it bends.
+        turn: Turn,
+    },
+}
+
+/// A line or an arc from one point to another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Piece {
+    /// Where it begins.
+    pub from: Point,
+    /// Where it ends.
+    pub to: Point,
+    /// What it follows.
+    pub curve: Curve,
+}
+
+impl Piece {
+    /// A straight line.
+    pub const fn line(from: Point, to: Point) -> Self {
+        Self { from, to, curve: Curve::Line }
+    }
+
+    /// An arc of at most half a circle.
+    pub const fn arc(from: Point, to: Point, radius: Half, turn: Turn) -> Self {
+        Self { from, to, curve: Curve::Arc { radius, turn } }
+    }
+
+    /// The same, walked the other way.
+    #[must_use]
+    pub const fn reversed(self) -> Self {
+        let curve = match self.curve {
+            Curve::Line => Curve::Line,
+            Curve::Arc { radius, turn } => Curve::Arc { radius, turn: turn.other() },
+        };
+        Self { from: self.to, to: self.from, curve }
+    }
+
+    /// Upright: a face.
+    pub fn is_face(self) -> bool {
+        self.curve == Curve::Line && self.from.z == self.to.z
+    }
+
+    /// Parallel to the axis: a cylinder.
+    pub fn is_cylinder(self) -> bool {
+        self.curve == Curve::Line && self.from.radius == self.to.radius
+    }
+
+    /// Without any length.
+    pub fn is_nothing(self) -> bool {
+        self.from == self.to
+    }
+
+    /// From its beginning straight to its end.
+    pub fn chord(self) -> Vector {
+        self.from.to(self.to)
+    }
+
+    /// The centre of an arc, from zero; none for a line. An arc whose radius is a trifle less than half its chord (its
+    /// ends are rounded) has its centre in the middle of it.
+    pub fn centre(self) -> Option<Vector> {
+        let Curve::Arc { radius, turn } = self.curve else { return None };
+        let chord = self.chord();
+        let half = chord.length() / 2.0;
+        let height = libm::sqrt((radius.to_mm() * radius.to_mm() - half * half).max(0.0));
+        let towards = match turn {
+            Turn::Left => chord.unit().left(),
+            Turn::Right => chord.unit().left().times(-1.0),
+        };
+        Some(self.from.vector().plus(chord.times(0.5)).plus(towards.times(height)))
+    }
+
+    /// Its direction at its beginning, 1 mm long.
+    pub fn direction_at_start(self) -> Vector {
+        self.direction_at(self.from)
+    }
+
+    /// Its direction at its end, 1 mm long.
+    pub fn direction_at_end(self) -> Vector {
+        self.direction_at(self.to)
+    }
+
+    /// Its direction at a point of it, 1 mm long.
+    pub fn direction_at(self, point: Point) -> Vector {
+        match (self.curve, self.centre()) {
+            (Curve::Arc { turn, .. }, Some(centre)) => {
+                let spoke = centre.times(-1.0).plus(point.vector()).unit();
+                match turn {
+                    Turn::Left => spoke.left(),
+                    Turn::Right => spoke.left().times(-1.0),
+                }
+            }
+            _ => self.chord().unit(),
+        }
+    }
+
+    /// Its length along itself, mm.
+    pub fn length_mm(self) -> f64 {
+        let chord = self.chord().length();
+        match self.curve {
+            Curve::Line => chord,
+            Curve::Arc { radius, .. } => {
+                let radius = radius.to_mm();
+                2.0 * radius * libm::asin((chord / 2.0 / radius.max(f64::MIN_POSITIVE)).min(1.0))
+            }
+        }
+    }
+
+    /// The points of it that lie farthest out in each direction: its ends, and where an arc is level or upright.
+    pub fn extremes(self) -> Vec<Point> {
+        let mut points = vec![self.from, self.to];
+        if let (Curve::Arc { radius, .. }, Some(centre)) = (self.curve, self.centre()) {
+            let radius = radius.to_mm();
+            for spoke in [
+                Vector::new(radius, 0.0),
+                Vector::new(-radius, 0.0),
+                Vector::new(0.0, radius),
+                Vector::new(0.0, -radius),
+            ] {
+                let point = Point::at(centre.plus(spoke));
+                if self.holds(point) {
+                    points.push(point);
+                }
+            }
+        }
+        points
+    }
+
+    /// Whether a point on the circle of an arc, or on the line, lies between its ends.
+    pub fn holds(self, point: Point) -> bool {
+        let (before, after) = (self.from.to(point), point.to(self.to));
+        match self.curve {
+            Curve::Line => self.chord().dot(before) >= 0.0 && self.chord().dot(after) >= 0.0,
+            // The point must lie off the chord on the bulging side: an arc is at most half a circle.
+            Curve::Arc { turn: Turn::Left, .. } => self.chord().cross(before) <= 0.0,
+            Curve::Arc { turn: Turn::Right, .. } => self.chord().cross(before) >= 0.0,
+        }
+    }
+
+    /// Where it crosses or touches the horizontal of a radius, in its own order; the beginning and the end of a cylinder
+    /// that lies on it.
+    pub fn at_radius(self, radius: Half) -> Vec<Point> {
+        self.crossings(
+            radius,
+            |point| point.radius,
+            |radius, z| Point { radius, z },
+            |vector| (vector.radius, vector.z),
+        )
+    }
+
+    /// Where it crosses or touches the vertical of a Z, in its own order; the beginning and the end of a face that stands
+    /// on it.
+    pub fn at_z(self, z: Half) -> Vec<Point> {
+        self.crossings(z, |point| point.z, |z, radius| Point { radius, z }, |vector| (vector.z, vector.radius))
+    }
+
+    /// The same for both axes: the level is that of the first coordinate.
+    fn crossings(
+        self,
+        level: Half,
+        first: impl Fn(Point) -> Half,
+        point: impl Fn(Half, Half) -> Point,
+        parts: impl Fn(Vector) -> (f64, f64),
+    ) -> Vec<Point> {
+        let (from, to) = (first(self.from), first(self.to));
+        let mut found = Vec::new();
+        match (self.curve, self.centre()) {
+            (Curve::Arc { radius, .. }, Some(centre)) => {
+                let (along, across) = parts(centre);
+                let off = level.to_mm() - along;
+                let inside = radius.to_mm() * radius.to_mm() - off * off;
+                if inside >= 0.0 {
+                    let half = libm::sqrt(inside);
+                    for other in [across - half, across + half] {
+                        let at = point(level, Half::from(other));
+                        if self.holds(at) {
+                            found.push(at);
+                        }
+                    }
+                }
+                // The ends are exact; the circle through them is not.
+                for end in [self.from, self.to] {
+                    if first(end) == level {
+                        found.retain(|at| at.to(end).length() > 0.01);
+                        found.push(end);
+                    }
+                }
+            }
+            _ if from == level && to == level => found.extend([self.from, self.to]),
+            _ if (from <= level && level <= to) || (to <= level && level <= from) => {
+                let share = (level - from).to_mm() / (to - from).to_mm();
+                let at = self.from.moved(self.chord().times(share));
+                let (_, other) = parts(at.vector());
+                found.push(point(level, Half::from(other)));
+            }
+            _ => {}
+        }
+        found.sort_by(|a, b| self.from.to(*a).length().total_cmp(&self.from.to(*b).length()));
+        found.dedup();
+        found
+    }
+
+    /// The part of it between two of its points, in its own direction.
+    #[must_use]
+    pub const fn between(self, from: Point, to: Point) -> Self {
+        Self { from, to, curve: self.curve }
+    }
+
+    /// Each point replaced; arcs bend to the other side where the replacement mirrors.
+    #[must_use]
+    pub fn mapped(self, mirrors: bool, place: impl Fn(Point) -> Point) -> Self {
+        let curve = match self.curve {
+            Curve::Arc { radius, turn } if mirrors => Curve::Arc { radius, turn: turn.other() },
+            curve => curve,
+        };
+        Self { from: place(self.from), to: place(self.to), curve }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(radius: f64, z: f64) -> Point {
+        Point { radius: Half::from(radius), z: Half::from(z) }
+    }
+
+    /// A quarter fillet of 5 from a cylinder of radius 20 into a face: the centre lies 5 outwards of its beginning.
+    #[test]
+    fn a_fillet_turns_left_about_a_centre_above_it() {
+        let fillet = Piece::arc(at(20.0, 10.0), at(25.0, 15.0), Half::from(5.0), Turn::Left);
+        assert_eq!(Point::at(fillet.centre().unwrap()), at(25.0, 10.0));
+        assert!((fillet.length_mm() - 5.0 * std::f64::consts::FRAC_PI_2).abs() < 1e-9);
+        assert!((fillet.direction_at_start().degrees()).abs() < 1e-6);
+        assert!((fillet.direction_at_end().degrees() - 90.0).abs() < 1e-6);
+        // 3-4-5: one outwards of the lowest point is 3 along.
+        assert_eq!(fillet.at_radius(Half::from(21.0)), [at(21.0, 13.0)]);
+        assert_eq!(fillet.at_z(Half::from(14.0)), [at(22.0, 14.0)]);
+    }
+
+    /// Half a ball of 10 from the axis to the axis: bulging, farthest out in its middle.
+    #[test]
+    fn a_ball_turns_right_and_is_crossed_twice() {
+        let ball = Piece::arc(at(0.0, 0.0), at(0.0, 20.0), Half::from(10.0), Turn::Right);
+        assert_eq!(ball.at_radius(Half::from(8.0)), [at(8.0, 4.0), at(8.0, 16.0)]);
+        assert!(ball.extremes().contains(&at(10.0, 10.0)));
+        assert_eq!(ball.reversed().at_radius(Half::from(8.0)), [at(8.0, 16.0), at(8.0, 4.0)]);
+        assert_eq!(ball.at_radius(Half::from(10.5)), []);
+    }
+
+    #[test]
+    fn a_line_is_crossed_where_it_is() {
+        let cone = Piece::line(at(10.0, 0.0), at(20.0, 5.0));
+        assert_eq!(cone.at_radius(Half::from(12.0)), [at(12.0, 1.0)]);
+        let cylinder = Piece::line(at(10.0, 0.0), at(10.0, 5.0));
+        assert_eq!(cylinder.at_radius(Half::from(10.0)), [at(10.0, 0.0), at(10.0, 5.0)]);
+        assert_eq!(cylinder.at_z(Half::from(2.0)), [at(10.0, 2.0)]);
+    }
+}

@@ -1,0 +1,103 @@
+//! Points of the half section, exact, and vectors between them, which are not.
+
+use serde::{Deserialize, Serialize};
+
+use super::length::Half;
+
+/// A point of the half section: radius from the axis, Z from the face of the free end towards the chuck.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct Point {
+    /// Radius.
+    pub radius: Half,
+    /// Z.
+    pub z: Half,
+}
+
+impl Point {
+    /// A point.
+    pub const fn new(radius: Half, z: Half) -> Self {
+        Self { radius, z }
+    }
+
+    /// From here to there, mm.
+    pub fn to(self, other: Self) -> Vector {
+        Vector { z: (other.z - self.z).to_mm(), radius: (other.radius - self.radius).to_mm() }
+    }
+
+    /// The point that a vector leads to, rounded to half a micrometre.
+    #[must_use]
+    pub fn moved(self, by: Vector) -> Self {
+        Self { radius: self.radius + Half::from(by.radius), z: self.z + Half::from(by.z) }
+    }
+
+    /// The point of a distance from zero, rounded to half a micrometre.
+    pub fn at(place: Vector) -> Self {
+        Self::default().moved(place)
+    }
+
+    /// From zero to here, mm.
+    pub fn vector(self) -> Vector {
+        Self::default().to(self)
+    }
+}
+
+/// A way in the half section, mm: what formulas work with. Z points towards the chuck, the radius away from the axis.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Vector {
+    /// Along the axis, towards the chuck, mm.
+    pub z: f64,
+    /// Across it, outwards, mm.
+    pub radius: f64,
+}
+
+impl Vector {
+    /// A way, mm.
+    pub const fn new(z: f64, radius: f64) -> Self {
+        Self { z, radius }
+    }
+
+    /// Its length, mm.
+    pub fn length(self) -> f64 {
+        libm::hypot(self.z, self.radius)
+    }
+
+    /// So many times as long.
+    #[must_use]
+    pub fn times(self, factor: f64) -> Self {
+        Self { z: self.z * factor, radius: self.radius * factor }
+    }
+
+    /// Both ways after each other.
+    #[must_use]
+    pub fn plus(self, other: Self) -> Self {
+        Self { z: self.z + other.z, radius: self.radius + other.radius }
+    }
+
+    /// Turned by a quarter to the left of the way, which is outwards for a way towards the chuck.
+    #[must_use]
+    pub fn left(self) -> Self {
+        Self { z: -self.radius, radius: self.z }
+    }
+
+    /// The same direction, 1 mm long; itself where it has no length.
+    #[must_use]
+    pub fn unit(self) -> Self {
+        let length = self.length();
+        if length > 0.0 { self.times(1.0 / length) } else { self }
+    }
+
+    /// What of another way goes along this one, times its length.
+    pub fn dot(self, other: Self) -> f64 {
+        self.z * other.z + self.radius * other.radius
+    }
+
+    /// Positive where another way turns to the left of this one.
+    pub fn cross(self, other: Self) -> f64 {
+        self.z * other.radius - self.radius * other.z
+    }
+
+    /// Its direction, degrees in (−180, 180]: 0 towards the chuck, 90 outwards, ±180 towards the free end.
+    pub fn degrees(self) -> f64 {
+        libm::atan2(self.radius, self.z).to_degrees()
+    }
+}

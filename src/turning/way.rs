@@ -1,0 +1,81 @@
+//! The way of a turning tool: lines and arcs of its theoretical point, each with what it is for. What transitions make,
+//! programs print, drawings and times consume.
+//!
+//! Architecture invariant: a way knows no language of a control.
+
+use serde::{Deserialize, Serialize};
+
+use super::contour::{Curve, Piece};
+use super::point::Point;
+
+/// What a move is for, which decides its rate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Purpose {
+    /// Through air, as fast as the axes go.
+    Rapid,
+    /// A straight working pass, at the main feed.
+    Cut,
+    /// Straight into the metal, towards the contour, at the feed of cutting in.
+    Infeed,
+    /// Along the contour, cutting the ridges that passes left, at the feed of picking up.
+    PickUp,
+    /// Along the whole contour after the passes, at the feed of the semi-finishing pass.
+    SemiFinish,
+    /// Along the contour at the feed of finishing.
+    Finish,
+    /// At a feed, but through no metal: along a contour that is cut already, or off it.
+    Return,
+}
+
+/// A move.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Move {
+    /// Where it ends.
+    pub to: Point,
+    /// What it follows; a rapid is a line.
+    pub curve: Curve,
+    /// What it is for.
+    pub purpose: Purpose,
+}
+
+/// A way: from a point, the moves one after the other.
+#[derive(Clone, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct Way {
+    /// Where it begins.
+    pub from: Point,
+    /// Its moves.
+    pub moves: Vec<Move>,
+}
+
+impl Way {
+    /// A way that stands at a point.
+    pub const fn at(from: Point) -> Self {
+        Self { from, moves: Vec::new() }
+    }
+
+    /// Where it ends.
+    pub fn end(&self) -> Point {
+        self.moves.last().map_or(self.from, |last| last.to)
+    }
+
+    /// Goes straight to a point; a move without length is none.
+    pub fn go(&mut self, to: Point, purpose: Purpose) {
+        if to != self.end() {
+            self.moves.push(Move { to, curve: Curve::Line, purpose });
+        }
+    }
+
+    /// Follows a piece, which begins where the way ends.
+    pub fn follow(&mut self, piece: Piece, purpose: Purpose) {
+        if !piece.is_nothing() {
+            self.moves.push(Move { to: piece.to, curve: piece.curve, purpose });
+        }
+    }
+
+    /// Its moves as pieces, each with its purpose.
+    pub fn pieces(&self) -> impl Iterator<Item = (Piece, Purpose)> + '_ {
+        let starts = std::iter::once(self.from).chain(self.moves.iter().map(|one| one.to));
+        starts.zip(&self.moves).map(|(from, one)| (Piece { from, to: one.to, curve: one.curve }, one.purpose))
+    }
+}
