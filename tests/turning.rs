@@ -113,6 +113,21 @@ fn the_drawing_has_every_pass_of_every_variant() {
     assert_eq!(drawing.matches("stroke=\"#d55e00\" stroke-width=\"1\"").count(), 11 + 5 + 5);
 }
 
+/// Eight passes, eight pictures: in the first all stock but that of the first pass still stands, in the last none.
+#[test]
+fn the_optimum_is_drawn_pass_by_pass() {
+    let drawing = text(&["examples/shaft.yaml", "--show", "steps", "--format", "svg", "--lang", "en"]);
+    for title in ["1. longitudinal, 34 mm, 34 in all", "8. transverse, 1 mm, 89 in all"] {
+        assert!(drawing.contains(title), "{title}");
+    }
+    // Every text stands twice, first as its own white edge.
+    let frames: Vec<&str> = drawing.split(" in all</text>").step_by(2).collect();
+    assert_eq!(frames.len(), 9);
+    let standing = |frame: &str| frame.matches("#f3ead2").count();
+    assert!(standing(frames[1]) > standing(frames[2]) && standing(frames[7]) > 0);
+    assert_eq!(standing(frames[8]), 0);
+}
+
 /// One pass of one level, with figures worked out by hand: from home (radius 22, Z 2 before the face) to radius 18 is
 /// 4 mm; at the feed 2 + 10 mm; back by 0.5, out to radius 22 (3.5), along to home (11.5): rapids 0.5 + 3.5 + 11.5 + 4.
 #[test]

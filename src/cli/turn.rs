@@ -35,7 +35,7 @@ pub struct Args {
     /// Moves: basic, as the paper has them, or rich: stopping anywhere and with less depth; else as the file says
     #[arg(long, value_enum, hide_possible_values = true)]
     moves: Option<MovesName>,
-    /// What to show: the passes, or the map of the variants over length to diameter (the shaft stretched)
+    /// What to show: the passes, the optimum step by step as pictures (--format svg), or the map of the variants over length to diameter (the shaft stretched)
     #[arg(long, value_enum, hide_possible_values = true, default_value = "passes")]
     show: Show,
 }
@@ -44,6 +44,7 @@ pub struct Args {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Show {
     Passes,
+    Steps,
     Map,
 }
 
@@ -91,6 +92,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     match format {
         Format::Json => context.emit_json(&Answer::of(found, &schemes))?,
         Format::Yaml => context.emit_yaml(&Answer::of(found, &schemes))?,
+        Format::Svg if args.show == Show::Steps => context.emit(&report::turning::frames(&found, context.lang))?,
         Format::Svg => context.emit(&report::turning::drawing(&found, &schemes, context.lang))?,
         _ => context.emit(&report::turning::page(&found, &schemes, &knowledge, context.lang))?,
     }

@@ -1,6 +1,7 @@
 //! The passes of a shaft as its reader sees them: the variants side by side, and the best one pass by pass.
 
 mod drawing;
+mod frames;
 mod map;
 mod schemes;
 mod schemes_drawing;
@@ -20,6 +21,7 @@ use super::sentences::term;
 use super::{Lang, grid, sentence};
 
 pub use drawing::drawing;
+pub use frames::frames;
 pub use map::{map_drawing, map_page};
 
 /// The whole page of a shaft.

@@ -17,7 +17,7 @@ pub(super) const TALL: f64 = 420.0;
 pub(super) const MARGIN: f64 = 34.0;
 pub(super) const TITLE: f64 = 30.0;
 /// Fills of longitudinal and of transverse passes, two of each in turn so that neighbours differ.
-const FILLS: [[&str; 2]; 2] = [["#9fc8e8", "#cfe3f3"], ["#f6c69a", "#fbe0c6"]];
+pub(super) const FILLS: [[&str; 2]; 2] = [["#9fc8e8", "#cfe3f3"], ["#f6c69a", "#fbe0c6"]];
 const STEEL: &str = "#d9d9d9";
 /// The smallest side of a rectangle that still takes a number, in units of the drawing.
 const NUMBERED: f64 = 9.0;
@@ -73,7 +73,7 @@ fn panel(
         .replace("{path}", &figure(variant.cutting_path_mm, lang))
         .replace("{count}", &variant.passes.len().to_string());
     canvas.text(title_at, 14.0, Anchor::Start, &title);
-    part(canvas, found, place);
+    part(canvas, found, lang, place);
     let mut turn = [0_usize; 2];
     for pass in &variant.drawn {
         let kind = usize::from(pass.kind == Kind::Transverse);
@@ -89,7 +89,7 @@ fn panel(
 }
 
 /// The part under the stock, with its axis and its diameters.
-pub(super) fn part(canvas: &mut Canvas, found: &Sequences, place: &impl Fn(Point) -> At) {
+pub(super) fn part(canvas: &mut Canvas, found: &Sequences, lang: Lang, place: &impl Fn(Point) -> At) {
     let shaft = &found.shaft;
     let mut outline = vec![Point::default()];
     let mut z = Half::ZERO;
@@ -114,7 +114,7 @@ pub(super) fn part(canvas: &mut Canvas, found: &Sequences, place: &impl Fn(Point
     for step in &shaft.steps {
         let length = Half::of(step.length);
         let middle = place(Point { radius: Half::ZERO, z: z + Half::new(length.halves() / 2) });
-        let name = format!("Ø{}", step.diameter);
+        let name = format!("Ø{}", figure(step.diameter, lang));
         let far = place(Point { radius: Half::ZERO, z: z + length });
         if middle.0 - far.0 > name.chars().count() as f64 * 3.2 {
             canvas.text((middle.0, middle.1 - 8.0), 11.0, Anchor::Middle, &name);
@@ -124,7 +124,7 @@ pub(super) fn part(canvas: &mut Canvas, found: &Sequences, place: &impl Fn(Point
 }
 
 /// The way of the tool through metal, with the number of the pass beside its beginning.
-fn arrow(canvas: &mut Canvas, pass: &Pass, number: usize, place: &impl Fn(Point) -> At) {
+pub(super) fn arrow(canvas: &mut Canvas, pass: &Pass, number: usize, place: &impl Fn(Point) -> At) {
     let (from, to) = (place(pass.from), place(pass.to));
     let colour = if pass.kind == Kind::Longitudinal { "#0072b2" } else { "#d55e00" };
     let pen = Pen::solid(colour, 1.0);

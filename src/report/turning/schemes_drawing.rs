@@ -44,7 +44,7 @@ pub(super) fn panels(canvas: &mut Canvas, found: &Sequences, schemes: &Schemes, 
             .replace("{time}", &figure(round_to(scheme.measures.time_min.0, 3), lang));
         canvas.text((left + MARGIN, top + TITLE - 8.0), 14.0, Anchor::Start, &title);
         stock(canvas, schemes, &place);
-        part(canvas, found, &place);
+        part(canvas, found, lang, &place);
         way(canvas, scheme, &place);
     }
     let bottom = top + schemes.schemes.len().div_ceil(2) as f64 * height;
