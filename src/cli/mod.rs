@@ -23,6 +23,7 @@ mod record;
 mod sheet;
 mod table;
 mod turn;
+mod usage;
 mod words;
 
 use std::path::PathBuf;
@@ -237,13 +238,14 @@ impl From<Diagnostic> for CliError {
 pub fn main() -> ExitCode {
     let environment = std::env::var("LANG").ok();
     let default = Lang::of_environment(environment.as_deref());
-    let matches = match help::command(help::language(default)).try_get_matches() {
+    let lang = help::language(default);
+    let matches = match help::command(lang).try_get_matches() {
         Ok(matches) => matches,
-        Err(error) => return usage(&error),
+        Err(error) => return refused(&error, lang),
     };
     let cli = match Cli::from_arg_matches(&matches) {
         Ok(cli) => cli,
-        Err(error) => return usage(&error),
+        Err(error) => return refused(&error, lang),
     };
     let context = Context {
         lang: cli.global.lang.unwrap_or(default),
@@ -263,8 +265,11 @@ pub fn main() -> ExitCode {
 }
 
 /// Help and version, or arguments that fit no command.
-fn usage(error: &clap::Error) -> ExitCode {
-    // Where not even this can be printed there is nobody to tell.
-    let _ = error.print();
+fn refused(error: &clap::Error, lang: words::Lang) -> ExitCode {
+    match usage::message(error, &mut help::command(lang), lang) {
+        Some(message) => output::complain(&message),
+        // Where not even this can be printed there is nobody to tell.
+        None => drop(error.print()),
+    }
     ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
 }

@@ -34,7 +34,7 @@ pub fn sentence(note: &Note, lang: Lang) -> String {
         text = text.replace(&format!("{{{name}}}"), &shown(name, value, lang));
     }
     if let Some(more) = note.params.get("more") {
-        text.push_str(&lang.pick(" (і ще {} подібних)", " (and {} more like it)").replace("{}", more));
+        text.push_str(&lang.pick(" (подібних іще {})", " (and {} more like it)").replace("{}", more));
     }
     if let Some(scheme) = note.params.get("scheme").filter(|_| !uk.contains("{scheme}")) {
         text = format!("{} {scheme}: {text}", lang.pick("схема", "scheme"));

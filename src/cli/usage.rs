@@ -1,0 +1,116 @@
+//! Arguments that fit no command, told in the language of the answers: clap's own words are English.
+
+use clap::Command;
+use clap::error::{ContextKind, ContextValue, Error, ErrorKind};
+
+use super::words::Lang;
+
+/// What is wrong with the arguments and what to do; none where clap's own text is to be shown: help, version, English,
+/// and kinds of mistakes that this command line cannot meet.
+pub fn message(error: &Error, command: &mut Command, lang: Lang) -> Option<String> {
+    if lang == Lang::En {
+        return None;
+    }
+    let of = |kind| error.get(kind).map(text).unwrap_or_default();
+    let (argument, value) = (of(ContextKind::InvalidArg), of(ContextKind::InvalidValue));
+    let mut said = match error.kind() {
+        ErrorKind::MissingRequiredArgument => format!("бракує аргументів: {argument}"),
+        ErrorKind::UnknownArgument => format!("невідомий аргумент `{argument}`"),
+        ErrorKind::InvalidSubcommand => format!("немає команди `{}`", of(ContextKind::InvalidSubcommand)),
+        ErrorKind::MissingSubcommand => "не вказано команди".to_owned(),
+        ErrorKind::InvalidValue if value.is_empty() => format!("аргумент `{argument}` потребує значення"),
+        ErrorKind::InvalidValue | ErrorKind::ValueValidation => match std::error::Error::source(error) {
+            Some(why) => format!("значення `{value}` не годиться для `{argument}`: {why}"),
+            None => format!("значення `{value}` не годиться для `{argument}`"),
+        },
+        ErrorKind::ArgumentConflict => {
+            let other = of(ContextKind::PriorArg);
+            if other == argument || other.is_empty() {
+                format!("аргумент `{argument}` вказано більше одного разу")
+            } else {
+                format!("аргумент `{argument}` не поєднується з `{other}`")
+            }
+        }
+        ErrorKind::NoEquals | ErrorKind::TooManyValues | ErrorKind::TooFewValues | ErrorKind::WrongNumberOfValues => {
+            format!("аргумент `{argument}` має не стільки значень, скільки треба")
+        }
+        ErrorKind::InvalidUtf8 => "аргумент не є текстом UTF-8".to_owned(),
+        _ => return None,
+    };
+    said.insert_str(0, "помилка: ");
+    let known = of(ContextKind::ValidValue);
+    if !known.is_empty() {
+        said.push_str(&format!("\n  можливі значення: {known}"));
+    }
+    for kind in [ContextKind::SuggestedArg, ContextKind::SuggestedSubcommand, ContextKind::SuggestedValue] {
+        let like = of(kind);
+        if !like.is_empty() {
+            said.push_str(&format!("\n  підказка: схоже є: {like}"));
+        }
+    }
+    let usage = of(ContextKind::Usage);
+    let usage = if usage.is_empty() { command.render_usage().to_string() } else { usage };
+    let usage = usage.trim().trim_start_matches("Usage:").trim();
+    Some(format!("{said}\n\nВикористання: {usage}\n\nДокладніше: `--help`.\n"))
+}
+
+/// A value of an error's context as text.
+fn text(value: &ContextValue) -> String {
+    match value {
+        ContextValue::String(text) => text.clone(),
+        ContextValue::Strings(texts) => texts.join(", "),
+        ContextValue::StyledStr(text) => text.to_string(),
+        ContextValue::StyledStrs(texts) => texts.iter().map(ToString::to_string).collect::<Vec<_>>().join(", "),
+        ContextValue::Number(number) => number.to_string(),
+        ContextValue::Bool(yes) => yes.to_string(),
+        _ => String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::help;
+    use super::*;
+
+    fn said(arguments: &[&str]) -> String {
+        let mut command = help::command(Lang::Uk);
+        let error = command.clone().try_get_matches_from(arguments).unwrap_err();
+        message(&error, &mut command, Lang::Uk).unwrap_or_default()
+    }
+
+    #[test]
+    fn mistakes_of_arguments_are_told_in_ukrainian() {
+        for (arguments, expected) in [
+            (&["technolog", "turn"][..], "помилка: бракує аргументів: <SHAFT.yaml>"),
+            (&["technolog", "frob"], "помилка: немає команди `frob`"),
+            (
+                &["technolog", "turn", "x", "--objectiv"],
+                "помилка: невідомий аргумент `--objectiv`\n  підказка: схоже є: --objective",
+            ),
+            (
+                &["technolog", "turn", "x", "--objective", "foo"],
+                "помилка: значення `foo` не годиться для `--objective <OBJECTIVE>`\n  можливі значення: path, path-and-passes, time, passes",
+            ),
+            (
+                &["technolog", "turn", "x", "--objective"],
+                "помилка: аргумент `--objective <OBJECTIVE>` потребує значення",
+            ),
+            (&["technolog", "turn", "a", "b"], "помилка: невідомий аргумент `b`"),
+            (
+                &["technolog", "turn", "a", "--lang", "uk", "--lang", "en"],
+                "помилка: аргумент `--lang <LANG>` вказано більше одного разу",
+            ),
+        ] {
+            let said = said(arguments);
+            assert!(said.starts_with(expected), "{arguments:?}: {said}");
+            assert!(said.contains("\nВикористання: technolog") && !said.contains("error"), "{said}");
+        }
+    }
+
+    #[test]
+    fn help_and_version_stay_what_they_are() {
+        let mut command = help::command(Lang::Uk);
+        let error = command.clone().try_get_matches_from(["technolog", "--version"]).unwrap_err();
+        assert_eq!(message(&error, &mut command, Lang::Uk), None);
+    }
+}
