@@ -3,13 +3,16 @@
 //! - [`shaft`] is the file of a shaft: what it says, and every mistake of it at once;
 //! - [`length`] is the exact length of this room, in halves of a micrometre, because half of a diameter is one;
 //! - [`levels`] splits the stock over a shaft into levels, [`schemes`] clears them in the ways of the lecture;
+//! - [`tooling`] is lathes and turning tools, [`cutting`] how deep and how fast they cut (docs/turning-tools.md);
 //! - [`passes`] finds the shortest sequence of longitudinal and transverse passes (docs/turning.md).
 //!
 //! Sources: "the paper" is the article on structural optimisation of multi-pass rough turning, "the lecture" is lecture
 //! 12 on turning on NC lathes.
 
+pub mod cutting;
 pub mod length;
 pub mod levels;
 pub mod passes;
 pub mod schemes;
 pub mod shaft;
+pub mod tooling;
