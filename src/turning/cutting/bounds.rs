@@ -106,9 +106,15 @@ pub struct Missing {
 impl Missing {
     /// As a finding: the depth is told without that bound.
     pub fn finding(&self) -> Finding {
-        let note = Note { code: "bound-not-reckoned".to_owned(), params: self.note.params.clone() };
-        let note = note.with("bound", self.bound.name()).with("why", &self.note.code);
-        Finding::of_part(Severity::Doubtful, note)
+        Finding::of_part(Severity::Doubtful, self.told(Note::new("bound-not-reckoned")))
+    }
+
+    /// A sentence with the bound, what is missing, and of what.
+    pub(super) fn told(&self, note: Note) -> Note {
+        let param = |names: [&str; 3]| names.iter().find_map(|name| self.note.params.get(*name)).cloned();
+        note.with("bound", self.bound.name())
+            .with("of", param(["lathe", "tool", "material"]).unwrap_or_default())
+            .with("what", param(["quantity", "table", "angle"]).unwrap_or_default())
     }
 }
 
@@ -140,7 +146,7 @@ pub(super) struct Forces {
 
 impl Forces {
     pub fn of(cut: &Cut<'_, '_>, feed: MillimetresPerRev) -> Result<Self, KnowledgeError> {
-        let law = |component| Refusal::split(laws::force(cut, component, feed));
+        let law = |component| Refusal::split(cut.named(laws::force(cut, component, feed)));
         Ok(Self { main: law(Component::Main)?, radial: law(Component::Radial)?, axial: law(Component::Axial)? })
     }
 
@@ -174,6 +180,11 @@ pub(super) fn power(force: Newtons, speed: MetresPerMinute) -> Kilowatts {
 }
 
 impl Check {
+    /// Whether it is about what the cut loads, and not about a depth that ends by itself.
+    pub const fn is_of_loads(&self) -> bool {
+        !matches!(self.measure, Measure::Depth)
+    }
+
     /// The load at a depth and a speed; a check is only made where its figures are known.
     pub fn load(&self, cut: &Cut<'_, '_>, forces: &Forces, depth: Micrometres, speed: MetresPerMinute) -> Option<Load> {
         let main = || forces.at(Component::Main, depth, speed);

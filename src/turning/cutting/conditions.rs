@@ -87,7 +87,7 @@ pub fn conditions(cut: &Cut<'_, '_>, depth: Micrometres, roughness: Option<Rough
     }
     let (mut feed, mut because) = feed_of(cut, depth, roughness)?;
     positive(cut, feed)?;
-    let law = laws::speed(cut, feed)?;
+    let law = cut.named(laws::speed(cut, feed))?;
     because.extend(law.because.iter().cloned());
     let computed = law.at(depth.to_mm());
     let forces = Forces::of(cut, feed)?;

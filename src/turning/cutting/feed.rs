@@ -25,6 +25,10 @@ pub struct Feed {
 /// # Errors
 /// The table has no feed for the tool, the diameter or the depth; the tool's row lacks its shank; threads.
 pub fn rough_feed(cut: &Cut<'_, '_>, depth: Micrometres) -> Tried<Feed> {
+    cut.named(rough(cut, depth))
+}
+
+fn rough(cut: &Cut<'_, '_>, depth: Micrometres) -> Tried<Feed> {
     let diameter = ("diameter", Input::Length(cut.diameter));
     let by_depth = ("depth", Input::Length(depth));
     let lacks = |quantity: &str| Refusal::Not(cut.tool.lacks(quantity));
@@ -55,6 +59,10 @@ pub fn rough_feed(cut: &Cut<'_, '_>, depth: Micrometres) -> Tried<Feed> {
 /// # Errors
 /// The roughness is finer than the table; the tool's row has no nose radius, or one below the table's; threads.
 pub fn finish_feed(cut: &Cut<'_, '_>, roughness: Roughness) -> Tried<Feed> {
+    cut.named(finish(cut, roughness))
+}
+
+fn finish(cut: &Cut<'_, '_>, roughness: Roughness) -> Tried<Feed> {
     let rest = cut.knowledge.table("turning-finish-feed")?;
     let nose = cut.tool.nose_radius.ok_or_else(|| Refusal::Not(cut.tool.lacks("nose_radius")))?;
     let nose = nose_of_table(cut.knowledge, nose)?.ok_or_else(|| Refusal::Not(cut.tool.lacks("nose_radius")))?;

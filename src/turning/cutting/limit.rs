@@ -72,7 +72,7 @@ pub(super) struct Turns<'c, 'a, 'k> {
 
 impl<'c, 'a, 'k> Turns<'c, 'a, 'k> {
     pub fn new(cut: &'c Cut<'a, 'k>, speed: Speed, feed: MillimetresPerRev) -> Tried<Self> {
-        let law = if speed == Speed::ForToolLife { Some(laws::speed(cut, feed)?) } else { None };
+        let law = if speed == Speed::ForToolLife { Some(cut.named(laws::speed(cut, feed))?) } else { None };
         Ok(Self { cut, speed, law })
     }
 
@@ -100,7 +100,8 @@ impl<'c, 'a, 'k> Turns<'c, 'a, 'k> {
 ///
 /// # Errors
 /// A grooving tool (its depth of cut is its width) or a threading tool; a diameter or feed that is not above zero; no
-/// figures for the speed of the tool's life; a broken table.
+/// figures for the speed of the tool's life; no load that can be reckoned, so that the depth is not known; a broken
+/// table.
 pub fn limiting_depth(cut: &Cut<'_, '_>, feed: MillimetresPerRev, speed: Speed) -> Tried<LimitingDepth> {
     if cut.tool.plunges() || cut.tool.pitch.is_some() {
         return Err(Refusal::Not(Note::new("tool-has-no-depth").with("tool", cut.tool.designation)));
@@ -108,6 +109,11 @@ pub fn limiting_depth(cut: &Cut<'_, '_>, feed: MillimetresPerRev, speed: Speed) 
     positive(cut, feed)?;
     let forces = Forces::of(cut, feed)?;
     let (checks, missing) = bounds::checks(cut, &forces)?;
+    // An edge that is long enough says nothing of what shank and spindle bear.
+    if !checks.iter().any(Check::is_of_loads) {
+        let why = Note::new("limit-not-known");
+        return Err(Refusal::Not(missing.first().map_or_else(|| why.clone(), |missing| missing.told(why.clone()))));
+    }
     let turns = Turns::new(cut, speed, feed)?;
     let (step, of_step) = bounds::constant_length(cut, "depth-step")?;
     let (last, _) = bounds::constant_length(cut, "depth-max")?;

@@ -16,6 +16,7 @@ mod laws;
 mod limit;
 
 use crate::cutting::figures::Asking;
+use crate::error::Tried;
 use crate::knowledge::Knowledge;
 use crate::material::Material;
 use crate::turning::tooling::{Lathe, TurningTool, Works};
@@ -90,6 +91,11 @@ impl Cut<'_, '_> {
     /// Whether the cut is in a bore.
     fn is_inner(&self) -> bool {
         self.tool.works == Works::Inner
+    }
+
+    /// A refusal that names what was being done.
+    fn named<T>(&self, tried: Tried<T>) -> Tried<T> {
+        tried.map_err(|refusal| refusal.with("operation", self.process()))
     }
 
     /// Which coefficients hold: those of turning, or of grooving.
