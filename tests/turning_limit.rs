@@ -151,6 +151,30 @@ fn short_of_power_the_spindle_turns_slower() {
     assert_eq!(conditions(&cut, mm(9.0), None).unwrap().exceeded, [Bound::InsertEdge]);
 }
 
+/// On a stepless spindle the power is used to the last tenth of a revolution: 11·0.75 = 8.25 kW.
+#[test]
+fn a_stepless_spindle_slows_down_just_enough() {
+    let knowledge = knowledge();
+    let case = Case::new(knowledge, "16a20f3", "PCLNR 2525M12", "steel-45");
+    let found = conditions(&case.cut(65.0, Direction::Longitudinal), mm(7.0), None).unwrap();
+    assert_eq!(found.limited_by, "spindle-power");
+    let power = found.power_kw.unwrap().0;
+    assert!((8.23..=8.25).contains(&power), "{power}");
+    assert!(found.exceeded.is_empty(), "{:?}", found.exceeded);
+}
+
+/// 16А20Ф3 at 90 1/min, Ø200, 0.6 mm/rev: V = 56.55 m/min; Pz = 3000·0.68173·56.55^-0.15·0.84590·1.1125 = 1050.7 N for a
+/// millimetre, 105.07 N·m; 800/105.07 = 7.61 mm. The power would hold to 8.25·60000/(1050.7·56.55) = 8.33 mm, the edge to 7.89.
+#[test]
+fn at_low_speeds_the_torque_decides() {
+    let knowledge = knowledge();
+    let case = Case::new(knowledge, "16a20f3", "PCLNR 2525M12", "steel-45");
+    let cut = case.cut(200.0, Direction::Longitudinal);
+    let limit = limiting_depth(&cut, MillimetresPerRev(0.6), Speed::Spindle(RevsPerMinute(90.0))).unwrap();
+    assert_eq!((limit.depth_mm, limit.decided_by), (Some(mm(7.6)), Bound::SpindleTorque));
+    assert_eq!(bound(&limit, Bound::SpindlePower).depth_mm, Some(mm(8.3)));
+}
+
 /// Grey iron has no power of the speed in its forces: Pz = 10·92·t·s^0.75·(199/190)^0.4·0.89·1.25.
 /// At 2 mm and 0.8 mm/rev: 920·2·0.84590·1.01869·1.1125 = 1763.9 N.
 #[test]
