@@ -22,6 +22,8 @@ use proptest::prelude::*;
 use technolog::error::Refusal;
 use technolog::knowledge::Knowledge;
 use technolog::material::Material;
+use technolog::report::Lang;
+use technolog::report::sentences::sentence;
 use technolog::shipped;
 use technolog::turning::cutting::{
     Bound, BoundTold, Cut, Direction, LimitingDepth, Load, Speed, conditions, finish_feed, limiting_depth, rough_feed,
@@ -421,4 +423,25 @@ proptest! {
             prop_assert!(found.exceeded.is_empty(), "{depth} of {:?}: {:?}", limit.depth_mm, found.exceeded);
         }
     }
+}
+
+/// The whole answer as programs read it, and its findings as people do.
+#[test]
+fn the_answer_is_told_whole() {
+    let knowledge = knowledge();
+    let case = Case::new(knowledge, "16b16t1", "PDJNR 2525M15", "steel-45");
+    let cut = case.cut(65.0, Direction::Longitudinal);
+    let limit = limiting_depth(&cut, MillimetresPerRev(0.6), Speed::ForToolLife).unwrap();
+    let said: Vec<String> = limit
+        .findings()
+        .iter()
+        .flat_map(|finding| [Lang::Uk, Lang::En].map(|lang| sentence(&finding.note, lang)))
+        .collect();
+    assert_eq!(said[0], "обмеження «привод подачі» не враховано: 16b16t1 не має `feed-force-z`");
+    assert_eq!(said[1], "the bound feed drive is left out: 16b16t1 has no `feed-force-z`");
+    let back: LimitingDepth = serde_json::from_str(&serde_json::to_string(&limit).unwrap()).unwrap();
+    assert_eq!(back, limit, "the answer comes back from JSON without loss");
+    insta::assert_snapshot!("limiting_depth", serde_json::to_string_pretty(&limit).unwrap());
+    let found = conditions(&cut, mm(2.0), None).unwrap();
+    insta::assert_snapshot!("turning_conditions", serde_json::to_string_pretty(&found).unwrap());
 }
