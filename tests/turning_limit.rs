@@ -177,6 +177,20 @@ fn at_low_speeds_the_torque_decides() {
     assert_eq!(bound(&limit, Bound::SpindlePower).depth_mm, Some(mm(8.3)));
 }
 
+/// The case of the head of this file again, the spindle slowing down where its 8.25 kW ask for it: then the edge decides,
+/// at 7.8 mm. Pz there, at V: 3000·7.8·0.68173·V^-0.15·0.84590·1.1125 = 15013·V^-0.15; at 355 1/min (72.49 m/min) 7896 N and
+/// 9.54 kW, at 280 (57.18 m/min) 8182 N and 7.80 kW, so it turns at 280. The power still decides where it may not slow down.
+#[test]
+fn a_slower_spindle_lets_the_edge_decide() {
+    let knowledge = knowledge();
+    let case = Case::new(knowledge, "16k20f3", "PCLNR 2525M12", "steel-45");
+    let cut = case.cut(65.0, Direction::Longitudinal);
+    let limit = limiting_depth(&cut, MillimetresPerRev(0.6), Speed::WithinPower).unwrap();
+    assert_eq!((limit.depth_mm, limit.decided_by), (Some(mm(7.8)), Bound::InsertEdge));
+    assert_eq!(limit.spindle_rpm, RevsPerMinute(280.0));
+    near(newtons(bound(&limit, Bound::ShankStrength).load), 8182.0, 0.002);
+}
+
 /// Grey iron has no power of the speed in its forces: Pz = 10·92·t·s^0.75·(199/190)^0.4·0.89·1.25.
 /// At 2 mm and 0.8 mm/rev: 920·2·0.84590·1.01869·1.1125 = 1763.9 N.
 #[test]
@@ -409,13 +423,14 @@ proptest! {
     /// that the lathe itself would choose.
     #[test]
     fn smaller_depths_hold_as_well(
-        lathe in 0..LATHES.len(), diameter in 45.0_f64..300.0, share in 0.05_f64..1.0,
+        lathe in 0..LATHES.len(), diameter in 45.0_f64..300.0, share in 0.05_f64..1.0, slower in any::<bool>(),
     ) {
         let knowledge = knowledge();
         let case = Case::new(knowledge, LATHES[lathe], "PCLNR 2525M12", "steel-45");
         let cut = case.cut(diameter, Direction::Longitudinal);
         let feed = rough_feed(&cut, mm(3.0)).unwrap().feed;
-        let limit = limiting_depth(&cut, feed, Speed::ForToolLife).unwrap();
+        let speed = if slower { Speed::WithinPower } else { Speed::ForToolLife };
+        let limit = limiting_depth(&cut, feed, speed).unwrap();
         if let Some(depth) = limit.depth_mm {
             let depth = mm((depth.to_mm() * share * 10.0).ceil() / 10.0);
             // Deeper cuts are fed no faster by the table, so the conditions are no harder than those of the limit.

@@ -186,7 +186,7 @@ fn first_speed(cut: &Cut<'_, '_>, wanted: RevsPerMinute) -> (RevsPerMinute, &'st
 /// The fastest speed below one at which the power does; nothing where it does already.
 ///
 /// N = Pz·V/60000 with Pz ~ V^n, so of a stepless spindle V' = V·(N'/N)^(1/(1+n)).
-fn within_power(
+pub(super) fn within_power(
     cut: &Cut<'_, '_>,
     check: &Check,
     forces: &Forces,

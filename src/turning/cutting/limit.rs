@@ -9,6 +9,7 @@ use crate::note::{Because, Finding, Note};
 use crate::units::{MetresPerMinute, Micrometres, MillimetresPerRev, RevsPerMinute};
 
 use super::bounds::{self, Bound, Check, Forces, Load, Missing};
+use super::conditions::within_power;
 use super::laws::{self, SpeedLaw};
 use super::{Cut, Speed};
 
@@ -64,16 +65,30 @@ impl LimitingDepth {
 }
 
 /// How fast the spindle turns at a depth.
-pub(super) struct Turns<'c, 'a, 'k> {
+struct Turns<'c, 'a, 'k> {
     cut: &'c Cut<'a, 'k>,
     speed: Speed,
     law: Option<SpeedLaw>,
+    forces: &'c Forces,
+    /// The bound of power, where it can be reckoned.
+    power: Option<&'c Check>,
 }
 
 impl<'c, 'a, 'k> Turns<'c, 'a, 'k> {
-    pub fn new(cut: &'c Cut<'a, 'k>, speed: Speed, feed: MillimetresPerRev) -> Tried<Self> {
-        let law = if speed == Speed::ForToolLife { Some(cut.named(laws::speed(cut, feed))?) } else { None };
-        Ok(Self { cut, speed, law })
+    fn new(
+        cut: &'c Cut<'a, 'k>,
+        speed: Speed,
+        feed: MillimetresPerRev,
+        forces: &'c Forces,
+        checks: &'c [Check],
+    ) -> Tried<Self> {
+        let power = checks.iter().find(|check| check.bound == Bound::SpindlePower);
+        let law = if matches!(speed, Speed::ForToolLife | Speed::WithinPower) {
+            Some(cut.named(laws::speed(cut, feed))?)
+        } else {
+            None
+        };
+        Ok(Self { cut, speed, law, forces, power })
     }
 
     /// Spindle speed and cutting speed at a depth, on a step that the spindle has; a spindle speed that is given is
@@ -83,9 +98,12 @@ impl<'c, 'a, 'k> Turns<'c, 'a, 'k> {
         let rpm = match (self.speed, &self.law) {
             (Speed::Spindle(rpm), _) => rpm,
             (Speed::Surface(speed), _) => spindle.at_most(rpm_at(speed, self.cut.diameter)),
-            (Speed::ForToolLife, Some(law)) => spindle.at_most(rpm_at(law.at(depth.to_mm()), self.cut.diameter)),
-            (Speed::ForToolLife, None) => spindle.ends().0,
+            (_, Some(law)) => spindle.at_most(rpm_at(law.at(depth.to_mm()), self.cut.diameter)),
+            (_, None) => spindle.ends().0,
         };
+        let slower = self.power.filter(|_| self.speed == Speed::WithinPower);
+        let slower = slower.and_then(|check| within_power(self.cut, check, self.forces, depth, rpm));
+        let rpm = slower.unwrap_or(rpm);
         (rpm, speed_at(rpm, self.cut.diameter))
     }
 }
@@ -114,7 +132,7 @@ pub fn limiting_depth(cut: &Cut<'_, '_>, feed: MillimetresPerRev, speed: Speed) 
         let why = Note::new("limit-not-known");
         return Err(Refusal::Not(missing.first().map_or_else(|| why.clone(), |missing| missing.told(why.clone()))));
     }
-    let turns = Turns::new(cut, speed, feed)?;
+    let turns = Turns::new(cut, speed, feed, &forces, &checks)?;
     let (step, of_step) = bounds::constant_length(cut, "depth-step")?;
     let (last, _) = bounds::constant_length(cut, "depth-max")?;
     let depth_at = |steps: i64| Micrometres::new(step.micrometres().saturating_mul(steps));

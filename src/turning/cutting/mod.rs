@@ -60,6 +60,8 @@ pub enum Direction {
 pub enum Speed {
     /// That at which the tool lasts as long as `boring-parameters` says.
     ForToolLife,
+    /// The same, or as much slower as the power of the spindle asks for: how [`conditions`] turns.
+    WithinPower,
     /// A speed at the largest diameter.
     Surface(MetresPerMinute),
     /// A spindle speed.
