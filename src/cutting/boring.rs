@@ -32,9 +32,9 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
     let mut speed = number(row, "cv")?
         / (libm::pow(life, number(row, "m")?) * libm::pow(t, number(row, "x")?) * libm::pow(feed.0, number(row, "y")?))
         * internal;
-    let mut corrections = vec![factors::surface(cut, shop)?];
+    let mut corrections = vec![factors::surface(cut.surface, shop)?];
     if figures.own() {
-        corrections.push(factors::material_speed("turning", cut, shop)?);
+        corrections.push(factors::material_speed("turning", cut.tool_material, shop)?);
     }
     for (factor, reason) in corrections {
         speed *= factor;
@@ -50,7 +50,7 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
         let mut force =
             10.0 * number(row, "cp")? * libm::pow(t, number(row, "x")?) * libm::pow(speed, number(row, "n")?);
         if figures.own() {
-            let (factor, reason) = factors::material_force("turning", cut, shop)?;
+            let (factor, reason) = factors::material_force("turning", cut.tool_material, shop)?;
             force *= factor;
             because.push(reason);
         }

@@ -36,7 +36,7 @@ pub(super) fn by_tables(cut: &Cut<'_>, feed: Feed, shop: &Shop<'_>) -> Tried<Dra
     because.extend(base.because.clone());
     let mut force = 1.0;
     if base.own_loads {
-        let (factor, reason) = factors::material_force("drilling", cut, shop)?;
+        let (factor, reason) = factors::material_force("drilling", cut.tool_material, shop)?;
         force = factor;
         because.push(reason);
     }
@@ -48,9 +48,9 @@ pub(super) fn by_tables(cut: &Cut<'_>, feed: Feed, shop: &Shop<'_>) -> Tried<Dra
     // A row that stands in is that of its own reference material; the factor of ours would not fit it.
     let mut corrections = Vec::new();
     if base.own_speed {
-        corrections.push(factors::material_speed("drilling", cut, shop)?);
+        corrections.push(factors::material_speed("drilling", cut.tool_material, shop)?);
     }
-    corrections.push(factors::surface(cut, shop)?);
+    corrections.push(factors::surface(cut.surface, shop)?);
     if cut.operation == Operation::Drill {
         corrections.push(factors::by_depth("depth-speed-factor", cut, shop)?);
     }

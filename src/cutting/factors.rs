@@ -3,37 +3,38 @@
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::units::{Unit, round_to};
 use crate::knowledge::{Input, QueryError, RowRef};
+use crate::material::Material;
 use crate::note::{Because, Note};
 use crate::shop::Shop;
 
 use super::Cut;
-use super::figures::{self, missing, number, plain};
+use super::figures::{self, Asking, missing, number, plain};
 
 /// A factor and the row behind it.
-pub(super) type Factor = (f64, Because);
+pub(crate) type Factor = (f64, Because);
 
 /// Kmv: how the material moves the speed.
 ///
 /// Steel: Kg·(750/σB)^nv, in milling with the class's own nv where it has one. Grey iron (190/HB)^nv, malleable iron (150/HB)^nv. Copper and aluminium
 /// alloys: a figure of their class. (Косилова/Мещеряков т.2, facts 1.5.)
-pub(super) fn material_speed(process: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Factor> {
-    let table = shop.knowledge.table("speed-material-exponent")?;
-    let (row, stand_in) = match table.decide(&material_inputs(process, cut.tool_material, shop))?.winner() {
+pub(crate) fn material_speed<'k>(process: &str, tool_material: &str, shop: &impl Asking<'k>) -> Tried<Factor> {
+    let table = shop.knowledge().table("speed-material-exponent")?;
+    let (row, stand_in) = match table.decide(&material_inputs(process, tool_material, shop.material()))?.winner() {
         Some(row) => (row, None),
         None => {
-            let other = figures::stand_in_tool_material(&table.id, cut.tool_material, shop)?;
+            let other = figures::stand_in_tool_material(&table.id, tool_material, shop)?;
             let Some((instead, because)) = other else { return factor_of_one(&table.id, shop) };
-            let answer = table.decide(&material_inputs(process, instead, shop))?;
+            let answer = table.decide(&material_inputs(process, instead, shop.material()))?;
             let Some(row) = answer.winner() else { return factor_of_one(&table.id, shop) };
             (row, Some(because))
         }
     };
-    let (strength, hardness) = (shop.material.strength.to_f64(), shop.material.hardness.to_f64());
+    let (strength, hardness) = (shop.material().strength.to_f64(), shop.material().hardness.to_f64());
     let mut exponent = number(row, "exponent")?;
     let mut because = stand_in.unwrap_or_else(|| Because::row(row, Note::new("material-speed-factor")));
     let (ratio, class) = match row.text("reference")? {
         "strength-750" => {
-            let class = steel_class(cut.tool_material, shop)?;
+            let class = steel_class(tool_material, shop)?;
             if process == "milling" && class.value("milling_exponent").is_some() {
                 exponent = number(class, "milling_exponent")?;
                 because = Because::row(class, Note::new("material-speed-factor"));
@@ -49,11 +50,11 @@ pub(super) fn material_speed(process: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> T
 }
 
 /// Kmp: how the material moves forces. Steel (σB/750)^n, grey iron (HB/190)^n, malleable (HB/150)^n.
-pub(super) fn material_force(process: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Factor> {
-    let table = shop.knowledge.table("force-material-exponent")?;
-    let answer = table.decide(&material_inputs(process, cut.tool_material, shop))?;
+pub(crate) fn material_force<'k>(process: &str, tool_material: &str, shop: &impl Asking<'k>) -> Tried<Factor> {
+    let table = shop.knowledge().table("force-material-exponent")?;
+    let answer = table.decide(&material_inputs(process, tool_material, shop.material()))?;
     let Some(row) = answer.winner() else { return factor_of_one(&table.id, shop) };
-    let (strength, hardness) = (shop.material.strength.to_f64(), shop.material.hardness.to_f64());
+    let (strength, hardness) = (shop.material().strength.to_f64(), shop.material().hardness.to_f64());
     let ratio = match row.text("reference")? {
         "strength-750" => strength / 750.0,
         "hardness-190" => hardness / 190.0,
@@ -64,20 +65,24 @@ pub(super) fn material_force(process: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> T
     Ok((factor, Because::row(row, shown("material-force-factor", factor))))
 }
 
-fn material_inputs<'a>(process: &'a str, tool_material: &'a str, shop: &Shop<'a>) -> [(&'static str, Input<'a>); 4] {
+fn material_inputs<'a>(
+    process: &'a str,
+    tool_material: &'a str,
+    material: &Material<'a>,
+) -> [(&'static str, Input<'a>); 4] {
     [
         ("process", Input::Text(process)),
         ("tool_material", Input::Text(tool_material)),
-        ("material_group", Input::Text(shop.material.group)),
-        ("strength", Input::Number(shop.material.strength, Unit::Megapascal)),
+        ("material_group", Input::Text(material.group)),
+        ("strength", Input::Number(material.strength, Unit::Megapascal)),
     ]
 }
 
 /// The class of the steel, with its Kg; for carbide by the rule `stand-in-tool-material`.
-fn steel_class<'k>(tool_material: &str, shop: &Shop<'k>) -> Tried<RowRef<'k>> {
-    let table = shop.knowledge.table("speed-steel-class")?;
+fn steel_class<'k>(tool_material: &str, shop: &impl Asking<'k>) -> Tried<RowRef<'k>> {
+    let table = shop.knowledge().table("speed-steel-class")?;
     let ask = |tool: &str| -> Result<Option<RowRef<'k>>, KnowledgeError> {
-        let class = ("steel_class", Input::Text(shop.material.steel_class));
+        let class = ("steel_class", Input::Text(shop.material().steel_class));
         Ok(table.decide(&[class, ("tool_material", Input::Text(tool))])?.winner())
     };
     if let Some(row) = ask(tool_material)? {
@@ -88,28 +93,29 @@ fn steel_class<'k>(tool_material: &str, shop: &Shop<'k>) -> Tried<RowRef<'k>> {
 }
 
 /// No exponent or factor is known: 1, where the rule `stand-in-material` says so.
-fn factor_of_one(id: &str, shop: &Shop<'_>) -> Tried<Factor> {
+fn factor_of_one<'k>(id: &str, shop: &impl Asking<'k>) -> Tried<Factor> {
     match figures::stand_in(id, shop)? {
         Some((_, because)) => Ok((1.0, because)),
-        None => Err(missing(shop.knowledge.table(id)?, shop)),
+        None => Err(missing(shop.knowledge().table(id)?, shop)),
     }
 }
 
-fn alloy(id: &str, shop: &Shop<'_>) -> Tried<Factor> {
-    let table = shop.knowledge.table(id)?;
-    let known = table.inputs().any(|(_, column)| column.values.iter().any(|value| value == shop.material.alloy_class));
+fn alloy<'k>(id: &str, shop: &impl Asking<'k>) -> Tried<Factor> {
+    let table = shop.knowledge().table(id)?;
+    let known =
+        table.inputs().any(|(_, column)| column.values.iter().any(|value| value == shop.material().alloy_class));
     if !known {
         return factor_of_one(id, shop);
     }
-    let answer = table.decide(&[("alloy_class", Input::Text(shop.material.alloy_class))])?;
+    let answer = table.decide(&[("alloy_class", Input::Text(shop.material().alloy_class))])?;
     let Some(row) = answer.winner() else { return factor_of_one(id, shop) };
     let factor = number(row, "factor")?;
     Ok((factor, Because::row(row, shown(id, factor))))
 }
 
 /// Klv or Kls: how the depth of the hole, in diameters, moves speed or feed.
-pub(super) fn by_depth(id: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Factor> {
-    let table = shop.knowledge.table(id)?;
+pub(crate) fn by_depth(id: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Factor> {
+    let table = shop.knowledge().table(id)?;
     let ratio = cut.depth.to_mm() / cut.diameter.to_mm();
     let mut inputs = vec![("depth_ratio", plain(ratio))];
     if table.inputs().any(|(_, column)| column.name == "operation") {
@@ -122,7 +128,7 @@ pub(super) fn by_depth(id: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Factor
     let row = match found {
         Some(row) => row,
         None => {
-            let beyond = shop.knowledge.table("depth-beyond")?;
+            let beyond = shop.knowledge().table("depth-beyond")?;
             let answer = beyond.decide(&[("of_table", Input::Text(id)), ("depth_ratio", plain(ratio))])?;
             let note = Note::new("too-deep").with("table", id).with("ratio", round_to(ratio, 2));
             answer.winner().ok_or(Refusal::Not(note))?
@@ -133,7 +139,7 @@ pub(super) fn by_depth(id: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Factor
 }
 
 /// Tool life by the handbook's table, by `tool-life-beyond` where that has no cell, or by a stand-in.
-pub(super) fn tool_life(operation: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<(f64, Vec<Because>)> {
+pub(crate) fn tool_life(operation: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<(f64, Vec<Because>)> {
     let others = [
         ("operation", Input::Text(operation)),
         ("tool_material", Input::Text(cut.tool_material)),
@@ -148,9 +154,9 @@ pub(super) fn tool_life(operation: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Trie
 }
 
 /// Kpv: the skin of the blank.
-pub(super) fn surface(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Factor> {
-    let table = shop.knowledge.table("skin-factor")?;
-    let answer = table.decide(&[("surface", Input::Text(cut.surface))])?;
+pub(crate) fn surface<'k>(surface: &str, shop: &impl Asking<'k>) -> Tried<Factor> {
+    let table = shop.knowledge().table("skin-factor")?;
+    let answer = table.decide(&[("surface", Input::Text(surface))])?;
     let row = answer.winner().ok_or_else(|| missing(table, shop))?;
     let factor = number(row, "factor")?;
     Ok((factor, Because::row(row, shown("surface-factor", factor))))

@@ -3,13 +3,32 @@
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::units::{Decimal, MillimetresPerRev, Unit};
-use crate::knowledge::{Input, QueryError, RowRef, Table, Value};
+use crate::knowledge::{Input, Knowledge, QueryError, RowRef, Table, Value};
+use crate::material::Material;
 use crate::note::{Because, Note};
 use crate::plan::Operation;
 use crate::shop::Shop;
 
+/// Who asks the cutting tables: a shop that drills, or a cut on a lathe.
+pub(crate) trait Asking<'k> {
+    /// Every table.
+    fn knowledge(&self) -> &'k Knowledge;
+    /// What is cut.
+    fn material(&self) -> &Material<'k>;
+}
+
+impl<'k> Asking<'k> for Shop<'k> {
+    fn knowledge(&self) -> &'k Knowledge {
+        self.knowledge
+    }
+
+    fn material(&self) -> &Material<'k> {
+        &self.material
+    }
+}
+
 /// A row of a cutting table.
-pub(super) struct Figures<'k> {
+pub(crate) struct Figures<'k> {
     pub row: RowRef<'k>,
     /// Why another group's or tool material's row stands in; empty for the material's own.
     pub stand_in: Vec<Because>,
@@ -28,9 +47,9 @@ impl Figures<'_> {
 }
 
 /// The row of a table for the shop's material; `others` are the inputs beside the material group.
-pub(super) fn ask<'k>(id: &str, others: &[(&str, Input<'_>)], shop: &Shop<'k>) -> Tried<Figures<'k>> {
-    let table = shop.knowledge.table(id)?;
-    if let Some(row) = decide(table, others, shop.material.group)? {
+pub(crate) fn ask<'k>(id: &str, others: &[(&str, Input<'_>)], shop: &impl Asking<'k>) -> Tried<Figures<'k>> {
+    let table = shop.knowledge().table(id)?;
+    if let Some(row) = decide(table, others, shop.material().group)? {
         return Ok(Figures { row, stand_in: Vec::new() });
     }
     if let Some((group, because)) = stand_in(id, shop)?
@@ -43,7 +62,7 @@ pub(super) fn ask<'k>(id: &str, others: &[(&str, Input<'_>)], shop: &Shop<'k>) -
 
 /// The row of a table for the shop's material and a tool material; where it has none for that tool, the row
 /// of the tool material that the rule `stand-in-tool-material` names.
-pub(super) fn ask_of_tool<'k>(id: &str, tool_material: &str, shop: &Shop<'k>) -> Tried<Figures<'k>> {
+pub(crate) fn ask_of_tool<'k>(id: &str, tool_material: &str, shop: &impl Asking<'k>) -> Tried<Figures<'k>> {
     let refusal = match ask(id, &[("tool_material", Input::Text(tool_material))], shop) {
         Err(Refusal::Not(note)) => note,
         found => return found,
@@ -55,12 +74,12 @@ pub(super) fn ask_of_tool<'k>(id: &str, tool_material: &str, shop: &Shop<'k>) ->
 }
 
 /// The tool material whose figures stand in for another in a table, by the rule.
-pub(super) fn stand_in_tool_material<'k>(
+pub(crate) fn stand_in_tool_material<'k>(
     id: &str,
     tool_material: &str,
-    shop: &Shop<'k>,
+    shop: &impl Asking<'k>,
 ) -> Result<Option<(&'k str, Because)>, KnowledgeError> {
-    let rule = shop.knowledge.table("stand-in-tool-material")?;
+    let rule = shop.knowledge().table("stand-in-tool-material")?;
     let answer = rule.decide(&[("of_table", Input::Text(id)), ("tool_material", Input::Text(tool_material))])?;
     let Some(row) = answer.winner() else { return Ok(None) };
     let instead = row.text("instead")?;
@@ -69,22 +88,23 @@ pub(super) fn stand_in_tool_material<'k>(
 }
 
 /// The group whose figures stand in for the shop's material in a table, by the rule.
-pub(super) fn stand_in<'k>(id: &str, shop: &Shop<'k>) -> Result<Option<(&'k str, Because)>, KnowledgeError> {
-    let rule = shop.knowledge.table("stand-in-material")?;
+pub(crate) fn stand_in<'k>(id: &str, shop: &impl Asking<'k>) -> Result<Option<(&'k str, Because)>, KnowledgeError> {
+    let rule = shop.knowledge().table("stand-in-material")?;
     if !rule.inputs().any(|(_, column)| column.values.iter().any(|value| value == id)) {
         return Ok(None);
     }
-    let answer = rule.decide(&[("of_table", Input::Text(id)), ("material_group", Input::Text(shop.material.group))])?;
+    let answer =
+        rule.decide(&[("of_table", Input::Text(id)), ("material_group", Input::Text(shop.material().group))])?;
     let Some(row) = answer.winner() else { return Ok(None) };
     let group = row.text("group")?;
     let note =
-        Note::new("stand-in").with("table", id).with("group", group).with("material", shop.material.designation());
+        Note::new("stand-in").with("table", id).with("group", group).with("material", shop.material().designation());
     Ok(Some((group, Because::row(row, note))))
 }
 
 /// The transition whose figures stand in for one that has none, by the rule `stand-in-operation`.
-pub(super) fn stand_in_operation(operation: Operation, shop: &Shop<'_>) -> Tried<(Operation, Because)> {
-    let rule = shop.knowledge.table("stand-in-operation")?;
+pub(crate) fn stand_in_operation<'k>(operation: Operation, shop: &impl Asking<'k>) -> Tried<(Operation, Because)> {
+    let rule = shop.knowledge().table("stand-in-operation")?;
     let answer = rule.decide(&[("operation", Input::Text(operation.name()))])?;
     let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, operation.name()))?;
     let instead = row.text("instead")?;
@@ -108,26 +128,26 @@ fn decide<'k>(
 }
 
 /// A table has no figure for this material, and nothing stands in.
-pub(super) fn missing(table: &Table, shop: &Shop<'_>) -> Refusal {
-    Refusal::Not(Note::new("no-figure").with("table", &table.id).with("material", shop.material.designation()))
+pub(crate) fn missing<'k>(table: &Table, shop: &impl Asking<'k>) -> Refusal {
+    Refusal::Not(Note::new("no-figure").with("table", &table.id).with("material", shop.material().designation()))
 }
 
 /// A plain number of a row.
-pub(super) fn number(row: RowRef<'_>, column: &str) -> Result<f64, KnowledgeError> {
+pub(crate) fn number(row: RowRef<'_>, column: &str) -> Result<f64, KnowledgeError> {
     Ok(row.number_in(column, Unit::None)?)
 }
 
 /// Whether a speed row is for cutting with coolant; nothing where it does not say.
-pub(super) fn coolant(row: RowRef<'_>) -> Option<bool> {
+pub(crate) fn coolant(row: RowRef<'_>) -> Option<bool> {
     row.value("coolant").map(|value| *value == Value::Bool(true))
 }
 
 /// A number without a unit, for a query.
-pub(super) fn plain(value: f64) -> Input<'static> {
+pub(crate) fn plain(value: f64) -> Input<'static> {
     Input::Number(Decimal::from_f64_rounded(value), Unit::None)
 }
 
 /// A feed, for a query.
-pub(super) fn feed_input(feed: MillimetresPerRev) -> Input<'static> {
+pub(crate) fn feed_input(feed: MillimetresPerRev) -> Input<'static> {
     Input::Number(Decimal::from_f64_rounded(feed.0), Unit::MillimetrePerRev)
 }

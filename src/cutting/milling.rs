@@ -55,9 +55,9 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
             * libm::pow(b, number(row, "u")?)
             * libm::pow(z, number(row, "p")?));
     let life_exponent = number(row, "m")?;
-    let mut corrections = vec![factors::surface(cut, shop)?];
+    let mut corrections = vec![factors::surface(cut.surface, shop)?];
     if figures.own() {
-        corrections.push(factors::material_speed("milling", cut, shop)?);
+        corrections.push(factors::material_speed("milling", cut.tool_material, shop)?);
     }
     for (factor, reason) in corrections {
         speed *= factor;
@@ -75,7 +75,7 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
             10.0 * number(row, "cp")? * libm::pow(t, number(row, "x")?) * libm::pow(b, number(row, "u")?) * z
                 / (libm::pow(d, number(row, "q")?) * libm::pow(rpm.0, number(row, "w")?));
         if figures.own() {
-            let (factor, reason) = factors::material_force("milling", cut, shop)?;
+            let (factor, reason) = factors::material_force("milling", cut.tool_material, shop)?;
             force *= factor;
             because.push(reason);
         }

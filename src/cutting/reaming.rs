@@ -33,7 +33,7 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
             * libm::pow(cut.depth_of_cut(), number(row, "x")?)
             * libm::pow(feed.0, number(row, "y")?));
     if figures.own() {
-        let (factor, reason) = factors::material_speed("drilling", cut, shop)?;
+        let (factor, reason) = factors::material_speed("drilling", cut.tool_material, shop)?;
         speed *= factor;
         because.push(reason);
     }
@@ -116,7 +116,7 @@ fn torque(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<(Option<PowerLaw>, Vec<Becaus
         number(row, "cp")? * libm::pow(cut.depth_of_cut(), number(row, "x")?) * cut.diameter.to_mm() * teeth
             / (200.0 * libm::pow(teeth, exponent));
     if figures.own() {
-        let material = factors::material_force("turning", cut, shop)?;
+        let material = factors::material_force("turning", cut.tool_material, shop)?;
         factor *= material.0;
         because.push(material.1);
     }

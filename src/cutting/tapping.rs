@@ -33,7 +33,7 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
     let mut speed = number(row, "cv")? * libm::pow(d, number(row, "q")?)
         / (libm::pow(life, number(row, "m")?) * libm::pow(p, number(row, "y")?));
     if figures.own() {
-        let (factor, reason) = factors::material_speed("drilling", cut, shop)?;
+        let (factor, reason) = factors::material_speed("drilling", cut.tool_material, shop)?;
         speed *= factor;
         because.push(reason);
     }
@@ -45,7 +45,7 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
         let row = figures.row;
         let mut factor = 10.0 * number(row, "cm")? * libm::pow(d, number(row, "q")?);
         if figures.own() {
-            let (material, reason) = factors::material_force("drilling", cut, shop)?;
+            let (material, reason) = factors::material_force("drilling", cut.tool_material, shop)?;
             factor *= material;
             because.push(reason);
         }

@@ -15,12 +15,13 @@ mod proof;
 mod routes;
 mod schemes;
 mod turning;
+mod turning_tools;
 
 /// Every sentence.
 fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'static str)> {
     let all = SENTENCES.iter().chain(routes::SENTENCES).chain(programs::SENTENCES);
     let all = all.chain(iso::SENTENCES).chain(jobs::SENTENCES).chain(lists::SENTENCES);
-    all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES)
+    all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES).chain(turning_tools::SENTENCES)
 }
 
 /// A note as a sentence. A code without words shows itself with its figures, so that nothing is lost.
@@ -61,7 +62,7 @@ fn shown(name: &str, value: &str, lang: Lang) -> String {
         "operation" | "instead" => super::operation_noun(value, lang).to_owned(),
         "transitions" => value.split(", ").map(|name| super::operation_noun(name, lang)).collect::<Vec<_>>().join(", "),
         "kind" | "method" | "variant" | "direction" | "rival" => term(value, lang).to_owned(),
-        "take" | "by" | "name" | "shank" => term(value, lang).to_owned(),
+        "take" | "by" | "name" | "shank" | "bound" => term(value, lang).to_owned(),
         "stages" => value.split(" + ").map(|stage| term(stage, lang)).collect::<Vec<_>>().join(" + "),
         "scheme" | "same" | "first" => scheme_name(value, lang),
         // A decimal number as people write it; designations and table names are none.
@@ -78,7 +79,12 @@ pub fn scheme_name(scheme: &str, lang: Lang) -> String {
 
 /// A word that stands in a table as an id.
 pub fn term(id: &str, lang: Lang) -> &str {
-    TERMS.iter().chain(schemes::TERMS).find(|(known, ..)| *known == id).map_or(id, |(_, uk, en)| lang.pick(uk, en))
+    TERMS
+        .iter()
+        .chain(schemes::TERMS)
+        .chain(turning_tools::TERMS)
+        .find(|(known, ..)| *known == id)
+        .map_or(id, |(_, uk, en)| lang.pick(uk, en))
 }
 
 const TERMS: &[(&str, &str, &str)] = &[

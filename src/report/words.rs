@@ -21,6 +21,9 @@ const OPERATIONS: &[(&str, [&str; 2], [&str; 2])] = &[
     ("rough-ream", ["Розвернути попередньо", "Rough-ream"], ["попереднє розвертання", "rough reaming"]),
     ("finish-ream", ["Розвернути остаточно", "Finish-ream"], ["остаточне розвертання", "finish reaming"]),
     ("tap", ["Нарізати різь", "Tap"], ["нарізання різі", "tapping"]),
+    // Of lathes.
+    ("turning", ["Точити", "Turn"], ["точіння", "turning"]),
+    ("grooving", ["Прорізати канавку", "Groove"], ["прорізання", "grooving"]),
 ];
 
 /// The operation as an instruction: `Центрувати`, `Centre`.

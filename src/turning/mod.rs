@@ -4,12 +4,14 @@
 //! - [`length`] is the exact length of this room, in halves of a micrometre, because half of a diameter is one;
 //! - [`contour`] is a section of lines and arcs, [`point`] its points, [`way`] the way of a tool along it;
 //! - [`levels`] splits the stock over a shaft into levels, [`schemes`] clears them in the ways of the lecture;
+//! - [`tooling`] is lathes and turning tools, [`cutting`] how deep and how fast they cut (docs/turning-tools.md);
 //! - [`passes`] finds the shortest sequence of longitudinal and transverse passes (docs/turning.md).
 //!
 //! Sources: "the paper" is the article on structural optimisation of multi-pass rough turning, "the lecture" is lecture
 //! 12 on turning on NC lathes.
 
 pub mod contour;
+pub mod cutting;
 pub mod length;
 pub mod levels;
 pub mod passes;
@@ -17,3 +19,4 @@ pub mod point;
 pub mod schemes;
 pub mod shaft;
 pub mod way;
+pub mod tooling;

@@ -1,0 +1,395 @@
+//! What tool and lathe bear. Every bound is a load that grows with the depth of cut and a capacity that it must not pass.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::error::{KnowledgeError, Refusal, Tried};
+use crate::knowledge::{RowRef, Table};
+use crate::note::{Because, Finding, Note, Severity};
+use crate::turning::tooling::Shank;
+use crate::units::{Kilowatts, MetresPerMinute, Micrometres, MillimetresPerRev, NewtonMetres, Newtons, Unit};
+
+use super::laws::{self, Component, ForceLaw};
+use super::{Cut, Direction};
+
+/// What bounds the depth of cut.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Bound {
+    /// The shank bends too far for its steel.
+    ShankStrength,
+    /// The tip gives way too far.
+    ShankStiffness,
+    /// The edge of the insert is too short.
+    InsertEdge,
+    /// The main force is more than the carriage bears.
+    CuttingForce,
+    /// The drive along the feed is too weak.
+    FeedForce,
+    /// The drive across the feed is too weak to hold the tool.
+    SideForce,
+    /// The spindle has not that torque.
+    SpindleTorque,
+    /// The main drive has not that power.
+    SpindlePower,
+    /// The outer part has no more radius.
+    PartRadius,
+    /// The handbook's feeds and formulas end here.
+    Handbook,
+}
+
+impl Bound {
+    /// Its name in JSON and in sentences.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::ShankStrength => "shank-strength",
+            Self::ShankStiffness => "shank-stiffness",
+            Self::InsertEdge => "insert-edge",
+            Self::CuttingForce => "cutting-force",
+            Self::FeedForce => "feed-force",
+            Self::SideForce => "side-force",
+            Self::SpindleTorque => "spindle-torque",
+            Self::SpindlePower => "spindle-power",
+            Self::PartRadius => "part-radius",
+            Self::Handbook => "handbook",
+        }
+    }
+}
+
+/// A load or a capacity, with its unit in its name.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Load {
+    /// A force.
+    ForceN(Newtons),
+    /// A torque.
+    TorqueNM(NewtonMetres),
+    /// A power.
+    PowerKw(Kilowatts),
+    /// A depth of cut, where the bound is one itself.
+    DepthMm(Micrometres),
+}
+
+impl Load {
+    /// Whether it lies within a capacity of its own kind.
+    pub fn within(self, capacity: Self) -> bool {
+        match (self, capacity) {
+            (Self::ForceN(load), Self::ForceN(capacity)) => load.0 <= capacity.0,
+            (Self::TorqueNM(load), Self::TorqueNM(capacity)) => load.0 <= capacity.0,
+            (Self::PowerKw(load), Self::PowerKw(capacity)) => load.0 <= capacity.0,
+            (Self::DepthMm(load), Self::DepthMm(capacity)) => load <= capacity,
+            _ => false,
+        }
+    }
+
+    /// As it is printed: forces to 1 N, torques to 0.1 N·m, powers to 0.01 kW.
+    #[must_use]
+    pub fn rounded(self) -> Self {
+        match self {
+            Self::ForceN(force) => Self::ForceN(force.rounded(0)),
+            Self::TorqueNM(torque) => Self::TorqueNM(torque.rounded(1)),
+            Self::PowerKw(power) => Self::PowerKw(power.rounded(2)),
+            Self::DepthMm(depth) => Self::DepthMm(depth),
+        }
+    }
+}
+
+/// A bound that could not be reckoned, and the figure that was missing.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Missing {
+    /// The bound.
+    pub bound: Bound,
+    /// What is missing, and where.
+    pub note: Note,
+}
+
+impl Missing {
+    /// As a finding: the depth is told without that bound.
+    pub fn finding(&self) -> Finding {
+        Finding::of_part(Severity::Doubtful, self.told(Note::new("bound-not-reckoned")))
+    }
+
+    /// A sentence with the bound, what is missing, and of what.
+    pub(super) fn told(&self, note: Note) -> Note {
+        let param = |names: [&str; 3]| names.iter().find_map(|name| self.note.params.get(*name)).cloned();
+        note.with("bound", self.bound.name())
+            .with("of", param(["lathe", "tool", "material"]).unwrap_or_default())
+            .with("what", param(["quantity", "table", "angle"]).unwrap_or_default())
+    }
+}
+
+/// What a bound is held against.
+#[derive(Clone, Copy, Debug)]
+enum Measure {
+    Force(Component),
+    Torque,
+    Power,
+    Depth,
+}
+
+/// A bound with its capacity.
+#[derive(Clone, Debug)]
+pub(super) struct Check {
+    pub bound: Bound,
+    measure: Measure,
+    pub capacity: Load,
+    pub because: Vec<Because>,
+}
+
+/// The forces of a cut at a feed, each where its figures are known.
+#[derive(Clone, Debug)]
+pub(super) struct Forces {
+    pub main: Result<ForceLaw, Note>,
+    pub radial: Result<ForceLaw, Note>,
+    pub axial: Result<ForceLaw, Note>,
+}
+
+impl Forces {
+    pub fn of(cut: &Cut<'_, '_>, feed: MillimetresPerRev) -> Result<Self, KnowledgeError> {
+        let law = |component| Refusal::split(cut.named(laws::force(cut, component, feed)));
+        Ok(Self { main: law(Component::Main)?, radial: law(Component::Radial)?, axial: law(Component::Axial)? })
+    }
+
+    fn law(&self, component: Component) -> &Result<ForceLaw, Note> {
+        match component {
+            Component::Main => &self.main,
+            Component::Radial => &self.radial,
+            Component::Axial => &self.axial,
+        }
+    }
+
+    /// A component at a depth and a speed; nothing where its figures are not known.
+    pub fn at(&self, component: Component, depth: Micrometres, speed: MetresPerMinute) -> Option<Newtons> {
+        self.law(component).as_ref().ok().map(|law| law.at(depth.to_mm(), speed))
+    }
+
+    /// The rows behind all of them.
+    pub fn because(&self) -> impl Iterator<Item = Because> + '_ {
+        [&self.main, &self.radial, &self.axial].into_iter().flatten().flat_map(|law| law.because.iter().cloned())
+    }
+}
+
+/// Torque of a main force, N·m: Pz · D / 2000, with D in mm.
+pub(super) fn torque(force: Newtons, diameter: Micrometres) -> NewtonMetres {
+    NewtonMetres(force.0 * diameter.to_mm() / 2000.0)
+}
+
+/// Power of a main force, kW: Pz · V / 60000, with V in m/min.
+pub(super) fn power(force: Newtons, speed: MetresPerMinute) -> Kilowatts {
+    Kilowatts(force.0 * speed.0 / 60_000.0)
+}
+
+impl Check {
+    /// Whether it is about what the cut loads, and not about a depth that ends by itself.
+    pub const fn is_of_loads(&self) -> bool {
+        !matches!(self.measure, Measure::Depth)
+    }
+
+    /// The load at a depth and a speed; a check is only made where its figures are known.
+    pub fn load(&self, cut: &Cut<'_, '_>, forces: &Forces, depth: Micrometres, speed: MetresPerMinute) -> Option<Load> {
+        let main = || forces.at(Component::Main, depth, speed);
+        Some(match self.measure {
+            Measure::Force(component) => Load::ForceN(forces.at(component, depth, speed)?),
+            Measure::Torque => Load::TorqueNM(torque(main()?, cut.diameter)),
+            Measure::Power => Load::PowerKw(power(main()?, speed)),
+            Measure::Depth => Load::DepthMm(depth),
+        })
+    }
+}
+
+/// Every bound of a cut: those that can be reckoned, and what is missing for the others.
+pub(super) fn checks(cut: &Cut<'_, '_>, forces: &Forces) -> Result<(Vec<Check>, Vec<Missing>), KnowledgeError> {
+    // Against the feed Px pushes along the axis; across it the same force pushes along X. In grooving there is no Px,
+    // and Py is against the feed.
+    let (along, across) = match cut.direction {
+        Direction::Longitudinal => ("feed-force-z", "feed-force-x"),
+        Direction::Transverse => ("feed-force-x", "feed-force-z"),
+    };
+    let against = if cut.tool.plunges() { Component::Radial } else { Component::Axial };
+    let mut tried = vec![
+        (Bound::ShankStrength, Some(Component::Main), shank_strength(cut)),
+        (Bound::ShankStiffness, Some(Component::Main), shank_stiffness(cut)),
+        (Bound::InsertEdge, None, insert_edge(cut)),
+        (Bound::FeedForce, Some(against), drive(cut, Bound::FeedForce, against, along)),
+        (Bound::SpindleTorque, Some(Component::Main), spindle_torque(cut)),
+        (Bound::SpindlePower, Some(Component::Main), spindle_power(cut)),
+        (Bound::Handbook, None, handbook(cut)),
+    ];
+    if !cut.tool.plunges() {
+        let side = drive(cut, Bound::SideForce, Component::Radial, across);
+        tried.push((Bound::SideForce, Some(Component::Radial), side));
+    }
+    if let Some(force) = cut.lathe.cutting_force {
+        let row = cut.lathe.row("cutting-force-max")?;
+        let because = vec![Because::row(row, Note::new("lathe-limit").with("limit", force.0))];
+        let capacity = Load::ForceN(force);
+        let measure = Measure::Force(Component::Main);
+        let check = Check { bound: Bound::CuttingForce, measure, capacity, because };
+        tried.push((Bound::CuttingForce, Some(Component::Main), Ok(check)));
+    }
+    if !cut.is_inner() && !cut.tool.plunges() && cut.direction == Direction::Longitudinal {
+        tried.push((Bound::PartRadius, None, Ok(part_radius(cut))));
+    }
+    let (mut checks, mut missing) = (Vec::new(), Vec::new());
+    for (bound, component, check) in tried {
+        // A bound that does not hold for the tool at all is neither reckoned nor missing.
+        if bound == Bound::InsertEdge && cut.tool.plunges() {
+            continue;
+        }
+        let lacking = component.and_then(|component| forces.law(component).as_ref().err());
+        match (Refusal::split(check)?, lacking) {
+            (Ok(check), None) => checks.push(check),
+            (Err(note), _) => missing.push(Missing { bound, note }),
+            (Ok(_), Some(note)) => missing.push(Missing { bound, note: note.clone() }),
+        }
+    }
+    Ok((checks, missing))
+}
+
+/// A constant of `turning-limits`.
+fn constant<'k>(cut: &Cut<'_, 'k>, name: &str) -> Result<RowRef<'k>, KnowledgeError> {
+    let table: &Table = cut.knowledge.table("turning-limits")?;
+    table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))
+}
+
+/// A length of `turning-limits`, and why.
+pub(super) fn constant_length(cut: &Cut<'_, '_>, name: &str) -> Result<(Micrometres, Because), KnowledgeError> {
+    let row = constant(cut, name)?;
+    let length = row.length("length")?;
+    Ok((length, Because::row(row, Note::new("turning-limit").with("name", name).with("value", length))))
+}
+
+fn ratio(cut: &Cut<'_, '_>, name: &str) -> Result<(f64, Because), KnowledgeError> {
+    let row = constant(cut, name)?;
+    let value = row.number_in("ratio", Unit::None)?;
+    Ok((value, Because::row(row, Note::new("turning-limit").with("name", name).with("value", value))))
+}
+
+/// A stress of `turning-limits`, MPa, and why.
+fn stress(cut: &Cut<'_, '_>, name: &str) -> Result<(f64, Because), KnowledgeError> {
+    let row = constant(cut, name)?;
+    let value = row.number_in("stress", Unit::Megapascal)?;
+    Ok((value, Because::row(row, Note::new("turning-limit").with("name", name).with("value", value))))
+}
+
+/// The overhang, mm: that of the tool's row, else by the ratio of `turning-limits` to its height or diameter.
+fn overhang(cut: &Cut<'_, '_>, shank: Shank) -> Result<(f64, Vec<Because>), KnowledgeError> {
+    if let Some(reach) = cut.tool.reach {
+        let note = Note::new("overhang").with("length", reach);
+        return Ok((reach.to_mm(), vec![Because::row(cut.tool.row, note)]));
+    }
+    let (size, name) = match shank {
+        Shank::Square { height, .. } => (height, "overhang-ratio"),
+        Shank::Round { diameter } => (diameter, "bar-overhang-ratio"),
+    };
+    let (ratio, because) = ratio(cut, name)?;
+    Ok((ratio * size.to_mm(), vec![because]))
+}
+
+fn shank_of(cut: &Cut<'_, '_>) -> Tried<Shank> {
+    cut.tool.shank.ok_or_else(|| Refusal::Not(cut.tool.lacks("shank_height")))
+}
+
+/// Bending of the shank: Pz · l ≤ σ · W, with W = B·H²/6 of a square shank and π·d³/32 of a bar, mm³.
+fn shank_strength(cut: &Cut<'_, '_>) -> Tried<Check> {
+    let shank = shank_of(cut)?;
+    let modulus = match shank {
+        Shank::Square { height, width } => width.to_mm() * height.to_mm() * height.to_mm() / 6.0,
+        Shank::Round { diameter } => {
+            let d = diameter.to_mm();
+            std::f64::consts::PI * d * d * d / 32.0
+        }
+    };
+    let (allowed, reason) = stress(cut, "shank-stress")?;
+    let (overhang, mut because) = overhang(cut, shank)?;
+    because.push(reason);
+    Ok(main_force(Bound::ShankStrength, Newtons(allowed * modulus / overhang), because))
+}
+
+/// Bending of the shank: Pz ≤ 3·f·E·J / l³, with J = B·H³/12 of a square shank and π·d⁴/64 of a bar, mm⁴.
+fn shank_stiffness(cut: &Cut<'_, '_>) -> Tried<Check> {
+    let shank = shank_of(cut)?;
+    let inertia = match shank {
+        Shank::Square { height, width } => {
+            let h = height.to_mm();
+            width.to_mm() * h * h * h / 12.0
+        }
+        Shank::Round { diameter } => {
+            let d = diameter.to_mm();
+            std::f64::consts::PI * d * d * d * d / 64.0
+        }
+    };
+    let (modulus, of_modulus) = stress(cut, "shank-modulus")?;
+    let (bend, of_bend) = constant_length(cut, "shank-deflection")?;
+    let (overhang, mut because) = overhang(cut, shank)?;
+    because.extend([of_modulus, of_bend]);
+    let force = 3.0 * bend.to_mm() * modulus * inertia / (overhang * overhang * overhang);
+    Ok(main_force(Bound::ShankStiffness, Newtons(force), because))
+}
+
+/// How much of the edge may cut: t ≤ share · l · sin of the angle between edge and feed.
+fn insert_edge(cut: &Cut<'_, '_>) -> Tried<Check> {
+    let lacks = |quantity: &str| Refusal::Not(cut.tool.lacks(quantity));
+    let edge = cut.tool.edge.ok_or_else(|| lacks("edge"))?;
+    let shape = cut.tool.insert_shape().ok_or_else(|| lacks("insert"))?;
+    let table = cut.knowledge.table("insert-edge-share")?;
+    let row = table.find("shape", shape).ok_or_else(|| lacks("insert"))?;
+    let share = row.number_in("share", Unit::None)?;
+    let depth = share * edge.to_mm() * libm::sin(cut.edge_angle().to_f64().to_radians());
+    // Down to a whole micrometre, so that the share is never passed.
+    let depth = Micrometres::new((depth * 1000.0).floor() as i64);
+    let note = Note::new("insert-edge").with("share", share).with("edge", edge).with("depth", depth);
+    let because = vec![Because::row(row, note)];
+    Ok(Check { bound: Bound::InsertEdge, measure: Measure::Depth, capacity: Load::DepthMm(depth), because })
+}
+
+/// A drive of the carriage: the component of the force along it ≤ what its record gives.
+fn drive(cut: &Cut<'_, '_>, bound: Bound, component: Component, quantity: &str) -> Tried<Check> {
+    let force = match quantity {
+        "feed-force-z" => cut.lathe.feed_force_z,
+        _ => cut.lathe.feed_force_x,
+    };
+    let force = force.ok_or_else(|| Refusal::Not(cut.lathe.lacks(quantity)))?;
+    let because = vec![Because::row(cut.lathe.row(quantity)?, Note::new("lathe-limit").with("limit", force.0))];
+    Ok(Check { bound, measure: Measure::Force(component), capacity: Load::ForceN(force), because })
+}
+
+/// Pz · D / 2 ≤ the torque of the spindle.
+fn spindle_torque(cut: &Cut<'_, '_>) -> Tried<Check> {
+    let quantity = "spindle-torque-max";
+    let torque = cut.lathe.torque.ok_or_else(|| Refusal::Not(cut.lathe.lacks(quantity)))?;
+    let because = vec![Because::row(cut.lathe.row(quantity)?, Note::new("lathe-limit").with("limit", torque.0))];
+    Ok(Check { bound: Bound::SpindleTorque, measure: Measure::Torque, capacity: Load::TorqueNM(torque), because })
+}
+
+/// Pz · V / 60000 ≤ N · η. Where the record has no η, that of `turning-limits` stands in, marked.
+fn spindle_power(cut: &Cut<'_, '_>) -> Tried<Check> {
+    let (share, of_share) = match cut.lathe.efficiency {
+        Some(share) => {
+            let note = Note::new("lathe-limit").with("limit", share.0);
+            (share.0, Because::row(cut.lathe.row("spindle-efficiency")?, note))
+        }
+        None => ratio(cut, "drive-efficiency")?,
+    };
+    let power = Kilowatts(cut.lathe.power.0 * share);
+    let note = Note::new("lathe-limit").with("limit", cut.lathe.power.0);
+    let because = vec![Because::row(cut.lathe.row("spindle-power")?, note), of_share];
+    Ok(Check { bound: Bound::SpindlePower, measure: Measure::Power, capacity: Load::PowerKw(power), because })
+}
+
+/// The depth at which the tables of feeds end.
+fn handbook(cut: &Cut<'_, '_>) -> Tried<Check> {
+    let (depth, because) = constant_length(cut, "depth-max")?;
+    let capacity = Load::DepthMm(depth);
+    Ok(Check { bound: Bound::Handbook, measure: Measure::Depth, capacity, because: vec![because] })
+}
+
+/// A solid part has no more than its radius.
+fn part_radius(cut: &Cut<'_, '_>) -> Check {
+    let capacity = Load::DepthMm(cut.diameter.half());
+    Check { bound: Bound::PartRadius, measure: Measure::Depth, capacity, because: Vec::new() }
+}
+
+fn main_force(bound: Bound, force: Newtons, because: Vec<Because>) -> Check {
+    Check { bound, measure: Measure::Force(Component::Main), capacity: Load::ForceN(force), because }
+}
