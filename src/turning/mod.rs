@@ -10,6 +10,7 @@
 //! 12 on turning on NC lathes.
 
 pub mod contour;
+pub mod elements;
 pub mod length;
 pub mod levels;
 pub mod passes;
@@ -17,3 +18,4 @@ pub mod point;
 pub mod schemes;
 pub mod shaft;
 pub mod way;
+pub mod zones;
