@@ -11,6 +11,9 @@ use super::reach::Shade;
 use super::view::{Bit, steepness};
 use super::{Angles, Class, Element, Ground};
 
+/// What leads back leans by more than this, degrees: the ends of an upright arc are rounded.
+const UPRIGHT: f64 = 90.06;
+
 /// Judges a surface by the shades of its bits and the spans over them.
 ///
 /// # Errors
@@ -44,7 +47,7 @@ pub(super) fn class(
     } else if has(Shade::Over) {
         Ground::Back
     } else if has(Shade::Behind) {
-        if fall > 90.0 {
+        if fall > UPRIGHT {
             Ground::Back
         } else if fall > tool.secondary.0 {
             Ground::Fall
@@ -52,7 +55,7 @@ pub(super) fn class(
             Ground::Shadow
         }
     } else if has(Shade::Ahead) {
-        if rise > 90.0 {
+        if rise > UPRIGHT {
             Ground::Back
         } else if rise > tool.main.0 {
             Ground::Rise
