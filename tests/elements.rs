@@ -157,12 +157,12 @@ fn additional_kinds_are_bridged_as_the_lips_go_on() {
     let drawn = drawn.groove(GrindingRelief, &relief).to(Face, 30.0, 30.0);
     let drawn = drawn.groove(FaceGroove, &[(30.0, 34.0), (35.0, 34.0), (35.0, 30.0)]).to(Face, 40.0, 30.0);
     let (classes, main) = judged(&drawn.to(Cylinder, 40.0, 50.0));
-    let tools: Vec<&str> = classes.iter().filter(|one| one.ground == Ground::Kind).map(|one| one.tool.as_str()).collect();
+    let tools: Vec<&str> =
+        classes.iter().filter(|one| one.ground == Ground::Kind).map(|one| one.tool.as_str()).collect();
     assert_eq!(tools, ["threading", "grooving", "relief-grooving", "face-grooving"]);
     assert_eq!(corners(&main), [at(20.0, 0.0), at(20.0, 30.0), at(40.0, 30.0), at(40.0, 50.0)]);
     let lips: Vec<(Point, Point)> = main.valleys.iter().map(|valley| valley.lips).collect();
-    let wanted =
-        [(at(20.0, 15.0), at(20.0, 19.0)), (at(20.0, 29.0), at(21.0, 30.0)), (at(30.0, 30.0), at(35.0, 30.0))];
+    let wanted = [(at(20.0, 15.0), at(20.0, 19.0)), (at(20.0, 29.0), at(21.0, 30.0)), (at(30.0, 30.0), at(35.0, 30.0))];
     assert_eq!(lips, wanted);
     assert_eq!(main.valleys[1].bridge.len(), 2, "cylinder and face to their corner");
     assert_eq!(main.valleys[0].surfaces, [2]);

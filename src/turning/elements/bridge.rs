@@ -155,12 +155,15 @@ fn stands_out(run: &[Bit], over: &[Bit], far: Point) -> bool {
         Some((_, most)) => (at.radius - most).to_mm() > TRIFLE,
         None => at.z < bridge.start().map_or(far.z, |start| start.z) || (at.radius - far.radius).to_mm() > TRIFLE,
     };
-    run.iter().flat_map(|bit| [bit.piece.from, middle(bit.piece), bit.piece.to]).any(above)
+    run.iter().flat_map(|bit| along(bit.piece)).any(above)
 }
 
-/// A point of a piece halfway along the axis, or the middle of a face.
-fn middle(piece: Piece) -> Point {
-    let z = Half::new(i64::midpoint(piece.from.z.halves(), piece.to.z.halves()));
-    let upright = || Point::new(Half::new(i64::midpoint(piece.from.radius.halves(), piece.to.radius.halves())), z);
-    piece.at_z(z).first().copied().unwrap_or_else(upright)
+/// Points of a piece: its ends, beside them, and fifteen between. Where a lip goes on upright from the end of a fillet, the
+/// fillet stands over the other line only just beside its end.
+fn along(piece: Piece) -> impl Iterator<Item = Point> {
+    let one = Half::new(1);
+    let (from, to) = (piece.from.z.halves(), piece.to.z.halves());
+    let between = (1..16).map(move |part| Half::new(from + (to - from) * part / 16));
+    let places = [piece.from.z + one, piece.to.z - one].into_iter().chain(between);
+    places.flat_map(move |z| piece.at_z(z)).chain([piece.from, piece.to])
 }

@@ -100,24 +100,22 @@ pub fn idle_returns(zone: &Zone, depth: Half) -> Returns {
     if depth <= Half::ZERO {
         return Returns { split: 0, joined: 0, saved: 0 };
     }
-    let passes = |part: &Part| ((part.top - part.floor).halves().max(0) + depth.halves() - 1) / depth.halves();
-    let split: i64 = parts.iter().map(|part| passes(part)).sum();
     let top = parts.iter().map(|part| part.top).max().unwrap_or_default();
     let lowest = parts.iter().map(|part| part.floor).min().unwrap_or_default();
-    let mut joined = 0;
+    let (mut split, mut joined) = (0, 0);
     let mut above = top;
     while above > lowest {
         let here = |part: &Part| part.floor < above && part.top > above - depth;
         let mut before: Option<&Part> = None;
         for part in &parts {
             let goes_on = before.is_some_and(|before| before.to_z == part.from_z && before.border <= above - depth);
-            if here(part) && !goes_on {
-                joined += 1;
+            if here(part) {
+                split += 1;
+                joined += usize::from(!goes_on);
             }
             before = Some(*part).filter(|part| here(part));
         }
         above = above - depth;
     }
-    let split = usize::try_from(split).unwrap_or(usize::MAX);
-    Returns { split, joined, saved: split.saturating_sub(joined) }
+    Returns { split, joined, saved: split - joined }
 }

@@ -182,19 +182,17 @@ fn divided(bits: &[Piece], z: Half) -> (Vec<Piece>, Vec<Piece>) {
     (before, behind)
 }
 
-/// Whether the blank stands over the contour anywhere in a part: at its corners, at those of the blank, and between.
+/// Whether the blank stands over the contour anywhere in a part: beside the corners of both, and between.
 fn has_stock(draft: &Draft, rough: &Contour, blank: &Contour) -> bool {
     let (from, to) = (draft.from_z(), draft.to_z());
     let corners = rough.corners().into_iter().chain(blank.corners()).map(|corner| corner.z);
     let mut places: Vec<Half> = corners.filter(|z| (from..=to).contains(z)).collect();
     places.sort_unstable();
     places.dedup();
-    let between = |pair: &[Half]| match pair {
-        [a, b] => Some(Half::new(i64::midpoint(a.halves(), b.halves()))),
-        _ => None,
-    };
-    // At a corner a face of the neighbour would count; between corners each Z has one radius.
-    places.windows(2).filter_map(between).any(|z| match (rough.radii_at(z), blank.radii_at(z)) {
+    // At a corner a face of the neighbour would count; beside it each Z has one radius.
+    let one = Half::new(1);
+    let near = |(a, b): (&Half, &Half)| [*a + one, Half::new(i64::midpoint(a.halves(), b.halves())), *b - one];
+    places.iter().zip(places.iter().skip(1)).flat_map(near).any(|z| match (rough.radii_at(z), blank.radii_at(z)) {
         (Some((least, _)), Some((_, most))) => most > least,
         _ => false,
     })
