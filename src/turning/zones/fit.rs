@@ -83,10 +83,9 @@ pub(super) fn refusals(
     tool: &ToolAngles,
 ) -> Vec<Note> {
     let mut why = Vec::new();
-    if let (Some(least), Some(passage)) = (tool.least_bore, passage) {
-        if least > passage {
-            why.push(Note::new("tool-bore-too-small").with("least", least).with("bore", passage));
-        }
+    let bar = tool.least_bore.zip(passage).filter(|(least, passage)| least > passage);
+    if let Some((least, passage)) = bar {
+        why.push(Note::new("tool-bore-too-small").with("least", least).with("bore", passage));
     }
     if let Some(width) = tool.width {
         if let Some(floor) = floor.filter(|floor| width > *floor) {

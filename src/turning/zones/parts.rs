@@ -85,7 +85,7 @@ struct Draft {
 }
 
 impl Draft {
-    fn from_z(&self) -> Half {
+    fn start_z(&self) -> Half {
         self.bits.first().map_or(Half::ZERO, |bit| bit.from.z)
     }
 
@@ -97,7 +97,7 @@ impl Draft {
         self.bits.first().is_some_and(|bit| bit.to.radius < bit.from.radius)
     }
 
-    fn to_z(&self) -> Half {
+    fn end_z(&self) -> Half {
         self.bits.last().map_or(Half::ZERO, |bit| bit.to.z)
     }
 }
@@ -116,7 +116,7 @@ pub fn of(stock: Stock<'_>, knowledge: &Knowledge) -> Result<Apart, KnowledgeErr
     let mut along = Vec::new();
     for draft in drafts(&rough, &blank) {
         if has_stock(&draft, &rough, &blank) {
-            let at_end = rough.end().is_some_and(|end| end.z == draft.to_z());
+            let at_end = rough.end().is_some_and(|end| end.z == draft.end_z());
             along.push(part(&draft, at_end, &blank, top, knowledge)?);
         }
     }
@@ -148,11 +148,11 @@ fn drafts(rough: &Contour, blank: &Contour) -> Vec<Draft> {
     for mut draft in drafts {
         for step in &steps {
             let rises = step.to.radius > step.from.radius;
-            if draft.from_z() < step.from.z && step.from.z < draft.to_z() {
+            if draft.start_z() < step.from.z && step.from.z < draft.end_z() {
                 let (before, behind) = divided(&draft.bits, step.from.z);
                 cut.push(Draft { bits: before, stock_ahead: rises });
                 draft.bits = behind;
-            } else if draft.to_z() == step.from.z && rises {
+            } else if draft.end_z() == step.from.z && rises {
                 draft.stock_ahead = true;
             }
         }
@@ -184,7 +184,7 @@ fn divided(bits: &[Piece], z: Half) -> (Vec<Piece>, Vec<Piece>) {
 
 /// Whether the blank stands over the contour anywhere in a part: beside the corners of both, and between.
 fn has_stock(draft: &Draft, rough: &Contour, blank: &Contour) -> bool {
-    let (from, to) = (draft.from_z(), draft.to_z());
+    let (from, to) = (draft.start_z(), draft.end_z());
     let corners = rough.corners().into_iter().chain(blank.corners()).map(|corner| corner.z);
     let mut places: Vec<Half> = corners.filter(|z| (from..=to).contains(z)).collect();
     places.sort_unstable();
@@ -205,7 +205,7 @@ fn part(
     top: Option<Half>,
     knowledge: &Knowledge,
 ) -> Result<Part, KnowledgeError> {
-    let (from_z, to_z) = (draft.from_z(), draft.to_z());
+    let (from_z, to_z) = (draft.start_z(), draft.end_z());
     let steep: Vec<(f64, f64)> = draft.bits.iter().map(|bit| steepness(*bit)).collect();
     let steepest = |of: fn(&(f64, f64)) -> f64| Degrees(round_to(steep.iter().map(of).fold(0.0, f64::max), 4));
     let border = draft.bits.last().map_or(Half::ZERO, |bit| bit.to.radius);
