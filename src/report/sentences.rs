@@ -16,12 +16,14 @@ mod routes;
 mod schemes;
 mod turning;
 mod turning_tools;
+mod zones;
 
 /// Every sentence.
 fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'static str)> {
     let all = SENTENCES.iter().chain(routes::SENTENCES).chain(programs::SENTENCES);
     let all = all.chain(iso::SENTENCES).chain(jobs::SENTENCES).chain(lists::SENTENCES);
     all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES).chain(turning_tools::SENTENCES)
+    all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES).chain(zones::SENTENCES)
 }
 
 /// A note as a sentence. A code without words shows itself with its figures, so that nothing is lost.
@@ -85,6 +87,8 @@ pub fn term(id: &str, lang: Lang) -> &str {
         .chain(turning_tools::TERMS)
         .find(|(known, ..)| *known == id)
         .map_or(id, |(_, uk, en)| lang.pick(uk, en))
+    let terms = TERMS.iter().chain(schemes::TERMS).chain(zones::TERMS);
+    terms.into_iter().find(|(known, ..)| *known == id).map_or(id, |(_, uk, en)| lang.pick(uk, en))
 }
 
 const TERMS: &[(&str, &str, &str)] = &[

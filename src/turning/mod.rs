@@ -12,6 +12,7 @@
 
 pub mod contour;
 pub mod cutting;
+pub mod elements;
 pub mod length;
 pub mod levels;
 pub mod passes;
@@ -20,3 +21,4 @@ pub mod schemes;
 pub mod shaft;
 pub mod way;
 pub mod tooling;
+pub mod zones;

@@ -1,0 +1,244 @@
+//! Main and additional elements of a contour, and the main contour (lecture 12.1, l. 79-99).
+//!
+//! Main is what a contouring tool with φ = 95° and φ1 = 30° makes; all else is additional. The same is asked here of any
+//! tool. [`classify`] judges every surface of a contour for a tool that feeds in one direction; [`main_contour`] lays
+//! bridges over what it does not make. The rule `turning-element` says what kind of tool an additional element asks for.
+//!
+//! - `view` turns bores inside out and mirrors for the other hand, so that all else knows one case only;
+//! - `reach` finds what the edges of the tool leave in the shadow;
+//! - `bridge` and `silhouette` make the main contour.
+
+mod bridge;
+mod reach;
+mod silhouette;
+mod told;
+pub(super) mod view;
+
+use serde::Serialize;
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+use crate::note::{Because, Note};
+use crate::units::Degrees;
+
+use super::contour::{Contour, Piece, Profile, SurfaceKind};
+use super::point::Point;
+use bridge::{Bridged, Span, bridge};
+use reach::{Edges, Shade};
+use view::{Bit, View};
+
+/// In which direction a tool feeds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Hand {
+    /// From the free end towards the chuck.
+    Right,
+    /// From the chuck towards the free end.
+    Left,
+}
+
+/// The angles of a tool in the plane of the section.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Angles {
+    /// φ: between the main cutting edge and the feed; above 90° the edge leans back.
+    #[serde(rename = "main_angle_deg")]
+    pub main: Degrees,
+    /// φ1: between the auxiliary cutting edge and the way back.
+    #[serde(rename = "secondary_angle_deg")]
+    pub secondary: Degrees,
+    /// In which direction it feeds.
+    pub hand: Hand,
+}
+
+impl Angles {
+    /// The contouring tool by which the lecture tells main elements: φ = 95°, φ1 = 30° (12.1, l. 85-91).
+    pub const CONTOURING: Self = Self { main: Degrees(95.0), secondary: Degrees(30.0), hand: Hand::Right };
+
+    /// With a clearance kept between the auxiliary edge and the metal: φ1 counts as so much less, not below 0.
+    #[must_use]
+    pub fn with_clearance(self, clearance: Degrees) -> Self {
+        Self { secondary: Degrees((self.secondary.0 - clearance.0).max(0.0)), ..self }
+    }
+}
+
+/// What an element of the contour is to a tool.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Element {
+    /// The tool makes all of it.
+    Main,
+    /// It needs another tool.
+    Additional,
+    /// It falls away behind the largest radius and never rises again: for the other set-up.
+    OtherSide,
+}
+
+/// Why an element is what it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Ground {
+    /// Both edges clear it.
+    Reach,
+    /// By its kind, whatever its angles.
+    Kind,
+    /// It rises more steeply than φ.
+    Rise,
+    /// It falls more steeply than φ1.
+    Fall,
+    /// It leads back towards the free end, or lies under what does.
+    Back,
+    /// It lies in the shadow of what falls before it.
+    Shadow,
+    /// It lies before a rise steeper than φ.
+    Corner,
+    /// It lies in a valley whose floor is not reached.
+    Valley,
+    /// It lies behind a fall that never rises again.
+    Beyond,
+}
+
+impl Ground {
+    /// Its name in the rule `turning-element`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Reach => "reach",
+            Self::Kind => "kind",
+            Self::Rise => "rise",
+            Self::Fall => "fall",
+            Self::Back => "back",
+            Self::Shadow => "shadow",
+            Self::Corner => "corner",
+            Self::Valley => "valley",
+            Self::Beyond => "beyond",
+        }
+    }
+}
+
+/// A surface, judged.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Class {
+    /// Its index in the profile.
+    pub surface: usize,
+    /// Its name.
+    pub name: String,
+    /// Main, additional or for the other side.
+    pub element: Element,
+    /// Why.
+    pub ground: Ground,
+    /// Whether the tool makes a part of it, though not all; then the whole of it is additional.
+    pub partly: bool,
+    /// Its steepest rise in the direction of the feed, degrees in [0, 180]; above 90 it leads back.
+    pub rise: Degrees,
+    /// Its steepest fall, degrees in [0, 180].
+    pub fall: Degrees,
+    /// The kind of tool that makes it, by the rule `turning-element`.
+    pub tool: String,
+    /// Which of its angles against which of the tool, and the row that names the tool.
+    pub because: Because,
+    /// What else to know: that a part of it could be made.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<Note>,
+}
+
+/// A bridge over additional elements.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Valley {
+    /// The surfaces under it, by index.
+    pub surfaces: Vec<usize>,
+    /// The lips, from the free end.
+    pub lips: (Point, Point),
+    /// The part between the lips: one side of the region of these elements (allowance 2).
+    pub under: Vec<Piece>,
+    /// The bridge between the lips: the other side.
+    pub bridge: Vec<Piece>,
+    /// Whether the contour never rises to it again, so that the region is for the other set-up.
+    pub open: bool,
+}
+
+/// The main contour, and what it leaves out.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Main {
+    /// Monotone, from the free end, nowhere below the part.
+    pub contour: Contour,
+    /// The bridges in it, from the free end.
+    pub valleys: Vec<Valley>,
+}
+
+/// Judges every surface of a profile for a tool.
+///
+/// # Errors
+/// The knowledge base lacks the rule `turning-element` or a row of it.
+pub fn classify(profile: &Profile, tool: Angles, knowledge: &Knowledge) -> Result<Vec<Class>, KnowledgeError> {
+    let view = View::new(profile, tool.hand);
+    let bits = view.bits(profile);
+    let bridged = |bit: &Bit| profile.surfaces.get(bit.surface).is_some_and(|one| is_bridged(one.kind));
+    let shades = Edges::of(tool).shades(&bits, |bit| !bridged(bit));
+    let lost = |(bit, (shade, _)): (&Bit, &(Option<Shade>, bool))| {
+        bridged(bit) || matches!(shade, Some(Shade::Behind | Shade::Over))
+    };
+    let lost: Vec<bool> = bits.iter().zip(&shades).map(lost).collect();
+    let spans = bridge(&bits, &lost).spans;
+    let surfaces = profile.surfaces.iter().enumerate();
+    surfaces.map(|(index, surface)| told::class(index, surface, tool, &bits, &shades, &spans, knowledge)).collect()
+}
+
+/// The main contour of a profile for a tool, whose classes these are.
+///
+/// Bridges go from lip to lip, as the lips go on, or level from the near lip: a groove in a cylinder is bridged by the
+/// cylinder, a relief at a shoulder by cylinder and face to their corner, a face groove by the face. A thread stays as the
+/// cylinder that it is cut into. What rises too steeply for φ is not bridged: it has no other shape. A face that leans
+/// back, though not more than φ, goes upright: the rest of it is for finishing.
+pub fn main_contour(profile: &Profile, classes: &[Class], tool: Angles) -> Main {
+    let (view, _, done) = bridged(profile, classes, tool);
+    let mut valleys: Vec<Valley> = done.spans.iter().map(|span| valley(span, view)).collect();
+    valleys.sort_by_key(|valley| valley.lips.0.z);
+    Main { contour: Contour { side: profile.side, pieces: view.back(&done.bits) }, valleys }
+}
+
+/// Where a fall begins that never rises again, with the profile before it and behind it; a surface that begins before it
+/// and ends behind it stands in both, by its pieces. None where the contour has no such fall.
+pub fn split(profile: &Profile, classes: &[Class], tool: Angles) -> Option<(Profile, Profile)> {
+    let (view, bits, done) = bridged(profile, classes, tool);
+    let open = done.spans.iter().find(|span| span.open)?;
+    let part = |bits: &[Bit]| {
+        let surfaces = profile.surfaces.iter().enumerate().filter_map(|(index, surface)| {
+            let own: Vec<Bit> = bits.iter().filter(|bit| bit.surface == index).copied().collect();
+            (!own.is_empty()).then(|| super::contour::Surface { pieces: view.back(&own), ..surface.clone() })
+        });
+        Profile { side: profile.side, surfaces: surfaces.collect() }
+    };
+    let (before, behind) = bits.split_at_checked(open.bits.0)?;
+    Some(if view.mirrored() { (part(behind), part(before)) } else { (part(before), part(behind)) })
+}
+
+/// The bits of a profile and the bridges over those that its classes leave out.
+fn bridged(profile: &Profile, classes: &[Class], tool: Angles) -> (View, Vec<Bit>, Bridged) {
+    let view = View::new(profile, tool.hand);
+    let bits = view.bits(profile);
+    let kind = |bit: &Bit| profile.surfaces.get(bit.surface).is_some_and(|one| is_bridged(one.kind));
+    let additional = |bit: &Bit| classes.get(bit.surface).is_some_and(|class| class.element != Element::Main);
+    let shades = Edges::of(tool).shades(&bits, |bit| !kind(bit));
+    let lost = |(bit, (shade, _)): (&Bit, &(Option<Shade>, bool))| {
+        kind(bit) || (additional(bit) && matches!(shade, Some(Shade::Behind | Shade::Over)))
+    };
+    let lost: Vec<bool> = bits.iter().zip(&shades).map(lost).collect();
+    let done = bridge(&bits, &lost);
+    (view, bits, done)
+}
+
+/// Additional by kind and cut into another surface; a thread is its cylinder first.
+fn is_bridged(kind: SurfaceKind) -> bool {
+    kind.is_additional() && kind != SurfaceKind::Thread
+}
+
+fn valley(span: &Span, view: View) -> Valley {
+    let mut surfaces: Vec<usize> = span.under.iter().map(|bit| bit.surface).collect();
+    surfaces.sort_unstable();
+    surfaces.dedup();
+    let ends = |bits: &[Bit]| bits.first().zip(bits.last()).map(|(first, last)| (first.piece.from, last.piece.to));
+    // A bridge without length covers what hangs off one point: a far face.
+    let (near, far) = ends(&span.over).or_else(|| ends(&span.under)).unwrap_or_default();
+    let (near, far) = (view.point(near), view.point(far));
+    let lips = if view.mirrored() { (far, near) } else { (near, far) };
+    Valley { surfaces, lips, under: view.back(&span.under), bridge: view.back(&span.over), open: span.open }
+}

@@ -1,0 +1,110 @@
+//! What the edges of a tool leave in the shadow.
+//!
+//! The tool stands over a point of the contour with its tip. Its main edge goes up from there at φ to the feed, its
+//! auxiliary edge at φ1 to the way back. Metal above either edge keeps the tip away:
+//!
+//! - metal behind and above the line that goes back and up at φ1: the point lies in the shadow of what fell before it;
+//! - metal above and ahead of the line that goes up at φ: the point lies in the corner before what rises too steeply.
+//!
+//! Both lines are straight, so it is enough to hold the points of each piece that lie farthest across them against each
+//! other: the ends, and of an arc where it is parallel to the edge. Edges count as long as they are needed.
+
+use crate::turning::contour::{Curve, Piece};
+use crate::turning::point::{Point, Vector};
+
+use super::Angles;
+use super::view::Bit;
+
+/// A shadow less deep than this, mm, is the rounding of points to halves of a micrometre.
+const TRIFLE: f64 = 0.001;
+
+/// Why the tip does not come to a place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Shade {
+    /// Metal behind stands above the auxiliary edge.
+    Behind,
+    /// Metal that rises ahead stands in the main edge.
+    Ahead,
+    /// Metal hangs over it: the contour leads back above.
+    Over,
+}
+
+/// The edges of a tool, each by the direction across it.
+pub(super) struct Edges {
+    behind: Vector,
+    ahead: Vector,
+}
+
+impl Edges {
+    pub fn of(tool: Angles) -> Self {
+        let (main, secondary) = (tool.main.0.to_radians(), tool.secondary.0.to_radians());
+        Self {
+            behind: Vector::new(libm::sin(secondary), libm::cos(secondary)),
+            ahead: Vector::new(libm::sin(main), -libm::cos(main)),
+        }
+    }
+
+    /// What keeps the tip from some point of each bit, and whether it comes to any other point of it.
+    pub fn shades(&self, bits: &[Bit], solid: impl Fn(&Bit) -> bool) -> Vec<(Option<Shade>, bool)> {
+        let keys: Vec<Vec<Point>> =
+            bits.iter().map(|bit| if solid(bit) { self.keys(bit.piece) } else { Vec::new() }).collect();
+        let judge = |(index, bit): (usize, &Bit)| {
+            let own = self.keys(bit.piece);
+            let shade = own.iter().filter_map(|at| self.over(*at, index, bit.piece, &keys)).min();
+            let reached =
+                shade.is_none() || inside(bit.piece).any(|at| self.over(at, index, bit.piece, &keys).is_none());
+            (shade, reached)
+        };
+        bits.iter().enumerate().map(judge).collect()
+    }
+
+    /// What keeps the tip from a point of a bit.
+    fn over(&self, tip: Point, index: usize, piece: Piece, keys: &[Vec<Point>]) -> Option<Shade> {
+        let along = |at: Point| piece.from.to(at).length();
+        let before = |other: usize, at: Point| other < index || (other == index && along(at) < along(tip));
+        let after = |other: usize, at: Point| other > index || (other == index && along(at) > along(tip));
+        let all = || keys.iter().enumerate().flat_map(|(other, points)| points.iter().map(move |at| (other, *at)));
+        let behind = |(other, at): &(usize, Point)| {
+            before(*other, *at) && at.z <= tip.z && self.behind.dot(tip.to(*at)) > TRIFLE
+        };
+        let ahead = |(other, at): &(usize, Point)| {
+            after(*other, *at) && at.radius >= tip.radius && self.ahead.dot(at.to(tip)) > TRIFLE
+        };
+        if all().any(|one| behind(&one)) {
+            return Some(Shade::Behind);
+        }
+        let mut above = all().filter(ahead).peekable();
+        above.peek()?;
+        Some(if above.any(|(_, at)| at.z < tip.z) { Shade::Over } else { Shade::Ahead })
+    }
+
+    /// The points of a piece farthest across either edge.
+    fn keys(&self, piece: Piece) -> Vec<Point> {
+        let mut points = vec![piece.from, piece.to];
+        if let (Curve::Arc { radius, .. }, Some(centre)) = (piece.curve, piece.centre()) {
+            let radius = radius.to_mm();
+            for across in [self.behind, self.ahead] {
+                for spoke in [radius, -radius] {
+                    let at = Point::at(centre.plus(across.times(spoke)));
+                    if piece.holds(at) {
+                        points.push(at);
+                    }
+                }
+            }
+        }
+        points
+    }
+}
+
+/// Fifteen points inside a piece, evenly spaced along the chord.
+fn inside(piece: Piece) -> impl Iterator<Item = Point> {
+    let chord = piece.chord();
+    (1..16).filter_map(move |part| {
+        let on_chord = piece.from.vector().plus(chord.times(f64::from(part) / 16.0));
+        let Some(centre) = piece.centre() else { return Some(Point::at(on_chord)) };
+        let Curve::Arc { radius, .. } = piece.curve else { return None };
+        let spoke = centre.times(-1.0).plus(on_chord);
+        // Half a circle has its centre on the chord: its middle has no direction from there.
+        (spoke.length() > 1e-6).then(|| Point::at(centre.plus(spoke.unit().times(radius.to_mm()))))
+    })
+}

@@ -1,0 +1,58 @@
+//! What of a contour can be seen from outside, across the axis: where it leads back towards the free end, it goes upright
+//! from the foremost point instead. What a contouring tool still reaches there (a face that leans back by up to φ − 90°) is
+//! left to finishing: roughing works in levels over a contour that does not lead back.
+
+use crate::turning::contour::Piece;
+use crate::turning::length::Half;
+use crate::turning::point::Point;
+
+use super::bridge::Span;
+use super::view::Bit;
+
+/// The outline of bits as seen from outside, and the bridges that it took.
+pub(super) fn silhouette(bits: Vec<Bit>) -> (Vec<Bit>, Vec<Span>) {
+    let mut seen: Vec<Bit> = Vec::new();
+    let mut spans = Vec::new();
+    for bit in bits {
+        let here = seen.last().map_or(bit.piece.from, |last| last.piece.to);
+        if bit.piece.to.z < here.z && bit.piece.to.radius >= here.radius {
+            spans.push(upright(&mut seen, bit));
+        } else if bit.piece.from == here && bit.piece.to.z >= here.z {
+            seen.push(bit);
+        } else if let Some(at) = forward(bit.piece, here.z) {
+            // Out from under what leads back while it falls: on from where it is seen again.
+            seen.push(Bit { piece: Piece::line(here, at), origin: None, ..bit });
+            seen.push(Bit { piece: bit.piece.between(at, bit.piece.to), ..bit });
+        }
+    }
+    seen.retain(|bit| !bit.piece.is_nothing());
+    (seen, spans)
+}
+
+/// Takes back what lies under the end of a bit that leads back and out, and goes upright to it.
+fn upright(seen: &mut Vec<Bit>, bit: Bit) -> Span {
+    let lip = bit.piece.to;
+    let mut under = vec![bit];
+    let mut foot = bit.piece.from;
+    while let Some(last) = seen.pop() {
+        foot = last.piece.from;
+        if last.piece.from.z < lip.z {
+            foot = last.piece.at_z(lip.z).last().copied().unwrap_or(last.piece.from);
+            seen.push(Bit { piece: last.piece.between(last.piece.from, foot), ..last });
+            under.push(Bit { piece: last.piece.between(foot, last.piece.to), ..last });
+            break;
+        }
+        under.push(last);
+    }
+    under.reverse();
+    under.retain(|bit| !bit.piece.is_nothing());
+    let foot = Point::new(foot.radius.min(lip.radius), lip.z);
+    let over = Bit { surface: bit.surface, origin: None, piece: Piece::line(foot, lip) };
+    seen.push(over);
+    Span { bits: (0, 0), under, over: vec![over], open: false }
+}
+
+/// Where a piece comes past a Z on its way forward.
+fn forward(piece: Piece, z: Half) -> Option<Point> {
+    (piece.to.z > z).then(|| piece.at_z(z).last().copied().unwrap_or(piece.from))
+}

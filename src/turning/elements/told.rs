@@ -1,0 +1,151 @@
+//! The class of a surface with its reasons.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::{Input, Knowledge};
+use crate::note::{Because, Note};
+use crate::turning::contour::Surface;
+use crate::units::{Decimal, Degrees, Unit, round_to};
+
+use super::bridge::Span;
+use super::reach::Shade;
+use super::view::{Bit, steepness};
+use super::{Angles, Class, Element, Ground};
+
+/// What leads back leans by more than this, degrees: the ends of an upright arc are rounded.
+const UPRIGHT: f64 = 90.06;
+
+/// Judges a surface by the shades of its bits and the spans over them.
+///
+/// # Errors
+/// The knowledge base lacks the rule `turning-element` or a row of it.
+pub(super) fn class(
+    index: usize,
+    surface: &Surface,
+    tool: Angles,
+    bits: &[Bit],
+    shades: &[(Option<Shade>, bool)],
+    spans: &[Span],
+    knowledge: &Knowledge,
+) -> Result<Class, KnowledgeError> {
+    let own: Vec<(usize, &Bit, Option<Shade>, bool)> = bits
+        .iter()
+        .zip(shades)
+        .enumerate()
+        .filter(|(_, (bit, _))| bit.surface == index)
+        .map(|(at, (bit, (shade, reached)))| (at, bit, *shade, *reached))
+        .collect();
+    let steep = own.iter().map(|(_, bit, ..)| steepness(bit.piece));
+    let (rise, fall) = steep.fold((0.0_f64, 0.0_f64), |most, one| (most.0.max(one.0), most.1.max(one.1)));
+    let has = |shade| own.iter().any(|(_, _, found, _)| *found == Some(shade));
+    let under = |at: usize| spans.iter().find(|span| (span.bits.0..span.bits.1).contains(&at));
+    let covered = !own.is_empty() && own.iter().all(|(at, ..)| under(*at).is_some());
+    let beyond = !own.is_empty() && own.iter().all(|(at, ..)| under(*at).is_some_and(|span| span.open));
+    let ground = if surface.kind.is_additional() {
+        Ground::Kind
+    } else if beyond {
+        Ground::Beyond
+    } else if has(Shade::Over) {
+        Ground::Back
+    } else if has(Shade::Behind) {
+        if fall > UPRIGHT {
+            Ground::Back
+        } else if fall > tool.secondary.0 {
+            Ground::Fall
+        } else {
+            Ground::Shadow
+        }
+    } else if has(Shade::Ahead) {
+        if rise > UPRIGHT {
+            Ground::Back
+        } else if rise > tool.main.0 {
+            Ground::Rise
+        } else {
+            Ground::Corner
+        }
+    } else if covered {
+        Ground::Valley
+    } else {
+        Ground::Reach
+    };
+    let span = own.iter().find_map(|(at, ..)| under(*at));
+    let valley = span.map(|span| valley_of(span, bits, shades));
+    let (element, tool_kind, because) = {
+        let note = note(ground, &surface.name, (rise, fall), tool);
+        let (valley_fall, reached) = valley.unwrap_or((fall, true));
+        ask(surface, ground, valley_fall, reached, note, knowledge)?
+    };
+    let reached_somewhere = own.iter().any(|(.., reached)| *reached);
+    let partly = !matches!(ground, Ground::Reach | Ground::Kind | Ground::Valley | Ground::Beyond) && reached_somewhere;
+    let notes = partly.then(|| Note::new("element-partly").with("surface", &surface.name)).into_iter().collect();
+    Ok(Class {
+        surface: index,
+        name: surface.name.clone(),
+        element,
+        ground,
+        partly,
+        rise: Degrees(round_to(rise, 4)),
+        fall: Degrees(round_to(fall, 4)),
+        tool: tool_kind,
+        because,
+        notes,
+    })
+}
+
+/// The steepest fall of a valley, and whether the tool comes to a part of its floor.
+fn valley_of(span: &Span, bits: &[Bit], shades: &[(Option<Shade>, bool)]) -> (f64, bool) {
+    let fall = span.under.iter().map(|bit| steepness(bit.piece).1).fold(0.0, f64::max);
+    let floor = span.under.iter().map(|bit| bit.piece.from.radius.min(bit.piece.to.radius)).min();
+    let on_floor = |bit: &Bit| bit.piece.to.radius <= bit.piece.from.radius && Some(bit.piece.to.radius) == floor;
+    let mut under = bits.iter().zip(shades).take(span.bits.1).skip(span.bits.0);
+    (fall, under.any(|(bit, (_, reached))| on_floor(bit) && *reached))
+}
+
+/// What the rule says of an element and the tool that it asks for.
+fn ask(
+    surface: &Surface,
+    ground: Ground,
+    fall: f64,
+    reached: bool,
+    note: Note,
+    knowledge: &Knowledge,
+) -> Result<(Element, String, Because), KnowledgeError> {
+    let rule = knowledge.table("turning-element")?;
+    // Angles of the rule are whole millionths of a degree.
+    let fall = Decimal::from_millionths((round_to(fall, 4) * 1e6) as i64);
+    let answer = rule.decide(&[
+        ("kind", Input::Text(surface.kind.name())),
+        ("ground", Input::Text(ground.name())),
+        ("valley_fall", Input::Number(fall, Unit::Degree)),
+        ("floor_reached", Input::Bool(reached)),
+    ])?;
+    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, surface.kind.name()))?;
+    let element = match row.text("element")? {
+        "main" => Element::Main,
+        "other-side" => Element::OtherSide,
+        _ => Element::Additional,
+    };
+    let tool = row.text("tool")?.to_owned();
+    Ok((element, tool.clone(), Because::answer(&answer, note.with("take", tool))))
+}
+
+/// Which angle of the element stands against which of the tool.
+fn note(ground: Ground, surface: &str, (rise, fall): (f64, f64), tool: Angles) -> Note {
+    let angle = |degrees: f64| round_to(degrees, 2);
+    let (main, secondary) = (angle(tool.main.0), angle(tool.secondary.0));
+    let note = match ground {
+        Ground::Reach => Note::new("element-main")
+            .with("rise", angle(rise))
+            .with("fall", angle(fall))
+            .with("main", main)
+            .with("secondary", secondary),
+        Ground::Kind => Note::new("element-by-kind"),
+        Ground::Rise => Note::new("element-rises").with("rise", angle(rise)).with("main", main),
+        Ground::Fall => Note::new("element-falls").with("fall", angle(fall)).with("secondary", secondary),
+        Ground::Back => Note::new("element-leads-back"),
+        Ground::Shadow => Note::new("element-in-shadow").with("secondary", secondary),
+        Ground::Corner => Note::new("element-in-corner").with("main", main),
+        Ground::Valley => Note::new("element-in-valley"),
+        Ground::Beyond => Note::new("element-beyond").with("fall", angle(fall)).with("secondary", secondary),
+    };
+    note.with("surface", surface)
+}

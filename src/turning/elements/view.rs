@@ -1,0 +1,138 @@
+//! A contour as the tool sees it: from outside, feeding to the right. A bore is turned inside out for it and a tool of
+//! the other hand gets the mirror image, so that every question of reach is asked, and answered, once.
+
+use crate::turning::contour::{Contour, Curve, Piece, Profile, Side, Turn};
+use crate::turning::length::Half;
+use crate::turning::point::{Point, Vector};
+
+use super::Hand;
+
+/// A part of a piece that neither changes between rising and falling nor between leading forward and back.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Bit {
+    /// The surface that it is of.
+    pub surface: usize,
+    /// Which piece of the contour it is of; none: laid over a valley.
+    pub origin: Option<usize>,
+    /// Where it runs, as the tool sees it.
+    pub piece: Piece,
+}
+
+/// How to look.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct View {
+    /// The largest radius of a bore, from which radii count inwards; none for an outer contour.
+    top: Option<Half>,
+    mirrored: bool,
+}
+
+impl View {
+    pub fn new(profile: &Profile, hand: Hand) -> Self {
+        let most = || profile.contour().radii().map_or(Half::ZERO, |(_, most)| most);
+        Self { top: (profile.side == Side::Inner).then(most), mirrored: hand == Hand::Left }
+    }
+
+    /// The bits of a profile in the order of the feed.
+    pub fn bits(self, profile: &Profile) -> Vec<Bit> {
+        let pieces = profile.surfaces.iter().enumerate();
+        let pieces = pieces.flat_map(|(surface, one)| one.pieces.iter().map(move |piece| (surface, *piece)));
+        let mut seen: Vec<Bit> = Vec::new();
+        for (origin, (surface, piece)) in pieces.enumerate() {
+            let bit = |piece| Bit { surface, origin: Some(origin), piece };
+            seen.extend(quarters(self.forth(piece)).into_iter().map(bit));
+        }
+        if self.mirrored {
+            // Each piece was turned round by `forth`, its bits stand in the order of the feed; the pieces do not yet.
+            let mut order: Vec<Vec<Bit>> = seen.chunk_by(|a, b| a.origin == b.origin).map(<[Bit]>::to_vec).collect();
+            order.reverse();
+            seen = order.concat();
+        }
+        seen
+    }
+
+    /// A piece of the part as the tool sees it.
+    fn forth(self, piece: Piece) -> Piece {
+        let flipped = self.top.map_or(piece, |top| piece.mapped(true, |at| Point::new(top - at.radius, at.z)));
+        if self.mirrored {
+            flipped.mapped(true, |at| Point::new(at.radius, Half::ZERO - at.z)).reversed()
+        } else {
+            flipped
+        }
+    }
+
+    /// What the tool sees, as pieces of the part from the free end: bits of one piece are one again, and lines along or
+    /// across the axis that go on in each other too.
+    pub fn back(self, bits: &[Bit]) -> Vec<Piece> {
+        let mut joined: Vec<Bit> = Vec::new();
+        for bit in bits.iter().filter(|bit| !bit.piece.is_nothing()) {
+            match joined.last_mut() {
+                Some(last) if goes_on(last, bit) => last.piece = last.piece.between(last.piece.from, bit.piece.to),
+                _ => joined.push(*bit),
+            }
+        }
+        // To see is its own way back.
+        let mut pieces: Vec<Piece> = joined.into_iter().map(|bit| self.forth(bit.piece)).collect();
+        if self.mirrored {
+            pieces.reverse();
+        }
+        pieces
+    }
+
+    /// A point back.
+    pub fn point(self, at: Point) -> Point {
+        self.forth(Piece::line(at, at)).from
+    }
+
+    /// Indices in the order of the feed, in the order of the part.
+    pub const fn mirrored(self) -> bool {
+        self.mirrored
+    }
+}
+
+/// Whether one bit is the end of the other.
+fn goes_on(last: &Bit, next: &Bit) -> bool {
+    let (a, b) = (last.piece, next.piece);
+    let one_arc = last.origin.is_some() && last.origin == next.origin && a.curve == b.curve && a.curve != Curve::Line;
+    let same_way = a.chord().dot(b.chord()) > 0.0;
+    let one_line = (a.is_face() && b.is_face() || a.is_cylinder() && b.is_cylinder()) && same_way;
+    let one_slope = last.origin.is_some() && last.origin == next.origin && a.curve == Curve::Line;
+    a.to == b.from && (one_arc || one_line || one_slope)
+}
+
+/// A piece cut where it is level or upright.
+pub fn quarters(piece: Piece) -> Vec<Piece> {
+    let mut corners = piece.extremes();
+    let away = |at: &Point| piece.from.to(*at).length();
+    corners.sort_by(|a, b| away(a).total_cmp(&away(b)));
+    // An extreme within a micrometre of an end is that end, rounded.
+    corners
+        .retain(|at| *at == piece.from || *at == piece.to || (away(at) > 0.0015 && at.to(piece.to).length() > 0.0015));
+    corners.dedup();
+    corners.iter().zip(corners.iter().skip(1)).map(|(from, to)| piece.between(*from, *to)).collect()
+}
+
+/// The contour of pieces that the tool sees, as an outer one.
+pub fn outer(pieces: Vec<Piece>) -> Contour {
+    Contour { side: Side::Outer, pieces }
+}
+
+/// How steep a piece is at most: its steepest rise and its steepest fall, degrees in [0, 180]; above 90 it leads back.
+pub fn steepness(piece: Piece) -> (f64, f64) {
+    let start = upright(piece.direction_at_start());
+    let (least, most) = match piece.curve {
+        Curve::Line => (start, start),
+        Curve::Arc { radius, turn } => {
+            let swept = (piece.length_mm() / radius.to_mm().max(f64::MIN_POSITIVE)).to_degrees();
+            if turn == Turn::Left { (start, start + swept) } else { (start - swept, start) }
+        }
+    };
+    let rise = if least < -180.0 { 180.0 } else { most.clamp(0.0, 180.0) };
+    let fall = if most > 180.0 { 180.0 } else { (-least).clamp(0.0, 180.0) };
+    (rise, fall)
+}
+
+/// A direction in degrees, where straight back counts as rising.
+fn upright(direction: Vector) -> f64 {
+    let degrees = direction.degrees();
+    if degrees <= -180.0 { 180.0 } else { degrees }
+}

@@ -1,0 +1,110 @@
+//! Tools held against a zone: which fit, and of every other the inequality that fails.
+
+use serde::Serialize;
+
+use crate::note::Note;
+use crate::turning::elements::{Angles, Hand};
+use crate::turning::length::Half;
+use crate::units::{Degrees, Micrometres, round_to};
+
+use super::parts::Needs;
+use super::{Feed, Kind, Zone};
+
+/// An angle of a contour of rounded points may stand this far above that of the tool, degrees: half a micrometre over half
+/// a millimetre.
+const TRIFLE: f64 = 0.06;
+
+/// What of a tool decides whether it fits a zone.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ToolAngles {
+    /// Its designation.
+    pub name: String,
+    /// Its angles and its hand.
+    #[serde(flatten)]
+    pub angles: Angles,
+    /// Of a boring bar, the smallest bore that it enters.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub least_bore: Option<Micrometres>,
+    /// Of a grooving tool, its width: it goes straight in, so its angles do not count.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub width: Option<Half>,
+}
+
+impl ToolAngles {
+    /// The contouring tool of the lecture.
+    pub fn contouring() -> Self {
+        Self { name: "φ95 φ1 30".to_owned(), angles: Angles::CONTOURING, least_bore: None, width: None }
+    }
+}
+
+/// A tool that does not fit, and why.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Refused {
+    /// Its designation.
+    pub tool: String,
+    /// Every inequality that fails.
+    pub why: Vec<Note>,
+}
+
+/// Tools against a zone.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Fit {
+    /// Those that fit, in the order in which they were given.
+    pub fitting: Vec<String>,
+    /// The others.
+    pub refused: Vec<Refused>,
+}
+
+/// Holds tools against a zone. The face of the free end takes every tool: its passes run out on both sides.
+pub fn fit(zone: &Zone, tools: &[ToolAngles]) -> Fit {
+    let mut found = Fit { fitting: Vec::new(), refused: Vec::new() };
+    let closed = |part: &&super::Part| part.kind == Kind::Closed;
+    let floor = zone.parts.iter().filter(closed).map(|part| part.floor_length).min();
+    for tool in tools {
+        let mut why =
+            if zone.feed == Feed::Across { Vec::new() } else { refusals(zone.needs, zone.passage, floor, tool) };
+        if tool.width.is_some() && zone.kind != Kind::Closed {
+            why.push(Note::new("tool-only-for-grooves").with("kind", zone.kind.name()));
+        }
+        if why.is_empty() {
+            found.fitting.push(tool.name.clone());
+        } else {
+            found.refused.push(Refused { tool: tool.name.clone(), why });
+        }
+    }
+    found
+}
+
+/// Every inequality that keeps a tool from needs.
+pub(super) fn refusals(
+    needs: Needs,
+    passage: Option<Micrometres>,
+    floor: Option<Half>,
+    tool: &ToolAngles,
+) -> Vec<Note> {
+    let mut why = Vec::new();
+    let bar = tool.least_bore.zip(passage).filter(|(least, passage)| least > passage);
+    if let Some((least, passage)) = bar {
+        why.push(Note::new("tool-bore-too-small").with("least", least).with("bore", passage));
+    }
+    if let Some(width) = tool.width {
+        if let Some(floor) = floor.filter(|floor| width > *floor) {
+            why.push(Note::new("tool-wider-than-groove").with("width", width).with("floor", floor));
+        }
+        return why;
+    }
+    // A tool of the other hand meets the fall first.
+    let (main, secondary) = match tool.angles.hand {
+        Hand::Right => (needs.main, needs.secondary),
+        Hand::Left => (needs.secondary, needs.main),
+    };
+    let angle = |degrees: Degrees| round_to(degrees.0, 2);
+    if main.0 > tool.angles.main.0 + TRIFLE {
+        why.push(Note::new("tool-main-angle").with("has", angle(tool.angles.main)).with("needs", angle(main)));
+    }
+    if secondary.0 > tool.angles.secondary.0 + TRIFLE {
+        let has = angle(tool.angles.secondary);
+        why.push(Note::new("tool-secondary-angle").with("has", has).with("needs", angle(secondary)));
+    }
+    why
+}

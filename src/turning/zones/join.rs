@@ -1,0 +1,121 @@
+//! Neighbouring parts joined into one zone (lecture 12.4, l. 522-546, fig. 12.5): as many surfaces in a zone as one tool
+//! reaches, so that there are few tools and few returns of the tool.
+
+use serde::Serialize;
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+use crate::turning::contour::Side;
+use crate::turning::length::Half;
+
+use super::fit::{ToolAngles, refusals};
+use super::kind::{Bounds, Circumstances, Kind, scheme, together};
+use super::parts::{Needs, Part};
+use super::{Feed, NOTHING, Stock, Zone};
+
+/// Neighbours in groups, each as long as one of the tools still reaches all of it. Going from one end, that is the fewest
+/// groups. A part that no tool reaches stands alone.
+pub(super) fn groups(parts: Vec<Part>, tools: &[ToolAngles]) -> Vec<Vec<Part>> {
+    let mut groups: Vec<Vec<Part>> = Vec::new();
+    for part in parts {
+        let reach = |group: &[Part]| {
+            let touches = group.last().is_some_and(|last| last.to_z == part.from_z);
+            let needs = group.iter().fold(part.needs, |sum, one| sum.and(one.needs));
+            touches && tools.iter().any(|tool| refusals(needs, None, None, tool).is_empty())
+        };
+        match groups.last_mut().filter(|group| reach(group)) {
+            Some(group) => group.push(part),
+            None => groups.push(vec![part]),
+        }
+    }
+    groups
+}
+
+/// A zone of parts that stand in the order of Z.
+///
+/// # Errors
+/// The knowledge base lacks the rule `turning-zone` or `turning-scheme`, or a row of one.
+pub(super) fn zone(
+    parts: Vec<Part>,
+    feed: Feed,
+    stock: Stock<'_>,
+    knowledge: &Knowledge,
+) -> Result<Zone, KnowledgeError> {
+    let kinds: Vec<(Kind, Bounds)> = parts.iter().map(|part| (part.kind, part.bounds)).collect();
+    let found = together(&kinds, knowledge)?;
+    let shaped = parts.iter().any(|part| part.contour.iter().any(|piece| !piece.is_face() && !piece.is_cylinder()));
+    let circumstances = Circumstances { shaped, near_part: stock.near_part, against_stop: stock.against_stop };
+    let nothing = Needs { main: NOTHING, secondary: NOTHING };
+    let (from_z, to_z) =
+        (parts.first().map_or(Half::ZERO, |first| first.from_z), parts.last().map_or(Half::ZERO, |last| last.to_z));
+    let mut zone = Zone {
+        number: 1,
+        side: stock.rough.side,
+        feed,
+        from_z,
+        to_z,
+        least_radius: parts.iter().map(|part| part.least_radius).min().unwrap_or_default(),
+        greatest_radius: parts.iter().map(|part| part.greatest_radius).max().unwrap_or_default(),
+        kind: found.kind,
+        needs: parts.iter().fold(nothing, |sum, part| sum.and(part.needs)),
+        passage: (stock.rough.side == Side::Inner).then(|| passage(stock, from_z, to_z).diameter()),
+        scheme: scheme(&found, circumstances, knowledge)?,
+        because: found.because,
+        parts,
+    };
+    zone.parts.sort_by_key(|part| part.kind);
+    Ok(zone)
+}
+
+/// The least radius that a boring bar passes on its way through a zone: before it the hole as roughed, in it as drilled.
+fn passage(stock: Stock<'_>, from: Half, to: Half) -> Half {
+    let least = |contour: &crate::turning::contour::Contour, inside: &dyn Fn(Half) -> bool| {
+        let ends = contour.pieces.iter().flat_map(|piece| piece.extremes());
+        ends.filter(|at| inside(at.z)).map(|at| at.radius).min()
+    };
+    let before = least(stock.rough, &|z| z < from);
+    let along = [from, to].into_iter().filter_map(|z| stock.blank.radii_at(z)).map(|(least, _)| least).min();
+    let inside = least(stock.blank, &|z| from < z && z < to);
+    [before, along, inside].into_iter().flatten().min().unwrap_or_default()
+}
+
+/// How many returns of the tool joining saves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Returns {
+    /// Where the stock over each part is cleared by itself (fig. 12.5 а).
+    pub split: usize,
+    /// Where a pass goes on over neighbouring parts (fig. 12.5 б, в).
+    pub joined: usize,
+    /// The difference.
+    pub saved: usize,
+}
+
+/// Counts the passes of a zone, after each of which the tool returns, with levels of one depth from the greatest radius of
+/// the blank downward. Joined, a pass goes on over a neighbour where the border between them does not stand above the level.
+///
+/// A depth that is not above zero gives no passes.
+pub fn idle_returns(zone: &Zone, depth: Half) -> Returns {
+    let mut parts: Vec<&Part> = zone.parts.iter().collect();
+    parts.sort_by_key(|part| part.from_z);
+    if depth <= Half::ZERO {
+        return Returns { split: 0, joined: 0, saved: 0 };
+    }
+    let top = parts.iter().map(|part| part.top).max().unwrap_or_default();
+    let lowest = parts.iter().map(|part| part.floor).min().unwrap_or_default();
+    let (mut split, mut joined) = (0, 0);
+    let mut above = top;
+    while above > lowest {
+        let here = |part: &Part| part.floor < above && part.top > above - depth;
+        let mut before: Option<&Part> = None;
+        for part in &parts {
+            let goes_on = before.is_some_and(|before| before.to_z == part.from_z && before.border <= above - depth);
+            if here(part) {
+                split += 1;
+                joined += usize::from(!goes_on);
+            }
+            before = Some(*part).filter(|part| here(part));
+        }
+        above = above - depth;
+    }
+    Returns { split, joined, saved: split - joined }
+}

@@ -1,0 +1,112 @@
+//! Zones of turning (lecture 12.3, l. 205-269; 12.4, l. 488-546): the stock between the rough contour and the blank, taken
+//! apart by what bounds it, with the angles that each zone asks of a tool and the schemes that suit it.
+//!
+//! - [`setup`] says what is turned from which end;
+//! - [`parts`] takes the stock apart at every face and slope;
+//! - [`join`] joins neighbours that one tool reaches, and counts the returns that this saves;
+//! - [`kind`] asks the rules what kind of zone something is and by which scheme it is worked;
+//! - [`fit`] holds tools against a zone.
+//!
+//! Zones of a bore are found on it inside out and told in its own radii.
+
+pub mod fit;
+pub mod join;
+pub mod kind;
+pub mod parts;
+pub mod setup;
+
+use serde::Serialize;
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+use crate::note::Because;
+use crate::units::{Degrees, Micrometres};
+
+use super::contour::{Contour, Side};
+use super::length::Half;
+pub use fit::{Fit, ToolAngles, fit};
+pub use join::{Returns, idle_returns};
+pub use kind::{Kind, SchemeChoice};
+pub use parts::{Needs, Part};
+pub use setup::{Hold, SetUp, Stretch, Workpiece, set_ups};
+
+/// What is roughed in one set-up on one side, in the coordinates of that set-up.
+#[derive(Clone, Copy, Debug)]
+pub struct Stock<'a> {
+    /// The rough contour, monotone.
+    pub rough: &'a Contour,
+    /// The blank on the same side; of a solid blank to be bored, the drilled hole.
+    pub blank: &'a Contour,
+    /// Whether the blank has nearly the shape of the part: a forging or casting.
+    pub near_part: bool,
+    /// Whether stepped rollers are turned against a stop.
+    pub against_stop: bool,
+}
+
+/// In which direction the passes of a zone go.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Feed {
+    /// Along the axis.
+    Along,
+    /// Across it: the free end is faced.
+    Across,
+}
+
+/// A zone: what one transition clears.
+#[derive(Clone, Debug, Serialize)]
+pub struct Zone {
+    /// Its number, from 1.
+    pub number: usize,
+    /// Outer or inner.
+    pub side: Side,
+    /// In which direction its passes go.
+    pub feed: Feed,
+    /// Z of its beginning.
+    pub from_z: Half,
+    /// Z of its end.
+    pub to_z: Half,
+    /// The least radius of its stock.
+    pub least_radius: Half,
+    /// The greatest radius of its stock.
+    pub greatest_radius: Half,
+    /// What kind of zone it is.
+    pub kind: Kind,
+    /// What it consists of: one part, or of a combined zone its parts in the order of fig. 12.3 г, the open ones before the
+    /// half-open and the closed.
+    pub parts: Vec<Part>,
+    /// The angles that a tool needs.
+    pub needs: Needs,
+    /// The narrowest place that a boring bar passes, a diameter; none outside.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub passage: Option<Micrometres>,
+    /// How it is worked.
+    pub scheme: SchemeChoice,
+    /// Why this kind.
+    pub because: Because,
+}
+
+/// The zones of a stock from the free end: the face before the rough contour, then its parts, joined as far as one of the
+/// tools reaches. Without tools the contouring tool of the lecture is taken.
+///
+/// # Errors
+/// The knowledge base lacks the rule `turning-zone` or `turning-scheme`, or a row of one.
+pub fn find(stock: Stock<'_>, tools: &[ToolAngles], knowledge: &Knowledge) -> Result<Vec<Zone>, KnowledgeError> {
+    let apart = parts::of(stock, knowledge)?;
+    let reference = [ToolAngles::contouring()];
+    let tools = if tools.is_empty() { &reference } else { tools };
+    let mut zones = Vec::new();
+    if let Some(face) = apart.face {
+        zones.push(join::zone(vec![face], Feed::Across, stock, knowledge)?);
+    }
+    for group in join::groups(apart.along, tools) {
+        zones.push(join::zone(group, Feed::Along, stock, knowledge)?);
+    }
+    for (index, zone) in zones.iter_mut().enumerate() {
+        zone.number = index + 1;
+    }
+    Ok(zones)
+}
+
+/// No angle.
+const NOTHING: Degrees = Degrees(0.0);
