@@ -4,6 +4,7 @@
 //! - [`length`] is the exact length of this room, in halves of a micrometre, because half of a diameter is one;
 //! - [`contour`] is a section of lines and arcs, [`point`] its points, [`way`] the way of a tool along it;
 //! - [`levels`] splits the stock over a shaft into levels, [`schemes`] clears them in the ways of the lecture;
+//! - [`transitions`] clears a zone of any shape by the lecture's seven schemes of passes;
 //! - [`passes`] finds the shortest sequence of longitudinal and transverse passes (docs/turning.md).
 //!
 //! Sources: "the paper" is the article on structural optimisation of multi-pass rough turning, "the lecture" is lecture
@@ -12,8 +13,10 @@
 pub mod contour;
 pub mod length;
 pub mod levels;
+pub mod numbering;
 pub mod passes;
 pub mod point;
 pub mod schemes;
 pub mod shaft;
+pub mod transitions;
 pub mod way;
