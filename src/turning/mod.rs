@@ -5,6 +5,7 @@
 //! - [`contour`] is a section of lines and arcs, [`point`] its points, [`way`] the way of a tool along it;
 //! - [`levels`] splits the stock over a shaft into levels, [`schemes`] clears them in the ways of the lecture;
 //! - [`tooling`] is lathes and turning tools, [`cutting`] how deep and how fast they cut (docs/turning-tools.md);
+//! - [`transitions`] clears a zone of any shape by the lecture's seven schemes of passes;
 //! - [`passes`] finds the shortest sequence of longitudinal and transverse passes (docs/turning.md).
 //!
 //! Sources: "the paper" is the article on structural optimisation of multi-pass rough turning, "the lecture" is lecture
@@ -15,10 +16,12 @@ pub mod cutting;
 pub mod elements;
 pub mod length;
 pub mod levels;
+pub mod numbering;
 pub mod passes;
 pub mod point;
 pub mod schemes;
 pub mod shaft;
+pub mod transitions;
 pub mod way;
 pub mod tooling;
 pub mod zones;

@@ -1,11 +1,10 @@
 //! A path as it is told: points with names, lengths and time.
 
-use std::collections::BTreeMap;
-
 use serde::Serialize;
 
 use crate::turning::length::Half;
 use crate::turning::levels::Levels;
+use crate::turning::numbering::Numbering;
 use crate::turning::point::Point;
 use crate::turning::shaft::Rates;
 use crate::units::{Micrometres, MillimetresPerMinute, Minutes, round_to};
@@ -31,24 +30,12 @@ pub struct PointTold {
 
 /// The points of a path with their names.
 pub fn points(path: &[Vertex], levels: &Levels) -> Vec<PointTold> {
-    let mut names: BTreeMap<(i64, i64), String> = BTreeMap::new();
-    let key = |at: Point| (at.radius.halves(), at.z.halves());
-    let corners = levels.sections.iter().flat_map(|section| &section.cylinders);
-    let mut count = 0;
-    for cylinder in corners {
-        count += 1;
-        names.insert(key(Point { radius: cylinder.radius, z: cylinder.from }), count.to_string());
+    let mut numbers = Numbering::after(0);
+    for cylinder in levels.sections.iter().flat_map(|section| &section.cylinders) {
+        numbers.number(Point { radius: cylinder.radius, z: cylinder.from });
     }
     let told = |vertex: &Vertex| {
-        let name = if vertex.role == Role::Home {
-            "A".to_owned()
-        } else {
-            let named = names.entry(key(vertex.at)).or_insert_with(|| {
-                count += 1;
-                count.to_string()
-            });
-            named.clone()
-        };
+        let name = if vertex.role == Role::Home { "A".to_owned() } else { numbers.name(vertex.at) };
         PointTold {
             name,
             diameter_mm: vertex.at.radius.diameter(),

@@ -1,0 +1,287 @@
+//! The course of a tool over a zone as it grows: its way, what each point of it is, and what still stands.
+
+use serde::{Deserialize, Serialize};
+
+use crate::turning::contour::Piece;
+use crate::turning::length::Half;
+use crate::turning::point::Point;
+use crate::turning::way::{Purpose, Way};
+
+use super::ground::{Ground, radius_on};
+use super::standing::Standing;
+use super::{Settings, Zone};
+
+/// What a support point of a way is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Role {
+    /// Off the corner of the blank by the approach, where a way begins and ends.
+    Home,
+    /// Before a pass, off the metal by the approach or by what room there is.
+    Start,
+    /// Where a pass enters the metal from its side or from above.
+    Entry,
+    /// Along the contour to the depth of a pass.
+    AtDepth,
+    /// Where a straight pass ends.
+    End,
+    /// A corner of the contour, or of the way beside it, that the tool passes.
+    Corner,
+    /// Where a motion along the contour ends.
+    ContourEnd,
+    /// Beyond that by half the nose radius.
+    Overrun,
+    /// Drawn back from the metal.
+    Retracted,
+    /// Above all metal between here and there.
+    Clear,
+    /// On the vertical of the next start.
+    Returned,
+}
+
+/// A way with what has been cut on it.
+pub struct Course<'z> {
+    /// The zone.
+    pub zone: &'z Zone,
+    /// How the tool goes.
+    pub settings: &'z Settings,
+    /// What still stands.
+    pub standing: Standing,
+    /// The way so far.
+    pub way: Way,
+    /// What each point of it is, its beginning included.
+    pub roles: Vec<Role>,
+    /// Working passes so far.
+    pub passes: usize,
+    /// The last pass, along which the tool can go back.
+    trail: Vec<Piece>,
+}
+
+impl<'z> Course<'z> {
+    /// At home.
+    pub fn new(zone: &'z Zone, settings: &'z Settings) -> Self {
+        Self {
+            zone,
+            settings,
+            standing: Standing::of(&zone.blank),
+            way: Way::at(zone.home(settings)),
+            roles: vec![Role::Home],
+            passes: 0,
+            trail: Vec::new(),
+        }
+    }
+
+    /// The rough contour.
+    pub fn ground(&self) -> &'z Ground {
+        &self.zone.ground
+    }
+
+    /// Where the tool stands.
+    pub fn here(&self) -> Point {
+        self.way.end()
+    }
+
+    /// Where straight passes have ended.
+    pub fn ends(&self) -> impl Iterator<Item = Point> + '_ {
+        let moves = self.way.moves.iter().zip(self.roles.iter().skip(1));
+        moves.filter(|(one, role)| **role == Role::End && one.purpose == Purpose::Cut).map(|(one, _)| one.to)
+    }
+
+    /// Along a piece at a feed.
+    pub fn feed(&mut self, piece: Piece, purpose: Purpose, role: Role) {
+        if !piece.is_nothing() {
+            self.way.follow(piece, purpose);
+            self.roles.push(role);
+            self.standing.lower(&piece);
+        }
+    }
+
+    /// Along pieces at a feed; the last point is the end of the motion.
+    pub fn follow(&mut self, pieces: &[Piece], purpose: Purpose, end: Role) {
+        for (index, piece) in pieces.iter().enumerate() {
+            let role = if index + 1 == pieces.len() { end } else { Role::Corner };
+            self.feed(*piece, purpose, role);
+        }
+    }
+
+    /// Straight on at a feed.
+    pub fn straight(&mut self, to: Point, purpose: Purpose, role: Role) {
+        self.feed(Piece::line(self.here(), to), purpose, role);
+    }
+
+    /// Straight as a rapid.
+    pub fn rapid(&mut self, to: Point, role: Role) {
+        if to != self.here() {
+            self.way.go(to, Purpose::Rapid);
+            self.roles.push(role);
+        }
+    }
+
+    /// Draws back off the metal by the retract on both axes; straight up where there is no room for it.
+    pub fn draw_back(&mut self) {
+        let (here, by) = (self.here(), self.settings.retract);
+        let up = self.zone.held(here.radius + by);
+        let aslant = Point { radius: up, z: here.z - by };
+        let to = if self.standing.is_clear(here, aslant) { aslant } else { Point { radius: up, z: here.z } };
+        self.rapid(to, Role::Retracted);
+    }
+
+    /// To a point by rapids that go through no metal.
+    ///
+    /// 1. Along the axis at the radius where the tool stands, if nothing is in the way, else after going up above all
+    ///    metal between here and there.
+    /// 2. Across the axis to the point.
+    pub fn travel(&mut self, to: Point, role: Role) {
+        let here = self.here();
+        if to == here {
+            return;
+        }
+        let over = self.standing.highest(here.z, to.z);
+        let high = if over.is_none_or(|over| over <= here.radius) && (to.radius <= here.radius || here.z == to.z) {
+            here.radius
+        } else {
+            let over = over.map_or(here.radius, |over| over + self.settings.retract);
+            self.zone.held(over.max(here.radius).max(to.radius))
+        };
+        self.rapid(Point { radius: high, z: here.z }, Role::Clear);
+        self.rapid(Point { radius: high, z: to.z }, if high == to.radius { role } else { Role::Returned });
+        self.rapid(to, role);
+    }
+
+    /// To a point from above: as a rapid to off the metal, at the feed of cutting in through it.
+    pub fn enter(&mut self, at: Point) {
+        let top = self.standing.least_at(at.z).map_or(at.radius, |least| least.max(at.radius));
+        if at == self.here() {
+            return;
+        }
+        let above = Point { radius: self.zone.held(top + self.settings.retract), z: at.z };
+        // Where the tool stands on the vertical below that already, it goes on from here.
+        if !(self.here().z == at.z && self.here().radius >= top && self.here().radius <= above.radius) {
+            self.travel(above, Role::Start);
+        }
+        self.straight(at, Purpose::Infeed, Role::Entry);
+    }
+
+    /// A pass along pieces, of which only what goes through metal is followed ([`Self::trimmed`]). Tells whether it cut
+    /// anything.
+    pub fn pass(&mut self, pieces: &[Piece], purpose: Purpose, end: Role) -> bool {
+        let mut pieces = self.trimmed(pieces);
+        let Some(first) = pieces.first_mut() else { return false };
+        self.begin(first, purpose);
+        self.follow(&pieces, purpose, end);
+        self.passed(pieces);
+        true
+    }
+
+    /// To where the first piece of a pass begins: from the side, off the metal by the approach or by what room there is;
+    /// where there is no room, from above at the feed of cutting in. A cylinder is drawn out to the start.
+    pub fn begin(&mut self, first: &mut Piece, purpose: Purpose) {
+        match self.side_start(first.from).filter(|_| first.from != self.here()) {
+            Some(start) => {
+                self.travel(start, Role::Start);
+                if first.is_cylinder() {
+                    first.from = start;
+                } else {
+                    self.straight(first.from, purpose, Role::Entry);
+                }
+            }
+            None => self.enter(first.from),
+        }
+    }
+
+    /// Where a pass that begins at a point may start beside the metal; none where there is no room for the retract.
+    pub fn side_start(&self, at: Point) -> Option<Point> {
+        let room = self.standing.room_before(at.z, at.radius, self.settings.approach);
+        let enough = room > Half::ZERO && room >= self.settings.retract.min(self.settings.approach);
+        enough.then_some(Point { radius: at.radius, z: at.z - room })
+    }
+
+    /// A pass is done: its pieces are the trail on which the tool can go back.
+    pub fn passed(&mut self, trail: Vec<Piece>) {
+        self.passes += 1;
+        self.trail = trail;
+    }
+
+    /// Back along the contour of the zone to where the last pass began, at the feed of cutting in, if that is the point
+    /// from which the next one goes on (l. 468-478).
+    pub fn back_along(&mut self, to: Point) {
+        let begins = self.trail.first().is_some_and(|first| first.from == to);
+        if !begins || self.trail.last().is_none_or(|last| last.to != self.here()) {
+            return;
+        }
+        let back: Vec<Piece> = self.trail.iter().rev().map(|piece| piece.reversed()).collect();
+        self.follow(&back, Purpose::Return, Role::Returned);
+    }
+
+    /// What of a falling flank still has metal on it, down to its foot.
+    pub fn uncut(&self, flank: &[Piece]) -> Vec<Piece> {
+        let mut uncut = Vec::new();
+        for piece in flank.iter().rev() {
+            let from = if piece.is_face() {
+                let top = self.standing.sides(piece.from.z).1.map_or(piece.to.radius, |top| top.min(piece.from.radius));
+                Point { radius: top.max(piece.to.radius), z: piece.from.z }
+            } else {
+                match self.standing.metal(piece).last() {
+                    Some((from, to)) if *to == piece.to.z => Point { radius: radius_on(piece, *from), z: *from },
+                    _ => break,
+                }
+            };
+            let whole = from.z == piece.from.z && (!piece.is_face() || from.radius == piece.from.radius);
+            let part = piece.between(if whole { piece.from } else { from }, piece.to);
+            if !part.is_nothing() {
+                uncut.push(part);
+            }
+            if !whole {
+                break;
+            }
+        }
+        uncut.reverse();
+        uncut
+    }
+
+    /// What of a way goes through metal, from the first to the last of it. A face down to its beginning and one up from
+    /// its end belong to it, as far as metal stands beside them.
+    pub fn trimmed(&self, pieces: &[Piece]) -> Vec<Piece> {
+        let metal = |piece: &Piece| if piece.is_face() { Vec::new() } else { self.standing.metal(piece) };
+        let metal: Vec<Vec<(Half, Half)>> = pieces.iter().map(metal).collect();
+        let first = metal.iter().position(|one| !one.is_empty());
+        let last = metal.iter().rposition(|one| !one.is_empty());
+        let (Some(first), Some(last)) = (first, last) else { return Vec::new() };
+        let mut kept: Vec<Piece> = pieces.get(first..=last).unwrap_or_default().to_vec();
+        let at = |piece: &Piece, z: Half| Point { radius: radius_on(piece, z), z };
+        if let (Some(piece), Some((_, to))) = (kept.last_mut(), metal.get(last).and_then(|one| one.last())) {
+            let after = pieces.get(last + 1).filter(|next| next.is_face() && next.to.radius > next.from.radius);
+            piece.to = at(piece, *to);
+            if let Some(face) = after.filter(|face| face.from == piece.to) {
+                let top = self.standing.sides(*to).0.map_or(face.to.radius, |top| top.min(face.to.radius));
+                if top > face.from.radius {
+                    kept.push(Piece::line(face.from, Point { radius: top, z: *to }));
+                }
+            }
+        }
+        if let (Some(piece), Some((from, _))) = (kept.first_mut(), metal.get(first).and_then(|one| one.first())) {
+            let before = first.checked_sub(1).and_then(|before| pieces.get(before));
+            piece.from = at(piece, *from);
+            if let Some(face) = before.filter(|face| face.is_face() && face.to == piece.from) {
+                let top = self.standing.sides(*from).1.map_or(face.from.radius, |top| top.min(face.from.radius));
+                if top > face.to.radius {
+                    kept.insert(0, Piece::line(Point { radius: top, z: *from }, face.to));
+                }
+            }
+        }
+        kept
+    }
+
+    /// Home: straight where nothing is in the way, else up first.
+    pub fn home(mut self) -> Self {
+        let home = self.way.from;
+        if self.here() != home {
+            if !self.standing.is_clear(self.here(), home) {
+                let here = self.here();
+                self.rapid(Point { radius: home.radius.max(here.radius), z: here.z }, Role::Clear);
+            }
+            self.rapid(home, Role::Home);
+        }
+        self
+    }
+}

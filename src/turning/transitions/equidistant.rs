@@ -1,0 +1,63 @@
+//! Equidistant (еквідистантна; lecture l. 434-440, fig. 12.4 c).
+
+use crate::error::{Refusal, Tried};
+use crate::note::Note;
+use crate::turning::contour::Contour;
+use crate::turning::length::Half;
+use crate::turning::point::Point;
+use crate::turning::way::Purpose;
+
+use super::course::{Course, Role};
+use super::ground::Ground;
+
+/// No zone needs more passes than this.
+const MOST: i64 = 10_000;
+
+/// A contour at a distance outwards from another; none where it cannot be made.
+pub type Offset<'o> = &'o dyn Fn(&Contour, Half) -> Option<Contour>;
+
+/// Each pass is the contour at a distance: so many times the depth, from the outermost that cuts anything to the
+/// contour itself. For shaped parts.
+///
+/// 1. The tool goes to the start beside the metal, and along the whole pass (1-2-3, 5-6-7, 8-9-10 of fig. 12.4 c).
+/// 2. It returns to one point off the corner of the blank (3-4, 7-4), straight where nothing is in the way.
+/// 3. From there it goes to the start of the next pass (4-5, 4-8).
+///
+/// The depth is measured square to the contour: radially it is more on cones, and on a face the whole of it.
+pub fn work(course: &mut Course<'_>, rough: &Contour, offset: Offset<'_>) -> Tried<()> {
+    let depth = course.settings.depth;
+    let mut passes = Vec::new();
+    for count in 1..=MOST {
+        let distance = Half::new(depth.halves().saturating_mul(count));
+        let Some(beside) = offset(rough, distance) else {
+            let note = Note::new("no-equidistant").with("distance", distance);
+            return Err(Refusal::Not(note));
+        };
+        let beside = Ground::of(&beside).stretched(course.ground().from(), course.ground().to());
+        if course.trimmed(&beside.pieces).is_empty() {
+            break;
+        }
+        passes.push(beside);
+    }
+    passes.reverse();
+    passes.push(course.ground().clone());
+    let corner = Point {
+        radius: course.zone.held(course.zone.top + course.settings.retract),
+        z: course.ground().from() - course.settings.approach,
+    };
+    for pass in passes {
+        let way = course.trimmed(&pass.pieces);
+        if way.is_empty() {
+            continue;
+        }
+        if course.passes > 0 {
+            let here = course.here();
+            if !course.standing.is_clear(here, corner) {
+                course.rapid(Point { radius: corner.radius.max(here.radius), z: here.z }, Role::Clear);
+            }
+            course.rapid(corner, Role::Returned);
+        }
+        course.pass(&way, Purpose::Cut, Role::ContourEnd);
+    }
+    Ok(())
+}

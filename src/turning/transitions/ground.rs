@@ -1,0 +1,319 @@
+//! The ground of a zone: its rough contour in pieces that only rise or only fall, so that each crosses a horizontal once.
+
+use crate::turning::contour::{Contour, Curve, Piece};
+use crate::turning::length::Half;
+use crate::turning::point::{Point, Vector};
+
+/// Nearer than this to its end an arc is not cut in two where it is level: over 10 µm it rises by less than half a
+/// micrometre for every radius above 0.1 mm.
+const NEAR_END: f64 = 0.01;
+
+/// A monotone outer contour, each piece of it rising, falling or a cylinder; arcs are at most a quarter of a circle.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Ground {
+    /// The pieces from the free end.
+    pub pieces: Vec<Piece>,
+}
+
+impl Ground {
+    /// Of a contour. A face that it begins with rising, or ends with falling, bounds no stock over it and is left out.
+    pub fn of(contour: &Contour) -> Self {
+        let mut pieces: Vec<Piece> = contour.pieces.iter().flat_map(|piece| quarters(*piece)).collect();
+        while pieces.first().is_some_and(|piece| piece.is_face() && piece.to.radius > piece.from.radius) {
+            pieces.remove(0);
+        }
+        while pieces.last().is_some_and(|piece| piece.is_face() && piece.to.radius < piece.from.radius) {
+            pieces.pop();
+        }
+        Self { pieces }
+    }
+
+    /// Drawn out along the axis to a stretch, where it ends before and with no face.
+    #[must_use]
+    pub fn stretched(mut self, from: Half, to: Half) -> Self {
+        if let Some(first) = self.pieces.first().filter(|piece| !piece.is_face() && piece.from.z > from) {
+            let line = Piece::line(Point { radius: first.from.radius, z: from }, first.from);
+            self.pieces.insert(0, line);
+        }
+        if let Some(last) = self.pieces.last().filter(|piece| !piece.is_face() && piece.to.z < to) {
+            self.pieces.push(Piece::line(last.to, Point { radius: last.to.radius, z: to }));
+        }
+        self
+    }
+
+    /// Z of its beginning.
+    pub fn from(&self) -> Half {
+        self.pieces.first().map_or(Half::ZERO, |piece| piece.from.z)
+    }
+
+    /// Z of its end.
+    pub fn to(&self) -> Half {
+        self.pieces.last().map_or(Half::ZERO, |piece| piece.to.z)
+    }
+
+    /// The least radius over a stretch, faces not counted; none over a stretch without length.
+    pub fn lowest(&self, from: Half, to: Half) -> Option<Half> {
+        let radii = self.over(from, to).flat_map(|piece| [piece.from.radius, piece.to.radius]);
+        radii.min()
+    }
+
+    /// Where it is not above a radius: stretches of Z, each with a length.
+    pub fn spans(&self, radius: Half, from: Half, to: Half) -> Vec<(Half, Half)> {
+        let mut spans: Vec<(Half, Half)> = Vec::new();
+        for piece in self.over(from, to) {
+            let (begins, ends) = (piece.from.radius <= radius, piece.to.radius <= radius);
+            let (a, b) = match (begins, ends) {
+                (true, true) => (piece.from.z, piece.to.z),
+                (true, false) => (piece.from.z, z_on(&piece, radius)),
+                (false, true) => (z_on(&piece, radius), piece.to.z),
+                (false, false) => continue,
+            };
+            match spans.last_mut() {
+                Some(last) if last.1 == a => last.1 = b,
+                _ => spans.push((a, b)),
+            }
+        }
+        spans.retain(|(a, b)| a < b);
+        spans
+    }
+
+    /// The way along the greater of the contour and the radius `low`, held below the radius `high`, over a stretch. A
+    /// face at its beginning is in it where it falls, one at its end where it rises.
+    pub fn clamped(&self, low: Half, high: Half, from: Half, to: Half) -> Vec<Piece> {
+        let mut way: Vec<Piece> = Vec::new();
+        for piece in &self.pieces {
+            let part = if piece.is_face() {
+                let rises = piece.to.radius > piece.from.radius;
+                let z = piece.from.z;
+                let in_it = if rises { from < z && z <= to } else { from <= z && z < to };
+                in_it.then_some(*piece)
+            } else {
+                clipped(piece, from, to)
+            };
+            for part in part.into_iter().flat_map(|part| parted(part, low, high)) {
+                match way.last_mut() {
+                    Some(last) if last.is_cylinder() && part.is_cylinder() && last.to == part.from => last.to = part.to,
+                    _ => way.push(part),
+                }
+            }
+        }
+        way
+    }
+
+    /// The contour itself over a stretch.
+    pub fn along(&self, from: Half, to: Half) -> Vec<Piece> {
+        self.clamped(Half::new(i64::MIN), Half::new(i64::MAX), from, to)
+    }
+
+    /// The falling flank that leads down to a point of the contour, from its top; nothing where the contour does not
+    /// fall to it.
+    pub fn flank(&self, foot: Point) -> Vec<Piece> {
+        let before = |piece: &Piece| {
+            if !piece.is_face() || piece.from.z < foot.z {
+                return clipped(piece, Half::new(i64::MIN), foot.z).or((piece.is_face() && piece.from.z < foot.z).then_some(*piece));
+            }
+            (piece.from.z == foot.z && piece.from.radius > foot.radius).then(|| piece.between(piece.from, foot))
+        };
+        let parts: Vec<Piece> = self.pieces.iter().filter_map(before).collect();
+        let ends_here = parts.last().is_some_and(|last| last.to.z == foot.z && (last.to.radius - foot.radius).halves().abs() <= 1);
+        if !ends_here {
+            return Vec::new();
+        }
+        let mut flank: Vec<Piece> = parts.into_iter().rev().take_while(|piece| piece.from.radius > piece.to.radius).collect();
+        flank.reverse();
+        if let Some(last) = flank.last_mut() {
+            last.to = foot;
+        }
+        flank
+    }
+
+    /// What of the contour follows a point of it; after a point of a face first the rest of the face.
+    pub fn beyond(&self, point: Point) -> Vec<Piece> {
+        let rest = |piece: &Piece| {
+            if piece.is_face() {
+                let rises = piece.to.radius > piece.from.radius;
+                let ahead = if rises { piece.to.radius > point.radius } else { piece.to.radius < point.radius };
+                return match piece.from.z.cmp(&point.z) {
+                    std::cmp::Ordering::Greater => Some(*piece),
+                    std::cmp::Ordering::Equal if ahead => Some(piece.between(point, piece.to)),
+                    _ => None,
+                };
+            }
+            let part = clipped(piece, point.z, self.to())?;
+            Some(if part.from.z == point.z { part.between(point, part.to) } else { part })
+        };
+        self.pieces.iter().filter_map(rest).collect()
+    }
+
+    /// So far on along the contour from a point of it, mm, as long as it does not fall.
+    pub fn onwards(&self, point: Point, length: f64) -> Vec<Piece> {
+        let (mut left, mut way) = (length, Vec::new());
+        for piece in self.beyond(point) {
+            if left <= 0.0 || piece.to.radius < piece.from.radius {
+                break;
+            }
+            let whole = piece.length_mm();
+            let part = if whole <= left { piece } else { piece.between(piece.from, on_at(&piece, left)) };
+            left -= whole;
+            if !part.is_nothing() {
+                way.push(part);
+            }
+        }
+        way
+    }
+
+    /// The greatest radius over a stretch, faces not counted; none over a stretch without length.
+    pub fn highest(&self, from: Half, to: Half) -> Option<Half> {
+        self.over(from, to).flat_map(|piece| [piece.from.radius, piece.to.radius]).max()
+    }
+
+    /// Stretches over which it is not on or above a radius all along a cylinder: what stands between two of them has
+    /// none of the blank of that radius over it.
+    pub fn below(&self, radius: Half, from: Half, to: Half) -> Vec<(Half, Half)> {
+        let mut stretches: Vec<(Half, Half)> = Vec::new();
+        for piece in self.over(from, to).filter(|piece| piece.from.radius.min(piece.to.radius) < radius) {
+            match stretches.last_mut() {
+                Some(last) if last.1 == piece.from.z => last.1 = piece.to.z,
+                _ => stretches.push((piece.from.z, piece.to.z)),
+            }
+        }
+        stretches
+    }
+
+    /// Whether a point lies on the contour, to the rounding of its points.
+    pub fn holds(&self, point: Point) -> bool {
+        let near = |a: Half, b: Half| (a - b).halves().abs() <= 1;
+        self.pieces.iter().any(|piece| {
+            let (low, high) = (piece.from.radius.min(piece.to.radius), piece.from.radius.max(piece.to.radius));
+            let over = piece.from.z <= point.z && point.z <= piece.to.z;
+            let beside = low <= point.radius && point.radius <= high;
+            over && if piece.is_face() {
+                beside
+            } else {
+                near(radius_on(piece, point.z), point.radius)
+                    || beside && !piece.is_cylinder() && near(z_on(piece, point.radius), point.z)
+            }
+        })
+    }
+
+    /// Its pieces with a length over a stretch, cut off at its ends.
+    fn over(&self, from: Half, to: Half) -> impl Iterator<Item = Piece> + '_ {
+        self.pieces.iter().filter(|piece| !piece.is_face()).filter_map(move |piece| clipped(piece, from, to))
+    }
+}
+
+/// The radius of a piece that is no face at a Z of it, rounded to half a micrometre.
+pub fn radius_on(piece: &Piece, z: Half) -> Half {
+    let (along, whole) = (z - piece.from.z, piece.to.z - piece.from.z);
+    if along == Half::ZERO || piece.is_cylinder() {
+        return piece.from.radius;
+    }
+    if z == piece.to.z {
+        return piece.to.radius;
+    }
+    match (piece.curve, piece.centre()) {
+        (Curve::Arc { radius, .. }, Some(centre)) => {
+            let found = across(radius, z.to_mm() - centre.z, centre.radius, piece.from.radius, piece.to.radius);
+            found.clamp(piece.from.radius.min(piece.to.radius), piece.from.radius.max(piece.to.radius))
+        }
+        _ => piece.from.radius + share(piece.to.radius - piece.from.radius, along, whole),
+    }
+}
+
+/// Z of a rising or falling piece at a radius of it, rounded to half a micrometre.
+pub fn z_on(piece: &Piece, at: Half) -> Half {
+    let (up, whole) = (at - piece.from.radius, piece.to.radius - piece.from.radius);
+    if up == Half::ZERO || whole == Half::ZERO {
+        return piece.from.z;
+    }
+    if at == piece.to.radius {
+        return piece.to.z;
+    }
+    match (piece.curve, piece.centre()) {
+        (Curve::Arc { radius, .. }, Some(centre)) => {
+            let found = across(radius, at.to_mm() - centre.radius, centre.z, piece.from.z, piece.to.z);
+            found.clamp(piece.from.z.min(piece.to.z), piece.from.z.max(piece.to.z))
+        }
+        _ => piece.from.z + share(piece.to.z - piece.from.z, up, whole),
+    }
+}
+
+/// The other coordinate of a circle, `off` from its centre along one: that of the two which lies between the ends.
+fn across(radius: Half, off: f64, centre: f64, one: Half, other: Half) -> Half {
+    let half = libm::sqrt((radius.to_mm() * radius.to_mm() - off * off).max(0.0));
+    let middle = (one.to_mm() + other.to_mm()) / 2.0;
+    Half::from(if middle >= centre { centre + half } else { centre - half })
+}
+
+/// A share of a size, rounded to the nearest.
+fn share(size: Half, part: Half, whole: Half) -> Half {
+    let (size, part, whole) = (i128::from(size.halves()), i128::from(part.halves()), i128::from(whole.halves()));
+    let doubled = (2 * size * part).checked_div(whole).unwrap_or(0);
+    Half::new(i64::try_from((doubled + doubled.signum()) / 2).unwrap_or(0))
+}
+
+/// A piece as pieces that only rise or only fall, along both axes: an arc is cut where it is level or upright.
+fn quarters(piece: Piece) -> Vec<Piece> {
+    let far = |point: &Point| piece.from.to(*point).length() > NEAR_END && point.to(piece.to).length() > NEAR_END;
+    let mut cuts: Vec<Point> = match piece.curve {
+        Curve::Line => Vec::new(),
+        Curve::Arc { .. } => piece.extremes().into_iter().filter(far).collect(),
+    };
+    cuts.sort_by(|a, b| piece.from.to(*a).length().total_cmp(&piece.from.to(*b).length()));
+    cuts.dedup();
+    cuts.push(piece.to);
+    let mut here = piece.from;
+    let mut quarters = Vec::new();
+    for cut in cuts {
+        quarters.push(piece.between(here, cut));
+        here = cut;
+    }
+    quarters
+}
+
+/// The part of a piece that is no face over a stretch, where it has a length.
+pub fn clipped(piece: &Piece, from: Half, to: Half) -> Option<Piece> {
+    let (a, b) = (piece.from.z.max(from), piece.to.z.min(to));
+    let at = |z: Half| Point { radius: radius_on(piece, z), z };
+    (a < b).then(|| piece.between(at(a), at(b)))
+}
+
+/// A monotone piece cut at two radii; what is beyond them lies flat on them.
+fn parted(piece: Piece, low: Half, high: Half) -> Vec<Piece> {
+    let mut cuts = vec![piece.from];
+    let between = |radius: &Half| {
+        piece.from.radius.min(piece.to.radius) < *radius && *radius < piece.from.radius.max(piece.to.radius)
+    };
+    let mut radii: Vec<Half> = [low, high].into_iter().filter(between).collect();
+    if piece.to.radius < piece.from.radius {
+        radii.reverse();
+    }
+    cuts.extend(radii.into_iter().map(|radius| Point { radius, z: z_on(&piece, radius) }));
+    cuts.push(piece.to);
+    let part = |(from, to): (&Point, &Point)| {
+        let flat = |radius: Half| Piece::line(Point { radius, z: from.z }, Point { radius, z: to.z });
+        if from.radius.max(to.radius) <= low {
+            flat(low)
+        } else if from.radius.min(to.radius) >= high {
+            flat(high)
+        } else {
+            piece.between(*from, *to)
+        }
+    };
+    cuts.iter().zip(cuts.iter().skip(1)).map(part).filter(|part| !part.is_nothing()).collect()
+}
+
+/// The point of a piece so far from its beginning along it, mm.
+fn on_at(piece: &Piece, length: f64) -> Point {
+    match (piece.curve, piece.centre()) {
+        (Curve::Arc { radius, turn }, Some(centre)) => {
+            let sign = if turn == crate::turning::contour::Turn::Left { 1.0 } else { -1.0 };
+            let angle = sign * length / radius.to_mm().max(f64::MIN_POSITIVE);
+            let spoke = centre.times(-1.0).plus(piece.from.vector());
+            let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+            let turned = Vector::new(spoke.z * cos - spoke.radius * sin, spoke.z * sin + spoke.radius * cos);
+            Point::at(centre.plus(turned))
+        }
+        _ => piece.from.moved(piece.chord().unit().times(length)),
+    }
+}

@@ -1,0 +1,137 @@
+//! What a way is measured by, and which of several is the best.
+
+use serde::Serialize;
+
+use crate::note::Note;
+use crate::turning::length::Half;
+use crate::turning::way::{Purpose, Way};
+use crate::units::{Minutes, round_to};
+
+use super::ground::{clipped, radius_on};
+use super::standing::Standing;
+use super::{Feeds, Transition, Zone, descent};
+
+/// What a way is measured by.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Measures {
+    /// The way through metal, mm. Along an upright face nothing is cut: the point has cut up to it before.
+    pub cutting_mm: f64,
+    /// The way at a feed through no metal: to the metal, along what is clean, back along the contour, mm.
+    pub beside_mm: f64,
+    /// The rapids, mm.
+    pub rapid_mm: f64,
+    /// Feeds and rapids together. A rapid moves both axes at once, so its time is that of the longer axis.
+    pub time_min: Minutes,
+    /// Working passes.
+    pub passes: usize,
+    /// Times that the tool comes back to begin another pass.
+    pub returns: usize,
+}
+
+/// Measures a way by working it off on the blank anew. `edge` is the width of the edge of a tool that goes down across
+/// the axis.
+pub fn measure(way: &Way, zone: &Zone, feeds: &Feeds, passes: usize, edge: Option<Half>) -> Measures {
+    let mut standing = zone.whole.clone();
+    let (mut cutting, mut beside, mut rapid, mut time) = (0.0, 0.0, 0.0, 0.0);
+    for (piece, purpose) in way.pieces() {
+        let length = piece.length_mm();
+        let rate = feeds.rate(purpose).0;
+        if purpose == Purpose::Rapid {
+            rapid += length;
+            let chord = piece.chord();
+            time += libm::fmax(libm::fabs(chord.z), libm::fabs(chord.radius)) / rate;
+            continue;
+        }
+        let metal = metal(&standing, &piece, edge).min(length);
+        cutting += metal;
+        beside += length - metal;
+        time += length / rate;
+        standing.lower(&piece);
+        if let (Some(edge), Purpose::Cut) = (edge, purpose) {
+            standing.lower(&descent::slice(piece.to, edge));
+        }
+    }
+    Measures {
+        cutting_mm: round_to(cutting, 3),
+        beside_mm: round_to(beside, 3),
+        rapid_mm: round_to(rapid, 3),
+        time_min: Minutes(round_to(time, 4)),
+        passes,
+        returns: passes.saturating_sub(1),
+    }
+}
+
+/// How much of a piece goes through metal, mm.
+fn metal(standing: &Standing, piece: &crate::turning::contour::Piece, edge: Option<Half>) -> f64 {
+    if piece.from.z != piece.to.z {
+        let forth = if piece.to.z < piece.from.z { piece.reversed() } else { *piece };
+        let parts = standing.metal(&forth).into_iter().filter_map(|(from, to)| clipped(&forth, from, to));
+        return parts.map(|part| part.length_mm()).sum();
+    }
+    if piece.to.radius > piece.from.radius {
+        return 0.0;
+    }
+    let top = match edge {
+        Some(edge) => standing.highest(piece.to.z - edge, piece.to.z),
+        None => standing.least_at(piece.to.z),
+    };
+    let top = top.map_or(piece.to.radius, |top| top.min(piece.from.radius));
+    (top - piece.to.radius).max(Half::ZERO).to_mm()
+}
+
+/// The most that stands over the rough contour after a way, as [`Standing::ridge`] bounds it.
+pub fn ridges(standing: &Standing, zone: &Zone) -> Half {
+    let ridge = standing.ridge(&zone.ground);
+    // What rounding of points leaves is none.
+    if ridge.halves() <= rounding(zone) { Half::ZERO } else { ridge }
+}
+
+/// How far points rounded to half a micrometre put a way off the contour across the axis: a whole half, and where the
+/// contour is steep as much more as it is steeper than 45°, over a half along the axis.
+fn rounding(zone: &Zone) -> i64 {
+    let steep = |piece: &crate::turning::contour::Piece| {
+        let next = radius_on(piece, piece.from.z + Half::new(2)) - piece.from.radius;
+        let last = piece.to.radius - radius_on(piece, piece.to.z - Half::new(2));
+        next.halves().abs().max(last.halves().abs())
+    };
+    let pieces = zone.ground.pieces.iter().filter(|piece| !piece.is_face() && (piece.to.z - piece.from.z).halves() > 2);
+    2 + pieces.map(steep).max().unwrap_or(0)
+}
+
+/// The best of several ways over a zone.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Best {
+    /// The quickest.
+    pub scheme: &'static str,
+    /// The next.
+    pub next: &'static str,
+    /// By how much it is quicker, min.
+    pub margin_min: Minutes,
+    /// The same as a share of the next one's time, per cent.
+    pub margin_percent: f64,
+    /// The same as a sentence.
+    pub note: Note,
+}
+
+/// The quickest of several ways, among equals the first; none of fewer than two. Whoever needs an even allowance gives it
+/// only those that are [`Transition::uniform`].
+pub fn best<'t>(ways: impl IntoIterator<Item = &'t Transition>) -> Option<Best> {
+    let mut order: Vec<&Transition> = ways.into_iter().collect();
+    let time = |one: &Transition| one.measures.time_min.0;
+    order.sort_by(|a, b| time(a).total_cmp(&time(b)));
+    let [best, next, ..] = order.as_slice() else { return None };
+    let margin = time(next) - time(best);
+    let percent = if time(next) > 0.0 { margin / time(next) * 100.0 } else { 0.0 };
+    let note = Note::new(if margin > 0.0 { "scheme-quickest" } else { "transition-as-quick" })
+        .with("variant", best.scheme.name())
+        .with("rival", next.scheme.name())
+        .with("margin", round_to(margin, 4))
+        .with("percent", round_to(percent, 1));
+    Some(Best {
+        scheme: best.scheme.name(),
+        next: next.scheme.name(),
+        margin_min: Minutes(round_to(margin, 4)),
+        margin_percent: round_to(percent, 2),
+        note,
+    })
+}

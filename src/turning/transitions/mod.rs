@@ -1,0 +1,334 @@
+//! The schemes of rough transitions (lecture 12.4, l. 271-520, table 12.1, fig. 12.4), each as the way of its tool over a
+//! zone of any shape: lines and arcs between a rough contour and a blank.
+//!
+//! [`work`] makes the way of a scheme. Each scheme is a file: [`looped`], [`zigzag`], [`descent`], [`pick_up`],
+//! [`semi_finishing`], [`equidistant`], [`contour`]. They share [`split`] (the levels), [`straight`] (straight passes),
+//! [`course`] (a way as it grows) over [`ground`] (the rough contour) and [`standing`] (what is left of the blank);
+//! [`told`] names the support points, [`measures`] measures and compares, [`check`] refuses what cannot be worked.
+//!
+//! The way is that of the theoretical point of the tool on the rough contour: the corner of the two tangents to its nose,
+//! along the axis and across it. On cylinders and upright faces ahead the true edge cuts the same. Over a stretch that
+//! rises at an angle α to the axis the nose of radius r leaves r·(sin α + cos α − 1) more, square to the contour; on one
+//! that falls at α it cuts r·(1 + sin α − cos α) too deep. Compensating for that is the work of the program, not of this
+//! room. (The centre of the nose lies r before the point and r above it; its distance from the contour less r.)
+//!
+//! Architecture invariant: everything is worked as an outer contour; a bore is one inside out.
+
+pub mod check;
+pub mod contour;
+pub mod course;
+pub mod descent;
+pub mod equidistant;
+pub mod ground;
+pub mod looped;
+pub mod measures;
+pub mod pick_up;
+pub mod semi_finishing;
+pub mod split;
+pub mod standing;
+pub mod straight;
+pub mod told;
+pub mod zigzag;
+
+use serde::Serialize;
+
+use crate::error::{KnowledgeError, Refusal, Tried};
+use crate::knowledge::Knowledge;
+use crate::note::{Because, Finding, Note, Severity};
+use crate::units::{Degrees, MillimetresPerMinute, Roughness};
+
+use super::contour::{Contour, Side};
+use super::length::Half;
+use super::point::Point;
+use super::way::{Move, Purpose, Way};
+use course::Course;
+use equidistant::Offset;
+use ground::Ground;
+use measures::Measures;
+use split::Split;
+use standing::Standing;
+use told::SupportPoint;
+
+/// What is to be removed: what stands between two contours over one stretch of Z.
+///
+/// Both go from the free end towards the chuck and never lead back; a wall at an end of the zone is a face of the rough
+/// contour. Beyond the ends is air for the tool, but it never goes beyond `to`.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Stock {
+    /// The contour after roughing, nowhere above the blank.
+    pub rough: Contour,
+    /// The blank.
+    pub blank: Contour,
+    /// Z of its beginning.
+    pub from: Half,
+    /// Z of its end.
+    pub to: Half,
+}
+
+/// The tool, as far as a way depends on it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Tool {
+    /// Nose radius.
+    pub nose_radius: Half,
+    /// The main angle φ: contours may rise so steeply.
+    pub main: Degrees,
+    /// The secondary angle φ1: contours may fall so steeply.
+    pub secondary: Degrees,
+}
+
+/// How fast each kind of motion goes.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Feeds {
+    /// Of straight passes, S0.
+    pub main: MillimetresPerMinute,
+    /// Of cutting in, and of ways back along the contour of a closed zone.
+    pub infeed: MillimetresPerMinute,
+    /// Of picking up.
+    pub pick_up: MillimetresPerMinute,
+    /// Of the semi-finishing pass.
+    pub semi_finish: MillimetresPerMinute,
+    /// Of finishing.
+    pub finish: MillimetresPerMinute,
+    /// Rapids of an axis.
+    pub rapid: MillimetresPerMinute,
+}
+
+impl Feeds {
+    /// The rate of a motion.
+    pub const fn rate(&self, purpose: Purpose) -> MillimetresPerMinute {
+        match purpose {
+            Purpose::Rapid => self.rapid,
+            Purpose::Cut => self.main,
+            Purpose::Infeed | Purpose::Return => self.infeed,
+            Purpose::PickUp => self.pick_up,
+            Purpose::SemiFinish => self.semi_finish,
+            Purpose::Finish => self.finish,
+        }
+    }
+}
+
+/// How the tool goes. All lengths are positive.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Settings {
+    /// t_p, the greatest depth of a pass; of descent the width of a slice.
+    pub depth: Half,
+    /// δ: how far before the metal the feed begins.
+    pub approach: Half,
+    /// How far the tool draws back; the lecture says about 0.5 mm.
+    pub retract: Half,
+    /// The rates.
+    pub feeds: Feeds,
+}
+
+/// A scheme of rough transitions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Scheme {
+    /// Loop.
+    Loop,
+    /// Loop against a stop, for stepped rollers.
+    LoopAgainstStop,
+    /// Zigzag.
+    Zigzag,
+    /// Descent.
+    Descent,
+    /// With pick-up.
+    PickUp,
+    /// With a semi-finishing pass.
+    SemiFinishing,
+    /// Equidistant.
+    Equidistant,
+    /// Contour.
+    Contour,
+}
+
+impl Scheme {
+    /// Every scheme, in the order of the lecture.
+    pub const ALL: [Self; 8] = [
+        Self::Loop,
+        Self::LoopAgainstStop,
+        Self::Zigzag,
+        Self::Descent,
+        Self::PickUp,
+        Self::SemiFinishing,
+        Self::Equidistant,
+        Self::Contour,
+    ];
+
+    /// Its name in answers.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::LoopAgainstStop => "loop-against-stop",
+            other => other.row(),
+        }
+    }
+
+    /// Its row in the table `turning-schemes`, which has one for both forms of the loop.
+    pub const fn row(self) -> &'static str {
+        match self {
+            Self::Loop | Self::LoopAgainstStop => "loop",
+            Self::Zigzag => "zigzag",
+            Self::Descent => "descent",
+            Self::PickUp => "pick-up",
+            Self::SemiFinishing => "semi-finishing",
+            Self::Equidistant => "equidistant",
+            Self::Contour => "contour",
+        }
+    }
+}
+
+/// A rough transition: a zone cleared by a scheme.
+#[derive(Clone, Debug, Serialize)]
+pub struct Transition {
+    /// The scheme.
+    pub scheme: Scheme,
+    /// The way of the tool, from home and back.
+    pub way: Way,
+    /// Its points with their names; the first is home, and each motion has the one that it ends in.
+    pub points: Vec<SupportPoint>,
+    /// The width of the tool's edge, of descent: what a motion across the axis takes with it towards the free end.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub edge: Option<Half>,
+    /// The most that is left over the rough contour anywhere, radial; none but by rounding is 0. Where an arc of the
+    /// blank is left over a slope, a bound of it from above.
+    pub ridges_mm: Half,
+    /// Whether what is left for finishing is even: no ridges.
+    pub uniform: bool,
+    /// Its lengths, its time and its passes.
+    pub measures: Measures,
+    /// Why it is what it is: its row in the table `turning-schemes`.
+    pub because: Because,
+}
+
+/// A zone made ready for work: outer, in pieces that only rise or fall.
+#[derive(Clone, Debug)]
+pub struct Zone {
+    /// The rough contour.
+    pub ground: Ground,
+    /// The blank.
+    pub blank: Ground,
+    /// The whole blank, before any work.
+    pub whole: Standing,
+    /// The highest radius of the blank.
+    pub top: Half,
+    /// The radius above which the tool cannot go: in a bore, inside out, the axis.
+    pub ceiling: Option<Half>,
+}
+
+impl Zone {
+    fn of(stock: &Stock, ceiling: Option<Half>) -> Self {
+        let (ground, blank) = (Ground::of(&stock.rough), Ground::of(&stock.blank));
+        let whole = Standing::of(&blank);
+        let top = blank.highest(blank.from(), blank.to()).unwrap_or_default();
+        Self { ground, blank, whole, top, ceiling }
+    }
+
+    /// A radius, or the highest where the tool can be.
+    pub fn held(&self, radius: Half) -> Half {
+        self.ceiling.map_or(radius, |ceiling| radius.min(ceiling))
+    }
+
+    /// Off the corner of the blank by the approach.
+    pub fn home(&self, settings: &Settings) -> Point {
+        Point { radius: self.held(self.top + settings.approach), z: self.ground.from() - settings.approach }
+    }
+}
+
+/// Makes the way of a scheme over a zone, outer or inner. `offset` makes the equidistant contours of the scheme of that
+/// name; the others do not ask it.
+///
+/// # Errors
+/// The zone, the tool or the settings do not suit ([`check::check`]), an equidistant cannot be made, or the knowledge base
+/// lacks the scheme.
+pub fn work(
+    stock: &Stock,
+    tool: &Tool,
+    settings: &Settings,
+    scheme: Scheme,
+    offset: Offset<'_>,
+    knowledge: &Knowledge,
+) -> Tried<Transition> {
+    if stock.rough.side == Side::Outer {
+        return outer(stock, tool, settings, scheme, offset, knowledge, None);
+    }
+    let Some((_, top)) = stock.rough.radii() else {
+        return Err(Refusal::Not(Note::new("zone-contour-not-monotone").with("contour", "rough")));
+    };
+    let inside_out = Stock { rough: stock.rough.inside_out(top), blank: stock.blank.inside_out(top), ..*stock };
+    let back = |contour: &Contour, distance: Half| Some(offset(&contour.inside_out(top), distance)?.inside_out(top));
+    let found = outer(&inside_out, tool, settings, scheme, &back, knowledge, Some(top))?;
+    let way = way_inside_out(&found.way, top);
+    let roles: Vec<_> = found.points.iter().map(|point| point.role).collect();
+    Ok(Transition { points: told::points(&way, &roles), way, ..found })
+}
+
+fn outer(
+    stock: &Stock,
+    tool: &Tool,
+    settings: &Settings,
+    scheme: Scheme,
+    offset: Offset<'_>,
+    knowledge: &Knowledge,
+    ceiling: Option<Half>,
+) -> Tried<Transition> {
+    let table = knowledge.table("turning-schemes")?;
+    let row = table.find("scheme", scheme.row()).ok_or_else(|| KnowledgeError::no_row(table, scheme.row()))?;
+    let zone = Zone::of(stock, ceiling);
+    check::check(stock, &zone.ground, &zone.blank, tool, settings, scheme)?;
+    let split = || Split::with_depth(&zone.ground, &zone.blank, settings.depth);
+    let mut course = Course::new(&zone, settings);
+    match scheme {
+        Scheme::Loop => looped::work(&mut course, &split()),
+        Scheme::LoopAgainstStop => looped::work(&mut course, &split().against_stops(&zone.ground)),
+        Scheme::Zigzag => zigzag::work(&mut course, &split()),
+        Scheme::Descent => descent::work(&mut course),
+        Scheme::PickUp => pick_up::work(&mut course, &split(), tool.nose_radius),
+        Scheme::SemiFinishing => semi_finishing::work(&mut course, &split()),
+        Scheme::Equidistant => equidistant::work(&mut course, &stock.rough, offset)?,
+        Scheme::Contour => contour::work(&mut course),
+    }
+    let course = course.home();
+    let edge = (scheme == Scheme::Descent).then_some(settings.depth);
+    let ridges_mm = measures::ridges(&course.standing, &zone);
+    let note = Note::new(&format!("transition-{}", scheme.name()));
+    Ok(Transition {
+        scheme,
+        points: told::points(&course.way, &course.roles),
+        edge,
+        ridges_mm,
+        uniform: ridges_mm == Half::ZERO,
+        measures: measures::measure(&course.way, &zone, &settings.feeds, course.passes, edge),
+        because: Because::row(row, note),
+        way: course.way,
+    })
+}
+
+/// A way inside out: that over a bore, and back.
+fn way_inside_out(way: &Way, top: Half) -> Way {
+    let place = |point: Point| Point { radius: top - point.radius, z: point.z };
+    let moves = way.pieces().map(|(piece, purpose)| {
+        let piece = piece.mapped(true, place);
+        Move { to: piece.to, curve: piece.curve, purpose }
+    });
+    Way { from: place(way.from), moves: moves.collect() }
+}
+
+/// Whether finishing must follow a scheme for a roughness that is asked: where the table `turning-schemes` says how fine
+/// the scheme can be as the last one, and finer is asked.
+///
+/// # Errors
+/// The knowledge base lacks the scheme.
+pub fn finishing_must_follow(
+    scheme: Scheme,
+    asked: Roughness,
+    knowledge: &Knowledge,
+) -> Result<Option<Finding>, KnowledgeError> {
+    let table = knowledge.table("turning-schemes")?;
+    let row = table.find("scheme", scheme.row()).ok_or_else(|| KnowledgeError::no_row(table, scheme.row()))?;
+    if row.value("finest").is_none() {
+        return Ok(None);
+    }
+    let finest = row.roughness("finest")?;
+    let note = Note::new("finishing-must-follow").with("scheme", scheme.name()).with("finest", finest).with("asked", asked);
+    Ok((asked < finest).then(|| Finding::of_part(Severity::Note, note)))
+}

@@ -1,0 +1,96 @@
+//! With a semi-finishing pass (з напівчистовим, зачисним проходом; lecture l. 406-432, fig. 12.4 b).
+
+use crate::turning::contour::Piece;
+use crate::turning::length::Half;
+use crate::turning::point::Point;
+use crate::turning::way::Purpose;
+
+use super::course::{Course, Role};
+use super::ground::clipped;
+use super::split::Split;
+use super::straight::{Back, clear};
+
+/// Straight passes, then one motion along the contour that cuts all ridges.
+///
+/// 1. The straight passes are those of the loop (1-2-3-4, 5-6-7-8, 9-10-11-12, 13-14 of fig. 12.4 b).
+/// 2. After the last one the tool follows the contour, at a feed of its own because the depth varies (14-10-15-6-2-16;
+///    l. 412-426). It goes on from where the last pass ended, if the contour before that point is clean already; else it
+///    begins where the first ridge stands.
+/// 3. In a closed zone it returns after each straight pass along the contour of the zone to where the pass began, at the
+///    feed of cutting in, and goes down along the falling flank (l. 468-478).
+pub fn work(course: &mut Course<'_>, split: &Split) {
+    for section in &split.sections {
+        clear(course, section, Back::AlongContour);
+    }
+    let Some(end) = worked_to(course) else { return };
+    let here = course.here();
+    let ridge = course.ground().pieces.iter().filter(|piece| !piece.is_face()).find_map(|piece| {
+        course.standing.metal(piece).first().map(|(from, _)| (*piece, *from))
+    });
+    let on_contour = course.passes > 0 && course.ground().holds(here);
+    match ridge {
+        Some((piece, from)) if !on_contour || from < here.z => {
+            let start = Point { radius: super::ground::radius_on(&piece, from), z: from };
+            let way = parted(course, &held(course, course.ground().beyond(start), end));
+            if course.passes > 0 {
+                course.draw_back();
+            }
+            course.pass(&way, Purpose::SemiFinish, Role::ContourEnd);
+        }
+        _ if on_contour => {
+            let way = parted(course, &held(course, course.ground().beyond(here), end));
+            if !way.is_empty() {
+                course.follow(&way, Purpose::SemiFinish, Role::ContourEnd);
+                course.passed(Vec::new());
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Z of the end of the stock that stood over the contour.
+fn worked_to(course: &Course<'_>) -> Option<Half> {
+    let pieces = course.ground().pieces.iter().rev().filter(|piece| !piece.is_face());
+    pieces.filter_map(|piece| course.zone.whole.metal(piece).last().map(|(_, to)| *to)).next()
+}
+
+/// A way up to a Z, with the face there as far up as the blank was.
+fn held(course: &Course<'_>, way: Vec<Piece>, end: Half) -> Vec<Piece> {
+    let part = |piece: &Piece| {
+        if !piece.is_face() {
+            return clipped(piece, Half::new(i64::MIN), end);
+        }
+        let blank = course.zone.whole.sides(piece.from.z).0.unwrap_or(piece.to.radius);
+        let top = if piece.from.z == end { piece.to.radius.min(blank) } else { piece.to.radius };
+        let kept = piece.from.z < end || piece.from.z == end && top > piece.from.radius;
+        kept.then(|| piece.between(piece.from, Point { radius: top, z: piece.from.z }))
+    };
+    way.iter().filter_map(part).collect()
+}
+
+/// A way with a support point wherever a straight pass ended on it, as fig. 12.4 b counts them (10, 6, 2).
+fn parted(course: &Course<'_>, way: &[Piece]) -> Vec<Piece> {
+    let ends: Vec<Point> = course.ends().collect();
+    let mut parts = Vec::new();
+    for piece in way {
+        let on = |end: &&Point| {
+            let beside = if piece.is_face() {
+                end.z == piece.from.z && piece.from.radius < end.radius && end.radius < piece.to.radius
+            } else {
+                let within = piece.from.z < end.z && end.z < piece.to.z;
+                within && (super::ground::radius_on(piece, end.z) - end.radius).halves().abs() <= 1
+            };
+            beside && **end != piece.from && **end != piece.to
+        };
+        let mut cuts: Vec<Point> = ends.iter().filter(on).copied().collect();
+        cuts.sort_by_key(|cut| (cut.z, if piece.to.radius >= piece.from.radius { cut.radius } else { Half::ZERO - cut.radius }));
+        cuts.dedup();
+        cuts.push(piece.to);
+        let mut from = piece.from;
+        for to in cuts {
+            parts.push(piece.between(from, to));
+            from = to;
+        }
+    }
+    parts
+}

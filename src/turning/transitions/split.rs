@@ -1,0 +1,202 @@
+//! Splitting the stock of any zone into levels: the lecture's steps (12.4 a-e, l. 604-660), over lines and arcs.
+//!
+//! 1. The blank is taken apart at its faces into sections, each under its largest radius, the top (l. 794-812).
+//! 2. Over each piece of the rough contour in a section stands tᵢ = top − the deepest point of the piece (a).
+//! 3. It needs at least nᵢ = ⌈tᵢ / t_lim⌉ passes (b), of the mean depth tᵢ / nᵢ (c).
+//! 4. The largest mean depth is the one depth t_p of the whole zone (d).
+//! 5. The horizontals lie at t_p, 2·t_p, … under each top, the last at the deepest point of the section (e).
+//!
+//! Over cylinders under a cylindrical blank these are the levels of [`crate::turning::levels`]; a test holds them
+//! together. A cone or an arc counts with its deepest point, and a blank that is not a cylinder with its highest, so the
+//! true depth of a pass is nowhere above t_p.
+
+use serde::Serialize;
+
+use crate::turning::contour::Contour;
+use crate::turning::length::Half;
+
+use super::ground::Ground;
+
+/// What stands over a piece of the rough contour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Stand {
+    /// Z of its beginning.
+    pub from: Half,
+    /// Z of its end.
+    pub to: Half,
+    /// Its deepest point, radius.
+    pub deepest: Half,
+    /// tᵢ, radial.
+    pub stock: Half,
+    /// nᵢ.
+    pub passes: i64,
+    /// The mean depth, rounded up to half a micrometre.
+    pub mean: Half,
+}
+
+/// A section of the zone: under one stretch of the blank between its faces.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Section {
+    /// Z of its beginning.
+    pub from: Half,
+    /// Z of its end.
+    pub to: Half,
+    /// The highest radius of the blank over it.
+    pub top: Half,
+    /// What stands over each piece, from the free end; pieces without stock are left out.
+    pub stands: Vec<Stand>,
+    /// The horizontals from the blank inwards.
+    pub horizontals: Vec<Half>,
+}
+
+/// A zone split into levels.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Split {
+    /// t_p.
+    pub depth: Half,
+    /// The sections that have stock, from the free end.
+    pub sections: Vec<Section>,
+}
+
+impl Split {
+    /// The levels of a zone for a limiting depth, by the lecture: t_p is found.
+    pub fn of(rough: &Contour, blank: &Contour, limit: Half) -> Self {
+        let (ground, blank) = (Ground::of(rough), Ground::of(blank));
+        let sections = sections(&ground, &blank, limit);
+        let means = sections.iter().flat_map(|section| section.stands.iter().map(|one| one.mean));
+        let depth = means.max().unwrap_or(limit);
+        Self::levelled(sections, depth)
+    }
+
+    /// The levels of a zone for a depth t_p that is given.
+    pub(super) fn with_depth(ground: &Ground, blank: &Ground, depth: Half) -> Self {
+        Self::levelled(sections(ground, blank, depth), depth)
+    }
+
+    /// The same sections with levels that begin anew at each cylinder of the rough contour, so that each is reached.
+    #[must_use]
+    pub(super) fn against_stops(mut self, ground: &Ground) -> Self {
+        for section in &mut self.sections {
+            let radii = ground.pieces.iter().filter(|piece| piece.is_cylinder()).map(|piece| piece.from.radius);
+            let within = |radius: &Half| *radius < section.top && section.stands.iter().any(|one| one.deepest == *radius);
+            let mut stops: Vec<Half> = radii.filter(within).collect();
+            stops.sort();
+            stops.dedup();
+            let mut top = section.top;
+            section.horizontals.clear();
+            for stop in stops.into_iter().rev() {
+                section.horizontals.extend(horizontals(top, stop, self.depth));
+                top = stop;
+            }
+        }
+        self
+    }
+
+    fn levelled(mut sections: Vec<Section>, depth: Half) -> Self {
+        for section in &mut sections {
+            let floor = section.stands.iter().map(|one| one.deepest).min().unwrap_or(section.top);
+            section.horizontals = horizontals(section.top, floor, depth);
+        }
+        Self { depth, sections }
+    }
+}
+
+/// Horizontals a depth apart under a top, the last on the floor.
+fn horizontals(top: Half, floor: Half, depth: Half) -> Vec<Half> {
+    let step = Half::new(depth.halves().max(1));
+    let mut levels = Vec::new();
+    let mut level = top;
+    while level > floor {
+        level = (level - step).max(floor);
+        levels.push(level);
+    }
+    levels
+}
+
+fn sections(ground: &Ground, blank: &Ground, limit: Half) -> Vec<Section> {
+    let (from, to) = (ground.from(), ground.to());
+    let mut sections: Vec<Section> = Vec::new();
+    let mut begins = true;
+    for piece in &blank.pieces {
+        if piece.is_face() {
+            begins = true;
+            continue;
+        }
+        let (a, b) = (piece.from.z.max(from), piece.to.z.min(to));
+        if a >= b {
+            continue;
+        }
+        let top = piece.from.radius.max(piece.to.radius);
+        match sections.last_mut().filter(|_| !begins) {
+            Some(section) => {
+                section.to = b;
+                section.top = section.top.max(top);
+            }
+            None => sections.push(Section { from: a, to: b, top, stands: Vec::new(), horizontals: Vec::new() }),
+        }
+        begins = false;
+    }
+    for section in &mut sections {
+        section.stands = stands(ground, section, limit);
+    }
+    sections.retain(|section| !section.stands.is_empty());
+    sections
+}
+
+fn stands(ground: &Ground, section: &Section, limit: Half) -> Vec<Stand> {
+    let of = |piece: &crate::turning::contour::Piece| {
+        let part = super::ground::clipped(piece, section.from, section.to)?;
+        let deepest = part.from.radius.min(part.to.radius);
+        let stock = section.top - deepest;
+        let passes = divided_up(stock, limit);
+        let mean = Half::new(divided_up(stock, Half::new(passes)));
+        let stand = Stand { from: part.from.z, to: part.to.z, deepest, stock, passes, mean };
+        (stock > Half::ZERO).then_some(stand)
+    };
+    ground.pieces.iter().filter(|piece| !piece.is_face()).filter_map(of).collect()
+}
+
+/// A quotient, rounded up; the dividend is not negative.
+fn divided_up(size: Half, by: Half) -> i64 {
+    let by = by.halves().max(1);
+    (size.halves() + by - 1) / by
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::turning::contour::{Piece, Side, Turn};
+    use crate::turning::point::Point;
+
+    fn at(radius: f64, z: f64) -> Point {
+        Point { radius: Half::from(radius), z: Half::from(z) }
+    }
+
+    /// By hand: a bar of radius 40 over a cone from 20 to 30 and a fillet from 30 to 35, t_lim 4. The cone's deepest
+    /// point is 20: t = 20, n = 5, mean 4; the fillet's 30: t = 10, n = 3, mean 3.3335 (rounded up); t_p = 4, horizontals
+    /// 36, 32, 28, 24, 20.
+    #[test]
+    fn cones_and_arcs_count_with_their_deepest_point() {
+        let mut rough = Contour::through(Side::Outer, &[at(20.0, 0.0), at(30.0, 20.0)]);
+        rough.pieces.push(Piece::arc(at(30.0, 20.0), at(35.0, 25.0), Half::from(5.0), Turn::Left));
+        let blank = Contour::through(Side::Outer, &[at(40.0, 0.0), at(40.0, 25.0)]);
+        let split = Split::of(&rough, &blank, Half::from(4.0));
+        let told: Vec<_> = split.sections[0].stands.iter().map(|one| (one.stock, one.passes, one.mean)).collect();
+        assert_eq!(told, [(Half::from(20.0), 5, Half::from(4.0)), (Half::from(10.0), 3, Half::from(3.3335))]);
+        assert_eq!(split.depth, Half::from(4.0));
+        assert_eq!(split.sections[0].horizontals, [36.0, 32.0, 28.0, 24.0, 20.0].map(Half::from));
+    }
+
+    /// A blank of two diameters has two sections, each with its own horizontals.
+    #[test]
+    fn a_stepped_blank_is_taken_apart_at_its_faces() {
+        let rough = Contour::through(Side::Outer, &[at(20.0, 0.0), at(20.0, 10.0), at(25.0, 10.0), at(25.0, 30.0)]);
+        let blank = Contour::through(Side::Outer, &[at(25.0, 0.0), at(25.0, 15.0), at(29.0, 15.0), at(29.0, 30.0)]);
+        let split = Split::of(&rough, &blank, Half::from(3.0));
+        assert_eq!(split.depth, Half::from(2.5));
+        let told: Vec<_> = split.sections.iter().map(|one| (one.from, one.to, one.top, one.horizontals.clone())).collect();
+        let (first, second) = ([22.5, 20.0].map(Half::from).to_vec(), [26.5, 25.0].map(Half::from).to_vec());
+        assert_eq!(told[0], (Half::ZERO, Half::from(15.0), Half::from(25.0), first));
+        assert_eq!(told[1], (Half::from(15.0), Half::from(30.0), Half::from(29.0), second));
+    }
+}

@@ -1,0 +1,43 @@
+//! A way as it is told: its support points with their names.
+
+use serde::Serialize;
+
+use crate::turning::length::Half;
+use crate::turning::numbering::Numbering;
+use crate::turning::way::{Purpose, Way};
+use crate::units::Micrometres;
+
+use super::course::Role;
+
+/// A support point of a way.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SupportPoint {
+    /// Its name: 0 is home, the others are numbered in the order of the first visit, as in fig. 12.4 of the lecture. A
+    /// place that is visited again keeps its name.
+    pub name: String,
+    /// Diameter, mm.
+    pub diameter_mm: Micrometres,
+    /// Z, mm: negative towards the chuck.
+    pub z_mm: Half,
+    /// What the motion here is for; none at the beginning.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub purpose: Option<Purpose>,
+    /// What the point is.
+    pub role: Role,
+}
+
+/// The support points of a way.
+pub fn points(way: &Way, roles: &[Role]) -> Vec<SupportPoint> {
+    let mut numbers = Numbering::after(0);
+    numbers.put(way.from, "0");
+    let from = std::iter::once((way.from, None));
+    let all = from.chain(way.moves.iter().map(|one| (one.to, Some(one.purpose))));
+    let told = all.zip(roles).map(|((at, purpose), role)| SupportPoint {
+        name: numbers.name(at),
+        diameter_mm: at.radius.diameter(),
+        z_mm: Half::ZERO - at.z,
+        purpose,
+        role: *role,
+    });
+    told.collect()
+}
