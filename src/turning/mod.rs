@@ -4,6 +4,7 @@
 //! - [`length`] is the exact length of this room, in halves of a micrometre, because half of a diameter is one;
 //! - [`contour`] is a section of lines and arcs, [`point`] its points, [`way`] the way of a tool along it;
 //! - [`levels`] splits the stock over a shaft into levels, [`schemes`] clears them in the ways of the lecture;
+//! - [`program`] writes ways and contours as programs of controls (docs/turning-programs.md);
 //! - [`passes`] finds the shortest sequence of longitudinal and transverse passes (docs/turning.md).
 //!
 //! Sources: "the paper" is the article on structural optimisation of multi-pass rough turning, "the lecture" is lecture
@@ -14,6 +15,7 @@ pub mod length;
 pub mod levels;
 pub mod passes;
 pub mod point;
+pub mod program;
 pub mod schemes;
 pub mod shaft;
 pub mod way;
