@@ -10,9 +10,7 @@ use technolog::shipped;
 use technolog::turning::contour::{Contour, Curve, Piece, Side, Turn};
 use technolog::turning::length::Half;
 use technolog::turning::point::Point;
-use technolog::turning::program::{
-    Allowance, Control, Direction, Feeds, Roughing, Setting, Speed, cycle, plain,
-};
+use technolog::turning::program::{Allowance, Control, Direction, Feeds, Roughing, Setting, Speed, cycle, plain};
 use technolog::turning::way::{Purpose, Way};
 use technolog::units::{MetresPerMinute, MillimetresPerRev, RevsPerMinute};
 

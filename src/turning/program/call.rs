@@ -121,9 +121,9 @@ impl Cycles {
         self.cycle(task.roughing.direction, task.rough.side).map(|cycle| cycle.code.as_str()).unwrap_or_default()
     }
 
-    /// The fields of the call in their order, each with its name and what stands in it. `even` is the allowance along the
-    /// contour; the other two are those of the task where there is none.
-    pub fn filled(&self, task: &Task<'_>, contour: &str, feeds: &Feeds, even: Half) -> Vec<(&str, String)> {
+    /// The fields of the call in their order, each with its name and what stands in it. An allowance along the contour is
+    /// never asked for: what is left stands along X and Z.
+    pub fn filled(&self, task: &Task<'_>, contour: &str, feeds: &Feeds) -> Vec<(&str, String)> {
         let machining = self.cycle(task.roughing.direction, task.rough.side).and_then(|cycle| cycle.machining);
         let value = |field: &Field| {
             let length = |half: Half| if field.on_diameter { diameter(half) } else { half.to_string() };
@@ -132,7 +132,7 @@ impl Cycles {
                 Holds::Contour => contour.to_owned(),
                 Holds::StartX => length(start.radius),
                 Holds::StartZ => position(start.z),
-                Holds::Allowance => even.to_string(),
+                Holds::Allowance => Half::ZERO.to_string(),
                 Holds::AllowanceX => length(task.roughing.allowance.radius),
                 Holds::AllowanceZ => task.roughing.allowance.z.to_string(),
                 Holds::Depth => length(task.roughing.depth),

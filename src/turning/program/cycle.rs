@@ -93,37 +93,37 @@ impl<'a> Task<'a> {
         check_roughing(roughing)?;
         check_monotone(rough, roughing.direction)?;
         check_blank(rough, corner)?;
-        let (begins, surface) = match roughing.direction {
-            Direction::Longitudinal => (start.radius, corner.radius),
-            Direction::Facing => (end.z, corner.z),
-        };
-        if begins == surface {
+        let clearance = roughing.clearance;
+        if rough.side == Side::Inner && corner.radius < clearance {
+            return Err(NotWritten::BoreTooNarrow { bore: corner.radius, clearance });
+        }
+        if start.radius == corner.radius || end.z == corner.z {
             return Err(NotWritten::NothingToCut);
         }
         Ok(Self { rough, corner, roughing })
     }
 
-    /// The profile in the direction of the work: from the point where the first pass would end beside the blank, along the
-    /// contour, out to the surface of the blank. `before` is how far outside the blank it begins.
-    pub fn profile(&self, before: Half) -> Vec<Piece> {
+    /// The profile in the direction of the work: from beside the blank, along the contour, out to the surface of the blank.
+    /// `before` and `beyond` are how far outside the blank it begins and ends.
+    pub fn profile(&self, before: Half, beyond: Half) -> Vec<Piece> {
         let ends = (self.rough.start(), self.rough.end());
         let (Some(start), Some(end)) = ends else { return Vec::new() };
         let corner = self.corner;
+        let outwards = |by: Half| match self.rough.side {
+            Side::Outer => corner.radius + by,
+            Side::Inner => corner.radius - by,
+        };
         let mut pieces = Vec::new();
         match self.roughing.direction {
             Direction::Longitudinal => {
                 pieces.push(Piece::line(Point::new(start.radius, corner.z - before), start));
                 pieces.extend(&self.rough.pieces);
-                pieces.push(Piece::line(end, Point::new(corner.radius, end.z)));
+                pieces.push(Piece::line(end, Point::new(outwards(beyond), end.z)));
             }
             Direction::Facing => {
-                let outside = match self.rough.side {
-                    Side::Outer => corner.radius + before,
-                    Side::Inner => corner.radius - before,
-                };
-                pieces.push(Piece::line(Point::new(outside, end.z), end));
+                pieces.push(Piece::line(Point::new(outwards(before), end.z), end));
                 pieces.extend(self.rough.pieces.iter().rev().map(|piece| piece.reversed()));
-                pieces.push(Piece::line(start, Point::new(start.radius, corner.z)));
+                pieces.push(Piece::line(start, Point::new(start.radius, corner.z - beyond)));
             }
         }
         pieces.retain(|piece| !piece.is_nothing());

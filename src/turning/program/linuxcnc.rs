@@ -1,7 +1,5 @@
 //! LinuxCNC 2.9: G71 and G72 with the contour in a subprogram of the same file.
 
-use crate::turning::length::Half;
-
 use super::call::Cycles;
 use super::cycle::{CycleProgram, ProgramFile, Task};
 use super::plain::{begin, end};
@@ -18,7 +16,7 @@ const CONTOUR: &str = "100";
 ///
 /// The subprogram stands before the call, which takes its first move as a rapid from the beginning of the cycle. The feed
 /// of the passes stands in a block before the call: what the subprogram says of feeds is not read. The cycle itself goes
-/// along the contour after its passes and ends on the surface of the blank.
+/// along the contour after its passes and leaves the blank.
 pub(super) fn write(
     control: &Control,
     cycles: &Cycles,
@@ -26,6 +24,7 @@ pub(super) fn write(
     setting: &Setting,
 ) -> Result<CycleProgram, NotWritten> {
     let words = control.words()?;
+    // D, which would leave one, makes half circles (LinuxCNC issue 2939) or is refused («Cannot intersect parallel lines»).
     if task.roughing.allowance != super::Allowance::default() {
         return Err(NotWritten::Allowance { control: control.name.clone() });
     }
@@ -34,7 +33,10 @@ pub(super) fn write(
     sheet.rapid(task.begins());
     sheet.line(&words.filled(Use::ContourBegins, &[("number", CONTOUR.to_owned())]));
     sheet.forget();
-    let profile = task.profile(task.roughing.clearance);
+    // The profile leaves the blank: where it only touches its surface, an arc that ends there a trifle below makes G71 seek
+    // the end of its first pass for ever (seen in rs274 of 2.9.0~pre1).
+    let clearance = task.roughing.clearance;
+    let profile = task.profile(clearance, clearance);
     for (index, piece) in profile.iter().enumerate() {
         if index == 0 {
             sheet.rapid(piece.from);
@@ -43,7 +45,7 @@ pub(super) fn write(
     }
     sheet.line(&words.filled(Use::ContourEnds, &[("number", CONTOUR.to_owned())]));
     sheet.line(&format!("F{}", number(setting.feeds.cut.0, 4)));
-    let fields = cycles.filled(task, CONTOUR, &setting.feeds, Half::ZERO);
+    let fields = cycles.filled(task, CONTOUR, &setting.feeds);
     let fields: Vec<String> = fields.into_iter().map(|(name, value)| format!("{name}{value}")).collect();
     sheet.line(&format!("{} {}", cycles.code(task), fields.join(" ")));
     end(&mut sheet);

@@ -16,8 +16,6 @@ pub mod refused;
 pub mod setting;
 mod sheet;
 mod sinumerik;
-#[cfg(test)]
-mod tests;
 mod words;
 
 use crate::error::KnowledgeError;

@@ -4,11 +4,11 @@ use crate::program::ascii::ascii;
 use crate::turning::contour::Curve;
 use crate::turning::way::Way;
 
+use super::Control;
 use super::refused::{NotWritten, check_arc};
 use super::setting::{Setting, Speed};
 use super::sheet::{Pace, Sheet, number};
 use super::words::Use;
-use super::Control;
 
 /// The program of a way on a control.
 ///

@@ -71,7 +71,7 @@ pub enum NotWritten {
     },
     /// A contour that begins before the face of the blank.
     BeforeFace,
-    /// A contour that begins, or for passes across ends, on the surface of the blank: there is nothing to begin with.
+    /// A contour that begins on the surface of the blank or ends at its face: there is nothing to begin with.
     NothingToCut,
     /// A depth or a distance that is not above 0.
     NotAboveZero {
@@ -85,7 +85,14 @@ pub enum NotWritten {
         /// The clearance.
         clearance: Half,
     },
-    /// The cycle does not leave this allowance.
+    /// A bore in which there is no room for the clearance.
+    BoreTooNarrow {
+        /// The radius of the bore.
+        bore: Half,
+        /// The clearance.
+        clearance: Half,
+    },
+    /// The cycle does not leave an allowance.
     Allowance {
         /// The control.
         control: String,
@@ -96,9 +103,9 @@ impl NotWritten {
     /// It as a sentence.
     pub fn note(&self) -> Note {
         match self {
-            Self::NotDocumented { control, words } => Note::new("lathe-language-not-documented")
-                .with("control", control)
-                .with("words", words.join(", ")),
+            Self::NotDocumented { control, words } => {
+                Note::new("lathe-language-not-documented").with("control", control).with("words", words.join(", "))
+            }
             Self::EmptyWay => Note::new("lathe-way-empty"),
             Self::EmptyContour => Note::new("lathe-contour-empty"),
             Self::Apart { piece } => Note::new("lathe-contour-apart").with("piece", piece),
@@ -122,9 +129,12 @@ impl NotWritten {
             Self::BeforeFace => Note::new("lathe-contour-before-face"),
             Self::NothingToCut => Note::new("lathe-nothing-to-cut"),
             Self::NotAboveZero { name } => Note::new("lathe-not-above-zero").with("key", name),
-            Self::RetractBeyondClearance { retract, clearance } => Note::new("lathe-retract-beyond-clearance")
-                .with("retract", retract)
-                .with("clearance", clearance),
+            Self::RetractBeyondClearance { retract, clearance } => {
+                Note::new("lathe-retract-beyond-clearance").with("retract", retract).with("clearance", clearance)
+            }
+            Self::BoreTooNarrow { bore, clearance } => {
+                Note::new("lathe-bore-too-narrow").with("bore", bore.diameter()).with("clearance", clearance)
+            }
             Self::Allowance { control } => Note::new("lathe-allowance").with("control", control),
         }
     }

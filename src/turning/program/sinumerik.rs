@@ -1,5 +1,6 @@
 //! Sinumerik: CYCLE95 with the contour in a subprogram, a file of its own.
 
+use crate::turning::contour::Piece;
 use crate::turning::length::Half;
 
 use super::call::Cycles;
@@ -27,17 +28,17 @@ pub(super) fn write(
     let mut sheet = Sheet::new(words);
     begin(&mut sheet, control, setting)?;
     sheet.rapid(task.begins());
-    let fields = cycles.filled(task, &format!("\"{contour}\""), &setting.feeds, Half::ZERO);
+    let fields = cycles.filled(task, &format!("\"{contour}\""), &setting.feeds);
     let fields: Vec<String> = fields.into_iter().map(|(_, value)| value).collect();
     sheet.line(&format!("{}({})", cycles.code(task), fields.join(", ")));
     end(&mut sheet);
     let main = ProgramFile { name: format!("{name}.MPF"), text: sheet.finish() };
 
     let mut sheet = Sheet::new(words);
-    let profile = task.profile(Half::ZERO);
+    let profile = task.profile(Half::ZERO, Half::ZERO);
     for (index, piece) in profile.iter().enumerate() {
         if index == 0 {
-            sheet.go(crate::turning::contour::Piece::line(piece.from, piece.from), Pace::Contour);
+            sheet.go(Piece::line(piece.from, piece.from), Pace::Contour);
         }
         sheet.go(*piece, Pace::Contour);
     }
