@@ -1,6 +1,6 @@
 //! Programs for lathes: a way as single moves, or a rough contour as the roughing cycle of a control.
 //!
-//! - [`Control`] is the language of a control, read from tables lathe-…; [`plain`] and [`cycle`] write;
+//! - [`Control`] is the language of a control, read from tables lathe-…; [`plain()`] and [`cycle()`] write;
 //! - [`setting`] is what a program is told beside its way: tool, spindle, feeds, coolant;
 //! - `words` are the words of a control, `sheet` the lines of a program with their modes;
 //! - [`cycle`](mod@cycle) is a task of roughing and its profile, `call` the call of a cycle with its fields;
