@@ -6,6 +6,7 @@
 //! backwards. What an interpreter has to say about a program are [`Fault`]s: data, without a language. What the operator
 //! sets before a run stands in [`setting`].
 
+pub(crate) mod ascii;
 mod block;
 pub mod control_2c42_65;
 pub mod iso;

@@ -9,6 +9,7 @@ use super::Lang;
 
 mod iso;
 mod jobs;
+mod lathe_programs;
 mod lists;
 mod programs;
 mod proof;
@@ -24,6 +25,7 @@ fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'s
     let all = all.chain(iso::SENTENCES).chain(jobs::SENTENCES).chain(lists::SENTENCES);
     all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES).chain(turning_tools::SENTENCES)
     all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES).chain(zones::SENTENCES)
+    all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES).chain(lathe_programs::SENTENCES)
 }
 
 /// A note as a sentence. A code without words shows itself with its figures, so that nothing is lost.
@@ -52,7 +54,8 @@ pub fn remedy(note: &Note, lang: Lang) -> Option<&'static str> {
         .chain(iso::REMEDIES)
         .chain(lists::REMEDIES)
         .chain(turning::REMEDIES)
-        .chain(schemes::REMEDIES);
+        .chain(schemes::REMEDIES)
+        .chain(lathe_programs::REMEDIES);
     let of_program = remedies.find(|(code, ..)| *code == note.code).map(|(_, uk, en)| lang.pick(uk, en));
     let of_proof = || proof::REMEDIES.iter().find(|(code, _)| *code == note.code);
     of_program.or_else(|| of_proof().map(|(_, (uk, en))| lang.pick(uk, en)))
@@ -617,6 +620,7 @@ mod tests {
         for (sentences, remedies, page) in [
             (programs::SENTENCES, programs::REMEDIES, include_str!("../../docs/control-2c42-65.md")),
             (iso::SENTENCES, iso::REMEDIES, include_str!("../../docs/control-linuxcnc.md")),
+            (lathe_programs::SENTENCES, lathe_programs::REMEDIES, include_str!("../../docs/turning-programs.md")),
         ] {
             let said = codes(sentences);
             assert_eq!(said, codes(remedies));

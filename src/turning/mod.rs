@@ -6,6 +6,7 @@
 //! - [`levels`] splits the stock over a shaft into levels, [`schemes`] clears them in the ways of the lecture;
 //! - [`tooling`] is lathes and turning tools, [`cutting`] how deep and how fast they cut (docs/turning-tools.md);
 //! - [`transitions`] clears a zone of any shape by the lecture's seven schemes of passes;
+//! - [`program`] writes ways and contours as programs of controls (docs/turning-programs.md);
 //! - [`passes`] finds the shortest sequence of longitudinal and transverse passes (docs/turning.md).
 //!
 //! Sources: "the paper" is the article on structural optimisation of multi-pass rough turning, "the lecture" is lecture
@@ -19,6 +20,7 @@ pub mod levels;
 pub mod numbering;
 pub mod passes;
 pub mod point;
+pub mod program;
 pub mod schemes;
 pub mod shaft;
 pub mod transitions;

@@ -1,0 +1,99 @@
+//! What a program is told beside its way: the tool, the spindle, the feeds, the coolant.
+
+use crate::turning::way::Purpose;
+use crate::units::{MetresPerMinute, MillimetresPerRev, RevsPerMinute};
+
+use super::refused::NotWritten;
+use super::sheet::number;
+
+/// How the spindle turns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Speed {
+    /// Constant cutting speed, and the spindle speed that it must not pass.
+    Cutting {
+        /// Cutting speed, above 0.
+        speed: MetresPerMinute,
+        /// The limit, above 0.
+        limit: RevsPerMinute,
+    },
+    /// Constant spindle speed, above 0.
+    Spindle(RevsPerMinute),
+}
+
+/// The feeds of a way by the purpose of its moves, each above 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Feeds {
+    /// Of straight working passes.
+    pub cut: MillimetresPerRev,
+    /// Straight into the metal.
+    pub infeed: MillimetresPerRev,
+    /// Along the contour, cutting ridges.
+    pub pick_up: MillimetresPerRev,
+    /// Of the semi-finishing pass.
+    pub semi_finish: MillimetresPerRev,
+    /// Of finishing.
+    pub finish: MillimetresPerRev,
+    /// Through no metal, at a feed all the same.
+    pub back: MillimetresPerRev,
+}
+
+impl Feeds {
+    /// One feed for everything.
+    pub const fn all(feed: MillimetresPerRev) -> Self {
+        Self { cut: feed, infeed: feed, pick_up: feed, semi_finish: feed, finish: feed, back: feed }
+    }
+
+    /// The feed of a purpose; none for a rapid.
+    pub const fn of(&self, purpose: Purpose) -> Option<MillimetresPerRev> {
+        match purpose {
+            Purpose::Rapid => None,
+            Purpose::Cut => Some(self.cut),
+            Purpose::Infeed => Some(self.infeed),
+            Purpose::PickUp => Some(self.pick_up),
+            Purpose::SemiFinish => Some(self.semi_finish),
+            Purpose::Finish => Some(self.finish),
+            Purpose::Return => Some(self.back),
+        }
+    }
+}
+
+/// What a program is told beside its way.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Setting {
+    /// The name of the part; it is written in Latin letters.
+    pub name: String,
+    /// The place of the tool, at least 1.
+    pub tool: u32,
+    /// How the spindle turns; always clockwise.
+    pub speed: Speed,
+    /// The feeds.
+    pub feeds: Feeds,
+    /// Whether the coolant flows.
+    pub coolant: bool,
+}
+
+impl Setting {
+    /// Whether every figure of it can be written.
+    ///
+    /// # Errors
+    /// A tool, a speed or a feed that is not above 0, or so small that it is written as 0.
+    pub(super) fn check(&self) -> Result<(), NotWritten> {
+        let written = |value: f64, places| value.is_finite() && value > 0.0 && number(value, places) != "0";
+        let speeds = match self.speed {
+            Speed::Cutting { speed, limit } => [speed.0, limit.0],
+            Speed::Spindle(speed) => [speed.0, speed.0],
+        };
+        if self.tool == 0 {
+            return Err(NotWritten::NoTool);
+        }
+        if !speeds.iter().all(|speed| written(*speed, 1)) {
+            return Err(NotWritten::NoSpeed);
+        }
+        let feeds = &self.feeds;
+        let all = [feeds.cut, feeds.infeed, feeds.pick_up, feeds.semi_finish, feeds.finish, feeds.back];
+        match all.iter().find(|feed| !written(feed.0, 4)) {
+            Some(feed) => Err(NotWritten::NoFeed { feed: *feed }),
+            None => Ok(()),
+        }
+    }
+}

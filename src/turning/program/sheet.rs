@@ -1,0 +1,133 @@
+//! A program as it grows: lines, and what of the modes a control remembers, so that words are repeated only on change.
+
+use crate::turning::contour::{Curve, Piece, Turn};
+use crate::turning::length::Half;
+use crate::turning::point::Point;
+use crate::units::{Decimal, MillimetresPerRev};
+
+use super::words::{Use, Words};
+
+/// At which rate a move goes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Pace {
+    /// As fast as the axes go.
+    Rapid,
+    /// At a feed.
+    Feed(MillimetresPerRev),
+    /// Along a contour that a cycle reads: a line or an arc without a feed.
+    Contour,
+}
+
+/// Lines of a program.
+pub(super) struct Sheet<'c> {
+    words: &'c Words,
+    text: String,
+    at: Option<Point>,
+    motion: Option<Use>,
+    feed: Option<String>,
+}
+
+impl<'c> Sheet<'c> {
+    pub const fn new(words: &'c Words) -> Self {
+        Self { words, text: String::new(), at: None, motion: None, feed: None }
+    }
+
+    /// A line; an empty one is left out.
+    pub fn line(&mut self, text: &str) {
+        if !text.is_empty() {
+            self.text.push_str(text);
+            self.text.push('\n');
+        }
+    }
+
+    /// The words of these uses in one line, as far as the control has them.
+    pub fn put(&mut self, uses: &[Use]) {
+        let words: Vec<&str> = uses.iter().map(|one| self.words.get(*one)).filter(|word| !word.is_empty()).collect();
+        self.line(&words.join(" "));
+    }
+
+    /// A remark.
+    pub fn comment(&mut self, text: &str) {
+        let line = self.words.comment(text);
+        self.line(&line);
+    }
+
+    /// From now on nothing of the modes is known: the next move says everything.
+    pub fn forget(&mut self) {
+        (self.at, self.motion, self.feed) = (None, None, None);
+    }
+
+    /// A rapid to a point, from wherever the tool is.
+    pub fn rapid(&mut self, to: Point) {
+        self.go(Piece::line(self.at.unwrap_or(to), to), Pace::Rapid);
+    }
+
+    /// One move. An arc always says its function: LinuxCNC's G71 takes an arc without one for G2.
+    pub fn go(&mut self, piece: Piece, pace: Pace) {
+        let motion = motion(piece.curve, pace);
+        let mut words = Vec::new();
+        if self.motion != Some(motion) || piece.curve != Curve::Line {
+            words.push(self.words.get(motion).to_owned());
+        }
+        let mut axes = Vec::new();
+        if self.at.is_none_or(|at| at.radius != piece.to.radius) {
+            axes.push(format!("X{}", diameter(piece.to.radius)));
+        }
+        if self.at.is_none_or(|at| at.z != piece.to.z) {
+            axes.push(format!("Z{}", position(piece.to.z)));
+        }
+        if axes.is_empty() {
+            return;
+        }
+        words.append(&mut axes);
+        if let Some(centre) = piece.centre() {
+            let start = piece.from.vector();
+            words.push(format!("I{}", offset(centre.radius - start.radius)));
+            words.push(format!("K{}", offset(start.z - centre.z)));
+        }
+        if let Pace::Feed(feed) = pace {
+            let feed = number(feed.0, 4);
+            if self.feed.as_ref() != Some(&feed) {
+                words.push(format!("F{feed}"));
+                self.feed = Some(feed);
+            }
+        }
+        self.line(&words.join(" "));
+        (self.at, self.motion) = (Some(piece.to), Some(motion));
+    }
+
+    pub fn finish(self) -> String {
+        self.text
+    }
+}
+
+/// The function of a move. A way counts Z towards the chuck and a program away from it, which mirrors arcs: what bends to
+/// the left in the way goes clockwise, seen with Z to the right and X upwards (docs/turning-programs.md, «Arcs»).
+const fn motion(curve: Curve, pace: Pace) -> Use {
+    match (curve, pace) {
+        (Curve::Line, Pace::Rapid) => Use::Rapid,
+        (Curve::Line, _) => Use::Line,
+        (Curve::Arc { turn: Turn::Left, .. }, _) => Use::Clockwise,
+        (Curve::Arc { turn: Turn::Right, .. }, _) => Use::Counterclockwise,
+    }
+}
+
+/// A radius as a program in diameters says it; whole micrometres, so it is exact.
+pub(super) fn diameter(radius: Half) -> String {
+    radius.diameter().to_string()
+}
+
+/// Z as a program says it, away from the chuck; exact.
+pub(super) fn position(z: Half) -> String {
+    (Half::ZERO - z).to_string()
+}
+
+/// A distance to a centre, mm, to a tenth of a micrometre.
+fn offset(millimetres: f64) -> String {
+    number(millimetres, 4)
+}
+
+/// A computed number with at most so many places.
+pub(super) fn number(value: f64, places: u32) -> String {
+    Decimal::from_f64_rounded(crate::units::round_to(value, places)).to_string()
+}

@@ -1,0 +1,48 @@
+//! Sinumerik: CYCLE95 with the contour in a subprogram, a file of its own.
+
+use crate::turning::contour::Piece;
+use crate::turning::length::Half;
+
+use super::call::Cycles;
+use super::cycle::{CycleProgram, ProgramFile, Task};
+use super::plain::{begin, end};
+use super::refused::NotWritten;
+use super::setting::Setting;
+use super::sheet::{Pace, Sheet};
+use super::words::Use;
+use super::{Control, file_name};
+
+/// The program of a task.
+///
+/// The contour begins on the face of the blank and ends on its surface, because the cycle takes the stock to reach as far
+/// as the contour does. It finds its own beginning, which may be approached from where the tool stands.
+pub(super) fn write(
+    control: &Control,
+    cycles: &Cycles,
+    task: &Task<'_>,
+    setting: &Setting,
+) -> Result<CycleProgram, NotWritten> {
+    let words = control.words()?;
+    let name = file_name(&setting.name);
+    let contour = format!("{name}_K");
+    let mut sheet = Sheet::new(words);
+    begin(&mut sheet, control, setting)?;
+    sheet.rapid(task.begins());
+    let fields = cycles.filled(task, &format!("\"{contour}\""), &setting.feeds);
+    let fields: Vec<String> = fields.into_iter().map(|(_, value)| value).collect();
+    sheet.line(&format!("{}({})", cycles.code(task), fields.join(", ")));
+    end(&mut sheet);
+    let main = ProgramFile { name: format!("{name}.MPF"), text: sheet.finish() };
+
+    let mut sheet = Sheet::new(words);
+    let profile = task.profile(Half::ZERO, Half::ZERO);
+    for (index, piece) in profile.iter().enumerate() {
+        if index == 0 {
+            sheet.go(Piece::line(piece.from, piece.from), Pace::Contour);
+        }
+        sheet.go(*piece, Pace::Contour);
+    }
+    sheet.put(&[Use::ContourEnds]);
+    let sub = ProgramFile { name: format!("{contour}.SPF"), text: sheet.finish() };
+    Ok(CycleProgram { files: vec![main, sub] })
+}
