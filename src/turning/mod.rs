@@ -12,6 +12,7 @@
 //! Sources: "the paper" is the article on structural optimisation of multi-pass rough turning, "the lecture" is lecture
 //! 12 on turning on NC lathes.
 
+pub mod allowances;
 pub mod contour;
 pub mod cutting;
 pub mod elements;

@@ -1,0 +1,245 @@
+//! The outline of all strips together, read back as pieces of a contour.
+
+use crate::turning::contour::{Curve, Piece, Turn};
+use crate::turning::length::Half;
+use crate::turning::point::{Point, Vector};
+
+use super::equidistant::{Over, Parallel, SAME};
+use super::union::Corner;
+
+/// A piece of the outline lies on a parallel if its middle is no farther from it, mm: half a micrometre.
+const ON_IT: f64 = 5e-4;
+
+/// The sine of the angle within which a line is parallel; short lines have directions that are not exact.
+const PARALLEL: f64 = 1e-3;
+
+/// An arc with a shorter chord is written as a line, mm: it bends by nanometres.
+const SHORT: f64 = 2e-3;
+
+/// An arc whose written centre is farther from its own is written in halves, mm.
+const OFF_CENTRE: f64 = 1e-3;
+
+/// Half a circle and its rounding, radians.
+const HALF_CIRCLE: f64 = std::f64::consts::PI + 1e-6;
+
+/// One end of the contour below.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct End {
+    /// The corner of the part.
+    pub corner: Vector,
+    /// From there to the end of its parallel, 1 long; along the axis where the part ends on it.
+    pub out: Vector,
+    /// How far the parallel is from the corner, mm.
+    pub reach: f64,
+    /// How far the outline can be from it where the strip of another piece covers that, mm.
+    pub far: f64,
+}
+
+/// Both ends, and those of the foundation between which the outline is wanted.
+pub(super) struct Ends {
+    /// At the free end.
+    pub from: End,
+    /// Towards the chuck.
+    pub to: End,
+    /// The upper corner of the foundation before the free end.
+    pub left: Vector,
+    /// The one behind the end towards the chuck.
+    pub right: Vector,
+}
+
+/// A stretch of the outline.
+#[derive(Clone, Copy, Debug)]
+struct Stretch {
+    from: Vector,
+    to: Vector,
+    sweep: f64,
+}
+
+impl Stretch {
+    fn reversed(self) -> Self {
+        Self { from: self.to, to: self.from, sweep: -self.sweep }
+    }
+
+    fn chord(self) -> Vector {
+        between(self.from, self.to)
+    }
+
+    /// The point at a share of its way.
+    fn at(self, share: f64) -> Vector {
+        if self.sweep == 0.0 {
+            return self.from.plus(self.chord().times(share));
+        }
+        // The chord from the beginning turns by half the angle that is left, and is as long as its own arc demands.
+        let part = self.sweep * share;
+        let length = self.chord().length() * libm::sin(part / 2.0) / libm::sin(self.sweep / 2.0);
+        let turn = (part - self.sweep) / 2.0;
+        let ahead = self.chord().unit();
+        self.from.plus(ahead.times(length * libm::cos(turn))).plus(ahead.left().times(length * libm::sin(turn)))
+    }
+
+    /// Whether another stretch lies on the same line or circle and goes the same way; both arcs at most half a circle.
+    fn goes_on_as(self, next: Self) -> bool {
+        if self.sweep == 0.0 && next.sweep == 0.0 {
+            let whole = between(self.from, next.to);
+            return whole.unit().cross(self.chord()).abs() < SAME / 10.0 && self.chord().dot(next.chord()) > 0.0;
+        }
+        let together = self.sweep + next.sweep;
+        let apart = between(self.centre(), next.centre()).length();
+        self.sweep * next.sweep > 0.0 && together.abs() < HALF_CIRCLE && apart < SAME
+    }
+
+    /// The centre of an arc.
+    fn centre(self) -> Vector {
+        let height = self.chord().length() / 2.0 / libm::tan(self.sweep / 2.0);
+        self.at(0.0).plus(self.chord().times(0.5)).plus(self.chord().unit().left().times(height))
+    }
+
+    /// What is left of it from a share of its way on.
+    fn rest(self, share: f64) -> Self {
+        Self { from: self.at(share), to: self.to, sweep: self.sweep * (1.0 - share) }
+    }
+}
+
+fn between(from: Vector, to: Vector) -> Vector {
+    to.plus(from.times(-1.0))
+}
+
+/// The pieces of an outline between its ends, each with the parallel that it lies on.
+pub(super) fn read_back(whole: &[Corner], ends: &Ends, parallels: &[Parallel]) -> Option<Vec<Over>> {
+    let mut stretches = above_foundation(whole, ends)?;
+    trim(&mut stretches, ends.from, -1.0);
+    stretches = stretches.into_iter().rev().map(Stretch::reversed).collect();
+    trim(&mut stretches, ends.to, 1.0);
+    stretches = stretches.into_iter().rev().map(Stretch::reversed).collect();
+    let mut found: Vec<(Stretch, usize)> = Vec::new();
+    for stretch in stretches {
+        let of = parallel_of(stretch, parallels).or(found.last().map(|(_, of)| *of)).unwrap_or(0);
+        match found.last_mut() {
+            Some((last, its)) if *its == of && last.goes_on_as(stretch) => {
+                *last = Stretch { from: last.from, to: stretch.to, sweep: last.sweep + stretch.sweep };
+            }
+            _ => found.push((stretch, of)),
+        }
+    }
+    let over = found
+        .into_iter()
+        .flat_map(|(stretch, of)| pieces(stretch, parallels.get(of)).map(move |piece| Over { piece, of }));
+    Some(over.filter(|over| !over.piece.is_nothing()).collect())
+}
+
+/// The outline from the foundation before the part to that behind it.
+fn above_foundation(whole: &[Corner], ends: &Ends) -> Option<Vec<Stretch>> {
+    let is_at = |corner: &Corner, at: Vector| between(corner.at, at).length() < SAME;
+    let start = whole.iter().position(|corner| is_at(corner, ends.left))?;
+    let round: Vec<&Corner> = whole.iter().cycle().skip(start).take(whole.len()).collect();
+    let end = round.iter().position(|corner| is_at(corner, ends.right))?;
+    let stretches = round.iter().zip(round.iter().skip(1)).take(end);
+    let stretch = |(one, next): (&&Corner, &&Corner)| Stretch { from: one.at, to: next.at, sweep: one.sweep };
+    let on_ground =
+        |stretch: &Stretch| [stretch.from, stretch.to].iter().all(|at| (at.radius - ends.left.radius).abs() < SAME);
+    Some(stretches.map(stretch).filter(|stretch| !on_ground(stretch)).collect())
+}
+
+/// Leaves out what lies before the end of the part: before the outline first meets the ray from the corner of the part
+/// through the end of its parallel. Where the strip of another piece covers that end, the ray is level.
+fn trim(stretches: &mut Vec<Stretch>, end: End, outwards: f64) {
+    let level = End { out: Vector::new(outwards, 0.0), reach: end.far, ..end };
+    if let Some(rest) = after(stretches, end).or_else(|| after(stretches, level)) {
+        *stretches = rest;
+    }
+}
+
+/// What follows after the ray; none where the outline does not meet it in its reach.
+fn after(stretches: &[Stretch], end: End) -> Option<Vec<Stretch>> {
+    let along = |at: Vector| end.out.dot(between(end.corner, at));
+    let aside = |at: Vector| end.out.cross(between(end.corner, at));
+    let reached = |at: Vector| (-SAME..end.reach + SAME).contains(&along(at));
+    let met = |at: Vector| aside(at).abs() < SAME && reached(at);
+    for (place, stretch) in stretches.iter().enumerate() {
+        let rest = || stretches.iter().skip(place + 1).copied();
+        if met(stretch.to) {
+            // Up to the ray; what lies on it is left out too.
+            return Some(rest().skip_while(|next| met(next.to)).collect());
+        }
+        if aside(stretch.from) * aside(stretch.to) < 0.0 {
+            let share = crossing(*stretch, aside);
+            if reached(stretch.at(share)) {
+                return Some(std::iter::once(stretch.rest(share)).chain(rest()).collect());
+            }
+        }
+    }
+    None
+}
+
+/// At which share of a stretch a measure changes its sign, by halving.
+fn crossing(stretch: Stretch, measure: impl Fn(Vector) -> f64) -> f64 {
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..50 {
+        let middle = (low + high) / 2.0;
+        if measure(stretch.at(middle)) * measure(stretch.from) > 0.0 {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    (low + high) / 2.0
+}
+
+/// The parallel on which a stretch lies, the nearest of them where there are several.
+fn parallel_of(stretch: Stretch, parallels: &[Parallel]) -> Option<usize> {
+    let middle = stretch.at(0.5);
+    let fits = |parallel: &Parallel| {
+        let from = between(parallel.over_from, middle);
+        match parallel.piece.centre() {
+            None => {
+                stretch.sweep == 0.0
+                    && parallel.ahead_from.cross(stretch.chord().unit()).abs() < PARALLEL
+                    && parallel.ahead_from.cross(from).abs() < ON_IT
+            }
+            Some(centre) => {
+                let radius = between(centre, parallel.over_from).length();
+                stretch.sweep * parallel.sweep > 0.0 && (between(centre, middle).length() - radius).abs() < ON_IT
+            }
+        }
+    };
+    // How far the middle lies beyond the ends of the parallel.
+    let beyond = |parallel: &Parallel| {
+        let chord = between(parallel.over_from, parallel.over_to);
+        let along = chord.unit().dot(between(parallel.over_from, middle));
+        (-along).max(along - chord.length()).max(0.0)
+    };
+    let fitting = parallels.iter().enumerate().filter(|(_, parallel)| fits(parallel));
+    fitting.min_by(|(_, one), (_, other)| beyond(one).total_cmp(&beyond(other))).map(|(of, _)| of)
+}
+
+/// A stretch as a piece, or two: the rounded ends of nearly half a circle may not tell its centre, its halves do.
+fn pieces(stretch: Stretch, parallel: Option<&Parallel>) -> impl Iterator<Item = Piece> {
+    let whole = piece(stretch, parallel);
+    let off = whole.centre().map_or(0.0, |centre| between(centre, stretch.centre()).length());
+    let halves = (off > OFF_CENTRE && stretch.sweep.abs() > HALF_CIRCLE / 2.0).then(|| {
+        let rest = stretch.rest(0.5);
+        [Stretch { to: rest.from, sweep: stretch.sweep / 2.0, ..stretch }, rest]
+    });
+    let parts = halves.map_or_else(|| vec![stretch], Vec::from);
+    parts.into_iter().map(move |part| piece(part, parallel))
+}
+
+/// A stretch as a piece. Where it lies on the parallel of an arc it has the radius of that arc and the distance.
+fn piece(stretch: Stretch, parallel: Option<&Parallel>) -> Piece {
+    let (from, to) = (Point::at(stretch.from), Point::at(stretch.to));
+    let chord = stretch.chord().length();
+    if stretch.sweep == 0.0 || chord < SHORT {
+        return Piece::line(from, to);
+    }
+    let turn = if stretch.sweep > 0.0 { Turn::Left } else { Turn::Right };
+    let computed = Half::from(chord / 2.0 / libm::sin(stretch.sweep.abs() / 2.0));
+    let concentric = parallel.and_then(|parallel| match parallel.piece.curve {
+        Curve::Arc { radius, turn: Turn::Left } if turn == Turn::Left => Some(radius - Half::from(parallel.distance)),
+        Curve::Arc { radius, turn: Turn::Right } if turn == Turn::Right => Some(radius + Half::from(parallel.distance)),
+        _ => None,
+    });
+    // A join has the place of an arc beside it, but not its radius.
+    let radius =
+        concentric.filter(|radius| (radius.to_mm() - computed.to_mm()).abs() < ON_IT.max(0.01 * computed.to_mm()));
+    Piece::arc(from, to, radius.unwrap_or(computed), turn)
+}
