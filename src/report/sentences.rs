@@ -15,12 +15,13 @@ mod proof;
 mod routes;
 mod schemes;
 mod turning;
+mod workpiece;
 
 /// Every sentence.
 fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'static str)> {
     let all = SENTENCES.iter().chain(routes::SENTENCES).chain(programs::SENTENCES);
     let all = all.chain(iso::SENTENCES).chain(jobs::SENTENCES).chain(lists::SENTENCES);
-    all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES)
+    all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES).chain(workpiece::SENTENCES)
 }
 
 /// A note as a sentence. A code without words shows itself with its figures, so that nothing is lost.
@@ -49,7 +50,8 @@ pub fn remedy(note: &Note, lang: Lang) -> Option<&'static str> {
         .chain(iso::REMEDIES)
         .chain(lists::REMEDIES)
         .chain(turning::REMEDIES)
-        .chain(schemes::REMEDIES);
+        .chain(schemes::REMEDIES)
+        .chain(workpiece::REMEDIES);
     let of_program = remedies.find(|(code, ..)| *code == note.code).map(|(_, uk, en)| lang.pick(uk, en));
     let of_proof = || proof::REMEDIES.iter().find(|(code, _)| *code == note.code);
     of_program.or_else(|| of_proof().map(|(_, (uk, en))| lang.pick(uk, en)))
@@ -577,7 +579,9 @@ mod tests {
                 continue;
             }
             let text = std::fs::read_to_string(&path).unwrap();
-            for opening in ["Note::new(\"", " note(\"", "series(\"", "shown(\"", "fault(\"", "tell(\""] {
+            for opening in
+                ["Note::new(\"", " note(\"", "series(\"", "shown(\"", "fault(\"", "fault::<()>(\"", "tell(\""]
+            {
                 for rest in text.split(opening).skip(1) {
                     let code = rest.split('"').next().unwrap();
                     if !code.is_empty() && code.chars().all(|c| c.is_ascii_lowercase() || c == '-') {
