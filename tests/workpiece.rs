@@ -6,6 +6,7 @@
 use std::fs;
 use std::path::Path;
 
+use proptest::prelude::*;
 use technolog::note::Severity;
 use technolog::report::{Lang, sentence};
 use technolog::shipped;
@@ -240,7 +241,8 @@ fn statement_12_1_11_contours_of_blanks() {
     let forging = example("turned-forging").blank;
     assert!(forging.outer.pieces.iter().any(|piece| piece.curve != Curve::Line));
     assert_eq!((forging.face(), forging.length()), (Half::from(3.0), Half::from(121.0)));
-    let stepped = pin("{kind: casting, diameter: 40, length: 40, face: 2, steps: [{diameter: 24, length: 20}]}", "").blank;
+    let stepped =
+        pin("{kind: casting, diameter: 40, length: 40, face: 2, steps: [{diameter: 24, length: 20}]}", "").blank;
     assert_eq!(
         stepped.outer.corners(),
         [at(0.0, 2.0), at(24.0, 2.0), at(24.0, -18.0), at(40.0, -18.0), at(40.0, -38.0)]
@@ -276,4 +278,120 @@ fn a_stepped_shaft_becomes_a_workpiece() {
         forging.blank.outer.corners(),
         [at(0.0, 0.0), at(56.0, 0.0), at(56.0, -48.0), at(80.0, -48.0), at(80.0, -110.0)]
     );
+}
+
+/// A well-formed outer contour: its items as they are written, and the pieces that they mean.
+#[derive(Clone, Debug)]
+struct Written {
+    items: Vec<String>,
+    pieces: Vec<Piece>,
+    grooved: bool,
+}
+
+/// The next item after those before, from four numbers: which it is, whether the radius rises, and two sizes in
+/// micrometres. `radius` and `z` are where the contour stands, micrometres.
+fn next(written: &mut Written, (which, rises, size, length): (u8, bool, i64, i64), place: &mut (i64, i64)) {
+    let mm = |um: i64| technolog::units::Micrometres::new(um).to_string();
+    let point = |(radius, z): (i64, i64)| Point { radius: Half::new(2 * radius), z: Half::new(2 * z) };
+    let to = |(radius, z): (i64, i64)| format!("{{d: {}, z: {}}}", mm(2 * radius), mm(-z));
+    let (radius, z) = *place;
+    // A contour stays off the axis.
+    let rises = rises || radius <= size + 1000;
+    let other = if rises { radius + size } else { radius - size };
+    let after_cylinder = written.items.last().is_some_and(|item| item.contains("cylinder"));
+    let mut line = |written: &mut Written, item: String, end: (i64, i64)| {
+        written.pieces.push(Piece::line(point(*place), point(end)));
+        written.items.push(item);
+        *place = end;
+    };
+    match which {
+        0 if after_cylinder => line(written, format!("{{face: {}}}", mm(2 * other)), (other, z)),
+        1 => line(written, format!("{{cone: {}}}", to((other, z + length))), (other, z + length)),
+        2 | 3 => {
+            // A quarter of a circle.
+            let end = (other, z + size);
+            let bulge = if which == 2 { "in" } else { "out" };
+            let turn = if which == 2 { Turn::Left } else { Turn::Right };
+            written.pieces.push(Piece::arc(point(*place), point(end), Half::new(2 * size), turn));
+            written.items.push(format!("{{arc: {}, radius: {}, bulge: {bulge}}}", to(end), mm(size)));
+            *place = end;
+        }
+        4 if after_cylinder && radius > 2 * size => {
+            let (floor, end) = (radius - size, z + length);
+            written.grooved = true;
+            written.items.push(format!("{{groove: rectangular, width: {}, depth: {}}}", mm(length), mm(size)));
+            let corners = [(radius, z), (floor, z), (floor, end), (radius, end)].map(point);
+            written.pieces.extend(corners.windows(2).map(|pair| Piece::line(pair[0], pair[1])));
+            *place = (radius, end);
+        }
+        5 => line(written, format!("{{cylinder: {{length: {}}}}}", mm(length)), (radius, z + length)),
+        _ => line(written, format!("{{cylinder: {}}}", mm(-z - length)), (radius, z + length)),
+    }
+}
+
+fn contours() -> impl Strategy<Value = Written> {
+    let item = (0_u8..7, any::<bool>(), 100_i64..20_000, 100_i64..20_000);
+    (2_000_i64..30_000, prop::collection::vec(item, 1..12)).prop_map(|(radius, items)| {
+        let mut place = (radius, 0);
+        let face = Piece::line(Point::default(), Point { radius: Half::new(2 * radius), z: Half::ZERO });
+        let from = "{from: {d: 0, z: 0}}".to_owned();
+        let face_item = format!("{{face: {}}}", technolog::units::Micrometres::new(2 * radius));
+        let mut written = Written { items: vec![from, face_item], pieces: vec![face], grooved: false };
+        next(&mut written, (6, true, 1_000, 1_000), &mut place);
+        for item in items {
+            next(&mut written, item, &mut place);
+        }
+        written
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(150))]
+
+    #[test]
+    fn what_is_written_is_what_is_read(written in contours()) {
+        let items: String = written.items.iter().map(|item| format!("  - {item}\n")).collect();
+        let blank = "blank: {kind: bar, diameter: 1000, length: 1000, face: 1}";
+        let workpiece = read(&format!("shaft: a\nmaterial: steel-45\n{blank}\nouter:\n{items}"));
+        let contour = workpiece.outer.contour();
+        prop_assert_eq!(&contour.pieces, &written.pieces);
+        prop_assert!(contour.hangs_together() && (written.grooved || contour.is_monotone()));
+        prop_assert_eq!(workpiece.outer.surfaces.len() + 1, written.items.len());
+    }
+
+    #[test]
+    fn a_bar_that_is_a_micrometre_too_thin_is_told(written in contours(), short in any::<bool>()) {
+        let items: String = written.items.iter().map(|item| format!("  - {item}\n")).collect();
+        let contour = technolog::turning::contour::Contour { side: Side::Outer, pieces: written.pieces };
+        let (_, most) = contour.radii().unwrap();
+        let length = contour.end().unwrap().z.diameter().micrometres() / 2;
+        // Points of arcs are rounded, so that a micrometre of radius is let pass.
+        let (thin, less) = if short { (0, 1) } else { (4, 0) };
+        let diameter = technolog::units::Micrometres::new(most.diameter().micrometres() - thin);
+        let length = technolog::units::Micrometres::new(length - less);
+        let text = format!("shaft: a\nmaterial: steel-45\nblank: {{kind: bar, diameter: {diameter}, length: {length}}}\nouter:\n{items}");
+        let mistakes = read_turned("part", &text, &shipped::knowledge().unwrap()).unwrap_err();
+        let code = if short { "part-longer-than-blank" } else { "part-beyond-blank" };
+        prop_assert!(mistakes.iter().all(|one| one.code() == code && one.place().is_some()), "{mistakes:?}");
+    }
+
+    #[test]
+    fn no_file_makes_the_reader_panic_and_none_is_refused_without_a_place(
+        name in prop::sample::select(vec!["turned-pin", "turned-ball", "turned-bushing", "turned-forging"]),
+        from in 0_usize..1600, long in 0_usize..12, put in "[-0-9.,:{}\\[\\] a-zа-я\n\"']{0,6}"
+    ) {
+        let text = text(name);
+        let letters: Vec<char> = text.lines().filter(|line| !line.starts_with('#')).collect::<Vec<_>>().join("\n").chars().collect();
+        let from = from.min(letters.len());
+        let rest = letters.iter().skip(from + long);
+        let spoilt: String = letters.iter().take(from).copied().chain(put.chars()).chain(rest.copied()).collect();
+        match read_turned("part", &spoilt, &shipped::knowledge().unwrap()) {
+            Err(mistakes) => {
+                prop_assert!(!mistakes.is_empty(), "{spoilt}");
+                prop_assert!(mistakes.iter().all(|one| one.place().is_some()), "{mistakes:?}");
+            }
+            Ok(Turned::Contoured(workpiece)) => prop_assert!(workpiece.outer.contour().hangs_together()),
+            Ok(Turned::Stepped(_)) => {}
+        }
+    }
 }

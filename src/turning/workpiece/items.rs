@@ -1,6 +1,6 @@
 //! What is written along a contour, item by item, before it is walked: each value with its place, as far as it could be read.
 
-use crate::knowledge::diagnostic::Place;
+use crate::knowledge::diagnostic::{Place, nearest};
 use crate::knowledge::yaml::{Fields, Node, NodeKind};
 use crate::turning::contour::Side;
 use crate::turning::length::Half;
@@ -101,13 +101,14 @@ impl Reader<'_> {
         let NodeKind::Map(entries) = &node.kind else { return None };
         let mut mains = ITEMS.iter().filter(|(main, _)| entries.iter().any(|(key, _)| key.text == *main));
         let Some((main, beside)) = mains.next() else {
-            let faults = self.problems.0.len();
             let known: Vec<&str> = ITEMS.iter().map(|(main, _)| *main).collect();
-            fields.finish(&known, &mut self.problems);
-            if self.problems.0.len() == faults {
-                return self.fault("item-without-surface", &[("known", &known.join(", "))], &node.place);
+            let mistyped = |key: &str| !SAID.contains(&key) && nearest(key, known.iter().copied()).is_some();
+            if entries.iter().any(|(key, _)| mistyped(&key.text)) {
+                let all: Vec<&str> = known.iter().chain(SAID).copied().collect();
+                fields.finish(&all, &mut self.problems);
+                return None;
             }
-            return None;
+            return self.fault("item-without-surface", &[("known", &known.join(", "))], &node.place);
         };
         if let Some((other, _)) = mains.next() {
             return self.fault("two-surfaces-in-one", &[("one", main), ("other", other)], &node.place);

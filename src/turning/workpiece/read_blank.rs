@@ -93,12 +93,12 @@ impl Reader<'_> {
         if let (Some(Some((bore, place))), Some((diameter, _))) = (&bore, &diameter) {
             if bore >= diameter {
                 let figures: [(&str, &dyn Display); 2] = [("bore", bore), ("diameter", diameter)];
-                self.fault::<()>("bore-beyond-diameter", &figures, place);
+                return self.fault("bore-beyond-diameter", &figures, place);
             }
         }
         if let (Some(face), Some((length, place))) = (face.filter(|face| *face > Micrometres::ZERO), &length) {
             if face >= *length {
-                self.fault::<()>("face-beyond-length", &[("face", &face), ("length", length)], place);
+                return self.fault("face-beyond-length", &[("face", &face), ("length", length)], place);
             }
         }
         let bore = match bore {

@@ -35,14 +35,16 @@ impl Reader<'_> {
         let mut fields = self.problems.map(node)?;
         let methods = [("table", Method::Table), ("analytic", Method::Analytic), ("stated", Method::Stated)];
         let method = fields.need("method", &mut self.problems).and_then(|node| self.choice(node, &methods));
-        let mut of = |key: &'static str, owner: Method, reader: &mut Self| {
+        let mut of = |key: &'static str, owner: Method, reader: &mut Self| -> Option<&Node> {
             // Needed by one method, and of no use to the others.
             let node = if method == Some(owner) { fields.need(key, &mut reader.problems) } else { fields.take(key) };
-            if let Some(node) = node.filter(|_| method.is_some_and(|method| method != owner)) {
-                let owner = if owner == Method::Stated { "stated" } else { "analytic" };
-                reader.fault::<()>("allowance-of-another-method", &[("key", &key), ("owner", &owner)], &node.place);
+            match node {
+                Some(node) if method.is_some_and(|method| method != owner) => {
+                    let owner = if owner == Method::Stated { "stated" } else { "analytic" };
+                    reader.fault("allowance-of-another-method", &[("key", &key), ("owner", &owner)], &node.place)
+                }
+                node => node,
             }
-            node
         };
         let on_diameter = of("on_diameter", Method::Stated, self);
         let on_face = of("on_face", Method::Stated, self);
