@@ -12,6 +12,7 @@ mod cross;
 pub mod file;
 mod grade;
 mod groove;
+pub mod item_file;
 mod items;
 mod keys;
 mod preparation;
@@ -22,6 +23,7 @@ mod settings;
 mod stepped;
 mod thread;
 mod walk;
+mod walk_groove;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
@@ -170,7 +172,7 @@ impl Scheme {
     ];
 }
 
-/// Where the finishing allowances come from (lecture 12.2, l. 159-171); a surface that states its own keeps it.
+/// Where the finishing allowances come from (lecture 12.2, l. 155-171); a surface that states its own keeps it.
 #[derive(Clone, Debug, PartialEq, Eq, Default, Serialize)]
 #[serde(tag = "method", rename_all = "kebab-case")]
 pub enum Allowances {

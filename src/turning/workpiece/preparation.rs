@@ -1,5 +1,5 @@
 //! What must be done to a blank before it comes to the lathe, and what in the file contradicts that (lecture 12.1,
-//! l. 119-133): the rules `turning-blank` and `turning-blank-preparation`.
+//! l. 105-125): the rules `turning-blank` and `turning-blank-preparation`.
 
 use serde::Serialize;
 

@@ -8,12 +8,11 @@ use crate::turning::contour::{Curve, Piece, Profile, Side, Surface, SurfaceKind,
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::reading::{Placed, Reader};
-use crate::units::{Decimal, Micrometres};
 
-use super::groove::{self, Frame, Kind, Sizes};
+use super::Thread;
+use super::groove::Kind;
 use super::items::{Along, Item, Measure, What, Written};
 use super::thread::Named;
-use super::{Thread, relief};
 
 /// Ends of arcs are rounded: so much an arc may miss its own circle by, half-micrometres.
 const SLACK: Half = Half::new(2);
@@ -62,13 +61,14 @@ pub(super) fn walk(items: &[Option<Item>], side: Side, reader: &mut Reader<'_>) 
     walk.walked
 }
 
-struct Walk<'i, 'r, 'a> {
-    items: &'i [Option<Item>],
-    reader: &'r mut Reader<'a>,
+/// A walk under way.
+pub(super) struct Walk<'i, 'r, 'a> {
+    pub items: &'i [Option<Item>],
+    pub reader: &'r mut Reader<'a>,
     /// Where the contour stands, as far as it is known.
     radius: Option<Half>,
     z: Option<Half>,
-    walked: Walked,
+    pub walked: Walked,
 }
 
 /// Diameters and Z of files as lengths of the contour.
@@ -81,7 +81,7 @@ fn z_of(measure: &Measure) -> Option<Half> {
 }
 
 impl Walk<'_, '_, '_> {
-    fn fault(&mut self, code: &'static str, figures: &[(&str, &dyn Display)], place: &Place) {
+    pub fn fault(&mut self, code: &'static str, figures: &[(&str, &dyn Display)], place: &Place) {
         self.reader.fault::<()>(code, figures, place);
         self.walked.whole = false;
     }
@@ -90,7 +90,7 @@ impl Walk<'_, '_, '_> {
         Some(Point { radius: self.radius?, z: self.z? })
     }
 
-    fn hollow(&self, hollow: bool) -> Turn {
+    pub fn hollow(&self, hollow: bool) -> Turn {
         match (self.walked.side, hollow) {
             (Side::Outer, true) | (Side::Inner, false) => Turn::Left,
             (Side::Outer, false) | (Side::Inner, true) => Turn::Right,
@@ -149,7 +149,13 @@ impl Walk<'_, '_, '_> {
             return;
         };
         let piece = Piece { from, to, curve };
-        if self.leads_on(piece, kind, &item.place) {
+        let radius_place = match &item.what {
+            What::Arc { radius: Some((_, place)), .. } => place,
+            _ => &item.place,
+        };
+        if let Some((radius, least)) = falls_short(piece) {
+            self.fault("arc-does-not-reach", &[("radius", &radius), ("least", &least)], radius_place);
+        } else if self.leads_on(piece, kind, &item.place) {
             self.push(item, kind, vec![piece]);
         }
     }
@@ -169,7 +175,7 @@ impl Walk<'_, '_, '_> {
         self.walked.surfaces.push((surface, item.place.clone()));
     }
 
-    fn last(&self) -> Option<&Surface> {
+    pub fn last(&self) -> Option<&Surface> {
         self.walked.surfaces.last().map(|(surface, _)| surface)
     }
 
@@ -189,9 +195,6 @@ impl Walk<'_, '_, '_> {
         let extremes = piece.extremes();
         if piece.is_nothing() {
             self.fault("leads-nowhere", &[("d", &to.radius.diameter()), ("z", &z_shown(to.z))], place);
-        } else if let (Curve::Arc { radius, .. }, true) = (piece.curve, !reaches(piece)) {
-            let least = Half::from(piece.chord().length() / 2.0);
-            self.fault("arc-does-not-reach", &[("radius", &radius), ("least", &least)], place);
         } else if to.z < from.z || (groove_went.is_some_and(|went| went * back < 0) && kind == SurfaceKind::Face) {
             let code = if groove_went.is_some() { "groove-over-neighbour" } else { "runs-back" };
             self.fault(code, &[("from", &z_shown(from.z)), ("to", &z_shown(to.z))], place);
@@ -210,7 +213,7 @@ impl Walk<'_, '_, '_> {
     }
 
     /// Which way the radius goes on where the contour stands: as the face before, or as the face after.
-    fn radial_way(&self, index: usize) -> Option<i64> {
+    pub fn radial_way(&self, index: usize) -> Option<i64> {
         let before = self.last().filter(|last| last.kind == SurfaceKind::Face).and_then(|face| face.pieces.first());
         if let Some(face) = before {
             return Some((face.to.radius - face.from.radius).halves().signum());
@@ -294,121 +297,13 @@ impl Walk<'_, '_, '_> {
             }
         }
     }
-
-    fn drawn(
-        &mut self,
-        index: usize,
-        here: Point,
-        item: &Item,
-        written: &Written,
-    ) -> Option<(SurfaceKind, Vec<Piece>)> {
-        let sizes = self.sizes(index, here, item, written)?;
-        let Some(frame) = self.frame(index, here, written.kind) else {
-            self.fault("groove-not-in-a-face", &[], &item.place);
-            return None;
-        };
-        if frame.on_cylinder && frame.radial < 0 && sizes.depth >= here.radius {
-            let figures: [(&str, &dyn Display); 2] = [("depth", &sizes.depth), ("radius", &here.radius)];
-            self.fault("groove-deeper-than-radius", &figures, &item.place);
-            return None;
-        }
-        match groove::pieces(sizes, frame) {
-            Ok(pieces) if pieces.iter().any(|piece| piece.to.radius < Half::ZERO) => {
-                self.fault("below-the-axis", &[], &item.place);
-                None
-            }
-            Ok(pieces) => Some((written.kind.surface(), pieces)),
-            Err(code) => {
-                let figures: [(&str, &dyn Display); 2] = [("width", &sizes.width), ("depth", &sizes.depth)];
-                self.fault(code, &figures, &item.place);
-                None
-            }
-        }
-    }
-
-    fn frame(&self, index: usize, here: Point, kind: Kind) -> Option<Frame> {
-        let outer = self.walked.side == Side::Outer;
-        let hollow = self.hollow(true);
-        if kind != Kind::Face {
-            let radial = if outer { -1 } else { 1 };
-            return Some(Frame { at: here, on_cylinder: true, radial, axial: 1, hollow });
-        }
-        // On an outer contour a face that goes outwards looks to the free end, its metal is towards the chuck.
-        let radial = self.radial_way(index)?;
-        let axial = if outer { radial } else { -radial };
-        Some(Frame { at: here, on_cylinder: false, radial, axial, hollow })
-    }
-
-    /// The sizes of a groove: those of the file, and of a relief those of its standard where the file has none.
-    fn sizes(&mut self, index: usize, here: Point, item: &Item, written: &Written) -> Option<Sizes> {
-        let kind = written.kind;
-        if let Some((_, place)) = written.angle.as_ref().filter(|_| !kind.has_angle()) {
-            self.fault("angle-of-a-straight-groove", &[("kind_of_groove", &kind.name())], place);
-        }
-        if written.spoilt {
-            return None;
-        }
-        let given = |measure: &Measure| measure.as_ref().map(|(length, _)| *length);
-        let (mut width, mut depth) = (given(&written.width), given(&written.depth));
-        if width.is_none() || depth.is_none() {
-            if let Some(found) = self.standard(index, here, kind, width) {
-                width = width.or(Some(found.width));
-                depth = depth.or(Some(found.depth));
-                self.walked.findings.extend(found.finding);
-            }
-        }
-        let slant = match &written.angle {
-            Some((angle, place)) => self.slant(*angle, place),
-            None => Some(0.0),
-        };
-        let lacking: Vec<&str> = [
-            ("width", width.is_none()),
-            ("depth", depth.is_none()),
-            ("angle", kind.has_angle() && written.angle.is_none()),
-            ("radius", kind.needs_radius() && written.radius.is_none()),
-        ]
-        .iter()
-        .filter_map(|(key, lacks)| lacks.then_some(*key))
-        .collect();
-        if !lacking.is_empty() {
-            self.fault("groove-sizes-needed", &[("keys", &lacking.join(", "))], &item.place);
-        }
-        let shoulder_first = self.last().is_none_or(|last| last.kind == SurfaceKind::Face);
-        let radius = given(&written.radius).map(Half::of);
-        Some(Sizes { kind, width: Half::of(width?), depth: Half::of(depth?), radius, slant: slant?, shoulder_first })
-            .filter(|_| lacking.is_empty())
-    }
-
-    /// The tangent of half the angle between the walls.
-    fn slant(&mut self, angle: Decimal, place: &Place) -> Option<f64> {
-        if angle <= Decimal::from_int(0) || angle >= Decimal::from_int(180) {
-            self.fault("bad-groove-angle", &[("angle", &angle)], place);
-            return None;
-        }
-        Some(libm::tan((angle.to_f64() / 2.0).to_radians()))
-    }
-
-    fn standard(&self, index: usize, here: Point, kind: Kind, width: Option<Micrometres>) -> Option<relief::Relief> {
-        match kind {
-            Kind::GrindingRelief => relief::grinding(here.radius.diameter(), width, self.reader.knowledge),
-            Kind::ThreadRelief => {
-                let before = self.last().filter(|last| last.kind == SurfaceKind::Thread);
-                let before = before.and(self.walked.threads.last()).map(|thread| thread.pitch);
-                let after = match self.items.get(index + 1).and_then(Option::as_ref).map(|next| &next.what) {
-                    Some(What::Thread { named: Some((named, _)), .. }) => Some(named.pitch),
-                    _ => None,
-                };
-                relief::thread(before.or(after)?, self.walked.side, self.reader.knowledge)
-            }
-            _ => None,
-        }
-    }
 }
 
-/// Whether an arc's radius is at least half the distance of its ends, but for their rounding.
-fn reaches(piece: Piece) -> bool {
-    let Curve::Arc { radius, .. } = piece.curve else { return true };
+/// The radius of an arc that is less than half the distance of its ends, but for their rounding, and that half.
+fn falls_short(piece: Piece) -> Option<(Half, Half)> {
+    let Curve::Arc { radius, .. } = piece.curve else { return None };
     let square = |half: Half| i128::from(half.halves()) * i128::from(half.halves());
     let (z, r) = (piece.to.z - piece.from.z, piece.to.radius - piece.from.radius);
-    square(z) + square(r) <= square(radius + radius + SLACK)
+    let short = square(z) + square(r) > square(radius + radius + SLACK);
+    short.then(|| (radius, Half::from(piece.chord().length() / 2.0)))
 }
