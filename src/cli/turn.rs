@@ -14,7 +14,8 @@ use technolog::turning::length::Half;
 use technolog::turning::passes::cost::Objective;
 use technolog::turning::passes::{self, Sequences};
 use technolog::turning::schemes::{self, Schemes};
-use technolog::turning::shaft::{Mistake, Moves, Shaft, read_shaft};
+use technolog::turning::shaft::{Mistake, Moves, Shaft};
+use technolog::turning::workpiece::{Turned, read_turned};
 use technolog::units::Micrometres;
 
 use super::diagnostics::Texts;
@@ -126,11 +127,7 @@ fn per_pass(text: &str) -> Result<Micrometres, String> {
 }
 
 fn objective(args: &Args, shaft: &Shaft, context: &Context) -> Result<Objective, CliError> {
-    let refused = |code: &'static str| {
-        let note = Note::new(code);
-        let problem = Diagnostic::error(code, sentence(&note, context.lang), None);
-        CliError::from(problem.help(remedy(&note, context.lang).unwrap_or_default()))
-    };
+    let refused = |code: &'static str| refused(code, context);
     Ok(match args.objective {
         Aim::Path => Objective::Path,
         Aim::PathAndPasses => Objective::PathAndPasses { per_pass_mm: Half::of(args.per_pass) },
@@ -138,6 +135,13 @@ fn objective(args: &Args, shaft: &Shaft, context: &Context) -> Result<Objective,
         Aim::Time if shaft.roughing.moves == Moves::Rich => return Err(refused("rich-has-no-time")),
         Aim::Time => Objective::Time { rates: shaft.rates.ok_or_else(|| refused("no-rates"))? },
     })
+}
+
+/// What the command cannot do with what it was given.
+fn refused(code: &'static str, context: &Context) -> CliError {
+    let note = Note::new(code);
+    let problem = Diagnostic::error(code, sentence(&note, context.lang), None);
+    CliError::from(problem.help(remedy(&note, context.lang).unwrap_or_default()))
 }
 
 /// Reads a shaft.
@@ -151,10 +155,14 @@ fn read(path: &Path, knowledge: &Knowledge, context: &Context) -> Result<Shaft, 
         CliError::from(Diagnostic::error("unreadable", message, None).help(words::check_path(context.lang)))
     })?;
     let text = text_of(&shown, bytes)?;
-    read_shaft(&shown, &text, knowledge).map_err(|mistakes| CliError::Unusable {
-        problems: mistakes.into_iter().map(|mistake| problem(mistake, context)).collect(),
-        texts: Texts::default().with(&shown, shown.clone(), Cow::Owned(text)),
-    })
+    match read_turned(&shown, &text, knowledge) {
+        Ok(Turned::Stepped(shaft)) => Ok(shaft),
+        Ok(Turned::Contoured(_)) => Err(refused("contour-form-not-planned", context)),
+        Err(mistakes) => Err(CliError::Unusable {
+            problems: mistakes.into_iter().map(|mistake| problem(mistake, context)).collect(),
+            texts: Texts::default().with(&shown, shown.clone(), Cow::Owned(text)),
+        }),
+    }
 }
 
 fn problem(mistake: Mistake, context: &Context) -> Diagnostic {

@@ -18,6 +18,7 @@ mod schemes;
 mod turning;
 mod turning_tools;
 mod zones;
+mod workpiece;
 
 /// Every sentence.
 fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'static str)> {
@@ -26,6 +27,7 @@ fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'s
     all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES).chain(turning_tools::SENTENCES)
     all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES).chain(zones::SENTENCES)
     all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES).chain(lathe_programs::SENTENCES)
+    all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES).chain(workpiece::SENTENCES)
 }
 
 /// A note as a sentence. A code without words shows itself with its figures, so that nothing is lost.
@@ -56,6 +58,7 @@ pub fn remedy(note: &Note, lang: Lang) -> Option<&'static str> {
         .chain(turning::REMEDIES)
         .chain(schemes::REMEDIES)
         .chain(lathe_programs::REMEDIES);
+        .chain(workpiece::REMEDIES);
     let of_program = remedies.find(|(code, ..)| *code == note.code).map(|(_, uk, en)| lang.pick(uk, en));
     let of_proof = || proof::REMEDIES.iter().find(|(code, _)| *code == note.code);
     of_program.or_else(|| of_proof().map(|(_, (uk, en))| lang.pick(uk, en)))
@@ -590,7 +593,9 @@ mod tests {
                 continue;
             }
             let text = std::fs::read_to_string(&path).unwrap();
-            for opening in ["Note::new(\"", " note(\"", "series(\"", "shown(\"", "fault(\"", "tell(\""] {
+            for opening in
+                ["Note::new(\"", " note(\"", "series(\"", "shown(\"", "fault(\"", "fault::<()>(\"", "tell(\""]
+            {
                 for rest in text.split(opening).skip(1) {
                     let code = rest.split('"').next().unwrap();
                     if !code.is_empty() && code.chars().all(|c| c.is_ascii_lowercase() || c == '-') {

@@ -4,10 +4,11 @@ use std::fmt::Display;
 
 use crate::knowledge::diagnostic::Place;
 use crate::turning::passes::grid::{MOST_STATES, states};
+use crate::turning::reading::{Placed, Reader};
 use crate::units::Micrometres;
 
 use super::Shaft;
-use super::read::{Placed, PlacedStep, Reader};
+use super::read::PlacedStep;
 
 /// Every step against the one before it and against the blank.
 pub(super) fn steps(

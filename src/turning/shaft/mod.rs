@@ -5,17 +5,18 @@
 
 mod check;
 pub mod file;
-mod keys;
-mod read;
-mod shape;
+pub(super) mod keys;
+pub(super) mod read;
+pub(super) mod shape;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::units::{Micrometres, MillimetresPerMinute};
 
+pub use super::reading::Mistake;
 pub use file::schema;
-pub use read::{Mistake, read_shaft};
+pub use read::read_shaft;
 
 /// A stepped shaft.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -1,9 +1,8 @@
 //! The shaft file: YAML to [`Shaft`], collecting every mistake.
 
-use crate::knowledge::diagnostic::{Diagnostic, Place, Severity, nearest};
-use crate::knowledge::yaml::{Fields, Node, Problems, parse};
-use crate::knowledge::{Knowledge, Table};
-use crate::note::Note;
+use crate::knowledge::Knowledge;
+use crate::knowledge::yaml::{Fields, Node};
+use crate::turning::reading::{Mistake, Placed, Reader};
 use crate::units::{Micrometres, MillimetresPerMinute};
 
 use super::check;
@@ -11,91 +10,37 @@ use super::keys::{BLANK, RATES, ROUGHING, SHAFT, STEP};
 use super::shape::{self, Shape};
 use super::{Blank, BlankKind, Division, Holding, Moves, Rates, Roughing, Shaft, Step};
 
-/// The largest length or diameter of a file, mm: sums of passes stay exact.
-const LARGEST: Micrometres = Micrometres::from_mm(100_000);
 /// The approach where the file gives rates and no approach, mm: our choice; the lecture names δ without a figure.
 const APPROACH: Micrometres = Micrometres::from_mm(2);
 /// The retract where the file gives rates and no retract: 0.5 mm (lecture 12.4).
 const RETRACT: Micrometres = Micrometres::new(500);
-
-/// A mistake of a shaft file.
-#[derive(Clone, Debug)]
-pub enum Mistake {
-    /// Of the file's form: how it is written.
-    Form(Diagnostic),
-    /// Of what it says, by the code that is the note's too: `report::sentence` and `report::remedy` have the words.
-    Meaning(&'static str, Note, Place),
-}
-
-impl Mistake {
-    /// Where it stands.
-    pub const fn place(&self) -> Option<&Place> {
-        match self {
-            Self::Form(diagnostic) => diagnostic.place.as_ref(),
-            Self::Meaning(_, _, place) => Some(place),
-        }
-    }
-
-    /// Its code.
-    pub const fn code(&self) -> &'static str {
-        match self {
-            Self::Form(diagnostic) => diagnostic.code,
-            Self::Meaning(code, ..) => code,
-        }
-    }
-}
 
 /// Reads a shaft file.
 ///
 /// # Errors
 /// Every mistake of the file, each with its place, in the order of the file.
 pub fn read_shaft(file: &str, text: &str, knowledge: &Knowledge) -> Result<Shaft, Vec<Mistake>> {
-    let (root, diagnostics) = parse(file, text);
-    let mut reader = Reader { knowledge, problems: Problems(diagnostics), meant: Vec::new(), shape: None };
+    let (mut reader, root) = Reader::open(file, text, knowledge);
     let shaft = root.and_then(|root| reader.shaft(&root));
-    let Reader { problems, meant, .. } = reader;
-    let broken = !meant.is_empty() || problems.0.iter().any(|problem| problem.severity == Severity::Error);
-    match shaft {
-        Some(shaft) if !broken => Ok(shaft),
-        _ => {
-            let form = problems.0.into_iter().map(Mistake::Form);
-            let mut all: Vec<Mistake> = form.chain(meant).collect();
-            all.sort_by(|a, b| a.place().cmp(&b.place()));
-            Err(all)
-        }
-    }
+    reader.close(shaft)
 }
-
-/// A value with its place.
-pub(super) type Placed<T> = (T, Place);
 
 /// A step as far as it could be read.
-pub(super) struct PlacedStep {
-    pub(super) diameter: Option<Placed<Micrometres>>,
-    pub(super) length: Option<Placed<Micrometres>>,
+pub(in crate::turning) struct PlacedStep {
+    pub(in crate::turning) diameter: Option<Placed<Micrometres>>,
+    pub(in crate::turning) length: Option<Placed<Micrometres>>,
 }
 
-pub(super) struct Reader<'a> {
-    knowledge: &'a Knowledge,
-    problems: Problems,
-    meant: Vec<Mistake>,
-    /// The steps of the blank, as far as they could be read.
+/// A blank as far as it could be read.
+#[derive(Default)]
+struct PlacedBlank {
+    kind: Option<BlankKind>,
+    diameter: Option<Placed<Micrometres>>,
+    length: Option<Placed<Micrometres>>,
     shape: Option<Shape>,
 }
 
 impl Reader<'_> {
-    /// Notes a mistake of meaning with its figures.
-    pub(super) fn fault<T>(
-        &mut self,
-        code: &'static str,
-        figures: &[(&str, &dyn std::fmt::Display)],
-        place: &Place,
-    ) -> Option<T> {
-        let note = figures.iter().fold(Note::new(code), |note, (name, value)| note.with(name, value));
-        self.meant.push(Mistake::Meaning(code, note, place.clone()));
-        None
-    }
-
     fn shaft(&mut self, root: &Node) -> Option<Shaft> {
         let mut fields = self.problems.map(root)?;
         let name = fields.need("shaft", &mut self.problems).and_then(|node| self.name(node));
@@ -110,15 +55,15 @@ impl Reader<'_> {
         let rates_node = fields.take("rates");
         fields.finish(SHAFT, &mut self.problems);
 
-        let (kind, diameter, length) = blank_node.map_or((None, None, None), |node| self.blank(node));
+        let PlacedBlank { kind, diameter, length, shape } =
+            blank_node.map(|node| self.stepped_blank(node)).unwrap_or_default();
         let steps = steps_node.map(|node| self.steps(node)).unwrap_or_default();
-        let roughing = roughing_node.and_then(|node| self.roughing(node));
+        let roughing = roughing_node.and_then(|node| self.depths(node));
         let rates = match rates_node {
             Some(node) => self.rates(node).map(Some),
             None => Some(None),
         };
         check::steps(&steps, diameter.as_ref(), length.as_ref(), self);
-        let shape = self.shape.take();
         if let Some(shape) = &shape {
             shape::check(shape, kind, &steps, diameter.as_ref(), length.as_ref(), self);
         }
@@ -139,73 +84,22 @@ impl Reader<'_> {
         Some(shaft)
     }
 
-    fn name(&mut self, node: &Node) -> Option<String> {
-        let text = self.problems.text(node)?.trim();
-        if text.is_empty() {
-            return self.fault("empty-name", &[], &node.place);
-        }
-        Some(text.to_owned())
-    }
-
-    /// The id of a material, by itself or by an alias.
-    fn material(&mut self, node: &Node) -> Option<String> {
-        let text = self.problems.text(node)?.to_owned();
-        let names = |table: &str, column: &'static str| {
-            let rows = self.knowledge.table(table).into_iter().flat_map(Table::all_rows);
-            rows.filter_map(move |row| Some((row.text(column).ok()?, row.text("id").ok()?)))
-        };
-        let known: Vec<(&str, &str)> = names("materials", "id").chain(names("material-aliases", "alias")).collect();
-        if let Some((_, id)) = known.iter().find(|(name, _)| *name == text) {
-            return Some((*id).to_owned());
-        }
-        let near = nearest(&text, known.iter().map(|(name, _)| *name)).map(str::to_owned);
-        match near {
-            Some(near) => self.fault("unknown-material-near", &[("material", &text), ("near", &near)], &node.place),
-            None => self.fault("unknown-material", &[("material", &text)], &node.place),
-        }
-    }
-
-    fn choice<T: Copy>(&mut self, node: &Node, choices: &[(&str, T)]) -> Option<T> {
-        let text = self.problems.text(node)?.to_owned();
-        if let Some((_, value)) = choices.iter().find(|(name, _)| *name == text) {
-            return Some(*value);
-        }
-        let known = choices.iter().map(|(name, _)| format!("`{name}`")).collect::<Vec<_>>().join(", ");
-        self.fault("no-such-choice", &[("word", &text), ("known", &known)], &node.place)
-    }
-
-    /// A length above zero, with its place.
-    fn length(&mut self, node: Option<&Node>, key: &str) -> Option<Placed<Micrometres>> {
-        let node = node?;
-        let length = self.problems.scalar::<Micrometres>(node)?;
-        if length <= Micrometres::ZERO {
-            return self.fault("not-above-zero", &[("key", &key), ("length", &length)], &node.place);
-        }
-        if length > LARGEST {
-            let figures: [(&str, &dyn std::fmt::Display); 3] = [("key", &key), ("length", &length), ("most", &LARGEST)];
-            return self.fault("length-too-large", &figures, &node.place);
-        }
-        Some((length, node.place.clone()))
-    }
-
-    fn need(&mut self, fields: &mut Fields<'_>, key: &str) -> Option<Placed<Micrometres>> {
-        let node = fields.need(key, &mut self.problems);
-        self.length(node, key)
-    }
-
-    #[allow(clippy::type_complexity, reason = "the three fields, each as far as it could be read")]
-    fn blank(&mut self, node: &Node) -> (Option<BlankKind>, Option<Placed<Micrometres>>, Option<Placed<Micrometres>>) {
-        let Some(mut fields) = self.problems.map(node) else { return (None, None, None) };
+    fn stepped_blank(&mut self, node: &Node) -> PlacedBlank {
+        let Some(mut fields) = self.problems.map(node) else { return PlacedBlank::default() };
         let kinds = [BlankKind::Bar, BlankKind::Forging, BlankKind::Casting].map(|kind| (kind.name(), kind));
-        let kind = fields.need("kind", &mut self.problems).and_then(|node| self.choice(node, &kinds));
+        let kind = fields.need("kind", &mut self.problems).and_then(|node| match node.text() {
+            // A tube has a bore, for which the short form has no words.
+            Some("tube") => self.fault("tube-with-steps", &[], &node.place),
+            _ => self.choice(node, &kinds),
+        });
         let diameter = self.need(&mut fields, "diameter");
         let length = self.need(&mut fields, "length");
-        self.shape = fields.take("steps").map(|node| Shape { steps: self.steps(node), place: node.place.clone() });
+        let shape = fields.take("steps").map(|node| Shape { steps: self.steps(node), place: node.place.clone() });
         fields.finish(BLANK, &mut self.problems);
-        (kind, diameter, length)
+        PlacedBlank { kind, diameter, length, shape }
     }
 
-    fn steps(&mut self, node: &Node) -> Vec<PlacedStep> {
+    pub(in crate::turning) fn steps(&mut self, node: &Node) -> Vec<PlacedStep> {
         let Some(nodes) = self.problems.list(node) else { return Vec::new() };
         if nodes.is_empty() {
             self.fault::<()>("no-steps", &[], &node.place);
@@ -221,7 +115,7 @@ impl Reader<'_> {
         steps
     }
 
-    fn roughing(&mut self, node: &Node) -> Option<Roughing> {
+    fn depths(&mut self, node: &Node) -> Option<Roughing> {
         let mut fields = self.problems.map(node)?;
         let longitudinal = self.need(&mut fields, "longitudinal_depth");
         let transverse = self.need(&mut fields, "transverse_depth");
@@ -244,16 +138,22 @@ impl Reader<'_> {
 
     fn rates(&mut self, node: &Node) -> Option<Rates> {
         let mut fields = self.problems.map(node)?;
-        let longitudinal = self.need(&mut fields, "longitudinal_feed");
-        let transverse = self.need(&mut fields, "transverse_feed");
-        let rapid = self.need(&mut fields, "rapid");
+        let rates = self.rates_of(&mut fields);
+        fields.finish(RATES, &mut self.problems);
+        rates
+    }
+
+    /// The rates that every form of the file knows.
+    pub(in crate::turning) fn rates_of(&mut self, fields: &mut Fields<'_>) -> Option<Rates> {
+        let longitudinal = self.need(fields, "longitudinal_feed");
+        let transverse = self.need(fields, "transverse_feed");
+        let rapid = self.need(fields, "rapid");
         let mut optional = |key: &str, default: Micrometres, reader: &mut Self| match fields.take(key) {
             None => Some(default),
             Some(node) => reader.length(Some(node), key).map(|(length, _)| length),
         };
         let approach = optional("approach", APPROACH, self);
         let retract = optional("retract", RETRACT, self);
-        fields.finish(RATES, &mut self.problems);
         Some(Rates {
             longitudinal_feed: MillimetresPerMinute(longitudinal?.0.to_mm()),
             transverse_feed: MillimetresPerMinute(transverse?.0.to_mm()),

@@ -3,20 +3,21 @@
 use std::fmt::Display;
 
 use crate::knowledge::diagnostic::Place;
+use crate::turning::reading::{Placed, Reader};
 use crate::units::Micrometres;
 
 use super::BlankKind;
-use super::read::{Placed, PlacedStep, Reader};
+use super::read::PlacedStep;
 
 /// The steps of a blank and where they stand in the file.
-pub(super) struct Shape {
-    pub(super) steps: Vec<PlacedStep>,
-    pub(super) place: Place,
+pub(in crate::turning) struct Shape {
+    pub(in crate::turning) steps: Vec<PlacedStep>,
+    pub(in crate::turning) place: Place,
 }
 
 /// Every step of the blank against the one before, and against the cylinder around the blank; every step of the shaft
 /// against the blank where it begins, which is where the blank over it is thinnest.
-pub(super) fn check(
+pub(in crate::turning) fn check(
     shape: &Shape,
     kind: Option<BlankKind>,
     steps: &[PlacedStep],

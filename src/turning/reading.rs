@@ -1,0 +1,143 @@
+//! What every file of a turned part is read with: its mistakes, names, materials, choices and lengths.
+
+use std::fmt::Display;
+
+use crate::knowledge::diagnostic::{Diagnostic, Place, Severity, nearest};
+use crate::knowledge::yaml::{Fields, Node, Problems, parse};
+use crate::knowledge::{Knowledge, Table};
+use crate::note::Note;
+use crate::units::Micrometres;
+
+/// The largest length or diameter of a file, mm: sums of passes stay exact.
+pub(super) const LARGEST: Micrometres = Micrometres::from_mm(100_000);
+
+/// A mistake of a file of a turned part.
+#[derive(Clone, Debug)]
+pub enum Mistake {
+    /// Of the file's form: how it is written.
+    Form(Diagnostic),
+    /// Of what it says, by the code that is the note's too: `report::sentence` and `report::remedy` have the words.
+    Meaning(&'static str, Note, Place),
+}
+
+impl Mistake {
+    /// A mistake of meaning without figures.
+    pub(super) fn of(code: &'static str, place: &Place) -> Self {
+        Self::Meaning(code, Note::new(code), place.clone())
+    }
+
+    /// Where it stands.
+    pub const fn place(&self) -> Option<&Place> {
+        match self {
+            Self::Form(diagnostic) => diagnostic.place.as_ref(),
+            Self::Meaning(_, _, place) => Some(place),
+        }
+    }
+
+    /// Its code.
+    pub const fn code(&self) -> &'static str {
+        match self {
+            Self::Form(diagnostic) => diagnostic.code,
+            Self::Meaning(code, ..) => code,
+        }
+    }
+}
+
+/// A value with its place.
+pub(super) type Placed<T> = (T, Place);
+
+/// Reads a file and collects every mistake of it.
+pub(super) struct Reader<'a> {
+    pub(super) knowledge: &'a Knowledge,
+    pub(super) problems: Problems,
+    pub(super) meant: Vec<Mistake>,
+}
+
+impl<'a> Reader<'a> {
+    /// A reader of a text, and the tree of it unless it is broken beyond reading.
+    pub(super) fn open(file: &str, text: &str, knowledge: &'a Knowledge) -> (Self, Option<Node>) {
+        let (root, diagnostics) = parse(file, text);
+        (Self { knowledge, problems: Problems(diagnostics), meant: Vec::new() }, root)
+    }
+
+    /// What was read, or every mistake in the order of the file.
+    pub(super) fn close<T>(self, read: Option<T>) -> Result<T, Vec<Mistake>> {
+        let Self { problems, meant, .. } = self;
+        let broken = !meant.is_empty() || problems.0.iter().any(|problem| problem.severity == Severity::Error);
+        match read {
+            Some(read) if !broken => Ok(read),
+            _ => {
+                let form = problems.0.into_iter().map(Mistake::Form);
+                let mut all: Vec<Mistake> = form.chain(meant).collect();
+                all.sort_by(|a, b| a.place().cmp(&b.place()));
+                Err(all)
+            }
+        }
+    }
+
+    /// Notes a mistake of meaning with its figures.
+    pub(super) fn fault<T>(
+        &mut self,
+        code: &'static str,
+        figures: &[(&str, &dyn Display)],
+        place: &Place,
+    ) -> Option<T> {
+        let note = figures.iter().fold(Note::new(code), |note, (name, value)| note.with(name, value));
+        self.meant.push(Mistake::Meaning(code, note, place.clone()));
+        None
+    }
+
+    pub(super) fn name(&mut self, node: &Node) -> Option<String> {
+        let text = self.problems.text(node)?.trim();
+        if text.is_empty() {
+            return self.fault("empty-name", &[], &node.place);
+        }
+        Some(text.to_owned())
+    }
+
+    /// The id of a material, by itself or by an alias.
+    pub(super) fn material(&mut self, node: &Node) -> Option<String> {
+        let text = self.problems.text(node)?.to_owned();
+        let names = |table: &str, column: &'static str| {
+            let rows = self.knowledge.table(table).into_iter().flat_map(Table::all_rows);
+            rows.filter_map(move |row| Some((row.text(column).ok()?, row.text("id").ok()?)))
+        };
+        let known: Vec<(&str, &str)> = names("materials", "id").chain(names("material-aliases", "alias")).collect();
+        if let Some((_, id)) = known.iter().find(|(name, _)| *name == text) {
+            return Some((*id).to_owned());
+        }
+        let near = nearest(&text, known.iter().map(|(name, _)| *name)).map(str::to_owned);
+        match near {
+            Some(near) => self.fault("unknown-material-near", &[("material", &text), ("near", &near)], &node.place),
+            None => self.fault("unknown-material", &[("material", &text)], &node.place),
+        }
+    }
+
+    pub(super) fn choice<T: Copy>(&mut self, node: &Node, choices: &[(&str, T)]) -> Option<T> {
+        let text = self.problems.text(node)?.to_owned();
+        if let Some((_, value)) = choices.iter().find(|(name, _)| *name == text) {
+            return Some(*value);
+        }
+        let known = choices.iter().map(|(name, _)| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+        self.fault("no-such-choice", &[("word", &text), ("known", &known)], &node.place)
+    }
+
+    /// A length above zero, with its place.
+    pub(super) fn length(&mut self, node: Option<&Node>, key: &str) -> Option<Placed<Micrometres>> {
+        let node = node?;
+        let length = self.problems.scalar::<Micrometres>(node)?;
+        if length <= Micrometres::ZERO {
+            return self.fault("not-above-zero", &[("key", &key), ("length", &length)], &node.place);
+        }
+        if length > LARGEST {
+            let figures: [(&str, &dyn Display); 3] = [("key", &key), ("length", &length), ("most", &LARGEST)];
+            return self.fault("length-too-large", &figures, &node.place);
+        }
+        Some((length, node.place.clone()))
+    }
+
+    pub(super) fn need(&mut self, fields: &mut Fields<'_>, key: &str) -> Option<Placed<Micrometres>> {
+        let node = fields.need(key, &mut self.problems);
+        self.length(node, key)
+    }
+}

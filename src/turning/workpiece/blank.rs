@@ -1,0 +1,99 @@
+//! The blank of a turned part, and what must be done to it before it comes to the lathe (lecture 12.1).
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::turning::contour::{Contour, Side};
+use crate::turning::length::Half;
+use crate::turning::point::Point;
+use crate::units::Micrometres;
+
+pub use super::preparation::{Advice, advice};
+
+/// Kinds of blanks in the contour form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum StockKind {
+    /// Bar: a full cylinder.
+    Bar,
+    /// Tube: a cylinder with a bore.
+    Tube,
+    /// A forging, near the shape of the part.
+    Forging,
+    /// A casting, near the shape of the part.
+    Casting,
+}
+
+impl StockKind {
+    /// Every one, as the file names it.
+    pub const NAMES: [(&'static str, Self); 4] =
+        [("bar", Self::Bar), ("tube", Self::Tube), ("forging", Self::Forging), ("casting", Self::Casting)];
+
+    /// Its name in the file and in the rules.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Bar => "bar",
+            Self::Tube => "tube",
+            Self::Forging => "forging",
+            Self::Casting => "casting",
+        }
+    }
+
+    /// What the rule `pass-direction` calls its shape.
+    pub const fn shape(self) -> &'static str {
+        match self {
+            Self::Bar | Self::Tube => "bar",
+            Self::Forging | Self::Casting => "near-part",
+        }
+    }
+}
+
+/// The blank. Its contours lie where those of the part lie: Z = 0 is the finished face of the free end.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Blank {
+    /// Its kind.
+    pub kind: StockKind,
+    /// Its outside, from the axis or its bore at the free end; a bar's or tube's ends at its full diameter.
+    pub outer: Contour,
+    /// Its bore.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub inner: Option<Contour>,
+    /// How much its length may deviate, mm, where the file says it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub length_tolerance: Option<Micrometres>,
+}
+
+impl Blank {
+    /// A bar or tube: its radius, that of its bore, the stock on the face of the free end, and its whole length.
+    pub fn cylinder(kind: StockKind, radius: Half, bore: Option<Half>, face: Half, length: Half) -> Self {
+        let (start, end) = (Half::ZERO - face, length - face);
+        let at = |radius, z| Point { radius, z };
+        let within = bore.unwrap_or(Half::ZERO);
+        Self {
+            kind,
+            outer: Contour::through(Side::Outer, &[at(within, start), at(radius, start), at(radius, end)]),
+            inner: bore.map(|bore| Contour::through(Side::Inner, &[at(bore, start), at(bore, end)])),
+            length_tolerance: None,
+        }
+    }
+
+    /// The stock on the finished face of the free end.
+    pub fn face(&self) -> Half {
+        Half::ZERO - self.outer.start().map_or(Half::ZERO, |start| start.z)
+    }
+
+    /// Z of its far end.
+    pub fn end(&self) -> Half {
+        self.outer.end().map_or(Half::ZERO, |end| end.z)
+    }
+
+    /// Its whole length.
+    pub fn length(&self) -> Half {
+        self.end() + self.face()
+    }
+
+    /// Its largest diameter.
+    pub fn largest_diameter(&self) -> Micrometres {
+        self.outer.radii().map_or(Micrometres::ZERO, |(_, most)| most.diameter())
+    }
+}

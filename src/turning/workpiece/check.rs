@@ -1,0 +1,170 @@
+//! The contours of a workpiece, held against themselves, each other and the blank.
+
+use std::fmt::Display;
+
+use crate::knowledge::diagnostic::Place;
+use crate::turning::contour::{Contour, Side, Surface};
+use crate::turning::length::Half;
+use crate::turning::reading::Reader;
+
+use super::Blank;
+use super::cross::{Chain, crossing, flat};
+use super::walk::Walked;
+
+/// What lies within a micrometre of a limit is on it: points of arcs are rounded.
+const SLACK: Half = Half::new(2);
+
+/// Whether a contour crosses or touches itself; the place is that of the later surface.
+pub(super) fn crosses_itself(walked: &Walked, reader: &mut Reader<'_>) {
+    let owners: Vec<(&Surface, &Place)> = walked
+        .surfaces
+        .iter()
+        .flat_map(|(surface, place)| surface.pieces.iter().map(move |_| (surface, place)))
+        .collect();
+    let pieces: Vec<_> = walked.surfaces.iter().flat_map(|(surface, _)| surface.pieces.iter().copied()).collect();
+    if let Some((one, two)) = crossing(&pieces) {
+        if let (Some((surface, _)), Some((later, place))) = (owners.get(one), owners.get(two)) {
+            reader.fault::<()>("contour-crosses-itself", &[("surface", &later.name), ("other", &surface.name)], place);
+        }
+    }
+}
+
+/// Where the contours begin and end: the outer one on the axis or where the bore begins; the bore on the axis or at the
+/// far end.
+pub(super) fn ends(outer: &Walked, inner: Option<&Walked>, blank: Option<&Blank>, reader: &mut Reader<'_>) {
+    let Some((start, place)) = &outer.start else { return };
+    if start.z != Half::ZERO {
+        reader.fault::<()>("does-not-begin-at-zero", &[("z", &(Half::ZERO - start.z))], place);
+    }
+    match inner {
+        Some(inner) => {
+            if let Some((bore, place)) = inner.start.as_ref().filter(|(bore, _)| bore != start) {
+                let figures: [(&str, &dyn Display); 4] = [
+                    ("d", &bore.radius.diameter()),
+                    ("z", &(Half::ZERO - bore.z)),
+                    ("outer_d", &start.radius.diameter()),
+                    ("outer_z", &(Half::ZERO - start.z)),
+                ];
+                reader.fault::<()>("contours-do-not-meet", &figures, place);
+            }
+            let last = inner.surfaces.last().map(|(_, place)| place);
+            if let (Some(end), Some(far), Some(place)) = (inner.end(), outer.end(), last) {
+                if inner.whole && outer.whole && end.radius != Half::ZERO && end.z != far.z {
+                    let figures: [(&str, &dyn Display); 2] =
+                        [("z", &(Half::ZERO - end.z)), ("far", &(Half::ZERO - far.z))];
+                    reader.fault::<()>("bore-ends-nowhere", &figures, place);
+                }
+            }
+        }
+        None => {
+            let Some(blank) = blank else { return };
+            let bore = blank.inner.as_ref().and_then(Contour::start).map_or(Half::ZERO, |start| start.radius);
+            if start.radius != bore {
+                let figures: [(&str, &dyn Display); 2] = [("d", &start.radius.diameter()), ("bore", &bore.diameter())];
+                reader.fault::<()>("does-not-begin-on-the-axis", &figures, place);
+            }
+        }
+    }
+}
+
+/// Whether there is metal between bore and outside everywhere. Both must be whole and begin together.
+pub(super) fn walls(outer: &Walked, inner: &Walked, reader: &mut Reader<'_>) {
+    let (start, end) = (outer.start.as_ref().map(|(start, _)| *start), outer.end());
+    let outers: Vec<(&Surface, Chain)> = outer
+        .surfaces
+        .iter()
+        .flat_map(|(surface, _)| surface.pieces.iter().map(move |piece| (surface, Chain::of(*piece))))
+        .collect();
+    for (surface, place) in &inner.surfaces {
+        let chains = surface.pieces.iter().map(|piece| Chain::of(*piece));
+        let meets = |chain: &Chain| outers.iter().find(|(_, other)| chain.meets(other)).map(|(other, _)| *other);
+        if let Some(other) = chains.into_iter().find_map(|chain| meets(&chain)) {
+            reader.fault::<()>("no-wall", &[("surface", &surface.name), ("other", &other.name)], place);
+            return;
+        }
+    }
+    // They do not cross, so that one place tells which lies within.
+    let (Some(outer), Some(inner), Some(first)) = (outer.profile(), inner.profile(), inner.surfaces.first()) else {
+        return;
+    };
+    let (outer, inner) = (outer.contour(), inner.contour());
+    let Some(deep) = inner.end().map(|point| Half::new(point.z.halves() / 2)) else { return };
+    let (bore, around) = (inner.radii_at(deep), outer.radii_at(deep));
+    let turned_out = bore.zip(around).is_some_and(|((bore, _), (_, around))| bore >= around);
+    let ends_beyond = inner.end().zip(end).is_some_and(|(inner, outer)| inner.z > outer.z);
+    if (turned_out || ends_beyond) && start.is_some() {
+        let figures: [(&str, &dyn Display); 2] = [("surface", &first.0.name), ("other", &"outer")];
+        reader.fault::<()>("no-wall", &figures, &first.1);
+    }
+}
+
+/// Whether the blank holds the part, surface by surface.
+pub(super) fn within_blank(outer: &Walked, inner: Option<&Walked>, blank: &Blank, reader: &mut Reader<'_>) {
+    if blank.face() < Half::ZERO {
+        if let Some((_, place)) = &outer.start {
+            reader.fault::<()>(
+                "blank-begins-behind",
+                &[("face", &(Half::ZERO - blank.outer.start().map_or(Half::ZERO, |start| start.z)))],
+                place,
+            );
+        }
+    }
+    for (surface, place) in &outer.surfaces {
+        let end = surface.pieces.iter().map(|piece| piece.to.z).max().unwrap_or(Half::ZERO);
+        if end > blank.end() {
+            let figures: [(&str, &dyn Display); 3] =
+                [("surface", &surface.name), ("z", &(Half::ZERO - end)), ("blank", &(Half::ZERO - blank.end()))];
+            reader.fault::<()>("part-longer-than-blank", &figures, place);
+            break;
+        }
+        if let Some((z, part, limit)) = outside(surface, &blank.outer) {
+            let figures: [(&str, &dyn Display); 4] = [
+                ("surface", &surface.name),
+                ("z", &(Half::ZERO - z)),
+                ("diameter", &part.diameter()),
+                ("blank", &limit.diameter()),
+            ];
+            reader.fault::<()>("part-beyond-blank", &figures, place);
+        }
+    }
+    let (Some(bore), Some(inner)) = (&blank.inner, inner) else { return };
+    for (surface, place) in &inner.surfaces {
+        if let Some((z, part, limit)) = outside(surface, bore) {
+            let figures: [(&str, &dyn Display); 4] = [
+                ("surface", &surface.name),
+                ("z", &(Half::ZERO - z)),
+                ("diameter", &part.diameter()),
+                ("blank", &limit.diameter()),
+            ];
+            reader.fault::<()>("blank-bore-beyond-part", &figures, place);
+        }
+    }
+}
+
+/// The first Z at which a surface lies outside of its blank, with both radii. The radii are compared at the corners of
+/// both, at points of their arcs that lie so close that between them both are straight to half a micrometre, and midway
+/// between all of these.
+fn outside(surface: &Surface, blank: &Contour) -> Option<(Half, Half, Half)> {
+    let part = Contour { side: blank.side, pieces: surface.pieces.clone() };
+    let (least, most) = part.pieces.iter().flat_map(|piece| piece.extremes()).fold(None, |found, point| {
+        let (least, most) = found.unwrap_or((point.z, point.z));
+        Some((point.z.min(least), point.z.max(most)))
+    })?;
+    let pieces = part.pieces.iter().chain(&blank.pieces);
+    let mut places: Vec<Half> = pieces.flat_map(|piece| flat(*piece)).map(|point| point.z).collect();
+    places.retain(|z| (least..=most).contains(z));
+    places.sort_unstable();
+    places.dedup();
+    let between: Vec<Half> =
+        places.windows(2).map(|pair| Half::new(pair.iter().map(|z| z.halves()).sum::<i64>() / 2)).collect();
+    places.extend(between);
+    places.sort_unstable();
+    places.into_iter().find_map(|z| {
+        let ((inward, outward), (within, around)) = (part.radii_at(z)?, blank.radii_at(z)?);
+        let (part, limit, beyond) = match blank.side {
+            Side::Outer => (outward, around, outward > around + SLACK),
+            Side::Inner => (inward, within, inward < within - SLACK),
+        };
+        beyond.then_some((z, part, limit))
+    })
+}

@@ -1,0 +1,260 @@
+//! The shape of grooves: walls, floor and rounded corners, from their sizes.
+//!
+//! A groove is drawn in a frame of its own, `along` its mouth and `into` the metal, and then laid on the contour.
+
+use crate::turning::contour::{Curve, Piece, SurfaceKind, Turn};
+use crate::turning::length::Half;
+use crate::turning::point::{Point, Vector};
+
+/// Kinds of grooves, as files name them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// In a cylinder, for the grinding wheel: 45° on the side of the cylinder, upright at the shoulder.
+    GrindingRelief,
+    /// In the corner of a cylinder and a face, under both, with 45° at both mouths.
+    Corner,
+    /// At the end of a thread: 45° on the side of the thread, upright at the shoulder.
+    ThreadRelief,
+    /// Upright walls.
+    Rectangular,
+    /// Slanting walls.
+    Trapezoid,
+    /// For a belt: slanting walls, rounded corners.
+    Pulley,
+    /// In a face.
+    Face,
+}
+
+impl Kind {
+    /// Every one, as files name it.
+    pub const NAMES: [(&'static str, Self); 7] = [
+        ("grinding-relief", Self::GrindingRelief),
+        ("corner", Self::Corner),
+        ("thread-relief", Self::ThreadRelief),
+        ("rectangular", Self::Rectangular),
+        ("trapezoid", Self::Trapezoid),
+        ("pulley", Self::Pulley),
+        ("face", Self::Face),
+    ];
+
+    /// Its name in the file.
+    pub fn name(self) -> &'static str {
+        Self::NAMES.iter().find(|(_, kind)| *kind == self).map_or("", |(name, _)| name)
+    }
+
+    /// The surface that it makes.
+    pub const fn surface(self) -> SurfaceKind {
+        match self {
+            Self::GrindingRelief | Self::Corner => SurfaceKind::GrindingRelief,
+            Self::ThreadRelief => SurfaceKind::ThreadRelief,
+            Self::Rectangular => SurfaceKind::RectangularGroove,
+            Self::Trapezoid => SurfaceKind::TrapezoidGroove,
+            Self::Pulley => SurfaceKind::PulleyGroove,
+            Self::Face => SurfaceKind::FaceGroove,
+        }
+    }
+
+    /// Whether the angle between its walls must be said.
+    pub const fn has_angle(self) -> bool {
+        matches!(self, Self::Trapezoid | Self::Pulley)
+    }
+
+    /// Whether its corners must be rounded.
+    pub const fn needs_radius(self) -> bool {
+        matches!(self, Self::Pulley)
+    }
+}
+
+/// The sizes of a groove.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sizes {
+    pub kind: Kind,
+    pub width: Half,
+    pub depth: Half,
+    /// Rounding of the corners of the floor; none: sharp.
+    pub radius: Option<Half>,
+    /// Half the angle between the walls, as a tangent; zero: upright.
+    pub slant: f64,
+    /// Whether the shoulder stands at the beginning, so that the 45° of a relief are at its end.
+    pub shoulder_first: bool,
+}
+
+/// How a groove lies on the contour: where it begins, whether its mouth runs along the axis or across it, which way, and
+/// where the metal is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Frame {
+    pub at: Point,
+    /// Whether the mouth runs along the axis.
+    pub on_cylinder: bool,
+    /// Across the axis for a mouth on a face, and into the metal for one on a cylinder: +1 outwards, −1 inwards.
+    pub radial: i64,
+    /// Into the metal for a mouth on a face: +1 towards the chuck, −1 towards the free end. On a cylinder always +1.
+    pub axial: i64,
+    /// To which side hollow arcs bend.
+    pub hollow: Turn,
+}
+
+impl Frame {
+    fn place(self, along: Half, into: Half) -> Point {
+        let times = |sign: i64, length: Half| Half::new(sign * length.halves());
+        let (radius, z) = if self.on_cylinder { (into, along) } else { (along, into) };
+        Point { radius: self.at.radius + times(self.radial, radius), z: self.at.z + times(self.axial, z) }
+    }
+}
+
+/// The pieces of a groove.
+///
+/// # Errors
+/// The code of the mistake: its walls meet above the floor, or the rounding is too large for it.
+pub(super) fn pieces(sizes: Sizes, frame: Frame) -> Result<Vec<Piece>, &'static str> {
+    let (width, depth) = (sizes.width, sizes.depth);
+    let at = |along, into| frame.place(along, into);
+    let start = at(Half::ZERO, Half::ZERO);
+    let (corners, end) = match sizes.kind {
+        Kind::Corner => {
+            if depth >= width {
+                return Err("groove-walls-meet");
+            }
+            let back = Half::ZERO - width;
+            // Along the cylinder, into the corner and a depth behind the face, and out along it.
+            let corners = vec![at(depth, depth), at(width + depth, depth), at(width + depth, back + depth)];
+            (corners, at(width, back))
+        }
+        kind => {
+            let inset = match kind {
+                Kind::GrindingRelief | Kind::ThreadRelief => depth,
+                _ => Half::from(depth.to_mm() * sizes.slant),
+            };
+            let relief = matches!(kind, Kind::GrindingRelief | Kind::ThreadRelief);
+            let first = if relief && sizes.shoulder_first { Half::ZERO } else { inset };
+            let last = if relief && !sizes.shoulder_first { Half::ZERO } else { inset };
+            if first + last > width {
+                return Err("groove-walls-meet");
+            }
+            (vec![at(first, depth), at(width - last, depth)], at(width, Half::ZERO))
+        }
+    };
+    rounded(start, &corners, end, sizes.radius, frame.hollow)
+}
+
+/// A chain of lines, its corners rounded: tangent arcs, their ends to half a micrometre.
+fn rounded(
+    start: Point,
+    corners: &[Point],
+    end: Point,
+    radius: Option<Half>,
+    hollow: Turn,
+) -> Result<Vec<Piece>, &'static str> {
+    let mut pieces = Vec::new();
+    let mut from = start;
+    for (index, corner) in corners.iter().enumerate() {
+        let next = corners.get(index + 1).copied().unwrap_or(end);
+        let (before, after) = (from.to(*corner), corner.to(next));
+        let cut = radius.map_or(0.0, |radius| radius.to_mm() * half_turn(before, after));
+        // Half a micrometre of slack: both ends of a line are rounded.
+        if cut > before.length() + 0.0005 || cut > after.length() + 0.0005 {
+            return Err("groove-radius-too-large");
+        }
+        let (into, out) = (corner.moved(before.unit().times(-cut)), corner.moved(after.unit().times(cut)));
+        pieces.push(Piece::line(from, into));
+        if let Some(radius) = radius.filter(|_| into != out) {
+            pieces.push(Piece { from: into, to: out, curve: Curve::Arc { radius, turn: hollow } });
+        }
+        from = if radius.is_some() { out } else { *corner };
+    }
+    pieces.push(Piece::line(from, end));
+    pieces.retain(|piece| !piece.is_nothing());
+    Ok(pieces)
+}
+
+/// The tangent of half the angle by which the way turns at a corner: a tangent arc of radius r begins r times it before
+/// the corner.
+fn half_turn(before: Vector, after: Vector) -> f64 {
+    let angle = libm::atan2(before.cross(after).abs(), before.dot(after));
+    libm::tan(angle / 2.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(radius: f64, z: f64) -> Point {
+        Point { radius: Half::from(radius), z: Half::from(z) }
+    }
+
+    fn sizes(kind: Kind, width: f64, depth: f64) -> Sizes {
+        Sizes {
+            kind,
+            width: Half::from(width),
+            depth: Half::from(depth),
+            radius: None,
+            slant: 0.0,
+            shoulder_first: false,
+        }
+    }
+
+    /// On a cylinder of radius 20, from Z 10.
+    fn outside() -> Frame {
+        Frame { at: at(20.0, 10.0), on_cylinder: true, radial: -1, axial: 1, hollow: Turn::Left }
+    }
+
+    fn corners(pieces: &[Piece]) -> Vec<Point> {
+        pieces.first().map(|piece| piece.from).into_iter().chain(pieces.iter().map(|piece| piece.to)).collect()
+    }
+
+    /// Worked by hand from the sizes.
+    #[test]
+    fn walls_and_floors_stand_where_the_sizes_say() {
+        let drawn = |sizes| corners(&pieces(sizes, outside()).unwrap());
+        let rectangular = sizes(Kind::Rectangular, 5.0, 3.0);
+        assert_eq!(drawn(rectangular), [at(20.0, 10.0), at(17.0, 10.0), at(17.0, 15.0), at(20.0, 15.0)]);
+        // Walls at 45°: the floor is as much narrower as the groove is deep, on each side.
+        let trapezoid = Sizes { slant: 1.0, ..sizes(Kind::Trapezoid, 8.0, 3.0) };
+        assert_eq!(drawn(trapezoid), [at(20.0, 10.0), at(17.0, 13.0), at(17.0, 15.0), at(20.0, 18.0)]);
+        let relief = sizes(Kind::GrindingRelief, 3.0, 0.25);
+        assert_eq!(drawn(relief), [at(20.0, 10.0), at(19.75, 10.25), at(19.75, 13.0), at(20.0, 13.0)]);
+        let mirrored = Sizes { shoulder_first: true, ..relief };
+        assert_eq!(drawn(mirrored), [at(20.0, 10.0), at(19.75, 10.0), at(19.75, 12.75), at(20.0, 13.0)]);
+        let corner = sizes(Kind::Corner, 2.0, 0.5);
+        // A depth below the cylinder, a depth behind the face, and out of the face 2 above the cylinder.
+        let expected = [at(20.0, 10.0), at(19.5, 10.5), at(19.5, 12.5), at(21.5, 12.5), at(22.0, 12.0)];
+        assert_eq!(drawn(corner), expected);
+    }
+
+    #[test]
+    fn a_face_is_grooved_along_the_axis() {
+        let frame = Frame { at: at(10.0, 0.0), on_cylinder: false, radial: 1, axial: 1, hollow: Turn::Left };
+        let drawn = corners(&pieces(sizes(Kind::Face, 4.0, 2.0), frame).unwrap());
+        assert_eq!(drawn, [at(10.0, 0.0), at(10.0, 2.0), at(14.0, 2.0), at(14.0, 0.0)]);
+    }
+
+    /// Upright walls: the arc is a quarter, and takes its radius off the wall and off the floor.
+    #[test]
+    fn corners_are_rounded_by_tangent_arcs() {
+        let round = Sizes { radius: Some(Half::from(1.0)), ..sizes(Kind::Rectangular, 5.0, 3.0) };
+        let drawn = pieces(round, outside()).unwrap();
+        assert_eq!(
+            corners(&drawn),
+            [at(20.0, 10.0), at(18.0, 10.0), at(17.0, 11.0), at(17.0, 14.0), at(18.0, 15.0), at(20.0, 15.0)]
+        );
+        assert_eq!(drawn[1].centre().map(Point::at), Some(at(18.0, 11.0)));
+        let full = Sizes { radius: Some(Half::from(2.5)), ..round };
+        assert_eq!(pieces(full, outside()).unwrap().len(), 4, "the two arcs meet, no floor is left");
+        let large = Sizes { radius: Some(Half::from(2.6)), ..round };
+        assert_eq!(pieces(large, outside()), Err("groove-radius-too-large"));
+        let shallow = Sizes { slant: 2.0, ..sizes(Kind::Trapezoid, 8.0, 3.0) };
+        assert_eq!(pieces(shallow, outside()), Err("groove-walls-meet"));
+    }
+
+    /// A belt groove of 34°: the arc leaves the wall and the floor tangentially, to the rounding of its ends.
+    #[test]
+    fn arcs_are_tangent_to_slanting_walls() {
+        let slant = libm::tan(17.0_f64.to_radians());
+        let belt = Sizes { radius: Some(Half::from(1.0)), slant, ..sizes(Kind::Pulley, 13.0, 10.8) };
+        let drawn = pieces(belt, outside()).unwrap();
+        for pair in drawn.windows(2) {
+            let (out, into) = (pair[0].direction_at_end(), pair[1].direction_at_start());
+            assert!(out.cross(into).abs() < 1e-3 && out.dot(into) > 0.0, "{pair:?}");
+        }
+    }
+}

@@ -1,0 +1,195 @@
+//! The items of a contour as authors write them, for the schema of the file.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::turning::shaft::file::Size;
+
+use super::file::{Width, Z};
+
+/// What the contour does next.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum ItemFile {
+    /// Where it begins.
+    From(FromItem),
+    /// Across the axis.
+    Face(FaceItem),
+    /// Along the axis.
+    Cylinder(CylinderItem),
+    /// Straight to a point.
+    Cone(ConeItem),
+    /// At 45°.
+    Chamfer(ChamferItem),
+    /// Along an arc.
+    Arc(ArcItem),
+    /// A cylinder with a thread.
+    Thread(ThreadItem),
+    /// A groove.
+    Groove(GrooveItem),
+}
+
+/// A point.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PointFile {
+    /// Diameter.
+    pub d: Width,
+    /// Z.
+    pub z: Z,
+}
+
+/// Where a contour begins: the first item.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FromItem {
+    /// The point.
+    pub from: PointFile,
+}
+
+/// The length of a cylinder.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Stretch {
+    /// So long.
+    pub length: Size,
+}
+
+/// Where a cylinder ends.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum AlongFile {
+    /// At a Z.
+    Z(Z),
+    /// After a length.
+    Stretch(Stretch),
+}
+
+/// An accuracy: a grade (`6`), or a field (`h6`, in a bore `H7`).
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum GradeFile {
+    /// By number.
+    Number(#[schemars(range(min = 1, max = 18))] u8),
+    /// By field.
+    Field(String),
+}
+
+macro_rules! items {
+    ($($(#[$doc:meta])* $name:ident { $($(#[$field_doc:meta])* $field:ident: $kind:ty),* $(,)? })*) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Debug, Deserialize, JsonSchema)]
+        #[serde(deny_unknown_fields)]
+        pub struct $name {
+            $($(#[$field_doc])* pub $field: $kind,)*
+            /// A name of its own; its place on the contour unless said.
+            pub name: Option<String>,
+            /// Its accuracy.
+            pub grade: Option<GradeFile>,
+            /// Its roughness: `Ra 1.25` or `Rz 20`.
+            pub roughness: Option<String>,
+            /// Its finishing allowance on one side, instead of that of `allowances`.
+            pub allowance: Option<Width>,
+        }
+    )*};
+}
+
+items! {
+    /// Straight across the axis.
+    FaceItem {
+        /// To this diameter.
+        face: Width,
+    }
+    /// Along the axis.
+    CylinderItem {
+        /// To this Z, or so long.
+        cylinder: AlongFile,
+    }
+    /// Straight to a point.
+    ConeItem {
+        /// The point.
+        cone: PointFile,
+        /// A cone, or a chamfer that breaks an edge; a cone unless said.
+        kind: Option<ConeKind>,
+    }
+    /// At 45°, as far across as along; which way, a face beside it says.
+    ChamferItem {
+        /// So much across and along.
+        chamfer: Size,
+    }
+    /// An arc of at most half a circle.
+    ArcItem {
+        /// Where it ends.
+        arc: PointFile,
+        /// Its radius.
+        radius: Size,
+        /// Hollow or bulging.
+        bulge: Bulge,
+    }
+    /// A cylinder with a metric thread.
+    ThreadItem {
+        /// The thread: `M36x2`, `M36x2-6g`.
+        thread: String,
+        /// It ends at this Z.
+        to: Option<Z>,
+        /// Or it is so long.
+        length: Option<Size>,
+    }
+    /// A groove: it begins where the contour stands, and its mouth is `width` wide.
+    GrooveItem {
+        /// Its kind.
+        groove: GrooveKind,
+        /// Width of its mouth; of a relief that of its standard unless said.
+        width: Option<Size>,
+        /// Its depth; of a relief that of its standard unless said.
+        depth: Option<Size>,
+        /// Of a trapezoid or pulley groove: the angle between its walls, degrees.
+        angle: Option<Angle>,
+        /// Rounding of the corners of its floor.
+        radius: Option<Size>,
+    }
+}
+
+/// An angle, degrees.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+pub struct Angle(#[schemars(range(min = 0.0, max = 180.0))] pub f64);
+
+/// What a slanting line is.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ConeKind {
+    /// A cone.
+    Cone,
+    /// It breaks an edge.
+    Chamfer,
+}
+
+/// To which side an arc bends.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Bulge {
+    /// Into the metal: a fillet.
+    In,
+    /// Out of it: a ball.
+    Out,
+}
+
+/// Kinds of grooves.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum GrooveKind {
+    /// For the grinding wheel, in a cylinder.
+    GrindingRelief,
+    /// For the grinding wheel, in the corner of a cylinder and a face.
+    Corner,
+    /// At the end of a thread.
+    ThreadRelief,
+    /// With upright walls.
+    Rectangular,
+    /// With slanting walls.
+    Trapezoid,
+    /// For a belt.
+    Pulley,
+    /// In a face.
+    Face,
+}

@@ -1,0 +1,274 @@
+//! What is written along a contour, item by item, before it is walked: each value with its place, as far as it could be read.
+
+use crate::knowledge::diagnostic::{Place, nearest};
+use crate::knowledge::yaml::{Fields, Node, NodeKind};
+use crate::turning::contour::Side;
+use crate::turning::length::Half;
+use crate::turning::reading::{LARGEST, Placed, Reader};
+use crate::units::{Decimal, ItGrade, Micrometres, Roughness};
+
+use super::grade;
+use super::groove::Kind;
+use super::keys::{BLANK_ITEMS, ITEMS, POINT, SAID, STRETCH};
+use super::thread::{self, Named};
+
+/// Whose contour is read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Whose {
+    /// The part's: Z is nowhere before the finished face.
+    Part,
+    /// The blank's: it may begin before that face, and has neither threads nor grooves.
+    Blank,
+}
+
+/// A length as far as it could be read.
+pub(super) type Measure = Option<Placed<Micrometres>>;
+
+/// An item of a contour.
+pub(super) struct Item {
+    pub place: Place,
+    pub what: What,
+    pub said: Said,
+}
+
+/// What an item is.
+pub(super) enum What {
+    /// Where the contour begins.
+    From(To),
+    /// Across the axis to a diameter.
+    Face(Measure),
+    /// Along the axis.
+    Cylinder(Along),
+    /// Straight to a point.
+    Cone { to: To, chamfer: bool },
+    /// At 45° over so much of each direction.
+    Chamfer(Measure),
+    /// Along an arc; whether it is hollow.
+    Arc { to: To, radius: Measure, hollow: Option<bool> },
+    /// A cylinder with a thread.
+    Thread { named: Option<Placed<Named>>, along: Along },
+    /// A groove.
+    Groove(Option<Written>),
+}
+
+/// A point: diameter and Z, the latter as files write it.
+#[derive(Default)]
+pub(super) struct To {
+    pub d: Measure,
+    pub z: Measure,
+}
+
+/// How far along the axis.
+pub(super) enum Along {
+    /// To a Z, as files write it.
+    Z(Measure),
+    /// So long.
+    Length(Measure),
+}
+
+/// A groove as it is written.
+pub(super) struct Written {
+    pub kind: Kind,
+    pub width: Measure,
+    pub depth: Measure,
+    pub radius: Measure,
+    pub angle: Option<Placed<Decimal>>,
+    /// Whether a size that stands in the file could not be read, so that no table is asked for it.
+    pub spoilt: bool,
+}
+
+/// What an item says of its surface.
+#[derive(Default)]
+pub(super) struct Said {
+    pub name: Option<Placed<String>>,
+    pub grade: Option<ItGrade>,
+    pub roughness: Option<Roughness>,
+    pub allowance: Option<Half>,
+}
+
+impl Reader<'_> {
+    /// The items of a contour; one that says not what it is is none.
+    pub(super) fn items(&mut self, node: &Node, side: Side, whose: Whose) -> Vec<Option<Item>> {
+        let Some(nodes) = self.problems.list(node) else { return Vec::new() };
+        if nodes.len() < 2 {
+            self.fault::<()>("no-items", &[], &node.place);
+        }
+        nodes.iter().map(|node| self.item(node, side, whose)).collect()
+    }
+
+    fn item(&mut self, node: &Node, side: Side, whose: Whose) -> Option<Item> {
+        let mut fields = self.problems.map(node)?;
+        let NodeKind::Map(entries) = &node.kind else { return None };
+        let mut mains = ITEMS.iter().filter(|(main, _)| entries.iter().any(|(key, _)| key.text == *main));
+        let Some((main, beside)) = mains.next() else {
+            let known: Vec<&str> = ITEMS.iter().map(|(main, _)| *main).collect();
+            let mistyped = |key: &str| !SAID.contains(&key) && nearest(key, known.iter().copied()).is_some();
+            if entries.iter().any(|(key, _)| mistyped(&key.text)) {
+                let all: Vec<&str> = known.iter().chain(SAID).copied().collect();
+                fields.finish(&all, &mut self.problems);
+                return None;
+            }
+            return self.fault("item-without-surface", &[("known", &known.join(", "))], &node.place);
+        };
+        if let Some((other, _)) = mains.next() {
+            return self.fault("two-surfaces-in-one", &[("one", main), ("other", other)], &node.place);
+        }
+        if whose == Whose::Blank && !BLANK_ITEMS.contains(main) {
+            return self.fault("item-of-a-part", &[("key", main)], &node.place);
+        }
+        let value = fields.need(main, &mut self.problems);
+        let what = match *main {
+            "from" => What::From(self.to(value, whose)),
+            "face" => What::Face(self.diameter(value, "face")),
+            "cylinder" => What::Cylinder(self.along(value, whose)),
+            "cone" => What::Cone { to: self.to(value, whose), chamfer: self.is_chamfer(&mut fields) },
+            "chamfer" => What::Chamfer(self.length(value, "chamfer")),
+            "arc" => {
+                let to = self.to(value, whose);
+                let radius = self.arc_radius(&mut fields);
+                let bulge = fields.need("bulge", &mut self.problems);
+                let hollow = bulge.and_then(|node| self.choice(node, &[("in", true), ("out", false)]));
+                What::Arc { to, radius, hollow }
+            }
+            "thread" => What::Thread {
+                named: value.and_then(|node| self.thread(node)),
+                along: self.thread_end(&mut fields, whose),
+            },
+            _ => What::Groove(self.groove(value, &mut fields)),
+        };
+        let says = whose == Whose::Part && *main != "from";
+        let said = if says { self.said(&mut fields, side) } else { Said::default() };
+        let known: Vec<&str> =
+            std::iter::once(*main).chain(beside.iter().copied()).chain(SAID.iter().copied().filter(|_| says)).collect();
+        fields.finish(&known, &mut self.problems);
+        Some(Item { place: node.place.clone(), what, said })
+    }
+
+    fn said(&mut self, fields: &mut Fields<'_>, side: Side) -> Said {
+        let name = fields.take("name").and_then(|node| Some((self.name(node)?, node.place.clone())));
+        let grade = fields.take("grade").and_then(|node| {
+            let text = self.problems.text(node)?;
+            match grade::read(text, side) {
+                Ok(grade) => Some(grade),
+                Err(code) => self.fault(code, &[("grade", &text)], &node.place),
+            }
+        });
+        let roughness = fields.take("roughness").and_then(|node| self.problems.scalar(node));
+        let allowance = fields.take("allowance").and_then(|node| self.not_below_zero(node, "allowance"));
+        Said { name, grade, roughness, allowance: allowance.map(Half::of) }
+    }
+
+    /// A length that may be zero.
+    pub(super) fn not_below_zero(&mut self, node: &Node, key: &str) -> Option<Micrometres> {
+        let length = self.problems.scalar::<Micrometres>(node)?;
+        if length < Micrometres::ZERO {
+            return self.fault("below-zero", &[("key", &key), ("length", &length)], &node.place);
+        }
+        self.not_too_large((length, node.place.clone()), key).map(|(length, _)| length)
+    }
+
+    fn not_too_large(&mut self, (length, place): Placed<Micrometres>, key: &str) -> Measure {
+        if length.abs() > LARGEST {
+            return self.fault("length-too-large", &[("key", &key), ("length", &length), ("most", &LARGEST)], &place);
+        }
+        Some((length, place))
+    }
+
+    /// A diameter, zero on the axis.
+    fn diameter(&mut self, node: Option<&Node>, key: &str) -> Measure {
+        let node = node?;
+        let diameter = self.problems.scalar::<Micrometres>(node)?;
+        if diameter < Micrometres::ZERO {
+            return self.fault("negative-diameter", &[("key", &key), ("diameter", &diameter)], &node.place);
+        }
+        self.not_too_large((diameter, node.place.clone()), key)
+    }
+
+    /// A Z, negative towards the chuck.
+    fn z(&mut self, node: Option<&Node>, key: &str, whose: Whose) -> Measure {
+        let node = node?;
+        let z = self.problems.scalar::<Micrometres>(node)?;
+        if whose == Whose::Part && z > Micrometres::ZERO {
+            return self.fault("z-before-the-face", &[("z", &z)], &node.place);
+        }
+        self.not_too_large((z, node.place.clone()), key)
+    }
+
+    fn to(&mut self, node: Option<&Node>, whose: Whose) -> To {
+        let Some(mut fields) = node.and_then(|node| self.problems.map(node)) else { return To::default() };
+        let d = fields.need("d", &mut self.problems);
+        let z = fields.need("z", &mut self.problems);
+        fields.finish(POINT, &mut self.problems);
+        To { d: self.diameter(d, "d"), z: self.z(z, "z", whose) }
+    }
+
+    fn along(&mut self, node: Option<&Node>, whose: Whose) -> Along {
+        match node {
+            Some(node) if matches!(node.kind, NodeKind::Map(_)) => {
+                let Some(mut fields) = self.problems.map(node) else { return Along::Length(None) };
+                let length = self.need(&mut fields, "length");
+                fields.finish(STRETCH, &mut self.problems);
+                Along::Length(length)
+            }
+            node => Along::Z(self.z(node, "cylinder", whose)),
+        }
+    }
+
+    fn is_chamfer(&mut self, fields: &mut Fields<'_>) -> bool {
+        let kind = fields.take("kind").and_then(|node| self.choice(node, &[("cone", false), ("chamfer", true)]));
+        kind.unwrap_or(false)
+    }
+
+    /// The radius of an arc. Programs of controls write that of the greater part of a circle with a minus.
+    fn arc_radius(&mut self, fields: &mut Fields<'_>) -> Measure {
+        let node = fields.need("radius", &mut self.problems)?;
+        match node.text().and_then(|text| text.parse::<Micrometres>().ok()) {
+            Some(radius) if radius < Micrometres::ZERO => {
+                self.fault("arc-over-half-a-circle", &[("radius", &radius)], &node.place)
+            }
+            _ => self.length(Some(node), "radius"),
+        }
+    }
+
+    fn thread(&mut self, node: &Node) -> Option<Placed<Named>> {
+        let text = self.problems.text(node)?;
+        match thread::read(text, self.knowledge) {
+            Ok(named) => Some((named, node.place.clone())),
+            Err(code) => self.fault(code, &[("thread", &text)], &node.place),
+        }
+    }
+
+    /// Where a thread ends: by `to` or by `length`.
+    fn thread_end(&mut self, fields: &mut Fields<'_>, whose: Whose) -> Along {
+        match (fields.take("to"), fields.take("length")) {
+            (None, None) => {
+                let _ = fields.need("to", &mut self.problems);
+                Along::Z(None)
+            }
+            (None, length) => Along::Length(self.length(length, "length")),
+            (to, None) => Along::Z(self.z(to, "to", whose)),
+            (to, Some(length)) => {
+                self.fault::<()>("end-said-twice", &[], &length.place);
+                Along::Z(self.z(to, "to", whose))
+            }
+        }
+    }
+
+    fn groove(&mut self, node: Option<&Node>, fields: &mut Fields<'_>) -> Option<Written> {
+        let mut spoilt = false;
+        let mut size = |key: &str, reader: &mut Self| {
+            let node = fields.take(key)?;
+            let size = reader.length(Some(node), key);
+            spoilt |= size.is_none();
+            size
+        };
+        let (width, depth, radius) = (size("width", self), size("depth", self), size("radius", self));
+        let angle = fields.take("angle").and_then(|node| {
+            let angle = self.problems.scalar::<Decimal>(node);
+            spoilt |= angle.is_none();
+            Some((angle?, node.place.clone()))
+        });
+        let kind = self.choice(node?, &Kind::NAMES)?;
+        Some(Written { kind, width, depth, radius, angle, spoilt })
+    }
+}

@@ -1,0 +1,254 @@
+//! A turned part of any contour, its blank, and what the file says of its machining: the contour form of the shaft file.
+//!
+//! [`read_turned`] reads either form of the file: with `steps` a [`Shaft`], with `outer` a [`Workpiece`]; every mistake is
+//! told at once. A [`Shaft`] becomes a [`Workpiece`] by `Workpiece::from`.
+//!
+//! From the file to the contour: `items` reads what is written, `walk` goes along it and makes surfaces, `groove` draws
+//! grooves, `check` holds the whole against itself and against the blank.
+
+pub mod blank;
+mod check;
+mod cross;
+pub mod file;
+mod grade;
+mod groove;
+pub mod item_file;
+mod items;
+mod keys;
+mod preparation;
+mod read;
+mod read_blank;
+mod relief;
+mod settings;
+mod stepped;
+mod thread;
+mod walk;
+mod walk_groove;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize, Serializer};
+
+use crate::note::Finding;
+use crate::units::{Decimal, Micrometres, MillimetresPerMinute};
+
+use super::contour::Profile;
+use super::length::Half;
+use super::shaft::{self, Holding, Shaft};
+pub use blank::{Blank, StockKind};
+pub use file::schema;
+pub use read::{read_turned, read_workpiece};
+
+/// What a file of a turned part holds.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Turned {
+    /// The short form, by steps.
+    Stepped(Shaft),
+    /// The contour form.
+    Contoured(Box<Workpiece>),
+}
+
+/// A turned part and its blank. Z is positive from the finished face of the free end towards the chuck.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Workpiece {
+    /// Its name.
+    pub name: String,
+    /// The id of its material in the catalog `materials`.
+    pub material: String,
+    /// What it is made from.
+    pub blank: Blank,
+    /// The id of a lathe, as the file names it: not checked here.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub machine: Option<String>,
+    /// How it is held.
+    pub holding: Holding,
+    /// Whether and when it is heat-treated.
+    pub heat_treatment: HeatTreatment,
+    /// Its outside, from the axis or the bore at the free end towards the chuck.
+    pub outer: Profile,
+    /// Its bore, from the free end; it ends on the axis or at the far end.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub inner: Option<Profile>,
+    /// The threads on its surfaces.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub threads: Vec<Thread>,
+    /// How roughing is bounded.
+    pub roughing: Roughing,
+    /// Where allowances come from.
+    pub allowances: Allowances,
+    /// How fast the tool moves, where the file says it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rates: Option<Rates>,
+    /// What its reader must know: figures that were taken from tables and are not confirmed.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub findings: Vec<Finding>,
+}
+
+impl Workpiece {
+    /// Its length: Z of the end of its outside.
+    pub fn length(&self) -> Half {
+        self.outer.contour().end().map_or(Half::ZERO, |end| end.z)
+    }
+
+    /// Its largest diameter.
+    pub fn largest_diameter(&self) -> Micrometres {
+        self.outer.contour().radii().map_or(Micrometres::ZERO, |(_, most)| most.diameter())
+    }
+}
+
+/// Whether and when the blank is heat-treated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum HeatTreatment {
+    /// Not at all.
+    #[default]
+    None,
+    /// Before this lathe.
+    Before,
+    /// After it.
+    After,
+}
+
+impl HeatTreatment {
+    /// Every one, as the file names it.
+    pub const NAMES: [(&'static str, Self); 3] =
+        [("none", Self::None), ("before", Self::Before), ("after", Self::After)];
+}
+
+/// A thread on a surface.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Thread {
+    /// The name of the surface.
+    pub surface: String,
+    /// The thread as the drawing writes it.
+    pub written: String,
+    /// Its nominal diameter, mm.
+    pub size: Micrometres,
+    /// Its pitch, mm.
+    pub pitch: Micrometres,
+}
+
+/// How roughing is bounded; what is absent is found from tool, lathe and rules.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize)]
+pub struct Roughing {
+    /// The limiting depth of a pass, radial, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limiting_depth: Option<Micrometres>,
+    /// The scheme of roughing passes that is asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scheme: Option<Scheme>,
+}
+
+/// The seven schemes of roughing passes (lecture 12.4, l. 273-296); the table `turning-schemes` tells what each is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Scheme {
+    /// Back through the air after each pass.
+    Loop,
+    /// Cutting there and back.
+    Zigzag,
+    /// Cutting across.
+    Descent,
+    /// Each pass cleans the contour up to the pass before.
+    PickUp,
+    /// A pass along the whole contour after the others.
+    SemiFinishing,
+    /// Passes at even distances from the contour.
+    Equidistant,
+    /// The contour again and again, shifted.
+    Contour,
+}
+
+impl Scheme {
+    /// Every one, as the file and the table `turning-schemes` name it.
+    pub const NAMES: [(&'static str, Self); 7] = [
+        ("loop", Self::Loop),
+        ("zigzag", Self::Zigzag),
+        ("descent", Self::Descent),
+        ("pick-up", Self::PickUp),
+        ("semi-finishing", Self::SemiFinishing),
+        ("equidistant", Self::Equidistant),
+        ("contour", Self::Contour),
+    ];
+}
+
+/// Where the finishing allowances come from (lecture 12.2, l. 155-171); a surface that states its own keeps it.
+#[derive(Clone, Debug, PartialEq, Eq, Default, Serialize)]
+#[serde(tag = "method", rename_all = "kebab-case")]
+pub enum Allowances {
+    /// From tables.
+    #[default]
+    Table,
+    /// From stated errors of the passes.
+    Analytic(Errors),
+    /// As the file states them.
+    Stated {
+        /// On the diameter, mm.
+        on_diameter: Micrometres,
+        /// On a face, mm.
+        on_face: Micrometres,
+    },
+}
+
+/// What the analytic method adds up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Errors {
+    /// Rz that the previous pass left.
+    pub rz_um: Microns,
+    /// The defect layer that it left.
+    pub defect_layer_um: Microns,
+    /// The spatial deviation that is left of the blank's.
+    pub spatial_deviation_um: Microns,
+    /// The error of set-up of this pass.
+    pub setup_error_um: Microns,
+}
+
+/// A height or an error, in micrometres, exact to a millionth of one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Microns(Decimal);
+
+impl Microns {
+    /// From micrometres.
+    pub const fn new(micrometres: Decimal) -> Self {
+        Self(micrometres)
+    }
+
+    /// Micrometres, for formulas.
+    pub fn to_um(self) -> f64 {
+        self.0.to_f64()
+    }
+
+    /// Millimetres, for formulas.
+    pub fn to_mm(self) -> f64 {
+        self.0.to_f64() / 1000.0
+    }
+}
+
+impl Serialize for Microns {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0.to_int() {
+            Some(whole) => serializer.serialize_i64(whole),
+            None => serializer.serialize_f64(self.0.to_f64()),
+        }
+    }
+}
+
+/// How fast the tool moves; a feed that is absent is for whoever plans to find.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Rates {
+    /// What the short form says too.
+    #[serde(flatten)]
+    pub main: shaft::Rates,
+    /// Feed of cutting in.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub infeed: Option<MillimetresPerMinute>,
+    /// Feed of picking up along the contour.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pick_up_feed: Option<MillimetresPerMinute>,
+    /// Feed of the semi-finishing pass.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub semi_finishing_feed: Option<MillimetresPerMinute>,
+    /// Feed of finishing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub finishing_feed: Option<MillimetresPerMinute>,
+}

@@ -1,0 +1,157 @@
+//! The file of a turned part in either form, and the contour form of it.
+
+use std::collections::BTreeMap;
+
+use crate::knowledge::Knowledge;
+use crate::knowledge::diagnostic::nearest;
+use crate::knowledge::yaml::{Node, NodeKind, parse};
+use crate::turning::contour::Side;
+use crate::turning::reading::{Mistake, Placed, Reader};
+use crate::turning::shaft::{Holding, read_shaft};
+
+use super::check;
+use super::items::Whose;
+use super::keys::{ONLY_CONTOUR, WORKPIECE};
+use super::walk::{Walked, walk};
+use super::{Allowances, HeatTreatment, Roughing, Turned, Workpiece};
+
+/// Reads the file of a turned part: with `steps` it is a stepped shaft, with `outer` a contour.
+///
+/// # Errors
+/// Every mistake of the file, each with its place, in the order of the file; a file with both or neither is one.
+pub fn read_turned(file: &str, text: &str, knowledge: &Knowledge) -> Result<Turned, Vec<Mistake>> {
+    let (root, _) = parse(file, text);
+    let keys: Vec<&str> = match root.as_ref().map(|root| &root.kind) {
+        Some(NodeKind::Map(entries)) => entries.iter().map(|(key, _)| key.text.as_str()).collect(),
+        _ => Vec::new(),
+    };
+    let has = |key: &str| keys.contains(&key);
+    let nearly = |key: &str| keys.iter().any(|typed| nearest(typed, [key]).is_some());
+    let contour =
+        has("outer") || !has("steps") && !nearly("steps") && ONLY_CONTOUR.iter().any(|key| has(key) || nearly(key));
+    if contour {
+        return read_workpiece(file, text, knowledge).map(|workpiece| Turned::Contoured(Box::new(workpiece)));
+    }
+    let read = read_shaft(file, text, knowledge).map(Turned::Stepped);
+    // A file without either is told so, rather than that it lacks the key of one form.
+    read.map_err(|mistakes| {
+        let (lacks, mut others): (Vec<Mistake>, Vec<Mistake>) = mistakes.into_iter().partition(|one| {
+            matches!(one, Mistake::Form(problem) if problem.code == "missing-key" && problem.message.contains("`steps`"))
+        });
+        for one in lacks {
+            match one.place() {
+                Some(place) => others.push(Mistake::of("neither-steps-nor-outer", place)),
+                None => others.push(one),
+            }
+        }
+        others.sort_by(|a, b| a.place().cmp(&b.place()));
+        others
+    })
+}
+
+/// Reads the contour form.
+///
+/// # Errors
+/// Every mistake of the file, each with its place, in the order of the file.
+pub fn read_workpiece(file: &str, text: &str, knowledge: &Knowledge) -> Result<Workpiece, Vec<Mistake>> {
+    let (mut reader, root) = Reader::open(file, text, knowledge);
+    let workpiece = root.and_then(|root| reader.workpiece(&root));
+    reader.close(workpiece)
+}
+
+impl Reader<'_> {
+    fn workpiece(&mut self, root: &Node) -> Option<Workpiece> {
+        let mut fields = self.problems.map(root)?;
+        let name = fields.need("shaft", &mut self.problems).and_then(|node| self.name(node));
+        let material = fields.need("material", &mut self.problems).and_then(|node| self.material(node));
+        let blank_node = fields.need("blank", &mut self.problems);
+        let machine = match fields.take("machine") {
+            Some(node) => self.name(node).map(Some),
+            None => Some(None),
+        };
+        let holding = match fields.take("holding") {
+            Some(node) => self.choice(node, &[("chuck", Holding::Chuck), ("centres", Holding::Centres)]),
+            None => Some(Holding::default()),
+        };
+        let heat_treatment = match fields.take("heat_treatment") {
+            Some(node) => self.choice(node, &HeatTreatment::NAMES),
+            None => Some(HeatTreatment::default()),
+        };
+        let (outer_node, inner_node) = (fields.need("outer", &mut self.problems), fields.take("inner"));
+        let roughing = match fields.take("roughing") {
+            Some(node) => self.roughing(node),
+            None => Some(Roughing::default()),
+        };
+        let allowances = match fields.take("allowances") {
+            Some(node) => self.allowances(node),
+            None => Some(Allowances::default()),
+        };
+        let rates = match fields.take("rates") {
+            Some(node) => self.all_rates(node).map(Some),
+            None => Some(None),
+        };
+        if let Some(steps) = fields.take("steps") {
+            self.fault::<()>("both-steps-and-outer", &[], &steps.place);
+        }
+        fields.finish(WORKPIECE, &mut self.problems);
+
+        let blank = blank_node.and_then(|node| self.blank(node));
+        let (outer, outer_names) = outer_node.map(|node| self.contour(node, Side::Outer)).unzip();
+        let (inner, inner_names) = inner_node.map(|node| self.contour(node, Side::Inner)).unzip();
+        self.names(outer_names.into_iter().chain(inner_names).flatten());
+        let outer = outer?;
+        check::ends(&outer, inner.as_ref(), blank.as_ref(), self);
+        if let Some(inner) = inner.as_ref().filter(|inner| inner.whole && outer.whole && self.meant.is_empty()) {
+            check::walls(&outer, inner, self);
+        }
+        if let Some(blank) = &blank {
+            check::within_blank(&outer, inner.as_ref(), blank, self);
+        }
+        let inner_profile = match &inner {
+            Some(inner) => Some(inner.profile()?),
+            None => None,
+        };
+        let walked = || std::iter::once(&outer).chain(&inner);
+        Some(Workpiece {
+            name: name?,
+            material: material?,
+            blank: blank?,
+            machine: machine?,
+            holding: holding?,
+            heat_treatment: heat_treatment?,
+            outer: outer.profile()?,
+            inner: inner_profile,
+            threads: walked().flat_map(|walked| walked.threads.clone()).collect(),
+            roughing: roughing?,
+            allowances: allowances?,
+            rates: rates?,
+            findings: walked().flat_map(|walked| walked.findings.clone()).collect(),
+        })
+    }
+
+    /// A contour of the part, with the names that its items give.
+    fn contour(&mut self, node: &Node, side: Side) -> (Walked, Vec<Placed<String>>) {
+        let items = self.items(node, side, Whose::Part);
+        let names = items.iter().flatten().filter_map(|item| item.said.name.clone()).collect();
+        let walked = walk(&items, side, self);
+        if walked.whole {
+            check::crosses_itself(&walked, self);
+        }
+        (walked, names)
+    }
+
+    /// Every name stands for one surface.
+    fn names(&mut self, names: impl Iterator<Item = Placed<String>>) {
+        let mut known: BTreeMap<String, u32> = BTreeMap::new();
+        for (name, place) in names {
+            match known.get(&name) {
+                Some(line) => {
+                    self.fault::<()>("name-twice", &[("surface", &name), ("line", line)], &place);
+                }
+                None => {
+                    known.insert(name, place.line);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,177 @@
+//! The blank of the contour form: a bar or tube by its sizes, a forging or casting by steps or contours.
+
+use std::fmt::Display;
+
+use crate::knowledge::yaml::{Fields, Node};
+use crate::turning::contour::{Contour, Side};
+use crate::turning::length::Half;
+use crate::turning::point::Point;
+use crate::turning::reading::Reader;
+use crate::turning::shaft::BlankKind;
+use crate::turning::shaft::read::PlacedStep;
+use crate::turning::shaft::shape::{self, Shape};
+use crate::units::Micrometres;
+
+use super::items::Whose;
+use super::keys::BLANK;
+use super::walk::{Walked, walk};
+use super::{Blank, StockKind, check};
+
+impl Reader<'_> {
+    pub(super) fn blank(&mut self, node: &Node) -> Option<Blank> {
+        let mut fields = self.problems.map(node)?;
+        let kind = fields.need("kind", &mut self.problems).and_then(|node| self.choice(node, &StockKind::NAMES));
+        let length_tolerance =
+            fields.take("length_tolerance").map(|node| self.not_below_zero(node, "length_tolerance"));
+        let shaped = fields.take("outer");
+        let blank = match (kind, shaped) {
+            (None, _) => {
+                let _ = fields.rest();
+                None
+            }
+            (Some(kind @ (StockKind::Forging | StockKind::Casting)), Some(outer)) => {
+                let inner = fields.take("inner");
+                self.refuse(
+                    &mut fields,
+                    &["diameter", "length", "face", "bore", "steps"],
+                    "blank-key-beside-outer",
+                    kind,
+                );
+                self.shaped(kind, outer, inner)
+            }
+            (Some(kind), shaped) => {
+                if let Some(outer) = shaped {
+                    self.fault::<()>(
+                        "blank-key-of-another-kind",
+                        &[("key", &"outer"), ("stock", &kind.name())],
+                        &outer.place,
+                    );
+                }
+                self.refuse(&mut fields, &["inner"], "blank-key-of-another-kind", kind);
+                self.sized_blank(kind, &mut fields)
+            }
+        };
+        fields.finish(BLANK, &mut self.problems);
+        let length_tolerance = match length_tolerance {
+            Some(read) => Some(read?),
+            None => None,
+        };
+        Some(Blank { length_tolerance, ..blank? })
+    }
+
+    /// Keys that this blank has not.
+    fn refuse(&mut self, fields: &mut Fields<'_>, keys: &[&str], code: &'static str, kind: StockKind) {
+        for key in keys {
+            if let Some(node) = fields.take(key) {
+                self.fault::<()>(code, &[("key", key), ("stock", &kind.name())], &node.place);
+            }
+        }
+    }
+
+    /// A cylinder, with a bore if it is a tube, with steps if it is a forging or casting.
+    fn sized_blank(&mut self, kind: StockKind, fields: &mut Fields<'_>) -> Option<Blank> {
+        let diameter = self.need(fields, "diameter");
+        let length = self.need(fields, "length");
+        let face = match fields.take("face") {
+            Some(node) => self.not_below_zero(node, "face"),
+            None => Some(Micrometres::ZERO),
+        };
+        if kind != StockKind::Tube {
+            self.refuse(fields, &["bore"], "blank-key-of-another-kind", kind);
+        }
+        let bore = match kind {
+            StockKind::Tube => Some(self.need(fields, "bore")),
+            _ => None,
+        };
+        if matches!(kind, StockKind::Bar | StockKind::Tube) {
+            self.refuse(fields, &["steps"], "blank-key-of-another-kind", kind);
+        }
+        let steps = fields.take("steps").map(|node| Shape { steps: self.steps(node), place: node.place.clone() });
+        if let Some(shape) = &steps {
+            shape::check(shape, Some(BlankKind::Forging), &[], diameter.as_ref(), length.as_ref(), self);
+        }
+        if let (Some(Some((bore, place))), Some((diameter, _))) = (&bore, &diameter) {
+            if bore >= diameter {
+                let figures: [(&str, &dyn Display); 2] = [("bore", bore), ("diameter", diameter)];
+                return self.fault("bore-beyond-diameter", &figures, place);
+            }
+        }
+        if let (Some(face), Some((length, place))) = (face.filter(|face| *face > Micrometres::ZERO), &length) {
+            if face >= *length {
+                return self.fault("face-beyond-length", &[("face", &face), ("length", length)], place);
+            }
+        }
+        let bore = match bore {
+            Some(bore) => Some(Half::radius_of(bore?.0)),
+            None => None,
+        };
+        let (diameter, length, face) = (diameter?.0, length?.0, Half::of(face?));
+        let blank = Blank::cylinder(kind, Half::radius_of(diameter), bore, face, Half::of(length));
+        match steps {
+            Some(shape) => Some(Blank { outer: stepped(&shape.steps, diameter, length, face)?, ..blank }),
+            None => Some(blank),
+        }
+    }
+
+    /// A forging or casting by its contours.
+    fn shaped(&mut self, kind: StockKind, outer: &Node, inner: Option<&Node>) -> Option<Blank> {
+        let outside = self.blank_contour(outer, Side::Outer);
+        let bore = inner.map(|node| self.blank_contour(node, Side::Inner));
+        if let (Some((start, place)), expected) = (&outside.start, bore.as_ref().map(|bore| &bore.start)) {
+            match expected {
+                None if start.radius != Half::ZERO => {
+                    let figures: [(&str, &dyn Display); 2] =
+                        [("d", &start.radius.diameter()), ("bore", &Micrometres::ZERO)];
+                    self.fault::<()>("does-not-begin-on-the-axis", &figures, place);
+                }
+                Some(Some((bore, place))) if bore != start => {
+                    let figures: [(&str, &dyn Display); 4] = [
+                        ("d", &bore.radius.diameter()),
+                        ("z", &(Half::ZERO - bore.z)),
+                        ("outer_d", &start.radius.diameter()),
+                        ("outer_z", &(Half::ZERO - start.z)),
+                    ];
+                    self.fault::<()>("contours-do-not-meet", &figures, place);
+                }
+                _ => {}
+            }
+        }
+        if let Some(bore) = bore.as_ref().filter(|bore| bore.whole && outside.whole) {
+            check::walls(&outside, bore, self);
+        }
+        let contour = |walked: &Walked| walked.profile().map(|profile| profile.contour());
+        let inner = match &bore {
+            Some(bore) => Some(contour(bore)?),
+            None => None,
+        };
+        Some(Blank { kind, outer: contour(&outside)?, inner, length_tolerance: None })
+    }
+
+    fn blank_contour(&mut self, node: &Node, side: Side) -> Walked {
+        let items = self.items(node, side, Whose::Blank);
+        let walked = walk(&items, side, self);
+        if walked.whole {
+            check::crosses_itself(&walked, self);
+        }
+        walked
+    }
+}
+
+/// The outside of a stepped blank: its steps from the free end, behind them its full diameter.
+fn stepped(steps: &[PlacedStep], diameter: Micrometres, length: Micrometres, face: Half) -> Option<Contour> {
+    let mut z = Half::ZERO - face;
+    let end = z + Half::of(length);
+    let mut points = vec![Point { radius: Half::ZERO, z }];
+    for step in steps {
+        let ((diameter, _), (long, _)) = (step.diameter.as_ref()?, step.length.as_ref()?);
+        let radius = Half::radius_of(*diameter);
+        points.push(Point { radius, z });
+        z = z + Half::of(*long);
+        points.push(Point { radius, z });
+    }
+    let radius = Half::radius_of(diameter);
+    if z < end {
+        points.extend([Point { radius, z }, Point { radius, z: end }]);
+    }
+    Some(Contour::through(Side::Outer, &points))
+}

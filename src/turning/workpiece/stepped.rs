@@ -1,0 +1,82 @@
+//! A stepped shaft as a workpiece, so that what is written for contours serves for both forms.
+
+use crate::turning::contour::{Contour, Piece, Profile, Side, Surface, SurfaceKind};
+use crate::turning::length::Half;
+use crate::turning::point::Point;
+use crate::turning::shaft::{BlankKind, Shaft, Step};
+use crate::units::Micrometres;
+
+use super::{Allowances, Blank, HeatTreatment, Rates, Roughing, StockKind, Workpiece};
+
+impl From<&Shaft> for Workpiece {
+    /// The diameters of a stepped shaft are those after roughing, so there is nothing left to finish: the allowances are
+    /// zero. Its limiting depth is the longitudinal one.
+    fn from(shaft: &Shaft) -> Self {
+        let kind = match shaft.blank.kind {
+            BlankKind::Bar => StockKind::Bar,
+            BlankKind::Forging => StockKind::Forging,
+            BlankKind::Casting => StockKind::Casting,
+        };
+        let (radius, length) = (Half::radius_of(shaft.blank.diameter), Half::of(shaft.blank.length));
+        let mut blank = Blank::cylinder(kind, radius, None, Half::ZERO, length);
+        if !shaft.blank_steps.is_empty() {
+            let mut points = corners(&shaft.blank_steps);
+            if let Some(last) = points.last().copied().filter(|last| last.z < length) {
+                points.extend([Point { radius, z: last.z }, Point { radius, z: length }]);
+            }
+            blank.outer = Contour::through(Side::Outer, &points);
+        }
+        Self {
+            name: shaft.shaft.clone(),
+            material: shaft.material.clone(),
+            blank,
+            machine: None,
+            holding: shaft.holding,
+            heat_treatment: HeatTreatment::default(),
+            outer: outer(&shaft.steps),
+            inner: None,
+            threads: Vec::new(),
+            roughing: Roughing { limiting_depth: Some(shaft.roughing.longitudinal_depth), scheme: None },
+            allowances: Allowances::Stated { on_diameter: Micrometres::ZERO, on_face: Micrometres::ZERO },
+            rates: shaft.rates.map(|main| Rates {
+                main,
+                infeed: None,
+                pick_up_feed: None,
+                semi_finishing_feed: None,
+                finishing_feed: None,
+            }),
+            findings: Vec::new(),
+        }
+    }
+}
+
+/// The corners of steps from the axis at the free end.
+fn corners(steps: &[Step]) -> Vec<Point> {
+    let mut points = vec![Point::default()];
+    let mut z = Half::ZERO;
+    for step in steps {
+        let radius = Half::radius_of(step.diameter);
+        points.push(Point { radius, z });
+        z = z + Half::of(step.length);
+        points.push(Point { radius, z });
+    }
+    points
+}
+
+fn outer(steps: &[Step]) -> Profile {
+    let mut surfaces: Vec<Surface> = Vec::new();
+    for piece in Contour::through(Side::Outer, &corners(steps)).pieces {
+        let kind = if piece.is_face() { SurfaceKind::Face } else { SurfaceKind::Cylinder };
+        // Steps of one diameter are one cylinder.
+        if let Some(last) = surfaces.last_mut().filter(|last| last.kind == kind) {
+            if let Some(before) = last.pieces.first_mut() {
+                *before = Piece::line(before.from, piece.to);
+            }
+            continue;
+        }
+        let name = format!("outer {}", surfaces.len() + 1);
+        let pieces = vec![piece];
+        surfaces.push(Surface { name, kind, pieces, grade: None, roughness: None, stated_allowance: None });
+    }
+    Profile { side: Side::Outer, surfaces }
+}

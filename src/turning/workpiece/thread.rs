@@ -1,0 +1,99 @@
+//! A metric thread of a turned surface, as drawings write it.
+
+use crate::knowledge::Knowledge;
+use crate::turning::contour::Side;
+use crate::units::Micrometres;
+
+/// A thread by its name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Named {
+    /// As the drawing writes it, in Latin letters.
+    pub written: String,
+    /// Nominal diameter, mm.
+    pub size: Micrometres,
+    /// Pitch, mm.
+    pub pitch: Micrometres,
+    /// The drill for it, where the tables have one.
+    drill: Option<Micrometres>,
+}
+
+impl Named {
+    /// The least and the largest diameter that a thread may be cut on: outside the nominal one; in a bore from the minor
+    /// diameter D1 = d − 1.0825 P (ISO 724) to the drill, by the tables or d − P.
+    pub fn diameters(&self, side: Side) -> (Micrometres, Micrometres) {
+        match side {
+            Side::Outer => (self.size, self.size),
+            Side::Inner => {
+                let minor = Micrometres::new(self.size.micrometres() - self.pitch.micrometres() * 10_825 / 10_000);
+                let drill = self.size - self.pitch;
+                (minor, self.drill.map_or(drill, |known| known.max(drill)))
+            }
+        }
+    }
+}
+
+/// Reads `M36x2`, `M36x2-6g`, `M36`: the coarse pitch and the drill are those of the table `tap-drills`.
+///
+/// # Errors
+/// The code of the mistake: it is no metric thread, or its coarse pitch is not known.
+pub(super) fn read(text: &str, knowledge: &Knowledge) -> Result<Named, &'static str> {
+    let latin = |letter: char| match letter {
+        'х' | 'Х' | 'X' | '×' | '*' => 'x',
+        'М' | 'м' | 'm' => 'M',
+        'Н' => 'H',
+        '–' | '−' => '-',
+        other => other,
+    };
+    let written: String = text.chars().filter(|letter| !letter.is_whitespace()).map(latin).collect();
+    let rest = written.strip_prefix('M').ok_or("bad-turned-thread")?;
+    let (sizes, field) = rest.split_once('-').map_or((rest, None), |(sizes, field)| (sizes, Some(field)));
+    if field.is_some_and(|field| !field.starts_with(|first: char| first.is_ascii_digit())) {
+        return Err("bad-turned-thread");
+    }
+    let (size, pitch) = sizes.split_once('x').map_or((sizes, None), |(size, pitch)| (size, Some(pitch)));
+    let length = |figure: &str| figure.parse::<Micrometres>().map_err(|_| "bad-turned-thread");
+    let (size, pitch) = (length(size)?, pitch.map(length).transpose()?);
+    let table = knowledge.table("tap-drills").ok();
+    let row = table.and_then(|table| table.find("thread", &format!("M{size}")));
+    let coarse = row.and_then(|row| row.length("pitch").ok());
+    let pitch = pitch.or(coarse).ok_or("no-coarse-pitch")?;
+    // The profile is 0.54 P deep on each side (ISO 68-1): a core must be left.
+    if size <= Micrometres::ZERO || pitch <= Micrometres::ZERO || pitch + pitch >= size {
+        return Err("bad-turned-thread");
+    }
+    let drill = if Some(pitch) == coarse { row.and_then(|row| row.length("diameter").ok()) } else { None };
+    Ok(Named { written, size, pitch, drill })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shipped;
+
+    #[test]
+    fn threads_are_read() {
+        let knowledge = shipped::knowledge().unwrap();
+        for (text, size, pitch, inside) in [
+            ("M36x2", 36_000, 2_000, (33_835, 34_000)),
+            ("М 36 х 2 - 6g", 36_000, 2_000, (33_835, 34_000)),
+            // ISO 724: D1 of M8 is 6.647; the drill of GOST 19257 is 6.8.
+            ("M8", 8_000, 1_250, (6_647, 6_800)),
+            ("M200x3", 200_000, 3_000, (196_753, 197_000)),
+        ] {
+            let named = read(text, &knowledge).unwrap();
+            assert_eq!((named.size.micrometres(), named.pitch.micrometres()), (size, pitch), "{text}");
+            let (least, most) = named.diameters(Side::Inner);
+            assert_eq!((least.micrometres(), most.micrometres()), inside, "{text}");
+            assert_eq!(named.diameters(Side::Outer), (named.size, named.size));
+        }
+        for (text, code) in [
+            ("Tr36x6", "bad-turned-thread"),
+            ("M", "bad-turned-thread"),
+            ("M8x4", "bad-turned-thread"),
+            ("M8-g", "bad-turned-thread"),
+            ("M201", "no-coarse-pitch"),
+        ] {
+            assert_eq!(read(text, &knowledge).unwrap_err(), code, "{text}");
+        }
+    }
+}

@@ -1,0 +1,309 @@
+//! Along the items of a contour: each becomes a surface, if it leads where a contour can go.
+
+use std::fmt::Display;
+
+use crate::knowledge::diagnostic::Place;
+use crate::note::Finding;
+use crate::turning::contour::{Curve, Piece, Profile, Side, Surface, SurfaceKind, Turn};
+use crate::turning::length::Half;
+use crate::turning::point::Point;
+use crate::turning::reading::{Placed, Reader};
+
+use super::Thread;
+use super::groove::Kind;
+use super::items::{Along, Item, Measure, What, Written};
+use super::thread::Named;
+
+/// Ends of arcs are rounded: so much an arc may miss its own circle by, half-micrometres.
+const SLACK: Half = Half::new(2);
+
+/// A contour as far as it could be walked.
+pub(super) struct Walked {
+    pub side: Side,
+    /// Where it begins.
+    pub start: Option<Placed<Point>>,
+    /// Its surfaces, each with the place of its item.
+    pub surfaces: Vec<Placed<Surface>>,
+    pub threads: Vec<Thread>,
+    pub findings: Vec<Finding>,
+    /// Whether every item became a surface without a fault.
+    pub whole: bool,
+}
+
+impl Walked {
+    /// The profile, if it is whole.
+    pub fn profile(&self) -> Option<Profile> {
+        let surfaces = self.surfaces.iter().map(|(surface, _)| surface.clone()).collect();
+        self.whole.then_some(Profile { side: self.side, surfaces })
+    }
+
+    /// Where it ends.
+    pub fn end(&self) -> Option<Point> {
+        self.surfaces.last().and_then(|(surface, _)| surface.pieces.last()).map(|piece| piece.to)
+    }
+}
+
+/// Walks a contour.
+pub(super) fn walk(items: &[Option<Item>], side: Side, reader: &mut Reader<'_>) -> Walked {
+    let walked =
+        Walked { side, start: None, surfaces: Vec::new(), threads: Vec::new(), findings: Vec::new(), whole: true };
+    let mut walk = Walk { items, reader, radius: None, z: None, walked };
+    for (index, item) in items.iter().enumerate() {
+        match item {
+            Some(item) => walk.step(index, item),
+            None => {
+                (walk.radius, walk.z) = (None, None);
+                walk.walked.whole = false;
+            }
+        }
+    }
+    walk.walked.whole &= walk.walked.start.is_some() && !walk.walked.surfaces.is_empty();
+    walk.walked
+}
+
+/// A walk under way.
+pub(super) struct Walk<'i, 'r, 'a> {
+    pub items: &'i [Option<Item>],
+    pub reader: &'r mut Reader<'a>,
+    /// Where the contour stands, as far as it is known.
+    radius: Option<Half>,
+    z: Option<Half>,
+    pub walked: Walked,
+}
+
+/// Diameters and Z of files as lengths of the contour.
+fn radius_of(measure: &Measure) -> Option<Half> {
+    measure.as_ref().map(|(diameter, _)| Half::radius_of(*diameter))
+}
+
+fn z_of(measure: &Measure) -> Option<Half> {
+    measure.as_ref().map(|(z, _)| Half::ZERO - Half::of(*z))
+}
+
+impl Walk<'_, '_, '_> {
+    pub fn fault(&mut self, code: &'static str, figures: &[(&str, &dyn Display)], place: &Place) {
+        self.reader.fault::<()>(code, figures, place);
+        self.walked.whole = false;
+    }
+
+    fn here(&self) -> Option<Point> {
+        Some(Point { radius: self.radius?, z: self.z? })
+    }
+
+    pub fn hollow(&self, hollow: bool) -> Turn {
+        match (self.walked.side, hollow) {
+            (Side::Outer, true) | (Side::Inner, false) => Turn::Left,
+            (Side::Outer, false) | (Side::Inner, true) => Turn::Right,
+        }
+    }
+
+    fn step(&mut self, index: usize, item: &Item) {
+        match &item.what {
+            What::From(to) if index == 0 => {
+                (self.radius, self.z) = (radius_of(&to.d), z_of(&to.z));
+                self.walked.start = self.here().map(|point| (point, item.place.clone()));
+                if self.walked.side == Side::Inner && self.radius == Some(Half::ZERO) {
+                    self.fault("bore-begins-on-the-axis", &[], &item.place);
+                }
+            }
+            What::From(_) => self.fault("from-not-first", &[], &item.place),
+            _ if index == 0 => self.fault("first-item-not-from", &[], &item.place),
+            What::Face(d) => self.straight(item, SurfaceKind::Face, (radius_of(d), self.z)),
+            What::Cylinder(along) => {
+                let z = self.z_after(along);
+                self.straight(item, SurfaceKind::Cylinder, (self.radius, z));
+            }
+            What::Cone { to, chamfer } => {
+                let kind = if *chamfer { SurfaceKind::Chamfer } else { SurfaceKind::Cone };
+                let to = (radius_of(&to.d), z_of(&to.z));
+                let (same_radius, same_z) = (to.0.is_some() && to.0 == self.radius, to.1.is_some() && to.1 == self.z);
+                if same_radius != same_z {
+                    self.fault("cone-without-slant", &[], &item.place);
+                }
+                self.straight(item, kind, to);
+            }
+            What::Chamfer(size) => self.chamfer(index, item, size),
+            What::Arc { to, radius, hollow } => self.arc(item, (radius_of(&to.d), z_of(&to.z)), radius, *hollow),
+            What::Thread { named, along } => self.thread(item, named.as_ref(), along),
+            What::Groove(written) => self.groove(index, item, written.as_ref()),
+        }
+    }
+
+    fn z_after(&self, along: &Along) -> Option<Half> {
+        match along {
+            Along::Z(z) => z_of(z),
+            Along::Length(length) => Some(self.z? + Half::of(length.as_ref()?.0)),
+        }
+    }
+
+    fn straight(&mut self, item: &Item, kind: SurfaceKind, to: (Option<Half>, Option<Half>)) {
+        self.arrive(item, kind, to, Some(Curve::Line));
+    }
+
+    /// Goes to a point, if it is known; the surface is there if all of it is.
+    fn arrive(&mut self, item: &Item, kind: SurfaceKind, to: (Option<Half>, Option<Half>), curve: Option<Curve>) {
+        let from = self.here();
+        (self.radius, self.z) = to;
+        let (Some(from), Some(to), Some(curve)) = (from, self.here(), curve) else {
+            self.walked.whole = false;
+            return;
+        };
+        let piece = Piece { from, to, curve };
+        let radius_place = match &item.what {
+            What::Arc { radius: Some((_, place)), .. } => place,
+            _ => &item.place,
+        };
+        if let Some((radius, least)) = falls_short(piece) {
+            self.fault("arc-does-not-reach", &[("radius", &radius), ("least", &least)], radius_place);
+        } else if self.leads_on(piece, kind, &item.place) {
+            self.push(item, kind, vec![piece]);
+        }
+    }
+
+    fn push(&mut self, item: &Item, kind: SurfaceKind, pieces: Vec<Piece>) {
+        let side = match self.walked.side {
+            Side::Outer => "outer",
+            Side::Inner => "inner",
+        };
+        let said = &item.said;
+        let name = match &said.name {
+            Some((name, _)) => name.clone(),
+            None => format!("{side} {}", self.walked.surfaces.len() + 1),
+        };
+        let (grade, roughness, stated_allowance) = (said.grade, said.roughness, said.allowance);
+        let surface = Surface { name, kind, pieces, grade, roughness, stated_allowance };
+        self.walked.surfaces.push((surface, item.place.clone()));
+    }
+
+    pub fn last(&self) -> Option<&Surface> {
+        self.walked.surfaces.last().map(|(surface, _)| surface)
+    }
+
+    /// Whether a piece outside of grooves goes where a contour can.
+    fn leads_on(&mut self, piece: Piece, kind: SurfaceKind, place: &Place) -> bool {
+        let (from, to) = (piece.from, piece.to);
+        let after_groove = self.last().filter(|last| last.kind.is_additional() && last.kind != SurfaceKind::Thread);
+        let groove_went = after_groove.map(|groove| {
+            groove
+                .pieces
+                .first()
+                .zip(groove.pieces.last())
+                .map_or(0, |(first, last)| (last.to.radius - first.from.radius).halves())
+        });
+        let back = (to.radius - from.radius).halves();
+        let z_shown = |z: Half| Half::ZERO - z;
+        let extremes = piece.extremes();
+        if piece.is_nothing() {
+            self.fault("leads-nowhere", &[("d", &to.radius.diameter()), ("z", &z_shown(to.z))], place);
+        } else if to.z < from.z || (groove_went.is_some_and(|went| went * back < 0) && kind == SurfaceKind::Face) {
+            let code = if groove_went.is_some() { "groove-over-neighbour" } else { "runs-back" };
+            self.fault(code, &[("from", &z_shown(from.z)), ("to", &z_shown(to.z))], place);
+        } else if let Some(point) = extremes.iter().find(|point| point.z < from.z - SLACK || point.z > to.z + SLACK) {
+            self.fault("arc-swings-out", &[("z", &z_shown(point.z))], place);
+        } else if extremes.iter().any(|point| point.radius < Half::ZERO - SLACK) {
+            self.fault("below-the-axis", &[], place);
+        } else if from.radius == Half::ZERO
+            && (to.radius == Half::ZERO && piece.curve == Curve::Line || self.last().is_some())
+        {
+            self.fault("along-the-axis", &[("z", &z_shown(from.z))], place);
+        } else {
+            return true;
+        }
+        false
+    }
+
+    /// Which way the radius goes on where the contour stands: as the face before, or as the face after.
+    pub fn radial_way(&self, index: usize) -> Option<i64> {
+        let before = self.last().filter(|last| last.kind == SurfaceKind::Face).and_then(|face| face.pieces.first());
+        if let Some(face) = before {
+            return Some((face.to.radius - face.from.radius).halves().signum());
+        }
+        if self.last().is_none() {
+            return Some(if self.walked.side == Side::Outer { 1 } else { -1 });
+        }
+        match self.items.get(index + 1)?.as_ref()?.what {
+            What::Face(ref d) => Some((radius_of(d)? - self.radius?).halves().signum()).filter(|way| *way != 0),
+            _ => None,
+        }
+    }
+
+    fn chamfer(&mut self, index: usize, item: &Item, size: &Measure) {
+        let after_face = self.last().is_none_or(|last| last.kind == SurfaceKind::Face);
+        let Some((size, place)) = size else { return self.straight(item, SurfaceKind::Chamfer, (None, None)) };
+        let side = Half::of(*size);
+        let known = self.here().is_some();
+        let Some(way) = self.radial_way(index) else {
+            if known {
+                self.fault("chamfer-which-way", &[], &item.place);
+            }
+            return self.straight(item, SurfaceKind::Chamfer, (None, None));
+        };
+        let face = match self.items.get(index + 1).and_then(Option::as_ref).map(|next| &next.what) {
+            Some(What::Face(d)) if !after_face => radius_of(d).zip(self.radius).map(|(to, from)| to - from),
+            _ => None,
+        };
+        if let Some(face) = face.map(|face| Half::new(face.halves().abs())).filter(|face| *face < side) {
+            self.fault("chamfer-larger-than-face", &[("chamfer", size), ("face", &face)], place);
+        }
+        let radius = self.radius.map(|radius| radius + Half::new(way * side.halves()));
+        self.straight(item, SurfaceKind::Chamfer, (radius, self.z.map(|z| z + side)));
+    }
+
+    fn arc(&mut self, item: &Item, to: (Option<Half>, Option<Half>), radius: &Measure, hollow: Option<bool>) {
+        let kind = if hollow == Some(true) { SurfaceKind::Fillet } else { SurfaceKind::Ball };
+        let radius = radius.as_ref().map(|(radius, _)| Half::of(*radius));
+        let curve = radius.zip(hollow).map(|(radius, hollow)| Curve::Arc { radius, turn: self.hollow(hollow) });
+        self.arrive(item, kind, to, curve);
+    }
+
+    fn thread(&mut self, item: &Item, named: Option<&Placed<Named>>, along: &Along) {
+        let z = self.z_after(along);
+        if let Some(((named, place), radius)) = named.zip(self.radius) {
+            let (least, most) = named.diameters(self.walked.side);
+            let diameter = radius.diameter();
+            if !(least..=most).contains(&diameter) {
+                let figures: [(&str, &dyn Display); 4] =
+                    [("thread", &named.written), ("diameter", &diameter), ("least", &least), ("most", &most)];
+                let code = if least == most { "thread-on-another-diameter" } else { "thread-in-another-bore" };
+                self.fault(code, &figures, place);
+            }
+        }
+        let before = self.walked.surfaces.len();
+        self.straight(item, SurfaceKind::Thread, (self.radius, z));
+        match (named, self.last()) {
+            (Some((named, _)), Some(surface)) if self.walked.surfaces.len() > before => {
+                let (written, size, pitch) = (named.written.clone(), named.size, named.pitch);
+                let thread = Thread { surface: surface.name.clone(), written, size, pitch };
+                self.walked.threads.push(thread);
+            }
+            _ => self.walked.whole = false,
+        }
+    }
+
+    fn groove(&mut self, index: usize, item: &Item, written: Option<&Written>) {
+        let drawn = written.zip(self.here()).and_then(|(written, here)| self.drawn(index, here, item, written));
+        match (drawn, written) {
+            (Some((kind, pieces)), _) => {
+                (self.radius, self.z) = pieces.last().map(|piece| (piece.to.radius, piece.to.z)).unzip();
+                self.push(item, kind, pieces);
+            }
+            (None, written) => {
+                // A groove in a cylinder ends at its diameter, wherever that is.
+                if written.is_none_or(|written| matches!(written.kind, Kind::Face | Kind::Corner)) {
+                    self.radius = None;
+                }
+                self.z = None;
+                self.walked.whole = false;
+            }
+        }
+    }
+}
+
+/// The radius of an arc that is less than half the distance of its ends, but for their rounding, and that half.
+fn falls_short(piece: Piece) -> Option<(Half, Half)> {
+    let Curve::Arc { radius, .. } = piece.curve else { return None };
+    let square = |half: Half| i128::from(half.halves()) * i128::from(half.halves());
+    let (z, r) = (piece.to.z - piece.from.z, piece.to.radius - piece.from.radius);
+    let short = square(z) + square(r) > square(radius + radius + SLACK);
+    short.then(|| (radius, Half::from(piece.chord().length() / 2.0)))
+}

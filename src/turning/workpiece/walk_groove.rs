@@ -1,0 +1,126 @@
+//! The grooves of a walk: their sizes, from the file or a standard, and how they lie on the contour.
+
+use std::fmt::Display;
+
+use crate::knowledge::diagnostic::Place;
+use crate::turning::contour::{Piece, Side, SurfaceKind};
+use crate::turning::length::Half;
+use crate::turning::point::Point;
+use crate::units::{Decimal, Micrometres};
+
+use super::groove::{self, Frame, Kind, Sizes};
+use super::items::{Item, Measure, What, Written};
+use super::relief;
+use super::walk::Walk;
+
+impl Walk<'_, '_, '_> {
+    /// The pieces of a groove that begins here; what hinders is a mistake.
+    pub(super) fn drawn(
+        &mut self,
+        index: usize,
+        here: Point,
+        item: &Item,
+        written: &Written,
+    ) -> Option<(SurfaceKind, Vec<Piece>)> {
+        let sizes = self.sizes(index, here, item, written)?;
+        let Some(frame) = self.frame(index, here, written.kind) else {
+            self.fault("groove-not-in-a-face", &[], &item.place);
+            return None;
+        };
+        if frame.on_cylinder && frame.radial < 0 && sizes.depth >= here.radius {
+            let figures: [(&str, &dyn Display); 2] = [("depth", &sizes.depth), ("radius", &here.radius)];
+            self.fault("groove-deeper-than-radius", &figures, &item.place);
+            return None;
+        }
+        match groove::pieces(sizes, frame) {
+            Ok(pieces) if pieces.iter().any(|piece| piece.to.radius < Half::ZERO) => {
+                self.fault("below-the-axis", &[], &item.place);
+                None
+            }
+            Ok(pieces) => Some((written.kind.surface(), pieces)),
+            Err(code) => {
+                let figures: [(&str, &dyn Display); 2] = [("width", &sizes.width), ("depth", &sizes.depth)];
+                self.fault(code, &figures, &item.place);
+                None
+            }
+        }
+    }
+
+    fn frame(&self, index: usize, here: Point, kind: Kind) -> Option<Frame> {
+        let outer = self.walked.side == Side::Outer;
+        let hollow = self.hollow(true);
+        if kind != Kind::Face {
+            let radial = if outer { -1 } else { 1 };
+            return Some(Frame { at: here, on_cylinder: true, radial, axial: 1, hollow });
+        }
+        // On an outer contour a face that goes outwards looks to the free end, its metal is towards the chuck.
+        let radial = self.radial_way(index)?;
+        let axial = if outer { radial } else { -radial };
+        Some(Frame { at: here, on_cylinder: false, radial, axial, hollow })
+    }
+
+    /// The sizes of a groove: those of the file, and of a relief those of its standard where the file has none.
+    fn sizes(&mut self, index: usize, here: Point, item: &Item, written: &Written) -> Option<Sizes> {
+        let kind = written.kind;
+        if let Some((_, place)) = written.angle.as_ref().filter(|_| !kind.has_angle()) {
+            self.fault("angle-of-a-straight-groove", &[("kind_of_groove", &kind.name())], place);
+        }
+        if written.spoilt {
+            return None;
+        }
+        let given = |measure: &Measure| measure.as_ref().map(|(length, _)| *length);
+        let (mut width, mut depth) = (given(&written.width), given(&written.depth));
+        if width.is_none() || depth.is_none() {
+            if let Some(found) = self.standard(index, here, kind, width) {
+                width = width.or(Some(found.width));
+                depth = depth.or(Some(found.depth));
+                self.walked.findings.extend(found.finding);
+            }
+        }
+        let slant = match &written.angle {
+            Some((angle, place)) => self.slant(*angle, place),
+            None => Some(0.0),
+        };
+        let lacking: Vec<&str> = [
+            ("width", width.is_none()),
+            ("depth", depth.is_none()),
+            ("angle", kind.has_angle() && written.angle.is_none()),
+            ("radius", kind.needs_radius() && written.radius.is_none()),
+        ]
+        .iter()
+        .filter_map(|(key, lacks)| lacks.then_some(*key))
+        .collect();
+        if !lacking.is_empty() {
+            self.fault("groove-sizes-needed", &[("keys", &lacking.join(", "))], &item.place);
+        }
+        let shoulder_first = self.last().is_none_or(|last| last.kind == SurfaceKind::Face);
+        let radius = given(&written.radius).map(Half::of);
+        Some(Sizes { kind, width: Half::of(width?), depth: Half::of(depth?), radius, slant: slant?, shoulder_first })
+            .filter(|_| lacking.is_empty())
+    }
+
+    /// The tangent of half the angle between the walls.
+    fn slant(&mut self, angle: Decimal, place: &Place) -> Option<f64> {
+        if angle <= Decimal::from_int(0) || angle >= Decimal::from_int(180) {
+            self.fault("bad-groove-angle", &[("angle", &angle)], place);
+            return None;
+        }
+        Some(libm::tan((angle.to_f64() / 2.0).to_radians()))
+    }
+
+    fn standard(&self, index: usize, here: Point, kind: Kind, width: Option<Micrometres>) -> Option<relief::Relief> {
+        match kind {
+            Kind::GrindingRelief => relief::grinding(here.radius.diameter(), width, self.reader.knowledge),
+            Kind::ThreadRelief => {
+                let before = self.last().filter(|last| last.kind == SurfaceKind::Thread);
+                let before = before.and(self.walked.threads.last()).map(|thread| thread.pitch);
+                let after = match self.items.get(index + 1).and_then(Option::as_ref).map(|next| &next.what) {
+                    Some(What::Thread { named: Some((named, _)), .. }) => Some(named.pitch),
+                    _ => None,
+                };
+                relief::thread(before.or(after)?, self.walked.side, self.reader.knowledge)
+            }
+            _ => None,
+        }
+    }
+}
