@@ -24,10 +24,9 @@ mod workpiece;
 fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'static str)> {
     let all = SENTENCES.iter().chain(routes::SENTENCES).chain(programs::SENTENCES);
     let all = all.chain(iso::SENTENCES).chain(jobs::SENTENCES).chain(lists::SENTENCES);
-    all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES).chain(turning_tools::SENTENCES)
-    all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES).chain(zones::SENTENCES)
-    all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES).chain(lathe_programs::SENTENCES)
-    all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES).chain(workpiece::SENTENCES)
+    let all = all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES);
+    let all = all.chain(turning_tools::SENTENCES).chain(zones::SENTENCES).chain(workpiece::SENTENCES);
+    all.chain(lathe_programs::SENTENCES)
 }
 
 /// A note as a sentence. A code without words shows itself with its figures, so that nothing is lost.
@@ -57,7 +56,7 @@ pub fn remedy(note: &Note, lang: Lang) -> Option<&'static str> {
         .chain(lists::REMEDIES)
         .chain(turning::REMEDIES)
         .chain(schemes::REMEDIES)
-        .chain(lathe_programs::REMEDIES);
+        .chain(lathe_programs::REMEDIES)
         .chain(workpiece::REMEDIES);
     let of_program = remedies.find(|(code, ..)| *code == note.code).map(|(_, uk, en)| lang.pick(uk, en));
     let of_proof = || proof::REMEDIES.iter().find(|(code, _)| *code == note.code);
@@ -87,13 +86,7 @@ pub fn scheme_name(scheme: &str, lang: Lang) -> String {
 
 /// A word that stands in a table as an id.
 pub fn term(id: &str, lang: Lang) -> &str {
-    TERMS
-        .iter()
-        .chain(schemes::TERMS)
-        .chain(turning_tools::TERMS)
-        .find(|(known, ..)| *known == id)
-        .map_or(id, |(_, uk, en)| lang.pick(uk, en))
-    let terms = TERMS.iter().chain(schemes::TERMS).chain(zones::TERMS);
+    let terms = TERMS.iter().chain(schemes::TERMS).chain(turning_tools::TERMS).chain(zones::TERMS);
     terms.into_iter().find(|(known, ..)| *known == id).map_or(id, |(_, uk, en)| lang.pick(uk, en))
 }
 
