@@ -1,0 +1,53 @@
+//! Contours cut to a stretch of Z.
+
+use crate::turning::contour::{Contour, Piece};
+use crate::turning::length::Half;
+
+/// A monotone contour between two Z. Faces at the ends are kept where they lead into the stretch as walls: at its end those
+/// that go away from the axis, at its beginning those that come towards it.
+pub(super) fn between(contour: &Contour, from: Half, to: Half) -> Contour {
+    let mut pieces: Vec<Piece> = Vec::new();
+    for piece in &contour.pieces {
+        if piece.is_face() {
+            let rises = piece.to.radius > piece.from.radius;
+            let inside = from < piece.from.z && piece.from.z < to;
+            if inside || (piece.from.z == to && rises) || (piece.from.z == from && !rises) {
+                pieces.push(*piece);
+            }
+            continue;
+        }
+        let (start, end) = (piece.from.z.max(from), piece.to.z.min(to));
+        if start >= end {
+            continue;
+        }
+        let at = |z: Half, own| if z == own { None } else { piece.at_z(z).first().copied() };
+        let begin = at(start, piece.from.z).unwrap_or(piece.from);
+        let stop = at(end, piece.to.z).unwrap_or(piece.to);
+        if begin.z < stop.z {
+            pieces.push(piece.between(begin, stop));
+        }
+    }
+    // A wall at the beginning hangs on nothing if no piece follows where it ends.
+    Contour { side: contour.side, pieces }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::turning::contour::Side;
+    use crate::turning::point::Point;
+
+    fn at(radius: f64, z: f64) -> Point {
+        Point { radius: Half::from(radius), z: Half::from(z) }
+    }
+
+    #[test]
+    fn the_end_face_goes_and_the_shoulder_ahead_stays() {
+        let pin = Contour::through(Side::Outer, &[at(0.0, 0.0), at(10.0, 0.0), at(12.0, 2.0), at(12.0, 20.0), at(30.0, 20.0), at(30.0, 40.0)]);
+        let first = between(&pin, Half::ZERO, Half::from(20.0));
+        assert_eq!(first.corners(), [at(10.0, 0.0), at(12.0, 2.0), at(12.0, 20.0), at(30.0, 20.0)]);
+        let cut = between(&pin, Half::from(1.0), Half::from(10.0));
+        assert_eq!(cut.corners(), [at(11.0, 1.0), at(12.0, 2.0), at(12.0, 10.0)]);
+        assert!(cut.hangs_together());
+    }
+}

@@ -1,0 +1,189 @@
+//! The layers over a part in a set-up, from outside: blank, rough contour, main contour, part (lecture 12.2, fig. 12.2).
+
+use serde::Serialize;
+
+use crate::error::KnowledgeError;
+use crate::note::{Finding, Note, Severity};
+use crate::turning::allowances::areas::{Areas, areas};
+use crate::turning::allowances::equidistant;
+use crate::turning::allowances::finishing::{Allowance, Errors, Method, allowance, finishing};
+use crate::turning::allowances::surfaces::Place;
+use crate::turning::contour::{Contour, Curve, Piece, Profile, Side};
+use crate::turning::length::Half;
+use crate::turning::point::Point;
+use crate::turning::workpiece::{Allowances, Workpiece};
+use crate::turning::zones::{SetUp, Stretch};
+use crate::units::Micrometres;
+
+use super::tools::Bench;
+
+/// The layers of one side in a set-up, in its coordinates: Z = 0 at the end that is free in it.
+#[derive(Clone, Debug, Serialize)]
+pub struct Layers {
+    /// The finishing allowance of each surface.
+    pub allowances: Vec<Allowance>,
+    /// The blank, as far as this set-up turns it; of a bore into solid metal the drilled hole.
+    #[serde(skip)]
+    pub blank: Contour,
+    /// The rough contour.
+    pub rough: Contour,
+    /// The main contour, additional elements bridged.
+    #[serde(skip)]
+    pub main: Contour,
+    /// The part.
+    #[serde(skip)]
+    pub part: Contour,
+    /// The three allowances.
+    #[serde(serialize_with = "sizes")]
+    pub areas: Areas,
+}
+
+/// The areas without their boundaries, which are for drawings.
+fn sizes<S: serde::Serializer>(areas: &Areas, serializer: S) -> Result<S::Ok, S::Error> {
+    #[derive(Serialize)]
+    struct Size {
+        area_mm2: f64,
+        volume_mm3: f64,
+    }
+    let of = |area: &crate::turning::allowances::areas::Area| Size {
+        area_mm2: crate::units::round_to(area.area_mm2.0, 3),
+        volume_mm3: crate::units::round_to(area.volume_mm3.0, 1),
+    };
+    [("rough_main", of(&areas.rough_main)), ("additional", of(&areas.additional)), ("finish", of(&areas.finish))]
+        .into_iter()
+        .collect::<std::collections::BTreeMap<_, _>>()
+        .serialize(serializer)
+}
+
+/// The layers of a stretch; none where they cannot be laid, which is a finding.
+///
+/// # Errors
+/// The knowledge base lacks a table.
+pub fn layers(
+    stretch: &Stretch,
+    set_up: &SetUp,
+    bench: &Bench<'_, '_>,
+    findings: &mut Vec<Finding>,
+) -> Result<Option<Layers>, KnowledgeError> {
+    let (workpiece, knowledge) = (bench.workpiece, bench.knowledge);
+    let length = Micrometres::new(workpiece.length().halves() / 2);
+    let method = method(&workpiece.allowances);
+    let (allowances, found) = finishing(&stretch.profile, method, length, knowledge)?;
+    findings.extend(found);
+    let main = &stretch.main.contour;
+    let mut distances = Vec::new();
+    for piece in &main.pieces {
+        let own = surface_of(piece, &stretch.profile).and_then(|index| allowances.get(index));
+        let distance = match own.and_then(|own| own.allowance_mm) {
+            Some(distance) => distance,
+            // A bridge: what such a surface would get.
+            None => {
+                let place = if piece.is_face() { Place::Face } else { Place::of_side(main.side) };
+                let diameter = piece.from.radius.max(piece.to.radius).diameter();
+                allowance(place, diameter, length, method, knowledge)?.0.unwrap_or(Half::ZERO)
+            }
+        };
+        distances.push(distance);
+    }
+    let rough = match equidistant(main, &distances) {
+        Ok(rough) => rough,
+        Err(error) => {
+            findings.push(Finding::of_part(Severity::Error, Note::new("no-rough-contour").with("why", error)));
+            return Ok(None);
+        }
+    };
+    let Some((blank, rough)) = blank(&rough, set_up, workpiece, findings) else { return Ok(None) };
+    let part = stretch.profile.contour();
+    let areas = areas(&blank, &rough, main, &part);
+    Ok(Some(Layers { allowances, blank, rough, main: main.clone(), part, areas }))
+}
+
+fn method(allowances: &Allowances) -> Method {
+    let half = |height: crate::turning::workpiece::Microns| Half::from(height.to_mm());
+    match allowances {
+        Allowances::Table => Method::Table,
+        Allowances::Analytic(errors) => Method::Analytic(Errors {
+            roughness_height: Some(half(errors.rz_um)),
+            damaged_layer: Some(half(errors.defect_layer_um)),
+            deviation: half(errors.spatial_deviation_um),
+            setting: half(errors.setup_error_um),
+        }),
+        Allowances::Stated { on_diameter, on_face } => {
+            Method::Stated { on_diameter: Some(*on_diameter), on_face: Some(*on_face) }
+        }
+    }
+}
+
+/// The surface that a piece of the main contour lies on: one with a piece on the same line or circle that it shares a
+/// point with.
+fn surface_of(piece: &Piece, profile: &Profile) -> Option<usize> {
+    let lies_on = |other: &Piece| same_carrier(piece, other) && touches(piece, other);
+    profile.surfaces.iter().position(|surface| surface.pieces.iter().any(lies_on))
+}
+
+fn touches(one: &Piece, other: &Piece) -> bool {
+    let spans = |a: (Half, Half), b: (Half, Half)| a.0.min(a.1) <= b.0.max(b.1) && b.0.min(b.1) <= a.0.max(a.1);
+    spans((one.from.z, one.to.z), (other.from.z, other.to.z))
+        && spans((one.from.radius, one.to.radius), (other.from.radius, other.to.radius))
+}
+
+/// Within two micrometres: ends of pieces are rounded.
+fn same_carrier(one: &Piece, other: &Piece) -> bool {
+    const NEAR: f64 = 0.002;
+    match (one.curve, other.curve, one.centre(), other.centre()) {
+        (Curve::Line, Curve::Line, ..) => {
+            let along = other.chord().unit();
+            [one.from, one.to].into_iter().all(|point| along.cross(other.from.to(point)).abs() < NEAR)
+        }
+        (Curve::Arc { radius: a, .. }, Curve::Arc { radius: b, .. }, Some(here), Some(there)) => {
+            (a - b).to_mm().abs() < NEAR && Point::at(here).to(Point::at(there)).length() < 10.0 * NEAR
+        }
+        _ => false,
+    }
+}
+
+/// The blank over a rough contour in the coordinates of the set-up, and the rough contour as far as the blank stands.
+fn blank(rough: &Contour, set_up: &SetUp, workpiece: &Workpiece, findings: &mut Vec<Finding>) -> Option<(Contour, Contour)> {
+    let (start, end) = (rough.start()?, rough.end()?);
+    let seen = |contour: &Contour| if set_up.turned_over { contour.turned_over(workpiece.length()) } else { contour.clone() };
+    let reach = |contour: &Contour| {
+        let from = contour.start().map_or(start.z, |first| first.z).min(start.z);
+        let mut clipped = super::clip::between(contour, from, end.z);
+        // The face of the blank's free end.
+        if let Some(first) = contour.pieces.first().filter(|first| first.is_face()) {
+            clipped.pieces.insert(0, *first);
+        }
+        clipped
+    };
+    if rough.side == Side::Outer {
+        return Some((reach(&seen(&workpiece.blank.outer)), rough.clone()));
+    }
+    if let Some(inner) = &workpiece.blank.inner {
+        return Some((reach(&seen(inner)), rough.clone()));
+    }
+    drilled(rough, findings)
+}
+
+/// The hole that is drilled before a solid blank is bored: in whole millimetres, at least one smaller on the side than the
+/// narrowest place of the rough bore. Ours, and told.
+fn drilled(rough: &Contour, findings: &mut Vec<Finding>) -> Option<(Contour, Contour)> {
+    let narrow = rough.pieces.iter().filter(|piece| !piece.is_face()).flat_map(|piece| [piece.from, piece.to]);
+    let narrow = narrow.map(|point| point.radius).min()?;
+    let whole = (narrow - Half::from(1.0)).diameter().micrometres() / 1000;
+    if whole < 3 {
+        let note = Note::new("bore-too-narrow-to-drill").with("diameter", narrow.diameter());
+        findings.push(Finding::of_part(Severity::Error, note));
+        return None;
+    }
+    let radius = Half::radius_of(Micrometres::from_mm(whole));
+    // A blind bore ends with its bottom, of which the drill has taken the middle.
+    let mut rough = rough.clone();
+    if let Some(bottom) = rough.pieces.last_mut().filter(|last| last.is_face() && last.to.radius < radius) {
+        bottom.to.radius = radius;
+    }
+    let (start, end) = (rough.start()?, rough.end()?);
+    let note = Note::new("bore-drilled-first").with("diameter", radius.diameter()).with("depth", end.z);
+    findings.push(Finding::of_part(Severity::Note, note));
+    let points = [Point { radius, z: start.z }, Point { radius, z: end.z }];
+    Some((Contour::through(Side::Inner, &points), rough))
+}

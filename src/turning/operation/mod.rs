@@ -1,0 +1,157 @@
+//! The turning operation of a part, planned whole: from its file to the ways of the tools.
+//!
+//! The way of the data, once, left to right (lecture 12.1-12.4):
+//!
+//! 1. [`prepare`]: what must be done to the blank, what the lathe cannot finish, the contour that it leaves instead;
+//! 2. set-ups ([`crate::turning::zones::setup`]) with main and additional elements ([`crate::turning::elements`]);
+//! 3. [`layers`]: finishing allowances, the rough contour, the three allowances as areas;
+//! 4. zones ([`crate::turning::zones`]), [`tools`] for them;
+//! 5. [`depth`]: the limiting depth, cutting conditions and feeds;
+//! 6. [`work`]: the seven schemes over each zone, and the one that is taken.
+//!
+//! Nothing here decides what a rule or a table can: it asks them, in this order, and keeps their reasons.
+
+mod clip;
+pub mod depth;
+pub mod layers;
+mod pocket;
+pub mod prepare;
+pub mod tools;
+pub mod work;
+
+use serde::Serialize;
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+use crate::material::Material;
+use crate::note::{Finding, Note, Severity};
+use crate::turning::allowances::capability::Elsewhere;
+use crate::turning::contour::Side;
+use crate::turning::elements::Angles;
+use crate::turning::tooling::Lathe;
+use crate::turning::workpiece::Workpiece;
+use crate::turning::workpiece::preparation::Advice;
+use crate::turning::zones::{self, SetUp};
+use layers::Layers;
+use tools::Bench;
+use work::ZoneWork;
+
+/// A turning operation.
+#[derive(Clone, Debug, Serialize)]
+pub struct Operation {
+    /// The part.
+    #[serde(flatten)]
+    pub workpiece: Workpiece,
+    /// What is said of the blank.
+    pub blank_advice: Vec<Advice>,
+    /// What is finished on another machine.
+    pub elsewhere: Vec<Elsewhere>,
+    /// The set-ups.
+    pub set_ups: Vec<SetUpWork>,
+    /// What its reader must know.
+    pub findings: Vec<Finding>,
+}
+
+/// A set-up with its work.
+#[derive(Clone, Debug, Serialize)]
+pub struct SetUpWork {
+    /// The set-up.
+    #[serde(flatten)]
+    pub set_up: SetUp,
+    /// What it roughs outside and inside, in the order of work.
+    pub sides: Vec<SideWork>,
+}
+
+/// What a set-up roughs on one side.
+#[derive(Clone, Debug, Serialize)]
+pub struct SideWork {
+    /// Outside or inside.
+    pub side: Side,
+    /// Contours and allowances.
+    pub layers: Layers,
+    /// The zones and how each is cleared.
+    pub zones: Vec<ZoneWork>,
+}
+
+impl Operation {
+    /// Whether something was found wrong.
+    pub fn has_errors(&self) -> bool {
+        self.findings.iter().any(|finding| finding.severity <= Severity::Wrong)
+    }
+
+    /// Every zone with its work, in the order of work.
+    pub fn zones(&self) -> impl Iterator<Item = (&SetUpWork, &SideWork, &ZoneWork)> {
+        let sides = self.set_ups.iter().flat_map(|set_up| set_up.sides.iter().map(move |side| (set_up, side)));
+        sides.flat_map(|(set_up, side)| side.zones.iter().map(move |zone| (set_up, side, zone)))
+    }
+}
+
+/// Plans the turning of a part.
+///
+/// What cannot be made is a finding, never an error of the program.
+///
+/// # Errors
+/// The knowledge base lacks a table or a row that must be there.
+pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, KnowledgeError> {
+    let mut findings = workpiece.findings.clone();
+    let lathe = prepare::lathe(workpiece, knowledge, &mut findings)?;
+    let blank_advice = crate::turning::workpiece::advice(workpiece, knowledge)?;
+    findings.extend(blank_advice.iter().filter(|one| one.finding.severity <= Severity::Doubtful).map(|one| one.finding.clone()));
+    let left = prepare::left_by_the_lathe(workpiece, lathe.as_ref(), knowledge, &mut findings)?;
+    let set_ups = zones::set_ups(
+        zones::Workpiece {
+            outer: &left.outer,
+            inner: left.inner.as_ref(),
+            length: workpiece.length(),
+            blank: &workpiece.blank.outer,
+            holding: workpiece.holding,
+        },
+        Angles::CONTOURING,
+        knowledge,
+    )?;
+    let bench = Bench {
+        workpiece,
+        lathe: lathe.as_ref(),
+        material: Material::find(knowledge, &workpiece.material)?,
+        knowledge,
+    };
+    let mut done = Vec::new();
+    for set_up in set_ups {
+        if set_up.holds_at.is_none() {
+            let note = Note::new("set-up-not-held").with("number", set_up.number);
+            findings.push(Finding::of_part(Severity::Wrong, note));
+        }
+        let sides = sides(&set_up, &bench, &mut findings)?;
+        done.push(SetUpWork { set_up, sides });
+    }
+    dedup(&mut findings);
+    Ok(Operation { workpiece: workpiece.clone(), blank_advice, elsewhere: left.elsewhere, set_ups: done, findings })
+}
+
+/// The outside of a set-up, then its bore: a bore is roughed into a part that is faced already.
+fn sides(set_up: &SetUp, bench: &Bench<'_, '_>, findings: &mut Vec<Finding>) -> Result<Vec<SideWork>, KnowledgeError> {
+    let mut sides = Vec::new();
+    for (side, stretch) in [(Side::Outer, &set_up.outer), (Side::Inner, &set_up.inner)] {
+        let Some(stretch) = stretch else { continue };
+        let Some(layers) = layers::layers(stretch, set_up, bench, findings)? else { continue };
+        let zones = work::zones(&layers, bench, findings)?;
+        sides.push(SideWork { side, layers, zones });
+    }
+    Ok(sides)
+}
+
+/// Each finding once, in the order in which it came.
+fn dedup(findings: &mut Vec<Finding>) {
+    let mut kept: Vec<Finding> = Vec::new();
+    for finding in findings.drain(..) {
+        if !kept.contains(&finding) {
+            kept.push(finding);
+        }
+    }
+    *findings = kept;
+}
+
+/// A finding that something is doubtful because of the lathe that is not named.
+fn no_lathe(lathe: Option<&Lathe<'_>>) -> Option<Finding> {
+    lathe.is_none().then(|| Finding::of_part(Severity::Note, Note::new("no-lathe")))
+}
