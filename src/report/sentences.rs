@@ -7,6 +7,7 @@ use crate::note::Note;
 
 use super::Lang;
 
+mod allowances;
 mod iso;
 mod jobs;
 mod lists;
@@ -20,7 +21,8 @@ mod turning;
 fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'static str)> {
     let all = SENTENCES.iter().chain(routes::SENTENCES).chain(programs::SENTENCES);
     let all = all.chain(iso::SENTENCES).chain(jobs::SENTENCES).chain(lists::SENTENCES);
-    all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES)
+    let all = all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES);
+    all.chain(allowances::SENTENCES)
 }
 
 /// A note as a sentence. A code without words shows itself with its figures, so that nothing is lost.
