@@ -7,6 +7,7 @@ use crate::note::Note;
 
 use super::Lang;
 
+mod allowances;
 mod iso;
 mod jobs;
 mod lathe_programs;
@@ -26,7 +27,7 @@ fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'s
     let all = all.chain(iso::SENTENCES).chain(jobs::SENTENCES).chain(lists::SENTENCES);
     let all = all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES);
     let all = all.chain(turning_tools::SENTENCES).chain(zones::SENTENCES).chain(workpiece::SENTENCES);
-    all.chain(lathe_programs::SENTENCES)
+    all.chain(lathe_programs::SENTENCES).chain(allowances::SENTENCES)
 }
 
 /// A note as a sentence. A code without words shows itself with its figures, so that nothing is lost.

@@ -1,7 +1,20 @@
 //! What is left for finishing, and the rough contour that leaves it (lecture 12.2).
+//!
+//! - [`capability`]: what the lathe cannot finish gets an intermediate allowance, and new elements replace the old ones;
+//! - [`finishing`]: the finishing allowance of each surface, by table, from errors or as stated;
+//! - [`equidistant`]: the rough contour, which keeps those allowances (the union of [`union`], read back by [`read_back`]);
+//! - [`areas`]: the three allowances as areas and volumes.
 
+pub mod areas;
+pub mod capability;
 pub mod equidistant;
+pub mod finishing;
 mod read_back;
+pub mod surfaces;
 mod union;
 
+pub use areas::{Area, Areas, areas, between};
+pub use capability::{Capability, CapabilityError, Elsewhere, Holds, capability};
 pub use equidistant::{EquidistantError, Over, equidistant, equidistant_over};
+pub use finishing::{Allowance, Errors, Method, allowance, finishing, least};
+pub use surfaces::Place;

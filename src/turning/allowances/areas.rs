@@ -1,0 +1,186 @@
+//! The three allowances of fig. 12.2 as areas: between the blank and the rough contour, over the additional elements, and
+//! between the rough contour and the finished one.
+//!
+//! Each is what lies between two contours of the half section, its area in the section and the volume of its ring about
+//! the axis.
+
+use serde::Serialize;
+
+use crate::turning::contour::{Contour, Curve, Piece, Side, Turn};
+use crate::turning::point::Point;
+
+/// An area of the half section, mm².
+#[derive(Clone, Copy, Debug, PartialEq, Default, Serialize)]
+#[serde(transparent)]
+pub struct SquareMillimetres(pub f64);
+
+/// A volume of revolution, mm³.
+#[derive(Clone, Copy, Debug, PartialEq, Default, Serialize)]
+#[serde(transparent)]
+pub struct CubicMillimetres(pub f64);
+
+/// What is removed between two contours.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Area {
+    /// Its size in the half section, mm².
+    pub area_mm2: SquareMillimetres,
+    /// The volume of its ring, mm³.
+    pub volume_mm3: CubicMillimetres,
+    /// Its closed boundary, for drawings; where both contours touch, it has no width.
+    pub boundary: Vec<Piece>,
+}
+
+/// The three allowances of one side of the part.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Areas {
+    /// 1: between the blank and the rough contour.
+    pub rough_main: Area,
+    /// 2: between the main contour, which bridges the additional elements, and the part.
+    pub additional: Area,
+    /// 3: between the rough contour and the main contour.
+    pub finish: Area,
+}
+
+/// The areas 1, 2 and 3 of the outer or of the inner side, all contours of the same side: the blank, its rough contour,
+/// the main contour with its bridges and the part.
+///
+/// The rough contour ends over the ends of the part, where the blank may go on: at an end all contours are joined by
+/// straight lines, so that what the blank has beyond (the rest in the chuck) counts only where its contour lies. The
+/// lecture lets area 2 begin at the rough contour; over a bridge this counts the finishing layer twice, so here it begins
+/// at the main contour, and the three areas add up to what lies between blank and part.
+pub fn areas(blank: &Contour, rough: &Contour, main: &Contour, part: &Contour) -> Areas {
+    Areas { rough_main: between(blank, rough), additional: between(main, part), finish: between(rough, main) }
+}
+
+/// What lies between a contour farther from the metal and one nearer to it, of the same side, which end at the same ends.
+pub fn between(upper: &Contour, lower: &Contour) -> Area {
+    let mut boundary: Vec<Piece> = upper.pieces.clone();
+    let closing = |from: Option<Point>, to: Option<Point>| match (from, to) {
+        (Some(from), Some(to)) if from != to => Some(Piece::line(from, to)),
+        _ => None,
+    };
+    boundary.extend(closing(upper.end(), lower.end()));
+    boundary.extend(lower.pieces.iter().rev().map(|piece| piece.reversed()));
+    boundary.extend(closing(lower.start(), upper.start()));
+    let sign = if upper.side == Side::Outer { 1.0 } else { -1.0 };
+    let [area, volume] = [under, about].map(|of| sign * boundary.iter().map(|piece| of(*piece)).sum::<f64>());
+    Area { area_mm2: SquareMillimetres(area), volume_mm3: CubicMillimetres(volume), boundary }
+}
+
+/// The area under a piece down to the axis, ∫ r dz, mm²; negative towards the free end.
+///
+/// Under the chord lies a trapezium; between chord and arc a segment of the circle, R²/2·(α − sin α), which a left turn
+/// takes away.
+fn under(piece: Piece) -> f64 {
+    let (from, to) = (piece.from.vector(), piece.to.vector());
+    (to.z - from.z) * (from.radius + to.radius) / 2.0 + segment(piece).map_or(0.0, |segment| segment.area)
+}
+
+/// The volume under a piece turned about the axis, π ∫ r² dz, mm³; negative towards the free end.
+///
+/// Under the chord lies a frustum, π·Δz·(r₁² + r₁r₂ + r₂²)/3; the segment has, by Pappus, its area times the way of its
+/// centroid, which lies 4R·sin³(α/2)/(3(α − sin α)) from the centre of the arc.
+fn about(piece: Piece) -> f64 {
+    let (from, to) = (piece.from.vector(), piece.to.vector());
+    let squares = from.radius * from.radius + from.radius * to.radius + to.radius * to.radius;
+    let ring = segment(piece).map_or(0.0, |segment| 2.0 * segment.moment);
+    std::f64::consts::PI * ((to.z - from.z) * squares / 3.0 + ring)
+}
+
+/// A segment of a circle between an arc and its chord.
+struct Segment {
+    /// Its area, mm²; negative for a left turn, which runs below its chord where it goes towards the chuck.
+    area: f64,
+    /// Its area times the radius of its centroid, mm³.
+    moment: f64,
+}
+
+/// The segment of an arc; none for a line.
+fn segment(piece: Piece) -> Option<Segment> {
+    let (Curve::Arc { radius, turn }, Some(centre)) = (piece.curve, piece.centre()) else { return None };
+    let (chord, radius) = (piece.chord(), radius.to_mm());
+    let half = libm::asin((chord.length() / 2.0 / radius).min(1.0));
+    let sign = if turn == Turn::Left { -1.0 } else { 1.0 };
+    let (full, sine) = (2.0 * half, libm::sin(half));
+    let area = sign * radius * radius / 2.0 * (full - libm::sin(full));
+    // From the centre towards the arc, which lies to the left of its chord where it turns right.
+    let out = chord.unit().left().times(sign);
+    let first = 2.0 / 3.0 * radius * radius * radius * sine * sine * sine;
+    Some(Segment { area, moment: area * centre.radius + sign * first * out.radius })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use super::*;
+    use crate::turning::allowances::equidistant;
+    use crate::turning::length::Half;
+
+    fn at(radius: f64, z: f64) -> Point {
+        Point { radius: Half::from(radius), z: Half::from(z) }
+    }
+
+    /// A bar over a length.
+    fn bar(radius: Half, from: Half, to: Half) -> Contour {
+        Contour::through(Side::Outer, &[Point::new(Half::ZERO, from), Point::new(radius, from), Point::new(radius, to)])
+    }
+
+    fn axis(length: f64) -> Contour {
+        Contour::through(Side::Outer, &[at(0.0, 0.0), at(0.0, length)])
+    }
+
+    #[track_caller]
+    fn is(area: &Area, mm2: f64, mm3: f64) {
+        assert!((area.area_mm2.0 - mm2).abs() < 1e-6 * mm2.abs().max(1.0), "{:?}, not {mm2}", area.area_mm2);
+        assert!((area.volume_mm3.0 - mm3).abs() < 1e-6 * mm3.abs().max(1.0), "{:?}, not {mm3}", area.volume_mm3);
+    }
+
+    /// Cylinder, cone, ball, hollow fillet and torus by the formulas of solid geometry.
+    #[test]
+    fn known_solids_have_their_volumes() {
+        let cylinder = Contour::through(Side::Outer, &[at(10.0, 0.0), at(10.0, 30.0)]);
+        is(&between(&cylinder, &axis(30.0)), 300.0, PI * 100.0 * 30.0);
+        let cone = Contour::through(Side::Outer, &[at(0.0, 0.0), at(6.0, 8.0)]);
+        is(&between(&cone, &axis(8.0)), 24.0, PI * 36.0 * 8.0 / 3.0);
+        let half_circle = Piece::arc(at(0.0, 0.0), at(0.0, 20.0), Half::from(10.0), Turn::Right);
+        let ball = Contour { side: Side::Outer, pieces: vec![half_circle] };
+        is(&between(&ball, &axis(20.0)), PI * 50.0, 4.0 / 3.0 * PI * 1000.0);
+        // Half of a ring of 3 about 20: Pappus, πr²/2 at 20 + 4r/3π from the axis.
+        let ring = Contour {
+            side: Side::Outer,
+            pieces: vec![Piece::arc(at(20.0, 0.0), at(20.0, 6.0), Half::from(3.0), Turn::Right)],
+        };
+        let base = Contour::through(Side::Outer, &[at(20.0, 0.0), at(20.0, 6.0)]);
+        let size = PI * 4.5;
+        is(&between(&ring, &base), size, size * 2.0 * PI * (20.0 + 4.0 / PI));
+        // The same hollow: a round groove.
+        let groove = Contour {
+            side: Side::Outer,
+            pieces: vec![Piece::arc(at(20.0, 0.0), at(20.0, 6.0), Half::from(3.0), Turn::Left)],
+        };
+        is(&between(&base, &groove), size, size * 2.0 * PI * (20.0 - 4.0 / PI));
+        // A bore of 8 widened to 10 over 15 mm: the metal lies outside.
+        let [before, after] =
+            [8.0, 10.0].map(|radius| Contour::through(Side::Inner, &[at(radius, 0.0), at(radius, 15.0)]));
+        is(&between(&before, &after), 30.0, PI * (100.0 - 64.0) * 15.0);
+    }
+
+    /// A pin of Ø40 × 30 from a bar of Ø50, a groove of 3 × 2 in it, 0.5 left on the diameter and 0.2 on the face. All by
+    /// hand.
+    #[test]
+    fn the_three_allowances_of_a_grooved_pin() {
+        let corners = [at(0.0, 0.0), at(20.0, 0.0), at(20.0, 10.0), at(18.0, 10.0), at(18.0, 13.0), at(20.0, 13.0)];
+        let part = Contour::through(Side::Outer, &[corners.as_slice(), &[at(20.0, 30.0)]].concat());
+        let main = Contour::through(Side::Outer, &[at(0.0, 0.0), at(20.0, 0.0), at(20.0, 30.0)]);
+        let rough = equidistant(&main, &[Half::from(0.2), Half::from(0.25)]).unwrap();
+        let blank = bar(Half::from(25.0), Half::from(-2.0), Half::from(30.0));
+        let areas = areas(&blank, &rough, &main, &part);
+        is(&areas.additional, 6.0, PI * (400.0 - 324.0) * 3.0);
+        is(&areas.finish, 30.0 * 0.25 + 20.25 * 0.2, PI * (20.25 * 20.25 * 30.2 - 400.0 * 30.0));
+        is(&areas.rough_main, 25.0 * 32.0 - 20.25 * 30.2, PI * (625.0 * 32.0 - 20.25 * 20.25 * 30.2));
+        let all: f64 = [&areas.rough_main, &areas.additional, &areas.finish].iter().map(|area| area.volume_mm3.0).sum();
+        let whole = between(&blank, &part);
+        assert!((all - whole.volume_mm3.0).abs() < 1e-6);
+    }
+}

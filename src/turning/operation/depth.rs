@@ -1,0 +1,172 @@
+//! How deep a pass may be, and how fast it goes: given, or from tool and lathe (lecture 12.4, l. 614-626).
+
+use serde::Serialize;
+
+use crate::error::{KnowledgeError, Refusal};
+use crate::note::{Finding, Note, Severity};
+use crate::turning::cutting::{Cut, Direction, LimitingDepth, Speed, TurningConditions, conditions, limiting_depth, rough_feed};
+use crate::turning::length::Half;
+use crate::turning::schemes::rates;
+use crate::turning::shaft;
+use crate::turning::tooling::TurningTool;
+use crate::turning::transitions::Feeds;
+use crate::turning::workpiece::StockKind;
+use crate::units::{Micrometres, MillimetresPerMinute};
+
+use super::tools::Bench;
+
+/// The depth of the passes over a zone.
+#[derive(Clone, Debug, Serialize)]
+pub struct Depth {
+    /// The limiting depth t_lim, mm.
+    pub limiting_depth_mm: Half,
+    /// Whether the file gives it.
+    pub given: bool,
+    /// How it was found, where it was.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limit: Option<LimitingDepth>,
+}
+
+/// How the tool goes over a zone.
+#[derive(Clone, Debug, Serialize)]
+pub struct Pace {
+    /// Feed, speed, spindle step and loads at the depth of the passes, where a lathe is named.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub conditions: Option<TurningConditions>,
+    /// Rates of all motions.
+    pub feeds: Feeds,
+    /// δ, mm.
+    pub approach_mm: Half,
+    /// How far the tool draws back, mm.
+    pub retract_mm: Half,
+}
+
+/// What a cut over a zone is.
+#[derive(Clone, Copy, Debug)]
+pub struct Task<'a, 'k> {
+    /// The tool.
+    pub tool: &'a TurningTool<'k>,
+    /// The largest diameter that is cut.
+    pub diameter: Micrometres,
+    /// Where the feed goes.
+    pub direction: Direction,
+    /// The most stock over the zone, radial, or axial before a face.
+    pub stock: Half,
+}
+
+/// The limiting depth of a zone; none where nothing tells it, which is a finding.
+///
+/// # Errors
+/// The knowledge base lacks a table.
+pub fn depth(task: Task<'_, '_>, bench: &Bench<'_, '_>, findings: &mut Vec<Finding>) -> Result<Option<Depth>, KnowledgeError> {
+    if let Some(given) = bench.workpiece.roughing.limiting_depth {
+        return Ok(Some(Depth { limiting_depth_mm: Half::of(given), given: true, limit: None }));
+    }
+    let Some(cut) = cut(task, bench) else {
+        findings.push(Finding::of_part(Severity::Error, Note::new("no-limiting-depth")));
+        return Ok(None);
+    };
+    match Refusal::split(limit(&cut, task.stock))? {
+        Ok(limit) => {
+            findings.extend(limit.findings());
+            let Some(depth) = limit.depth_mm else {
+                let bound = serde_json::to_value(limit.decided_by).ok();
+                let bound = bound.as_ref().and_then(serde_json::Value::as_str).unwrap_or_default().to_owned();
+                let note = Note::new("no-depth-allowed").with("tool", task.tool.designation).with("bound", bound);
+                findings.push(Finding::of_part(Severity::Error, note));
+                return Ok(None);
+            };
+            Ok(Some(Depth { limiting_depth_mm: Half::of(depth), given: false, limit: Some(limit) }))
+        }
+        Err(note) => {
+            findings.push(Finding::of_part(Severity::Error, note));
+            Ok(None)
+        }
+    }
+}
+
+/// The limit at the feed of the depth that it comes to: the feed is asked for the stock first, then for the limit that this
+/// feed allows; a lesser depth never has a lesser feed, so the second limit holds.
+fn limit(cut: &Cut<'_, '_>, stock: Half) -> Result<LimitingDepth, Refusal> {
+    let whole = Micrometres::new((stock.halves() / 2).max(1));
+    let first = limiting_depth(cut, rough_feed(cut, whole)?.feed, Speed::WithinPower)?;
+    let Some(depth) = first.depth_mm.filter(|depth| *depth < whole) else { return Ok(first) };
+    limiting_depth(cut, rough_feed(cut, depth)?.feed, Speed::WithinPower)
+}
+
+fn cut<'a, 'k>(task: Task<'a, 'k>, bench: &'a Bench<'_, 'k>) -> Option<Cut<'a, 'k>> {
+    let surface = match bench.workpiece.blank.kind {
+        StockKind::Bar | StockKind::Tube => "rolled",
+        StockKind::Forging => "forged",
+        StockKind::Casting => "cast",
+    };
+    Some(Cut {
+        knowledge: bench.knowledge,
+        lathe: bench.lathe?,
+        tool: task.tool,
+        material: &bench.material,
+        diameter: task.diameter,
+        direction: task.direction,
+        surface,
+    })
+}
+
+/// Rates and distances at a depth of passes: those of the file before those of the conditions before those of the table
+/// `turning-motion`; what the file says of no kind of motion goes at the main feed, and that is told.
+///
+/// # Errors
+/// The knowledge base lacks a table.
+pub fn pace(
+    task: Task<'_, '_>,
+    depth: Half,
+    bench: &Bench<'_, '_>,
+    findings: &mut Vec<Finding>,
+) -> Result<Pace, KnowledgeError> {
+    let given = bench.workpiece.rates;
+    let conditions = match cut(task, bench) {
+        None => None,
+        // Rounded up to a whole micrometre.
+        Some(cut) => match Refusal::split(conditions(&cut, Micrometres::new((depth.halves() + 1) / 2), None))? {
+            Ok(found) => {
+                findings.extend(found.findings());
+                Some(found)
+            }
+            Err(note) => {
+                findings.push(Finding::of_part(Severity::Doubtful, note));
+                None
+            }
+        },
+    };
+    let (table, unconfirmed) = rates::of_table(bench.knowledge)?;
+    let shaft::Rates { longitudinal_feed, transverse_feed, rapid, approach, retract } = match given {
+        Some(given) => given.main,
+        None => {
+            if conditions.is_none() {
+                findings.extend(unconfirmed);
+            }
+            shaft::Rates { rapid: bench.lathe.map_or(table.rapid, |lathe| lathe.rapid_z), ..table }
+        }
+    };
+    let stated = match task.direction {
+        Direction::Longitudinal => longitudinal_feed,
+        Direction::Transverse => transverse_feed,
+    };
+    let found = conditions.as_ref().map(|found| found.feed_mm_per_min).filter(|_| given.is_none());
+    let main = found.unwrap_or(stated);
+    let other = |rate: Option<MillimetresPerMinute>| rate.unwrap_or(main);
+    let rate = |of: fn(&crate::turning::workpiece::Rates) -> Option<MillimetresPerMinute>| given.as_ref().and_then(of);
+    let (infeed, pick_up) = (rate(|rates| rates.infeed), rate(|rates| rates.pick_up_feed));
+    let (semi_finish, finish) = (rate(|rates| rates.semi_finishing_feed), rate(|rates| rates.finishing_feed));
+    if [infeed, pick_up, semi_finish].iter().any(Option::is_none) {
+        findings.push(Finding::of_part(Severity::Note, Note::new("one-feed-for-all")));
+    }
+    let feeds = Feeds {
+        main,
+        infeed: other(infeed),
+        pick_up: other(pick_up),
+        semi_finish: other(semi_finish),
+        finish: other(finish),
+        rapid,
+    };
+    Ok(Pace { conditions, feeds, approach_mm: Half::of(approach), retract_mm: Half::of(retract) })
+}

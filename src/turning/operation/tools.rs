@@ -1,0 +1,117 @@
+//! Which tools rough a side: of those that fit the zones, as few as possible.
+
+use serde::Serialize;
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+use crate::material::Material;
+use crate::note::Note;
+use crate::turning::contour::Side;
+use crate::turning::elements::{self, Angles};
+use crate::turning::tooling::{Hand, Lathe, ToolKind, TurningTool, Works};
+use crate::turning::workpiece::Workpiece;
+use crate::turning::zones::{ToolAngles, Zone, fit};
+use crate::units::Degrees;
+
+/// What an operation is planned with.
+#[derive(Clone, Debug)]
+pub struct Bench<'a, 'k> {
+    /// The part.
+    pub workpiece: &'a Workpiece,
+    /// The lathe, where the file names one.
+    pub lathe: Option<&'a Lathe<'k>>,
+    /// The material.
+    pub material: Material<'k>,
+    /// Every table.
+    pub knowledge: &'k Knowledge,
+}
+
+/// A tool that is taken for a zone.
+#[derive(Clone, Debug, Serialize)]
+pub struct Taken {
+    /// Its designation.
+    pub designation: String,
+    /// Its table.
+    pub table: String,
+    /// Its row.
+    pub row: usize,
+    /// φ.
+    pub main_angle_deg: Degrees,
+    /// φ1.
+    pub secondary_angle_deg: Degrees,
+    /// Its nose radius, mm.
+    pub nose_radius_mm: crate::units::Micrometres,
+    /// Why this one.
+    pub note: Note,
+}
+
+/// The tools that may rough a side: of the right hand, with the shank that the lathe clamps and a known nose radius, the
+/// strongest point first, which is that with the least φ1.
+///
+/// # Errors
+/// A table of tools is broken.
+pub fn candidates<'k>(side: Side, bench: &Bench<'_, 'k>) -> Result<Vec<TurningTool<'k>>, KnowledgeError> {
+    let wanted = match side {
+        Side::Outer => (ToolKind::Turning, Works::Outer),
+        Side::Inner => (ToolKind::Boring, Works::Inner),
+    };
+    let mut tools = TurningTool::all(bench.knowledge)?;
+    tools.retain(|tool| (tool.kind, tool.works) == wanted && tool.hand == Hand::R && tool.nose_radius.is_some());
+    tools.retain(|tool| bench.lathe.is_none_or(|lathe| lathe.refuses_tool(tool).is_none()));
+    tools.sort_by_key(|tool| tool.trail_angle);
+    Ok(tools)
+}
+
+/// What of a tool decides whether it fits.
+pub fn angles(tool: &TurningTool<'_>) -> ToolAngles {
+    ToolAngles {
+        name: tool.designation.to_owned(),
+        angles: Angles {
+            main: Degrees(tool.lead_angle.to_f64()),
+            secondary: Degrees(tool.trail_angle.to_f64()),
+            hand: elements::Hand::Right,
+        },
+        least_bore: tool.min_bore,
+        width: None,
+    }
+}
+
+/// For each zone the index of the tool that is taken; none where none fits. The tool that fits the most zones is taken for
+/// all of them, then that for the most of the rest (lecture, l. 540-546: the number of tools should be the least); among
+/// equals the first.
+pub fn assign(zones: &[Zone], tools: &[ToolAngles]) -> Vec<Option<usize>> {
+    let fits: Vec<Vec<bool>> = zones
+        .iter()
+        .map(|zone| {
+            let fitting = fit(zone, tools).fitting;
+            tools.iter().map(|tool| fitting.contains(&tool.name)).collect()
+        })
+        .collect();
+    let mut taken: Vec<Option<usize>> = vec![None; zones.len()];
+    loop {
+        let open = |tool: usize| {
+            let zones = fits.iter().zip(&taken);
+            zones.filter(|(fits, taken)| taken.is_none() && fits.get(tool) == Some(&true)).count()
+        };
+        let best = (0..tools.len()).map(|tool| (open(tool), tool)).rev().max_by_key(|(count, _)| *count);
+        let Some((_, best)) = best.filter(|(count, _)| *count > 0) else { return taken };
+        for (fits, taken) in fits.iter().zip(&mut taken) {
+            if taken.is_none() && fits.get(best) == Some(&true) {
+                *taken = Some(best);
+            }
+        }
+    }
+}
+
+/// A tool as it is told.
+pub fn told(tool: &TurningTool<'_>, zones: usize) -> Option<Taken> {
+    Some(Taken {
+        designation: tool.designation.to_owned(),
+        table: tool.row.table.id.clone(),
+        row: tool.row.number(),
+        main_angle_deg: Degrees(tool.lead_angle.to_f64()),
+        secondary_angle_deg: Degrees(tool.trail_angle.to_f64()),
+        nose_radius_mm: tool.nose_radius?,
+        note: Note::new("turning-tool-taken").with("tool", tool.designation).with("zones", zones),
+    })
+}
