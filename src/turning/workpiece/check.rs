@@ -22,10 +22,10 @@ pub(super) fn crosses_itself(walked: &Walked, reader: &mut Reader<'_>) {
         .flat_map(|(surface, place)| surface.pieces.iter().map(move |_| (surface, place)))
         .collect();
     let pieces: Vec<_> = walked.surfaces.iter().flat_map(|(surface, _)| surface.pieces.iter().copied()).collect();
-    if let Some((one, two)) = crossing(&pieces) {
-        if let (Some((surface, _)), Some((later, place))) = (owners.get(one), owners.get(two)) {
-            reader.fault::<()>("contour-crosses-itself", &[("surface", &later.name), ("other", &surface.name)], place);
-        }
+    if let Some((one, two)) = crossing(&pieces)
+        && let (Some((surface, _)), Some((later, place))) = (owners.get(one), owners.get(two))
+    {
+        reader.fault::<()>("contour-crosses-itself", &[("surface", &later.name), ("other", &surface.name)], place);
     }
 }
 
@@ -48,12 +48,11 @@ pub(super) fn ends(outer: &Walked, inner: Option<&Walked>, blank: Option<&Blank>
                 reader.fault::<()>("contours-do-not-meet", &figures, place);
             }
             let last = inner.surfaces.last().map(|(_, place)| place);
-            if let (Some(end), Some(far), Some(place)) = (inner.end(), outer.end(), last) {
-                if inner.whole && outer.whole && end.radius != Half::ZERO && end.z != far.z {
-                    let figures: [(&str, &dyn Display); 2] =
-                        [("z", &(Half::ZERO - end.z)), ("far", &(Half::ZERO - far.z))];
-                    reader.fault::<()>("bore-ends-nowhere", &figures, place);
-                }
+            if let (Some(end), Some(far), Some(place)) = (inner.end(), outer.end(), last)
+                && (inner.whole && outer.whole && end.radius != Half::ZERO && end.z != far.z)
+            {
+                let figures: [(&str, &dyn Display); 2] = [("z", &(Half::ZERO - end.z)), ("far", &(Half::ZERO - far.z))];
+                reader.fault::<()>("bore-ends-nowhere", &figures, place);
             }
         }
         None => {
@@ -100,14 +99,10 @@ pub(super) fn walls(outer: &Walked, inner: &Walked, reader: &mut Reader<'_>) {
 
 /// Whether the blank holds the part, surface by surface.
 pub(super) fn within_blank(outer: &Walked, inner: Option<&Walked>, blank: &Blank, reader: &mut Reader<'_>) {
-    if blank.face() < Half::ZERO {
-        if let Some((_, place)) = &outer.start {
-            reader.fault::<()>(
-                "blank-begins-behind",
-                &[("face", &(Half::ZERO - blank.outer.start().map_or(Half::ZERO, |start| start.z)))],
-                place,
-            );
-        }
+    if blank.face() < Half::ZERO
+        && let Some((_, place)) = &outer.start
+    {
+        reader.fault::<()>("blank-begins-behind", &[("face", &blank.face())], place);
     }
     for (surface, place) in &outer.surfaces {
         let end = surface.pieces.iter().map(|piece| piece.to.z).max().unwrap_or(Half::ZERO);

@@ -25,7 +25,7 @@ pub enum TurnedFile {
     /// The short form, by steps.
     Stepped(ShaftFile),
     /// The contour form.
-    Contoured(WorkpieceFile),
+    Contoured(Box<WorkpieceFile>),
 }
 
 /// A length of zero or more, mm, with a decimal point and at most three decimal places.

@@ -101,7 +101,9 @@ impl Reader<'_> {
         self.names(outer_names.into_iter().chain(inner_names).flatten());
         let outer = outer?;
         check::ends(&outer, inner.as_ref(), blank.as_ref(), self);
-        if let Some(inner) = inner.as_ref().filter(|inner| inner.whole && outer.whole && self.meant.is_empty()) {
+        let start = |walked: &Walked| walked.start.as_ref().map(|(start, _)| *start);
+        let together = |inner: &&Walked| inner.whole && outer.whole && start(inner) == start(&outer);
+        if let Some(inner) = inner.as_ref().filter(together) {
             check::walls(&outer, inner, self);
         }
         if let Some(blank) = &blank {

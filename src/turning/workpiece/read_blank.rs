@@ -90,16 +90,16 @@ impl Reader<'_> {
         if let Some(shape) = &steps {
             shape::check(shape, Some(BlankKind::Forging), &[], diameter.as_ref(), length.as_ref(), self);
         }
-        if let (Some(Some((bore, place))), Some((diameter, _))) = (&bore, &diameter) {
-            if bore >= diameter {
-                let figures: [(&str, &dyn Display); 2] = [("bore", bore), ("diameter", diameter)];
-                return self.fault("bore-beyond-diameter", &figures, place);
-            }
+        if let (Some(Some((bore, place))), Some((diameter, _))) = (&bore, &diameter)
+            && bore >= diameter
+        {
+            let figures: [(&str, &dyn Display); 2] = [("bore", bore), ("diameter", diameter)];
+            return self.fault("bore-beyond-diameter", &figures, place);
         }
-        if let (Some(face), Some((length, place))) = (face.filter(|face| *face > Micrometres::ZERO), &length) {
-            if face >= *length {
-                return self.fault("face-beyond-length", &[("face", &face), ("length", length)], place);
-            }
+        if let (Some(face), Some((length, place))) = (face, &length)
+            && face >= *length
+        {
+            return self.fault("face-beyond-length", &[("face", &face), ("length", length)], place);
         }
         let bore = match bore {
             Some(bore) => Some(Half::radius_of(bore?.0)),

@@ -70,12 +70,12 @@ impl Walk<'_, '_, '_> {
         }
         let given = |measure: &Measure| measure.as_ref().map(|(length, _)| *length);
         let (mut width, mut depth) = (given(&written.width), given(&written.depth));
-        if width.is_none() || depth.is_none() {
-            if let Some(found) = self.standard(index, here, kind, width) {
-                width = width.or(Some(found.width));
-                depth = depth.or(Some(found.depth));
-                self.walked.findings.extend(found.finding);
-            }
+        if (width.is_none() || depth.is_none())
+            && let Some(found) = self.standard(index, here, kind, width)
+        {
+            width = width.or(Some(found.width));
+            depth = depth.or(Some(found.depth));
+            self.walked.findings.extend(found.finding);
         }
         let slant = match &written.angle {
             Some((angle, place)) => self.slant(*angle, place),
