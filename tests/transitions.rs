@@ -346,7 +346,7 @@ fn keeps_the_laws(stock: &Stock, found: &Transition) -> Result<section::Worked, 
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(ProptestConfig::with_cases(2000))]
 
     #[test]
     fn over_any_zone_the_ways_keep_the_laws(stock in zones(), depth in 0.7_f64..6.0, nose in 0.0_f64..2.0) {
@@ -360,7 +360,9 @@ proptest! {
             // may lead aslant, then a face is cut by slices.
             if scheme != Scheme::Descent && scheme != Scheme::Contour {
                 prop_assert!(worked.depth < depth + 2.0 * ROUNDING, "{:?} takes {} mm of {}", scheme, worked.depth, depth);
-                prop_assert!(found.ridges_mm <= mm(depth) + Half::new(4), "{:?} leaves {} of {}", scheme, found.ridges_mm, depth);
+                prop_assert!(worked.left < depth + 2.0 * ROUNDING, "{:?} leaves {} mm of {}", scheme, worked.left, depth);
+                // Where an arc ends upright, half a micrometre along the axis is √(2·r·0.0005) across it: 0.1 for 10 mm.
+                prop_assert!(found.ridges_mm.to_mm() < depth + 0.1, "{:?} tells {} of {}", scheme, found.ridges_mm, depth);
             }
         }
     }
@@ -397,8 +399,15 @@ proptest! {
             for (piece, purpose) in outer.way.pieces() {
                 turned.follow(piece.mapped(true, place), purpose);
             }
-            prop_assert_eq!(&bored.way, &turned, "{:?}", scheme);
-            prop_assert_eq!(bored.measures, outer.measures);
+            prop_assert_eq!(bored.way.from, turned.from);
+            prop_assert_eq!(bored.way.moves.len(), turned.moves.len(), "{:?}", scheme);
+            for (one, other) in bored.way.moves.iter().zip(&turned.moves) {
+                // A point of an arc that lies between two halves of a micrometre may be rounded to either.
+                let near = |a: Half, b: Half| (a - b).halves().abs() <= 1;
+                prop_assert!(near(one.to.radius, other.to.radius) && near(one.to.z, other.to.z), "{:?}", scheme);
+                prop_assert_eq!((one.curve, one.purpose), (other.curve, other.purpose), "{:?}", scheme);
+            }
+            prop_assert!((bored.measures.time_min.0 - outer.measures.time_min.0).abs() < 0.001);
         }
     }
 

@@ -137,12 +137,19 @@ impl Columns {
             let low = piece.from.radius.min(piece.to.radius).to_mm();
             let (before, behind) = (near(from).checked_sub(1), near(from));
             let at = |index: usize| {
-                let close = self.places.get(index).is_some_and(|place| (*place - from).halves().abs() <= 2);
-                close.then(|| self.heights[index])
+                let close = self.places.get(index).is_some_and(|place| (*place - from).halves().abs() <= 6);
+                // The column stands a little aside: on a slope its height differs by what the slope rises there.
+                close.then(|| self.heights[index] - 3.0 * (self.around[index].1 - self.around[index].0))
             };
+            // Beyond the ends of the zone is air.
+            if before.is_none() || behind == self.places.len() {
+                return f64::NEG_INFINITY;
+            }
             let heights: Vec<f64> = [before.and_then(at), at(behind)].into_iter().flatten().collect();
             return heights.into_iter().reduce(f64::min).map_or(f64::NEG_INFINITY, |height| height - low);
         }
+        // Its ends may touch a wall that is upright there: two micrometres of them do not count.
+        let (from, to) = (from + Half::new(4), to - Half::new(4));
         let inside = self.places.iter().zip(&self.heights).filter(|(z, _)| from < **z && **z < to);
         inside.map(|(z, height)| height - on(piece, z.to_mm())).fold(f64::NEG_INFINITY, f64::max)
     }

@@ -89,6 +89,7 @@ impl<'z> Course<'z> {
 
     /// Along a piece at a feed.
     pub fn feed(&mut self, piece: Piece, purpose: Purpose, role: Role) {
+        debug_assert_eq!(piece.from, self.here(), "a piece begins where the way ends");
         if !piece.is_nothing() {
             self.way.follow(piece, purpose);
             self.roles.push(role);
@@ -236,6 +237,13 @@ impl<'z> Course<'z> {
             }
         }
         uncut.reverse();
+        // Where the last pass began, but for the rounding of points on a steep flank, is where this flank begins.
+        if let (Some(first), Some(began)) = (uncut.first_mut(), self.trail.first().map(|first| first.from)) {
+            let beside = (first.from.z - began.z).halves().abs() <= 2;
+            if beside && first.from.radius.max(first.to.radius + Half::new(4)) + Half::new(4) > began.radius && began.radius > first.to.radius {
+                first.from = began;
+            }
+        }
         uncut
     }
 

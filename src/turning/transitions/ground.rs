@@ -139,10 +139,14 @@ impl Ground {
                     _ => None,
                 };
             }
-            let part = clipped(piece, point.z, self.to())?;
-            Some(if part.from.z == point.z { part.between(point, part.to) } else { part })
+            clipped(piece, point.z, self.to())
         };
-        self.pieces.iter().filter_map(rest).collect()
+        let mut rest: Vec<Piece> = self.pieces.iter().filter_map(rest).collect();
+        // On a steep stretch the radius at the Z of the point, rounded, is not quite its own.
+        if let Some(first) = rest.first_mut().filter(|first| !first.is_face() && first.from.z == point.z) {
+            first.from = point;
+        }
+        rest
     }
 
     /// So far on along the contour from a point of it, mm, as long as it does not fall.

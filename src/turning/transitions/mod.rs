@@ -289,7 +289,7 @@ fn outer(
     }
     let course = course.home();
     let edge = (scheme == Scheme::Descent).then_some(settings.depth);
-    let ridges_mm = measures::ridges(&course.standing, &zone);
+    let ridges_mm = course.standing.ridge(&zone.ground);
     let note = Note::new(&format!("transition-{}", scheme.name()));
     Ok(Transition {
         scheme,
