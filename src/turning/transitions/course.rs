@@ -214,6 +214,17 @@ impl<'z> Course<'z> {
         self.follow(&back, Purpose::Return, Role::Returned);
     }
 
+    /// Lets a flank begin where the last pass began, where only the rounding of points on a steep flank parts them.
+    pub fn from_trail(&self, flank: &mut [Piece]) {
+        let (Some(first), Some(began)) = (flank.first_mut(), self.trail.first().map(|first| first.from)) else {
+            return;
+        };
+        let beside = (first.from.z - began.z).halves().abs() <= 2;
+        if beside && began.radius > first.to.radius {
+            first.from = began;
+        }
+    }
+
     /// What of a falling flank still has metal on it, down to its foot.
     pub fn uncut(&self, flank: &[Piece]) -> Vec<Piece> {
         let mut uncut = Vec::new();
@@ -237,13 +248,7 @@ impl<'z> Course<'z> {
             }
         }
         uncut.reverse();
-        // Where the last pass began, but for the rounding of points on a steep flank, is where this flank begins.
-        if let (Some(first), Some(began)) = (uncut.first_mut(), self.trail.first().map(|first| first.from)) {
-            let beside = (first.from.z - began.z).halves().abs() <= 2;
-            if beside && first.from.radius.max(first.to.radius + Half::new(4)) + Half::new(4) > began.radius && began.radius > first.to.radius {
-                first.from = began;
-            }
-        }
+        self.from_trail(&mut uncut);
         uncut
     }
 

@@ -329,6 +329,7 @@ pub fn finishing_must_follow(
         return Ok(None);
     }
     let finest = row.roughness("finest")?;
-    let note = Note::new("finishing-must-follow").with("scheme", scheme.name()).with("finest", finest).with("asked", asked);
+    let note =
+        Note::new("finishing-must-follow").with("scheme", scheme.name()).with("finest", finest).with("asked", asked);
     Ok((asked < finest).then(|| Finding::of_part(Severity::Note, note)))
 }

@@ -117,8 +117,7 @@ impl Standing {
             let (a, b) = (radius_on(&line, part.from.z), radius_on(&line, part.to.z));
             part.from.radius <= a && part.to.radius <= b && {
                 // An arc may bulge between its ends: then the way must be above both of them.
-                matches!(part.curve, Curve::Line)
-                    || part.from.radius.max(part.to.radius) <= a.min(b)
+                matches!(part.curve, Curve::Line) || part.from.radius.max(part.to.radius) <= a.min(b)
             }
         };
         self.cells.iter().all(over)
@@ -179,17 +178,26 @@ impl Standing {
 
 /// Where one piece lies above another over a stretch; they may cross more than once.
 fn compare(top: &Piece, piece: &Piece, from: Half, to: Half, tell: &mut impl FnMut(Half, Half, bool)) {
-    let over = |z: Half| (radius_on(top, z) - radius_on(piece, z)).halves();
     let middle = Half::new((from.halves() + to.halves()).div_euclid(2));
-    let (a, m, b) = (over(from), over(middle), over(to));
-    if a <= 1 && m <= 1 && b <= 1 {
+    let places = [from, middle, to];
+    let over = |z: Half| (radius_on(top, z) - radius_on(piece, z)).halves();
+    if places.iter().all(|z| over(*z) <= 1 || is_near(top, piece, *z)) {
         tell(from, to, false);
-    } else if a >= 0 && m >= 0 && b >= 0 || middle == from {
+    } else if places.iter().all(|z| over(*z) >= 0) || middle == from {
         tell(from, to, true);
     } else {
         compare(top, piece, from, middle, tell);
         compare(top, piece, middle, to, tell);
     }
+}
+
+/// Whether one piece is above another at a Z by no more than the rounding of points, which is half a micrometre along
+/// both axes: on a steep piece that is more across than along.
+fn is_near(top: &Piece, piece: &Piece, z: Half) -> bool {
+    let reach = [z - Half::new(1), z, z + Half::new(1)];
+    let reach = reach.into_iter().filter(|z| (piece.from.z..=piece.to.z).contains(z));
+    let near = reach.map(|z| radius_on(piece, z)).max().unwrap_or_default();
+    (radius_on(top, z) - near).halves() <= 1
 }
 
 /// In so many parts two pieces over one stretch are compared.
@@ -201,14 +209,9 @@ fn places(piece: &Piece) -> impl Iterator<Item = Half> + use<> {
     (0..=PARTS).map(move |part| Half::new(from + length * part / PARTS))
 }
 
-/// Whether a piece lies on another but for the rounding of points, which is up to half a micrometre along both axes.
+/// Whether a piece lies on another but for the rounding of points.
 fn touches(top: &Piece, under: &Piece) -> bool {
-    let near = |z: Half| {
-        let reach = [z - Half::new(1), z, z + Half::new(1)];
-        let reach = reach.into_iter().filter(|z| (under.from.z..=under.to.z).contains(z));
-        reach.map(|z| radius_on(under, z)).max().unwrap_or_default()
-    };
-    places(top).all(|z| (radius_on(top, z) - near(z)).halves() <= 2)
+    places(top).all(|z| is_near(top, under, z))
 }
 
 /// How far a piece stands over another at most: exact where both are straight or one is level, else a bound from above.
@@ -217,8 +220,7 @@ fn over(top: &Piece, under: &Piece) -> Half {
     if straight(top) && straight(under) || top.is_cylinder() || under.is_cylinder() {
         return (top.from.radius - under.from.radius).max(top.to.radius - under.to.radius);
     }
-    let between = |(a, b): (Half, Half)| {
-        radius_on(top, a).max(radius_on(top, b)) - radius_on(under, a).min(radius_on(under, b))
-    };
+    let between =
+        |(a, b): (Half, Half)| radius_on(top, a).max(radius_on(top, b)) - radius_on(under, a).min(radius_on(under, b));
     places(top).zip(places(top).skip(1)).map(between).max().unwrap_or_default()
 }
