@@ -9,13 +9,16 @@ use std::time::Instant;
 
 use petgraph::algo::dijkstra;
 use petgraph::graph::DiGraph;
+use technolog::turning::contour::{Contour, Piece, Side, Turn};
 use technolog::turning::length::Half;
 use technolog::turning::passes::cost::Objective;
 use technolog::turning::passes::enumeration::enumerate;
 use technolog::turning::passes::grid::Grid;
 use technolog::turning::passes::optimum::{CostToGo, moves};
+use technolog::turning::point::Point;
 use technolog::turning::shaft::{Division, Rates, Shaft};
-use technolog::units::{Micrometres, MillimetresPerMinute};
+use technolog::turning::transitions::{Feeds, Scheme, Settings, Stock, Tool, work};
+use technolog::units::{Degrees, Micrometres, MillimetresPerMinute};
 
 #[path = "../tests/common/shafts.rs"]
 mod shafts;
@@ -55,6 +58,7 @@ fn main() {
             println!(" {:>16} {:>15}", "-", "-");
         }
     }
+    transitions();
 }
 
 /// The least time of many runs: what the work takes when nothing else disturbs it.
@@ -95,4 +99,64 @@ fn shortest_by_petgraph(grid: &Grid) -> u64 {
         }
     }
     dijkstra(&graph, nodes[0], Some(end), |edge| *edge.weight())[&end]
+}
+
+/// A zone of so many pieces, cones, cylinders, faces and fillets in turn, that rise under a bar by so many levels.
+fn shaped(pieces: usize, levels: i64) -> (Stock, Half) {
+    let depth = Half::from(2.0);
+    let top = Half::from(10.0) + Half::new(depth.halves() * levels);
+    let rise = (top - Half::from(10.0)).halves() / pieces as i64;
+    let mut contour = Contour { side: Side::Outer, pieces: Vec::new() };
+    let mut here = Point { radius: Half::from(10.0), z: Half::ZERO };
+    for index in 0..pieces {
+        let by = |radius: i64, z: i64| Point { radius: here.radius + Half::new(radius), z: here.z + Half::new(z) };
+        let piece = match index % 4 {
+            0 => Piece::line(here, by(0, 8_000)),
+            1 => Piece::line(here, by(rise * 2, 6_000)),
+            2 => Piece::arc(here, by(rise, rise), Half::new(rise), Turn::Left),
+            _ => Piece::line(here, by(rise, 0)),
+        };
+        here = piece.to;
+        contour.pieces.push(piece);
+    }
+    let blank =
+        Contour::through(Side::Outer, &[Point { radius: top, z: Half::ZERO }, Point { radius: top, z: here.z }]);
+    (Stock { rough: contour, blank, from: Half::ZERO, to: here.z }, depth)
+}
+
+/// The ways of the schemes of transitions over a zone of 50 pieces with 30 levels.
+fn transitions() {
+    let knowledge = technolog::shipped::knowledge().unwrap();
+    let (stock, depth) = shaped(50, 30);
+    let tool = Tool { nose_radius: Half::from(0.8), main: Degrees(95.0), secondary: Degrees(30.0) };
+    let rate = MillimetresPerMinute;
+    let feeds = Feeds {
+        main: rate(180.0),
+        infeed: rate(90.0),
+        pick_up: rate(120.0),
+        semi_finish: rate(150.0),
+        finish: rate(60.0),
+        rapid: rate(6000.0),
+    };
+    let settings = Settings { depth, approach: Half::from(2.0), retract: Half::from(0.5), feeds };
+    // Shifted along both axes by the distance: for a contour that only rises that is outside its true equidistant.
+    let offset = |contour: &Contour, distance: Half| {
+        let place = |point: Point| Point { radius: point.radius + distance, z: point.z - distance };
+        Some(Contour {
+            side: contour.side,
+            pieces: contour.pieces.iter().map(|piece| piece.mapped(false, place)).collect(),
+        })
+    };
+    println!("\n{:<18} {:>7} {:>7} {:>10}", "scheme", "moves", "passes", "us");
+    for scheme in Scheme::ALL.into_iter().filter(|scheme| *scheme != Scheme::LoopAgainstStop) {
+        let make = || work(&stock, &tool, &settings, scheme, &offset, &knowledge).unwrap();
+        let made = make();
+        println!(
+            "{:<18} {:>7} {:>7} {:>10.1}",
+            scheme.name(),
+            made.way.moves.len(),
+            made.measures.passes,
+            microseconds(make)
+        );
+    }
 }

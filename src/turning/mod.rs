@@ -20,6 +20,7 @@ pub mod elements;
 pub mod length;
 pub mod levels;
 pub mod numbering;
+pub mod operation;
 pub mod passes;
 pub mod point;
 pub mod program;

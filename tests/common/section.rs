@@ -137,12 +137,19 @@ impl Columns {
             let low = piece.from.radius.min(piece.to.radius).to_mm();
             let (before, behind) = (near(from).checked_sub(1), near(from));
             let at = |index: usize| {
-                let close = self.places.get(index).is_some_and(|place| (*place - from).halves().abs() <= 2);
-                close.then(|| self.heights[index])
+                let close = self.places.get(index).is_some_and(|place| (*place - from).halves().abs() <= 6);
+                // The column stands a little aside: on a slope its height differs by what the slope rises there.
+                close.then(|| self.heights[index] - 3.0 * (self.around[index].1 - self.around[index].0))
             };
+            // Beyond the ends of the zone is air.
+            if before.is_none() || behind == self.places.len() {
+                return f64::NEG_INFINITY;
+            }
             let heights: Vec<f64> = [before.and_then(at), at(behind)].into_iter().flatten().collect();
             return heights.into_iter().reduce(f64::min).map_or(f64::NEG_INFINITY, |height| height - low);
         }
+        // Its ends may touch a wall that is upright there: two micrometres of them do not count.
+        let (from, to) = (from + Half::new(4), to - Half::new(4));
         let inside = self.places.iter().zip(&self.heights).filter(|(z, _)| from < **z && **z < to);
         inside.map(|(z, height)| height - on(piece, z.to_mm())).fold(f64::NEG_INFINITY, f64::max)
     }
@@ -263,6 +270,37 @@ pub fn zones() -> impl Strategy<Value = Stock> {
     (10_000_i64..50_000, prop::collection::vec(part(), 1..8), 0_i64..12_000, second, any::<bool>())
         .prop_map(|(start, parts, above, second, wall)| zone(contour(start, &parts), above, second, wall))
         .prop_filter("a zone without length", |stock| stock.from < stock.to)
+}
+
+/// A closed zone: the contour falls from the surface of a bar and rises to it again, by lines and arcs. No flank is
+/// upright in its middle: there the rounding of points may part where a pass ended from where the next begins, and the
+/// tool then goes round through air.
+pub fn valleys() -> impl Strategy<Value = Stock> {
+    let down = prop_oneof![
+        (500_i64..8_000, 1_500_i64..9_000).prop_map(|(height, length)| Part::Cone(-height, length)),
+        (600_i64..6_000).prop_map(Part::FilletDown),
+        (500_i64..9_000).prop_map(|height| Part::Face(-height)),
+    ];
+    let up = prop_oneof![
+        (500_i64..8_000, 1_500_i64..9_000).prop_map(|(height, length)| Part::Cone(height, length)),
+        (600_i64..6_000).prop_map(Part::Fillet),
+        (600_i64..6_000).prop_map(Part::Ball),
+    ];
+    let flank = |part| prop::collection::vec(part, 1..4);
+    let valley = (flank(down.boxed()), 1_000_i64..20_000, flank(up.boxed())).prop_map(|(down, floor, up)| {
+        let parts: Vec<Part> =
+            [Part::Cylinder(3_000)].into_iter().chain(down).chain([Part::Cylinder(floor)]).chain(up).collect();
+        let rough = contour(60_000, &parts);
+        // Up to the bar again, with a wall, and a land behind it.
+        let (end, bar) = (rough.end().unwrap(), rough.radii().unwrap().1);
+        let mut pieces = rough.pieces;
+        let land = Point { radius: bar, z: end.z };
+        pieces.push(Piece::line(end, land));
+        pieces.push(Piece::line(land, Point { z: end.z + Half::new(3_000), ..land }));
+        pieces.retain(|piece| !piece.is_nothing());
+        zone(Contour { side: Side::Outer, pieces }, 0, None, false)
+    });
+    valley.prop_filter("it rises above the bar", |stock| stock.rough.radii().unwrap().1 == Half::new(60_000))
 }
 
 /// Rising steps, each at least as long as all stock is high, so that [`steps_beside`] has no corners to lose.

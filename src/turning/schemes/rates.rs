@@ -11,9 +11,17 @@ use crate::units::{MillimetresPerMinute, Unit};
 /// # Errors
 /// The knowledge base lacks the table or a row of it.
 pub fn rates(shaft: &Shaft, knowledge: &Knowledge) -> Result<(Rates, Vec<Finding>), KnowledgeError> {
-    if let Some(rates) = shaft.rates {
-        return Ok((rates, Vec::new()));
+    match shaft.rates {
+        Some(rates) => Ok((rates, Vec::new())),
+        None => of_table(knowledge),
     }
+}
+
+/// The rates of the table with a finding for each row that is not confirmed.
+///
+/// # Errors
+/// The knowledge base lacks the table or a row of it.
+pub fn of_table(knowledge: &Knowledge) -> Result<(Rates, Vec<Finding>), KnowledgeError> {
     let table = knowledge.table("turning-motion")?;
     let mut findings = Vec::new();
     let mut of = |name: &str| -> Result<RowRef<'_>, KnowledgeError> {

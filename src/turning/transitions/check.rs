@@ -19,7 +19,14 @@ const ROUNDING_DEGREES: f64 = 0.01;
 /// A reason, each with its remedy in the sentences: contours that do not hang together, lead back, differ in their
 /// stretch of Z or in their side; a rough contour above its blank; lengths that are not positive; a contour steeper than
 /// the tool's angles; a way against a stop over a contour that is not stepped.
-pub fn check(stock: &Stock, ground: &Ground, blank: &Ground, tool: &Tool, settings: &Settings, scheme: Scheme) -> Tried<()> {
+pub fn check(
+    stock: &Stock,
+    ground: &Ground,
+    blank: &Ground,
+    tool: &Tool,
+    settings: &Settings,
+    scheme: Scheme,
+) -> Tried<()> {
     let not = |note: Note| Err(Refusal::Not(note));
     for (name, contour) in [("rough", &stock.rough), ("blank", &stock.blank)] {
         if contour.pieces.is_empty() || !contour.hangs_together() || !contour.is_monotone() {

@@ -67,7 +67,8 @@ fn along(course: &Course<'_>) -> Half {
     }
     let before = |face: &Piece| {
         let middle = Half::new((face.from.radius + face.to.radius).halves() / 2);
-        let cell = course.zone.whole.cells().iter().find(|cell| cell.top.to.radius.max(cell.top.from.radius) > middle)?;
+        let cell =
+            course.zone.whole.cells().iter().find(|cell| cell.top.to.radius.max(cell.top.from.radius) > middle)?;
         let stock = face.from.z - cell.from;
         (cell.from > ground.from()).then_some(stock)
     };

@@ -89,6 +89,7 @@ impl<'z> Course<'z> {
 
     /// Along a piece at a feed.
     pub fn feed(&mut self, piece: Piece, purpose: Purpose, role: Role) {
+        debug_assert_eq!(piece.from, self.here(), "a piece begins where the way ends");
         if !piece.is_nothing() {
             self.way.follow(piece, purpose);
             self.roles.push(role);
@@ -213,6 +214,17 @@ impl<'z> Course<'z> {
         self.follow(&back, Purpose::Return, Role::Returned);
     }
 
+    /// Lets a flank begin where the last pass began, where only the rounding of points on a steep flank parts them.
+    pub fn from_trail(&self, flank: &mut [Piece]) {
+        let (Some(first), Some(began)) = (flank.first_mut(), self.trail.first().map(|first| first.from)) else {
+            return;
+        };
+        let beside = (first.from.z - began.z).halves().abs() <= 2;
+        if beside && began.radius > first.to.radius {
+            first.from = began;
+        }
+    }
+
     /// What of a falling flank still has metal on it, down to its foot.
     pub fn uncut(&self, flank: &[Piece]) -> Vec<Piece> {
         let mut uncut = Vec::new();
@@ -236,6 +248,7 @@ impl<'z> Course<'z> {
             }
         }
         uncut.reverse();
+        self.from_trail(&mut uncut);
         uncut
     }
 

@@ -108,22 +108,16 @@ impl Ground {
     /// The falling flank that leads down to a point of the contour, from its top; nothing where the contour does not
     /// fall to it.
     pub fn flank(&self, foot: Point) -> Vec<Piece> {
-        let before = |piece: &Piece| {
-            if !piece.is_face() || piece.from.z < foot.z {
-                return clipped(piece, Half::new(i64::MIN), foot.z).or((piece.is_face() && piece.from.z < foot.z).then_some(*piece));
-            }
-            (piece.from.z == foot.z && piece.from.radius > foot.radius).then(|| piece.between(piece.from, foot))
-        };
-        let parts: Vec<Piece> = self.pieces.iter().filter_map(before).collect();
-        let ends_here = parts.last().is_some_and(|last| last.to.z == foot.z && (last.to.radius - foot.radius).halves().abs() <= 1);
-        if !ends_here {
+        let falls = |piece: &&Piece| piece.from.radius > piece.to.radius;
+        let Some(last) = self.pieces.iter().rposition(|piece| falls(&piece) && lies_on(piece, foot)) else {
             return Vec::new();
-        }
-        let mut flank: Vec<Piece> = parts.into_iter().rev().take_while(|piece| piece.from.radius > piece.to.radius).collect();
+        };
+        let above = self.pieces.iter().take(last).rev().take_while(falls);
+        let mut flank: Vec<Piece> = above.copied().collect();
         flank.reverse();
-        if let Some(last) = flank.last_mut() {
-            last.to = foot;
-        }
+        flank.extend(
+            self.pieces.get(last).map(|piece| piece.between(piece.from, foot)).filter(|part| !part.is_nothing()),
+        );
         flank
     }
 
@@ -139,10 +133,14 @@ impl Ground {
                     _ => None,
                 };
             }
-            let part = clipped(piece, point.z, self.to())?;
-            Some(if part.from.z == point.z { part.between(point, part.to) } else { part })
+            clipped(piece, point.z, self.to())
         };
-        self.pieces.iter().filter_map(rest).collect()
+        let mut rest: Vec<Piece> = self.pieces.iter().filter_map(rest).collect();
+        // On a steep stretch the radius at the Z of the point, rounded, is not quite its own.
+        if let Some(first) = rest.first_mut().filter(|first| !first.is_face() && first.from.z == point.z) {
+            first.from = point;
+        }
+        rest
     }
 
     /// So far on along the contour from a point of it, mm, as long as it does not fall.
@@ -182,23 +180,26 @@ impl Ground {
 
     /// Whether a point lies on the contour, to the rounding of its points.
     pub fn holds(&self, point: Point) -> bool {
-        let near = |a: Half, b: Half| (a - b).halves().abs() <= 1;
-        self.pieces.iter().any(|piece| {
-            let (low, high) = (piece.from.radius.min(piece.to.radius), piece.from.radius.max(piece.to.radius));
-            let over = piece.from.z <= point.z && point.z <= piece.to.z;
-            let beside = low <= point.radius && point.radius <= high;
-            over && if piece.is_face() {
-                beside
-            } else {
-                near(radius_on(piece, point.z), point.radius)
-                    || beside && !piece.is_cylinder() && near(z_on(piece, point.radius), point.z)
-            }
-        })
+        self.pieces.iter().any(|piece| lies_on(piece, point))
     }
 
     /// Its pieces with a length over a stretch, cut off at its ends.
     fn over(&self, from: Half, to: Half) -> impl Iterator<Item = Piece> + '_ {
         self.pieces.iter().filter(|piece| !piece.is_face()).filter_map(move |piece| clipped(piece, from, to))
+    }
+}
+
+/// Whether a point lies on a monotone piece, to the rounding of points.
+fn lies_on(piece: &Piece, point: Point) -> bool {
+    let near = |a: Half, b: Half| (a - b).halves().abs() <= 1;
+    let (low, high) = (piece.from.radius.min(piece.to.radius), piece.from.radius.max(piece.to.radius));
+    let (over, beside) =
+        (piece.from.z <= point.z && point.z <= piece.to.z, low <= point.radius && point.radius <= high);
+    over && if piece.is_face() {
+        beside
+    } else {
+        let aslant = beside && !piece.is_cylinder();
+        near(radius_on(piece, point.z), point.radius) || aslant && near(z_on(piece, point.radius), point.z)
     }
 }
 

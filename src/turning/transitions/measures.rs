@@ -7,7 +7,7 @@ use crate::turning::length::Half;
 use crate::turning::way::{Purpose, Way};
 use crate::units::{Minutes, round_to};
 
-use super::ground::{clipped, radius_on};
+use super::ground::clipped;
 use super::standing::Standing;
 use super::{Feeds, Transition, Zone, descent};
 
@@ -77,25 +77,6 @@ fn metal(standing: &Standing, piece: &crate::turning::contour::Piece, edge: Opti
     };
     let top = top.map_or(piece.to.radius, |top| top.min(piece.from.radius));
     (top - piece.to.radius).max(Half::ZERO).to_mm()
-}
-
-/// The most that stands over the rough contour after a way, as [`Standing::ridge`] bounds it.
-pub fn ridges(standing: &Standing, zone: &Zone) -> Half {
-    let ridge = standing.ridge(&zone.ground);
-    // What rounding of points leaves is none.
-    if ridge.halves() <= rounding(zone) { Half::ZERO } else { ridge }
-}
-
-/// How far points rounded to half a micrometre put a way off the contour across the axis: a whole half, and where the
-/// contour is steep as much more as it is steeper than 45°, over a half along the axis.
-fn rounding(zone: &Zone) -> i64 {
-    let steep = |piece: &crate::turning::contour::Piece| {
-        let next = radius_on(piece, piece.from.z + Half::new(2)) - piece.from.radius;
-        let last = piece.to.radius - radius_on(piece, piece.to.z - Half::new(2));
-        next.halves().abs().max(last.halves().abs())
-    };
-    let pieces = zone.ground.pieces.iter().filter(|piece| !piece.is_face() && (piece.to.z - piece.from.z).halves() > 2);
-    2 + pieces.map(steep).max().unwrap_or(0)
 }
 
 /// The best of several ways over a zone.

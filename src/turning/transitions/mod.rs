@@ -289,7 +289,7 @@ fn outer(
     }
     let course = course.home();
     let edge = (scheme == Scheme::Descent).then_some(settings.depth);
-    let ridges_mm = measures::ridges(&course.standing, &zone);
+    let ridges_mm = course.standing.ridge(&zone.ground);
     let note = Note::new(&format!("transition-{}", scheme.name()));
     Ok(Transition {
         scheme,
@@ -329,6 +329,7 @@ pub fn finishing_must_follow(
         return Ok(None);
     }
     let finest = row.roughness("finest")?;
-    let note = Note::new("finishing-must-follow").with("scheme", scheme.name()).with("finest", finest).with("asked", asked);
+    let note =
+        Note::new("finishing-must-follow").with("scheme", scheme.name()).with("finest", finest).with("asked", asked);
     Ok((asked < finest).then(|| Finding::of_part(Severity::Note, note)))
 }

@@ -49,11 +49,12 @@ fn cut(course: &mut Course<'_>, way: &[Piece], radius: Half, nose_radius: Half) 
     let falls = |piece: &&Piece| piece.to.radius < piece.from.radius;
     let down = way.iter().take_while(falls).count();
     let (flank, rest) = way.split_at(down);
-    let mut rest = rest.to_vec();
+    let (mut flank, mut rest) = (flank.to_vec(), rest.to_vec());
+    course.from_trail(&mut flank);
     if let Some(top) = flank.first().map(|first| first.from) {
         course.back_along(top);
         course.enter(top);
-        course.follow(flank, Purpose::Infeed, Role::AtDepth);
+        course.follow(&flank, Purpose::Infeed, Role::AtDepth);
     } else if let Some(first) = rest.first_mut() {
         course.begin(first, Purpose::PickUp);
     }

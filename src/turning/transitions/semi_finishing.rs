@@ -24,9 +24,12 @@ pub fn work(course: &mut Course<'_>, split: &Split) {
     }
     let Some(end) = worked_to(course) else { return };
     let here = course.here();
-    let ridge = course.ground().pieces.iter().filter(|piece| !piece.is_face()).find_map(|piece| {
-        course.standing.metal(piece).first().map(|(from, _)| (*piece, *from))
-    });
+    let ridge = course
+        .ground()
+        .pieces
+        .iter()
+        .filter(|piece| !piece.is_face())
+        .find_map(|piece| course.standing.metal(piece).first().map(|(from, _)| (*piece, *from)));
     let on_contour = course.passes > 0 && course.ground().holds(here);
     match ridge {
         Some((piece, from)) if !on_contour || from < here.z => {
@@ -83,7 +86,9 @@ fn parted(course: &Course<'_>, way: &[Piece]) -> Vec<Piece> {
             beside && **end != piece.from && **end != piece.to
         };
         let mut cuts: Vec<Point> = ends.iter().filter(on).copied().collect();
-        cuts.sort_by_key(|cut| (cut.z, if piece.to.radius >= piece.from.radius { cut.radius } else { Half::ZERO - cut.radius }));
+        cuts.sort_by_key(|cut| {
+            (cut.z, if piece.to.radius >= piece.from.radius { cut.radius } else { Half::ZERO - cut.radius })
+        });
         cuts.dedup();
         cuts.push(piece.to);
         let mut from = piece.from;

@@ -78,7 +78,8 @@ impl Split {
     pub(super) fn against_stops(mut self, ground: &Ground) -> Self {
         for section in &mut self.sections {
             let radii = ground.pieces.iter().filter(|piece| piece.is_cylinder()).map(|piece| piece.from.radius);
-            let within = |radius: &Half| *radius < section.top && section.stands.iter().any(|one| one.deepest == *radius);
+            let within =
+                |radius: &Half| *radius < section.top && section.stands.iter().any(|one| one.deepest == *radius);
             let mut stops: Vec<Half> = radii.filter(within).collect();
             stops.sort();
             stops.dedup();
@@ -194,7 +195,8 @@ mod tests {
         let blank = Contour::through(Side::Outer, &[at(25.0, 0.0), at(25.0, 15.0), at(29.0, 15.0), at(29.0, 30.0)]);
         let split = Split::of(&rough, &blank, Half::from(3.0));
         assert_eq!(split.depth, Half::from(2.5));
-        let told: Vec<_> = split.sections.iter().map(|one| (one.from, one.to, one.top, one.horizontals.clone())).collect();
+        let told: Vec<_> =
+            split.sections.iter().map(|one| (one.from, one.to, one.top, one.horizontals.clone())).collect();
         let (first, second) = ([22.5, 20.0].map(Half::from).to_vec(), [26.5, 25.0].map(Half::from).to_vec());
         assert_eq!(told[0], (Half::ZERO, Half::from(15.0), Half::from(25.0), first));
         assert_eq!(told[1], (Half::from(15.0), Half::from(30.0), Half::from(29.0), second));

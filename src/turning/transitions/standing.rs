@@ -1,7 +1,7 @@
 //! What still stands of the blank over a zone: for each Z the radius of the metal, as stretches that each lie under one
 //! line or arc. A working move lowers it to its own way. Exact in Z to half a micrometre.
 
-use crate::turning::contour::Piece;
+use crate::turning::contour::{Curve, Piece};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 
@@ -117,32 +117,26 @@ impl Standing {
             let (a, b) = (radius_on(&line, part.from.z), radius_on(&line, part.to.z));
             part.from.radius <= a && part.to.radius <= b && {
                 // An arc may bulge between its ends: then the way must be above both of them.
-                matches!(part.curve, crate::turning::contour::Curve::Line)
-                    || part.from.radius.max(part.to.radius) <= a.min(b)
+                matches!(part.curve, Curve::Line) || part.from.radius.max(part.to.radius) <= a.min(b)
             }
         };
         self.cells.iter().all(over)
     }
 
-    /// The most that stands above a ground anywhere. Where an arc meets something aslant, its bound from above.
+    /// The most that stands above a ground anywhere; what the rounding of points leaves is none. Where an arc meets
+    /// something aslant, a bound of it from above.
     pub fn ridge(&self, ground: &Ground) -> Half {
         let mut most = Half::ZERO;
         for piece in ground.pieces.iter().filter(|piece| !piece.is_face()) {
-            for cell in &self.cells {
-                let (Some(top), Some(under)) = (self.part(cell, piece.from.z, piece.to.z), clipped(piece, cell.from, cell.to))
-                else {
-                    continue;
-                };
-                if cell.top.curve == piece.curve && radius_on(piece, top.from.z) == top.from.radius && radius_on(piece, top.to.z) == top.to.radius {
-                    continue;
+            let first = self.cells.partition_point(|cell| cell.to <= piece.from.z);
+            for cell in self.cells.iter().skip(first).take_while(|cell| cell.from < piece.to.z) {
+                let top = self.part(cell, piece.from.z, piece.to.z);
+                let under = clipped(piece, cell.from, cell.to);
+                if let (Some(top), Some(under)) = (top, under) {
+                    if !touches(&top, piece) {
+                        most = most.max(over(&top, &under));
+                    }
                 }
-                let line = |one: &Piece| matches!(one.curve, crate::turning::contour::Curve::Line);
-                let here = if line(&top) && line(&under) || top.is_cylinder() || under.is_cylinder() {
-                    (top.from.radius - under.from.radius).max(top.to.radius - under.to.radius)
-                } else {
-                    bound(&top, &under)
-                };
-                most = most.max(here);
             }
         }
         most
@@ -184,12 +178,12 @@ impl Standing {
 
 /// Where one piece lies above another over a stretch; they may cross more than once.
 fn compare(top: &Piece, piece: &Piece, from: Half, to: Half, tell: &mut impl FnMut(Half, Half, bool)) {
-    let over = |z: Half| (radius_on(top, z) - radius_on(piece, z)).halves();
     let middle = Half::new((from.halves() + to.halves()).div_euclid(2));
-    let (a, m, b) = (over(from), over(middle), over(to));
-    if a <= 1 && m <= 1 && b <= 1 {
+    let places = [from, middle, to];
+    let over = |z: Half| (radius_on(top, z) - radius_on(piece, z)).halves();
+    if places.iter().all(|z| over(*z) <= 1 || is_near(top, piece, *z)) {
         tell(from, to, false);
-    } else if a >= 0 && m >= 0 && b >= 0 || middle == from {
+    } else if places.iter().all(|z| over(*z) >= 0) || middle == from {
         tell(from, to, true);
     } else {
         compare(top, piece, from, middle, tell);
@@ -197,14 +191,36 @@ fn compare(top: &Piece, piece: &Piece, from: Half, to: Half, tell: &mut impl FnM
     }
 }
 
-/// A bound from above of how far one piece stands over another, both monotone: finer by halves, sixteen times.
-fn bound(top: &Piece, under: &Piece) -> Half {
-    let (from, to) = (top.from.z.max(under.from.z), top.to.z.min(under.to.z));
-    let parts = 16;
-    let at = |part: i64| Half::new(from.halves() + (to - from).halves() * part / parts);
-    let over = |part: i64| {
-        let (a, b) = (at(part), at(part + 1));
-        radius_on(top, a).max(radius_on(top, b)) - radius_on(under, a).min(radius_on(under, b))
-    };
-    (0..parts).map(over).max().unwrap_or_default()
+/// Whether one piece is above another at a Z by no more than the rounding of points, which is half a micrometre along
+/// both axes: on a steep piece that is more across than along.
+fn is_near(top: &Piece, piece: &Piece, z: Half) -> bool {
+    let reach = [z - Half::new(1), z, z + Half::new(1)];
+    let reach = reach.into_iter().filter(|z| (piece.from.z..=piece.to.z).contains(z));
+    let near = reach.map(|z| radius_on(piece, z)).max().unwrap_or_default();
+    (radius_on(top, z) - near).halves() <= 1
+}
+
+/// In so many parts two pieces over one stretch are compared.
+const PARTS: i64 = 16;
+
+/// The places at which two pieces over one stretch are compared.
+fn places(piece: &Piece) -> impl Iterator<Item = Half> + use<> {
+    let (from, length) = (piece.from.z.halves(), (piece.to.z - piece.from.z).halves());
+    (0..=PARTS).map(move |part| Half::new(from + length * part / PARTS))
+}
+
+/// Whether a piece lies on another but for the rounding of points.
+fn touches(top: &Piece, under: &Piece) -> bool {
+    places(top).all(|z| is_near(top, under, z))
+}
+
+/// How far a piece stands over another at most: exact where both are straight or one is level, else a bound from above.
+fn over(top: &Piece, under: &Piece) -> Half {
+    let straight = |piece: &Piece| matches!(piece.curve, Curve::Line);
+    if straight(top) && straight(under) || top.is_cylinder() || under.is_cylinder() {
+        return (top.from.radius - under.from.radius).max(top.to.radius - under.to.radius);
+    }
+    let between =
+        |(a, b): (Half, Half)| radius_on(top, a).max(radius_on(top, b)) - radius_on(under, a).min(radius_on(under, b));
+    places(top).zip(places(top).skip(1)).map(between).max().unwrap_or_default()
 }

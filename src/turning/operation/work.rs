@@ -1,0 +1,250 @@
+//! How each zone is cleared: its tool, its levels, the schemes over it, and the one that is taken.
+
+use serde::Serialize;
+
+use crate::error::{KnowledgeError, Refusal};
+use crate::note::{Because, Finding, Note, Severity};
+use crate::turning::allowances::equidistant;
+use crate::turning::contour::{Contour, Side};
+use crate::turning::cutting::Direction;
+use crate::turning::length::Half;
+use crate::turning::point::Point;
+use crate::turning::tooling::TurningTool;
+use crate::turning::transitions::measures::{Best, best};
+use crate::turning::transitions::split::Split;
+use crate::turning::transitions::{self, Scheme, Settings, Stock, Transition};
+use crate::turning::workpiece;
+use crate::turning::zones::{self, Feed, Fit, Zone, fit};
+use crate::units::{Degrees, Micrometres};
+
+use super::depth::{self, Depth, Pace, Task};
+use super::layers::Layers;
+use super::pocket::pieceworks;
+use super::tools::{self, Bench, Taken};
+
+/// A zone and how it is cleared.
+#[derive(Clone, Debug, Serialize)]
+pub struct ZoneWork {
+    /// The zone.
+    pub zone: Zone,
+    /// Which tools fit it, and why the others do not.
+    pub fit: Fit,
+    /// The tool that is taken.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tool: Option<Taken>,
+    /// The limiting depth.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub depth: Option<Depth>,
+    /// What is cleared by itself, in the order of work.
+    pub works: Vec<Work>,
+}
+
+/// What is cleared by one scheme.
+#[derive(Clone, Debug, Serialize)]
+pub struct Work {
+    /// What stands.
+    #[serde(skip)]
+    pub stock: Stock,
+    /// Its levels, with the one depth t_p.
+    pub levels: Split,
+    /// Rates and conditions at t_p.
+    pub pace: Pace,
+    /// The scheme that is taken: asked for by the file, or the first of the rule.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub taken: Option<Scheme>,
+    /// Why this one.
+    pub because: Because,
+    /// Every scheme that can clear it.
+    pub transitions: Vec<Transition>,
+    /// The others, with the reason.
+    pub refused: Vec<RefusedScheme>,
+    /// The quickest of those that leave an even allowance.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub quickest_even: Option<Best>,
+    /// The quickest of all.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub quickest: Option<Best>,
+}
+
+/// A scheme that cannot clear a zone.
+#[derive(Clone, Debug, Serialize)]
+pub struct RefusedScheme {
+    /// The scheme.
+    pub scheme: Scheme,
+    /// Why not.
+    pub why: Note,
+}
+
+impl Work {
+    /// The transition that is taken.
+    pub fn transition(&self) -> Option<&Transition> {
+        let taken = self.taken?;
+        self.transitions.iter().find(|one| one.scheme == taken)
+    }
+}
+
+/// The zones of a side and how each is cleared.
+///
+/// # Errors
+/// The knowledge base lacks a table.
+pub fn zones(layers: &Layers, bench: &Bench<'_, '_>, findings: &mut Vec<Finding>) -> Result<Vec<ZoneWork>, KnowledgeError> {
+    let knowledge = bench.knowledge;
+    let candidates = tools::candidates(layers.rough.side, bench)?;
+    let angles: Vec<_> = candidates.iter().map(tools::angles).collect();
+    let near_part = bench.workpiece.blank.kind.shape() == "near-part";
+    let stock = zones::Stock { rough: &layers.rough, blank: &layers.blank, near_part, against_stop: false };
+    let zones = zones::find(stock, &angles, knowledge)?;
+    let taken = tools::assign(&zones, &angles);
+    let mut works = Vec::new();
+    for (zone, choice) in zones.iter().zip(&taken) {
+        let tool = choice.and_then(|index| candidates.get(index));
+        let count = taken.iter().filter(|other| *other == choice).count();
+        works.push(zone_work(zone, tool, count, &angles, layers, bench, findings)?);
+    }
+    Ok(works)
+}
+
+#[allow(clippy::too_many_arguments, reason = "a zone, its tool, and where both stand")]
+fn zone_work(
+    zone: &Zone,
+    tool: Option<&TurningTool<'_>>,
+    count: usize,
+    angles: &[zones::ToolAngles],
+    layers: &Layers,
+    bench: &Bench<'_, '_>,
+    findings: &mut Vec<Finding>,
+) -> Result<ZoneWork, KnowledgeError> {
+    let held = fit(zone, angles);
+    let mut work = ZoneWork { zone: zone.clone(), fit: held, tool: None, depth: None, works: Vec::new() };
+    let Some(tool) = tool else {
+        let note = Note::new("no-tool-for-zone").with("zone", zone.number).with("side", side(layers.rough.side));
+        let note = note.with("main", zone.needs.main.0).with("secondary", zone.needs.secondary.0);
+        findings.push(Finding::of_part(Severity::Error, note));
+        return Ok(work);
+    };
+    work.tool = tools::told(tool, count);
+    let (direction, stocks) = match zone.feed {
+        Feed::Across => (Direction::Transverse, vec![(facing(zone, &layers.rough), 0)]),
+        Feed::Along => {
+            let all = pieceworks(zone, &layers.rough, &layers.blank).into_iter();
+            (Direction::Longitudinal, all.map(|one| (one.stock, one.scheme)).collect())
+        }
+    };
+    let diameter = zone.greatest_radius.diameter();
+    let stock = match zone.feed {
+        Feed::Across => zone.to_z - zone.from_z,
+        Feed::Along => zone.greatest_radius - zone.least_radius,
+    };
+    let task = Task { tool, diameter, direction, stock };
+    work.depth = depth::depth(task, bench, findings)?;
+    let Some(limit) = work.depth.as_ref().map(|depth| depth.limiting_depth_mm) else { return Ok(work) };
+    for (stock, scheme) in stocks {
+        work.works.push(clear(stock, scheme, limit, zone, task, bench, findings)?);
+    }
+    Ok(work)
+}
+
+/// The face of the free end as a stock: nothing of it stays, and behind it stands the part.
+fn facing(zone: &Zone, rough: &Contour) -> Stock {
+    let (from, to) = (zone.from_z, zone.to_z);
+    let at = |radius, z| Point { radius, z };
+    let (low, high) = (zone.least_radius, zone.greatest_radius);
+    Stock {
+        rough: Contour::through(rough.side, &[at(low, from), at(low, to), at(high, to)]),
+        blank: Contour::through(rough.side, &[at(high, from), at(high, to)]),
+        from,
+        to,
+    }
+}
+
+fn clear(
+    stock: Stock,
+    scheme: usize,
+    limit: Half,
+    zone: &Zone,
+    task: Task<'_, '_>,
+    bench: &Bench<'_, '_>,
+    findings: &mut Vec<Finding>,
+) -> Result<Work, KnowledgeError> {
+    let knowledge = bench.knowledge;
+    let levels = levels(&stock, limit, zone.feed);
+    let pace = depth::pace(task, levels.depth, bench, findings)?;
+    let settings =
+        Settings { depth: levels.depth, approach: pace.approach_mm, retract: pace.retract_mm, feeds: pace.feeds };
+    let tool = transitions::Tool {
+        nose_radius: Half::of(task.tool.nose_radius.unwrap_or(Micrometres::ZERO)),
+        main: Degrees(task.tool.lead_angle.to_f64()),
+        secondary: Degrees(task.tool.trail_angle.to_f64()),
+    };
+    let offset = |contour: &Contour, distance: Half| {
+        equidistant(contour, &vec![distance; contour.pieces.len()]).ok()
+    };
+    let all: &[Scheme] = if zone.feed == Feed::Across { &[Scheme::Descent] } else { &Scheme::ALL };
+    let (mut found, mut refused) = (Vec::new(), Vec::new());
+    for &scheme in all {
+        match Refusal::split(transitions::work(&stock, &tool, &settings, scheme, &offset, knowledge))? {
+            Ok(transition) => found.push(transition),
+            Err(why) => refused.push(RefusedScheme { scheme, why }),
+        }
+    }
+    let wanted = wanted(zone, scheme, bench);
+    let taken = wanted.filter(|wanted| found.iter().any(|one| one.scheme == *wanted));
+    if let (Some(wanted), None) = (wanted, taken) {
+        let why = refused.iter().find(|one| one.scheme == wanted).map(|one| one.why.code.clone()).unwrap_or_default();
+        let note = Note::new("scheme-not-possible").with("scheme", wanted.name()).with("zone", zone.number);
+        findings.push(Finding::of_part(Severity::Wrong, note.with("why", why)));
+    }
+    let taken = taken.or_else(|| {
+        let even = found.iter().filter(|one| one.uniform);
+        let order = |one: &&Transition| one.measures.time_min.0;
+        even.min_by(|a, b| order(a).total_cmp(&order(b))).map(|one| one.scheme)
+    });
+    Ok(Work {
+        levels,
+        pace,
+        taken,
+        because: zone.scheme.because.clone(),
+        quickest_even: best(found.iter().filter(|one| one.uniform)),
+        quickest: best(&found),
+        transitions: found,
+        refused,
+        stock,
+    })
+}
+
+/// The levels of a stock. Before a face the passes go across, so its thickness is divided, not its height.
+fn levels(stock: &Stock, limit: Half, feed: Feed) -> Split {
+    if feed == Feed::Across {
+        let thick = (stock.to - stock.from).halves();
+        let limit = limit.halves().max(1);
+        let passes = ((thick + limit - 1) / limit).max(1);
+        return Split { depth: Half::new((thick + passes - 1) / passes), sections: Vec::new() };
+    }
+    match stock.rough.side {
+        Side::Outer => Split::of(&stock.rough, &stock.blank, limit),
+        Side::Inner => {
+            let top = stock.rough.radii().map_or(Half::ZERO, |(_, most)| most);
+            Split::of(&stock.rough.inside_out(top), &stock.blank.inside_out(top), limit).inside_out(top)
+        }
+    }
+}
+
+/// The scheme that the file asks for, or that of the rule: a face is always turned across.
+fn wanted(zone: &Zone, index: usize, bench: &Bench<'_, '_>) -> Option<Scheme> {
+    if zone.feed == Feed::Across {
+        return Some(Scheme::Descent);
+    }
+    if let Some(asked) = bench.workpiece.roughing.scheme {
+        let name = workpiece::Scheme::NAMES.iter().find(|(_, scheme)| *scheme == asked).map(|(name, _)| *name)?;
+        return Scheme::ALL.into_iter().find(|scheme| scheme.name() == name);
+    }
+    let name = zone.scheme.schemes.get(index).or_else(|| zone.scheme.schemes.last())?;
+    Scheme::ALL.into_iter().find(|scheme| scheme.name() == name)
+}
+
+const fn side(side: Side) -> &'static str {
+    match side {
+        Side::Outer => "outer",
+        Side::Inner => "inner",
+    }
+}
