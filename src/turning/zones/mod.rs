@@ -5,7 +5,7 @@
 //! - [`parts`] takes the stock apart at every face and slope;
 //! - [`join`] joins neighbours that one tool reaches, and counts the returns that this saves;
 //! - [`kind`] asks the rules what kind of zone something is and by which scheme it is worked;
-//! - [`fit`] holds tools against a zone.
+//! - [`mod@fit`] holds tools against a zone.
 //!
 //! Zones of a bore are found on it inside out and told in its own radii.
 
