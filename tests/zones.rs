@@ -148,6 +148,9 @@ fn neighbours_are_joined_as_far_as_a_tool_reaches() {
     let count = |tools: &[ToolAngles]| find(stock(&rough, &blank), tools, &KNOWLEDGE).unwrap().len();
     assert_eq!(count(&[]), 3, "the contouring tool of the lecture has φ1 = 30°");
     assert_eq!(count(&[tool("30", 95.0, 30.0), tool("50", 95.0, 50.0)]), 1);
+    // A grooving tool has no angles to fail by, but reaches nothing beside its groove.
+    let groover = ToolAngles { width: Some(mm(3.0)), ..tool("groover", 0.0, 0.0) };
+    assert_eq!(count(&[tool("30", 95.0, 30.0), groover]), 3);
 }
 
 /// 12.4-16, fig. 12.5 by hand: stocks of 20, 15 and 10 in levels of 5: split at every face 4 + 3 + 2 passes. Joined, the first

@@ -128,8 +128,10 @@ pub struct Class {
     /// Whether the tool makes a part of it, though not all; then the whole of it is additional.
     pub partly: bool,
     /// Its steepest rise in the direction of the feed, degrees in [0, 180]; above 90 it leads back.
+    #[serde(rename = "rise_deg")]
     pub rise: Degrees,
     /// Its steepest fall, degrees in [0, 180].
+    #[serde(rename = "fall_deg")]
     pub fall: Degrees,
     /// The kind of tool that makes it, by the rule `turning-element`.
     pub tool: String,
@@ -171,10 +173,10 @@ pub struct Main {
 pub fn classify(profile: &Profile, tool: Angles, knowledge: &Knowledge) -> Result<Vec<Class>, KnowledgeError> {
     let view = View::new(profile, tool.hand);
     let bits = view.bits(profile);
-    let bridged = |bit: &Bit| profile.surfaces.get(bit.surface).is_some_and(|one| is_bridged(one.kind));
-    let shades = Edges::of(tool).shades(&bits, |bit| !bridged(bit));
+    let kind = |bit: &Bit| profile.surfaces.get(bit.surface).is_some_and(|one| is_bridged(one.kind));
+    let shades = Edges::of(tool).shades(&bits, |bit| !kind(bit));
     let lost = |(bit, (shade, _)): (&Bit, &(Option<Shade>, bool))| {
-        bridged(bit) || matches!(shade, Some(Shade::Behind | Shade::Over))
+        kind(bit) || matches!(shade, Some(Shade::Behind | Shade::Over))
     };
     let lost: Vec<bool> = bits.iter().zip(&shades).map(lost).collect();
     let spans = bridge(&bits, &lost).spans;

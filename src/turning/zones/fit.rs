@@ -23,10 +23,10 @@ pub struct ToolAngles {
     #[serde(flatten)]
     pub angles: Angles,
     /// Of a boring bar, the smallest bore that it enters.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "least_bore_mm", skip_serializing_if = "Option::is_none")]
     pub least_bore: Option<Micrometres>,
     /// Of a grooving tool, its width: it goes straight in, so its angles do not count.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "width_mm", skip_serializing_if = "Option::is_none")]
     pub width: Option<Half>,
 }
 

@@ -21,7 +21,9 @@ pub(super) fn groups(parts: Vec<Part>, tools: &[ToolAngles]) -> Vec<Vec<Part>> {
         let reach = |group: &[Part]| {
             let touches = group.last().is_some_and(|last| last.to_z == part.from_z);
             let needs = group.iter().fold(part.needs, |sum, one| sum.and(one.needs));
-            touches && tools.iter().any(|tool| refusals(needs, None, None, tool).is_empty())
+            // A grooving tool goes straight in: it reaches one groove, and nothing beside it.
+            let mut passing = tools.iter().filter(|tool| tool.width.is_none());
+            touches && passing.any(|tool| refusals(needs, None, None, tool).is_empty())
         };
         match groups.last_mut().filter(|group| reach(group)) {
             Some(group) => group.push(part),

@@ -5,7 +5,7 @@
 //! - [`parts`] takes the stock apart at every face and slope;
 //! - [`join`] joins neighbours that one tool reaches, and counts the returns that this saves;
 //! - [`kind`] asks the rules what kind of zone something is and by which scheme it is worked;
-//! - [`fit`] holds tools against a zone.
+//! - [`mod@fit`] holds tools against a zone.
 //!
 //! Zones of a bore are found on it inside out and told in its own radii.
 
@@ -62,13 +62,17 @@ pub struct Zone {
     pub side: Side,
     /// In which direction its passes go.
     pub feed: Feed,
-    /// Z of its beginning.
+    /// Z of its beginning, towards the chuck.
+    #[serde(rename = "from_z_mm")]
     pub from_z: Half,
-    /// Z of its end.
+    /// Z of its end, towards the chuck.
+    #[serde(rename = "to_z_mm")]
     pub to_z: Half,
     /// The least radius of its stock.
+    #[serde(rename = "least_radius_mm")]
     pub least_radius: Half,
     /// The greatest radius of its stock.
+    #[serde(rename = "greatest_radius_mm")]
     pub greatest_radius: Half,
     /// What kind of zone it is.
     pub kind: Kind,
@@ -78,7 +82,7 @@ pub struct Zone {
     /// The angles that a tool needs.
     pub needs: Needs,
     /// The narrowest place that a boring bar passes, a diameter; none outside.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "passage_mm", skip_serializing_if = "Option::is_none")]
     pub passage: Option<Micrometres>,
     /// How it is worked.
     pub scheme: SchemeChoice,

@@ -39,19 +39,24 @@ impl Needs {
 /// A part of the stock.
 #[derive(Clone, Debug, Serialize)]
 pub struct Part {
-    /// Z of its beginning.
+    /// Z of its beginning, towards the chuck.
+    #[serde(rename = "from_z_mm")]
     pub from_z: Half,
-    /// Z of its end.
+    /// Z of its end, towards the chuck.
+    #[serde(rename = "to_z_mm")]
     pub to_z: Half,
     /// The least radius of its stock.
+    #[serde(rename = "least_radius_mm")]
     pub least_radius: Half,
     /// The greatest radius of its stock.
+    #[serde(rename = "greatest_radius_mm")]
     pub greatest_radius: Half,
     /// Open, half-open or closed.
     pub kind: Kind,
     /// The angles that it asks for.
     pub needs: Needs,
     /// How long its floor is along the axis: what a grooving tool must not be wider than.
+    #[serde(rename = "floor_length_mm")]
     pub floor_length: Half,
     /// The rough contour under it; none of a face.
     pub contour: Vec<Piece>,
