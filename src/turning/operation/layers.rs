@@ -78,7 +78,11 @@ pub fn layers(
             Some(distance) => distance,
             // A bridge: what such a surface would get.
             None => {
-                let place = if piece.is_face() { Place::Face } else { Place::of_side(main.side) };
+                let place = match main.side {
+                    _ if piece.is_face() => Place::Face,
+                    Side::Outer => Place::Outer,
+                    Side::Inner => Place::Inner,
+                };
                 let diameter = piece.from.radius.max(piece.to.radius).diameter();
                 allowance(place, diameter, length, method, knowledge)?.0.unwrap_or(Half::ZERO)
             }

@@ -16,6 +16,7 @@ pub mod depth;
 pub mod layers;
 mod pocket;
 pub mod prepare;
+pub mod programs;
 pub mod tools;
 pub mod work;
 
@@ -29,8 +30,7 @@ use crate::turning::allowances::capability::Elsewhere;
 use crate::turning::contour::Side;
 use crate::turning::elements::Angles;
 use crate::turning::tooling::Lathe;
-use crate::turning::workpiece::Workpiece;
-use crate::turning::workpiece::preparation::Advice;
+use crate::turning::workpiece::{Advice, Workpiece, advice};
 use crate::turning::zones::{self, SetUp};
 use layers::Layers;
 use tools::Bench;
@@ -95,7 +95,7 @@ impl Operation {
 pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, KnowledgeError> {
     let mut findings = workpiece.findings.clone();
     let lathe = prepare::lathe(workpiece, knowledge, &mut findings)?;
-    let blank_advice = crate::turning::workpiece::advice(workpiece, knowledge)?;
+    let blank_advice = advice(workpiece, knowledge)?;
     findings.extend(blank_advice.iter().filter(|one| one.finding.severity <= Severity::Doubtful).map(|one| one.finding.clone()));
     let left = prepare::left_by_the_lathe(workpiece, lathe.as_ref(), knowledge, &mut findings)?;
     let set_ups = zones::set_ups(

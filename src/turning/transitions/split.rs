@@ -93,6 +93,21 @@ impl Split {
         self
     }
 
+    /// The same told inside out: radii count inwards from `top`. The stock over a piece and the depths stay.
+    #[must_use]
+    pub fn inside_out(mut self, top: Half) -> Self {
+        for section in &mut self.sections {
+            section.top = top - section.top;
+            for stand in &mut section.stands {
+                stand.deepest = top - stand.deepest;
+            }
+            for level in &mut section.horizontals {
+                *level = top - *level;
+            }
+        }
+        self
+    }
+
     fn levelled(mut sections: Vec<Section>, depth: Half) -> Self {
         for section in &mut sections {
             let floor = section.stands.iter().map(|one| one.deepest).min().unwrap_or(section.top);

@@ -36,6 +36,7 @@ use super::length::Half;
 use super::shaft::{self, Holding, Shaft};
 pub use blank::{Blank, StockKind};
 pub use file::schema;
+pub use preparation::{Advice, advice};
 pub use read::{read_turned, read_workpiece};
 
 /// What a file of a turned part holds.
