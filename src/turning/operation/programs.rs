@@ -3,14 +3,13 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
-use crate::note::Note;
 use crate::turning::contour::{Contour, Side};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::program::{self, Allowance, Control, Direction, Feeds, NotWritten, ProgramFile, Roughing, Setting, Speed};
 use crate::turning::way::{Purpose, Way};
 use crate::turning::zones::Feed;
-use crate::units::{MillimetresPerMinute, MillimetresPerRev, RevsPerMinute};
+use crate::units::{MillimetresPerMinute, MillimetresPerRev, RevsPerMinute, round_to};
 
 use super::work::{Work, ZoneWork};
 use super::{Operation, SideWork};
@@ -48,7 +47,7 @@ struct Run<'a> {
     zones: Vec<&'a ZoneWork>,
 }
 
-/// The programs of an operation in the order of work. Tools have the places of the turret in the order of their first use.
+/// The programs of an operation in the order of work; `spindle` is the spindle speed that the user states. Tools have the places of the turret in the order of their first use.
 ///
 /// # Errors
 /// There is no such control, or a table lacks something of it.
@@ -56,6 +55,7 @@ pub fn programs(
     operation: &Operation,
     control: &str,
     form: Form,
+    spindle: Option<RevsPerMinute>,
     knowledge: &Knowledge,
 ) -> Result<Vec<Written>, KnowledgeError> {
     let control = Control::read(control, knowledge)?;
@@ -64,10 +64,10 @@ pub fn programs(
         let zones = |zones: &[&ZoneWork]| zones.iter().map(|zone| zone.zone.number).collect::<Vec<_>>();
         let put = |zones: Vec<usize>, files| Written { set_up: run.set_up, side: run.side.side, zones, tool: run.tool.to_owned(), files };
         match form {
-            Form::Motions => written.push(put(zones(&run.zones), motions(&run, operation, &control))),
+            Form::Motions => written.push(put(zones(&run.zones), motions(&run, operation, &control, spindle))),
             Form::Cycles => {
                 for zone in &run.zones {
-                    written.push(put(vec![zone.zone.number], cycles(zone, &run, operation, &control)));
+                    written.push(put(vec![zone.zone.number], cycles(zone, &run, operation, &control, spindle)));
                 }
             }
         }
@@ -101,7 +101,7 @@ fn runs(operation: &Operation) -> Vec<Run<'_>> {
 
 /// Every way of a run, from home to home. Between two ways the tool goes from one home to the next, both off the corner of
 /// the blank before its free face.
-fn motions(run: &Run<'_>, operation: &Operation, control: &Control) -> Result<Vec<ProgramFile>, NotWritten> {
+fn motions(run: &Run<'_>, operation: &Operation, control: &Control, spindle: Option<RevsPerMinute>) -> Result<Vec<ProgramFile>, NotWritten> {
     let works: Vec<&Work> = run.zones.iter().flat_map(|zone| &zone.works).collect();
     let mut whole: Option<Way> = None;
     for way in works.iter().filter_map(|work| work.transition()).map(|transition| &transition.way) {
@@ -116,7 +116,7 @@ fn motions(run: &Run<'_>, operation: &Operation, control: &Control) -> Result<Ve
         }
     }
     let way = whole.unwrap_or_default();
-    let setting = setting(run, operation, works.first().copied());
+    let setting = setting(run, operation, works.first().copied(), spindle)?;
     let text = program::plain(control, &way, &setting)?;
     Ok(vec![ProgramFile { name: format!("{}.ngc", run.place), text }])
 }
@@ -132,7 +132,7 @@ fn over(from: Point, to: Point, side: Side) -> [Point; 2] {
 }
 
 /// One zone as the cycle of the control, over the rough contour of the zone.
-fn cycles(zone: &ZoneWork, run: &Run<'_>, operation: &Operation, control: &Control) -> Result<Vec<ProgramFile>, NotWritten> {
+fn cycles(zone: &ZoneWork, run: &Run<'_>, operation: &Operation, control: &Control, spindle: Option<RevsPerMinute>) -> Result<Vec<ProgramFile>, NotWritten> {
     let mut files = Vec::new();
     for work in &zone.works {
         let direction = match zone.zone.feed {
@@ -146,7 +146,7 @@ fn cycles(zone: &ZoneWork, run: &Run<'_>, operation: &Operation, control: &Contr
             retract: work.pace.retract_mm.min(work.pace.approach_mm),
             allowance: Allowance { radius: Half::ZERO, z: Half::ZERO },
         };
-        let setting = setting(run, operation, Some(work));
+        let setting = setting(run, operation, Some(work), spindle)?;
         let corner = corner(&work.stock.blank);
         let written = program::cycle(control, &work.stock.rough, corner, roughing, &setting)?;
         files.extend(written.files);
@@ -161,26 +161,21 @@ fn corner(blank: &Contour) -> Point {
     Point { radius: if blank.side == Side::Outer { most } else { least }, z }
 }
 
-/// Speeds and feeds of a run. Without a lathe no speed is known: then the spindle turns as the rates of a minute ask at a
-/// feed of 0.3 mm, which the program says in its name.
-fn setting(run: &Run<'_>, operation: &Operation, work: Option<&Work>) -> Setting {
-    let pace = work.map(|work| &work.pace);
-    let found = pace.and_then(|pace| pace.conditions.as_ref());
-    let rpm = found.map_or(RevsPerMinute(400.0), |found| found.spindle_rpm);
-    let speed = Speed::Spindle(rpm);
-    let per_rev = |rate: MillimetresPerMinute| MillimetresPerRev(crate::units::round_to(rate.0 / rpm.0, 4));
-    let feeds = pace.map_or(Feeds::all(MillimetresPerRev(0.3)), |pace| Feeds {
+/// Speeds and feeds of a run: the spindle step of the conditions, or the speed that the user states; without either there
+/// is no program, because feeds are written for a revolution.
+fn setting(run: &Run<'_>, operation: &Operation, work: Option<&Work>, spindle: Option<RevsPerMinute>) -> Result<Setting, NotWritten> {
+    let pace = work.map(|work| &work.pace).ok_or(NotWritten::NoSpeed)?;
+    let found = pace.conditions.as_ref().map(|found| found.spindle_rpm);
+    let rpm = spindle.or(found).ok_or(NotWritten::NoSpeed)?;
+    let per_rev = |rate: MillimetresPerMinute| MillimetresPerRev(round_to(rate.0 / rpm.0, 4));
+    let feeds = Feeds {
         cut: per_rev(pace.feeds.main),
         infeed: per_rev(pace.feeds.infeed),
         pick_up: per_rev(pace.feeds.pick_up),
         semi_finish: per_rev(pace.feeds.semi_finish),
         finish: per_rev(pace.feeds.finish),
         back: per_rev(pace.feeds.infeed),
-    });
-    Setting { name: operation.workpiece.name.clone(), tool: run.place, speed, feeds, coolant: true }
-}
-
-/// A note on what is not written.
-pub fn why_not(error: &NotWritten) -> Note {
-    error.note()
+    };
+    let name = operation.workpiece.name.clone();
+    Ok(Setting { name, tool: run.place, speed: Speed::Spindle(rpm), feeds, coolant: true })
 }

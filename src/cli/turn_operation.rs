@@ -1,0 +1,101 @@
+//! The part of `technolog turn` that plans contours: the page of the whole operation, its drawing and its programs.
+
+use clap::ValueEnum;
+use technolog::error::KnowledgeError;
+use technolog::knowledge::{Diagnostic, Knowledge};
+use technolog::report::{self, remedy, sentence};
+use technolog::turning::operation::programs::{Form, Written, programs};
+use technolog::turning::operation::{self, Operation};
+use technolog::turning::workpiece::Workpiece;
+use technolog::units::RevsPerMinute;
+
+use super::{CliError, Context, Format, Outcome};
+
+/// Controls of lathes by their names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Control {
+    Linuxcnc,
+    Sinumerik,
+    #[value(name = "nc-201")]
+    Nc201,
+}
+
+impl Control {
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Linuxcnc => "linuxcnc",
+            Self::Sinumerik => "sinumerik",
+            Self::Nc201 => "nc-201",
+        }
+    }
+}
+
+/// Shows the whole operation.
+///
+/// # Errors
+/// The knowledge base lacks something, or the answer cannot be written.
+pub fn page(workpiece: &Workpiece, knowledge: &Knowledge, format: Format, context: &Context) -> Result<Outcome, CliError> {
+    let operation = plan(workpiece, knowledge, context)?;
+    match format {
+        Format::Json => context.emit_json(&operation)?,
+        Format::Yaml => context.emit_yaml(&operation)?,
+        Format::Svg => context.emit(&report::turning::operation_drawing(&operation, context.lang))?,
+        _ => context.emit(&report::turning::operation_page(&operation, knowledge, context.lang))?,
+    }
+    Ok(if operation.has_errors() { Outcome::Findings } else { Outcome::Done })
+}
+
+/// Which program of an operation is wanted.
+#[derive(Clone, Copy, Debug)]
+pub struct Wanted {
+    /// For which control.
+    pub control: Control,
+    /// As motions or as cycles.
+    pub form: Form,
+    /// The number of the program, from 1.
+    pub number: usize,
+    /// The spindle speed, where the user states it.
+    pub spindle: Option<RevsPerMinute>,
+}
+
+/// Writes one program of an operation.
+///
+/// # Errors
+/// There is no such program, or it cannot be written, with the reason.
+pub fn program(
+    workpiece: &Workpiece,
+    wanted: Wanted,
+    knowledge: &Knowledge,
+    context: &Context,
+) -> Result<Outcome, CliError> {
+    let operation = plan(workpiece, knowledge, context)?;
+    let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
+    let all = programs(&operation, wanted.control.name(), wanted.form, wanted.spindle, knowledge).map_err(lacking)?;
+    let Some(written) = wanted.number.checked_sub(1).and_then(|index| all.get(index)) else {
+        let list = report::turning::programs_list(&all, context.lang);
+        let message = context.lang.pick("немає програми з таким номером", "there is no program of this number");
+        return Err(Diagnostic::error("no-such-program", message, None).help(list).into());
+    };
+    match &written.files {
+        Ok(files) => {
+            let texts: Vec<&str> = files.iter().map(|file| file.text.as_str()).collect();
+            context.emit(&texts.join("\n"))?;
+            super::output::complain(&report::turning::programs_list(&all, context.lang));
+            Ok(if operation.has_errors() { Outcome::Findings } else { Outcome::Done })
+        }
+        Err(error) => Err(not_written(written, error.note(), context)),
+    }
+}
+
+fn not_written(written: &Written, note: technolog::note::Note, context: &Context) -> CliError {
+    let said = format!("{}: {}", written.tool, sentence(&note, context.lang));
+    let problem = Diagnostic::error("not-written", said, None);
+    match remedy(&note, context.lang) {
+        Some(remedy) => problem.help(remedy).into(),
+        None => problem.into(),
+    }
+}
+
+fn plan(workpiece: &Workpiece, knowledge: &Knowledge, context: &Context) -> Result<Operation, CliError> {
+    operation::plan(workpiece, knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))
+}
