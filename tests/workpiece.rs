@@ -249,6 +249,27 @@ fn statement_12_1_11_contours_of_blanks() {
     );
 }
 
+/// A blank without stock over an arc of the part is taken; one that is two micrometres smaller in radius is not.
+#[test]
+fn a_blank_may_have_the_contour_of_the_part() {
+    let items = |d: &str| {
+        format!(
+            "[{{from: {{d: 0, z: 0}}}}, {{arc: {{d: {d}, z: -20}}, radius: 21, bulge: out}}, {{cylinder: -40}}, \
+             {{arc: {{d: 60, z: -50}}, radius: 30, bulge: in}}, {{cylinder: -60}}]"
+        )
+    };
+    let text = |blank: &str| {
+        format!(
+            "shaft: a\nmaterial: steel-45\nblank: {{kind: casting, outer: {}}}\nouter: {}\n",
+            items(blank),
+            items("40")
+        )
+    };
+    assert_eq!(read(&text("40")).blank.outer, read(&text("40")).outer.contour());
+    let mistakes = read_turned("part", &text("39.996"), &shipped::knowledge().unwrap()).unwrap_err();
+    assert!(mistakes.iter().all(|one| one.code() == "part-beyond-blank"), "{mistakes:?}");
+}
+
 /// The short form stays as it is, and becomes a workpiece whose diameters are those after roughing.
 #[test]
 fn a_stepped_shaft_becomes_a_workpiece() {

@@ -237,6 +237,19 @@ mod tests {
         assert_eq!(words("ConeKind"), ["cone", "chamfer"]);
     }
 
+    /// Two descriptions of one form must not drift apart: the examples, which the reader takes, are taken by these types too,
+    /// and a key that the reader does not know is not.
+    #[test]
+    fn the_examples_are_of_this_form() {
+        for name in ["turned-pin", "turned-ball", "turned-bushing", "turned-forging", "shaft", "shaft-forging"] {
+            let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("examples/{name}.yaml"));
+            let text = std::fs::read_to_string(path).unwrap();
+            serde_yaml::from_str::<TurnedFile>(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
+            let spoilt = format!("{text}colour: red\n");
+            assert!(serde_yaml::from_str::<TurnedFile>(&spoilt).is_err(), "{name}");
+        }
+    }
+
     /// The words that the rules and tables use for schemes and blanks are those of the file.
     #[test]
     fn the_tables_know_these_words_too() {

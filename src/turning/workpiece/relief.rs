@@ -62,4 +62,17 @@ mod tests {
         assert_eq!(of(thread(mm("2"), Side::Inner, &knowledge)), None);
         assert_eq!(of(thread(mm("2.1"), Side::Outer, &knowledge)), None);
     }
+
+    /// A relief must be deeper than the profile of its thread, 0.6134 P (ISO 68-1: 17/24 of H = 0.866 P), or the tool has
+    /// no way out; and not so deep that it weakens the part for nothing.
+    #[test]
+    fn reliefs_of_threads_are_deeper_than_the_thread() {
+        let knowledge = shipped::knowledge().unwrap();
+        let table = knowledge.table("thread-relief").unwrap();
+        assert!(table.all_rows().count() > 10);
+        for row in table.all_rows() {
+            let (pitch, depth) = (row.length("pitch").unwrap().to_mm(), row.length("depth").unwrap().to_mm());
+            assert!((0.6134..=0.8).contains(&(depth / pitch)), "{pitch}: {depth}");
+        }
+    }
 }
