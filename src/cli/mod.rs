@@ -23,6 +23,7 @@ mod record;
 mod sheet;
 mod table;
 mod turn;
+mod turn_operation;
 mod usage;
 mod words;
 

@@ -15,10 +15,12 @@ use technolog::turning::passes::cost::Objective;
 use technolog::turning::passes::{self, Sequences};
 use technolog::turning::schemes::{self, Schemes};
 use technolog::turning::shaft::{Mistake, Moves, Shaft};
-use technolog::turning::workpiece::{Turned, read_turned};
-use technolog::units::Micrometres;
+use technolog::turning::operation::programs::Form;
+use technolog::turning::workpiece::{Turned, Workpiece, read_turned};
+use technolog::units::{Micrometres, RevsPerMinute};
 
 use super::diagnostics::Texts;
+use super::turn_operation::{self, Control, Wanted};
 use super::{CliError, Context, Format, Outcome, knowledge, words};
 
 /// The roughing of a shaft: the shortest sequence of passes, beside longitudinal, transverse and one direction per step; levels, zones and removal schemes with their tool paths
@@ -36,9 +38,18 @@ pub struct Args {
     /// Moves: basic, as the paper has them, or rich: stopping anywhere and with less depth; else as the file says
     #[arg(long, value_enum, hide_possible_values = true)]
     moves: Option<MovesName>,
-    /// What to show: the passes, the optimum step by step as pictures (--format svg), or the map of the variants over length to diameter (the shaft stretched)
+    /// What to show: passes (of a contour: the operation), operation (zones, tools, the seven schemes), steps (the optimum pass by pass, --format svg), map (the variants over length to diameter), program (motions) or cycle (the roughing cycle of the control)
     #[arg(long, value_enum, hide_possible_values = true, default_value = "passes")]
     show: Show,
+    /// With program and cycle: the control, linuxcnc, sinumerik or nc-201
+    #[arg(long, value_enum, hide_possible_values = true, default_value = "linuxcnc")]
+    control: Control,
+    /// With program and cycle: which of the programs, from 1; the list stands on the error stream
+    #[arg(long, value_name = "N", default_value = "1")]
+    number: usize,
+    /// With program and cycle: the spindle speed, 1/min, where no lathe tells it
+    #[arg(long, value_name = "RPM", value_parser = clap::value_parser!(u32).range(1..=20_000))]
+    spindle: Option<u32>,
 }
 
 /// What is shown.
@@ -47,6 +58,20 @@ enum Show {
     Passes,
     Steps,
     Map,
+    Operation,
+    Program,
+    Cycle,
+}
+
+impl Show {
+    /// The form of the program that is shown, if one is.
+    const fn program(self) -> Option<Form> {
+        match self {
+            Self::Program => Some(Form::Motions),
+            Self::Cycle => Some(Form::Cycles),
+            Self::Passes | Self::Steps | Self::Map | Self::Operation => None,
+        }
+    }
 }
 
 /// Objectives by their names.
@@ -72,7 +97,26 @@ enum MovesName {
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let format = context.format("turn", &[Format::Text, Format::Json, Format::Yaml, Format::Svg])?;
     let knowledge = knowledge::load(context)?;
-    let mut shaft = read(&args.shaft, &knowledge, context)?;
+    let read = read(&args.shaft, &knowledge, context)?;
+    if let Some(form) = args.show.program() {
+        let workpiece = match &read {
+            Turned::Stepped(shaft) => Workpiece::from(shaft),
+            Turned::Contoured(workpiece) => workpiece.as_ref().clone(),
+        };
+        let spindle = args.spindle.map(|speed| RevsPerMinute(f64::from(speed)));
+        let wanted = Wanted { control: args.control, form, number: args.number, spindle };
+        return turn_operation::program(&workpiece, wanted, &knowledge, context);
+    }
+    let mut shaft = match read {
+        Turned::Stepped(shaft) if args.show == Show::Operation => {
+            return turn_operation::page(&Workpiece::from(&shaft), &knowledge, format, context);
+        }
+        Turned::Stepped(shaft) => shaft,
+        Turned::Contoured(_) if matches!(args.show, Show::Steps | Show::Map) => {
+            return Err(refused("only-for-steps", context));
+        }
+        Turned::Contoured(workpiece) => return turn_operation::page(&workpiece, &knowledge, format, context),
+    };
     if let Some(moves) = args.moves {
         shaft.roughing.moves = if moves == MovesName::Rich { Moves::Rich } else { Moves::Basic };
     }
@@ -148,21 +192,17 @@ fn refused(code: &'static str, context: &Context) -> CliError {
 ///
 /// # Errors
 /// The file cannot be used; every mistake in it is told at once.
-fn read(path: &Path, knowledge: &Knowledge, context: &Context) -> Result<Shaft, CliError> {
+fn read(path: &Path, knowledge: &Knowledge, context: &Context) -> Result<Turned, CliError> {
     let shown = path.display().to_string();
     let bytes = std::fs::read(path).map_err(|error| {
         let message = words::cannot_read(context.lang, &shown, error);
         CliError::from(Diagnostic::error("unreadable", message, None).help(words::check_path(context.lang)))
     })?;
     let text = text_of(&shown, bytes)?;
-    match read_turned(&shown, &text, knowledge) {
-        Ok(Turned::Stepped(shaft)) => Ok(shaft),
-        Ok(Turned::Contoured(_)) => Err(refused("contour-form-not-planned", context)),
-        Err(mistakes) => Err(CliError::Unusable {
-            problems: mistakes.into_iter().map(|mistake| problem(mistake, context)).collect(),
-            texts: Texts::default().with(&shown, shown.clone(), Cow::Owned(text)),
-        }),
-    }
+    read_turned(&shown, &text, knowledge).map_err(|mistakes| CliError::Unusable {
+        problems: mistakes.into_iter().map(|mistake| problem(mistake, context)).collect(),
+        texts: Texts::default().with(&shown, shown.clone(), Cow::Owned(text)),
+    })
 }
 
 fn problem(mistake: Mistake, context: &Context) -> Diagnostic {
