@@ -1,7 +1,7 @@
 //! Laws of the rough contour (`turning::allowances::equidistant`), each measured on points sampled here, not by the
 //! algorithm; and hand-worked contours.
 
-#![allow(clippy::unwrap_used, reason = "clippy allows it in tests, but not in the functions they share")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "clippy allows it in tests, but not in the functions they share")]
 
 use proptest::prelude::*;
 use technolog::turning::allowances::{EquidistantError, equidistant, equidistant_over};
@@ -389,4 +389,36 @@ fn same(one: &Contour, other: &Contour, contour: &Contour, distances: &[Half]) -
         }
     }
     Ok(())
+}
+
+/// Writes random contours and our answers where `tests/oracles/shapely_offset.py` reads them.
+#[test]
+#[ignore = "for the comparison with shapely: CONTOURS says where to write"]
+fn contours_for_shapely() {
+    use proptest::strategy::ValueTree;
+    use proptest::test_runner::TestRunner;
+    let told = |contour: &Contour| -> serde_json::Value {
+        let piece = |piece: &Piece| {
+            let sweep = match piece.curve {
+                Curve::Line => 0.0,
+                Curve::Arc { radius, turn } => {
+                    let angle = 2.0 * libm::asin((piece.chord().length() / 2.0 / radius.to_mm()).min(1.0));
+                    if turn == Turn::Left { angle } else { -angle }
+                }
+            };
+            let end = |point: Point| [point.z.to_mm(), point.radius.to_mm()];
+            serde_json::json!({"from": end(piece.from), "to": end(piece.to), "sweep": sweep})
+        };
+        contour.pieces.iter().map(piece).collect()
+    };
+    let mut runner = TestRunner::deterministic();
+    let cases: Vec<serde_json::Value> = (0..2000)
+        .filter_map(|_| {
+            let (contour, distances) = drawn().new_tree(&mut runner).unwrap().current();
+            let rough = rough(&contour, &all(&contour, distances[0].to_mm()))?;
+            let distance = distances[0].to_mm();
+            Some(serde_json::json!({"contour": told(&contour), "rough": told(&rough), "distance": distance}))
+        })
+        .collect();
+    std::fs::write(std::env::var("CONTOURS").unwrap(), serde_json::to_string(&cases).unwrap()).unwrap();
 }

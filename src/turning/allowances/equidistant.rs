@@ -4,7 +4,7 @@
 //! What is left over a piece is the strip between the piece and its parallel, and everything under the strip, because the
 //! tool comes from outside: a contour that does not lead back towards the free end keeps that property. Strips that meet
 //! at a corner which bulges are joined there; at a hollow corner they overlap. The rough contour is the outer boundary of
-//! all strips together ([`super::union`] finds it). Arcs keep their centres.
+//! all strips together (`union` finds it). Arcs keep their centres.
 
 use crate::turning::contour::{Contour, Curve, Piece, Side, Turn};
 use crate::turning::length::Half;

@@ -1,9 +1,9 @@
 //! What is left for finishing, and the rough contour that leaves it (lecture 12.2).
 //!
-//! - [`capability`]: what the lathe cannot finish gets an intermediate allowance, and new elements replace the old ones;
-//! - [`finishing`]: the finishing allowance of each surface, by table, from errors or as stated;
-//! - [`equidistant`]: the rough contour, which keeps those allowances (the union of [`union`], read back by [`read_back`]);
-//! - [`areas`]: the three allowances as areas and volumes.
+//! - [`mod@capability`]: what the lathe cannot finish gets an intermediate allowance, and new elements replace the old ones;
+//! - [`mod@finishing`]: the finishing allowance of each surface, by table, from errors or as stated;
+//! - [`mod@equidistant`]: the rough contour, which keeps those allowances (the union of `union`, read back by `read_back`);
+//! - [`mod@areas`]: the three allowances as areas and volumes.
 
 pub mod areas;
 pub mod capability;
