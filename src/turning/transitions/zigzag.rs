@@ -7,6 +7,7 @@ use crate::turning::way::Purpose;
 
 use super::course::{Course, Role};
 use super::split::{Section, Split};
+use super::straight::Back;
 
 /// Where the tool stands after a pass.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -59,7 +60,7 @@ fn cut(course: &mut Course<'_>, pass: Piece, came: Option<(End, Point)>) -> End 
             return End::Near;
         }
     }
-    let flank = course.uncut(&course.ground().flank(pass.from));
+    let flank = course.flank(pass.from, Back::ThroughAir);
     match flank.first() {
         Some(first) => {
             course.enter(first.from);
