@@ -150,7 +150,7 @@ fn the_line_of_the_cycles_is_that_of_the_allowance() {
     let corners: Vec<_> = found
         .points
         .iter()
-        .filter(|point| point.role == Role::Corner && point.diameter_mm.to_string() < "50".to_owned())
+        .filter(|point| point.role == Role::Corner && point.diameter_mm < technolog::units::Micrometres::from_mm(50))
         .collect();
     let z: Vec<Half> = corners.iter().map(|point| point.z_mm).collect();
     assert_eq!(z, [mm(-29.0), mm(-29.5), mm(-30.0)]);
@@ -470,7 +470,7 @@ fn sampled(piece: &Piece) -> Vec<(f64, f64)> {
                     angles[1] += std::f64::consts::TAU;
                 }
                 let angle = angles[0] + (angles[1] - angles[0]) * share;
-                (centre.z + radius.to_mm() * angle.cos(), centre.radius + radius.to_mm() * angle.sin())
+                (centre.z + radius.to_mm() * libm::cos(angle), centre.radius + radius.to_mm() * libm::sin(angle))
             }
             _ => (from.z + (to.z - from.z) * share, from.radius + (to.radius - from.radius) * share),
         }
