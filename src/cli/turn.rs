@@ -11,11 +11,11 @@ use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::note::Note;
 use technolog::report::{self, remedy, sentence};
 use technolog::turning::length::Half;
+use technolog::turning::operation::programs::Form;
 use technolog::turning::passes::cost::Objective;
 use technolog::turning::passes::{self, Sequences};
 use technolog::turning::schemes::{self, Schemes};
 use technolog::turning::shaft::{Mistake, Moves, Shaft};
-use technolog::turning::operation::programs::Form;
 use technolog::turning::workpiece::{Turned, Workpiece, read_turned};
 use technolog::units::{Micrometres, RevsPerMinute};
 

@@ -34,7 +34,12 @@ impl Control {
 ///
 /// # Errors
 /// The knowledge base lacks something, or the answer cannot be written.
-pub fn page(workpiece: &Workpiece, knowledge: &Knowledge, format: Format, context: &Context) -> Result<Outcome, CliError> {
+pub fn page(
+    workpiece: &Workpiece,
+    knowledge: &Knowledge,
+    format: Format,
+    context: &Context,
+) -> Result<Outcome, CliError> {
     let operation = plan(workpiece, knowledge, context)?;
     match format {
         Format::Json => context.emit_json(&operation)?,

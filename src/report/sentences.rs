@@ -18,8 +18,8 @@ mod routes;
 mod schemes;
 mod turning;
 mod turning_tools;
-mod zones;
 mod workpiece;
+mod zones;
 
 /// Every sentence.
 fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'static str)> {

@@ -3,8 +3,11 @@
 mod drawing;
 mod frames;
 mod map;
+mod operation;
+mod operation_drawing;
 mod schemes;
 mod schemes_drawing;
+mod view;
 
 use std::fmt::Display;
 
@@ -23,6 +26,8 @@ use super::{Lang, grid, sentence};
 pub use drawing::drawing;
 pub use frames::frames;
 pub use map::{map_drawing, map_page};
+pub use operation::{operation_page, programs_list};
+pub use operation_drawing::operation_drawing;
 
 /// The whole page of a shaft.
 pub fn page(found: &Sequences, schemes: &Schemes, knowledge: &Knowledge, lang: Lang) -> String {

@@ -43,7 +43,10 @@ mod tests {
 
     #[test]
     fn the_end_face_goes_and_the_shoulder_ahead_stays() {
-        let pin = Contour::through(Side::Outer, &[at(0.0, 0.0), at(10.0, 0.0), at(12.0, 2.0), at(12.0, 20.0), at(30.0, 20.0), at(30.0, 40.0)]);
+        let pin = Contour::through(
+            Side::Outer,
+            &[at(0.0, 0.0), at(10.0, 0.0), at(12.0, 2.0), at(12.0, 20.0), at(30.0, 20.0), at(30.0, 40.0)],
+        );
         let first = between(&pin, Half::ZERO, Half::from(20.0));
         assert_eq!(first.corners(), [at(10.0, 0.0), at(12.0, 2.0), at(12.0, 20.0), at(30.0, 20.0)]);
         let cut = between(&pin, Half::from(1.0), Half::from(10.0));

@@ -4,7 +4,9 @@ use serde::Serialize;
 
 use crate::error::{KnowledgeError, Refusal};
 use crate::note::{Finding, Note, Severity};
-use crate::turning::cutting::{Cut, Direction, LimitingDepth, Speed, TurningConditions, conditions, limiting_depth, rough_feed};
+use crate::turning::cutting::{
+    Cut, Direction, LimitingDepth, Speed, TurningConditions, conditions, limiting_depth, rough_feed,
+};
 use crate::turning::length::Half;
 use crate::turning::schemes::rates;
 use crate::turning::shaft;
@@ -58,7 +60,11 @@ pub struct Task<'a, 'k> {
 ///
 /// # Errors
 /// The knowledge base lacks a table.
-pub fn depth(task: Task<'_, '_>, bench: &Bench<'_, '_>, findings: &mut Vec<Finding>) -> Result<Option<Depth>, KnowledgeError> {
+pub fn depth(
+    task: Task<'_, '_>,
+    bench: &Bench<'_, '_>,
+    findings: &mut Vec<Finding>,
+) -> Result<Option<Depth>, KnowledgeError> {
     if let Some(given) = bench.workpiece.roughing.limiting_depth {
         return Ok(Some(Depth { limiting_depth_mm: Half::of(given), given: true, limit: None }));
     }

@@ -147,9 +147,15 @@ fn same_carrier(one: &Piece, other: &Piece) -> bool {
 }
 
 /// The blank over a rough contour in the coordinates of the set-up, and the rough contour as far as the blank stands.
-fn blank(rough: &Contour, set_up: &SetUp, workpiece: &Workpiece, findings: &mut Vec<Finding>) -> Option<(Contour, Contour)> {
+fn blank(
+    rough: &Contour,
+    set_up: &SetUp,
+    workpiece: &Workpiece,
+    findings: &mut Vec<Finding>,
+) -> Option<(Contour, Contour)> {
     let (start, end) = (rough.start()?, rough.end()?);
-    let seen = |contour: &Contour| if set_up.turned_over { contour.turned_over(workpiece.length()) } else { contour.clone() };
+    let seen =
+        |contour: &Contour| if set_up.turned_over { contour.turned_over(workpiece.length()) } else { contour.clone() };
     let reach = |contour: &Contour| {
         let from = contour.start().map_or(start.z, |first| first.z).min(start.z);
         let mut clipped = super::clip::between(contour, from, end.z);

@@ -96,7 +96,9 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
     let mut findings = workpiece.findings.clone();
     let lathe = prepare::lathe(workpiece, knowledge, &mut findings)?;
     let blank_advice = advice(workpiece, knowledge)?;
-    findings.extend(blank_advice.iter().filter(|one| one.finding.severity <= Severity::Doubtful).map(|one| one.finding.clone()));
+    findings.extend(
+        blank_advice.iter().filter(|one| one.finding.severity <= Severity::Doubtful).map(|one| one.finding.clone()),
+    );
     let left = prepare::left_by_the_lathe(workpiece, lathe.as_ref(), knowledge, &mut findings)?;
     let set_ups = zones::set_ups(
         zones::Workpiece {

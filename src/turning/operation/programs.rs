@@ -6,7 +6,9 @@ use crate::knowledge::Knowledge;
 use crate::turning::contour::{Contour, Side};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
-use crate::turning::program::{self, Allowance, Control, Direction, Feeds, NotWritten, ProgramFile, Roughing, Setting, Speed};
+use crate::turning::program::{
+    self, Allowance, Control, Direction, Feeds, NotWritten, ProgramFile, Roughing, Setting, Speed,
+};
 use crate::turning::way::{Purpose, Way};
 use crate::turning::zones::Feed;
 use crate::units::{MillimetresPerMinute, MillimetresPerRev, RevsPerMinute, round_to};
@@ -62,7 +64,13 @@ pub fn programs(
     let mut written = Vec::new();
     for run in runs(operation) {
         let zones = |zones: &[&ZoneWork]| zones.iter().map(|zone| zone.zone.number).collect::<Vec<_>>();
-        let put = |zones: Vec<usize>, files| Written { set_up: run.set_up, side: run.side.side, zones, tool: run.tool.to_owned(), files };
+        let put = |zones: Vec<usize>, files| Written {
+            set_up: run.set_up,
+            side: run.side.side,
+            zones,
+            tool: run.tool.to_owned(),
+            files,
+        };
         match form {
             Form::Motions => written.push(put(zones(&run.zones), motions(&run, operation, &control, spindle))),
             Form::Cycles => {
@@ -101,7 +109,12 @@ fn runs(operation: &Operation) -> Vec<Run<'_>> {
 
 /// Every way of a run, from home to home. Between two ways the tool goes from one home to the next, both off the corner of
 /// the blank before its free face.
-fn motions(run: &Run<'_>, operation: &Operation, control: &Control, spindle: Option<RevsPerMinute>) -> Result<Vec<ProgramFile>, NotWritten> {
+fn motions(
+    run: &Run<'_>,
+    operation: &Operation,
+    control: &Control,
+    spindle: Option<RevsPerMinute>,
+) -> Result<Vec<ProgramFile>, NotWritten> {
     let works: Vec<&Work> = run.zones.iter().flat_map(|zone| &zone.works).collect();
     let mut whole: Option<Way> = None;
     for way in works.iter().filter_map(|work| work.transition()).map(|transition| &transition.way) {
@@ -132,7 +145,13 @@ fn over(from: Point, to: Point, side: Side) -> [Point; 2] {
 }
 
 /// One zone as the cycle of the control, over the rough contour of the zone.
-fn cycles(zone: &ZoneWork, run: &Run<'_>, operation: &Operation, control: &Control, spindle: Option<RevsPerMinute>) -> Result<Vec<ProgramFile>, NotWritten> {
+fn cycles(
+    zone: &ZoneWork,
+    run: &Run<'_>,
+    operation: &Operation,
+    control: &Control,
+    spindle: Option<RevsPerMinute>,
+) -> Result<Vec<ProgramFile>, NotWritten> {
     let mut files = Vec::new();
     for work in &zone.works {
         let direction = match zone.zone.feed {
@@ -163,7 +182,12 @@ fn corner(blank: &Contour) -> Point {
 
 /// Speeds and feeds of a run: the spindle step of the conditions, or the speed that the user states; without either there
 /// is no program, because feeds are written for a revolution.
-fn setting(run: &Run<'_>, operation: &Operation, work: Option<&Work>, spindle: Option<RevsPerMinute>) -> Result<Setting, NotWritten> {
+fn setting(
+    run: &Run<'_>,
+    operation: &Operation,
+    work: Option<&Work>,
+    spindle: Option<RevsPerMinute>,
+) -> Result<Setting, NotWritten> {
     let pace = work.map(|work| &work.pace).ok_or(NotWritten::NoSpeed)?;
     let found = pace.conditions.as_ref().map(|found| found.spindle_rpm);
     let rpm = spindle.or(found).ok_or(NotWritten::NoSpeed)?;

@@ -87,7 +87,11 @@ impl Work {
 ///
 /// # Errors
 /// The knowledge base lacks a table.
-pub fn zones(layers: &Layers, bench: &Bench<'_, '_>, findings: &mut Vec<Finding>) -> Result<Vec<ZoneWork>, KnowledgeError> {
+pub fn zones(
+    layers: &Layers,
+    bench: &Bench<'_, '_>,
+    findings: &mut Vec<Finding>,
+) -> Result<Vec<ZoneWork>, KnowledgeError> {
     let knowledge = bench.knowledge;
     let candidates = tools::candidates(layers.rough.side, bench)?;
     let angles: Vec<_> = candidates.iter().map(tools::angles).collect();
@@ -176,9 +180,7 @@ fn clear(
         main: Degrees(task.tool.lead_angle.to_f64()),
         secondary: Degrees(task.tool.trail_angle.to_f64()),
     };
-    let offset = |contour: &Contour, distance: Half| {
-        equidistant(contour, &vec![distance; contour.pieces.len()]).ok()
-    };
+    let offset = |contour: &Contour, distance: Half| equidistant(contour, &vec![distance; contour.pieces.len()]).ok();
     let all: &[Scheme] = if zone.feed == Feed::Across { &[Scheme::Descent] } else { &Scheme::ALL };
     let (mut found, mut refused) = (Vec::new(), Vec::new());
     for &scheme in all {

@@ -4,13 +4,12 @@ use crate::error::{Refusal, Tried};
 use crate::note::Note;
 use crate::turning::contour::{Contour, Piece};
 use crate::turning::length::Half;
-use crate::turning::point::Vector;
 
 use super::ground::{Ground, clipped, radius_on};
 use super::standing::Standing;
 use super::{Scheme, Settings, Stock, Tool};
 
-/// A half of a degree of slack would hide a wrong tool; this only hides the rounding of points.
+/// What the rounding of points may do to an angle.
 const ROUNDING_DEGREES: f64 = 0.01;
 
 /// Whether ways can be made at all.
@@ -45,11 +44,10 @@ pub fn check(
     if scheme == Scheme::LoopAgainstStop && !is_roller(&stock.rough, ground) {
         return not(Note::new("stop-needs-steps"));
     }
-    if scheme != Scheme::Descent {
-        if let Some((piece, angle, limit)) = ground.pieces.iter().find_map(|piece| too_steep(piece, tool)) {
-            let note = Note::new("flank-too-steep").with("z", Half::ZERO - piece.from.z);
-            return not(note.with("angle", crate::units::round_to(angle, 2)).with("limit", limit));
-        }
+    let steep = ground.pieces.iter().find_map(|piece| too_steep(piece, tool));
+    if let Some((piece, angle, limit)) = steep.filter(|_| scheme != Scheme::Descent) {
+        let note = Note::new("flank-too-steep").with("z", Half::ZERO - piece.from.z);
+        return not(note.with("angle", crate::units::round_to(angle, 2)).with("limit", limit));
     }
     Ok(())
 }
@@ -61,15 +59,14 @@ fn same_stretch(stock: &Stock, ground: &Ground, blank: &Ground) -> bool {
 
 /// Where a rough contour is above its blank.
 fn above(ground: &Ground, blank: &Ground) -> Option<Half> {
+    let standing = Standing::of(blank);
     let over = |piece: &Piece| {
-        let standing = Standing::of(blank);
-        let found = standing.cells().iter().find_map(|cell| {
+        standing.cells().iter().find_map(|cell| {
             let top = clipped(&cell.top, piece.from.z.max(cell.from), piece.to.z.min(cell.to))?;
             let middle = Half::new((top.from.z + top.to.z).halves().div_euclid(2));
             let places = [top.from.z, middle, top.to.z];
             places.into_iter().find(|z| (radius_on(piece, *z) - radius_on(&top, *z)).halves() > 1)
-        });
-        found
+        })
     };
     ground.pieces.iter().filter(|piece| !piece.is_face()).find_map(over)
 }
@@ -82,8 +79,7 @@ fn is_roller(rough: &Contour, ground: &Ground) -> bool {
 /// A piece that rises more steeply than the main angle, or falls more steeply than the secondary one: its steepest angle,
 /// and the limit.
 fn too_steep<'p>(piece: &'p Piece, tool: &Tool) -> Option<(&'p Piece, f64, f64)> {
-    let steepness = |direction: Vector| direction.degrees();
-    let angles = [steepness(piece.direction_at_start()), steepness(piece.direction_at_end())];
+    let angles = [piece.direction_at_start().degrees(), piece.direction_at_end().degrees()];
     let rises = piece.to.radius > piece.from.radius;
     let angle = angles.iter().map(|angle| libm::fabs(*angle)).fold(0.0, libm::fmax);
     let limit = if rises { tool.main.0 } else { tool.secondary.0 };

@@ -7,8 +7,9 @@ use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::way::{Purpose, Way};
 
-use super::ground::{Ground, radius_on};
+use super::ground::{Ground, lies_on, radius_on, within};
 use super::standing::Standing;
+use super::straight::Back;
 use super::{Settings, Zone};
 
 /// What a support point of a way is.
@@ -203,6 +204,11 @@ impl<'z> Course<'z> {
         self.trail = trail;
     }
 
+    /// Another section or another stock begins: no way leads back along the last pass.
+    pub fn leave_trail(&mut self) {
+        self.trail.clear();
+    }
+
     /// Back along the contour of the zone to where the last pass began, at the feed of cutting in, if that is the point
     /// from which the next one goes on (l. 468-478).
     pub fn back_along(&mut self, to: Point) {
@@ -214,19 +220,24 @@ impl<'z> Course<'z> {
         self.follow(&back, Purpose::Return, Role::Returned);
     }
 
-    /// Lets a flank begin where the last pass began, where only the rounding of points on a steep flank parts them.
-    pub fn from_trail(&self, flank: &mut [Piece]) {
-        let (Some(first), Some(began)) = (flank.first_mut(), self.trail.first().map(|first| first.from)) else {
-            return;
-        };
-        let beside = (first.from.z - began.z).halves().abs() <= 2;
-        if beside && began.radius > first.to.radius {
-            first.from = began;
+    /// What of a falling flank the tool has to cut. Where the last pass began on it, only what is below: what is above
+    /// is cut, whatever the rounding of points leaves there.
+    pub fn flank(&self, foot: Point, back: Back) -> Vec<Piece> {
+        let mut flank = self.ground().flank(foot);
+        let began =
+            self.trail.first().map(|first| first.from).filter(|began| *began != foot && back == Back::AlongContour);
+        let on = |began: Point| flank.iter().rposition(|piece| lies_on(piece, began));
+        let Some((index, began)) = began.and_then(|began| Some((on(began)?, began))) else { return self.uncut(&flank) };
+        flank.drain(..index);
+        if let Some(first) = flank.first_mut() {
+            *first = within(first, began, first.to);
         }
+        flank.retain(|piece| !piece.is_nothing());
+        flank
     }
 
     /// What of a falling flank still has metal on it, down to its foot.
-    pub fn uncut(&self, flank: &[Piece]) -> Vec<Piece> {
+    fn uncut(&self, flank: &[Piece]) -> Vec<Piece> {
         let mut uncut = Vec::new();
         for piece in flank.iter().rev() {
             let from = if piece.is_face() {
@@ -248,7 +259,6 @@ impl<'z> Course<'z> {
             }
         }
         uncut.reverse();
-        self.from_trail(&mut uncut);
         uncut
     }
 

@@ -116,7 +116,7 @@ impl Ground {
         let mut flank: Vec<Piece> = above.copied().collect();
         flank.reverse();
         flank.extend(
-            self.pieces.get(last).map(|piece| piece.between(piece.from, foot)).filter(|part| !part.is_nothing()),
+            self.pieces.get(last).map(|piece| within(piece, piece.from, foot)).filter(|part| !part.is_nothing()),
         );
         flank
     }
@@ -190,7 +190,7 @@ impl Ground {
 }
 
 /// Whether a point lies on a monotone piece, to the rounding of points.
-fn lies_on(piece: &Piece, point: Point) -> bool {
+pub fn lies_on(piece: &Piece, point: Point) -> bool {
     let near = |a: Half, b: Half| (a - b).halves().abs() <= 1;
     let (low, high) = (piece.from.radius.min(piece.to.radius), piece.from.radius.max(piece.to.radius));
     let (over, beside) =
@@ -279,6 +279,11 @@ pub fn clipped(piece: &Piece, from: Half, to: Half) -> Option<Piece> {
     (a < b).then(|| piece.between(at(a), at(b)))
 }
 
+/// The part of a piece between two of its points; of a steep arc so little may be left that it is upright: then a face.
+pub fn within(piece: &Piece, from: Point, to: Point) -> Piece {
+    if from.z == to.z { Piece::line(from, to) } else { piece.between(from, to) }
+}
+
 /// A monotone piece cut at two radii; what is beyond them lies flat on them.
 fn parted(piece: Piece, low: Half, high: Half) -> Vec<Piece> {
     let mut cuts = vec![piece.from];
@@ -298,7 +303,7 @@ fn parted(piece: Piece, low: Half, high: Half) -> Vec<Piece> {
         } else if from.radius.min(to.radius) >= high {
             flat(high)
         } else {
-            piece.between(*from, *to)
+            within(&piece, *from, *to)
         }
     };
     cuts.iter().zip(cuts.iter().skip(1)).map(part).filter(|part| !part.is_nothing()).collect()

@@ -6,6 +6,7 @@ use crate::turning::way::Purpose;
 
 use super::course::{Course, Role};
 use super::split::{Section, Split};
+use super::straight::Back;
 
 /// After each straight pass the tool follows the contour up to the level of the pass before.
 ///
@@ -21,6 +22,7 @@ use super::split::{Section, Split};
 pub fn work(course: &mut Course<'_>, split: &Split, nose_radius: Half) {
     for section in &split.sections {
         for within in course.ground().below(section.top, section.from, section.to) {
+            course.leave_trail();
             below(course, section, 0, within, section.top, nose_radius);
         }
     }
@@ -48,9 +50,10 @@ fn below(
 fn cut(course: &mut Course<'_>, way: &[Piece], radius: Half, nose_radius: Half) {
     let falls = |piece: &&Piece| piece.to.radius < piece.from.radius;
     let down = way.iter().take_while(falls).count();
-    let (flank, rest) = way.split_at(down);
-    let (mut flank, mut rest) = (flank.to_vec(), rest.to_vec());
-    course.from_trail(&mut flank);
+    let (above, rest) = way.split_at(down);
+    let mut rest = rest.to_vec();
+    let foot = above.last().map(|last| last.to).or(rest.first().map(|first| first.from));
+    let flank = foot.map(|foot| course.flank(foot, Back::AlongContour)).unwrap_or_default();
     if let Some(top) = flank.first().map(|first| first.from) {
         course.back_along(top);
         course.enter(top);

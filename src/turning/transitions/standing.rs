@@ -77,7 +77,7 @@ impl Standing {
         most
     }
 
-    /// Where a piece that is no face goes through metal: stretches of Z. Touching by half a micrometre is none.
+    /// Where a piece that is no face goes through metal: stretches of Z. Touching is none.
     pub fn metal(&self, piece: &Piece) -> Vec<(Half, Half)> {
         let mut found: Vec<(Half, Half)> = Vec::new();
         self.compared(piece, |a, b, above| {
@@ -133,7 +133,8 @@ impl Standing {
                 let top = self.part(cell, piece.from.z, piece.to.z);
                 let under = clipped(piece, cell.from, cell.to);
                 if let (Some(top), Some(under)) = (top, under) {
-                    if !touches(&top, piece) {
+                    // What is not wider than rounding is none either.
+                    if (top.to.z - top.from.z).halves() > ROUNDED && !touches(&top, piece) {
                         most = most.max(over(&top, &under));
                     }
                 }
@@ -176,12 +177,19 @@ impl Standing {
     }
 }
 
+/// So many halves of a micrometre above a piece touch it.
+const TOUCHING: i64 = 1;
+
+/// No more than this is a ridge: the ends of a cut, of the one beside it and of the contour are rounded, one and a half
+/// micrometres together.
+const ROUNDED: i64 = 3;
+
 /// Where one piece lies above another over a stretch; they may cross more than once.
 fn compare(top: &Piece, piece: &Piece, from: Half, to: Half, tell: &mut impl FnMut(Half, Half, bool)) {
     let middle = Half::new((from.halves() + to.halves()).div_euclid(2));
     let places = [from, middle, to];
     let over = |z: Half| (radius_on(top, z) - radius_on(piece, z)).halves();
-    if places.iter().all(|z| over(*z) <= 1 || is_near(top, piece, *z)) {
+    if places.iter().all(|z| over(*z) <= TOUCHING || is_near(top, piece, *z, TOUCHING)) {
         tell(from, to, false);
     } else if places.iter().all(|z| over(*z) >= 0) || middle == from {
         tell(from, to, true);
@@ -193,11 +201,11 @@ fn compare(top: &Piece, piece: &Piece, from: Half, to: Half, tell: &mut impl FnM
 
 /// Whether one piece is above another at a Z by no more than the rounding of points, which is half a micrometre along
 /// both axes: on a steep piece that is more across than along.
-fn is_near(top: &Piece, piece: &Piece, z: Half) -> bool {
+fn is_near(top: &Piece, piece: &Piece, z: Half, slack: i64) -> bool {
     let reach = [z - Half::new(1), z, z + Half::new(1)];
     let reach = reach.into_iter().filter(|z| (piece.from.z..=piece.to.z).contains(z));
     let near = reach.map(|z| radius_on(piece, z)).max().unwrap_or_default();
-    (radius_on(top, z) - near).halves() <= 1
+    (radius_on(top, z) - near).halves() <= slack
 }
 
 /// In so many parts two pieces over one stretch are compared.
@@ -211,7 +219,7 @@ fn places(piece: &Piece) -> impl Iterator<Item = Half> + use<> {
 
 /// Whether a piece lies on another but for the rounding of points.
 fn touches(top: &Piece, under: &Piece) -> bool {
-    places(top).all(|z| is_near(top, under, z))
+    places(top).all(|z| is_near(top, under, z, ROUNDED))
 }
 
 /// How far a piece stands over another at most: exact where both are straight or one is level, else a bound from above.

@@ -26,6 +26,7 @@ pub enum Back {
 /// 3. Where a pass begins on a falling flank, the tool follows the flank to its depth at the feed of cutting in.
 /// 4. Where a hump parts a level, one side is finished to its bottom before the other.
 pub fn clear(course: &mut Course<'_>, section: &Section, back: Back) {
+    course.leave_trail();
     below(course, section, 0, (section.from, section.to), back);
 }
 
@@ -41,7 +42,7 @@ fn below(course: &mut Course<'_>, section: &Section, index: usize, within: (Half
 }
 
 fn cut(course: &mut Course<'_>, pass: Piece, back: Back) {
-    let flank = course.uncut(&course.ground().flank(pass.from));
+    let flank = course.flank(pass.from, back);
     let Some(top) = flank.first().map(|first| first.from) else {
         if course.passes > 0 {
             course.draw_back();

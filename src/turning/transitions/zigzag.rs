@@ -7,6 +7,7 @@ use crate::turning::way::Purpose;
 
 use super::course::{Course, Role};
 use super::split::{Section, Split};
+use super::straight::Back;
 
 /// Where the tool stands after a pass.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -50,16 +51,15 @@ fn below(course: &mut Course<'_>, section: &Section, index: usize, within: (Half
 
 /// Cuts a level from the end where the tool stands, and says where it stands then.
 fn cut(course: &mut Course<'_>, pass: Piece, came: Option<(End, Point)>) -> End {
-    if let Some((End::Far, here)) = came {
-        if let Some(down) = down_far(course, pass.to, here) {
-            course.follow(&down, Purpose::Infeed, Role::AtDepth);
-            let out = course.side_start(pass.from).unwrap_or(pass.from);
-            course.straight(out, Purpose::Cut, Role::End);
-            course.passed(Vec::new());
-            return End::Near;
-        }
+    let down = came.filter(|(end, _)| *end == End::Far).and_then(|(_, here)| down_far(course, pass.to, here));
+    if let Some(down) = down {
+        course.follow(&down, Purpose::Infeed, Role::AtDepth);
+        let out = course.side_start(pass.from).unwrap_or(pass.from);
+        course.straight(out, Purpose::Cut, Role::End);
+        course.passed(Vec::new());
+        return End::Near;
     }
-    let flank = course.uncut(&course.ground().flank(pass.from));
+    let flank = course.flank(pass.from, Back::ThroughAir);
     match flank.first() {
         Some(first) => {
             course.enter(first.from);
