@@ -12,6 +12,7 @@ mod iso;
 mod jobs;
 mod lathe_programs;
 mod lists;
+mod operation;
 mod programs;
 mod proof;
 mod routes;
@@ -27,7 +28,7 @@ fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'s
     let all = all.chain(iso::SENTENCES).chain(jobs::SENTENCES).chain(lists::SENTENCES);
     let all = all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES);
     let all = all.chain(turning_tools::SENTENCES).chain(zones::SENTENCES).chain(workpiece::SENTENCES);
-    all.chain(lathe_programs::SENTENCES).chain(allowances::SENTENCES)
+    all.chain(lathe_programs::SENTENCES).chain(allowances::SENTENCES).chain(operation::SENTENCES)
 }
 
 /// A note as a sentence. A code without words shows itself with its figures, so that nothing is lost.
@@ -58,6 +59,7 @@ pub fn remedy(note: &Note, lang: Lang) -> Option<&'static str> {
         .chain(turning::REMEDIES)
         .chain(schemes::REMEDIES)
         .chain(lathe_programs::REMEDIES)
+        .chain(operation::REMEDIES)
         .chain(workpiece::REMEDIES);
     let of_program = remedies.find(|(code, ..)| *code == note.code).map(|(_, uk, en)| lang.pick(uk, en));
     let of_proof = || proof::REMEDIES.iter().find(|(code, _)| *code == note.code);
@@ -88,6 +90,7 @@ pub fn scheme_name(scheme: &str, lang: Lang) -> String {
 /// A word that stands in a table as an id.
 pub fn term(id: &str, lang: Lang) -> &str {
     let terms = TERMS.iter().chain(schemes::TERMS).chain(turning_tools::TERMS).chain(zones::TERMS);
+    let terms = terms.chain(operation::TERMS);
     terms.into_iter().find(|(known, ..)| *known == id).map_or(id, |(_, uk, en)| lang.pick(uk, en))
 }
 

@@ -7,6 +7,7 @@ use crate::knowledge::Knowledge;
 use crate::material::Material;
 use crate::note::Because;
 use crate::turning::contour::Side;
+use crate::turning::elements::{Class, Element};
 use crate::turning::length::Half;
 use crate::turning::operation::programs::Written;
 use crate::turning::operation::work::{Work, ZoneWork};
@@ -183,7 +184,7 @@ fn elements(operation: &Operation, stretch: &Stretch, work: Option<&SideWork>, l
             arrow(z(from.z, lang), z(to.z, lang)),
             surface.grade.map_or(String::new(), |grade| grade.to_string()),
             surface.roughness.map_or(String::new(), |roughness| roughness.to_string()),
-            format!("{}: {}", term(element(class.element), lang), ground(&class.because, &surface.name, lang)),
+            said_of(class, lang),
             allowance.map_or(String::new(), |allowance| figure(allowance, lang)),
             later,
         ]);
@@ -191,18 +192,14 @@ fn elements(operation: &Operation, stretch: &Stretch, work: Option<&SideWork>, l
     grid::ruled(&head, &rows).unwrap_or_else(|| grid::columns(&rows, 4))
 }
 
-const fn element(element: crate::turning::elements::Element) -> &'static str {
-    match element {
-        crate::turning::elements::Element::Main => "main-element",
-        crate::turning::elements::Element::Additional => "additional-element",
-        crate::turning::elements::Element::OtherSide => "other-side",
+/// A main element by one word; of the others why, without the name that stands in the row.
+fn said_of(class: &Class, lang: Lang) -> String {
+    if class.element == Element::Main {
+        return term("main-element", lang).to_owned();
     }
-}
-
-/// Why an element is what it is, without its name, which stands in the row.
-fn ground(because: &Because, name: &str, lang: Lang) -> String {
-    let said = sentence(&because.note, lang);
-    said.strip_prefix(&format!("{name}: ")).unwrap_or(&said).to_owned()
+    let said = sentence(&class.because.note, lang);
+    let said = said.strip_prefix(&format!("{}: ", class.name)).unwrap_or(&said);
+    if class.element == Element::OtherSide { format!("{}: {said}", term("other-side", lang)) } else { said.to_owned() }
 }
 
 fn allowances(operation: &Operation, lang: Lang) -> String {
@@ -355,8 +352,14 @@ fn schemes(set_up: &SetUpWork, side: &SideWork, zone: &ZoneWork, work: &Work, la
     }
     page.push_str(&grid::paragraph(&reasoned(&sentence(&work.because.note, lang), &work.because, lang), 2));
     page.push_str(&compared(work, lang));
-    for best in work.quickest.iter().chain(&work.quickest_even) {
+    let even = work.quickest_even.as_ref().filter(|even| Some(*even) != work.quickest.as_ref());
+    if let Some(best) = &work.quickest {
         page.push_str(&grid::paragraph(&sentence(&best.note, lang), 2));
+    }
+    if let Some(best) = even {
+        let line = lang.pick("з рівномірним припуском: {best}", "with an even allowance: {best}");
+        let line = line.replace("{best}", &sentence(&best.note, lang));
+        page.push_str(&grid::paragraph(&line, 2));
     }
     for refused in &work.refused {
         let line = lang.pick("не {scheme}: {why}", "not {scheme}: {why}");

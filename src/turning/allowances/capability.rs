@@ -84,20 +84,16 @@ pub fn capability(
     length: Micrometres,
     knowledge: &Knowledge,
 ) -> Result<Capability, CapabilityError> {
-    let mut found = Capability { replaced: profile.clone(), elsewhere: Vec::new(), findings: Vec::new() };
-    let Some(holds) = holds else {
-        found.findings.push(Finding::of_part(Severity::Note, Note::new("no-lathe-to-compare")));
-        return Ok(found);
-    };
-    let mut distances = Vec::new();
-    for surface in &profile.surfaces {
-        let place = Place::of(surface, profile.side);
-        let elsewhere = compare(surface, place, holds, length, knowledge, &mut found.findings)?;
-        let distance = elsewhere.as_ref().map_or(Half::ZERO, |elsewhere| elsewhere.allowance_mm);
-        distances.extend(surface.pieces.iter().map(|_| distance));
-        found.elsewhere.extend(elsewhere);
-    }
+    let (elsewhere, findings) = elsewhere(profile, holds, length, knowledge)?;
+    let mut found = Capability { replaced: profile.clone(), elsewhere, findings };
+    let Some(holds) = holds else { return Ok(found) };
     if !found.elsewhere.is_empty() {
+        let distance = |surface: &Surface| {
+            let own = found.elsewhere.iter().find(|elsewhere| elsewhere.surface == surface.name);
+            own.map_or(Half::ZERO, |elsewhere| elsewhere.allowance_mm)
+        };
+        let pieces = profile.surfaces.iter().flat_map(|surface| surface.pieces.iter().map(move |_| surface));
+        let distances: Vec<Half> = pieces.map(distance).collect();
         found.replaced = replaced(profile, &equidistant_over(&profile.contour(), &distances)?);
         for surface in &mut found.replaced.surfaces {
             if found.elsewhere.iter().any(|elsewhere| elsewhere.surface == surface.name) {
@@ -108,6 +104,29 @@ pub fn capability(
         }
     }
     Ok(found)
+}
+
+/// What of a profile is finished on another machine, and what could not be compared: what [`capability`] begins with, for
+/// contours that cannot be shifted before their grooves are bridged.
+///
+/// # Errors
+/// The knowledge base lacks a table.
+pub fn elsewhere(
+    profile: &Profile,
+    holds: Option<&Holds>,
+    length: Micrometres,
+    knowledge: &Knowledge,
+) -> Result<(Vec<Elsewhere>, Vec<Finding>), KnowledgeError> {
+    let (mut found, mut findings) = (Vec::new(), Vec::new());
+    let Some(holds) = holds else {
+        findings.push(Finding::of_part(Severity::Note, Note::new("no-lathe-to-compare")));
+        return Ok((found, findings));
+    };
+    for surface in &profile.surfaces {
+        let place = Place::of(surface, profile.side);
+        found.extend(compare(surface, place, holds, length, knowledge, &mut findings)?);
+    }
+    Ok((found, findings))
 }
 
 /// One surface: what follows for it elsewhere, if anything does.

@@ -76,9 +76,8 @@ pub fn depth(
         Ok(limit) => {
             findings.extend(limit.findings());
             let Some(depth) = limit.depth_mm else {
-                let bound = serde_json::to_value(limit.decided_by).ok();
-                let bound = bound.as_ref().and_then(serde_json::Value::as_str).unwrap_or_default().to_owned();
-                let note = Note::new("no-depth-allowed").with("tool", task.tool.designation).with("bound", bound);
+                let note = Note::new("no-depth-allowed").with("tool", task.tool.designation);
+                let note = note.with("bound", limit.decided_by.name());
                 findings.push(Finding::of_part(Severity::Error, note));
                 return Ok(None);
             };
@@ -92,7 +91,7 @@ pub fn depth(
 }
 
 /// The limit at the feed of the depth that it comes to: the feed is asked for the stock first, then for the limit that this
-/// feed allows; a lesser depth never has a lesser feed, so the second limit holds.
+/// feed allows. A lesser depth has a larger feed; whether the loads at t_p are borne is told with its conditions.
 fn limit(cut: &Cut<'_, '_>, stock: Half) -> Result<LimitingDepth, Refusal> {
     let whole = Micrometres::new((stock.halves() / 2).max(1));
     let first = limiting_depth(cut, rough_feed(cut, whole)?.feed, Speed::WithinPower)?;
@@ -135,6 +134,11 @@ pub fn pace(
         Some(cut) => match Refusal::split(conditions(&cut, Micrometres::new((depth.halves() + 1) / 2), None))? {
             Ok(found) => {
                 findings.extend(found.findings());
+                if !found.exceeded.is_empty() {
+                    let bounds: Vec<String> = found.exceeded.iter().map(|bound| bound.name().to_owned()).collect();
+                    let note = Note::new("bounds-exceeded").with("tool", task.tool.designation).with("depth", depth);
+                    findings.push(Finding::of_part(Severity::Wrong, note.with("bounds", bounds.join(", "))));
+                }
                 Some(found)
             }
             Err(note) => {

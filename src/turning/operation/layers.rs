@@ -4,10 +4,10 @@ use serde::Serialize;
 
 use crate::error::KnowledgeError;
 use crate::note::{Finding, Note, Severity};
-use crate::turning::allowances::areas::{Areas, areas};
-use crate::turning::allowances::equidistant;
+use crate::turning::allowances::areas::{Areas, areas, between};
 use crate::turning::allowances::finishing::{Allowance, Errors, Method, allowance, finishing};
 use crate::turning::allowances::surfaces::Place;
+use crate::turning::allowances::{equidistant, equidistant_over};
 use crate::turning::contour::{Contour, Curve, Piece, Profile, Side};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
@@ -27,6 +27,9 @@ pub struct Layers {
     pub blank: Contour,
     /// The rough contour.
     pub rough: Contour,
+    /// The contour that this lathe leaves after finishing: the main one, with what stays for other machines.
+    #[serde(skip)]
+    pub left: Contour,
     /// The main contour, additional elements bridged.
     #[serde(skip)]
     pub main: Contour,
@@ -71,9 +74,10 @@ pub fn layers(
     let (allowances, found) = finishing(&stretch.profile, method, length, knowledge)?;
     findings.extend(found);
     let main = &stretch.main.contour;
+    let Some(left) = left(stretch, bench, findings) else { return Ok(None) };
     let mut distances = Vec::new();
-    for piece in &main.pieces {
-        let own = surface_of(piece, &stretch.profile).and_then(|index| allowances.get(index));
+    for (piece, surface) in &left {
+        let own = surface.and_then(|index| allowances.get(index));
         let distance = match own.and_then(|own| own.allowance_mm) {
             Some(distance) => distance,
             // A bridge: what such a surface would get.
@@ -89,7 +93,8 @@ pub fn layers(
         };
         distances.push(distance);
     }
-    let rough = match equidistant(main, &distances) {
+    let left = Contour { side: main.side, pieces: left.into_iter().map(|(piece, _)| piece).collect() };
+    let rough = match equidistant(&left, &distances) {
         Ok(rough) => rough,
         Err(error) => {
             findings.push(Finding::of_part(Severity::Error, Note::new("no-rough-contour").with("why", error)));
@@ -98,8 +103,32 @@ pub fn layers(
     };
     let Some((blank, rough)) = blank(&rough, set_up, workpiece, findings) else { return Ok(None) };
     let part = stretch.profile.contour();
-    let areas = areas(&blank, &rough, main, &part);
-    Ok(Some(Layers { allowances, blank, rough, main: main.clone(), part, areas }))
+    let mut areas = areas(&blank, &rough, main, &part);
+    areas.finish = between(&rough, &left);
+    Ok(Some(Layers { allowances, blank, rough, left, main: main.clone(), part, areas }))
+}
+
+/// The main contour with what stays for other machines, each piece with its surface; none where it cannot be laid, which is
+/// a finding.
+fn left(stretch: &Stretch, bench: &Bench<'_, '_>, findings: &mut Vec<Finding>) -> Option<Vec<(Piece, Option<usize>)>> {
+    let main = &stretch.main.contour;
+    let surfaces: Vec<Option<usize>> = main.pieces.iter().map(|piece| surface_of(piece, &stretch.profile)).collect();
+    let later = |surface: &Option<usize>| {
+        let name = surface.and_then(|index| stretch.profile.surfaces.get(index)).map(|surface| &surface.name);
+        let one = bench.elsewhere.iter().find(|one| Some(&one.surface) == name);
+        one.map_or(Half::ZERO, |one| one.allowance_mm)
+    };
+    let distances: Vec<Half> = surfaces.iter().map(later).collect();
+    if distances.iter().all(|distance| *distance == Half::ZERO) {
+        return Some(main.pieces.iter().copied().zip(surfaces).collect());
+    }
+    match equidistant_over(main, &distances) {
+        Ok(over) => Some(over.into_iter().map(|over| (over.piece, surfaces.get(over.of).copied().flatten())).collect()),
+        Err(error) => {
+            findings.push(Finding::of_part(Severity::Error, Note::new("no-intermediate-contour").with("why", error)));
+            None
+        }
+    }
 }
 
 fn method(allowances: &Allowances) -> Method {

@@ -14,6 +14,7 @@
 mod clip;
 pub mod depth;
 pub mod layers;
+mod level;
 mod pocket;
 pub mod prepare;
 pub mod programs;
@@ -29,7 +30,6 @@ use crate::note::{Finding, Note, Severity};
 use crate::turning::allowances::capability::Elsewhere;
 use crate::turning::contour::Side;
 use crate::turning::elements::Angles;
-use crate::turning::tooling::Lathe;
 use crate::turning::workpiece::{Advice, Workpiece, advice};
 use crate::turning::zones::{self, SetUp};
 use layers::Layers;
@@ -99,11 +99,11 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
     findings.extend(
         blank_advice.iter().filter(|one| one.finding.severity <= Severity::Doubtful).map(|one| one.finding.clone()),
     );
-    let left = prepare::left_by_the_lathe(workpiece, lathe.as_ref(), knowledge, &mut findings)?;
+    let elsewhere = prepare::finished_elsewhere(workpiece, lathe.as_ref(), knowledge, &mut findings)?;
     let set_ups = zones::set_ups(
         zones::Workpiece {
-            outer: &left.outer,
-            inner: left.inner.as_ref(),
+            outer: &workpiece.outer,
+            inner: workpiece.inner.as_ref(),
             length: workpiece.length(),
             blank: &workpiece.blank.outer,
             holding: workpiece.holding,
@@ -115,6 +115,7 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
         workpiece,
         lathe: lathe.as_ref(),
         material: Material::find(knowledge, &workpiece.material)?,
+        elsewhere: &elsewhere,
         knowledge,
     };
     let mut done = Vec::new();
@@ -126,8 +127,8 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
         let sides = sides(&set_up, &bench, &mut findings)?;
         done.push(SetUpWork { set_up, sides });
     }
-    dedup(&mut findings);
-    Ok(Operation { workpiece: workpiece.clone(), blank_advice, elsewhere: left.elsewhere, set_ups: done, findings })
+    let findings = told_once(findings);
+    Ok(Operation { workpiece: workpiece.clone(), blank_advice, elsewhere, set_ups: done, findings })
 }
 
 /// The outside of a set-up, then its bore: a bore is roughed into a part that is faced already.
@@ -142,18 +143,30 @@ fn sides(set_up: &SetUp, bench: &Bench<'_, '_>, findings: &mut Vec<Finding>) -> 
     Ok(sides)
 }
 
-/// Each finding once, in the order in which it came.
-fn dedup(findings: &mut Vec<Finding>) {
+/// Each finding once, in the order in which it came; those that say the same of several surfaces as one.
+fn told_once(findings: Vec<Finding>) -> Vec<Finding> {
     let mut kept: Vec<Finding> = Vec::new();
-    for finding in findings.drain(..) {
-        if !kept.contains(&finding) {
-            kept.push(finding);
+    for finding in findings {
+        let alike = |other: &&mut Finding| {
+            let rest = |one: &Finding| {
+                let mut params = one.note.params.clone();
+                params.remove("surface");
+                (one.severity, one.note.code.clone(), params)
+            };
+            rest(other) == rest(&finding)
+        };
+        match kept.iter_mut().find(alike) {
+            Some(other) => {
+                if let (Some(names), Some(name)) =
+                    (other.note.params.get_mut("surface"), finding.note.params.get("surface"))
+                    && !names.split(", ").any(|known| known == name)
+                {
+                    names.push_str(", ");
+                    names.push_str(name);
+                }
+            }
+            None => kept.push(finding),
         }
     }
-    *findings = kept;
-}
-
-/// A finding that something is doubtful because of the lathe that is not named.
-fn no_lathe(lathe: Option<&Lathe<'_>>) -> Option<Finding> {
-    lathe.is_none().then(|| Finding::of_part(Severity::Note, Note::new("no-lathe")))
+    kept
 }

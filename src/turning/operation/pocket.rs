@@ -1,5 +1,11 @@
-//! The parts of a zone that are worked one after the other: all of it, part after part, or the closed ones by themselves
-//! with a line from lip to lip in their place until then (lecture 12.4, l. 504-518; fig. 12.3 г).
+//! The parts of a zone that are worked one after the other (lecture 12.4, l. 504-518; fig. 12.3 г).
+//!
+//! 1. Closed parts are bridged level from lip to lip; each is a stock of its own, the last in the order.
+//! 2. Where the open parts have a scheme of their own, they come first: all that stands above their floor, from the free
+//!    end on, because nobody comes to them past what stands before them.
+//! 3. Then what is left below that floor.
+//!
+//! Neighbours of one kind stay together: parting at every face costs a return for each (lecture, fig. 12.5 a).
 
 use crate::turning::contour::{Contour, Piece, Side};
 use crate::turning::length::Half;
@@ -8,6 +14,7 @@ use crate::turning::transitions::Stock;
 use crate::turning::zones::{Kind, Part, Zone};
 
 use super::clip;
+use super::level::{lowered, raised};
 
 /// A stock to be cleared by one scheme.
 #[derive(Clone, Debug)]
@@ -20,37 +27,60 @@ pub(super) struct Piecework {
 
 /// What of a zone is cleared by itself, in the order of work.
 pub(super) fn pieceworks(zone: &Zone, rough: &Contour, blank: &Contour) -> Vec<Piecework> {
-    let stock = |rough: &Contour, blank: &Contour, from: Half, to: Half| Stock {
+    let (from, to) = (zone.from_z, zone.to_z);
+    let stock = |rough: &Contour, blank: &Contour, to: Half| Stock {
         rough: clip::between(rough, from, to),
         blank: clip::between(blank, from, to),
         from,
         to,
     };
-    match zone.scheme.parts_worked.as_str() {
-        "each" => zone
-            .parts
-            .iter()
-            .enumerate()
-            .map(|(index, part)| Piecework { stock: stock(rough, blank, part.from_z, part.to_z), scheme: index })
-            .collect(),
-        "joined" => {
-            let mut closed = Vec::new();
-            let mut bridged = rough.clone();
-            for part in zone.parts.iter().filter(|part| part.kind == Kind::Closed) {
-                if let Some((over, pocket)) = bridge(&bridged, part) {
-                    closed.push(pocket);
-                    bridged = over;
-                }
-            }
-            let first = Piecework { stock: stock(&bridged, blank, zone.from_z, zone.to_z), scheme: 0 };
-            std::iter::once(first).chain(closed).collect()
-        }
-        _ => vec![Piecework { stock: stock(rough, blank, zone.from_z, zone.to_z), scheme: 0 }],
+    let each = zone.scheme.parts_worked == "each";
+    if !each && zone.scheme.parts_worked != "joined" {
+        return vec![Piecework { stock: stock(rough, blank, to), scheme: 0 }];
     }
+    let last = zone.scheme.schemes.len().saturating_sub(1);
+    let mut pockets = Vec::new();
+    let mut bridged = rough.clone();
+    for part in zone.parts.iter().filter(|part| part.kind == Kind::Closed) {
+        if let Some((over, pocket)) = bridge(&bridged, part) {
+            pockets.push(Piecework { stock: pocket, scheme: last });
+            bridged = over;
+        }
+    }
+    let mut works = Vec::new();
+    let has = |kind: Kind| zone.parts.iter().any(|part| part.kind == kind);
+    match floor(zone, rough.side).filter(|_| each && has(Kind::HalfOpen)) {
+        Some((level, end)) => {
+            works.push(Piecework { stock: stock(&raised(&bridged, level), blank, to), scheme: 0 });
+            let rest = stock(&lowered(&bridged, level), &lowered(blank, level), end);
+            works.push(Piecework { stock: rest, scheme: 1.min(last) });
+        }
+        None => works.push(Piecework { stock: stock(&bridged, blank, to), scheme: 0 }),
+    }
+    works.extend(pockets);
+    works.retain(|work| stands(&work.stock));
+    works
+}
+
+/// The floor of the open parts, and Z where the last of the other parts ends.
+fn floor(zone: &Zone, side: Side) -> Option<(Half, Half)> {
+    let open = zone.parts.iter().filter(|part| part.kind == Kind::Open);
+    let level = match side {
+        Side::Outer => open.map(|part| part.least_radius).min(),
+        Side::Inner => open.map(|part| part.greatest_radius).max(),
+    };
+    let end = zone.parts.iter().filter(|part| part.kind == Kind::HalfOpen).map(|part| part.to_z).max();
+    level.zip(end)
+}
+
+/// Whether anything stands between the contours of a stock.
+fn stands(stock: &Stock) -> bool {
+    let area = crate::turning::allowances::areas::between(&stock.blank, &stock.rough).area_mm2.0;
+    !stock.rough.pieces.is_empty() && area > 1e-4
 }
 
 /// A contour with the pocket of a closed part bridged level from its lower lip, and the pocket under the bridge.
-fn bridge(rough: &Contour, part: &Part) -> Option<(Contour, Piecework)> {
+fn bridge(rough: &Contour, part: &Part) -> Option<(Contour, Stock)> {
     let outer = rough.side == Side::Outer;
     let (first, last) = (part.contour.first()?.from, part.contour.last()?.to);
     // From inside a bore the lower lip is that of the larger radius.
@@ -72,7 +102,7 @@ fn bridge(rough: &Contour, part: &Part) -> Option<(Contour, Piecework)> {
         from: from.z,
         to: to.z,
     };
-    Some((Contour { side: rough.side, pieces }, Piecework { stock: pocket, scheme: 1 }))
+    Some((Contour { side: rough.side, pieces }, pocket))
 }
 
 /// The pieces of a contour between two of its points.

@@ -3,22 +3,10 @@
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Finding, Note, Severity};
-use crate::turning::allowances::capability::{CapabilityError, Elsewhere, Holds, capability};
-use crate::turning::contour::Profile;
+use crate::turning::allowances::capability::{Elsewhere, Holds, elsewhere};
 use crate::turning::tooling::Lathe;
 use crate::turning::workpiece::Workpiece;
 use crate::units::Micrometres;
-
-/// What the lathe leaves of a part.
-#[derive(Clone, Debug)]
-pub struct Left {
-    /// Its outside, with new elements where surfaces are finished elsewhere.
-    pub outer: Profile,
-    /// Its bore.
-    pub inner: Option<Profile>,
-    /// What is finished elsewhere.
-    pub elsewhere: Vec<Elsewhere>,
-}
 
 /// The lathe that the file names; none where it names none, or one that no catalog has, which is a finding.
 ///
@@ -30,7 +18,7 @@ pub fn lathe<'k>(
     findings: &mut Vec<Finding>,
 ) -> Result<Option<Lathe<'k>>, KnowledgeError> {
     let Some(id) = &workpiece.machine else {
-        findings.extend(super::no_lathe(None));
+        findings.push(Finding::of_part(Severity::Note, Note::new("no-lathe")));
         return Ok(None);
     };
     if !Lathe::ids(knowledge).contains(&id.as_str()) {
@@ -47,16 +35,16 @@ pub fn lathe<'k>(
     Ok(Some(lathe))
 }
 
-/// The part as the lathe leaves it: what it cannot finish keeps an intermediate allowance.
+/// What of the part the lathe cannot finish, with the intermediate allowances that stay for it.
 ///
 /// # Errors
 /// The knowledge base lacks a table.
-pub fn left_by_the_lathe(
+pub fn finished_elsewhere(
     workpiece: &Workpiece,
     lathe: Option<&Lathe<'_>>,
     knowledge: &Knowledge,
     findings: &mut Vec<Finding>,
-) -> Result<Left, KnowledgeError> {
+) -> Result<Vec<Elsewhere>, KnowledgeError> {
     let holds = lathe.and_then(|lathe| {
         Some(Holds {
             outer: lathe.it_outer?,
@@ -66,23 +54,11 @@ pub fn left_by_the_lathe(
         })
     });
     let length = Micrometres::new(workpiece.length().halves() / 2);
-    let mut elsewhere = Vec::new();
-    let mut of = |profile: &Profile, findings: &mut Vec<Finding>| -> Result<Profile, KnowledgeError> {
-        match capability(profile, holds.as_ref(), length, knowledge) {
-            Ok(found) => {
-                elsewhere.extend(found.elsewhere);
-                findings.extend(found.findings);
-                Ok(found.replaced)
-            }
-            Err(CapabilityError::Knowledge(error)) => Err(error),
-            Err(CapabilityError::Equidistant(error)) => {
-                let note = Note::new("no-intermediate-contour").with("why", error);
-                findings.push(Finding::of_part(Severity::Error, note));
-                Ok(profile.clone())
-            }
-        }
-    };
-    let outer = of(&workpiece.outer, findings)?;
-    let inner = workpiece.inner.as_ref().map(|inner| of(inner, findings)).transpose()?;
-    Ok(Left { outer, inner, elsewhere })
+    let mut all = Vec::new();
+    for profile in std::iter::once(&workpiece.outer).chain(&workpiece.inner) {
+        let (found, said) = elsewhere(profile, holds.as_ref(), length, knowledge)?;
+        all.extend(found);
+        findings.extend(said);
+    }
+    Ok(all)
 }

@@ -1,17 +1,20 @@
 //! Which tools rough a side: of those that fit the zones, as few as possible.
 
+use std::cmp::Reverse;
+
 use serde::Serialize;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::material::Material;
 use crate::note::Note;
+use crate::turning::allowances::capability::Elsewhere;
 use crate::turning::contour::Side;
 use crate::turning::elements::{self, Angles};
-use crate::turning::tooling::{Hand, Lathe, ToolKind, TurningTool, Works};
+use crate::turning::tooling::{Hand, Lathe, Shank, ToolKind, TurningTool, Works};
 use crate::turning::workpiece::Workpiece;
 use crate::turning::zones::{ToolAngles, Zone, fit};
-use crate::units::Degrees;
+use crate::units::{Degrees, Micrometres};
 
 /// What an operation is planned with.
 #[derive(Clone, Debug)]
@@ -22,6 +25,8 @@ pub struct Bench<'a, 'k> {
     pub lathe: Option<&'a Lathe<'k>>,
     /// The material.
     pub material: Material<'k>,
+    /// What is finished on another machine.
+    pub elsewhere: &'a [Elsewhere],
     /// Every table.
     pub knowledge: &'k Knowledge,
 }
@@ -40,13 +45,13 @@ pub struct Taken {
     /// φ1.
     pub secondary_angle_deg: Degrees,
     /// Its nose radius, mm.
-    pub nose_radius_mm: crate::units::Micrometres,
+    pub nose_radius_mm: Micrometres,
     /// Why this one.
     pub note: Note,
 }
 
-/// The tools that may rough a side: of the right hand, with the shank that the lathe clamps and a known nose radius, the
-/// strongest point first, which is that with the least φ1.
+/// The tools that may rough a side: of the right hand, with a shank that the lathe clamps and a known nose radius. First
+/// that with the least φ1, whose point is the strongest, and of equals that with the largest shank.
 ///
 /// # Errors
 /// A table of tools is broken.
@@ -58,8 +63,16 @@ pub fn candidates<'k>(side: Side, bench: &Bench<'_, 'k>) -> Result<Vec<TurningTo
     let mut tools = TurningTool::all(bench.knowledge)?;
     tools.retain(|tool| (tool.kind, tool.works) == wanted && tool.hand == Hand::R && tool.nose_radius.is_some());
     tools.retain(|tool| bench.lathe.is_none_or(|lathe| lathe.refuses_tool(tool).is_none()));
-    tools.sort_by_key(|tool| tool.trail_angle);
+    tools.sort_by_key(|tool| (tool.trail_angle, Reverse(tool.shank.map(thickness))));
     Ok(tools)
+}
+
+/// The height of a square shank, the diameter of a bar.
+const fn thickness(shank: Shank) -> Micrometres {
+    match shank {
+        Shank::Square { height, .. } => height,
+        Shank::Round { diameter } => diameter,
+    }
 }
 
 /// What of a tool decides whether it fits.

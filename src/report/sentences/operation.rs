@@ -1,0 +1,108 @@
+//! The words about a turning operation as a whole.
+
+pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
+    (
+        "no-lathe",
+        "верстат не названо (`machine:`): придатність поверхонь, глибина, режими і потужність не перевірені",
+        "no lathe is named (`machine:`): what it can finish, depth, conditions and power are not checked",
+    ),
+    (
+        "no-such-lathe",
+        "верстата {lathe} немає в каталозі; відомі: {known}",
+        "no catalog has the lathe {lathe}; known: {known}",
+    ),
+    (
+        "no-intermediate-contour",
+        "проміжний припуск не можна накласти: {why}",
+        "the intermediate allowance cannot be laid on: {why}",
+    ),
+    ("no-rough-contour", "чорновий контур не можна побудувати: {why}", "the rough contour cannot be laid: {why}"),
+    (
+        "set-up-not-held",
+        "установ {number}: деталь нема за що тримати в патроні; тримайте в центрах або залиште довшу заготовку",
+        "set-up {number}: nothing of the part is long enough for the jaws; hold it between centres or leave a longer blank",
+    ),
+    (
+        "bore-drilled-first",
+        "отвір спершу свердлять: Ø{diameter} на глибину {depth} мм; діаметр - наш вибір: цілі міліметри, щонайменше на 1 мм \
+         на бік менше за чорновий отвір",
+        "the bore is drilled first: Ø{diameter}, {depth} mm deep; the diameter is our choice: whole millimetres, at least \
+         1 mm a side below the rough bore",
+    ),
+    (
+        "bore-too-narrow-to-drill",
+        "отвір Ø{diameter} завузький, щоб його засвердлити й розточити",
+        "the bore of Ø{diameter} is too narrow to be drilled and bored",
+    ),
+    (
+        "no-limiting-depth",
+        "граничну глибину нема з чого взяти: вкажіть `roughing: {limiting_depth: …}` або верстат `machine:`",
+        "nothing tells the limiting depth: give `roughing: {limiting_depth: …}` or a lathe, `machine:`",
+    ),
+    (
+        "no-depth-allowed",
+        "{tool}: не дозволено жодної глибини, бо {bound}; візьміть меншу подачу, міцніший різець або потужніший верстат",
+        "{tool}: no depth is allowed by {bound}; take a lower feed, a stronger tool or a more powerful lathe",
+    ),
+    (
+        "one-feed-for-all",
+        "подачі врізання, підбору або напівчистового ходу не вказано: узято основну, тож час наближений",
+        "the feeds of cutting in, picking up or the semi-finishing pass are not given: the main one is taken, so times are \
+         approximate",
+    ),
+    (
+        "no-tool-for-zone",
+        "зона {zone} ({side}): жоден різець каталогу не підходить: потрібно φ ≥ {main}°, φ1 ≥ {secondary}°",
+        "zone {zone} ({side}): no tool of the catalog fits: φ ≥ {main}° and φ1 ≥ {secondary}° are needed",
+    ),
+    (
+        "scheme-not-possible",
+        "зона {zone}: схему «{scheme}» не можна застосувати ({why}); взято найшвидшу з тих, що лишають рівномірний припуск",
+        "zone {zone}: the scheme {scheme} is not possible ({why}); the quickest of those that leave an even allowance is taken",
+    ),
+    (
+        "bounds-exceeded",
+        "{tool}: за t_p = {depth} мм перевищено: {bounds}",
+        "{tool}: at t_p = {depth} mm these are exceeded: {bounds}",
+    ),
+    ("turning-tool-taken", "{tool}: підходить для зон: {zones}", "{tool}: it fits this many zones: {zones}"),
+    (
+        "only-for-steps",
+        "це показують лише для ступінчастого вала (`steps:`)",
+        "this is shown for a stepped shaft (`steps:`) only",
+    ),
+];
+
+pub(super) const REMEDIES: &[(&str, &str, &str)] = &[(
+    "only-for-steps",
+    "для контуру є `--show operation`, `program` і `cycle`",
+    "for a contour there are `--show operation`, `program` and `cycle`",
+)];
+
+pub(super) const TERMS: &[(&str, &str, &str)] = &[
+    ("outer", "зовні", "outside"),
+    ("inner", "всередині", "inside"),
+    ("tube", "труба", "tube"),
+    ("face", "торець", "face"),
+    ("cylinder", "циліндр", "cylinder"),
+    ("cone", "конус", "cone"),
+    ("ball", "опукла дуга", "bulging arc"),
+    ("fillet", "увігнута дуга", "hollow arc"),
+    ("thread", "різь", "thread"),
+    ("grinding-relief", "канавка для шліфувального круга", "grinding relief"),
+    ("thread-relief", "канавка для виходу різі", "thread relief"),
+    ("rectangular-groove", "прямокутна канавка", "rectangular groove"),
+    ("trapezoid-groove", "трапецеїдальна канавка", "trapezoid groove"),
+    ("face-groove", "торцева канавка", "face groove"),
+    ("pulley-groove", "жолоб під пас", "pulley groove"),
+    ("main-element", "основний", "main"),
+    ("additional-element", "додатковий", "additional"),
+    ("other-side", "з другого боку", "from the other side"),
+    ("outer-grinding", "шліфування", "grinding"),
+    ("inner-grinding", "шліфування", "grinding"),
+    ("face-grinding", "шліфування", "grinding"),
+    ("error", "помилка", "error"),
+    ("wrong", "неправильно", "wrong"),
+    ("doubtful", "сумнівно", "doubtful"),
+    ("note", "до відома", "note"),
+];

@@ -1,0 +1,78 @@
+//! Contours held above or below a level: how the upper part of a stock is parted from the lower one.
+
+use crate::turning::contour::{Contour, Piece, Side};
+use crate::turning::length::Half;
+use crate::turning::point::Point;
+
+/// A monotone outer contour where it is above a level, and the level elsewhere; of a bore, where it is below.
+pub(super) fn raised(contour: &Contour, level: Half) -> Contour {
+    held(contour, level, contour.side == Side::Outer)
+}
+
+/// A monotone outer contour where it is below a level, and the level elsewhere; of a bore, where it is above.
+pub(super) fn lowered(contour: &Contour, level: Half) -> Contour {
+    held(contour, level, contour.side == Side::Inner)
+}
+
+fn held(contour: &Contour, level: Half, above: bool) -> Contour {
+    let mut pieces: Vec<Piece> = Vec::new();
+    let mut put = |piece: Piece| match pieces.last_mut() {
+        _ if piece.is_nothing() => {}
+        Some(last) if last.is_cylinder() && piece.is_cylinder() && last.to == piece.from => last.to = piece.to,
+        _ => pieces.push(piece),
+    };
+    for piece in &contour.pieces {
+        let mut points = vec![piece.from];
+        points.extend(piece.at_radius(level).into_iter().filter(|at| *at != piece.from && *at != piece.to));
+        points.push(piece.to);
+        for (from, to) in points.iter().zip(points.iter().skip(1)) {
+            let part = piece.between(*from, *to);
+            // A point inside the part says on which side of the level it lies: at its ends it may touch.
+            let inside = part.extremes().into_iter().map(|point| point.radius);
+            let (least, most) =
+                inside.fold((from.radius, from.radius), |(least, most), radius| (least.min(radius), most.max(radius)));
+            let kept = if above { most > level } else { least < level };
+            if kept {
+                put(part);
+            } else {
+                let on = |point: &Point| Point { radius: level, z: point.z };
+                put(Piece::line(on(from), on(to)));
+            }
+        }
+    }
+    Contour { side: contour.side, pieces }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::turning::contour::Turn;
+
+    fn at(radius: f64, z: f64) -> Point {
+        Point { radius: Half::from(radius), z: Half::from(z) }
+    }
+
+    /// A pin of 10, a fillet of 10 up to 20, a cylinder: the circle's middle is (20, 20), so it is at 14 where
+    /// z = 20 + √(100 − 36) = 28.
+    fn pin() -> Contour {
+        let mut pin = Contour::through(Side::Outer, &[at(10.0, 0.0), at(10.0, 20.0)]);
+        pin.pieces.push(Piece::arc(at(10.0, 20.0), at(20.0, 30.0), Half::from(10.0), Turn::Left));
+        pin.pieces.push(Piece::line(at(20.0, 30.0), at(20.0, 40.0)));
+        pin
+    }
+
+    #[test]
+    fn a_contour_is_parted_at_a_level() {
+        let (over, under) = (raised(&pin(), Half::from(14.0)), lowered(&pin(), Half::from(14.0)));
+        assert_eq!(over.corners(), [at(14.0, 0.0), at(14.0, 28.0), at(20.0, 30.0), at(20.0, 40.0)]);
+        assert_eq!(under.corners(), [at(10.0, 0.0), at(10.0, 20.0), at(14.0, 28.0), at(14.0, 40.0)]);
+        assert!(over.hangs_together() && under.hangs_together());
+    }
+
+    #[test]
+    fn a_bore_is_parted_the_other_way() {
+        let bore = pin().inside_out(Half::from(50.0));
+        let over = raised(&bore, Half::from(36.0));
+        assert_eq!(over, raised(&pin(), Half::from(14.0)).inside_out(Half::from(50.0)));
+    }
+}
