@@ -122,6 +122,9 @@ fn survey() {
     };
     for _ in 0..count {
         let text = turned::drafts().new_tree(&mut runner).unwrap().current().text();
+        if std::env::var("ONLY").is_ok_and(|only| !text.contains(&only)) {
+            continue;
+        }
         match read_workpiece("part", &text, &KNOWLEDGE) {
             Err(mistakes) => {
                 for mistake in mistakes {
@@ -167,4 +170,48 @@ fn survey() {
             println!("{text}\n");
         }
     }
+}
+
+/// Prints what becomes of a file: `FILE=part.yaml cargo test --test operation trace -- --ignored --nocapture`.
+#[test]
+#[ignore = "prints what becomes of a file"]
+fn trace() {
+    let Ok(path) = std::env::var("FILE") else { return };
+    let text = std::fs::read_to_string(path).unwrap();
+    let operation = planned(&read_workpiece("part", &text, &KNOWLEDGE).unwrap_or_else(|mistakes| panic!("{mistakes:?}")));
+    let corners = |contour: &technolog::turning::contour::Contour| {
+        let told = contour.corners().iter().map(|at| format!("({} {})", at.radius, at.z)).collect::<Vec<_>>();
+        told.join(" ")
+    };
+    for set_up in &operation.set_ups {
+        println!("set-up {} over {} faces {}", set_up.set_up.number, set_up.set_up.turned_over, set_up.set_up.faces);
+        for side in &set_up.sides {
+            println!(" {:?}\n  blank {}\n  rough {}", side.side, corners(&side.layers.blank), corners(&side.layers.rough));
+            for zone in &side.zones {
+                let one = &zone.zone;
+                println!(
+                    "  zone {} {:?} {:?} {}..{} {} {:?}",
+                    one.number, one.feed, one.kind, one.from_z, one.to_z, one.scheme.parts_worked,
+                    one.parts.iter().map(|part| format!("{:?} {}..{}", part.kind, part.from_z, part.to_z)).collect::<Vec<_>>()
+                );
+                for work in &zone.works {
+                    println!("   work {:?} t_p {}\n    blank {}\n    rough {}", work.taken, work.levels.depth, corners(&work.stock.blank), corners(&work.stock.rough));
+                    for refused in &work.refused {
+                        println!("    refused {} {} {:?}", refused.scheme.name(), refused.why.code, refused.why.params);
+                    }
+                    if let Some(transition) = work.transition() {
+                        print!("    way ({} {})", transition.way.from.radius, transition.way.from.z);
+                        for one in &transition.way.moves {
+                            print!(" {:?}({} {})", one.purpose, one.to.radius, one.to.z);
+                        }
+                        println!();
+                    }
+                }
+            }
+        }
+    }
+    for finding in &operation.findings {
+        println!("{:?} {} {:?}", finding.severity, finding.note.code, finding.note.params);
+    }
+    println!("{}\n{}", told(&work_off(&operation)), silent(&operation).join("\n"));
 }

@@ -101,21 +101,25 @@ pub fn work_off(operation: &Operation) -> Vec<Fault> {
         let top = operation.workpiece.blank.outer.radii().unwrap().1;
         let mut metal = Metal::of(operation, side, top);
         let mut turned_over = false;
-        for set_up in &operation.set_ups {
+        'side: for set_up in &operation.set_ups {
             if set_up.set_up.turned_over != turned_over {
                 metal.turn_over(operation.workpiece.length());
                 turned_over = set_up.set_up.turned_over;
             }
             for one in set_up.sides.iter().filter(|one| one.side == side) {
-                faults.extend(set_up_off(&mut metal, set_up, one));
+                let (found, whole) = set_up_off(&mut metal, set_up, one);
+                faults.extend(found);
+                if !whole {
+                    break 'side;
+                }
             }
         }
     }
     faults
 }
 
-/// One side of a set-up.
-fn set_up_off(metal: &mut Metal, set_up: &SetUpWork, one: &SideWork) -> Vec<Fault> {
+/// One side of a set-up, and whether all of it could be carried out.
+fn set_up_off(metal: &mut Metal, set_up: &SetUpWork, one: &SideWork) -> (Vec<Fault>, bool) {
     let (side, top) = (metal.side, metal.top);
     let (rough, blank) = (seen(&one.layers.rough, side, top), seen(&one.layers.blank, side, top));
     let (start, end) = (rough.start().unwrap(), rough.end().unwrap());
@@ -161,12 +165,15 @@ fn set_up_off(metal: &mut Metal, set_up: &SetUpWork, one: &SideWork) -> Vec<Faul
             })
         })
         .collect();
-    let behind: Vec<f64> = columns.heights.clone();
     let mut allowed = vec![0.0_f64; columns.places.len()];
     let mut last: Option<Point> = None;
     for zone in &one.zones {
+        // What is not cleared stands in the way of all that comes behind it; a finding says that it is not.
+        if zone.works.is_empty() {
+            return (faults, false);
+        }
         for work in &zone.works {
-            let Some(transition) = work.transition() else { continue };
+            let Some(transition) = work.transition() else { return (faults, false) };
             let at = format!(
                 "set-up {} {side:?} zone {} {} {:.1}..{:.1}",
                 set_up.set_up.number,
@@ -231,21 +238,16 @@ fn set_up_off(metal: &mut Metal, set_up: &SetUpWork, one: &SideWork) -> Vec<Faul
             faults.extend(worst);
         }
     }
-    // At the end.
-    let whole = one.zones.iter().all(|zone| !zone.works.is_empty() && zone.works.iter().all(|work| work.transition().is_some()));
-    if whole {
-        let mut most: Option<Fault> = None;
-        for (index, z) in columns.places.iter().enumerate() {
-            let (_, rough) = columns.around[index];
-            let over = columns.heights[index] - rough.min(behind[index].max(rough)) - allowed[index];
-            if *z <= end.z && over > 2.0 * ROUNDING && most.as_ref().is_none_or(|most| most.by < over) {
-                let at = format!("set-up {} {side:?}", set_up.set_up.number);
-                most = Some(Fault { law: "metal is left above the rough contour", at, by: over, z: z.to_mm() });
-            }
+    let mut most: Option<Fault> = None;
+    for (index, z) in columns.places.iter().enumerate() {
+        let over = columns.heights[index] - columns.around[index].1 - allowed[index];
+        if *z <= end.z && over > 2.0 * ROUNDING && most.as_ref().is_none_or(|most| most.by < over) {
+            let at = format!("set-up {} {side:?}", set_up.set_up.number);
+            most = Some(Fault { law: "metal is left above the rough contour", at, by: over, z: z.to_mm() });
         }
-        faults.extend(most);
     }
-    faults
+    faults.extend(most);
+    (faults, true)
 }
 
 /// The way from a home to the next as the programs go it: away from the metal, along, and there.

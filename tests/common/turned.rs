@@ -374,11 +374,11 @@ pub fn drafts() -> impl Strategy<Value = Draft> {
     let bore = prop::option::weighted(0.4, (prop::collection::vec(step, 0..4), prop::bool::weighted(0.7)));
     let schemes = vec!["loop", "zigzag", "descent", "pick-up", "semi-finishing", "equidistant", "contour"];
     let scheme = prop::option::weighted(0.2, prop::sample::select(schemes));
-    let stock = (50_i64..800, 0_i64..300, 0_i64..6_000).prop_map(|(over, face, behind)| (over * 10, face * 10, behind * 10));
+    let stock = (50_i64..800, 0_i64..300, prop_oneof![Just(0_i64), 0_i64..6_000]).prop_map(|(over, face, behind)| (over * 10, face * 10, behind * 10));
     let how = (
         prop::bool::weighted(0.7),
         prop::bool::weighted(0.15),
-        prop::option::weighted(0.4, (50_i64..600).prop_map(|tens| tens * 10)),
+        prop::option::weighted(0.6, (50_i64..600).prop_map(|tens| tens * 10)),
         0_u8..3,
         scheme,
         prop::bool::weighted(0.3),
