@@ -186,7 +186,8 @@ fn trace() {
     for set_up in &operation.set_ups {
         println!("set-up {} over {} faces {}", set_up.set_up.number, set_up.set_up.turned_over, set_up.set_up.faces);
         for side in &set_up.sides {
-            println!(" {:?}\n  blank {}\n  rough {}", side.side, corners(&side.layers.blank), corners(&side.layers.rough));
+            println!(" {:?}\n  blank {}\n  rough {}\n  main {}\n  part {}", side.side, corners(&side.layers.blank), corners(&side.layers.rough), corners(&side.layers.main), corners(&side.layers.part));
+            println!("  {:?}", side.layers.allowances.iter().map(|one| (&one.surface, one.allowance_mm)).collect::<Vec<_>>());
             for zone in &side.zones {
                 let one = &zone.zone;
                 println!(
