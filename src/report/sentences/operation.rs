@@ -23,6 +23,11 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "set-up {number}: nothing of the part is long enough for the jaws; hold it between centres or leave a longer blank",
     ),
     (
+        "far-face-not-planned",
+        "установ {number}: за деталлю лишається {length} мм заготовки; відрізання або підрізання другого торця не          спроєктовано",
+        "set-up {number}: {length} mm of the blank are left behind the part; parting or facing the far end is not planned",
+    ),
+    (
         "bore-drilled-first",
         "отвір спершу свердлять: Ø{diameter} на глибину {depth} мм; діаметр - наш вибір: цілі міліметри, щонайменше на 1 мм \
          на бік менше за чорновий отвір",
@@ -57,8 +62,18 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
     ),
     (
         "scheme-not-possible",
-        "зона {zone}: схему «{scheme}» не можна застосувати ({why}); взято найшвидшу з тих, що лишають рівномірний припуск",
-        "zone {zone}: the scheme {scheme} is not possible ({why}); the quickest of those that leave an even allowance is taken",
+        "зона {zone}: схему {scheme} не можна застосувати, причина в наступному рядку; береться найшвидша з тих, що лишають          рівномірний припуск, якщо така є",
+        "zone {zone}: the scheme {scheme} is not possible, for the reason in the next line; the quickest of those that leave          an even allowance is taken, if there is one",
+    ),
+    (
+        "zone-behind-standing",
+        "зона {zone}: різець не пройде, бо перед нею стоїть незнята зона {before}",
+        "zone {zone}: the tool cannot come to it, because zone {before} before it is not cleared",
+    ),
+    (
+        "groove-too-deep",
+        "глибина {depth} мм більша за найбільшу для різця, {reach} мм",
+        "it is {depth} mm deep, more than the {reach} mm of the tool",
     ),
     (
         "bounds-exceeded",

@@ -40,6 +40,11 @@ pub fn operation_page(operation: &Operation, knowledge: &Knowledge, lang: Lang) 
     page.push_str(&allowances(operation, lang));
     section(&mut page, lang.pick("Зони та різці (лекція 12.3)", "Zones and tools (lecture 12.3)"));
     page.push_str(&zones(operation, lang));
+    let extra = additional(operation, lang);
+    if !extra.is_empty() {
+        section(&mut page, lang.pick("Додаткові елементи: закриті зони", "Additional elements: closed zones"));
+        page.push_str(&extra);
+    }
     section(
         &mut page,
         lang.pick("Схеми чорнових переходів (лекція 12.4)", "Schemes of rough transitions (lecture 12.4)"),
@@ -216,7 +221,9 @@ fn allowances(operation: &Operation, lang: Lang) -> String {
     for set_up in &operation.set_ups {
         for side in &set_up.sides {
             let areas = &side.layers.areas;
-            let area = |area: &crate::turning::allowances::areas::Area| figure(round_to(area.area_mm2.0, 2), lang);
+            // Not −0 where two contours are one.
+            let area =
+                |area: &crate::turning::allowances::areas::Area| figure(round_to(area.area_mm2.0, 2) + 0.0, lang);
             rows.push(vec![
                 set_up.set_up.number.to_string(),
                 term(side_name(side.side), lang).to_owned(),
@@ -303,6 +310,65 @@ fn zones(operation: &Operation, lang: Lang) -> String {
         }
     }
     for line in told {
+        page.push_str(&grid::paragraph(&line, 2));
+    }
+    page
+}
+
+/// The zones under the bridges; where no tool fits, why not each of them.
+fn additional(operation: &Operation, lang: Lang) -> String {
+    let head = [
+        lang.pick("Установ", "Set-up"),
+        lang.pick("Бік", "Side"),
+        "Z",
+        "Ø",
+        "φ ≥",
+        "φ1 ≥",
+        lang.pick("Різець", "Tool"),
+        lang.pick("Схема", "Scheme"),
+    ]
+    .map(str::to_owned);
+    let (mut rows, mut refused) = (Vec::new(), Vec::new());
+    for (set_up, side) in
+        operation.set_ups.iter().flat_map(|set_up| set_up.sides.iter().map(move |side| (set_up, side)))
+    {
+        for one in &side.additional {
+            let zone = &one.zone;
+            let span = format!("{} → {}", z(zone.from_z, lang), z(zone.to_z, lang));
+            let tool = one.tool.as_ref().map(|tool| match tool.width_mm {
+                Some(width) => format!("{} ({} {})", tool.designation, figure(width, lang), lang.pick("мм", "mm")),
+                None => format!("{} (φ1 {})", tool.designation, figure(tool.secondary_angle_deg.0, lang)),
+            });
+            let schemes: Vec<&str> = one.works.iter().filter_map(|work| Some(term(work.taken?.name(), lang))).collect();
+            if tool.is_none() {
+                for one in &one.fit.refused {
+                    let why: Vec<String> = one.why.iter().map(|why| sentence(why, lang)).collect();
+                    let line = lang.pick("Z {span}: не {tool}: {why}", "Z {span}: not {tool}: {why}");
+                    let line = line.replace("{span}", &span).replace("{tool}", &one.tool);
+                    refused.push(line.replace("{why}", &why.join("; ")));
+                }
+            }
+            rows.push(vec![
+                set_up.set_up.number.to_string(),
+                term(side_name(side.side), lang).to_owned(),
+                span,
+                format!(
+                    "{} … {}",
+                    figure(zone.least_radius.diameter(), lang),
+                    figure(zone.greatest_radius.diameter(), lang)
+                ),
+                figure(round_to(zone.needs.main.0, 2), lang),
+                figure(round_to(zone.needs.secondary.0, 2), lang),
+                tool.unwrap_or_else(|| lang.pick("жоден", "none").to_owned()),
+                schemes.join(" + "),
+            ]);
+        }
+    }
+    if rows.is_empty() {
+        return String::new();
+    }
+    let mut page = grid::ruled(&head, &rows).unwrap_or_else(|| grid::columns(&rows, 2));
+    for line in refused {
         page.push_str(&grid::paragraph(&line, 2));
     }
     page

@@ -24,7 +24,7 @@ pub struct Depth {
     pub limiting_depth_mm: Half,
     /// Whether the file gives it.
     pub given: bool,
-    /// How it was found, where it was.
+    /// How it was found, where it was: at the feed of this depth tool and lathe may bear more.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limit: Option<LimitingDepth>,
 }
@@ -73,15 +73,15 @@ pub fn depth(
         return Ok(None);
     };
     match Refusal::split(limit(&cut, task.stock))? {
-        Ok(limit) => {
+        Ok((limit, depth)) => {
             findings.extend(limit.findings());
-            let Some(depth) = limit.depth_mm else {
+            if depth <= Half::ZERO {
                 let note = Note::new("no-depth-allowed").with("tool", task.tool.designation);
                 let note = note.with("bound", limit.decided_by.name());
                 findings.push(Finding::of_part(Severity::Error, note));
                 return Ok(None);
-            };
-            Ok(Some(Depth { limiting_depth_mm: Half::of(depth), given: false, limit: Some(limit) }))
+            }
+            Ok(Some(Depth { limiting_depth_mm: depth, given: false, limit: Some(limit) }))
         }
         Err(note) => {
             findings.push(Finding::of_part(Severity::Error, note));
@@ -90,13 +90,34 @@ pub fn depth(
     }
 }
 
-/// The limit at the feed of the depth that it comes to: the feed is asked for the stock first, then for the limit that this
-/// feed allows. A lesser depth has a larger feed; whether the loads at t_p are borne is told with its conditions.
-fn limit(cut: &Cut<'_, '_>, stock: Half) -> Result<LimitingDepth, Refusal> {
-    let whole = Micrometres::new((stock.halves() / 2).max(1));
-    let first = limiting_depth(cut, rough_feed(cut, whole)?.feed, Speed::WithinPower)?;
-    let Some(depth) = first.depth_mm.filter(|depth| *depth < whole) else { return Ok(first) };
-    limiting_depth(cut, rough_feed(cut, depth)?.feed, Speed::WithinPower)
+/// The most passes that a stock is divided into before the search for a depth gives up.
+const MOST_PASSES: i64 = 60;
+
+/// The limit, and the depth that goes with its feed. The feed depends on the depth, so the stock is divided into one, two,
+/// three… passes until there is a feed for their depth and tool and lathe bear it.
+fn limit(cut: &Cut<'_, '_>, stock: Half) -> Result<(LimitingDepth, Half), Refusal> {
+    let mut first: Option<Result<LimitingDepth, Refusal>> = None;
+    for passes in 1..=MOST_PASSES {
+        let depth = Half::new((stock.halves() + passes - 1) / passes);
+        let whole = Micrometres::new((depth.halves() + 1) / 2);
+        let found = rough_feed(cut, whole).and_then(|feed| limiting_depth(cut, feed.feed, Speed::WithinPower));
+        match found {
+            Err(Refusal::Knowledge(error)) => return Err(Refusal::Knowledge(error)),
+            Ok(found) if found.depth_mm.is_some_and(|limit| Half::of(limit) >= depth) => {
+                // Beyond the depth of this feed another one would hold, but for the whole stock there is no other.
+                let limit = found.depth_mm.map_or(depth, Half::of);
+                return Ok((found, if passes == 1 { limit } else { depth }));
+            }
+            other => {
+                first.get_or_insert(other);
+            }
+        }
+    }
+    match first {
+        Some(Ok(found)) => Ok((LimitingDepth { depth_mm: None, ..found }, Half::ZERO)),
+        Some(Err(refusal)) => Err(refusal),
+        None => Err(Refusal::Not(Note::new("no-limiting-depth"))),
+    }
 }
 
 fn cut<'a, 'k>(task: Task<'a, 'k>, bench: &'a Bench<'_, 'k>) -> Option<Cut<'a, 'k>> {

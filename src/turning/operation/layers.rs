@@ -49,8 +49,8 @@ fn sizes<S: serde::Serializer>(areas: &Areas, serializer: S) -> Result<S::Ok, S:
         volume_mm3: f64,
     }
     let of = |area: &crate::turning::allowances::areas::Area| Size {
-        area_mm2: crate::units::round_to(area.area_mm2.0, 3),
-        volume_mm3: crate::units::round_to(area.volume_mm3.0, 1),
+        area_mm2: crate::units::round_to(area.area_mm2.0, 3) + 0.0,
+        volume_mm3: crate::units::round_to(area.volume_mm3.0, 1) + 0.0,
     };
     [("rough_main", of(&areas.rough_main)), ("additional", of(&areas.additional)), ("finish", of(&areas.finish))]
         .into_iter()
@@ -74,7 +74,11 @@ pub fn layers(
     let (allowances, found) = finishing(&stretch.profile, method, length, knowledge)?;
     findings.extend(found);
     let main = &stretch.main.contour;
-    let Some(left) = left(stretch, bench, findings) else { return Ok(None) };
+    let Some(mut left) = left(stretch, bench, findings) else { return Ok(None) };
+    // The file may leave out the far face: what is turned over begins with it all the same.
+    if let Some(face) = left.first().and_then(|(first, _)| far_face(first.from, set_up, main.side, workpiece)) {
+        left.insert(0, (face, None));
+    }
     let mut distances = Vec::new();
     for (piece, surface) in &left {
         let own = surface.and_then(|index| allowances.get(index));
@@ -101,10 +105,11 @@ pub fn layers(
             return Ok(None);
         }
     };
+    let finish = between(&rough, &left);
     let Some((blank, rough)) = blank(&rough, set_up, workpiece, findings) else { return Ok(None) };
     let part = stretch.profile.contour();
     let mut areas = areas(&blank, &rough, main, &part);
-    areas.finish = between(&rough, &left);
+    areas.finish = finish;
     Ok(Some(Layers { allowances, blank, rough, left, main: main.clone(), part, areas }))
 }
 
@@ -195,12 +200,34 @@ fn blank(
         clipped
     };
     if rough.side == Side::Outer {
-        return Some((reach(&seen(&workpiece.blank.outer)), rough.clone()));
+        let outer = seen(&workpiece.blank.outer);
+        let outer = if set_up.turned_over { faced(outer, workpiece.blank.inner.as_ref()) } else { outer };
+        return Some((reach(&outer), rough.clone()));
     }
     if let Some(inner) = &workpiece.blank.inner {
         return Some((reach(&seen(inner)), rough.clone()));
     }
     drilled(rough, findings)
+}
+
+/// The far face of the part, which is the free one of a part turned over, up to where its contour begins; none where the
+/// contour has a face of its own, and in the first set-up.
+fn far_face(begins: Point, set_up: &SetUp, side: Side, workpiece: &Workpiece) -> Option<Piece> {
+    let bore = workpiece.inner.as_ref().and_then(|inner| inner.contour().end());
+    let within = bore.filter(|end| end.z == workpiece.length()).map_or(Half::ZERO, |end| end.radius);
+    let face = Piece::line(Point { radius: within, z: begins.z }, begins);
+    (set_up.turned_over && side == Side::Outer && begins.radius > within).then_some(face)
+}
+
+/// A blank that begins with the face of its end: turned over, that of a bar is not drawn.
+fn faced(mut blank: Contour, inner: Option<&Contour>) -> Contour {
+    if let Some(start) = blank.start().filter(|_| blank.pieces.first().is_some_and(|first| !first.is_face())) {
+        let within = inner.and_then(|inner| inner.end()).map_or(Half::ZERO, |end| end.radius);
+        if within < start.radius {
+            blank.pieces.insert(0, Piece::line(Point { radius: within, z: start.z }, start));
+        }
+    }
+    blank
 }
 
 /// The hole that is drilled before a solid blank is bored: in whole millimetres, at least one smaller on the side than the

@@ -71,6 +71,8 @@ pub struct SideWork {
     pub layers: Layers,
     /// The zones and how each is cleared.
     pub zones: Vec<ZoneWork>,
+    /// The additional elements under the main contour: a closed zone each, with the tools that fit.
+    pub additional: Vec<ZoneWork>,
 }
 
 impl Operation {
@@ -120,9 +122,15 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
     };
     let mut done = Vec::new();
     for set_up in set_ups {
-        if set_up.holds_at.is_none() {
+        let turns = set_up.outer.is_some() || set_up.inner.is_some();
+        if set_up.holds_at.is_none() && turns {
             let note = Note::new("set-up-not-held").with("number", set_up.number);
             findings.push(Finding::of_part(Severity::Wrong, note));
+        }
+        if set_up.faces && set_up.outer.is_none() {
+            let length = workpiece.blank.end() - workpiece.length();
+            let note = Note::new("far-face-not-planned").with("number", set_up.number).with("length", length);
+            findings.push(Finding::of_part(Severity::Note, note));
         }
         let sides = sides(&set_up, &bench, &mut findings)?;
         done.push(SetUpWork { set_up, sides });
@@ -138,35 +146,39 @@ fn sides(set_up: &SetUp, bench: &Bench<'_, '_>, findings: &mut Vec<Finding>) -> 
         let Some(stretch) = stretch else { continue };
         let Some(layers) = layers::layers(stretch, set_up, bench, findings)? else { continue };
         let zones = work::zones(&layers, bench, findings)?;
-        sides.push(SideWork { side, layers, zones });
+        let additional = work::additional(stretch, bench, findings)?;
+        sides.push(SideWork { side, layers, zones, additional });
     }
     Ok(sides)
 }
 
-/// Each finding once, in the order in which it came; those that say the same of several surfaces as one.
+/// Each finding once, in the order in which it came; those that differ in nothing but a surface or a row as one.
 fn told_once(findings: Vec<Finding>) -> Vec<Finding> {
     let mut kept: Vec<Finding> = Vec::new();
     for finding in findings {
-        let alike = |other: &&mut Finding| {
-            let rest = |one: &Finding| {
-                let mut params = one.note.params.clone();
-                params.remove("surface");
-                (one.severity, one.note.code.clone(), params)
-            };
-            rest(other) == rest(&finding)
-        };
-        match kept.iter_mut().find(alike) {
-            Some(other) => {
-                if let (Some(names), Some(name)) =
-                    (other.note.params.get_mut("surface"), finding.note.params.get("surface"))
-                    && !names.split(", ").any(|known| known == name)
-                {
-                    names.push_str(", ");
-                    names.push_str(name);
-                }
-            }
+        match kept.iter_mut().find(|other| rest(other) == rest(&finding)) {
+            Some(other) => LISTED.iter().for_each(|name| list(&mut other.note, &finding.note, name)),
             None => kept.push(finding),
         }
     }
     kept
+}
+
+/// What findings that are told as one may differ in.
+const LISTED: [&str; 2] = ["surface", "row"];
+
+/// A finding without what is listed.
+fn rest(finding: &Finding) -> (Severity, &str, Vec<(&String, &String)>) {
+    let params = finding.note.params.iter().filter(|(name, _)| !LISTED.contains(&name.as_str()));
+    (finding.severity, &finding.note.code, params.collect())
+}
+
+/// Puts a value of another note into the list of this one.
+fn list(note: &mut Note, other: &Note, name: &str) {
+    if let (Some(values), Some(value)) = (note.params.get_mut(name), other.params.get(name))
+        && !values.split(", ").any(|known| known == value)
+    {
+        values.push_str(", ");
+        values.push_str(value);
+    }
 }

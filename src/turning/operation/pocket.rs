@@ -28,7 +28,7 @@ pub(super) struct Piecework {
 /// What of a zone is cleared by itself, in the order of work.
 pub(super) fn pieceworks(zone: &Zone, rough: &Contour, blank: &Contour) -> Vec<Piecework> {
     let (from, to) = (zone.from_z, zone.to_z);
-    let stock = |rough: &Contour, blank: &Contour, to: Half| Stock {
+    let stock = |rough: &Contour, blank: &Contour, from: Half, to: Half| Stock {
         rough: clip::between(rough, from, to),
         blank: clip::between(blank, from, to),
         from,
@@ -36,7 +36,7 @@ pub(super) fn pieceworks(zone: &Zone, rough: &Contour, blank: &Contour) -> Vec<P
     };
     let each = zone.scheme.parts_worked == "each";
     if !each && zone.scheme.parts_worked != "joined" {
-        return vec![Piecework { stock: stock(rough, blank, to), scheme: 0 }];
+        return vec![Piecework { stock: stock(rough, blank, from, to), scheme: 0 }];
     }
     let last = zone.scheme.schemes.len().saturating_sub(1);
     let mut pockets = Vec::new();
@@ -51,11 +51,17 @@ pub(super) fn pieceworks(zone: &Zone, rough: &Contour, blank: &Contour) -> Vec<P
     let has = |kind: Kind| zone.parts.iter().any(|part| part.kind == kind);
     match floor(zone, rough.side).filter(|_| each && has(Kind::HalfOpen)) {
         Some((level, end)) => {
-            works.push(Piecework { stock: stock(&raised(&bridged, level), blank, to), scheme: 0 });
-            let rest = stock(&lowered(&bridged, level), &lowered(blank, level), end);
+            // Of a shaped blank the upper part may begin later.
+            let over = raised(blank, level)
+                .pieces
+                .into_iter()
+                .find(|piece| !piece.is_face() && lies_over(piece, level, rough.side));
+            let begin = over.map_or(from, |piece| piece.from.z.max(from));
+            works.push(Piecework { stock: stock(&raised(&bridged, level), blank, begin, to), scheme: 0 });
+            let rest = stock(&lowered(&bridged, level), &lowered(blank, level), from, end);
             works.push(Piecework { stock: rest, scheme: 1.min(last) });
         }
-        None => works.push(Piecework { stock: stock(&bridged, blank, to), scheme: 0 }),
+        None => works.push(Piecework { stock: stock(&bridged, blank, from, to), scheme: 0 }),
     }
     works.extend(pockets);
     works.retain(|work| stands(&work.stock));
@@ -71,6 +77,12 @@ fn floor(zone: &Zone, side: Side) -> Option<(Half, Half)> {
     };
     let end = zone.parts.iter().filter(|part| part.kind == Kind::HalfOpen).map(|part| part.to_z).max();
     level.zip(end)
+}
+
+/// Whether a piece lies above a level anywhere; of a bore below.
+fn lies_over(piece: &Piece, level: Half, side: Side) -> bool {
+    let over = |radius: Half| if side == Side::Outer { radius > level } else { radius < level };
+    piece.extremes().iter().any(|point| over(point.radius))
 }
 
 /// Whether anything stands between the contours of a stock.

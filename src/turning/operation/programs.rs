@@ -88,7 +88,7 @@ fn runs(operation: &Operation) -> Vec<Run<'_>> {
     let mut places: Vec<&str> = Vec::new();
     for (set_up, side, zone) in operation.zones() {
         let Some(tool) = zone.tool.as_ref().map(|tool| tool.designation.as_str()) else { continue };
-        if zone.works.iter().all(|work| work.transition().is_none()) {
+        if !zone.is_cleared() {
             continue;
         }
         let place = places.iter().position(|known| *known == tool).unwrap_or_else(|| {

@@ -11,6 +11,7 @@ use crate::note::Note;
 use crate::turning::allowances::capability::Elsewhere;
 use crate::turning::contour::Side;
 use crate::turning::elements::{self, Angles};
+use crate::turning::length::Half;
 use crate::turning::tooling::{Hand, Lathe, Shank, ToolKind, TurningTool, Works};
 use crate::turning::workpiece::Workpiece;
 use crate::turning::zones::{ToolAngles, Zone, fit};
@@ -45,12 +46,16 @@ pub struct Taken {
     /// φ1.
     pub secondary_angle_deg: Degrees,
     /// Its nose radius, mm.
-    pub nose_radius_mm: Micrometres,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub nose_radius_mm: Option<Micrometres>,
+    /// Its width, of a grooving tool, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub width_mm: Option<Micrometres>,
     /// Why this one.
     pub note: Note,
 }
 
-/// The tools that may rough a side: of the right hand, with a shank that the lathe clamps and a known nose radius. First
+/// The tools that may rough a side: of the right hand or neutral, with a shank that the lathe clamps and a known nose radius. First
 /// that with the least φ1, whose point is the strongest, and of equals that with the largest shank.
 ///
 /// # Errors
@@ -61,9 +66,30 @@ pub fn candidates<'k>(side: Side, bench: &Bench<'_, 'k>) -> Result<Vec<TurningTo
         Side::Inner => (ToolKind::Boring, Works::Inner),
     };
     let mut tools = TurningTool::all(bench.knowledge)?;
-    tools.retain(|tool| (tool.kind, tool.works) == wanted && tool.hand == Hand::R && tool.nose_radius.is_some());
+    tools.retain(|tool| (tool.kind, tool.works) == wanted && tool.hand != Hand::L && tool.nose_radius.is_some());
     tools.retain(|tool| bench.lathe.is_none_or(|lathe| lathe.refuses_tool(tool).is_none()));
     tools.sort_by_key(|tool| (tool.trail_angle, Reverse(tool.shank.map(thickness))));
+    Ok(tools)
+}
+
+/// The tools for additional elements: those that rough the side, then grooving tools, the widest first, because it takes the
+/// fewest plunges.
+///
+/// # Errors
+/// A table of tools is broken.
+pub fn for_valleys<'k>(side: Side, bench: &Bench<'_, 'k>) -> Result<Vec<TurningTool<'k>>, KnowledgeError> {
+    let works = match side {
+        Side::Outer => Works::Outer,
+        Side::Inner => Works::Inner,
+    };
+    let mut plunging = TurningTool::all(bench.knowledge)?;
+    plunging.retain(|tool| {
+        tool.kind == ToolKind::Grooving && tool.works == works && tool.hand != Hand::L && tool.width.is_some()
+    });
+    plunging.retain(|tool| bench.lathe.is_none_or(|lathe| lathe.refuses_tool(tool).is_none()));
+    plunging.sort_by_key(|tool| Reverse(tool.width));
+    let mut tools = candidates(side, bench)?;
+    tools.extend(plunging);
     Ok(tools)
 }
 
@@ -85,7 +111,7 @@ pub fn angles(tool: &TurningTool<'_>) -> ToolAngles {
             hand: elements::Hand::Right,
         },
         least_bore: tool.min_bore,
-        width: None,
+        width: tool.width.filter(|_| tool.plunges()).map(Half::of),
     }
 }
 
@@ -117,14 +143,15 @@ pub fn assign(zones: &[Zone], tools: &[ToolAngles]) -> Vec<Option<usize>> {
 }
 
 /// A tool as it is told.
-pub fn told(tool: &TurningTool<'_>, zones: usize) -> Option<Taken> {
-    Some(Taken {
+pub fn told(tool: &TurningTool<'_>, zones: usize) -> Taken {
+    Taken {
+        width_mm: tool.width,
         designation: tool.designation.to_owned(),
         table: tool.row.table.id.clone(),
         row: tool.row.number(),
         main_angle_deg: Degrees(tool.lead_angle.to_f64()),
         secondary_angle_deg: Degrees(tool.trail_angle.to_f64()),
-        nose_radius_mm: tool.nose_radius?,
+        nose_radius_mm: tool.nose_radius,
         note: Note::new("turning-tool-taken").with("tool", tool.designation).with("zones", zones),
-    })
+    }
 }

@@ -14,7 +14,7 @@ use crate::turning::transitions::measures::{Best, best};
 use crate::turning::transitions::split::Split;
 use crate::turning::transitions::{self, Scheme, Settings, Stock, Transition};
 use crate::turning::workpiece;
-use crate::turning::zones::{self, Feed, Fit, Zone, fit};
+use crate::turning::zones::{self, Feed, Fit, Stretch, Zone, fit};
 use crate::units::{Degrees, Micrometres};
 
 use super::depth::{self, Depth, Pace, Task};
@@ -37,6 +37,13 @@ pub struct ZoneWork {
     pub depth: Option<Depth>,
     /// What is cleared by itself, in the order of work.
     pub works: Vec<Work>,
+}
+
+impl ZoneWork {
+    /// Whether every part of it has a way.
+    pub fn is_cleared(&self) -> bool {
+        !self.works.is_empty() && self.works.iter().all(|work| work.transition().is_some())
+    }
 }
 
 /// What is cleared by one scheme.
@@ -99,13 +106,81 @@ pub fn zones(
     let stock = zones::Stock { rough: &layers.rough, blank: &layers.blank, near_part, against_stop: false };
     let zones = zones::find(stock, &angles, knowledge)?;
     let taken = tools::assign(&zones, &angles);
-    let mut works = Vec::new();
+    let ground = Ground { rough: &layers.rough, blank: &layers.blank };
+    let mut works: Vec<ZoneWork> = Vec::new();
     for (zone, choice) in zones.iter().zip(&taken) {
         let tool = choice.and_then(|index| candidates.get(index));
         let count = taken.iter().filter(|other| *other == choice).count();
-        works.push(zone_work(zone, tool, count, &angles, layers, bench, findings)?);
+        let mut work = zone_work(zone, tool, count, &angles, ground, bench, findings)?;
+        if let Some(before) = works.iter().find(|before| !before.is_cleared()) {
+            let note = Note::new("zone-behind-standing").with("zone", zone.number).with("before", before.zone.number);
+            findings.push(Finding::of_part(Severity::Error, note));
+            work.works.iter_mut().for_each(|work| work.taken = None);
+        }
+        works.push(work);
     }
     Ok(works)
+}
+
+/// The zones under the bridges of the main contour, each with the tools that fit it: turning, boring and grooving. What a
+/// turning tool reaches gets its ways too; how a groove is plunged is not planned.
+///
+/// # Errors
+/// The knowledge base lacks a table.
+pub fn additional(
+    stretch: &Stretch,
+    bench: &Bench<'_, '_>,
+    findings: &mut Vec<Finding>,
+) -> Result<Vec<ZoneWork>, KnowledgeError> {
+    let side = stretch.main.contour.side;
+    let candidates = tools::for_valleys(side, bench)?;
+    let angles: Vec<_> = candidates.iter().map(tools::angles).collect();
+    let mut works: Vec<ZoneWork> = Vec::new();
+    for valley in stretch.main.valleys.iter().filter(|valley| !valley.open) {
+        let rough = Contour { side, pieces: valley.under.clone() };
+        let blank = Contour { side, pieces: valley.bridge.clone() };
+        if rough.pieces.is_empty() || !rough.is_monotone() || !blank.is_monotone() || rough == blank {
+            continue;
+        }
+        let stock = zones::Stock { rough: &rough, blank: &blank, near_part: false, against_stop: false };
+        for mut zone in zones::find(stock, &angles, bench.knowledge)? {
+            if zone.feed == Feed::Across {
+                continue;
+            }
+            zone.number = works.len() + 1;
+            let mut held = fit(&zone, &angles);
+            too_short(&mut held, &candidates, zone.greatest_radius - zone.least_radius);
+            let tool = held.fitting.first().and_then(|name| candidates.iter().find(|tool| tool.designation == name));
+            let ground = Ground { rough: &rough, blank: &blank };
+            let ways = tool.filter(|tool| !tool.plunges());
+            let mut work = match ways {
+                Some(tool) => zone_work(&zone, Some(tool), 1, &angles, ground, bench, findings)?,
+                None => ZoneWork { zone, fit: held, tool: None, depth: None, works: Vec::new() },
+            };
+            work.tool = tool.map(|tool| tools::told(tool, 1));
+            works.push(work);
+        }
+    }
+    Ok(works)
+}
+
+/// Takes the grooving tools out that do not come down to the floor.
+fn too_short(held: &mut Fit, tools: &[TurningTool<'_>], deep: Half) {
+    for tool in tools {
+        let Some(reach) = tool.groove_depth.filter(|reach| tool.plunges() && Half::of(*reach) < deep) else { continue };
+        if let Some(index) = held.fitting.iter().position(|name| name == tool.designation) {
+            held.fitting.remove(index);
+            let why = Note::new("groove-too-deep").with("depth", deep).with("reach", reach);
+            held.refused.push(zones::fit::Refused { tool: tool.designation.to_owned(), why: vec![why] });
+        }
+    }
+}
+
+/// The contours between which a zone stands.
+#[derive(Clone, Copy, Debug)]
+struct Ground<'a> {
+    rough: &'a Contour,
+    blank: &'a Contour,
 }
 
 #[allow(clippy::too_many_arguments, reason = "a zone, its tool, and where both stand")]
@@ -114,23 +189,23 @@ fn zone_work(
     tool: Option<&TurningTool<'_>>,
     count: usize,
     angles: &[zones::ToolAngles],
-    layers: &Layers,
+    ground: Ground<'_>,
     bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
 ) -> Result<ZoneWork, KnowledgeError> {
     let held = fit(zone, angles);
     let mut work = ZoneWork { zone: zone.clone(), fit: held, tool: None, depth: None, works: Vec::new() };
     let Some(tool) = tool else {
-        let note = Note::new("no-tool-for-zone").with("zone", zone.number).with("side", side(layers.rough.side));
+        let note = Note::new("no-tool-for-zone").with("zone", zone.number).with("side", side(ground.rough.side));
         let note = note.with("main", zone.needs.main.0).with("secondary", zone.needs.secondary.0);
         findings.push(Finding::of_part(Severity::Error, note));
         return Ok(work);
     };
-    work.tool = tools::told(tool, count);
+    work.tool = Some(tools::told(tool, count));
     let (direction, stocks) = match zone.feed {
-        Feed::Across => (Direction::Transverse, vec![(facing(zone, &layers.rough), 0)]),
+        Feed::Across => (Direction::Transverse, vec![(facing(zone, ground.rough), 0)]),
         Feed::Along => {
-            let all = pieceworks(zone, &layers.rough, &layers.blank).into_iter();
+            let all = pieceworks(zone, ground.rough, ground.blank).into_iter();
             (Direction::Longitudinal, all.map(|one| (one.stock, one.scheme)).collect())
         }
     };
@@ -192,9 +267,11 @@ fn clear(
     let wanted = wanted(zone, scheme, bench);
     let taken = wanted.filter(|wanted| found.iter().any(|one| one.scheme == *wanted));
     if let (Some(wanted), None) = (wanted, taken) {
-        let why = refused.iter().find(|one| one.scheme == wanted).map(|one| one.why.code.clone()).unwrap_or_default();
         let note = Note::new("scheme-not-possible").with("scheme", wanted.name()).with("zone", zone.number);
-        findings.push(Finding::of_part(Severity::Wrong, note.with("why", why)));
+        findings.push(Finding::of_part(if found.is_empty() { Severity::Error } else { Severity::Doubtful }, note));
+        if let Some(refused) = refused.iter().find(|one| one.scheme == wanted) {
+            findings.push(Finding::of_part(Severity::Note, refused.why.clone()));
+        }
     }
     let taken = taken.or_else(|| {
         let even = found.iter().filter(|one| one.uniform);
