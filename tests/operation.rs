@@ -58,7 +58,10 @@ fn silent(operation: &Operation) -> Vec<String> {
                 .flat_map(|work| &work.refused)
                 .map(|one| format!("{}: {} {:?}", one.scheme.name(), one.why.code, one.why.params))
                 .collect();
-            found.push(format!("set-up {} {:?} zone {}: {refused:?}", set_up.set_up.number, side.side, zone.zone.number));
+            found.push(format!(
+                "set-up {} {:?} zone {}: {refused:?}",
+                set_up.set_up.number, side.side, zone.zone.number
+            ));
         }
     }
     found
@@ -73,8 +76,14 @@ fn told(faults: &[Fault]) -> String {
 fn the_examples_are_worked_off_whole() {
     let mut wrong = String::new();
     for name in [
-        "turned-ball", "turned-bushing", "turned-forging", "turned-pin", "shaft", "shaft-six-steps",
-        "shaft-three-cylinders", "shaft-forging",
+        "turned-ball",
+        "turned-bushing",
+        "turned-forging",
+        "turned-pin",
+        "shaft",
+        "shaft-six-steps",
+        "shaft-three-cylinders",
+        "shaft-forging",
     ] {
         let operation = planned(&example(name));
         let (faults, silent) = (work_off(&operation), silent(&operation));
@@ -149,9 +158,20 @@ fn survey() {
                     Err(_) => note("PANIC".to_owned(), &text),
                     Ok((faults, silent, grave)) => {
                         note("read".to_owned(), &text);
-                        let scheme = |at: &str| at.split(' ').skip(2).take(4).filter(|word| word.parse::<f64>().is_err()).take(3).collect::<Vec<_>>().join(" ");
+                        let scheme = |at: &str| {
+                            at.split(' ')
+                                .skip(2)
+                                .take(4)
+                                .filter(|word| word.parse::<f64>().is_err())
+                                .take(3)
+                                .collect::<Vec<_>>()
+                                .join(" ")
+                        };
                         for fault in &faults {
-                            note(format!("FAULT {} {}", fault.law, scheme(&fault.at)), &format!("# {}\n{text}", told(std::slice::from_ref(fault))));
+                            note(
+                                format!("FAULT {} {}", fault.law, scheme(&fault.at)),
+                                &format!("# {}\n{text}", told(std::slice::from_ref(fault))),
+                            );
                         }
                         for one in silent {
                             note("SILENT".to_owned(), &format!("# {one}\n{text}"));
@@ -178,7 +198,8 @@ fn survey() {
 fn trace() {
     let Ok(path) = std::env::var("FILE") else { return };
     let text = std::fs::read_to_string(path).unwrap();
-    let operation = planned(&read_workpiece("part", &text, &KNOWLEDGE).unwrap_or_else(|mistakes| panic!("{mistakes:?}")));
+    let operation =
+        planned(&read_workpiece("part", &text, &KNOWLEDGE).unwrap_or_else(|mistakes| panic!("{mistakes:?}")));
     let corners = |contour: &technolog::turning::contour::Contour| {
         let told = contour.corners().iter().map(|at| format!("({} {})", at.radius, at.z)).collect::<Vec<_>>();
         told.join(" ")
@@ -186,17 +207,41 @@ fn trace() {
     for set_up in &operation.set_ups {
         println!("set-up {} over {} faces {}", set_up.set_up.number, set_up.set_up.turned_over, set_up.set_up.faces);
         for side in &set_up.sides {
-            println!(" {:?}\n  blank {}\n  rough {}\n  main {}\n  part {}", side.side, corners(&side.layers.blank), corners(&side.layers.rough), corners(&side.layers.main), corners(&side.layers.part));
-            println!("  {:?}", side.layers.allowances.iter().map(|one| (&one.surface, one.allowance_mm)).collect::<Vec<_>>());
+            println!(
+                " {:?}\n  blank {}\n  rough {}\n  main {}\n  part {}",
+                side.side,
+                corners(&side.layers.blank),
+                corners(&side.layers.rough),
+                corners(&side.layers.main),
+                corners(&side.layers.part)
+            );
+            println!(
+                "  {:?}",
+                side.layers.allowances.iter().map(|one| (&one.surface, one.allowance_mm)).collect::<Vec<_>>()
+            );
             for zone in &side.zones {
                 let one = &zone.zone;
                 println!(
                     "  zone {} {:?} {:?} {}..{} {} {:?}",
-                    one.number, one.feed, one.kind, one.from_z, one.to_z, one.scheme.parts_worked,
-                    one.parts.iter().map(|part| format!("{:?} {}..{}", part.kind, part.from_z, part.to_z)).collect::<Vec<_>>()
+                    one.number,
+                    one.feed,
+                    one.kind,
+                    one.from_z,
+                    one.to_z,
+                    one.scheme.parts_worked,
+                    one.parts
+                        .iter()
+                        .map(|part| format!("{:?} {}..{}", part.kind, part.from_z, part.to_z))
+                        .collect::<Vec<_>>()
                 );
                 for work in &zone.works {
-                    println!("   work {:?} t_p {}\n    blank {}\n    rough {}", work.taken, work.levels.depth, corners(&work.stock.blank), corners(&work.stock.rough));
+                    println!(
+                        "   work {:?} t_p {}\n    blank {}\n    rough {}",
+                        work.taken,
+                        work.levels.depth,
+                        corners(&work.stock.blank),
+                        corners(&work.stock.rough)
+                    );
                     for refused in &work.refused {
                         println!("    refused {} {} {:?}", refused.scheme.name(), refused.why.code, refused.why.params);
                     }

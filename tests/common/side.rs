@@ -214,7 +214,11 @@ fn set_up_off(metal: &mut Metal, set_up: &SetUpWork, one: &SideWork) -> (Vec<Fau
                 if purpose == Purpose::Rapid {
                     let hit = columns.hit(&piece);
                     if hit > ROUNDING {
-                        let law = if index < links { "a way between zones goes through metal" } else { "a rapid goes through metal" };
+                        let law = if index < links {
+                            "a way between zones goes through metal"
+                        } else {
+                            "a rapid goes through metal"
+                        };
                         tell(law, hit, piece.to.z.to_mm());
                     }
                     continue;

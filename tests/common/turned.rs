@@ -195,7 +195,11 @@ impl Draft {
         let bore = self.bore.as_ref().map(|(steps, through)| bore(steps, *through, least - 5_000, length));
         let mouth = bore.as_ref().map_or(0, |bore| bore.0);
         let mut text = "shaft: a\nmaterial: steel-45\n".to_owned();
-        let _ = writeln!(text, "blank: {}", self.blank(&walk.spans, length, most, bore.as_ref().map(|bore| (bore.1, bore.2))));
+        let _ = writeln!(
+            text,
+            "blank: {}",
+            self.blank(&walk.spans, length, most, bore.as_ref().map(|bore| (bore.1, bore.2)))
+        );
         if self.lathe {
             text.push_str("machine: 16k20f3\n");
         }
@@ -245,7 +249,9 @@ impl Draft {
             format!("{{kind: {kind}, diameter: {d}, length: {}, face: {}{more}}}", mm(whole), mm(face))
         };
         match (self.kind, bore) {
-            (Kind::Tube, Some((narrow, true))) => bar("tube", &format!(", bore: {}", mm(2 * (narrow - over.min(3_000))))),
+            (Kind::Tube, Some((narrow, true))) => {
+                bar("tube", &format!(", bore: {}", mm(2 * (narrow - over.min(3_000)))))
+            }
             (Kind::Bar | Kind::Tube, _) => bar("bar", ""),
             (Kind::Stepped, _) => {
                 // Three steps of a third each; the last is the blank itself.
@@ -268,7 +274,8 @@ impl Draft {
                 let blocks = 4;
                 let radii: Vec<i64> =
                     (0..blocks).map(|at| under(length * at / blocks, length * (at + 1) / blocks) + over).collect();
-                let mut lines = vec![format!("{{from: {{d: 0, z: {}}}}}", mm(face)), format!("{{face: {}}}", mm(2 * radii[0]))];
+                let mut lines =
+                    vec![format!("{{from: {{d: 0, z: {}}}}}", mm(face)), format!("{{face: {}}}", mm(2 * radii[0]))];
                 for (at, radius) in radii.iter().enumerate() {
                     let last = at + 1 == radii.len();
                     let at = at as i64;
@@ -294,7 +301,11 @@ impl Draft {
                 if let (Some((narrow, true)), true) = (bore, shape != 1) {
                     let d = mm(2 * (narrow - over.min(3_000)));
                     lines[0] = format!("{{from: {{d: {d}, z: {}}}}}", mm(face));
-                    inner = format!(", inner: [{{from: {{d: {d}, z: {}}}}}, {{cylinder: {}}}]", mm(face), mm(-length - behind));
+                    inner = format!(
+                        ", inner: [{{from: {{d: {d}, z: {}}}}}, {{cylinder: {}}}]",
+                        mm(face),
+                        mm(-length - behind)
+                    );
                 }
                 format!("{{kind: casting, outer: [{}]{inner}}}", lines.join(", "))
             }
@@ -374,7 +385,8 @@ pub fn drafts() -> impl Strategy<Value = Draft> {
     let bore = prop::option::weighted(0.4, (prop::collection::vec(step, 0..4), prop::bool::weighted(0.7)));
     let schemes = vec!["loop", "zigzag", "descent", "pick-up", "semi-finishing", "equidistant", "contour"];
     let scheme = prop::option::weighted(0.2, prop::sample::select(schemes));
-    let stock = (50_i64..800, 0_i64..300, prop_oneof![Just(0_i64), 0_i64..6_000]).prop_map(|(over, face, behind)| (over * 10, face * 10, behind * 10));
+    let stock = (50_i64..800, 0_i64..300, prop_oneof![Just(0_i64), 0_i64..6_000])
+        .prop_map(|(over, face, behind)| (over * 10, face * 10, behind * 10));
     let how = (
         prop::bool::weighted(0.7),
         prop::bool::weighted(0.15),
