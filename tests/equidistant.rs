@@ -422,3 +422,29 @@ fn contours_for_shapely() {
         .collect();
     std::fs::write(std::env::var("CONTOURS").unwrap(), serde_json::to_string(&cases).unwrap()).unwrap();
 }
+
+/// A face at an end that leads away from the axis and has no distance stays where it is: by hand, a cylinder Ø20 with 0.15
+/// before a bare face at 26 up to Ø34. Found by whole operations: it was lost, and the line went on down to the axis.
+#[test]
+fn a_bare_face_at_an_end_stays() {
+    let points = [at(10.0, 0.0), at(10.0, 26.0), at(17.0, 26.0)];
+    let contour = Contour::through(Side::Outer, &points);
+    let found = equidistant(&contour, &[0.15, 0.0].map(Half::from)).unwrap();
+    assert_eq!(found.corners(), [at(10.15, 0.0), at(10.15, 26.0), at(17.0, 26.0)]);
+    let bare = equidistant(&contour, &[0.0, 0.0].map(Half::from)).unwrap();
+    assert_eq!(bare, contour);
+    // Walked from the other end, and inside out; a face that a face groove parts in two.
+    let over = contour.turned_over(Half::from(26.0));
+    let found = equidistant(&over, &[0.0, 0.15].map(Half::from)).unwrap();
+    assert_eq!(found.corners(), [at(17.0, 0.0), at(10.15, 0.0), at(10.15, 26.0)]);
+    let bore = contour.inside_out(Half::from(40.0));
+    let found = equidistant(&bore, &[0.15, 0.0].map(Half::from)).unwrap();
+    assert_eq!(found.corners(), [at(29.85, 0.0), at(29.85, 26.0), at(23.0, 26.0)]);
+    let parted = Contour::through(Side::Outer, &[points[0], points[1], at(12.0, 26.0), points[2]]);
+    let found = equidistant(&parted, &[0.15, 0.0, 0.0].map(Half::from)).unwrap();
+    assert_eq!(found.corners(), [at(10.15, 0.0), at(10.15, 26.0), at(17.0, 26.0)]);
+    // A face that is lower than the allowance beside it is covered.
+    let low = Contour::through(Side::Outer, &[at(10.0, 0.0), at(10.0, 26.0), at(10.1, 26.0)]);
+    let found = equidistant(&low, &[0.15, 0.0].map(Half::from)).unwrap();
+    assert_eq!(found.corners(), [at(10.15, 0.0), at(10.15, 26.0)]);
+}

@@ -75,7 +75,20 @@ pub fn radius_at(contour: &Contour, z: Half) -> Option<f64> {
     over.map(|piece| on(piece, z.to_mm())).reduce(f64::max)
 }
 
+/// Where columns stand: on a grid, and a micrometre to each side of every corner and of every point of a way, but on no
+/// corner, where a face has more than one radius.
+pub fn places(corners: &[Half], points: impl Iterator<Item = Half>, from: Half, to: Half) -> Vec<Half> {
+    let beside = corners.iter().copied().chain(points).flat_map(|z| [z - Half::new(2), z + Half::new(2)]);
+    let mut places: Vec<Half> = beside.collect();
+    places.extend((0..).map(|step| from + Half::new(211 + 997 * step)).take_while(|z| *z < to));
+    places.retain(|z| from < *z && *z < to && !corners.contains(z));
+    places.sort();
+    places.dedup();
+    places
+}
+
 /// Metal as columns.
+#[derive(Clone)]
 pub struct Columns {
     pub places: Vec<Half>,
     pub heights: Vec<f64>,
@@ -85,19 +98,11 @@ pub struct Columns {
 }
 
 impl Columns {
-    /// Of a zone: columns on a grid, and a micrometre to each side of every point of the contours and of a way.
+    /// Of a zone.
     pub fn of(stock: &Stock, way: &Way) -> Self {
-        let corners = [&stock.rough, &stock.blank].into_iter().flat_map(|contour| contour.corners());
-        let points = corners.chain(way.moves.iter().map(|one| one.to));
-        let mut places: Vec<Half> = points.flat_map(|point| [point.z - Half::new(2), point.z + Half::new(2)]).collect();
-        places.extend((0..).map(|step| stock.from + Half::new(211 + 997 * step)).take_while(|z| *z < stock.to));
-        let turning = |z: Half| {
-            let both = stock.rough.corners().into_iter().chain(stock.blank.corners());
-            both.into_iter().any(|corner| corner.z == z)
-        };
-        places.retain(|z| stock.from < *z && *z < stock.to && !turning(*z));
-        places.sort();
-        places.dedup();
+        let corners: Vec<Half> =
+            [&stock.rough, &stock.blank].into_iter().flat_map(Contour::corners).map(|corner| corner.z).collect();
+        let places = places(&corners, way.moves.iter().map(|one| one.to.z), stock.from, stock.to);
         let around = |z: &Half| {
             let near = [Half::new(-2), Half::new(-1), Half::ZERO, Half::new(1), Half::new(2)];
             let radii = near.iter().filter_map(|by| radius_at(&stock.rough, *z + *by));

@@ -101,9 +101,42 @@ pub fn equidistant_over(contour: &Contour, distances: &[Half]) -> Result<Vec<Ove
             Over { piece: over.piece.mapped(true, place), of: over.of }
         };
         // Radii of the image count from the largest radius of the bore, so its zero is not the axis.
-        return Ok(outline(&outer, distances, false)?.into_iter().map(back).collect());
+        return Ok(between_bare_faces(&outer, distances, false)?.into_iter().map(back).collect());
     }
-    outline(contour, distances, true)
+    between_bare_faces(contour, distances, true)
+}
+
+/// The outline with the bare faces at its ends: one that leads away from the axis there has no strip where it has no
+/// distance, and nothing under which it would stand, so it is laid on afterwards, from where the outline ends.
+fn between_bare_faces(contour: &Contour, distances: &[Half], axis: bool) -> Result<Vec<Over>, EquidistantError> {
+    let pieces = || contour.pieces.iter().zip(distances);
+    let bare = |piece: &Piece, distance: Half| piece.is_face() && distance == Half::ZERO;
+    let before = pieces().take_while(|(piece, by)| bare(piece, **by) && piece.to.radius < piece.from.radius).count();
+    let behind =
+        pieces().rev().take_while(|(piece, by)| bare(piece, **by) && piece.to.radius > piece.from.radius).count();
+    let rest = before..contour.pieces.len().saturating_sub(behind);
+    let (Some(inside), Some(by)) = (contour.pieces.get(rest.clone()), distances.get(rest.clone())) else {
+        return outline(contour, distances, axis);
+    };
+    if inside.is_empty() {
+        return outline(contour, distances, axis);
+    }
+    let mut found = outline(&Contour { side: contour.side, pieces: inside.to_vec() }, by, axis)?;
+    for over in &mut found {
+        over.of += before;
+    }
+    // What of a face the strip beside it covers is no face any more.
+    if let (Some(first), Some(start)) = (found.first().map(|over| over.piece.from), contour.start()) {
+        if before > 0 && start.radius > first.radius && start.z == first.z {
+            found.insert(0, Over { piece: Piece::line(start, first), of: before - 1 });
+        }
+    }
+    if let (Some(last), Some(end)) = (found.last().map(|over| over.piece.to), contour.end()) {
+        if behind > 0 && end.radius > last.radius && end.z == last.z {
+            found.push(Over { piece: Piece::line(last, end), of: rest.end });
+        }
+    }
+    Ok(found)
 }
 
 /// Everything that must be true before.
