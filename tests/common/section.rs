@@ -270,6 +270,11 @@ pub fn zones() -> impl Strategy<Value = Stock> {
     (10_000_i64..50_000, prop::collection::vec(part(), 1..8), 0_i64..12_000, second, any::<bool>())
         .prop_map(|(start, parts, above, second, wall)| zone(contour(start, &parts), above, second, wall))
         .prop_filter("a zone without length", |stock| stock.from < stock.to)
+        .prop_filter("strips as narrow as rounding", |stock| {
+            let faces = stock.blank.pieces.iter().filter(|piece| piece.is_face());
+            let near = |z: Half| stock.rough.corners().iter().any(|corner| (corner.z - z).halves().abs() < 20);
+            faces.map(|face| face.from.z).all(|z| !near(z))
+        })
 }
 
 /// A closed zone: the contour falls from the surface of a bar and rises to it again, by lines and arcs. No flank is
