@@ -85,17 +85,17 @@ pub struct Columns {
 }
 
 impl Columns {
-    /// Of a zone: columns on a grid, and a micrometre to each side of every point of the contours and of a way.
+    /// Of a zone: columns on a grid, and three micrometres to each side of every point of the contours and of a way.
     pub fn of(stock: &Stock, way: &Way) -> Self {
         let corners = [&stock.rough, &stock.blank].into_iter().flat_map(|contour| contour.corners());
         let points = corners.chain(way.moves.iter().map(|one| one.to));
-        let mut places: Vec<Half> = points.flat_map(|point| [point.z - Half::new(2), point.z + Half::new(2)]).collect();
+        let mut places: Vec<Half> = points.flat_map(|point| [point.z - Half::new(6), point.z + Half::new(6)]).collect();
         places.extend((0..).map(|step| stock.from + Half::new(211 + 997 * step)).take_while(|z| *z < stock.to));
         let turning = |z: Half| {
             let both = stock.rough.corners().into_iter().chain(stock.blank.corners());
-            both.into_iter().any(|corner| corner.z == z)
+            both.into_iter().any(|corner| (corner.z - z).halves().abs() < 5)
         };
-        places.retain(|z| stock.from < *z && *z < stock.to && !turning(*z));
+        places.retain(|z| stock.from + Half::new(5) < *z && *z < stock.to - Half::new(5) && !turning(*z));
         places.sort();
         places.dedup();
         let around = |z: &Half| {
@@ -137,7 +137,7 @@ impl Columns {
             let low = piece.from.radius.min(piece.to.radius).to_mm();
             let (before, behind) = (near(from).checked_sub(1), near(from));
             let at = |index: usize| {
-                let close = self.places.get(index).is_some_and(|place| (*place - from).halves().abs() <= 6);
+                let close = self.places.get(index).is_some_and(|place| (*place - from).halves().abs() <= 14);
                 // The column stands a little aside: on a slope its height differs by what the slope rises there.
                 close.then(|| self.heights[index] - 3.0 * (self.around[index].1 - self.around[index].0))
             };
