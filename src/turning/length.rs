@@ -91,6 +91,14 @@ impl Serialize for Half {
     }
 }
 
+/// A Z as it is told: negative towards the chuck.
+///
+/// # Errors
+/// Those of the serializer.
+pub fn as_told_z<S: Serializer>(z: &Half, serializer: S) -> Result<S::Ok, S::Error> {
+    (Half::ZERO - *z).serialize(serializer)
+}
+
 impl JsonSchema for Half {
     fn schema_name() -> std::borrow::Cow<'static, str> {
         "HalfMicrometres".into()

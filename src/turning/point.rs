@@ -1,16 +1,27 @@
 //! Points of the half section, exact, and vectors between them, which are not.
 
-use serde::{Deserialize, Serialize};
+use serde::ser::SerializeStruct;
+use serde::{Serialize, Serializer};
 
 use super::length::Half;
 
-/// A point of the half section: radius from the axis, Z from the face of the free end towards the chuck.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
+/// A point of the half section: radius from the axis, Z from the face of the free end towards the chuck. It is told as
+/// drawings have it, `diameter_mm` and `z_mm`, negative towards the chuck.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub struct Point {
     /// Radius.
     pub radius: Half,
     /// Z.
     pub z: Half,
+}
+
+impl Serialize for Point {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut told = serializer.serialize_struct("Point", 2)?;
+        told.serialize_field("diameter_mm", &self.radius.diameter())?;
+        told.serialize_field("z_mm", &(Half::ZERO - self.z))?;
+        told.end()
+    }
 }
 
 impl Point {

@@ -3,13 +3,13 @@
 //!
 //! Architecture invariant: a way knows no language of a control.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use super::contour::{Curve, Piece};
 use super::point::Point;
 
 /// What a move is for, which decides its rate.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Purpose {
     /// Through air, as fast as the axes go.
@@ -29,7 +29,7 @@ pub enum Purpose {
 }
 
 /// A move.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Move {
     /// Where it ends.
     pub to: Point,
@@ -40,7 +40,7 @@ pub struct Move {
 }
 
 /// A way: from a point, the moves one after the other.
-#[derive(Clone, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Default, Serialize)]
 pub struct Way {
     /// Where it begins.
     pub from: Point,

@@ -75,13 +75,14 @@ pub fn radius_at(contour: &Contour, z: Half) -> Option<f64> {
     over.map(|piece| on(piece, z.to_mm())).reduce(f64::max)
 }
 
-/// Where columns stand: on a grid, and a micrometre to each side of every corner and of every point of a way, but on no
+/// Where columns stand: on a grid, and three micrometres to each side of every corner and of every point of a way, but on no
 /// corner, where a face has more than one radius.
 pub fn places(corners: &[Half], points: impl Iterator<Item = Half>, from: Half, to: Half) -> Vec<Half> {
-    let beside = corners.iter().copied().chain(points).flat_map(|z| [z - Half::new(2), z + Half::new(2)]);
+    let beside = corners.iter().copied().chain(points).flat_map(|z| [z - Half::new(6), z + Half::new(6)]);
     let mut places: Vec<Half> = beside.collect();
     places.extend((0..).map(|step| from + Half::new(211 + 997 * step)).take_while(|z| *z < to));
-    places.retain(|z| from < *z && *z < to && !corners.contains(z));
+    let turning = |z: Half| corners.iter().any(|corner| (*corner - z).halves().abs() < 5);
+    places.retain(|z| from + Half::new(5) < *z && *z < to - Half::new(5) && !turning(*z));
     places.sort();
     places.dedup();
     places
@@ -142,7 +143,7 @@ impl Columns {
             let low = piece.from.radius.min(piece.to.radius).to_mm();
             let (before, behind) = (near(from).checked_sub(1), near(from));
             let at = |index: usize| {
-                let close = self.places.get(index).is_some_and(|place| (*place - from).halves().abs() <= 6);
+                let close = self.places.get(index).is_some_and(|place| (*place - from).halves().abs() <= 14);
                 // The column stands a little aside: on a slope its height differs by what the slope rises there.
                 close.then(|| self.heights[index] - 3.0 * (self.around[index].1 - self.around[index].0))
             };
@@ -275,6 +276,11 @@ pub fn zones() -> impl Strategy<Value = Stock> {
     (10_000_i64..50_000, prop::collection::vec(part(), 1..8), 0_i64..12_000, second, any::<bool>())
         .prop_map(|(start, parts, above, second, wall)| zone(contour(start, &parts), above, second, wall))
         .prop_filter("a zone without length", |stock| stock.from < stock.to)
+        .prop_filter("strips as narrow as rounding", |stock| {
+            let faces = stock.blank.pieces.iter().filter(|piece| piece.is_face());
+            let near = |z: Half| stock.rough.corners().iter().any(|corner| (corner.z - z).halves().abs() < 20);
+            faces.map(|face| face.from.z).all(|z| !near(z))
+        })
 }
 
 /// A closed zone: the contour falls from the surface of a bar and rises to it again, by lines and arcs. No flank is

@@ -66,6 +66,11 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "zone {zone}: the scheme {scheme} is not possible, for the reason in the next line; the quickest of those that leave          an even allowance is taken, if there is one",
     ),
     (
+        "face-stock-thin",
+        "припуск заготовки на торець менший за чистовий на {lack} мм: візьміть довшу заготовку",
+        "the blank's stock on the face is {lack} mm less than the finishing allowance: take a longer blank",
+    ),
+    (
         "zone-behind-standing",
         "зона {zone}: різець не пройде, бо перед нею стоїть незнята зона {before}",
         "zone {zone}: the tool cannot come to it, because zone {before} before it is not cleared",

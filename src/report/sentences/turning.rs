@@ -81,9 +81,9 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "a blank near the shape of the part is turned parallel to the contour",
     ),
     (
-        "contour-passes-not-planned",
-        "ходи паралельно контуру ще не плануються; показані ходи зняли б повний циліндр",
-        "passes parallel to the contour are not planned yet; those shown would take a full cylinder",
+        "contour-passes-elsewhere",
+        "ходи паралельно контуру показує `--show operation`; показані тут ходи зняли б повний циліндр",
+        "passes parallel to the contour are shown by `--show operation`; those shown here would take a full cylinder",
     ),
     (
         "variant-beyond-model",

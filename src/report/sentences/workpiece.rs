@@ -17,11 +17,6 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "файл має і `steps`, і `outer`: це дві різні форми",
         "the file has both `steps` and `outer`, which are two forms",
     ),
-    (
-        "contour-form-not-planned",
-        "файл контуру прочитано без помилок, але ходи для контуру ще не плануються",
-        "the contour file is read and sound, but passes for a contour are not planned yet",
-    ),
     ("name-twice", "назва `{surface}` уже стоїть у рядку {line}", "the name `{surface}` already stands at line {line}"),
     (
         "allowance-of-another-method",
@@ -283,7 +278,6 @@ pub(super) const REMEDIES: &[(&str, &str, &str)] = &[
         "give the steps (`steps`) or the contour (`outer`)",
     ),
     ("both-steps-and-outer", "лишіть одне з них", "keep one of them"),
-    ("contour-form-not-planned", "для ступінчастого вала пишіть `steps`", "for a stepped shaft write `steps`"),
     ("name-twice", "дайте кожній поверхні свою назву", "give each surface a name of its own"),
     ("allowance-of-another-method", "приберіть цей ключ або змініть `method`", "remove this key, or change `method`"),
     (

@@ -6,7 +6,7 @@
 pub mod piece;
 pub mod surface;
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use super::length::Half;
 use super::point::Point;
@@ -14,7 +14,7 @@ pub use piece::{Curve, Piece, Turn};
 pub use surface::{Profile, Surface, SurfaceKind};
 
 /// On which side of a contour the metal lies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Side {
     /// Towards the axis: the contour is turned from outside.
@@ -24,7 +24,7 @@ pub enum Side {
 }
 
 /// Pieces that hang together: each begins where the one before it ends.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Contour {
     /// Where its metal lies.
     pub side: Side,

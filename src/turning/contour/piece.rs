@@ -1,12 +1,12 @@
 //! A piece of a contour: a straight line or an arc between two exact points.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use crate::turning::length::Half;
 use crate::turning::point::{Point, Vector};
 
 /// To which side an arc bends, going along it with Z to the right and the radius upwards.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Turn {
     /// Counter-clockwise: on an outer contour from the free end a fillet, hollow.
@@ -27,7 +27,7 @@ impl Turn {
 }
 
 /// What a piece follows between its ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Curve {
     /// A straight line.
@@ -43,7 +43,7 @@ pub enum Curve {
 }
 
 /// A line or an arc from one point to another.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Piece {
     /// Where it begins.
     pub from: Point,

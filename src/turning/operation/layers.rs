@@ -194,7 +194,9 @@ fn blank(
         let from = contour.start().map_or(start.z, |first| first.z).min(start.z);
         let mut clipped = super::clip::between(contour, from, end.z);
         // The face of the blank's free end.
-        if let Some(first) = contour.pieces.first().filter(|first| first.is_face()) {
+        if let Some(first) = contour.pieces.first().filter(|first| first.is_face())
+            && clipped.pieces.first() != Some(first)
+        {
             clipped.pieces.insert(0, *first);
         }
         clipped
@@ -202,12 +204,32 @@ fn blank(
     if rough.side == Side::Outer {
         let outer = seen(&workpiece.blank.outer);
         let outer = if set_up.turned_over { faced(outer, workpiece.blank.inner.as_ref()) } else { outer };
-        return Some((reach(&outer), rough.clone()));
+        let blank = reach(&outer);
+        let rough = behind_blank(rough, &blank, findings);
+        return Some((blank, rough));
     }
     if let Some(inner) = &workpiece.blank.inner {
         return Some((reach(&seen(inner)), rough.clone()));
     }
     drilled(rough, findings)
+}
+
+/// The rough contour from where the blank begins: where the stock on the face is thinner than its allowance, which is told.
+fn behind_blank(rough: &Contour, blank: &Contour, findings: &mut Vec<Finding>) -> Contour {
+    let (Some(start), Some(raw), Some(end)) = (rough.start(), blank.start(), rough.end()) else { return rough.clone() };
+    if start.z >= raw.z {
+        return rough.clone();
+    }
+    let note = Note::new("face-stock-thin").with("lack", raw.z - start.z);
+    findings.push(Finding::of_part(Severity::Doubtful, note));
+    let mut clipped = super::clip::between(rough, raw.z, end.z);
+    if let Some(first) = clipped.start() {
+        let face = Piece::line(Point { radius: start.radius, z: raw.z }, first);
+        if !face.is_nothing() && first.z == raw.z {
+            clipped.pieces.insert(0, face);
+        }
+    }
+    clipped
 }
 
 /// The far face of the part, which is the free one of a part turned over, up to where its contour begins; none where the

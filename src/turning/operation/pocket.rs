@@ -104,17 +104,18 @@ fn bridge(rough: &Contour, part: &Part) -> Option<(Contour, Stock)> {
         return None;
     }
     let over = Piece::line(from, to);
-    let under = cut(rough, from, to);
     let mut pieces = cut(rough, rough.start()?, from);
     pieces.push(over);
     pieces.extend(cut(rough, to, rough.end()?));
+    // Over the whole part: what stands before the lips is no air.
+    let bridged = Contour { side: rough.side, pieces };
     let pocket = Stock {
-        rough: Contour { side: rough.side, pieces: under },
-        blank: Contour { side: rough.side, pieces: vec![over] },
-        from: from.z,
-        to: to.z,
+        rough: clip::between(rough, part.from_z, part.to_z),
+        blank: clip::between(&bridged, part.from_z, part.to_z),
+        from: part.from_z,
+        to: part.to_z,
     };
-    Some((Contour { side: rough.side, pieces }, pocket))
+    Some((bridged, pocket))
 }
 
 /// The pieces of a contour between two of its points.

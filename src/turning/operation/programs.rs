@@ -74,8 +74,8 @@ pub fn programs(
         match form {
             Form::Motions => written.push(put(zones(&run.zones), motions(&run, operation, &control, spindle))),
             Form::Cycles => {
-                for zone in &run.zones {
-                    written.push(put(vec![zone.zone.number], cycles(zone, &run, operation, &control, spindle)));
+                for (zone, work) in run.zones.iter().flat_map(|zone| zone.works.iter().map(move |work| (zone, work))) {
+                    written.push(put(vec![zone.zone.number], cycle(zone, work, &run, operation, &control, spindle)));
                 }
             }
         }
@@ -144,33 +144,28 @@ fn over(from: Point, to: Point, side: Side) -> [Point; 2] {
     [Point { radius, z: if side == Side::Inner { z } else { from.z } }, Point { radius, z: to.z }]
 }
 
-/// One zone as the cycle of the control, over the rough contour of the zone.
-fn cycles(
+/// What is cleared by one scheme, as the cycle of the control over its rough contour.
+fn cycle(
     zone: &ZoneWork,
+    work: &Work,
     run: &Run<'_>,
     operation: &Operation,
     control: &Control,
     spindle: Option<RevsPerMinute>,
 ) -> Result<Vec<ProgramFile>, NotWritten> {
-    let mut files = Vec::new();
-    for work in &zone.works {
-        let direction = match zone.zone.feed {
+    let roughing = Roughing {
+        direction: match zone.zone.feed {
             Feed::Along => Direction::Longitudinal,
             Feed::Across => Direction::Facing,
-        };
-        let roughing = Roughing {
-            direction,
-            depth: work.levels.depth,
-            clearance: work.pace.approach_mm,
-            retract: work.pace.retract_mm.min(work.pace.approach_mm),
-            allowance: Allowance { radius: Half::ZERO, z: Half::ZERO },
-        };
-        let setting = setting(run, operation, Some(work), spindle)?;
-        let corner = corner(&work.stock.blank);
-        let written = program::cycle(control, &work.stock.rough, corner, roughing, &setting)?;
-        files.extend(written.files);
-    }
-    Ok(files)
+        },
+        depth: work.levels.depth,
+        clearance: work.pace.approach_mm,
+        retract: work.pace.retract_mm.min(work.pace.approach_mm),
+        allowance: Allowance { radius: Half::ZERO, z: Half::ZERO },
+    };
+    let setting = setting(run, operation, Some(work), spindle)?;
+    let written = program::cycle(control, &work.stock.rough, corner(&work.stock.blank), roughing, &setting)?;
+    Ok(written.files)
 }
 
 /// The corner of a blank before its free face: its greatest radius, of a bore its least.

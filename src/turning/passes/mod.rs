@@ -260,7 +260,7 @@ fn recommend(shaft: &Shaft, knowledge: &Knowledge, findings: &mut Vec<Finding>) 
         _ => None,
     };
     if variant.is_none() {
-        findings.push(Finding::of_part(Severity::Doubtful, Note::new("contour-passes-not-planned")));
+        findings.push(Finding::of_part(Severity::Doubtful, Note::new("contour-passes-elsewhere")));
     }
     Ok(Recommended { variant, because: Because::answer(&answer, note) })
 }

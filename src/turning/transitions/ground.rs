@@ -136,9 +136,17 @@ impl Ground {
             clipped(piece, point.z, self.to())
         };
         let mut rest: Vec<Piece> = self.pieces.iter().filter_map(rest).collect();
-        // On a steep stretch the radius at the Z of the point, rounded, is not quite its own.
-        if let Some(first) = rest.first_mut().filter(|first| !first.is_face() && first.from.z == point.z) {
-            first.from = point;
+        // On a steep stretch the radius at the Z of the point, rounded, is not quite its own: the stretch begins at the
+        // point, or an upright line leads to it where the point lies before its beginning.
+        if let Some(first) = rest.first().copied().filter(|first| !first.is_face() && first.from.z == point.z) {
+            let own_start = self.pieces.iter().any(|piece| piece.from == first.from && piece.to == first.to);
+            let rises = first.to.radius >= first.from.radius;
+            let before = if rises { point.radius < first.from.radius } else { point.radius > first.from.radius };
+            if own_start && before {
+                rest.insert(0, Piece::line(point, first.from));
+            } else if let Some(first) = rest.first_mut() {
+                first.from = point;
+            }
         }
         rest
     }

@@ -187,7 +187,7 @@ pub struct Transition {
     /// Its points with their names; the first is home, and each motion has the one that it ends in.
     pub points: Vec<SupportPoint>,
     /// The width of the tool's edge, of descent: what a motion across the axis takes with it towards the free end.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "edge_mm", skip_serializing_if = "Option::is_none")]
     pub edge: Option<Half>,
     /// The most that is left over the rough contour anywhere, radial; none but by rounding is 0. Where an arc of the
     /// blank is left over a slope, a bound of it from above.

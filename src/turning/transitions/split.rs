@@ -13,7 +13,7 @@
 use serde::Serialize;
 
 use crate::turning::contour::Contour;
-use crate::turning::length::Half;
+use crate::turning::length::{Half, as_told_z};
 
 use super::ground::Ground;
 
@@ -21,16 +21,21 @@ use super::ground::Ground;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Stand {
     /// Z of its beginning.
+    #[serde(rename = "from_z_mm", serialize_with = "as_told_z")]
     pub from: Half,
     /// Z of its end.
+    #[serde(rename = "to_z_mm", serialize_with = "as_told_z")]
     pub to: Half,
     /// Its deepest point, radius.
+    #[serde(rename = "deepest_radius_mm")]
     pub deepest: Half,
     /// tᵢ, radial.
+    #[serde(rename = "stock_mm")]
     pub stock: Half,
     /// nᵢ.
     pub passes: i64,
     /// The mean depth, rounded up to half a micrometre.
+    #[serde(rename = "mean_depth_mm")]
     pub mean: Half,
 }
 
@@ -38,14 +43,18 @@ pub struct Stand {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Section {
     /// Z of its beginning.
+    #[serde(rename = "from_z_mm", serialize_with = "as_told_z")]
     pub from: Half,
     /// Z of its end.
+    #[serde(rename = "to_z_mm", serialize_with = "as_told_z")]
     pub to: Half,
     /// The highest radius of the blank over it.
+    #[serde(rename = "top_radius_mm")]
     pub top: Half,
     /// What stands over each piece, from the free end; pieces without stock are left out.
     pub stands: Vec<Stand>,
     /// The horizontals from the blank inwards.
+    #[serde(rename = "horizontals_radius_mm")]
     pub horizontals: Vec<Half>,
 }
 
@@ -53,6 +62,7 @@ pub struct Section {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Split {
     /// t_p.
+    #[serde(rename = "depth_mm")]
     pub depth: Half,
     /// The sections that have stock, from the free end.
     pub sections: Vec<Section>,
