@@ -88,7 +88,11 @@ pub(super) const REMEDIES: &[(&str, &str, &str)] = &[
     ),
     ("lathe-rapid-arc", "дайте дузі подачу", "give the arc a feed"),
     ("lathe-no-tool", "дайте інструменту номер від 1", "give the tool a number from 1"),
-    ("lathe-no-speed", "задайте `--spindle` або назвіть верстат у файлі (`machine:`)", "give `--spindle`, or name a lathe in the file (`machine:`)"),
+    (
+        "lathe-no-speed",
+        "задайте `--spindle` або назвіть верстат у файлі (`machine:`)",
+        "give `--spindle`, or name a lathe in the file (`machine:`)",
+    ),
     ("lathe-no-feed", "задайте подачу від 0.0001 мм/об", "give a feed from 0.0001 mm/rev"),
     (
         "lathe-contour-turns-back",
