@@ -213,7 +213,8 @@ fn set_up_off(metal: &mut Metal, set_up: &SetUpWork, one: &SideWork) -> (Vec<Fau
                     whole.go(corner, Purpose::Rapid);
                 }
             }
-            let links = whole.moves.len();
+            // The first move of the way begins there.
+            let links = if whole.moves.is_empty() { 0 } else { whole.moves.len() + 1 };
             whole.moves.extend(way.moves.iter().copied());
             last = Some(whole.end());
             let limit = work.levels.depth.to_mm() + 2.0 * ROUNDING;
@@ -268,10 +269,10 @@ fn set_up_off(metal: &mut Metal, set_up: &SetUpWork, one: &SideWork) -> (Vec<Fau
     (faults, true)
 }
 
-/// The way from a home to the next as the programs go it: away from the metal, along, and there.
+/// The way from a home to the next as the programs go it: away from the metal, and along.
 fn over(from: Point, to: Point, side: Side) -> Vec<Point> {
     // Seen inside out, out of a bore is towards smaller Z, and off its metal is up as outside.
     let radius = from.radius.max(to.radius);
     let z = if side == Side::Inner { from.z.min(to.z) } else { from.z };
-    vec![Point { radius, z }, Point { radius, z: to.z }, to]
+    vec![Point { radius, z }, Point { radius, z: to.z }]
 }
