@@ -7,13 +7,18 @@
 use std::sync::LazyLock;
 
 use proptest::prelude::*;
+use serde_json::{Value, json};
 use technolog::knowledge::Knowledge;
 use technolog::note::Severity;
 use technolog::shipped;
+use technolog::turning::contour::{Curve, Piece, Side, Turn};
 use technolog::turning::operation::programs::{Form, programs};
+use technolog::turning::operation::work::{Work, ZoneWork};
 use technolog::turning::operation::{Operation, plan};
+use technolog::turning::way::Purpose;
 use technolog::turning::workpiece::{Turned, Workpiece, read_turned, read_workpiece};
-use technolog::units::RevsPerMinute;
+use technolog::turning::zones::Feed;
+use technolog::units::{RevsPerMinute, round_to};
 
 #[path = "common/section.rs"]
 mod section;
@@ -39,29 +44,37 @@ fn planned(workpiece: &Workpiece) -> Operation {
     plan(workpiece, &KNOWLEDGE).unwrap()
 }
 
+/// Codes of findings that say why a zone has no way: those that name it by its number, and those of the part.
+const NAMED: [&str; 4] = ["no-tool-for-zone", "zone-behind-standing", "scheme-not-possible", "zone-not-cleared"];
+const OF_THE_PART: [&str; 4] = ["no-limiting-depth", "no-depth-allowed", "no-figure", "flank-too-steep"];
+/// The same for a side without layers.
+const OF_A_SIDE: [&str; 3] = ["no-rough-contour", "no-intermediate-contour", "bore-too-narrow-to-drill"];
+
 /// What is not cleared, with nothing that says why.
 fn silent(operation: &Operation) -> Vec<String> {
-    let grave = || operation.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
+    let says = |codes: &[&str]| operation.findings.iter().any(|finding| codes.contains(&finding.note.code.as_str()));
     let mut found = Vec::new();
     for set_up in &operation.set_ups {
         let wanted = [&set_up.set_up.outer, &set_up.set_up.inner].into_iter().flatten().count();
-        if set_up.sides.len() < wanted && grave().next().is_none() {
+        if set_up.sides.len() < wanted && !says(&OF_A_SIDE) {
             found.push(format!("set-up {} lacks a side", set_up.set_up.number));
         }
     }
     for (set_up, side, zone) in operation.zones() {
         let cleared = !zone.works.is_empty() && zone.works.iter().all(|work| work.transition().is_some());
-        if !cleared && grave().next().is_none() {
+        let number = zone.zone.number.to_string();
+        let named = operation.findings.iter().any(|finding| {
+            let note = &finding.note;
+            NAMED.contains(&note.code.as_str()) && note.params.get("zone") == Some(&number)
+        });
+        if !cleared && !named && !says(&OF_THE_PART) {
             let refused: Vec<_> = zone
                 .works
                 .iter()
                 .flat_map(|work| &work.refused)
                 .map(|one| format!("{}: {} {:?}", one.scheme.name(), one.why.code, one.why.params))
                 .collect();
-            found.push(format!(
-                "set-up {} {:?} zone {}: {refused:?}",
-                set_up.set_up.number, side.side, zone.zone.number
-            ));
+            found.push(format!("set-up {} {:?} zone {number}: {refused:?}", set_up.set_up.number, side.side));
         }
     }
     found
@@ -108,19 +121,159 @@ proptest! {
         let faults = work_off(&operation);
         prop_assert!(faults.is_empty(), "{}", told(&faults));
     }
+
+    /// Nothing of a plan depends on what is not in the file.
+    #[test]
+    fn the_same_part_gives_the_same_operation(draft in turned::drafts()) {
+        let plan = || {
+            let workpiece = read_workpiece("part", &draft.text(), &KNOWLEDGE).unwrap();
+            serde_json::to_string(&planned(&workpiece)).unwrap()
+        };
+        prop_assert_eq!(plan(), plan());
+    }
+
+    /// Every control and both forms: a file, or a reason.
+    #[test]
+    fn every_part_has_programs_or_reasons(draft in turned::drafts(), rpm in prop::option::of(20.0_f64..3000.0)) {
+        let operation = planned(&read_workpiece("part", &draft.text(), &KNOWLEDGE).unwrap());
+        for control in ["linuxcnc", "sinumerik", "nc-201"] {
+            for form in [Form::Motions, Form::Cycles] {
+                let written = programs(&operation, control, form, rpm.map(RevsPerMinute), &KNOWLEDGE);
+                let Ok(written) = written else { continue };
+                let cleared = operation.zones().filter(|(_, _, zone)| zone.works.iter().all(|work| work.transition().is_some()));
+                let zones: Vec<(u8, Side, usize)> = written
+                    .iter()
+                    .flat_map(|one| one.zones.iter().map(|zone| (one.set_up, one.side, *zone)))
+                    .collect();
+                for (set_up, side, zone) in cleared.filter(|(_, _, zone)| !zone.works.is_empty()) {
+                    let key = (set_up.set_up.number, side.side, zone.zone.number);
+                    prop_assert!(zones.contains(&key), "{control}: {key:?} has neither a program nor a reason");
+                }
+                for file in written.iter().flat_map(|one| one.files.iter().flatten()) {
+                    prop_assert!(!file.text.is_empty() && !file.name.is_empty());
+                }
+            }
+        }
+    }
+}
+
+/// So many random parts, always the same for a seed.
+fn parts(count: usize, seed: u8) -> Vec<String> {
+    use proptest::strategy::ValueTree;
+    use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+    let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &[seed; 32]);
+    let mut runner = TestRunner::new_with_rng(Config::default(), rng);
+    (0..count).map(|_| turned::drafts().new_tree(&mut runner).unwrap().current().text()).collect()
+}
+
+fn variable(name: &str, otherwise: usize) -> usize {
+    std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(otherwise)
+}
+
+fn told_piece(piece: Piece) -> Value {
+    let mut told = json!({
+        "from": [piece.from.radius.to_mm(), piece.from.z.to_mm()],
+        "to": [piece.to.radius.to_mm(), piece.to.z.to_mm()],
+    });
+    if let (Curve::Arc { radius, turn }, Some(centre)) = (piece.curve, piece.centre()) {
+        told["radius"] = json!(radius.to_mm());
+        told["left"] = json!(turn == Turn::Left);
+        told["centre"] = json!([centre.radius, centre.z]);
+    }
+    told
+}
+
+/// The programs of random parts with their ways, one JSON object on a line, for the interpreter of LinuxCNC:
+/// `CASES=100 OUT=/tmp/parts.jsonl cargo test --test operation programs_for_rs274 -- --ignored`, then
+/// `python3 tests/oracles/lathe.py /tmp/parts.jsonl`.
+#[test]
+#[ignore = "for the comparison with rs274: OUT says where to write"]
+fn programs_for_rs274() {
+    let Ok(out) = std::env::var("OUT") else { return };
+    let rpm = RevsPerMinute(500.0);
+    let mut lines = String::new();
+    for (number, text) in parts(variable("CASES", 100), u8::try_from(variable("SEED", 1)).unwrap()).iter().enumerate() {
+        let Ok(workpiece) = read_workpiece("part", text, &KNOWLEDGE) else { continue };
+        let operation = planned(&workpiece);
+        let works = |set_up: u8, side: Side, zones: &[usize]| -> Vec<(&ZoneWork, &Work)> {
+            let mine = operation
+                .zones()
+                .filter(|(a, b, c)| a.set_up.number == set_up && b.side == side && zones.contains(&c.zone.number));
+            mine.flat_map(|(_, _, zone)| zone.works.iter().map(move |work| (zone, work))).collect()
+        };
+        for written in programs(&operation, "linuxcnc", Form::Motions, Some(rpm), &KNOWLEDGE).unwrap() {
+            let name = format!("part {number} set-up {} {:?} zones {:?}", written.set_up, written.side, written.zones);
+            let files = match written.files {
+                Ok(files) => files,
+                Err(refused) => {
+                    lines.push_str(&format!("{}\n", json!({"name": name, "refused": format!("{refused:?}")})));
+                    continue;
+                }
+            };
+            let ways: Vec<Value> = works(written.set_up, written.side, &written.zones)
+                .iter()
+                .filter_map(|(_, work)| Some((work, work.transition()?)))
+                .map(|(work, transition)| {
+                    let moves: Vec<Value> = transition
+                        .way
+                        .pieces()
+                        .map(|(piece, purpose)| {
+                            let mut told = told_piece(piece);
+                            let rate = work.pace.feeds.rate(purpose).0 / rpm.0;
+                            told["feed"] = json!((purpose != Purpose::Rapid).then_some(round_to(rate, 4)));
+                            told
+                        })
+                        .collect();
+                    json!({"from": [transition.way.from.radius.to_mm(), transition.way.from.z.to_mm()], "moves": moves})
+                })
+                .collect();
+            let program = files.iter().map(|file| file.text.as_str()).collect::<String>();
+            lines.push_str(&format!(
+                "{}\n",
+                json!({"name": name, "kind": "ways", "ways": ways, "program": program, "part": text})
+            ));
+        }
+        let mut seen: Vec<(u8, Side, Vec<usize>)> = Vec::new();
+        for written in programs(&operation, "linuxcnc", Form::Cycles, Some(rpm), &KNOWLEDGE).unwrap() {
+            let key = (written.set_up, written.side, written.zones.clone());
+            let place = seen.iter().filter(|one| **one == key).count();
+            let all = works(written.set_up, written.side, &written.zones);
+            let (zone, work) = all[place];
+            seen.push(key);
+            let name = format!(
+                "part {number} set-up {} {:?} zone {:?} work {place}",
+                written.set_up, written.side, written.zones
+            );
+            let blank = &work.stock.blank;
+            let (least, most) = blank.radii().unwrap();
+            let corner = if written.side == Side::Outer { most } else { least };
+            let mut line = json!({
+                "name": name,
+                "kind": "cycle",
+                "direction": if zone.zone.feed == Feed::Along { "longitudinal" } else { "facing" },
+                "outer": written.side == Side::Outer,
+                "corner": [corner.to_mm(), blank.start().unwrap().z.to_mm()],
+                "clearance": work.pace.approach_mm.to_mm(),
+                "depth": work.levels.depth.to_mm(),
+                "feed": round_to(work.pace.feeds.main.0 / rpm.0, 4),
+                "pieces": work.stock.rough.pieces.iter().map(|piece| told_piece(*piece)).collect::<Vec<_>>(),
+                "part": text,
+            });
+            match written.files {
+                Ok(files) => line["program"] = json!(files.first().map(|file| &file.text)),
+                Err(refused) => line["refused"] = json!(format!("{refused:?}")),
+            }
+            lines.push_str(&format!("{line}\n"));
+        }
+    }
+    std::fs::write(out, lines).unwrap();
 }
 
 /// How random parts fare, for reports: `cargo test --test operation survey -- --ignored --nocapture`.
 #[test]
 #[ignore = "prints a survey"]
 fn survey() {
-    use proptest::strategy::ValueTree;
-    use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
     use std::collections::BTreeMap;
-    let count: usize = std::env::var("CASES").ok().and_then(|text| text.parse().ok()).unwrap_or(200);
-    let seed: u8 = std::env::var("SEED").ok().and_then(|text| text.parse().ok()).unwrap_or(1);
-    let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &[seed; 32]);
-    let mut runner = TestRunner::new_with_rng(Config::default(), rng);
     let mut seen: BTreeMap<String, (usize, String)> = BTreeMap::new();
     let mut note = |what: String, text: &str| {
         let entry = seen.entry(what).or_insert_with(|| (0, text.to_owned()));
@@ -129,8 +282,7 @@ fn survey() {
             text.clone_into(&mut entry.1);
         }
     };
-    for _ in 0..count {
-        let text = turned::drafts().new_tree(&mut runner).unwrap().current().text();
+    for text in parts(variable("CASES", 200), u8::try_from(variable("SEED", 1)).unwrap()) {
         if std::env::var("ONLY").is_ok_and(|only| !text.contains(&only)) {
             continue;
         }

@@ -85,6 +85,18 @@ impl Metal {
         Self { columns, top, side }
     }
 
+    /// What facing has taken of a bore: where outside nothing stands above it any more.
+    fn faced(&mut self, outer: &Self) {
+        for (z, height) in self.columns.places.iter().zip(&mut self.columns.heights) {
+            let next = outer.columns.places.partition_point(|place| place < z);
+            let beside = [next.checked_sub(1), Some(next)].into_iter().flatten();
+            let stands = beside.filter_map(|index| outer.columns.heights.get(index)).copied().fold(0.0, f64::max);
+            if stands <= self.top.to_mm() - *height + ROUNDING {
+                *height = f64::NEG_INFINITY;
+            }
+        }
+    }
+
     fn turn_over(&mut self, length: Half) {
         self.columns.places = self.columns.places.iter().rev().map(|z| length - *z).collect();
         self.columns.heights.reverse();
@@ -94,24 +106,26 @@ impl Metal {
 /// Works an operation off and tells every fault.
 pub fn work_off(operation: &Operation) -> Vec<Fault> {
     let mut faults = Vec::new();
-    for side in [Side::Outer, Side::Inner] {
-        if operation.set_ups.iter().all(|set_up| set_up.sides.iter().all(|one| one.side != side)) {
-            continue;
+    let top = operation.workpiece.blank.outer.radii().unwrap().1;
+    let mut metals = [Side::Outer, Side::Inner].map(|side| Metal::of(operation, side, top));
+    // A side that could not be carried out whole is not looked at any more.
+    let mut whole = [true, true];
+    let mut turned_over = false;
+    for set_up in &operation.set_ups {
+        if set_up.set_up.turned_over != turned_over {
+            metals.iter_mut().for_each(|metal| metal.turn_over(operation.workpiece.length()));
+            turned_over = set_up.set_up.turned_over;
         }
-        let top = operation.workpiece.blank.outer.radii().unwrap().1;
-        let mut metal = Metal::of(operation, side, top);
-        let mut turned_over = false;
-        'side: for set_up in &operation.set_ups {
-            if set_up.set_up.turned_over != turned_over {
-                metal.turn_over(operation.workpiece.length());
-                turned_over = set_up.set_up.turned_over;
-            }
-            for one in set_up.sides.iter().filter(|one| one.side == side) {
-                let (found, whole) = set_up_off(&mut metal, set_up, one);
+        for one in &set_up.sides {
+            let index = usize::from(one.side == Side::Inner);
+            if whole[index] {
+                let (found, all) = set_up_off(&mut metals[index], set_up, one);
                 faults.extend(found);
-                if !whole {
-                    break 'side;
-                }
+                whole[index] = all;
+            }
+            if one.side == Side::Outer {
+                let [outer, inner] = &mut metals;
+                inner.faced(outer);
             }
         }
     }
@@ -199,7 +213,8 @@ fn set_up_off(metal: &mut Metal, set_up: &SetUpWork, one: &SideWork) -> (Vec<Fau
                     whole.go(corner, Purpose::Rapid);
                 }
             }
-            let links = whole.moves.len();
+            // The first move of the way begins there.
+            let links = if whole.moves.is_empty() { 0 } else { whole.moves.len() + 1 };
             whole.moves.extend(way.moves.iter().copied());
             last = Some(whole.end());
             let limit = work.levels.depth.to_mm() + 2.0 * ROUNDING;
@@ -254,10 +269,10 @@ fn set_up_off(metal: &mut Metal, set_up: &SetUpWork, one: &SideWork) -> (Vec<Fau
     (faults, true)
 }
 
-/// The way from a home to the next as the programs go it: away from the metal, along, and there.
+/// The way from a home to the next as the programs go it: away from the metal, and along.
 fn over(from: Point, to: Point, side: Side) -> Vec<Point> {
     // Seen inside out, out of a bore is towards smaller Z, and off its metal is up as outside.
     let radius = from.radius.max(to.radius);
     let z = if side == Side::Inner { from.z.min(to.z) } else { from.z };
-    vec![Point { radius, z }, Point { radius, z: to.z }, to]
+    vec![Point { radius, z }, Point { radius, z: to.z }]
 }

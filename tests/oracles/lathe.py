@@ -4,10 +4,15 @@
     python3 tests/oracles/lathe.py target/debug/examples/lathe_programs              # 200 of each kind, seed 1
     python3 tests/oracles/lathe.py target/debug/examples/lathe_programs 1000 7       # so many, by this seed
     python3 tests/oracles/lathe.py program.ngc                                       # the motions of one program
+    CASES=100 OUT=/tmp/parts.jsonl cargo test --test operation programs_for_rs274 -- --ignored
+    python3 tests/oracles/lathe.py /tmp/parts.jsonl                                  # programs of whole operations
 
 Programs of single moves: every STRAIGHT_TRAVERSE, STRAIGHT_FEED and ARC_FEED is compared with the move of the way: its end,
 for arcs its centre and its sense, and the feed, to 0.001 mm. The sense is held twice: by the sign of ARC_FEED, and by
 the way that an arc of that sign takes about its centre, which must be at most half a circle on the side that the way says.
+
+Programs of several ways, of whole operations: the same for each way in its order, and between two ways nothing but rapids;
+feeds that are not those of the work are counted by themselves.
 
 Programs with G71 and G72: the motions of the cycle are cut out of the blank on paper, and then:
   below      how far the tool went below the contour, at most;
@@ -45,7 +50,7 @@ def motions(program):
         lines = [f"{number} 0" for number in zero] + ["5220 1"]
         key = lambda line: int(line.split()[0])
         (folder / "rs274.var").write_text("\n".join(sorted(lines, key=key)) + "\n")
-        (folder / "tool.tbl").write_text("T1 P1 X0 Z0 D0\n")
+        (folder / "tool.tbl").write_text("".join(f"T{tool} P{tool} X0 Z0 D0\n" for tool in range(1, 21)))
         command = ["rs274", "-g", "-n", "2", "-t", "tool.tbl", "-v", "rs274.var", "program.ngc"]
         try:
             answer = subprocess.run(command, capture_output=True, text=True, cwd=folder, timeout=20)
@@ -110,6 +115,57 @@ def compare_plain(told):
         if sweep > math.pi + 0.05 and abs(sweep - 2 * math.pi) > 0.05:
             return f"move {number} sweeps {math.degrees(sweep):.1f} degrees", number, arcs
     return None, len(theirs), arcs
+
+
+def compare_ways(told):
+    """The same for the program of several ways, one after the other, with rapids alone between them; then also how many
+    feeds differ, which is no matter of the geometry."""
+    theirs, refused = motions(told["program"])
+    if refused:
+        return f"rs274 refuses: {refused}", 0, 0, 0
+    place, moves, arcs, feeds = 0, 0, 0, 0
+    for index, way in enumerate(told["ways"], 1):
+        first = way["moves"]
+        # Links: rapids until one from which the way follows whole.
+        for skip in range(4):
+            begin = place + skip
+            if begin and any(motion[0] != "rapid" for motion in theirs[place:begin]):
+                return f"way {index}: something else than rapids leads to it", moves, arcs, feeds
+            if first and begin >= len(theirs):
+                return f"way {index} is not there", moves, arcs, feeds
+            tail = theirs[begin : begin + len(first)]
+            ends = lambda motion, move: near(motion[1], move["to"][0]) and near(motion[2], -move["to"][1])
+            if begin and len(tail) == len(first) and all(ends(motion, move) for motion, move in zip(tail, first)):
+                break
+        else:
+            return f"way {index} is not found", moves, arcs, feeds
+        for number, (motion, move) in enumerate(zip(tail, first), 1):
+            kind, radius, z, feed, centre, sign = motion
+            wanted = "rapid" if move["feed"] is None else "arc" if "radius" in move else "feed"
+            if kind != wanted:
+                return f"way {index} move {number} is {kind}, not {wanted}", moves, arcs, feeds
+            if move["feed"] is not None and abs(feed - move["feed"]) > 1e-4:
+                feeds += 1
+            moves += 1
+            if kind != "arc":
+                continue
+            arcs += 1
+            # A centre is as exact as its ends are: of a short arc it moves far without moving the arc.
+            size, bow = move["radius"], math.hypot(motion[1] - move["from"][0], motion[2] + move["from"][1])
+            slack = NEAR * max(1.0, 2 * size / max(bow, 1e-3))
+            if math.hypot(centre[0] - move["centre"][0], centre[1] + move["centre"][1]) > slack:
+                return f"way {index} move {number} turns about {centre}, not {move['centre']}", moves, arcs, feeds
+            if (sign < 0) != move["left"]:
+                return f"way {index} move {number} turns by {sign}, left is {move['left']}", moves, arcs, feeds
+            begin_at = math.atan2(move["from"][0] - centre[0], -move["from"][1] - centre[1])
+            end_at = math.atan2(radius - centre[0], z - centre[1])
+            sweep = ((end_at - begin_at) * (1 if sign > 0 else -1)) % (2 * math.pi)
+            if sweep > math.pi + 0.05 and abs(sweep - 2 * math.pi) > 0.05:
+                return f"way {index} move {number} sweeps {math.degrees(sweep):.1f} degrees", moves, arcs, feeds
+        place = begin + len(first)
+    if any(motion[0] != "rapid" for motion in theirs[place:]):
+        return "it cuts on after the last way", moves, arcs, feeds
+    return None, moves, arcs, feeds
 
 
 def chords(start, motion):
@@ -237,8 +293,11 @@ def main(arguments):
             print(kind, f"r{radius:.4f} z{z:.4f}", feed or "", centre or "", sign or "")
         print(refused or "done")
         return 1 if refused else 0
-    command = [str(pathlib.Path(arguments[0]).resolve()), *arguments[1:]]
-    lines = subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
+    if arguments[0].endswith(".jsonl"):
+        lines = pathlib.Path(arguments[0]).read_text().splitlines()
+    else:
+        command = [str(pathlib.Path(arguments[0]).resolve()), *arguments[1:]]
+        lines = subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
     counts, worst, wrong = collections.Counter(), collections.Counter(), 0
     for number, line in enumerate(lines, 1):
         told = json.loads(line)
@@ -250,6 +309,13 @@ def main(arguments):
             counts["plain programs"] += 1
             counts["moves"] += moves
             counts["arcs"] += arcs
+        elif told["kind"] == "ways":
+            problem, moves, arcs, feeds = compare_ways(told)
+            counts["programs of ways"] += 1
+            counts["ways"] += len(told["ways"])
+            counts["moves"] += moves
+            counts["arcs"] += arcs
+            counts["feeds that are not those of their work"] += feeds
         else:
             problem, figures = compare_cycle(told)
             counts[f"cycles {told['direction']} {'outer' if told['outer'] else 'inner'}"] += 1
@@ -257,7 +323,7 @@ def main(arguments):
                 worst[name] = max(worst[name], value)
         if problem:
             wrong += 1
-            print(f"program {number}: {problem}")
+            print(f"program {number}: {problem}" + (f", {told['name']}" if "name" in told else ""))
             folder = pathlib.Path(tempfile.gettempdir()) / "lathe-programs"
             folder.mkdir(exist_ok=True)
             (folder / f"{number}.ngc").write_text(told["program"])
