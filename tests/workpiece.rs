@@ -1,5 +1,5 @@
 //! The contour form of the shaft file: what lecture 12.1 states, each test with the number of its statement
-//! (docs/turning.md), the examples, and the laws of the reader.
+//! (docs/turning-lecture.md), the examples, and the laws of the reader.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing, reason = "tests may")]
 
