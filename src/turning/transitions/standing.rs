@@ -144,10 +144,9 @@ impl Standing {
             for cell in self.cells.iter().skip(first).take_while(|cell| cell.from < piece.to.z) {
                 let top = self.part(cell, piece.from.z, piece.to.z);
                 let under = off_foot(piece).and_then(|piece| clipped(&piece, cell.from, cell.to));
-                if let (Some(top), Some(under)) = (top, under) {
-                    if !is_sliver(&top, piece) && !touches(&top, piece) {
-                        most = most.max(over(&top, &under));
-                    }
+                let (Some(top), Some(under)) = (top, under) else { continue };
+                if !is_sliver(&top, piece) && !touches(&top, piece) {
+                    most = most.max(over(&top, &under));
                 }
             }
         }
