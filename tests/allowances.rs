@@ -1,4 +1,4 @@
-//! Lecture 12.2 on allowances: each statement that docs/turning.md numbers is held by a test that cites its number.
+//! Lecture 12.2 on allowances: each statement that docs/turning-lecture.md numbers is held by a test that cites its number.
 
 #![allow(clippy::unwrap_used, reason = "clippy allows it in tests, but not in the functions they share")]
 

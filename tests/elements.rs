@@ -1,5 +1,5 @@
-//! Main and additional elements and the main contour (lecture 12.1). The numbers 12.1-… are those of docs/turning.md.
-//! Contours are written down by hand as radius and Z, mm, Z growing from the free end towards the chuck.
+//! Main and additional elements and the main contour (lecture 12.1). The numbers 12.1-… are those of
+//! docs/turning-lecture.md. Contours are written down by hand as radius and Z, mm, Z growing from the free end towards the chuck.
 
 #![allow(clippy::unwrap_used, reason = "clippy allows it in tests, but not in the functions they share")]
 
@@ -92,7 +92,7 @@ fn leaning(degrees: f64) -> Drawn {
     Drawn::from(10.0, 0.0).to(Cylinder, 10.0, 20.0).to(Face, 20.0, z).to(Cylinder, 20.0, 40.0)
 }
 
-/// 12.1-1: main is what φ = 95° and φ1 = 30° make: chamfers, cylinders, upright faces, fillets up to upright, rising cones.
+/// 12.1-4: main is what φ = 95° and φ1 = 30° make: chamfers, cylinders, upright faces, fillets up to upright, rising cones.
 #[test]
 fn what_the_contouring_tool_makes_is_main() {
     let drawn = Drawn::from(0.0, 0.0).to(Face, 10.0, 0.0).to(Chamfer, 12.0, 2.0).to(Cylinder, 12.0, 20.0);
@@ -103,7 +103,7 @@ fn what_the_contouring_tool_makes_is_main() {
     assert_eq!(main.contour.pieces.len(), 7);
 }
 
-/// 12.1-1, the limits themselves: a fall of 30° is main and one of 30.5° is not; a face that leans back by 5° is main and one
+/// 12.1-4, the limits themselves: a fall of 30° is main and one of 30.5° is not; a face that leans back by 5° is main and one
 /// by 6° is not. By hand: φ1 = 30°, φ − 90° = 5°.
 #[test]
 fn the_angles_of_the_tool_are_the_limits() {
@@ -121,7 +121,7 @@ fn the_angles_of_the_tool_are_the_limits() {
     }
 }
 
-/// 12.1-1 for other tools by theirs: φ = 45° makes neither an upright face nor the cylinder before it; φ1 = 50° falls by 45°,
+/// 12.1-4 for other tools by theirs: φ = 45° makes neither an upright face nor the cylinder before it; φ1 = 50° falls by 45°,
 /// and not any more with 6° of clearance.
 #[test]
 fn another_tool_has_other_main_elements() {
@@ -146,7 +146,7 @@ fn a_class_says_which_angle_stands_against_which() {
     assert_eq!(classes[1].because.table, "turning-element");
 }
 
-/// 12.1-2: grooves, reliefs and threads are additional by kind, and what tool they ask for. 12.1-4: they are bridged: a groove
+/// 12.1-12: grooves, reliefs and threads are additional by kind, and what tool they ask for. 12.1-14: they are bridged: a groove
 /// in a cylinder by the cylinder, a relief at a shoulder by cylinder and face to their corner, a face groove by the face; a
 /// thread stays.
 #[test]
@@ -168,7 +168,7 @@ fn additional_kinds_are_bridged_as_the_lips_go_on() {
     assert_eq!(main.valleys[0].surfaces, [2]);
 }
 
-/// 12.1-4: a groove in a cone that falls by 20° is bridged by the cone, though the far lip lies lower.
+/// 12.1-14: a groove in a cone that falls by 20° is bridged by the cone, though the far lip lies lower.
 #[test]
 fn a_groove_in_a_falling_cone_is_bridged_by_the_cone() {
     // tan = 0.4: 21.8°. Down by 4 over 10, groove of 5 long, then down by 4 over 10 again.
@@ -179,7 +179,7 @@ fn a_groove_in_a_falling_cone_is_bridged_by_the_cone() {
     assert_eq!(corners(&main), [at(20.0, 0.0), at(16.0, 10.0), at(14.0, 15.0), at(10.0, 25.0), at(30.0, 25.0)]);
 }
 
-/// 12.1-3: a valley drawn as plain surfaces is additional with its floor and its walls. Ø50, down to Ø40: the shadow of the
+/// 12.1-13: a valley drawn as plain surfaces is additional with its floor and its walls. Ø50, down to Ø40: the shadow of the
 /// wall is 5 / tan 30° = 8.66 mm long, so a floor of 3 mm is grooved and one of 30 mm is not.
 #[test]
 fn a_valley_in_whose_shadow_the_tool_cannot_come_is_additional_with_its_walls() {
@@ -200,7 +200,7 @@ fn a_valley_in_whose_shadow_the_tool_cannot_come_is_additional_with_its_walls() 
     }
 }
 
-/// 12.1-3: an arc may be main in one part only; then the whole of it is additional, and a note says so. A ball of radius 10
+/// 12.1-13: an arc may be main in one part only; then the whole of it is additional, and a note says so. A ball of radius 10
 /// falls away from level to upright: up to 30° it would be main.
 #[test]
 fn an_arc_that_is_main_in_part_is_additional_as_a_whole() {
@@ -295,7 +295,7 @@ fn over(profile: &Profile, length: Half) -> Profile {
 }
 
 proptest! {
-    /// 12.1-4. The main contour hangs together, is monotone, begins where the part begins, and is nowhere below it; along it
+    /// 12.1-14. The main contour hangs together, is monotone, begins where the part begins, and is nowhere below it; along it
     /// nothing falls more steeply than φ1.
     #[test]
     fn the_main_contour_is_monotone_and_never_below_the_part(items in items(), flat in 10..60_u32) {
@@ -325,7 +325,7 @@ proptest! {
         }
     }
 
-    /// 12.1-4: a bore is judged as the same contour inside out.
+    /// 12.1-14: a bore is judged as the same contour inside out.
     #[test]
     fn a_bore_is_judged_like_the_same_contour_outside(items in items()) {
         let outside = drawn(&items).profile;

@@ -48,7 +48,7 @@ fn example(name: &str) -> Shaft {
     read_shaft(name, &text, &shipped::knowledge().unwrap()).unwrap_or_else(|mistakes| panic!("{mistakes:?}"))
 }
 
-/// Statements 12.4-1 to 12.4-5 (docs/turning.md): the lecture, 12.4 a-e (l. 608-650), for a bar Ø80 and a limiting depth of 4 mm:
+/// 12.4-1, 12.4-2, 12.4-3, 12.4-4, 12.4-5: the lecture, 12.4 a-e (l. 608-650), for a bar Ø80 and a limiting depth of 4 mm:
 ///
 /// - a: t1 = (80 − 51.2) / 2 = 14.4, t2 = (80 − 64.8) / 2 = 7.6, t3 = (80 − 73) / 2 = 3.5, so (t1, t2) > 4 > t3;
 /// - b: 14.4 / 4 = 3.6 → 4, 7.6 / 4 = 1.9 → 2, 3.5 / 4 = 0.875 → 1;
@@ -336,7 +336,7 @@ fn the_sections_of_the_page() {
     insta::assert_snapshot!("turn_forging_en", sections(&["examples/shaft-forging.yaml", "--lang", "en"]));
 }
 
-/// The keys that docs/turning.md names, the points with both coordinates, and a finding for each rate that is ours.
+/// The keys that docs/turning-lecture.md names, the points with both coordinates, and a finding for each rate that is ours.
 #[test]
 fn json_has_schemes_with_their_points() {
     let answer = turn(&["examples/shaft-three-cylinders.yaml", "--format", "json"]);

@@ -490,7 +490,7 @@ fn a_bore_is_not_left_beyond_its_axis() {
     }
 }
 
-/// What the lecture concludes on productivity (l. 486-502), over the typical zones that docs/turning.md lists.
+/// What the lecture concludes on productivity (l. 486-502), over the typical zones that docs/turning-lecture.md lists.
 #[test]
 fn the_best_of_the_schemes_is_told_with_its_margin() {
     let stock = figure_a();
@@ -503,9 +503,9 @@ fn the_best_of_the_schemes_is_told_with_its_margin() {
     assert!(best(&ways[..1]).is_none());
 }
 
-/// Prints the figures that docs/turning.md tells: `cargo test --test transitions figures -- --ignored --nocapture`.
+/// Prints the figures that docs/turning-lecture.md tells: `cargo test --test transitions figures -- --ignored --nocapture`.
 #[test]
-#[ignore = "prints a table for docs/turning.md"]
+#[ignore = "prints a table for docs/turning-lecture.md"]
 fn figures() {
     let steps = under_bar(
         Contour::through(Side::Outer, &[at(22.0, 0.0), at(22.0, 30.0), at(27.0, 30.0), at(27.0, 60.0), at(32.0, 60.0)]),

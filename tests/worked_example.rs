@@ -2,7 +2,7 @@
 //!
 //! What is expected here comes from Appendix Г, from the issue and from facts 1, 2.1, 3 and 6, not from
 //! what the program printed. The figures that follow from others are recomputed from the plan's JSON.
-//! The end of the file holds what README.md, README.uk.md and docs/worked-example.md show against what
+//! The end of the file holds what README.md, README.uk.md, docs/worked-example.md and docs/turning.md show against what
 //! the program prints; `README=write cargo test --test worked_example` brings the documents up to date.
 
 #![allow(clippy::unwrap_used, reason = "clippy allows it in tests, but not in the functions they share")]
@@ -517,7 +517,7 @@ fn the_pages() {
 
 // What the documents show.
 
-const DOCUMENTS: [&str; 3] = ["README.md", "README.uk.md", "docs/worked-example.md"];
+const DOCUMENTS: [&str; 4] = ["README.md", "README.uk.md", "docs/worked-example.md", "docs/turning.md"];
 
 fn document(name: &str) -> String {
     std::fs::read_to_string(root().join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))

@@ -1,5 +1,5 @@
 //! The contour form of the shaft file: what lecture 12.1 states, each test with the number of its statement
-//! (docs/turning.md), the examples, and the laws of the reader.
+//! (docs/turning-lecture.md), the examples, and the laws of the reader.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing, reason = "tests may")]
 
@@ -236,8 +236,8 @@ fn statement_12_1_11_contours_of_blanks() {
     let bar = example("turned-pin").blank;
     assert_eq!(bar.outer.corners(), [at(0.0, 2.0), at(105.0, 2.0), at(105.0, -123.0)]);
     let tube = example("turned-bushing").blank;
-    assert_eq!(tube.outer.corners(), [at(45.0, 1.5), at(83.0, 1.5), at(83.0, -62.5)]);
-    assert_eq!(tube.inner.unwrap().corners(), [at(45.0, 1.5), at(45.0, -62.5)]);
+    assert_eq!(tube.outer.corners(), [at(45.0, 1.5), at(83.0, 1.5), at(83.0, -88.5)]);
+    assert_eq!(tube.inner.unwrap().corners(), [at(45.0, 1.5), at(45.0, -88.5)]);
     let forging = example("turned-forging").blank;
     assert!(forging.outer.pieces.iter().any(|piece| piece.curve != Curve::Line));
     assert_eq!((forging.face(), forging.length()), (Half::from(3.0), Half::from(121.0)));

@@ -1,5 +1,5 @@
-//! Set-ups and zones (lecture 12.3, and the conclusions of 12.4). The numbers are those of docs/turning.md. Contours are
-//! written down by hand as radius and Z, mm, Z growing from the free end towards the chuck.
+//! Set-ups and zones (lecture 12.3, and the conclusions of 12.4). The numbers are those of docs/turning-lecture.md.
+//! Contours are written down by hand as radius and Z, mm, Z growing from the free end towards the chuck.
 
 #![allow(clippy::unwrap_used, reason = "clippy allows it in tests, but not in the functions they share")]
 
@@ -62,7 +62,7 @@ const THREE: [(f64, f64); 6] = [(20.0, 0.0), (20.0, 10.0), (25.0, 10.0), (25.0, 
 /// A groove between a cone that falls by 45° and a face, with a floor of 10, in a cylinder of radius 30.
 const VALLEY: [(f64, f64); 6] = [(30.0, 0.0), (30.0, 10.0), (25.0, 15.0), (25.0, 25.0), (30.0, 25.0), (30.0, 40.0)];
 
-/// 12.3-1, 12.4-13 and 12.4-14: over a stepped shaft that runs out two half-open parts and an open one are one combined
+/// 12.3-1, 12.4-13 and 12.4-28: over a stepped shaft that runs out two half-open parts and an open one are one combined
 /// zone: loop over the open part, then the rest with a semi-finishing pass. The same as for a stepped shaft file.
 #[test]
 fn a_stepped_shaft_is_one_combined_zone() {
@@ -127,7 +127,7 @@ fn what_bounds_a_zone_rules_the_angles() {
     assert!((zones(&pin, &bar)[0].needs.main.0 - 90.0).abs() < 0.01);
 }
 
-/// 12.3-6 and 12.4-15: all three kinds make a combined zone, the first two joined, the closed one by itself.
+/// 12.3-6 and 12.4-29: all three kinds make a combined zone, the first two joined, the closed one by itself.
 #[test]
 fn open_half_open_and_closed_are_combined() {
     let mut points = vec![(20.0, 0.0), (20.0, 5.0)];
@@ -140,7 +140,7 @@ fn open_half_open_and_closed_are_combined() {
     assert_eq!((zones[0].needs.main, zones[0].needs.secondary), (Degrees(90.0), Degrees(45.0)));
 }
 
-/// 12.4-16: a zone takes in as many surfaces as the tool reaches. With φ1 = 30° the valley that falls by 45° is a zone of its
+/// 12.4-30: a zone takes in as many surfaces as the tool reaches. With φ1 = 30° the valley that falls by 45° is a zone of its
 /// own, with 80° all is one.
 #[test]
 fn neighbours_are_joined_as_far_as_a_tool_reaches() {
@@ -153,7 +153,7 @@ fn neighbours_are_joined_as_far_as_a_tool_reaches() {
     assert_eq!(count(&[tool("30", 95.0, 30.0), groover]), 3);
 }
 
-/// 12.4-16, fig. 12.5 by hand: stocks of 20, 15 and 10 in levels of 5: split at every face 4 + 3 + 2 passes. Joined, the first
+/// 12.4-30, fig. 12.5 by hand: stocks of 20, 15 and 10 in levels of 5: split at every face 4 + 3 + 2 passes. Joined, the first
 /// two levels go over all three, the third over two, the fourth over one: 4.
 #[test]
 fn joining_saves_returns() {
@@ -189,7 +189,7 @@ fn a_step_of_the_blank_divides_the_stock() {
     assert_eq!((zone.kind, zone.needs.main), (Kind::HalfOpen, Degrees(90.0)));
 }
 
-/// 12.4-17: against a stop the loop serves for half-open zones; a shaped contour in a forging is worked at equal distances,
+/// 12.4-31: against a stop the loop serves for half-open zones; a shaped contour in a forging is worked at equal distances,
 /// in bar it is not.
 #[test]
 fn circumstances_choose_the_scheme() {

@@ -1,4 +1,4 @@
-//! Contours held above or below a level: how the upper part of a stock is parted from the lower one.
+//! Contours held above a level: how the upper part of a stock is parted from the lower one.
 
 use crate::turning::contour::{Contour, Piece, Side};
 use crate::turning::length::Half;
@@ -6,15 +6,7 @@ use crate::turning::point::Point;
 
 /// A monotone outer contour where it is above a level, and the level elsewhere; of a bore, where it is below.
 pub(super) fn raised(contour: &Contour, level: Half) -> Contour {
-    held(contour, level, contour.side == Side::Outer)
-}
-
-/// A monotone outer contour where it is below a level, and the level elsewhere; of a bore, where it is above.
-pub(super) fn lowered(contour: &Contour, level: Half) -> Contour {
-    held(contour, level, contour.side == Side::Inner)
-}
-
-fn held(contour: &Contour, level: Half, above: bool) -> Contour {
+    let above = contour.side == Side::Outer;
     let mut pieces: Vec<Piece> = Vec::new();
     let mut put = |piece: Piece| match pieces.last_mut() {
         _ if piece.is_nothing() => {}
@@ -63,10 +55,9 @@ mod tests {
 
     #[test]
     fn a_contour_is_parted_at_a_level() {
-        let (over, under) = (raised(&pin(), Half::from(14.0)), lowered(&pin(), Half::from(14.0)));
+        let over = raised(&pin(), Half::from(14.0));
         assert_eq!(over.corners(), [at(14.0, 0.0), at(14.0, 28.0), at(20.0, 30.0), at(20.0, 40.0)]);
-        assert_eq!(under.corners(), [at(10.0, 0.0), at(10.0, 20.0), at(14.0, 28.0), at(14.0, 40.0)]);
-        assert!(over.hangs_together() && under.hangs_together());
+        assert!(over.hangs_together());
     }
 
     #[test]

@@ -1,9 +1,9 @@
 //! The parts of a zone that are worked one after the other (lecture 12.4, l. 504-518; fig. 12.3 г).
 //!
-//! 1. Closed parts are bridged level from lip to lip; each is a stock of its own, the last in the order.
-//! 2. Where the open parts have a scheme of their own, they come first: all that stands above their floor, from the free
+//! 1. Where the open parts have a scheme of their own, they come first: all that stands above their floor, from the free
 //!    end on, because nobody comes to them past what stands before them.
-//! 3. Then what is left below that floor.
+//! 2. Then what is left below that floor, closed parts bridged level from lip to lip.
+//! 3. Then the closed parts, one by one from the free end.
 //!
 //! Neighbours of one kind stay together: parting at every face costs a return for each (lecture, fig. 12.5 a).
 
@@ -14,7 +14,7 @@ use crate::turning::transitions::Stock;
 use crate::turning::zones::{Kind, Part, Zone};
 
 use super::clip;
-use super::level::{lowered, raised};
+use super::level::raised;
 
 /// A stock to be cleared by one scheme.
 #[derive(Clone, Debug)]
@@ -25,64 +25,65 @@ pub(super) struct Piecework {
     pub scheme: usize,
 }
 
-/// What of a zone is cleared by itself, in the order of work.
+/// What of a zone is cleared by itself, in the order of work: a chain of contours from the blank down to the rough contour,
+/// all over the whole zone, so that each work knows what still stands beside it.
+///
+/// A blank of a shape of its own may lie below the floor of the open part, or below a bridge; then all is one work, by the
+/// last scheme of the rule, which leaves an even allowance.
 pub(super) fn pieceworks(zone: &Zone, rough: &Contour, blank: &Contour) -> Vec<Piecework> {
     let (from, to) = (zone.from_z, zone.to_z);
-    let stock = |rough: &Contour, blank: &Contour, from: Half, to: Half| Stock {
-        rough: clip::between(rough, from, to),
-        blank: clip::between(blank, from, to),
-        from,
-        to,
-    };
+    let within = |contour: &Contour| clip::between(contour, from, to);
+    let (rough, blank) = (within(rough), within(blank));
+    let stock = |rough: &Contour, blank: &Contour| Stock { rough: rough.clone(), blank: blank.clone(), from, to };
     let each = zone.scheme.parts_worked == "each";
-    if !each && zone.scheme.parts_worked != "joined" {
-        return vec![Piecework { stock: stock(rough, blank, from, to), scheme: 0 }];
-    }
     let last = zone.scheme.schemes.len().saturating_sub(1);
-    let mut pockets = Vec::new();
-    let mut bridged = rough.clone();
-    for part in zone.parts.iter().filter(|part| part.kind == Kind::Closed) {
-        if let Some((over, pocket)) = bridge(&bridged, part) {
-            pockets.push(Piecework { stock: pocket, scheme: last });
-            bridged = over;
+    if !each && zone.scheme.parts_worked != "joined" {
+        return vec![Piecework { stock: stock(&rough, &blank), scheme: 0 }];
+    }
+    if !blank.pieces.iter().all(|piece| piece.is_cylinder()) {
+        return vec![Piecework { stock: stock(&rough, &blank), scheme: last }];
+    }
+    let mut chain = vec![(rough.clone(), last)];
+    let mut lowest = rough;
+    for part in zone.parts.iter().rev().filter(|part| part.kind == Kind::Closed) {
+        if let Some(over) = bridge(&lowest, part) {
+            chain.push((over.clone(), last));
+            lowest = over;
         }
     }
+    // What is bridged last is cleared first; the pockets come after all else.
+    if let Some((_, scheme)) = chain.last_mut().filter(|_| each) {
+        *scheme = 1.min(last);
+    } else if let Some((_, scheme)) = chain.last_mut() {
+        *scheme = 0;
+    }
+    let half_open = zone.parts.iter().any(|part| part.kind == Kind::HalfOpen);
+    if let Some(level) = floor(zone, lowest.side).filter(|_| each) {
+        if half_open {
+            chain.push((raised(&lowest, level), 0));
+        } else if let Some((_, scheme)) = chain.last_mut() {
+            *scheme = 0;
+        }
+    }
+    let mut before = blank;
     let mut works = Vec::new();
-    let has = |kind: Kind| zone.parts.iter().any(|part| part.kind == kind);
-    match floor(zone, rough.side).filter(|_| each && has(Kind::HalfOpen)) {
-        Some((level, end)) => {
-            // Of a shaped blank the upper part may begin later.
-            let over = raised(blank, level)
-                .pieces
-                .into_iter()
-                .find(|piece| !piece.is_face() && lies_over(piece, level, rough.side));
-            let begin = over.map_or(from, |piece| piece.from.z.max(from));
-            works.push(Piecework { stock: stock(&raised(&bridged, level), blank, begin, to), scheme: 0 });
-            let rest = stock(&lowered(&bridged, level), &lowered(blank, level), from, end);
-            works.push(Piecework { stock: rest, scheme: 1.min(last) });
+    for (contour, scheme) in chain.into_iter().rev() {
+        let stock = stock(&contour, &before);
+        if stands(&stock) {
+            works.push(Piecework { stock, scheme });
+            before = contour;
         }
-        None => works.push(Piecework { stock: stock(&bridged, blank, from, to), scheme: 0 }),
     }
-    works.extend(pockets);
-    works.retain(|work| stands(&work.stock));
     works
 }
 
-/// The floor of the open parts, and Z where the last of the other parts ends.
-fn floor(zone: &Zone, side: Side) -> Option<(Half, Half)> {
+/// The floor of the open parts.
+fn floor(zone: &Zone, side: Side) -> Option<Half> {
     let open = zone.parts.iter().filter(|part| part.kind == Kind::Open);
-    let level = match side {
+    match side {
         Side::Outer => open.map(|part| part.least_radius).min(),
         Side::Inner => open.map(|part| part.greatest_radius).max(),
-    };
-    let end = zone.parts.iter().filter(|part| part.kind == Kind::HalfOpen).map(|part| part.to_z).max();
-    level.zip(end)
-}
-
-/// Whether a piece lies above a level anywhere; of a bore below.
-fn lies_over(piece: &Piece, level: Half, side: Side) -> bool {
-    let over = |radius: Half| if side == Side::Outer { radius > level } else { radius < level };
-    piece.extremes().iter().any(|point| over(point.radius))
+    }
 }
 
 /// Whether anything stands between the contours of a stock.
@@ -91,8 +92,8 @@ fn stands(stock: &Stock) -> bool {
     !stock.rough.pieces.is_empty() && area > 1e-4
 }
 
-/// A contour with the pocket of a closed part bridged level from its lower lip, and the pocket under the bridge.
-fn bridge(rough: &Contour, part: &Part) -> Option<(Contour, Stock)> {
+/// A contour with the pocket of a closed part bridged level from its lower lip.
+fn bridge(rough: &Contour, part: &Part) -> Option<Contour> {
     let outer = rough.side == Side::Outer;
     let (first, last) = (part.contour.first()?.from, part.contour.last()?.to);
     // From inside a bore the lower lip is that of the larger radius.
@@ -107,15 +108,7 @@ fn bridge(rough: &Contour, part: &Part) -> Option<(Contour, Stock)> {
     let mut pieces = cut(rough, rough.start()?, from);
     pieces.push(over);
     pieces.extend(cut(rough, to, rough.end()?));
-    // Over the whole part: what stands before the lips is no air.
-    let bridged = Contour { side: rough.side, pieces };
-    let pocket = Stock {
-        rough: clip::between(rough, part.from_z, part.to_z),
-        blank: clip::between(&bridged, part.from_z, part.to_z),
-        from: part.from_z,
-        to: part.to_z,
-    };
-    Some((bridged, pocket))
+    Some(Contour { side: rough.side, pieces })
 }
 
 /// The pieces of a contour between two of its points.

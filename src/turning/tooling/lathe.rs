@@ -110,9 +110,11 @@ pub struct Lathe<'k> {
 pub struct Share(pub f64);
 
 impl<'k> Lathe<'k> {
-    /// Every lathe's id, as files name it.
+    /// Every lathe's id, as files name it. A lathe is a record with a spindle power: tables of the controls of lathes begin
+    /// with the same word.
     pub fn ids(knowledge: &'k Knowledge) -> Vec<&'k str> {
-        let id = |table: &'k Table| table.id.strip_prefix("lathe-").filter(|id| *id != "quantities");
+        let is_lathe = |table: &Table| table.id != "lathe-quantities" && table.find("name", "spindle-power").is_some();
+        let id = |table: &'k Table| table.id.strip_prefix("lathe-").filter(|_| is_lathe(table));
         knowledge.tables().filter_map(id).collect()
     }
 
