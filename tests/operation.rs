@@ -22,6 +22,8 @@ use technolog::units::{RevsPerMinute, round_to};
 
 #[path = "common/section.rs"]
 mod section;
+#[path = "common/shafts.rs"]
+mod shafts;
 #[path = "common/side.rs"]
 mod side;
 #[path = "common/turned.rs"]
@@ -107,6 +109,33 @@ fn the_examples_are_worked_off_whole() {
     assert!(wrong.is_empty(), "{wrong}");
 }
 
+/// The files in `tests/operations`: parts that once broke a law, each with what went wrong.
+#[test]
+fn what_once_went_wrong_goes_right() {
+    let mut wrong = String::new();
+    let mut paths: Vec<_> =
+        std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/operations")).unwrap().collect();
+    paths.sort_by_key(|path| path.as_ref().unwrap().path());
+    assert!(!paths.is_empty());
+    for path in paths {
+        let path = path.unwrap().path();
+        let text = std::fs::read_to_string(&path).unwrap();
+        let workpiece =
+            read_workpiece("part", &text, &KNOWLEDGE).unwrap_or_else(|mistakes| panic!("{path:?} {mistakes:?}"));
+        let operation = planned(&workpiece);
+        let mut said = vec![told(&work_off(&operation)), silent(&operation).join("\n")];
+        said.retain(|one| !one.is_empty());
+        if operation.zones().any(|(_, _, zone)| zone.works.is_empty()) {
+            let grave = operation.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
+            said.push(format!("not planned whole: {:?}", grave.map(|one| &one.note.code).collect::<Vec<_>>()));
+        }
+        if !said.is_empty() {
+            wrong.push_str(&format!("{}: {}\n", path.file_name().unwrap().display(), said.join("\n")));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong}");
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(60))]
 
@@ -120,6 +149,15 @@ proptest! {
         prop_assert!(silent.is_empty(), "{}", silent.join("\n"));
         let faults = work_off(&operation);
         prop_assert!(faults.is_empty(), "{}", told(&faults));
+    }
+
+    /// The short form, whose diameters are those after roughing.
+    #[test]
+    fn any_stepped_shaft_is_worked_off_whole(shaft in shafts::shafts(40)) {
+        let operation = planned(&Workpiece::from(&shaft));
+        prop_assert!(silent(&operation).is_empty());
+        let faults = work_off(&operation);
+        prop_assert!(faults.is_empty(), "{:?}\n{}", shaft, told(&faults));
     }
 
     /// Nothing of a plan depends on what is not in the file.
@@ -138,8 +176,7 @@ proptest! {
         let operation = planned(&read_workpiece("part", &draft.text(), &KNOWLEDGE).unwrap());
         for control in ["linuxcnc", "sinumerik", "nc-201"] {
             for form in [Form::Motions, Form::Cycles] {
-                let written = programs(&operation, control, form, rpm.map(RevsPerMinute), &KNOWLEDGE);
-                let Ok(written) = written else { continue };
+                let written = programs(&operation, control, form, rpm.map(RevsPerMinute), &KNOWLEDGE).unwrap();
                 let cleared = operation.zones().filter(|(_, _, zone)| zone.works.iter().all(|work| work.transition().is_some()));
                 let zones: Vec<(u8, Side, usize)> = written
                     .iter()

@@ -97,6 +97,12 @@ impl Metal {
         }
     }
 
+    /// Nothing stands before Z = 0 any more.
+    fn cut_off(&mut self) {
+        let columns = self.columns.places.iter().zip(&mut self.columns.heights);
+        columns.filter(|(z, _)| **z < Half::ZERO).for_each(|(_, height)| *height = f64::NEG_INFINITY);
+    }
+
     fn turn_over(&mut self, length: Half) {
         self.columns.places = self.columns.places.iter().rev().map(|z| length - *z).collect();
         self.columns.heights.reverse();
@@ -115,6 +121,15 @@ pub fn work_off(operation: &Operation) -> Vec<Fault> {
         if set_up.set_up.turned_over != turned_over {
             metals.iter_mut().for_each(|metal| metal.turn_over(operation.workpiece.length()));
             turned_over = set_up.set_up.turned_over;
+        }
+        // What stands before a far face that is not planned must be cut off before: a finding says it.
+        let number = set_up.set_up.number.to_string();
+        let cut_off = operation.findings.iter().map(|finding| &finding.note);
+        if cut_off
+            .filter(|note| note.code == "far-face-not-planned")
+            .any(|note| note.params.get("number") == Some(&number))
+        {
+            metals.iter_mut().for_each(Metal::cut_off);
         }
         for one in &set_up.sides {
             let index = usize::from(one.side == Side::Inner);

@@ -170,7 +170,7 @@ impl Walk {
 impl Draft {
     /// Its file.
     pub fn text(&self) -> String {
-        let least = if self.bore.is_some() { 20_000 } else { 6_000 };
+        let least = if self.bore.is_some() { 32_000 } else { 6_000 };
         let start = self.start.max(least);
         let mut walk = Walk {
             radius: 0,
@@ -325,8 +325,8 @@ fn bore(steps: &[(i64, i64, bool)], through: bool, within: i64, length: i64) -> 
         if z + long + 10_000 > length {
             break;
         }
-        let other = if (5_000..=within).contains(&(radius + by)) { radius + by } else { radius - by };
-        if !(5_000..=within).contains(&other) {
+        let other = if (9_000..=within).contains(&(radius + by)) { radius + by } else { radius - by };
+        if !(9_000..=within).contains(&other) {
             continue;
         }
         if *cone {
@@ -372,7 +372,7 @@ fn item() -> impl Strategy<Value = Item> {
     ]
 }
 
-/// Any part. With `odd` sizes of whole micrometres.
+/// Any part.
 pub fn drafts() -> impl Strategy<Value = Draft> {
     let kind = prop_oneof![
         3 => Just(Kind::Bar),
