@@ -379,26 +379,34 @@ fn keeps_the_laws(stock: &Stock, found: &Transition) -> Result<section::Worked, 
     Ok(worked)
 }
 
+/// Every scheme for any zone over one: what every way must keep, and what each scheme promises.
+fn the_laws_hold_over(stock: &Stock, depth: f64, nose: f64) -> Result<(), TestCaseError> {
+    for scheme in
+        [Scheme::Loop, Scheme::Zigzag, Scheme::Descent, Scheme::PickUp, Scheme::SemiFinishing, Scheme::Contour]
+    {
+        let found = made(stock, depth, scheme, nose);
+        let worked = keeps_the_laws(stock, &found)?;
+        if CLEAN.contains(&scheme) || scheme == Scheme::Contour {
+            prop_assert!(found.uniform && worked.left < 2.0 * ROUNDING, "{:?} leaves {} mm", scheme, worked.left);
+        }
+        // A descent takes all of a slice at once; its slices are no wider than the depth. The line of contour passes
+        // may lead aslant, then a face is cut by slices.
+        if scheme != Scheme::Descent && scheme != Scheme::Contour {
+            prop_assert!(worked.depth < depth + 2.0 * ROUNDING, "{:?} takes {} mm of {}", scheme, worked.depth, depth);
+            prop_assert!(worked.left < depth + 2.0 * ROUNDING, "{:?} leaves {} mm of {}", scheme, worked.left, depth);
+            // Where an arc ends upright, half a micrometre along the axis is √(2·r·0.0005) across it: 0.1 for 10 mm.
+            prop_assert!(found.ridges_mm.to_mm() < depth + 0.1, "{:?} tells {} of {}", scheme, found.ridges_mm, depth);
+        }
+    }
+    Ok(())
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
 
     #[test]
     fn over_any_zone_the_ways_keep_the_laws(stock in zones(), depth in 0.7_f64..6.0, nose in 0.0_f64..2.0) {
-        for scheme in [Scheme::Loop, Scheme::Zigzag, Scheme::Descent, Scheme::PickUp, Scheme::SemiFinishing, Scheme::Contour] {
-            let found = made(&stock, depth, scheme, nose);
-            let worked = keeps_the_laws(&stock, &found)?;
-            if CLEAN.contains(&scheme) || scheme == Scheme::Contour {
-                prop_assert!(found.uniform && worked.left < 2.0 * ROUNDING, "{:?} leaves {} mm", scheme, worked.left);
-            }
-            // A descent takes all of a slice at once; its slices are no wider than the depth. The line of contour passes
-            // may lead aslant, then a face is cut by slices.
-            if scheme != Scheme::Descent && scheme != Scheme::Contour {
-                prop_assert!(worked.depth < depth + 2.0 * ROUNDING, "{:?} takes {} mm of {}", scheme, worked.depth, depth);
-                prop_assert!(worked.left < depth + 2.0 * ROUNDING, "{:?} leaves {} mm of {}", scheme, worked.left, depth);
-                // Where an arc ends upright, half a micrometre along the axis is √(2·r·0.0005) across it: 0.1 for 10 mm.
-                prop_assert!(found.ridges_mm.to_mm() < depth + 0.1, "{:?} tells {} of {}", scheme, found.ridges_mm, depth);
-            }
-        }
+        the_laws_hold_over(&stock, depth, nose)?;
     }
 
     /// The depth of an equidistant pass is measured square to the contour: no metal that it takes is farther from its way.
@@ -551,4 +559,101 @@ fn figures() {
             );
         }
     }
+}
+
+/// Zones over which a law has failed once, each shrunk: what it is, its contour, how far the bar stands above it, the
+/// second diameter of the blank, and the depth.
+#[test]
+fn slots_as_narrow_as_rounding_are_wall() {
+    use section::Part::{Ball, BallDown, Cone, Cylinder, Face, Fillet, FilletDown};
+    use section::{Part, contour, zone};
+    type Case<'c> = (&'c str, i64, &'c [Part], i64, Option<(i64, i64)>, f64);
+    let cases: [Case<'_>; 11] = [
+        (
+            "a level of half a micrometre between a face of the blank and an upright arc",
+            28_748,
+            &[BallDown(2049), BallDown(4276), Face(-8151), Ball(3289)],
+            9613,
+            Some((6698, 66)),
+            0.760_564_801_092_694_4,
+        ),
+        (
+            "the zigzag back over half a micrometre, between an upright arc and a face of the blank",
+            10_000,
+            &[Cone(9250, 17_852), BallDown(1825), Ball(914), BallDown(9839), Fillet(5697)],
+            2083,
+            Some((1000, 84)),
+            2.886_581_685_889_993_8,
+        ),
+        (
+            "the zigzag back over 1.5 µm, between an arc that falls upright and a face at its end",
+            10_000,
+            &[Ball(5299), Cone(1729, 1500), BallDown(876), Face(7842), Ball(7705)],
+            6927,
+            None,
+            0.7,
+        ),
+        (
+            "the same where the arc begins at the free end",
+            16_115,
+            &[BallDown(6342), Face(13_263), Ball(9812), Fillet(8397)],
+            2681,
+            None,
+            1.310_728_447_900_730_8,
+        ),
+        (
+            "the loop behind a face that falls to an upright arc",
+            10_000,
+            &[Fillet(8937), Face(-10_910), Ball(600)],
+            9193,
+            None,
+            5.019_549_834_780_349,
+        ),
+        (
+            "the same under a low face",
+            16_000,
+            &[Fillet(600), Face(-237), Ball(8915)],
+            2729,
+            None,
+            5.774_392_322_029_333,
+        ),
+        (
+            "a face of the blank 11.5 µm behind an upright arc",
+            10_000,
+            &[Fillet(1162), Fillet(1993), Ball(6193)],
+            8606,
+            Some((2911, 34)),
+            0.780_445_878_497_998_7,
+        ),
+        (
+            "a face of the blank over a hollow between arcs",
+            20_815,
+            &[Cylinder(9647), BallDown(9162), Fillet(6265), Ball(1230), BallDown(7619)],
+            10_218,
+            Some((11_282, 72)),
+            2.264_735_515_065_359_6,
+        ),
+        (
+            "pick-up goes down a cone of half a micrometre, not the arc behind it",
+            18_511,
+            &[Cone(-1, 1500), Face(1), FilletDown(600)],
+            0,
+            Some((1000, 10)),
+            0.7,
+        ),
+        ("the same under 1.5 µm of stock", 14_940, &[Cone(-1, 1500), Face(1), FilletDown(600)], 3, None, 0.7),
+        (
+            "pick-up leaves a sliver of 3 µm behind a face of the blank, which is no ridge",
+            11_846,
+            &[BallDown(3845), Fillet(3864), Face(2364), Fillet(5149), FilletDown(1412), FilletDown(8840)],
+            25,
+            Some((4805, 31)),
+            3.578_047_659_412_874_7,
+        ),
+    ];
+    let failed = cases.into_iter().filter_map(|(name, start, parts, above, second, depth)| {
+        let stock = zone(contour(start, parts), above, second, false);
+        Some(format!("{name}: {}", the_laws_hold_over(&stock, depth, 0.0).err()?))
+    });
+    assert_eq!(failed.collect::<Vec<_>>(), Vec::<String>::new());
 }

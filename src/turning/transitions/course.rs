@@ -8,6 +8,7 @@ use crate::turning::point::Point;
 use crate::turning::way::{Purpose, Way};
 
 use super::ground::{Ground, lies_on, radius_on, within};
+use super::narrow::is_narrow;
 use super::standing::Standing;
 use super::straight::Back;
 use super::{Settings, Zone};
@@ -263,10 +264,13 @@ impl<'z> Course<'z> {
     }
 
     /// What of a way goes through metal, from the first to the last of it. A face down to its beginning and one up from
-    /// its end belong to it, as far as metal stands beside them.
+    /// its end belong to it, as far as metal stands beside them. Slivers narrower than rounding alone are not worth it.
     pub fn trimmed(&self, pieces: &[Piece]) -> Vec<Piece> {
         let metal = |piece: &Piece| if piece.is_face() { Vec::new() } else { self.standing.metal(piece) };
         let metal: Vec<Vec<(Half, Half)>> = pieces.iter().map(metal).collect();
+        if metal.iter().flatten().all(|(from, to)| is_narrow(*from, *to)) {
+            return Vec::new();
+        }
         let first = metal.iter().position(|one| !one.is_empty());
         let last = metal.iter().rposition(|one| !one.is_empty());
         let (Some(first), Some(last)) = (first, last) else { return Vec::new() };

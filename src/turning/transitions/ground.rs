@@ -4,6 +4,8 @@ use crate::turning::contour::{Contour, Curve, Piece};
 use crate::turning::length::Half;
 use crate::turning::point::{Point, Vector};
 
+use super::narrow::is_narrow;
+
 /// Nearer than this to its end an arc is not cut in two where it is level: over 10 µm it rises by less than half a
 /// micrometre for every radius above 0.1 mm.
 const NEAR_END: f64 = 0.01;
@@ -57,7 +59,7 @@ impl Ground {
         radii.min()
     }
 
-    /// Where it is not above a radius: stretches of Z, each with a length.
+    /// Where it is not above a radius: stretches of Z. A slot narrower than rounding is wall ([`NARROW`](super::narrow)).
     pub fn spans(&self, radius: Half, from: Half, to: Half) -> Vec<(Half, Half)> {
         let mut spans: Vec<(Half, Half)> = Vec::new();
         for piece in self.over(from, to) {
@@ -73,7 +75,7 @@ impl Ground {
                 _ => spans.push((a, b)),
             }
         }
-        spans.retain(|(a, b)| a < b);
+        spans.retain(|(a, b)| !is_narrow(*a, *b));
         spans
     }
 
@@ -109,9 +111,10 @@ impl Ground {
     /// fall to it.
     pub fn flank(&self, foot: Point) -> Vec<Piece> {
         let falls = |piece: &&Piece| piece.from.radius > piece.to.radius;
-        let Some(last) = self.pieces.iter().rposition(|piece| falls(&piece) && lies_on(piece, foot)) else {
-            return Vec::new();
-        };
+        // A piece that ends there goes before one that passes there but for rounding.
+        let ends = self.pieces.iter().rposition(|piece| falls(&piece) && piece.to == foot);
+        let passes = || self.pieces.iter().rposition(|piece| falls(&piece) && lies_on(piece, foot));
+        let Some(last) = ends.or_else(passes) else { return Vec::new() };
         let above = self.pieces.iter().take(last).rev().take_while(falls);
         let mut flank: Vec<Piece> = above.copied().collect();
         flank.reverse();

@@ -4,7 +4,8 @@
 //! [`work`] makes the way of a scheme. Each scheme is a file: [`looped`], [`zigzag`], [`descent`], [`pick_up`],
 //! [`semi_finishing`], [`equidistant`], [`contour`]. They share [`split`] (the levels), [`straight`] (straight passes),
 //! [`course`] (a way as it grows) over [`ground`] (the rough contour) and [`standing`] (what is left of the blank);
-//! [`told`] names the support points, [`measures`] measures and compares, [`check`] refuses what cannot be worked.
+//! [`narrow`] says what is too narrow to count, [`told`] names the support points, [`measures`] measures and compares,
+//! [`check`] refuses what cannot be worked.
 //!
 //! The way is that of the theoretical point of the tool on the rough contour: the corner of the two tangents to its nose,
 //! along the axis and across it. On cylinders and upright faces ahead the true edge cuts the same. Over a stretch that
@@ -22,6 +23,7 @@ pub mod equidistant;
 pub mod ground;
 pub mod looped;
 pub mod measures;
+pub mod narrow;
 pub mod pick_up;
 pub mod semi_finishing;
 pub mod split;

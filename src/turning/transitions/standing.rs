@@ -6,6 +6,7 @@ use crate::turning::length::Half;
 use crate::turning::point::Point;
 
 use super::ground::{Ground, clipped, radius_on};
+use super::narrow::{NARROW, is_narrow};
 
 /// A stretch under one line or arc.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,12 +48,23 @@ impl Standing {
     }
 
     /// The lesser radius of both sides of a Z, beyond the ends that of the metal beside it: so far down a tool comes
-    /// along a face.
+    /// along a face. A slot narrower than rounding is no room: there the wall behind it counts.
     pub fn least_at(&self, z: Half) -> Option<Half> {
-        match self.sides(z) {
+        let (before, behind) = self.sides(z);
+        match (before.max(self.walled(z - NARROW, z)), behind.max(self.walled(z, z + NARROW))) {
             (Some(before), Some(behind)) => Some(before.min(behind)),
             (one, other) => one.or(other),
         }
+    }
+
+    /// The greatest radius of the metal where a stretch of it begins or ends between two Z.
+    fn walled(&self, from: Half, to: Half) -> Option<Half> {
+        let within = |z: Half| from < z && z < to;
+        let radii = self.cells.iter().flat_map(|cell| {
+            let begins = within(cell.from).then(|| radius_on(&cell.top, cell.from));
+            begins.into_iter().chain(within(cell.to).then(|| radius_on(&cell.top, cell.to)))
+        });
+        radii.max()
     }
 
     /// The greatest radius between two Z; nothing where no metal is. The sides beyond them do not count.
@@ -123,20 +135,18 @@ impl Standing {
         self.cells.iter().all(over)
     }
 
-    /// The most that stands above a ground anywhere; what the rounding of points leaves is none. Where an arc meets
-    /// something aslant, a bound of it from above.
+    /// The most that stands above a ground anywhere; what the rounding of points leaves is none, nor what fills a slot
+    /// narrower than that. Where an arc meets something aslant, a bound of it from above.
     pub fn ridge(&self, ground: &Ground) -> Half {
         let mut most = Half::ZERO;
         for piece in ground.pieces.iter().filter(|piece| !piece.is_face()) {
             let first = self.cells.partition_point(|cell| cell.to <= piece.from.z);
             for cell in self.cells.iter().skip(first).take_while(|cell| cell.from < piece.to.z) {
                 let top = self.part(cell, piece.from.z, piece.to.z);
-                let under = clipped(piece, cell.from, cell.to);
-                if let (Some(top), Some(under)) = (top, under) {
-                    // What is not wider than rounding is none either.
-                    if (top.to.z - top.from.z).halves() > ROUNDED && !touches(&top, piece) {
-                        most = most.max(over(&top, &under));
-                    }
+                let under = off_foot(piece).and_then(|piece| clipped(&piece, cell.from, cell.to));
+                let (Some(top), Some(under)) = (top, under) else { continue };
+                if !is_sliver(&top, piece) && !touches(&top, piece) {
+                    most = most.max(over(&top, &under));
                 }
             }
         }
@@ -237,6 +247,27 @@ fn is_near(top: &Piece, piece: &Piece, z: Half, slack: i64) -> bool {
     let reach = reach.into_iter().filter(|z| (piece.from.z..=piece.to.z).contains(z));
     let near = reach.map(|z| radius_on(piece, z)).max().unwrap_or_default();
     (radius_on(top, z) - near).halves() <= slack
+}
+
+/// Whether what stands under `top` above a piece is too narrow to count.
+fn is_sliver(top: &Piece, piece: &Piece) -> bool {
+    let (mut first, mut last) = (top.to.z, top.from.z);
+    compare(top, piece, top.from.z, top.to.z, &mut |from, to, above| {
+        if above {
+            (first, last) = (first.min(from), last.max(to));
+        }
+    });
+    is_narrow(first, last)
+}
+
+/// A piece without the end of an arc where it is lowest: if what is beside that end is as low, it is told there, and if
+/// not, the arc and it make a slot.
+fn off_foot(piece: &Piece) -> Option<Piece> {
+    match piece.curve {
+        Curve::Line => Some(*piece),
+        Curve::Arc { .. } if piece.from.radius < piece.to.radius => clipped(piece, piece.from.z + NARROW, piece.to.z),
+        Curve::Arc { .. } => clipped(piece, piece.from.z, piece.to.z - NARROW),
+    }
 }
 
 /// In so many parts two pieces over one stretch are compared.
