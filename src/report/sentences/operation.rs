@@ -23,9 +23,10 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "set-up {number}: nothing of the part is long enough for the jaws; hold it between centres or leave a longer blank",
     ),
     (
-        "far-face-not-planned",
-        "установ {number}: за деталлю лишається {length} мм заготовки; відрізання або підрізання другого торця не          спроєктовано",
-        "set-up {number}: {length} mm of the blank are left behind the part; parting or facing the far end is not planned",
+        "far-face-cut-away",
+        "установ {number}: за деталлю лишається {length} мм заготовки; їх знято підрізанням торця, відрізання не \
+         спроєктовано",
+        "set-up {number}: {length} mm of the blank are left behind the part; they are faced away, parting is not planned",
     ),
     (
         "bore-drilled-first",
@@ -51,9 +52,8 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
     ),
     (
         "one-feed-for-all",
-        "подачі врізання, підбору або напівчистового ходу не вказано: узято основну, тож час наближений",
-        "the feeds of cutting in, picking up or the semi-finishing pass are not given: the main one is taken, so times are \
-         approximate",
+        "не вказано подач: {feeds}; узято основну, тож час наближений",
+        "these feeds are not given: {feeds}; the main one is taken, so times are approximate",
     ),
     (
         "no-tool-for-zone",
@@ -62,8 +62,10 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
     ),
     (
         "scheme-not-possible",
-        "зона {zone}: схему {scheme} не можна застосувати, причина в наступному рядку; береться найшвидша з тих, що лишають          рівномірний припуск, якщо така є",
-        "zone {zone}: the scheme {scheme} is not possible, for the reason in the next line; the quickest of those that leave          an even allowance is taken, if there is one",
+        "зона {zone}: схему {scheme} не можна застосувати, причина в наступному рядку; береться найшвидша з тих, що \
+         лишають рівномірний припуск, якщо така є",
+        "zone {zone}: the scheme {scheme} is not possible, for the reason in the next line; the quickest of those that \
+         leave an even allowance is taken, if there is one",
     ),
     (
         "face-stock-thin",

@@ -188,8 +188,11 @@ pub fn pace(
     let rate = |of: fn(&crate::turning::workpiece::Rates) -> Option<MillimetresPerMinute>| given.as_ref().and_then(of);
     let (infeed, pick_up) = (rate(|rates| rates.infeed), rate(|rates| rates.pick_up_feed));
     let (semi_finish, finish) = (rate(|rates| rates.semi_finishing_feed), rate(|rates| rates.finishing_feed));
-    if [infeed, pick_up, semi_finish].iter().any(Option::is_none) {
-        findings.push(Finding::of_part(Severity::Note, Note::new("one-feed-for-all")));
+    let named = [("infeed", infeed), ("pick_up_feed", pick_up), ("semi_finishing_feed", semi_finish)];
+    let lacking: Vec<&str> = named.iter().filter(|(_, rate)| rate.is_none()).map(|(name, _)| *name).collect();
+    if !lacking.is_empty() {
+        let note = Note::new("one-feed-for-all").with("feeds", lacking.join(", "));
+        findings.push(Finding::of_part(Severity::Note, note));
     }
     let feeds = Feeds {
         main,

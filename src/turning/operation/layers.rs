@@ -136,6 +136,33 @@ fn left(stretch: &Stretch, bench: &Bench<'_, '_>, findings: &mut Vec<Finding>) -
     }
 }
 
+/// The layers before the far face where a set-up turns nothing else from outside: the face alone, up to the radius that the
+/// part has there.
+///
+/// # Errors
+/// The knowledge base lacks a table.
+pub fn before_face(
+    set_up: &SetUp,
+    bench: &Bench<'_, '_>,
+    findings: &mut Vec<Finding>,
+) -> Result<Option<Layers>, KnowledgeError> {
+    let (workpiece, knowledge) = (bench.workpiece, bench.knowledge);
+    let Some((_, radius)) = workpiece.outer.contour().radii_at(workpiece.length()) else { return Ok(None) };
+    let rim = Point { radius, z: Half::ZERO };
+    let Some(face) = far_face(rim, set_up, Side::Outer, workpiece) else { return Ok(None) };
+    let main = Contour { side: Side::Outer, pieces: vec![face] };
+    let length = Micrometres::new(workpiece.length().halves() / 2);
+    let method = method(&workpiece.allowances);
+    let distance = allowance(Place::Face, radius.diameter(), length, method, knowledge)?.0.unwrap_or(Half::ZERO);
+    let at = |point: Point| Point { radius: point.radius, z: point.z - distance };
+    let rough = Contour { side: Side::Outer, pieces: vec![face.mapped(false, at)] };
+    let finish = between(&rough, &main);
+    let Some((blank, rough)) = blank(&rough, set_up, workpiece, findings) else { return Ok(None) };
+    let mut areas = areas(&blank, &rough, &main, &main);
+    areas.finish = finish;
+    Ok(Some(Layers { allowances: Vec::new(), blank, rough, left: main.clone(), part: main.clone(), main, areas }))
+}
+
 fn method(allowances: &Allowances) -> Method {
     let half = |height: crate::turning::workpiece::Microns| Half::from(height.to_mm());
     match allowances {

@@ -122,14 +122,15 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
     };
     let mut done = Vec::new();
     for set_up in set_ups {
-        let turns = set_up.outer.is_some() || set_up.inner.is_some();
-        if set_up.holds_at.is_none() && turns {
+        if set_up.holds_at.is_none() {
             let note = Note::new("set-up-not-held").with("number", set_up.number);
-            findings.push(Finding::of_part(Severity::Wrong, note));
+            // A far face alone can be parted off in the first set-up.
+            let turns = set_up.outer.is_some() || set_up.inner.is_some();
+            findings.push(Finding::of_part(if turns { Severity::Wrong } else { Severity::Doubtful }, note));
         }
         if set_up.faces && set_up.outer.is_none() {
             let length = workpiece.blank.end() - workpiece.length();
-            let note = Note::new("far-face-not-planned").with("number", set_up.number).with("length", length);
+            let note = Note::new("far-face-cut-away").with("number", set_up.number).with("length", length);
             findings.push(Finding::of_part(Severity::Note, note));
         }
         let sides = sides(&set_up, &bench, &mut findings)?;
@@ -142,6 +143,13 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
 /// The outside of a set-up, then its bore: a bore is roughed into a part that is faced already.
 fn sides(set_up: &SetUp, bench: &Bench<'_, '_>, findings: &mut Vec<Finding>) -> Result<Vec<SideWork>, KnowledgeError> {
     let mut sides = Vec::new();
+    if set_up.faces
+        && set_up.outer.is_none()
+        && let Some(layers) = layers::before_face(set_up, bench, findings)?
+    {
+        let zones = work::zones(&layers, bench, findings)?;
+        sides.push(SideWork { side: Side::Outer, layers, zones, additional: Vec::new() });
+    }
     for (side, stretch) in [(Side::Outer, &set_up.outer), (Side::Inner, &set_up.inner)] {
         let Some(stretch) = stretch else { continue };
         let Some(layers) = layers::layers(stretch, set_up, bench, findings)? else { continue };

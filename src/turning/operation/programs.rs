@@ -1,5 +1,5 @@
-//! The programs of an operation: one for each tool of a set-up that follows without another between, as ways or as the
-//! roughing cycles of a control.
+//! The programs of an operation: one for all works that follow each other with the same tool, speed and feeds, as ways, or
+//! one for each work as the roughing cycle of a control.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
@@ -13,8 +13,8 @@ use crate::turning::way::{Purpose, Way};
 use crate::turning::zones::Feed;
 use crate::units::{MillimetresPerMinute, MillimetresPerRev, RevsPerMinute, round_to};
 
+use super::Operation;
 use super::work::{Work, ZoneWork};
-use super::{Operation, SideWork};
 
 /// What is written of an operation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,16 +40,18 @@ pub struct Written {
     pub files: Result<Vec<ProgramFile>, NotWritten>,
 }
 
-/// Neighbouring zones of a side with one tool.
+/// Works that follow each other with one tool, speed and feeds.
 struct Run<'a> {
     set_up: u8,
-    side: &'a SideWork,
+    side: Side,
     tool: &'a str,
     place: u32,
-    zones: Vec<&'a ZoneWork>,
+    setting: Result<Setting, NotWritten>,
+    works: Vec<(&'a ZoneWork, &'a Work)>,
 }
 
-/// The programs of an operation in the order of work; `spindle` is the spindle speed that the user states. Tools have the places of the turret in the order of their first use.
+/// The programs of an operation in the order of work; `spindle` is the spindle speed that the user states. Tools have the
+/// places of the turret in the order of their first use.
 ///
 /// # Errors
 /// There is no such control, or a table lacks something of it.
@@ -61,29 +63,23 @@ pub fn programs(
     knowledge: &Knowledge,
 ) -> Result<Vec<Written>, KnowledgeError> {
     let control = Control::read(control, knowledge)?;
-    let mut written = Vec::new();
-    for run in runs(operation) {
-        let zones = |zones: &[&ZoneWork]| zones.iter().map(|zone| zone.zone.number).collect::<Vec<_>>();
-        let put = |zones: Vec<usize>, files| Written {
-            set_up: run.set_up,
-            side: run.side.side,
-            zones,
-            tool: run.tool.to_owned(),
-            files,
-        };
-        match form {
-            Form::Motions => written.push(put(zones(&run.zones), motions(&run, operation, &control, spindle))),
-            Form::Cycles => {
-                for (zone, work) in run.zones.iter().flat_map(|zone| zone.works.iter().map(move |work| (zone, work))) {
-                    written.push(put(vec![zone.zone.number], cycle(zone, work, &run, operation, &control, spindle)));
-                }
-            }
-        }
-    }
-    Ok(written)
+    let runs = runs(operation, spindle, form);
+    Ok(runs.into_iter().map(|run| written(run, form, &control)).collect())
 }
 
-fn runs(operation: &Operation) -> Vec<Run<'_>> {
+fn written(run: Run<'_>, form: Form, control: &Control) -> Written {
+    let mut zones: Vec<usize> = run.works.iter().map(|(zone, _)| zone.zone.number).collect();
+    zones.dedup();
+    let (set_up, side, tool) = (run.set_up, run.side, run.tool.to_owned());
+    let files = run.setting.clone().and_then(|setting| match form {
+        Form::Motions => motions(&run, &setting, control),
+        Form::Cycles => cycles(&run, &setting, control),
+    });
+    Written { set_up, side, zones, tool, files }
+}
+
+/// The runs of an operation; a cycle is a run of its own.
+fn runs(operation: &Operation, spindle: Option<RevsPerMinute>, form: Form) -> Vec<Run<'_>> {
     let mut runs: Vec<Run<'_>> = Vec::new();
     let mut places: Vec<&str> = Vec::new();
     for (set_up, side, zone) in operation.zones() {
@@ -95,12 +91,20 @@ fn runs(operation: &Operation) -> Vec<Run<'_>> {
             places.push(tool);
             places.len() - 1
         });
+        let place = u32::try_from(place + 1).unwrap_or(u32::MAX);
         let number = set_up.set_up.number;
-        match runs.last_mut().filter(|run| run.set_up == number && run.tool == tool && run.side.side == side.side) {
-            Some(run) => run.zones.push(zone),
-            None => {
-                let place = u32::try_from(place + 1).unwrap_or(u32::MAX);
-                runs.push(Run { set_up: number, side, tool, place, zones: vec![zone] });
+        for work in &zone.works {
+            let setting = setting(place, operation, work, spindle);
+            let same = |run: &&mut Run<'_>| {
+                let here = run.set_up == number && run.tool == tool && run.side == side.side;
+                here && run.setting == setting && form == Form::Motions
+            };
+            match runs.last_mut().filter(same) {
+                Some(run) => run.works.push((zone, work)),
+                None => {
+                    let works = vec![(zone, work)];
+                    runs.push(Run { set_up: number, side: side.side, tool, place, setting, works });
+                }
             }
         }
     }
@@ -109,28 +113,20 @@ fn runs(operation: &Operation) -> Vec<Run<'_>> {
 
 /// Every way of a run, from home to home. Between two ways the tool goes from one home to the next, both off the corner of
 /// the blank before its free face.
-fn motions(
-    run: &Run<'_>,
-    operation: &Operation,
-    control: &Control,
-    spindle: Option<RevsPerMinute>,
-) -> Result<Vec<ProgramFile>, NotWritten> {
-    let works: Vec<&Work> = run.zones.iter().flat_map(|zone| &zone.works).collect();
+fn motions(run: &Run<'_>, setting: &Setting, control: &Control) -> Result<Vec<ProgramFile>, NotWritten> {
     let mut whole: Option<Way> = None;
-    for way in works.iter().filter_map(|work| work.transition()).map(|transition| &transition.way) {
+    for way in run.works.iter().filter_map(|(_, work)| work.transition()).map(|transition| &transition.way) {
         match &mut whole {
             None => whole = Some(way.clone()),
             Some(whole) => {
-                for corner in over(whole.end(), way.from, run.side.side) {
+                for corner in over(whole.end(), way.from, run.side) {
                     whole.go(corner, Purpose::Rapid);
                 }
                 whole.moves.extend(way.moves.iter().copied());
             }
         }
     }
-    let way = whole.unwrap_or_default();
-    let setting = setting(run, operation, works.first().copied(), spindle)?;
-    let text = program::plain(control, &way, &setting)?;
+    let text = program::plain(control, &whole.unwrap_or_default(), setting)?;
     Ok(vec![ProgramFile { name: format!("{}.ngc", run.place), text }])
 }
 
@@ -145,27 +141,23 @@ fn over(from: Point, to: Point, side: Side) -> [Point; 2] {
 }
 
 /// What is cleared by one scheme, as the cycle of the control over its rough contour.
-fn cycle(
-    zone: &ZoneWork,
-    work: &Work,
-    run: &Run<'_>,
-    operation: &Operation,
-    control: &Control,
-    spindle: Option<RevsPerMinute>,
-) -> Result<Vec<ProgramFile>, NotWritten> {
-    let roughing = Roughing {
-        direction: match zone.zone.feed {
-            Feed::Along => Direction::Longitudinal,
-            Feed::Across => Direction::Facing,
-        },
-        depth: work.levels.depth,
-        clearance: work.pace.approach_mm,
-        retract: work.pace.retract_mm.min(work.pace.approach_mm),
-        allowance: Allowance { radius: Half::ZERO, z: Half::ZERO },
-    };
-    let setting = setting(run, operation, Some(work), spindle)?;
-    let written = program::cycle(control, &work.stock.rough, corner(&work.stock.blank), roughing, &setting)?;
-    Ok(written.files)
+fn cycles(run: &Run<'_>, setting: &Setting, control: &Control) -> Result<Vec<ProgramFile>, NotWritten> {
+    let mut files = Vec::new();
+    for (zone, work) in &run.works {
+        let roughing = Roughing {
+            direction: match zone.zone.feed {
+                Feed::Along => Direction::Longitudinal,
+                Feed::Across => Direction::Facing,
+            },
+            depth: work.levels.depth,
+            clearance: work.pace.approach_mm,
+            retract: work.pace.retract_mm.min(work.pace.approach_mm),
+            allowance: Allowance { radius: Half::ZERO, z: Half::ZERO },
+        };
+        let corner = corner(&work.stock.blank);
+        files.extend(program::cycle(control, &work.stock.rough, corner, roughing, setting)?.files);
+    }
+    Ok(files)
 }
 
 /// The corner of a blank before its free face: its greatest radius, of a bore its least.
@@ -175,15 +167,15 @@ fn corner(blank: &Contour) -> Point {
     Point { radius: if blank.side == Side::Outer { most } else { least }, z }
 }
 
-/// Speeds and feeds of a run: the spindle step of the conditions, or the speed that the user states; without either there
+/// Speed and feeds of a work: the spindle step of its conditions, or the speed that the user states; without either there
 /// is no program, because feeds are written for a revolution.
 fn setting(
-    run: &Run<'_>,
+    tool: u32,
     operation: &Operation,
-    work: Option<&Work>,
+    work: &Work,
     spindle: Option<RevsPerMinute>,
 ) -> Result<Setting, NotWritten> {
-    let pace = work.map(|work| &work.pace).ok_or(NotWritten::NoSpeed)?;
+    let pace = &work.pace;
     let found = pace.conditions.as_ref().map(|found| found.spindle_rpm);
     let rpm = spindle.or(found).ok_or(NotWritten::NoSpeed)?;
     let per_rev = |rate: MillimetresPerMinute| MillimetresPerRev(round_to(rate.0 / rpm.0, 4));
@@ -196,5 +188,5 @@ fn setting(
         back: per_rev(pace.feeds.infeed),
     };
     let name = operation.workpiece.name.clone();
-    Ok(Setting { name, tool: run.place, speed: Speed::Spindle(rpm), feeds, coolant: true })
+    Ok(Setting { name, tool, speed: Speed::Spindle(rpm), feeds, coolant: true })
 }
