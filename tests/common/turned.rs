@@ -39,6 +39,15 @@ pub enum Kind {
     Contoured(u8),
 }
 
+/// A bore.
+#[derive(Clone, Debug)]
+pub struct Bore {
+    /// So much narrower or wider, so long, and whether by a cone or a face.
+    pub steps: Vec<(i64, i64, bool)>,
+    /// Whether it goes through.
+    pub through: bool,
+}
+
 /// A turned part.
 #[derive(Clone)]
 pub struct Draft {
@@ -46,8 +55,8 @@ pub struct Draft {
     pub start: i64,
     /// The outer contour behind the first cylinder.
     pub items: Vec<Item>,
-    /// The bore, as steps: so much narrower (or wider), and so long; cone or face. Whether it goes through.
-    pub bore: Option<(Vec<(i64, i64, bool)>, bool)>,
+    /// The bore, if there is one.
+    pub bore: Option<Bore>,
     pub kind: Kind,
     /// Radial stock of the blank, that on its face, and what it is longer.
     pub stock: (i64, i64, i64),
@@ -192,7 +201,7 @@ impl Draft {
             walk.cylinder(5_000, "");
         }
         let (length, most) = (walk.z, widest(&walk.spans));
-        let bore = self.bore.as_ref().map(|(steps, through)| bore(steps, *through, least - 5_000, length));
+        let bore = self.bore.as_ref().map(|one| bore(&one.steps, one.through, least - 5_000, length));
         let mouth = bore.as_ref().map_or(0, |bore| bore.0);
         let mut text = "shaft: a\nmaterial: steel-45\n".to_owned();
         let _ = writeln!(
@@ -382,7 +391,11 @@ pub fn drafts() -> impl Strategy<Value = Draft> {
     ];
     let step = (-1_000_i64..600, 300_i64..2_500, prop::bool::weighted(0.3));
     let step = step.prop_map(|(by, long, cone)| (by * 10, long * 10, cone));
-    let bore = prop::option::weighted(0.4, (prop::collection::vec(step, 0..4), prop::bool::weighted(0.7)));
+    let bore = prop::option::weighted(
+        0.4,
+        (prop::collection::vec(step, 0..4), prop::bool::weighted(0.7))
+            .prop_map(|(steps, through)| Bore { steps, through }),
+    );
     let schemes = vec!["loop", "zigzag", "descent", "pick-up", "semi-finishing", "equidistant", "contour"];
     let scheme = prop::option::weighted(0.2, prop::sample::select(schemes));
     let stock = (50_i64..800, 0_i64..300, prop_oneof![Just(0_i64), 0_i64..6_000])

@@ -127,16 +127,12 @@ fn between_bare_faces(contour: &Contour, distances: &[Half], axis: bool) -> Resu
     }
     // What of a face the strip beside it covers is no face any more.
     if let (Some(first), Some(start)) = (found.first().map(|over| over.piece.from), contour.start())
-        && before > 0
-        && start.radius > first.radius
-        && start.z == first.z
+        && (before > 0 && start.radius > first.radius && start.z == first.z)
     {
         found.insert(0, Over { piece: Piece::line(start, first), of: before - 1 });
     }
     if let (Some(last), Some(end)) = (found.last().map(|over| over.piece.to), contour.end())
-        && behind > 0
-        && end.radius > last.radius
-        && end.z == last.z
+        && (behind > 0 && end.radius > last.radius && end.z == last.z)
     {
         found.push(Over { piece: Piece::line(last, end), of: rest.end });
     }

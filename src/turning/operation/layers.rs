@@ -58,13 +58,14 @@ fn sizes<S: serde::Serializer>(areas: &Areas, serializer: S) -> Result<S::Ok, S:
         .serialize(serializer)
 }
 
-/// The layers of a stretch; none where they cannot be laid, which is a finding.
+/// The layers of a stretch; `face` is Z of the rough face of the free end, from which a bore is bored. None where they cannot be laid, which is a finding.
 ///
 /// # Errors
 /// The knowledge base lacks a table.
 pub fn layers(
     stretch: &Stretch,
     set_up: &SetUp,
+    face: Option<Half>,
     bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
 ) -> Result<Option<Layers>, KnowledgeError> {
@@ -106,11 +107,22 @@ pub fn layers(
         }
     };
     let finish = between(&rough, &left);
+    let rough = up_to(rough, face);
     let Some((blank, rough)) = blank(&rough, set_up, workpiece, findings) else { return Ok(None) };
     let part = stretch.profile.contour();
     let mut areas = areas(&blank, &rough, main, &part);
     areas.finish = finish;
     Ok(Some(Layers { allowances, blank, rough, left, main: main.clone(), part, areas }))
+}
+
+/// A rough bore from the rough face on: before its own beginning stands the allowance of the face.
+fn up_to(mut rough: Contour, face: Option<Half>) -> Contour {
+    if let (Side::Inner, Some(start), Some(z)) = (rough.side, rough.start(), face)
+        && z < start.z
+    {
+        rough.pieces.insert(0, Piece::line(Point { radius: start.radius, z }, start));
+    }
+    rough
 }
 
 /// The main contour with what stays for other machines, each piece with its surface; none where it cannot be laid, which is

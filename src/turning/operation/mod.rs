@@ -152,7 +152,8 @@ fn sides(set_up: &SetUp, bench: &Bench<'_, '_>, findings: &mut Vec<Finding>) -> 
     }
     for (side, stretch) in [(Side::Outer, &set_up.outer), (Side::Inner, &set_up.inner)] {
         let Some(stretch) = stretch else { continue };
-        let Some(layers) = layers::layers(stretch, set_up, bench, findings)? else { continue };
+        let face = sides.first().and_then(|outer: &SideWork| outer.layers.rough.start()).map(|start| start.z);
+        let Some(layers) = layers::layers(stretch, set_up, face, bench, findings)? else { continue };
         let zones = work::zones(&layers, bench, findings)?;
         let additional = work::additional(stretch, bench, findings)?;
         sides.push(SideWork { side, layers, zones, additional });

@@ -217,8 +217,15 @@ fn zone_work(
     let task = Task { tool, diameter, direction, stock };
     work.depth = depth::depth(task, bench, findings)?;
     let Some(limit) = work.depth.as_ref().map(|depth| depth.limiting_depth_mm) else { return Ok(work) };
-    for (stock, scheme) in stocks {
-        work.works.push(clear(stock, scheme, limit, zone, task, bench, findings)?);
+    let mut left: Option<Contour> = None;
+    for (mut stock, scheme) in stocks {
+        // What the work before has left stands before this one, its ridges too.
+        if let Some(left) = left.take() {
+            stock.blank = left;
+        }
+        let done = clear(stock, scheme, limit, zone, task, bench, findings)?;
+        left = done.transition().map(|transition| transition.left.clone());
+        work.works.push(done);
     }
     Ok(work)
 }

@@ -194,6 +194,9 @@ pub struct Transition {
     /// The most that is left over the rough contour anywhere, radial; none but by rounding is 0. Where an arc of the
     /// blank is left over a slope, a bound of it from above.
     pub ridges_mm: Half,
+    /// The surface of what stands after it: the rough contour with its ridges. The blank of a work that goes deeper.
+    #[serde(skip)]
+    pub left: Contour,
     /// Whether what is left for finishing is even: no ridges.
     pub uniform: bool,
     /// Its lengths, its time and its passes.
@@ -261,7 +264,8 @@ pub fn work(
     let found = outer(&inside_out, tool, settings, scheme, &back, knowledge, Some(top))?;
     let way = way_inside_out(&found.way, top);
     let roles: Vec<_> = found.points.iter().map(|point| point.role).collect();
-    Ok(Transition { points: told::points(&way, &roles), way, ..found })
+    let left = found.left.inside_out(top);
+    Ok(Transition { points: told::points(&way, &roles), way, left, ..found })
 }
 
 fn outer(
@@ -298,6 +302,7 @@ fn outer(
         points: told::points(&course.way, &course.roles),
         edge,
         ridges_mm,
+        left: course.standing.surface(&zone.ground),
         uniform: ridges_mm == Half::ZERO,
         measures: measures::measure(&course.way, &zone, &settings.feeds, course.passes, edge),
         because: Because::row(row, note),

@@ -1,7 +1,7 @@
 //! What still stands of the blank over a zone: for each Z the radius of the metal, as stretches that each lie under one
 //! line or arc. A working move lowers it to its own way. Exact in Z to half a micrometre.
 
-use crate::turning::contour::{Curve, Piece};
+use crate::turning::contour::{Contour, Curve, Piece, Side};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 
@@ -151,6 +151,37 @@ impl Standing {
             }
         }
         most
+    }
+
+    /// The surface of what stands, over a ground: the ground where nothing is above it but rounding. What is to be cleared
+    /// next stands between it and a deeper contour.
+    pub fn surface(&self, ground: &Ground) -> Contour {
+        let mut pieces: Vec<Piece> = Vec::new();
+        // The piece of the ground that the last one is a part of.
+        let mut of = None;
+        for (index, piece) in ground.pieces.iter().enumerate().filter(|(_, piece)| !piece.is_face()) {
+            let first = self.cells.partition_point(|cell| cell.to <= piece.from.z);
+            for cell in self.cells.iter().skip(first).take_while(|cell| cell.from < piece.to.z) {
+                let (Some(top), Some(under)) =
+                    (self.part(cell, piece.from.z, piece.to.z), clipped(piece, cell.from, cell.to))
+                else {
+                    continue;
+                };
+                let clean = (top.to.z - top.from.z).halves() <= ROUNDED || touches(&top, piece);
+                let (next, source) = if clean { (under, Some(index)) } else { (top, None) };
+                match pieces.last_mut() {
+                    Some(last) if source.is_some() && source == of => last.to = next.to,
+                    Some(last) if last.is_cylinder() && next.is_cylinder() && last.to == next.from => last.to = next.to,
+                    Some(last) => {
+                        let face = Piece::line(last.to, next.from);
+                        pieces.extend([face, next].into_iter().filter(|piece| !piece.is_nothing()));
+                    }
+                    None => pieces.push(next),
+                }
+                of = source;
+            }
+        }
+        Contour { side: Side::Outer, pieces }
     }
 
     /// The part of a cell over a stretch, where it has a length.
