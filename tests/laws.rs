@@ -146,7 +146,7 @@ fn group() -> impl Strategy<Value = String> {
         (30_i64..=800).prop_map(|tenth| tenth * 100),
         (3_000_i64..=80_000),
     ];
-    let depth = prop_oneof![Just(None), (1_i64..=39_999).prop_map(Some), (1_i64..=39).prop_map(|mm| Some(mm * 1000))];
+    let depth = prop_oneof![Just(None), (100_i64..=39_999).prop_map(Some), (1_i64..=39).prop_map(|mm| Some(mm * 1000))];
     let roughness = prop::sample::select(vec![
         "Ra 25", "Ra 12.5", "Rz 80", "Ra 6.3", "Rz 40", "Ra 3.2", "Rz 20", "Ra 2.5", "Ra 1.25", "Ra 0.63", "Ra 0.1",
     ]);
