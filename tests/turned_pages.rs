@@ -40,6 +40,14 @@ fn the_drawing_and_the_answer_have_every_zone() {
     assert_eq!(drawing.matches("t_p = ").count(), 2 * works);
     assert_eq!(drawing.matches("allowances and zones").count(), 2 * sides().count());
     assert!(drawing.lines().any(|line| line.starts_with("<path") && line.contains(" 0 0 ")), "no arcs");
+    let (_, all) = turn(&["examples/turned-pin.yaml", "--show", "schemes", "--format", "svg", "--lang", "en"]);
+    let ways: usize = sides()
+        .flat_map(|side| side["zones"].as_array().unwrap())
+        .flat_map(|zone| zone["works"].as_array().unwrap())
+        .map(|work| work["transitions"].as_array().unwrap().len())
+        .sum();
+    assert!(ways > 3 * works);
+    assert_eq!(all.matches("t_p = ").count(), 2 * ways);
     assert!(drawing.starts_with("<svg ") && drawing.ends_with("</svg>\n"));
 }
 

@@ -38,7 +38,7 @@ pub struct Args {
     /// Moves: basic, as the paper has them, or rich: stopping anywhere and with less depth; else as the file says
     #[arg(long, value_enum, hide_possible_values = true)]
     moves: Option<MovesName>,
-    /// What to show: passes (of a contour: the operation), operation (zones, tools, the seven schemes), steps (the optimum pass by pass, --format svg), map (the variants over length to diameter), program (motions) or cycle (the roughing cycle of the control)
+    /// What to show: passes (of a contour: the operation), operation (zones, tools, the seven schemes), schemes (the same, drawn with the way of each scheme), steps (the optimum pass by pass, --format svg), map (the variants over length to diameter), program (motions) or cycle (the roughing cycle of the control)
     #[arg(long, value_enum, hide_possible_values = true, default_value = "passes")]
     show: Show,
     /// With program and cycle: the control, linuxcnc, sinumerik or nc-201
@@ -59,6 +59,7 @@ enum Show {
     Steps,
     Map,
     Operation,
+    Schemes,
     Program,
     Cycle,
 }
@@ -69,7 +70,7 @@ impl Show {
         match self {
             Self::Program => Some(Form::Motions),
             Self::Cycle => Some(Form::Cycles),
-            Self::Passes | Self::Steps | Self::Map | Self::Operation => None,
+            Self::Passes | Self::Steps | Self::Map | Self::Operation | Self::Schemes => None,
         }
     }
 }
@@ -108,14 +109,22 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         return turn_operation::program(&workpiece, wanted, &knowledge, context);
     }
     let mut shaft = match read {
-        Turned::Stepped(shaft) if args.show == Show::Operation => {
-            return turn_operation::page(&Workpiece::from(&shaft), &knowledge, format, context);
+        Turned::Stepped(shaft) if matches!(args.show, Show::Operation | Show::Schemes) => {
+            return turn_operation::page(
+                &Workpiece::from(&shaft),
+                args.show == Show::Schemes,
+                &knowledge,
+                format,
+                context,
+            );
         }
         Turned::Stepped(shaft) => shaft,
         Turned::Contoured(_) if matches!(args.show, Show::Steps | Show::Map) => {
             return Err(refused("only-for-steps", context));
         }
-        Turned::Contoured(workpiece) => return turn_operation::page(&workpiece, &knowledge, format, context),
+        Turned::Contoured(workpiece) => {
+            return turn_operation::page(&workpiece, args.show == Show::Schemes, &knowledge, format, context);
+        }
     };
     if let Some(moves) = args.moves {
         shaft.roughing.moves = if moves == MovesName::Rich { Moves::Rich } else { Moves::Basic };

@@ -30,12 +30,13 @@ impl Control {
     }
 }
 
-/// Shows the whole operation.
+/// Shows the whole operation; a drawing has the ways of all schemes where they are asked for.
 ///
 /// # Errors
 /// The knowledge base lacks something, or the answer cannot be written.
 pub fn page(
     workpiece: &Workpiece,
+    all_schemes: bool,
     knowledge: &Knowledge,
     format: Format,
     context: &Context,
@@ -44,7 +45,7 @@ pub fn page(
     match format {
         Format::Json => context.emit_json(&operation)?,
         Format::Yaml => context.emit_yaml(&operation)?,
-        Format::Svg => context.emit(&report::turning::operation_drawing(&operation, context.lang))?,
+        Format::Svg => context.emit(&report::turning::operation_drawing(&operation, all_schemes, context.lang))?,
         _ => context.emit(&report::turning::operation_page(&operation, knowledge, context.lang))?,
     }
     Ok(if operation.has_errors() { Outcome::Findings } else { Outcome::Done })

@@ -26,8 +26,8 @@ const ALLOWANCES: [(&str, &str, &str); 3] = [
     ("#8fd3b6", "3: чистовий", "3: finish"),
 ];
 
-/// The whole drawing.
-pub fn operation_drawing(operation: &Operation, lang: Lang) -> String {
+/// The whole drawing, with the way that is taken over each zone, or with those of all schemes.
+pub fn operation_drawing(operation: &Operation, all: bool, lang: Lang) -> String {
     let mut canvas = Canvas::default();
     let mut top = 0.0;
     for set_up in &operation.set_ups {
@@ -35,7 +35,7 @@ pub fn operation_drawing(operation: &Operation, lang: Lang) -> String {
             top = layers(&mut canvas, set_up, side, top, lang);
             for zone in &side.zones {
                 for work in &zone.works {
-                    if let Some(transition) = work.transition() {
+                    for transition in work.transitions.iter().filter(|one| all || work.taken == Some(one.scheme)) {
                         top = way(&mut canvas, (set_up, side, zone), work, transition, top, lang);
                     }
                 }

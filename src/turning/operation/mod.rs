@@ -155,6 +155,7 @@ fn sides(set_up: &SetUp, bench: &Bench<'_, '_>, findings: &mut Vec<Finding>) -> 
         let face = sides.first().and_then(|outer: &SideWork| outer.layers.rough.start()).map(|start| start.z);
         let Some(layers) = layers::layers(stretch, set_up, face, bench, findings)? else { continue };
         let zones = work::zones(&layers, bench, findings)?;
+        work::finishing_after(&zones, &stretch.profile, bench, findings)?;
         let additional = work::additional(stretch, bench, findings)?;
         sides.push(SideWork { side, layers, zones, additional });
     }

@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::error::{KnowledgeError, Refusal};
 use crate::note::{Because, Finding, Note, Severity};
 use crate::turning::allowances::equidistant;
-use crate::turning::contour::{Contour, Side};
+use crate::turning::contour::{Contour, Profile, Side};
 use crate::turning::cutting::Direction;
 use crate::turning::length::Half;
 use crate::turning::point::Point;
@@ -120,6 +120,23 @@ pub fn zones(
         works.push(work);
     }
     Ok(works)
+}
+
+/// Tells where a surface is asked to be finer than the scheme that is taken can leave it as the last one.
+///
+/// # Errors
+/// The knowledge base lacks the table of schemes.
+pub fn finishing_after(
+    zones: &[ZoneWork],
+    profile: &Profile,
+    bench: &Bench<'_, '_>,
+    findings: &mut Vec<Finding>,
+) -> Result<(), KnowledgeError> {
+    let Some(finest) = profile.surfaces.iter().filter_map(|surface| surface.roughness).min() else { return Ok(()) };
+    for scheme in zones.iter().flat_map(|zone| &zone.works).filter_map(|work| work.taken) {
+        findings.extend(transitions::finishing_must_follow(scheme, finest, bench.knowledge)?);
+    }
+    Ok(())
 }
 
 /// The zones under the bridges of the main contour, each with the tools that fit it: turning, boring and grooving. What a
