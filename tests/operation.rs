@@ -247,8 +247,14 @@ fn programs_for_rs274() {
                     continue;
                 }
             };
-            let ways: Vec<Value> = works(written.set_up, written.side, &written.zones)
+            let mine = works(written.set_up, written.side, &written.zones);
+            let of = |(zone, work): &&(&ZoneWork, &Work)| {
+                let place = zone.works.iter().position(|one| std::ptr::eq(one, *work)).unwrap();
+                written.works.contains(&(zone.zone.number, place))
+            };
+            let ways: Vec<Value> = mine
                 .iter()
+                .filter(of)
                 .filter_map(|(_, work)| Some((work, work.transition()?)))
                 .map(|(work, transition)| {
                     let moves: Vec<Value> = transition

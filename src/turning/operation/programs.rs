@@ -34,6 +34,8 @@ pub struct Written {
     pub side: Side,
     /// The numbers of its zones on that side.
     pub zones: Vec<usize>,
+    /// Its works in order: the number of the zone, and the place of the work in it, from 0.
+    pub works: Vec<(usize, usize)>,
     /// Its tool.
     pub tool: String,
     /// Its files, or the reason.
@@ -70,12 +72,17 @@ pub fn programs(
 fn written(run: Run<'_>, form: Form, control: &Control) -> Written {
     let mut zones: Vec<usize> = run.works.iter().map(|(zone, _)| zone.zone.number).collect();
     zones.dedup();
+    let place = |(zone, work): &(&ZoneWork, &Work)| {
+        let place = zone.works.iter().position(|one| std::ptr::eq(one, *work));
+        (zone.zone.number, place.unwrap_or_default())
+    };
+    let works = run.works.iter().map(place).collect();
     let (set_up, side, tool) = (run.set_up, run.side, run.tool.to_owned());
     let files = run.setting.clone().and_then(|setting| match form {
         Form::Motions => motions(&run, &setting, control),
         Form::Cycles => cycles(&run, &setting, control),
     });
-    Written { set_up, side, zones, tool, files }
+    Written { set_up, side, zones, works, tool, files }
 }
 
 /// The runs of an operation; a cycle is a run of its own.
