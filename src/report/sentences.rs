@@ -7,6 +7,7 @@ use crate::note::Note;
 
 use super::Lang;
 
+mod audit;
 mod iso;
 mod jobs;
 mod lists;
@@ -20,7 +21,7 @@ mod turning;
 fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'static str)> {
     let all = SENTENCES.iter().chain(routes::SENTENCES).chain(programs::SENTENCES);
     let all = all.chain(iso::SENTENCES).chain(jobs::SENTENCES).chain(lists::SENTENCES);
-    all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES)
+    all.chain(audit::SENTENCES).chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES)
 }
 
 /// A note as a sentence. A code without words shows itself with its figures, so that nothing is lost.
@@ -591,7 +592,7 @@ mod tests {
     #[test]
     fn every_code_of_the_program_has_its_words() {
         let mut codes = BTreeSet::new();
-        for room in ["route", "tooling", "cutting", "planner", "job", "program", "turning"] {
+        for room in ["audit", "route", "tooling", "cutting", "planner", "job", "program", "turning"] {
             codes_in(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src").join(room), &mut codes);
         }
         assert!(codes.len() > 50, "the search for codes finds too few: {}", codes.len());

@@ -1,0 +1,53 @@
+//! The audit: anybody's plan held against the knowledge.
+//!
+//! ```text
+//! plan.yaml → read → Stated ┐                ┌ rules  → graph → verdicts ┐
+//! plan.json → own  → Stated ┴ context (tools, ┤                           ├ findings
+//!                             our own plan)   └ checks ───────────────────┘
+//! ```
+//!
+//! - [`stated`] is a plan as written, every figure with its place and its printed text;
+//! - [`rules`] compute figures from others, [`graph`] says where a deviation begins and what follows from it;
+//! - [`checks`] hold choices against the tables: designations, cutters, holders, routes, limits, the program;
+//! - what may be rounded how stands in the table `audit-tolerance`.
+//!
+//! Architecture invariant: an audit invents nothing. What a plan does not state is listed as missing, and what had to be
+//! taken from the tables instead is named in the finding that rests on it.
+
+pub mod checks;
+mod context;
+mod figures;
+pub mod file;
+mod finding;
+mod graph;
+mod keys;
+mod near;
+mod own;
+pub mod quantity;
+mod read;
+pub mod rules;
+pub mod stated;
+mod tolerance;
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+
+pub use file::schema;
+pub use finding::{Audit, Change, Finding, Section, Shown, Subject};
+pub use graph::Rule;
+pub use read::{NamedText, Unreadable, read_plan};
+use stated::Stated;
+
+/// Holds a plan against the knowledge.
+///
+/// # Errors
+/// The knowledge cannot answer. What is wrong with the plan is a finding.
+pub fn audit(stated: &Stated, knowledge: &Knowledge) -> Result<Audit, KnowledgeError> {
+    let tolerances = tolerance::Tolerances::read(knowledge)?;
+    let context = context::Context::new(stated, knowledge)?;
+    let mut graph = graph::Graph::new(stated, &tolerances);
+    rules::add(&context, &mut graph)?;
+    let mut findings = figures::findings(&context, &graph);
+    checks::all(&context, &graph, &mut findings)?;
+    Ok(Audit::new(stated, findings))
+}
