@@ -8,7 +8,6 @@ use crate::knowledge::table::Shank;
 use crate::knowledge::{Knowledge, RowRef};
 use crate::part::Hole;
 use crate::plan::{Plan, Transition};
-use crate::planner;
 use crate::shop::Shop;
 use crate::tooling::named::{NamedCutter, cutter_names, holder_names};
 
@@ -24,7 +23,7 @@ pub struct Context<'a> {
     /// The knowledge, the machine and the material.
     pub shop: Shop<'a>,
     /// The plan we would make of the same part, by the same method.
-    pub plan: Plan,
+    pub plan: &'a Plan,
     cutters: Vec<Near<NamedCutter<'a>>>,
     holders: Vec<Near<RowRef<'a>>>,
     /// Correctors by the word that calls them in the program: `G43` or `G44`.
@@ -32,13 +31,12 @@ pub struct Context<'a> {
 }
 
 impl<'a> Context<'a> {
-    /// Looks up the tools and plans the part.
+    /// Looks up the tools.
     ///
     /// # Errors
     /// The knowledge cannot answer.
-    pub fn new(stated: &'a Stated, knowledge: &'a Knowledge) -> Result<Self, KnowledgeError> {
+    pub fn new(stated: &'a Stated, plan: &'a Plan, knowledge: &'a Knowledge) -> Result<Self, KnowledgeError> {
         let shop = Shop::new(&stated.part, stated.method, knowledge)?;
-        let plan = planner::plan(&stated.part, stated.method, knowledge)?;
         let mut cutters = Vec::new();
         let mut holders = Vec::new();
         for tool in &stated.tools {
@@ -87,7 +85,7 @@ impl<'a> Context<'a> {
     }
 
     /// The same transition in our plan: of the same hole, operation and place, and where it is stated of the same diameter.
-    pub fn reference(&self, row: usize) -> Option<&Transition> {
+    pub fn reference(&self, row: usize) -> Option<&'a Transition> {
         let own = self.stated.rows.get(row)?;
         let name = &own.hole.as_ref()?.value;
         let hole = self.plan.holes.iter().find(|hole| hole.name == *name)?;

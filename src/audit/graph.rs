@@ -224,13 +224,15 @@ impl<'a> Graph<'a> {
         options
     }
 
-    /// How much a result may differ because inputs that no formula computes are printed rounded.
+    /// How much a result may differ because inputs are printed rounded.
     fn slack(&self, formula: &Formula<'a>, inputs: &[f64]) -> f64 {
         let Some(middle) = (formula.compute)(inputs) else { return 0.0 };
         let mut slack = 0.0;
         for (at, input) in formula.inputs.iter().enumerate() {
             let Some(figure) = self.stated.figure(*input) else { continue };
-            if !self.tolerances.rounded(input.quantity) || self.formula(*input).is_some() {
+            // A formula gives the whole figure; only a plan of ours is printed from figures that nobody sees.
+            let whole = !self.stated.own && self.formula(*input).is_some();
+            if !self.tolerances.rounded(input.quantity) || whole {
                 continue;
             }
             let mut moved = inputs.to_vec();

@@ -31,6 +31,8 @@ mod tolerance;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
+use crate::plan::Plan;
+use crate::planner;
 
 pub use file::schema;
 pub use finding::{Audit, Change, Finding, Section, Shown, Subject};
@@ -43,8 +45,17 @@ use stated::Stated;
 /// # Errors
 /// The knowledge cannot answer. What is wrong with the plan is a finding.
 pub fn audit(stated: &Stated, knowledge: &Knowledge) -> Result<Audit, KnowledgeError> {
+    let ours = planner::plan(&stated.part, stated.method, knowledge)?;
+    audit_beside(stated, &ours, knowledge)
+}
+
+/// The same beside our own plan of the same part by the same method, where it was made already.
+///
+/// # Errors
+/// As of [`audit`].
+pub fn audit_beside(stated: &Stated, ours: &Plan, knowledge: &Knowledge) -> Result<Audit, KnowledgeError> {
     let tolerances = tolerance::Tolerances::read(knowledge)?;
-    let context = context::Context::new(stated, knowledge)?;
+    let context = context::Context::new(stated, ours, knowledge)?;
     let mut graph = graph::Graph::new(stated, &tolerances);
     rules::add(&context, &mut graph)?;
     let mut findings = figures::findings(&context, &graph);

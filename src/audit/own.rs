@@ -109,6 +109,7 @@ pub(super) fn read(
         part: head.part,
         method: head.cutting,
         own: true,
+        tree: Some(root.clone()),
         rows,
         tools,
         conditions,
@@ -184,7 +185,9 @@ impl Own<'_> {
 
     fn conditions(&mut self, node: &Node, transition: &Node, row: usize) -> Conditions {
         let mut figures = self.figures(node, &CONDITIONS);
-        figures.extend(self.figures(transition, &[("travel_mm", Quantity::Travel)]));
+        // A step drill is reckoned by its wide diameter.
+        let more = [("travel_mm", Quantity::Travel), ("also_diameter_mm", Quantity::Diameter)];
+        figures.extend(self.figures(transition, &more));
         Conditions {
             place: node.place.clone(),
             rows: vec![row],

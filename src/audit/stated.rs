@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::knowledge::diagnostic::Place;
+use crate::knowledge::yaml::Node;
 use crate::part::Part;
 use crate::plan::{CuttingMethod, Feature, Operation};
 
@@ -50,6 +51,8 @@ pub struct Stated {
     /// Whether it was written by `technolog plan`: its figures are rounded as that rounds, and its route is listed
     /// hole by hole.
     pub own: bool,
+    /// The file of a plan of ours, as a tree with places.
+    pub tree: Option<Node>,
     /// The route, in the order of work.
     pub rows: Vec<Row>,
     /// The tools, in the order of the file.

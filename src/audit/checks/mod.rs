@@ -4,6 +4,7 @@ mod cutters;
 mod designations;
 mod limits;
 mod missing;
+mod ours;
 mod program;
 mod route;
 
@@ -18,7 +19,7 @@ type Check = for<'a> fn(&Context<'a>, &Graph<'a>, &mut Vec<Finding>) -> Result<(
 
 /// Every check, in the order of a report.
 const CHECKS: &[Check] =
-    &[route::check, designations::check, cutters::check, limits::check, program::check, missing::check];
+    &[route::check, designations::check, cutters::check, limits::check, program::check, ours::check, missing::check];
 
 /// Runs every check.
 pub(super) fn all<'a>(

@@ -107,6 +107,7 @@ impl Reader<'_> {
             part,
             method: method.unwrap_or_default(),
             own: false,
+            tree: None,
             rows,
             tools,
             conditions,

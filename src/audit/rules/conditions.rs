@@ -87,7 +87,8 @@ fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result
         let torque = |values: &[f64]| Some(9750.0 * values.first()? / values.get(1)?);
         graph.add(formula(&TORQUE, id(Q::Torque), vec![id(Q::Power), id(Q::Rpm)], "9750·{0}/{1}", torque));
     }
-    if !conditions.rounds && operation != Operation::Mill {
+    // A tap goes back at its feed.
+    if axial {
         let passes = has(of_row(Q::Passes));
         let mut inputs = vec![id(Q::Travel), id(Q::MinuteFeed)];
         inputs.extend(passes.then_some(of_row(Q::Passes)));

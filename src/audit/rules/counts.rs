@@ -71,6 +71,10 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
                 Some(values.iter().sum())
             });
             graph.add(sum);
+            let stepped = stated.own && conditions.figures.contains_key(&Q::Diameter);
+            if stepped {
+                continue;
+            }
             graph.add(same(&PASS_DIAMETER, Id::new(scope, Q::Diameter), Id::new(Scope::Row(*first), Q::Diameter)));
         }
     }

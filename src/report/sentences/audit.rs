@@ -177,6 +177,17 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "програму не порівняно з планом: переходи плану не ті, за якими її можна простежити",
         "the program was not held against the plan: its transitions are not those that it could be followed by",
     ),
+    // A plan of ours, changed.
+    (
+        "audit-not-ours",
+        "{field}: написано {stated}, а `technolog plan` дає {right}",
+        "{field}: stated {stated}, and `technolog plan` gives {right}",
+    ),
+    (
+        "audit-tool-of-transition",
+        "перехід називає {tool}, а інструмент T{number} - це {other}",
+        "the transition names {tool}, and the tool T{number} is {other}",
+    ),
     // What is missing.
     ("audit-missing", "{section}: не вказано {what}", "{section}: not stated are {what}"),
 ];
