@@ -41,7 +41,9 @@ fn numbers(value: &Value, path: &str, found: &mut Vec<String>) {
             }
         }
         Value::Number(_) => found.push(path.to_owned()),
-        Value::String(text) if text.parse::<f64>().is_ok() && !path.ends_with("designation") && !path.ends_with("holder") => {
+        Value::String(text)
+            if text.parse::<f64>().is_ok() && !path.ends_with("designation") && !path.ends_with("holder") =>
+        {
             found.push(path.to_owned());
         }
         _ => {}
@@ -66,7 +68,11 @@ fn times(value: &Value, factor: f64) -> Option<Value> {
     let number = value.as_f64().or_else(|| value.as_str()?.parse().ok())?;
     let whole = value.is_i64() || value.is_u64();
     let new = number * factor;
-    let new = if whole { if factor > 2.0 { new.round() } else { new.round().max(number + 1.0) } } else { (new * 1e4).round() / 1e4 };
+    let new = if whole {
+        if factor > 2.0 { new.round() } else { new.round().max(number + 1.0) }
+    } else {
+        (new * 1e4).round() / 1e4
+    };
     if (new - number).abs() < 1e-9 {
         return None;
     }
@@ -90,11 +96,19 @@ fn mutants(plan: &Value) -> Vec<Mutant> {
         for (key, table) in [("designation", "table"), ("holder", "holder_table")] {
             let own = tool[key].as_str().unwrap();
             let table = KNOWLEDGE.table(tool[table].as_str().unwrap()).unwrap();
-            let other = table.all_rows().filter_map(|row| row.value("designation").and_then(Cell::as_text)).find(|name| *name != own);
+            let other = table
+                .all_rows()
+                .filter_map(|row| row.value("designation").and_then(Cell::as_text))
+                .find(|name| *name != own);
             if let Some(other) = other {
                 mutants.push(changed(plan, "designation replaced", &format!("/tools/{at}/{key}"), Value::from(other)));
             }
-            mutants.push(changed(plan, "designation misprinted", &format!("/tools/{at}/{key}"), Value::from(format!("{own}9"))));
+            mutants.push(changed(
+                plan,
+                "designation misprinted",
+                &format!("/tools/{at}/{key}"),
+                Value::from(format!("{own}9")),
+            ));
         }
     }
     if !plan["clamping"].is_null() {
@@ -139,7 +153,8 @@ fn most_changes_of_a_plan_are_found_and_named_first() {
                 Err(_) => (true, true),
                 Ok(stated) => {
                     let audit = audit_beside(&stated, &ours, &KNOWLEDGE).unwrap();
-                    let mut grave: Vec<_> = audit.findings.iter().filter(|one| one.severity <= Severity::Doubtful).collect();
+                    let mut grave: Vec<_> =
+                        audit.findings.iter().filter(|one| one.severity <= Severity::Doubtful).collect();
                     grave.sort_by_key(|one| (!one.follows_from.is_empty(), one.severity));
                     let at = |line: Option<u32>| line.map(|line| line as usize);
                     let first = grave.first().is_some_and(|one| mutant.line.is_none() || at(one.line) == mutant.line);
@@ -149,14 +164,19 @@ fn most_changes_of_a_plan_are_found_and_named_first() {
             share[1] += usize::from(found);
             share[2] += usize::from(found && first);
             if !found {
-                let field: String = mutant.what.chars().map(|letter| if letter.is_ascii_digit() { '#' } else { letter }).collect();
+                let field: String =
+                    mutant.what.chars().map(|letter| if letter.is_ascii_digit() { '#' } else { letter }).collect();
                 *missed.entry(format!("{} {field}", mutant.kind)).or_default() += 1;
             }
         }
     }
     let total = shares.values().fold([0; 3], |sum, one| [sum[0] + one[0], sum[1] + one[1], sum[2] + one[2]]);
     let line = |name: &str, [made, found, first]: [usize; 3]| {
-        format!("{name:<24} {made:>5} {:>5.1} % {:>5.1} %", 100.0 * found as f64 / made as f64, 100.0 * first as f64 / made as f64)
+        format!(
+            "{name:<24} {made:>5} {:>5.1} % {:>5.1} %",
+            100.0 * found as f64 / made as f64,
+            100.0 * first as f64 / made as f64
+        )
     };
     println!("{:<24} {:>5} {:>7} {:>7}", "kind", "made", "found", "first");
     for (kind, share) in &shares {

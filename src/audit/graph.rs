@@ -147,7 +147,14 @@ impl<'a> Graph<'a> {
             let inputs = inputs?;
             match (&formula.judge, stated) {
                 (Some(judge), Some(stated)) if may_stand(&judge(stated, &inputs)) => Some(stated),
-                _ => (formula.compute)(&inputs).filter(|value| value.is_finite()),
+                _ => {
+                    let value = (formula.compute)(&inputs).filter(|value| value.is_finite())?;
+                    // A plan of ours is printed from figures that nobody sees: its own print is nearer to them than
+                    // what comes out of other prints.
+                    let figure = self.stated.figure(id).filter(|_| self.stated.own);
+                    let nearer = figure.filter(|own| self.fits(id, own, value, self.slack(formula, &inputs)));
+                    Some(nearer.map_or(value, |own| own.value))
+                }
             }
         });
         let value = value.or(stated);
@@ -221,6 +228,11 @@ impl<'a> Graph<'a> {
         let mut options = Vec::new();
         options.extend(written.map(|written| (written, self.is_off(input))));
         options.extend(right.filter(|right| written != Some(*right)).map(|value| (value, false)));
+        // Or as it should be, rounded as the plan prints it.
+        if let (Some(figure), Some(right)) = (self.stated.figure(input), right) {
+            let rounded = (right / figure.last_place).round() * figure.last_place;
+            options.extend((written != Some(rounded)).then_some((rounded, false)));
+        }
         options
     }
 

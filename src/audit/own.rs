@@ -67,7 +67,14 @@ pub(super) fn read(
     problems: &mut Problems,
     knowledge: &Knowledge,
 ) -> Option<Stated> {
-    let head: Head = match serde_yaml::from_str(text) {
+    // JSON is YAML, but its enumerations are written otherwise.
+    let json = text.trim_start().starts_with('{');
+    let head: Result<Head, String> = if json {
+        serde_json::from_str(text).map_err(|error| error.to_string())
+    } else {
+        serde_yaml::from_str(text).map_err(|error| error.to_string())
+    };
+    let head = match head {
         Ok(head) => head,
         Err(error) => {
             let help = "write it anew with `technolog plan PART.yaml --format json`";

@@ -25,6 +25,11 @@ pub(super) fn check<'a>(
         let Some(tool) = context.stated.tool_of(row) else { continue };
         let Some(cutter) = context.cutter(tool) else { continue };
         let Some(hole) = context.hole(row) else { continue };
+        // The angle of an edge stands in no row; what we chose for it `ours` holds against our plan.
+        let edge = matches!(row.operation.value, Operation::Countersink | Operation::Chamfer | Operation::Counterbore);
+        if edge && context.stated.own {
+            continue;
+        }
         let Some(why) = named::unsuited(&cutter, &need(context, graph, at, row, hole, overrun), machine) else {
             continue;
         };
@@ -87,7 +92,7 @@ fn need<'a>(
     } else {
         Micrometres::ZERO
     };
-    let cone = hole.countersink.map(|sink| sink.angle_millideg);
+    let cone = hole.countersink.map(|sink| sink.angle_millideg).or(hole.cone.map(|cone| cone.angle_millideg));
     CutterNeed {
         enters: length(Q::From).unwrap_or_default(),
         reach,

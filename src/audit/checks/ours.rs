@@ -39,7 +39,9 @@ pub(super) fn check<'a>(
     }
     // What a formula or another check has told already is told once.
     let told = |finding: &Finding| {
-        findings.iter().any(|other| other.line.is_some() && other.line == finding.line && other.column == finding.column)
+        findings
+            .iter()
+            .any(|other| other.line.is_some() && other.line == finding.line && other.column == finding.column)
     };
     let new: Vec<Finding> = known.found.into_iter().filter(|finding| !told(finding)).collect();
     findings.extend(new);
@@ -118,7 +120,8 @@ impl Known {
                     _ => *text == shown || (node.is_null() && ours.is_null()),
                 };
                 if !alike {
-                    let note = Note::new("audit-not-ours").with("field", path).with("stated", text).with("right", &shown);
+                    let note =
+                        Note::new("audit-not-ours").with("field", path).with("stated", text).with("right", &shown);
                     let finding = Finding::new(Severity::Doubtful, section, path.to_owned(), note).at(&node.place);
                     self.found.push(finding);
                 }

@@ -140,7 +140,8 @@ fn scheme(hole: &Hole, plan: &HolePlan, rows: &[(usize, &Row)], findings: &mut V
     let Some(route) = &plan.route else { return };
     let stated: Vec<Operation> = rows.iter().map(|(_, row)| row.operation.value).collect();
     let ours: Vec<Operation> = plan.transitions.iter().map(|transition| transition.operation).collect();
-    let Some((_, first)) = rows.first() else { return };
+    let named = rows.iter().find(|(_, row)| row.scheme.is_some()).or(rows.first());
+    let Some((_, first)) = named else { return };
     let place = first.scheme.as_ref().map_or(&first.place, |scheme| &scheme.place);
     let field = format!("route.{}.scheme", first.number);
     let say = |severity, note: Note| {
