@@ -85,7 +85,7 @@ fn changes(root: Id, all: &[Verdict], context: &Context<'_>) -> Vec<Change> {
 }
 
 /// What kind of slip turns the right value into the stated one.
-fn nature(stated: f64, right: f64) -> &'static str {
+pub(super) fn nature(stated: f64, right: f64) -> &'static str {
     let near = |a: f64, b: f64| (a - b).abs() <= 0.03 * b.abs();
     let moved = |shift: i32| shift != 0 && near(stated, right * libm::pow(10.0, f64::from(shift)));
     if (-4..=4).any(moved) && right != 0.0 {
@@ -99,6 +99,10 @@ fn nature(stated: f64, right: f64) -> &'static str {
 
 /// The formula in symbols and with its figures: `n = 1000·V/(π·D) = 1000·30.32/(3.14·6)`.
 fn with_numbers(verdict: &Verdict, symbols: &str, numbers: &str) -> String {
+    // What is the same as another figure, chosen or given, has no sum to show.
+    if matches!(numbers, "" | "{0}") {
+        return String::new();
+    }
     let mut filled = numbers.to_owned();
     for (at, value) in verdict.inputs.iter().enumerate() {
         // A negative figure needs brackets behind a sign.

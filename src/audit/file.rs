@@ -295,3 +295,58 @@ pub struct Times {
     /// Sum.
     pub total: Option<Number>,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::audit::keys;
+
+    fn keys_of(pointer: &str) -> Vec<String> {
+        let schema = serde_json::to_value(schema()).unwrap();
+        let properties = &schema.pointer(pointer).unwrap()["properties"];
+        let mut keys: Vec<String> = properties.as_object().unwrap().keys().cloned().collect();
+        keys.sort();
+        keys
+    }
+
+    #[test]
+    fn the_schema_in_docs_is_the_generated_one() {
+        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/plan-audit.schema.json");
+        let generated = serde_json::to_string_pretty(&schema()).unwrap() + "\n";
+        if std::env::var_os("UPDATE_SCHEMA").is_some() {
+            std::fs::write(&path, &generated).unwrap();
+        }
+        let kept = std::fs::read_to_string(&path).unwrap_or_default();
+        assert!(kept == generated, "docs/plan-audit.schema.json is old: run `UPDATE_SCHEMA=1 cargo test schema`");
+    }
+
+    #[test]
+    fn the_schema_has_the_keys_that_the_reader_knows() {
+        for (pointer, known) in [
+            ("", keys::PLAN),
+            ("/$defs/Row", keys::ROW),
+            ("/$defs/Tool", keys::TOOL),
+            ("/$defs/Holder", keys::HOLDER),
+            ("/$defs/Conditions", keys::CONDITIONS),
+            ("/$defs/Card", keys::CARD),
+            ("/$defs/Factors", keys::CARD),
+            ("/$defs/Clamping", keys::CLAMPING),
+            ("/$defs/Program", keys::PROGRAM),
+            ("/$defs/Times", keys::TIMES),
+        ] {
+            let mut known: Vec<&str> = known.to_vec();
+            known.sort_unstable();
+            assert_eq!(keys_of(pointer), known, "{pointer}");
+        }
+    }
+
+    #[test]
+    fn the_shipped_plans_are_of_the_schema() {
+        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+        for file in ["examples/appendix-g/plan.yaml", "tests/audit/right.yaml"] {
+            let text = std::fs::read_to_string(root.join(file)).unwrap();
+            let read: Result<PlanFile, _> = serde_yaml::from_str(&text);
+            assert!(read.is_ok(), "{file}: {:?}", read.err());
+        }
+    }
+}

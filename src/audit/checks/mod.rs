@@ -3,6 +3,7 @@
 mod cutters;
 mod designations;
 mod limits;
+mod loads;
 mod missing;
 mod ours;
 mod program;
@@ -18,8 +19,16 @@ use super::graph::Graph;
 type Check = for<'a> fn(&Context<'a>, &Graph<'a>, &mut Vec<Finding>) -> Result<(), KnowledgeError>;
 
 /// Every check, in the order of a report.
-const CHECKS: &[Check] =
-    &[route::check, designations::check, cutters::check, limits::check, program::check, ours::check, missing::check];
+const CHECKS: &[Check] = &[
+    route::check,
+    designations::check,
+    cutters::check,
+    limits::check,
+    loads::check,
+    program::check,
+    ours::check,
+    missing::check,
+];
 
 /// Runs every check.
 pub(super) fn all<'a>(

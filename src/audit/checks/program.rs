@@ -15,6 +15,7 @@ use crate::sequence;
 use crate::units::{Micrometres, MillimetresPerMinute, MillimetresPerRev, RevsPerMinute};
 
 use super::super::context::Context;
+use super::super::figures::nature;
 use super::super::finding::{Finding, Section};
 use super::super::graph::{Graph, Status};
 use super::super::quantity::{Id, Quantity as Q, Scope};
@@ -107,7 +108,10 @@ fn as_plan(context: &Context<'_>, graph: &Graph<'_>) -> Option<Plan> {
             // What the author meant: a slip of the comma is no other feed.
             let figure = |quantity| {
                 let id = Id::new(Scope::Conditions(conditions), quantity);
-                let slipped = graph.verdict(id).is_some_and(|verdict| matches!(verdict.status, Status::Root(_, None)));
+                let slipped = graph.verdict(id).zip(stated.figure(id)).is_some_and(|(verdict, figure)| {
+                    let comma = nature(figure.value, verdict.right) == "audit-decimal-point";
+                    comma && matches!(verdict.status, Status::Root(_, None))
+                });
                 if slipped {
                     graph.right(id)
                 } else {

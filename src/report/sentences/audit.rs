@@ -49,6 +49,16 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "закріплення не симетричне: 5.2 п. 7 радить {needed} притискачі",
         "the clamping is not symmetric: section 5.2 item 7 asks for {needed} clamps",
     ),
+    (
+        "audit-load-low",
+        "{share} % від {load}, що дають формули довідника при подачі {feed} мм/об: усе, що з цього рахують, може бути заслабке",
+        "{share} % of the {load} that the handbook's formulas give at a feed of {feed} mm/rev: whatever is reckoned from it may be too weak",
+    ),
+    (
+        "audit-load-high",
+        "{share} % від {load}, що дають формули довідника при подачі {feed} мм/об",
+        "{share} % of the {load} that the handbook's formulas give at a feed of {feed} mm/rev",
+    ),
     // Designations.
     ("named", "рядок каталогу", "the row of the catalog"),
     (
