@@ -202,3 +202,34 @@ fn a_bad_plan_file_tells_all_its_mistakes() {
     assert_eq!(code, 2, "{text}");
     insta::assert_snapshot!("audit-bad-file", text);
 }
+
+/// docs/audit.md is the page of the rules and checks.
+#[test]
+fn the_page_names_every_rule() {
+    let page = std::fs::read_to_string(root("docs/audit.md")).unwrap();
+    let untold: Vec<&str> =
+        technolog::audit::rules::all().map(|rule| rule.id).filter(|id| !page.contains(&format!("`{id}`"))).collect();
+    assert!(untold.is_empty(), "docs/audit.md does not name {untold:?}");
+}
+
+/// A plan says what is missing and nothing more.
+#[test]
+fn a_plan_of_a_part_alone_lists_what_it_lacks() {
+    let audit = audited("part: ../../examples/plate.yaml\n");
+    let said: Vec<String> = audit.findings.iter().map(said).collect();
+    let sections = ["route", "tools", "conditions", "clamping", "program", "times"];
+    for section in sections.into_iter().filter(|section| *section != "conditions") {
+        assert!(said.contains(&format!("note audit-missing {section}")), "{section}: {said:?}");
+    }
+    assert!(!audit.has_errors());
+}
+
+#[test]
+fn no_line_of_the_page_is_wider_than_the_page() {
+    use unicode_width::UnicodeWidthStr;
+    for lang in ["uk", "en"] {
+        let (text, _) = command(&["audit", "examples/appendix-g/plan.yaml", "--lang", lang]);
+        let wide: Vec<&str> = text.lines().filter(|line| line.width() > 120).collect();
+        assert!(wide.is_empty(), "{lang}: {wide:?}");
+    }
+}

@@ -47,7 +47,7 @@ fn title(audit: &Audit, lang: Lang) -> String {
 
 fn summary(audit: &Audit, lang: Lang) -> String {
     let own = audit.summary;
-    let line = match lang {
+    match lang {
         Lang::Uk => format!(
             "помилок {}, хибного {}, сумнівного {}, зауважень {}; з них наслідків інших {}",
             own.error, own.wrong, own.doubtful, own.note, own.follow
@@ -56,8 +56,7 @@ fn summary(audit: &Audit, lang: Lang) -> String {
             "{} errors, {} wrong, {} doubtful, {} notes; of these {} follow from others",
             own.error, own.wrong, own.doubtful, own.note, own.follow
         ),
-    };
-    line
+    }
 }
 
 /// The findings of each section that has some; an audit has them in order.

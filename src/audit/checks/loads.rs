@@ -39,7 +39,7 @@ pub(super) fn check<'a>(
             let share = figure.value / by_formula * 100.0;
             let rule = context.shop.knowledge.table("audit-load")?;
             let input = Input::Number(Decimal::from_f64_rounded(share.clamp(0.0, 1e6)), Unit::Percent);
-            let answer = rule.decide(&[("share", input)])?;
+            let answer = rule.decide(&[("of_formula", input)])?;
             let Some(winner) = answer.winner() else { continue };
             let note = match winner.text("judgement")? {
                 "low" => Note::new("audit-load-low"),
