@@ -145,6 +145,27 @@ proptest! {
     }
 }
 
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    /// Whatever is typed into a plan, it is read or refused, and audited without a panic.
+    #[test]
+    fn a_spoilt_plan_is_told_or_audited(spoils in prop::collection::vec((any::<prop::sample::Index>(), "[-0-9.{}: A-Zа-я]{0,3}"), 1..4)) {
+        let mut text = std::fs::read_to_string(root("tests/audit/right.yaml")).unwrap();
+        for (at, with) in spoils {
+            let places: Vec<usize> = text.char_indices().map(|(at, _)| at).collect();
+            let at = *at.get(&places);
+            let end = text[at..].char_indices().nth(1).map_or(text.len(), |(next, _)| at + next);
+            text.replace_range(at..end, &with);
+        }
+        let files = |name: &str| std::fs::read_to_string(root("tests/audit").join(name)).map_err(|error| error.to_string());
+        match read_plan("plan.yaml", &text, &KNOWLEDGE, &files) {
+            Ok(stated) => { audit(&stated, &KNOWLEDGE).unwrap(); }
+            Err(why) => prop_assert!(!why.problems.is_empty()),
+        }
+    }
+}
+
 /// The command's answer and its exit code.
 fn command(arguments: &[&str]) -> (String, i32) {
     let output = Command::new(env!("CARGO_BIN_EXE_technolog")).args(arguments).current_dir(root("")).output().unwrap();

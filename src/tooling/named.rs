@@ -1,7 +1,7 @@
 //! Cutters and holders that somebody else chose, by their designations: whether they exist, suit and fit.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::table::ToolHead;
+use crate::knowledge::table::{Shank, ToolHead};
 use crate::knowledge::units::{Micrometres, Unit};
 use crate::knowledge::{Knowledge, RowRef, Table};
 use crate::machine::Machine;
@@ -57,6 +57,17 @@ pub fn unsuited(cutter: &NamedCutter<'_>, need: &CutterNeed<'_>, machine: &Machi
 
 /// Why a holder does not take a cutter; nothing where it does.
 pub fn not_taken(holder: RowRef<'_>, cutter: &NamedCutter<'_>, machine: &Machine<'_>) -> Option<Note> {
+    // What a family of holders is chosen by stands in its columns.
+    let takes = match cutter.head.shank {
+        Shank::Cylindrical => "clamp_min",
+        Shank::Morse => "morse",
+        Shank::Shell => "bore",
+        Shank::Taper => return None,
+    };
+    let tap_chuck = cutter.head.shank == Shank::Cylindrical && holder.table.column_index("thread_min").is_some();
+    if holder.table.column_index(takes).is_none() && !tap_chuck {
+        return Some(Note::new("holder-of-other-shank").with("shank", cutter.head.shank.name()));
+    }
     holder::refuse(holder, &as_cutter(cutter), machine)
 }
 

@@ -9,7 +9,9 @@ use super::super::finding::{Finding, Section};
 use super::super::graph::Graph;
 use super::super::near::{Likeness, Near, likeness, plain};
 use super::super::quantity::Scope;
+use super::super::rules::tools::COLUMNS;
 use super::super::stated::Text;
+use crate::tooling::named::{NamedCutter, cutter_names};
 
 pub(super) fn check<'a>(
     context: &Context<'a>,
@@ -20,6 +22,7 @@ pub(super) fn check<'a>(
         let field = |key: &str| format!("tools.T{}.{key}", tool.number);
         let about = |finding: Finding| finding.about(context.subject(Scope::Tool(at)));
         let near = context.cutter_near(at);
+        dimensions(context, at, findings);
         named(
             near,
             |cutter| cutter.row,
@@ -135,4 +138,40 @@ fn standard(
         },
     };
     findings.push(about(found.resting_on([because])));
+}
+
+/// Dimensions that are none of the designation's, and all those of another one: it is the designation that is wrong.
+fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<Finding>) {
+    let tool = &context.stated.tools[at];
+    let Some(name) = tool.designation.as_ref().filter(|_| context.cutter(at).is_some()) else { return };
+    let of_tool = |finding: &Finding| finding.subject.tool == Some(tool.number);
+    let off = findings.iter().filter(|finding| finding.rule == "tool-dimension" && of_tool(finding)).count();
+    if off == 0 {
+        return;
+    }
+    let stated = COLUMNS.iter().filter_map(|(column, quantity)| Some((*column, tool.figures.get(quantity)?.value)));
+    let stated: Vec<(&str, f64)> = stated.collect();
+    let fits = |cutter: &NamedCutter<'_>| {
+        stated.iter().all(|(column, value)| {
+            cutter.row.length_if_any(column).is_some_and(|length| (length.to_mm() - value).abs() < 1e-6)
+        })
+    };
+    let Some(other) = cutter_names(context.shop.knowledge).find(fits) else { return };
+    // One dimension alone may be the slip; the rows of the tool say which of the two is meant.
+    let unsuited = |finding: &Finding| of_tool(finding) && finding.rule.starts_with("tool-of-other-");
+    if off < 2 && !findings.iter().any(unsuited) {
+        return;
+    }
+    let field = format!("tools.T{}.designation", tool.number);
+    for finding in findings.iter_mut().filter(|finding| of_tool(finding)) {
+        let of_name = ["tool-dimension", "overhang", "tool-of-other-size", "tool-of-other-operation"];
+        if of_name.contains(&finding.rule.as_str()) {
+            finding.follows_from = vec![field.clone()];
+        }
+    }
+    let note = Note::new("audit-dimensions-of").with("tool", &name.value).with("known", other.designation);
+    let finding = Finding::new(Severity::Wrong, Section::Tools, field, note).at(&name.place);
+    let because = Because::row(other.row, Note::new("named"));
+    let finding = finding.beside(&name.value, other.designation).resting_on([because]);
+    findings.push(finding.about(context.subject(Scope::Tool(at))));
 }

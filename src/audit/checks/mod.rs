@@ -21,8 +21,8 @@ type Check = for<'a> fn(&Context<'a>, &Graph<'a>, &mut Vec<Finding>) -> Result<(
 /// Every check, in the order of a report.
 const CHECKS: &[Check] = &[
     route::check,
-    designations::check,
     cutters::check,
+    designations::check,
     limits::check,
     loads::check,
     program::check,

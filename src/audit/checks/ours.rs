@@ -24,6 +24,7 @@ pub(super) fn check<'a>(
 ) -> Result<(), KnowledgeError> {
     let Some(tree) = &context.stated.tree else { return Ok(()) };
     tools_of_transitions(tree, findings);
+    follow(context, findings);
     let Ok(ours) = serde_json::to_value(context.plan) else { return Ok(()) };
     let mut known = Known { found: Vec::new() };
     for (key, section) in [
@@ -72,6 +73,30 @@ fn tools_of_transitions(tree: &Node, findings: &mut Vec<Finding>) {
                     findings.push(finding);
                 }
             }
+        }
+    }
+}
+
+/// Whatever else does not fit about a tool whose name was exchanged follows from that.
+fn follow(context: &Context<'_>, findings: &mut [Finding]) {
+    let exchanged: Vec<String> = findings
+        .iter()
+        .filter(|finding| finding.note.code == "audit-tool-of-transition")
+        .map(|finding| finding.field.clone())
+        .collect();
+    for field in exchanged {
+        let Some(number) = context
+            .stated
+            .tools
+            .iter()
+            .map(|tool| tool.number)
+            .find(|number| field.starts_with(&format!("tools.T{number}.")))
+        else {
+            continue;
+        };
+        let own = findings.iter_mut().filter(|finding| finding.subject.tool == Some(number));
+        for finding in own.filter(|finding| finding.follows_from.is_empty()) {
+            finding.follows_from = vec![field.clone()];
         }
     }
 }

@@ -7,7 +7,7 @@ mod clamping;
 mod conditions;
 mod counts;
 mod times;
-mod tools;
+pub(super) mod tools;
 
 use crate::error::KnowledgeError;
 use crate::note::Because;

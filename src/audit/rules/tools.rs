@@ -33,7 +33,7 @@ const BOOK: Rule = Rule { id: "book-correction", formula: "K = Lет − Lк", s
 pub(super) const RULES: &[Rule] = &[DIMENSION, HOLDER, OVERHANG, HOLDER_USED, ASSEMBLY, REFERENCE, PLUS, MINUS, BOOK];
 
 /// Columns of the cutters' catalogs.
-const COLUMNS: [(&str, Q); 5] = [
+pub(in crate::audit) const COLUMNS: [(&str, Q); 5] = [
     ("diameter", Q::Diameter),
     ("length", Q::Length),
     ("flute_length", Q::FluteLength),

@@ -72,6 +72,7 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "no catalog has {tool}; the nearest is {known}",
     ),
     ("audit-designation-alien", "позначення {tool} у каталогах немає", "no catalog has {tool}"),
+    ("audit-dimensions-of", "розміри не {tool}, а {known}", "the dimensions are not those of {tool} but of {known}"),
     ("audit-tool-table", "у таблиці {table} немає {tool}", "table {table} has no {tool}"),
     (
         "audit-standard-misprinted",
@@ -107,6 +108,11 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "tool-of-other-size",
         "{tool}: Ø{own}, а перехід вимагає Ø{needed}",
         "{tool} is Ø{own}, and the transition asks for Ø{needed}",
+    ),
+    (
+        "holder-of-other-shank",
+        "{holder} не тримає {tool}: хвостовик {shank}",
+        "{holder} does not hold {tool}: its shank is {shank}",
     ),
     // The route.
     (
