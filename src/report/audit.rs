@@ -100,7 +100,11 @@ fn place(finding: &Finding, file: &str) -> Option<String> {
 
 /// What is wrong, in one sentence.
 fn headline(finding: &Finding, lang: Lang) -> String {
-    let about = subject(&finding.subject, lang);
+    // In a program people look for the block.
+    let about = match finding.field.strip_prefix("program.").filter(|_| finding.section == Section::Program) {
+        Some(block) => block.to_owned(),
+        None => subject(&finding.subject, lang),
+    };
     let said = sentence(&finding.note, lang);
     let said = match (finding.quantity, &finding.stated, &finding.right) {
         (Some(quantity), Some(stated), Some(right)) => {
