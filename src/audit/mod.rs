@@ -7,7 +7,7 @@
 //! ```
 //!
 //! - [`stated`] is a plan as written, every figure with its place and its printed text;
-//! - [`rules`] compute figures from others, [`graph`] says where a deviation begins and what follows from it;
+//! - [`rules`] compute figures from others, `graph` says where a deviation begins and what follows from it;
 //! - [`checks`] hold choices against the tables: designations, cutters, holders, routes, limits, the program;
 //! - what may be rounded how stands in the table `audit-tolerance`.
 //!

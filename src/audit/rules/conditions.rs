@@ -224,6 +224,14 @@ fn reference<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize, fir
     if !context.stated.own {
         return;
     }
+    // What the route gives no formula for.
+    for (quantity, value) in [
+        (Q::Diameter, reference.diameter_mm.to_mm()),
+        (Q::Depth, reference.depth_mm.to_mm()),
+        (Q::Passes, f64::from(reference.passes)),
+    ] {
+        graph.add(given(&BY_TABLES, Id::new(Scope::Row(first), quantity), value, because()));
+    }
     let figures = [
         (Q::DepthOfCut, Some(own.depth_of_cut_mm)),
         (Q::Feed, Some(own.feed_mm_per_rev.0)),
