@@ -4,14 +4,15 @@
 use std::collections::BTreeMap;
 
 use crate::error::KnowledgeError;
+use crate::knowledge::RowRef;
 use crate::knowledge::table::Shank;
-use crate::knowledge::{Knowledge, RowRef};
 use crate::part::Hole;
 use crate::plan::{Plan, Transition};
 use crate::shop::Shop;
-use crate::tooling::named::{NamedCutter, cutter_names, holder_names};
+use crate::tooling::named::NamedCutter;
 
-use super::near::{Near, find};
+use super::auditor::Auditor;
+use super::near::Near;
 use super::quantity::{Id, Quantity, Scope};
 use super::stated::{Row, Stated};
 
@@ -24,6 +25,8 @@ pub struct Context<'a> {
     pub shop: Shop<'a>,
     /// The plan we would make of the same part, by the same method.
     pub plan: &'a Plan,
+    /// What audits share.
+    pub auditor: &'a Auditor<'a>,
     cutters: Vec<Near<NamedCutter<'a>>>,
     holders: Vec<Near<RowRef<'a>>>,
     /// Correctors by the word that calls them in the program: `G43` or `G44`.
@@ -35,8 +38,8 @@ impl<'a> Context<'a> {
     ///
     /// # Errors
     /// The knowledge cannot answer.
-    pub fn new(stated: &'a Stated, plan: &'a Plan, knowledge: &'a Knowledge) -> Result<Self, KnowledgeError> {
-        let shop = Shop::new(&stated.part, stated.method, knowledge)?;
+    pub fn new(stated: &'a Stated, plan: &'a Plan, auditor: &'a Auditor<'a>) -> Result<Self, KnowledgeError> {
+        let shop = Shop::new(&stated.part, stated.method, auditor.knowledge)?;
         let mut cutters = Vec::new();
         let mut holders = Vec::new();
         for tool in &stated.tools {
@@ -44,13 +47,12 @@ impl<'a> Context<'a> {
             let named = tool.designation.as_ref().map(|text| text.value.as_str());
             // A table that is named decides between equal designations.
             let of_table = |cutter: &NamedCutter<'_>| table.is_none_or(|table| cutter.row.table.id == table);
-            let all = || cutter_names(knowledge).filter(of_table).map(|cutter| (cutter, cutter.designation));
-            cutters.push(find(named, all()));
+            cutters.push(auditor.cutters.find(named, of_table));
             let named = tool.holder.as_ref().map(|text| text.value.as_str());
-            holders.push(find(named, holder_names(knowledge)));
+            holders.push(auditor.holders.find(named, |_| true));
         }
         let calls = stated.program.as_ref().map(|program| calls(&program.text)).unwrap_or_default();
-        Ok(Self { stated, shop, plan, cutters, holders, calls })
+        Ok(Self { stated, shop, plan, auditor, cutters, holders, calls })
     }
 
     /// What the catalogs know of a tool's designation.

@@ -237,6 +237,12 @@ impl Audit {
         Self { plan: stated.name.clone(), file: stated.file.clone(), summary, findings }
     }
 
+    /// Where to begin: the gravest finding that follows from no other; of equals the first of the report.
+    pub fn first_root(&self) -> Option<&Finding> {
+        let roots = self.findings.iter().filter(|one| one.severity < Severity::Note && one.follows_from.is_empty());
+        roots.min_by_key(|one| one.severity)
+    }
+
     /// Whether the plan fails: a finding of severity error or wrong.
     pub fn has_errors(&self) -> bool {
         self.findings.iter().any(Finding::is_wrong)

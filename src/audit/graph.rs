@@ -5,7 +5,7 @@
 //! goes on with the right one makes one slip, not two: so a formula is tried with the stated and with the right value
 //! of every input.
 
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::note::{Because, Note, Severity};
@@ -94,6 +94,10 @@ pub struct Graph<'a> {
     formulas: BTreeMap<Id, Vec<Formula<'a>>>,
     right: RefCell<BTreeMap<Id, Option<f64>>>,
     open: RefCell<BTreeSet<Id>>,
+    /// Of several formulas of a figure the one that is taken.
+    taken: RefCell<BTreeMap<Id, Option<usize>>>,
+    /// Figures by what is computed from them.
+    users: OnceCell<BTreeMap<Id, Vec<Id>>>,
 }
 
 impl<'a> Graph<'a> {
@@ -106,6 +110,8 @@ impl<'a> Graph<'a> {
             formulas: BTreeMap::new(),
             right: RefCell::default(),
             open: RefCell::default(),
+            taken: RefCell::default(),
+            users: OnceCell::new(),
         }
     }
 
@@ -121,7 +127,16 @@ impl<'a> Graph<'a> {
 
     /// The formula by which a figure is computed, if there is one whose inputs are known.
     pub fn formula(&self, id: Id) -> Option<&Formula<'a>> {
-        self.formulas.get(&id)?.iter().find(|formula| self.value_of(formula).is_some())
+        let formulas = self.formulas.get(&id)?;
+        if let Some(taken) = self.taken.borrow().get(&id) {
+            return formulas.get((*taken)?);
+        }
+        let taken = formulas.iter().position(|formula| self.value_of(formula).is_some());
+        // In the middle of a computation some figures are not known yet.
+        if self.open.borrow().is_empty() {
+            self.taken.borrow_mut().insert(id, taken);
+        }
+        formulas.get(taken?)
     }
 
     fn value_of(&self, formula: &Formula<'a>) -> Option<f64> {
@@ -342,14 +357,22 @@ impl<'a> Graph<'a> {
         self.formulas.keys().filter_map(|id| self.verdict(*id)).collect()
     }
 
-    /// What depends on a figure, directly and further on.
+    /// What depends on a figure, directly and further on. Only when every formula is there.
     pub fn dependents(&self, id: Id) -> BTreeSet<Id> {
+        let users = self.users.get_or_init(|| {
+            let mut users: BTreeMap<Id, Vec<Id>> = BTreeMap::new();
+            for output in self.formulas.keys() {
+                for input in self.formula(*output).map(|formula| formula.inputs.as_slice()).unwrap_or_default() {
+                    users.entry(*input).or_default().push(*output);
+                }
+            }
+            users
+        });
         let mut found = BTreeSet::new();
         let mut open = vec![id];
         while let Some(next) = open.pop() {
-            for output in self.formulas.keys() {
-                let uses = self.formula(*output).is_some_and(|formula| formula.inputs.contains(&next));
-                if uses && *output != id && found.insert(*output) {
+            for output in users.get(&next).into_iter().flatten() {
+                if *output != id && found.insert(*output) {
                     open.push(*output);
                 }
             }

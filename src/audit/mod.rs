@@ -9,11 +9,13 @@
 //! - [`stated`] is a plan as written, every figure with its place and its printed text;
 //! - [`rules`] compute figures from others, `graph` says where a deviation begins and what follows from it;
 //! - [`checks`] hold choices against the tables: designations, cutters, holders, routes, limits, the program;
+//! - [`Auditor`] keeps what many audits share;
 //! - what may be rounded how stands in the table `audit-tolerance`.
 //!
 //! Architecture invariant: an audit invents nothing. What a plan does not state is listed as missing, and what had to be
 //! taken from the tables instead is named in the finding that rests on it.
 
+mod auditor;
 pub mod checks;
 mod context;
 mod figures;
@@ -21,6 +23,7 @@ pub mod file;
 mod finding;
 mod graph;
 mod keys;
+mod many;
 mod near;
 mod own;
 pub mod quantity;
@@ -32,21 +35,21 @@ mod tolerance;
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::plan::Plan;
-use crate::planner;
 
+pub use auditor::Auditor;
 pub use file::schema;
-pub use finding::{Audit, Change, Finding, Section, Shown, Subject};
+pub use finding::{Audit, Change, Finding, Section, Shown, Subject, Summary};
 pub use graph::Rule;
-pub use read::{NamedText, Unreadable, read_plan};
+pub use many::{Audited, Mistake, Unread, total};
+pub use read::{NamedText, Unreadable, read_if_plan, read_plan};
 use stated::Stated;
 
-/// Holds a plan against the knowledge.
+/// Holds one plan against the knowledge; many are audited faster by one [`Auditor`].
 ///
 /// # Errors
 /// The knowledge cannot answer. What is wrong with the plan is a finding.
 pub fn audit(stated: &Stated, knowledge: &Knowledge) -> Result<Audit, KnowledgeError> {
-    let ours = planner::plan(&stated.part, stated.method, knowledge)?;
-    audit_beside(stated, &ours, knowledge)
+    Auditor::new(knowledge)?.audit(stated)
 }
 
 /// The same beside our own plan of the same part by the same method, where it was made already.
@@ -54,11 +57,5 @@ pub fn audit(stated: &Stated, knowledge: &Knowledge) -> Result<Audit, KnowledgeE
 /// # Errors
 /// As of [`audit`].
 pub fn audit_beside(stated: &Stated, ours: &Plan, knowledge: &Knowledge) -> Result<Audit, KnowledgeError> {
-    let tolerances = tolerance::Tolerances::read(knowledge)?;
-    let context = context::Context::new(stated, ours, knowledge)?;
-    let mut graph = graph::Graph::new(stated, &tolerances);
-    rules::add(&context, &mut graph)?;
-    let mut findings = figures::findings(&context, &graph);
-    checks::all(&context, &graph, &mut findings)?;
-    Ok(Audit::new(stated, findings))
+    Auditor::new(knowledge)?.audit_beside(stated, ours)
 }

@@ -1,5 +1,7 @@
 //! Designations and standards as people write them: found although a prefix is lost or a letter misread.
 
+use std::collections::BTreeMap;
+
 /// What became of a name that was looked for.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Near<T> {
@@ -23,32 +25,50 @@ impl<T> Near<T> {
     }
 }
 
-/// Looks a name up among names.
-pub fn find<'n, T>(name: Option<&str>, names: impl Iterator<Item = (T, &'n str)>) -> Near<T> {
-    let Some(name) = name else { return Near::Unstated };
-    let wanted = plain(name);
-    let mut lost: Vec<(T, &str)> = Vec::new();
-    let mut best: Option<(usize, &str)> = None;
-    for (value, known) in names {
-        let other = plain(known);
-        if other == wanted {
-            return Near::Found(value);
+/// Names to look others up among, made comparable once.
+#[derive(Debug)]
+pub struct Names<'n, T> {
+    all: Vec<(T, &'n str, Vec<char>)>,
+    /// Where each name stands.
+    exact: BTreeMap<Vec<char>, Vec<usize>>,
+}
+
+impl<'n, T: Clone> Names<'n, T> {
+    /// The names with what they name.
+    pub fn new(names: impl Iterator<Item = (T, &'n str)>) -> Self {
+        let all: Vec<(T, &str, Vec<char>)> = names.map(|(value, name)| (value, name, plain(name))).collect();
+        let mut exact: BTreeMap<Vec<char>, Vec<usize>> = BTreeMap::new();
+        for (at, (_, _, name)) in all.iter().enumerate() {
+            exact.entry(name.clone()).or_default().push(at);
         }
-        let away = distance(&wanted, &other);
-        if away <= 3 && best.is_none_or(|(least, _)| away < least) {
-            best = Some((away, known));
-        }
-        // A tail long enough to tell designations apart.
-        if wanted.len() >= 6 && other.len() > wanted.len() && other.ends_with(&wanted) {
-            lost.push((value, known));
-        }
+        Self { all, exact }
     }
-    if lost.len() == 1
-        && let Some((value, known)) = lost.pop()
-    {
-        return Near::Meant(value, known.to_owned());
+
+    /// Looks a name up among those that may be meant.
+    pub fn find(&self, name: Option<&str>, may_be: impl Fn(&T) -> bool) -> Near<T> {
+        let Some(name) = name else { return Near::Unstated };
+        let wanted = plain(name);
+        let mut same = self.exact.get(&wanted).into_iter().flatten().filter_map(|at| self.all.get(*at));
+        if let Some((value, ..)) = same.find(|(value, ..)| may_be(value)) {
+            return Near::Found(value.clone());
+        }
+        let mut lost: Vec<(&T, &str)> = Vec::new();
+        let mut best: Option<(usize, &str)> = None;
+        for (value, known, other) in self.all.iter().filter(|(value, ..)| may_be(value)) {
+            let away = distance(&wanted, other);
+            if away <= 3 && best.is_none_or(|(least, _)| away < least) {
+                best = Some((away, known));
+            }
+            // A tail long enough to tell designations apart.
+            if wanted.len() >= 6 && other.len() > wanted.len() && other.ends_with(&wanted) {
+                lost.push((value, known));
+            }
+        }
+        if let [(value, known)] = lost[..] {
+            return Near::Meant(value.clone(), known.to_owned());
+        }
+        Near::Unknown(best.map(|(_, known)| known.to_owned()))
     }
-    Near::Unknown(best.map(|(_, known)| known.to_owned()))
 }
 
 /// Whether a standard is the one meant: as written, or with a sign or two misread.
@@ -119,7 +139,8 @@ mod tests {
     #[test]
     fn a_lost_prefix_is_found_and_another_number_is_not() {
         let names = ["035-2317-0103", "035-2317-0104", "035-2300-1273"];
-        let look = |name: &str| find(Some(name), names.iter().map(|name| ((), *name)));
+        let names = Names::new(names.iter().map(|name| ((), *name)));
+        let look = |name: &str| names.find(Some(name), |()| true);
         assert_eq!(look("035 - 2300 – 1273"), Near::Found(()));
         assert_eq!(look("2317-0103"), Near::Meant((), "035-2317-0103".to_owned()));
         assert_eq!(look("035-2317-0109"), Near::Unknown(Some("035-2317-0103".to_owned())));

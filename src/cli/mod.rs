@@ -19,6 +19,7 @@ mod order;
 mod output;
 mod plan;
 mod program;
+mod progress;
 mod proof;
 mod record;
 mod sheet;

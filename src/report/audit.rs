@@ -1,6 +1,8 @@
 //! An audit as a page: by sections of the plan, the most severe first, each finding with what it rests on and what else
 //! changes because of it.
 
+pub mod many;
+
 use crate::audit::quantity::Quantity;
 use crate::audit::{Audit, Finding, Section, Subject};
 use crate::note::{Because, Severity};

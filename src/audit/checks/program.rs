@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::error::KnowledgeError;
 use crate::job;
 use crate::knowledge::diagnostic::Place;
-use crate::motion::{Axis, Position, Step};
+use crate::motion::{Axis, Position};
 use crate::note::{Note, Severity};
 use crate::plan::{Plan, ToolPlan};
 use crate::program::proof::{Asked, Tolerated, prove};
@@ -48,13 +48,12 @@ pub(super) fn check<'a>(
             setting.correctors = correctors;
         }
     }
-    let mut steps: Vec<Step> = Vec::new();
-    let faults = language.check(&program.text, &context.shop.machine, &setting, &mut steps);
-    for fault in faults {
+    let run = context.auditor.run(program, &language, &context.shop.machine, &setting);
+    for fault in run.faults.iter() {
         let place =
             Place { file: file.clone(), line: fault.span.line, column: fault.span.column, width: fault.span.width };
         let field = fault.path().map_or_else(|| "program".to_owned(), |path| format!("program.{path}"));
-        findings.push(Finding::new(fault.severity, Section::Program, field, fault.note).at(&place));
+        findings.push(Finding::new(fault.severity, Section::Program, field, fault.note.clone()).at(&place));
     }
     let (Some(plan), Some(job)) = (held, job) else {
         let note = Note::new("audit-program-not-held");
@@ -69,7 +68,7 @@ pub(super) fn check<'a>(
     let tolerated = Tolerated::read(&plan.part, context.shop.knowledge)?;
     let start = setting.start;
     let asked = Asked { plan: &plan, job: &job, zeros: &zeros, start, tolerated, own_correctors };
-    for said in prove(&steps, &asked).findings {
+    for said in prove(&run.steps, &asked).findings {
         // Of coolant a plan as stated says nothing.
         if said.code.starts_with("coolant-") {
             continue;

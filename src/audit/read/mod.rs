@@ -37,7 +37,46 @@ pub struct Unreadable {
 /// # Errors
 /// Every mistake of the file, each with its place and what to do.
 pub fn read_plan(file: &str, text: &str, knowledge: &Knowledge, files: Files<'_>) -> Result<Stated, Unreadable> {
+    read_tree(parse(file, text), file, text, knowledge, files)
+}
+
+/// The same of a file that may be something else, one of a folder: nothing, where it is readable but no plan.
+///
+/// # Errors
+/// As of [`read_plan`].
+pub fn read_if_plan(
+    file: &str,
+    text: &str,
+    knowledge: &Knowledge,
+    files: Files<'_>,
+) -> Result<Option<Stated>, Unreadable> {
     let (root, diagnostics) = parse(file, text);
+    if root.as_ref().is_some_and(|root| !is_plan(root)) {
+        return Ok(None);
+    }
+    read_tree((root, diagnostics), file, text, knowledge, files).map(Some)
+}
+
+/// Whether a file means to be a plan: what `technolog plan` writes, or what has a part of a plan and no holes, which a
+/// part file has. A plan that has forgotten its part is one too.
+fn is_plan(root: &Node) -> bool {
+    let NodeKind::Map(entries) = &root.kind else { return false };
+    if root.get("holes").is_some() {
+        return root.get("sequence").is_some();
+    }
+    let own = |key: &str| PLAN.contains(&key);
+    let parts = ["route", "tools", "conditions", "clamping", "program"];
+    parts.iter().any(|key| root.get(key).is_some())
+        || root.get("part").is_some() && entries.iter().all(|(key, _)| own(&key.text))
+}
+
+fn read_tree(
+    (root, diagnostics): (Option<Node>, Vec<Diagnostic>),
+    file: &str,
+    text: &str,
+    knowledge: &Knowledge,
+    files: Files<'_>,
+) -> Result<Stated, Unreadable> {
     let mut reader = Reader { knowledge, files, problems: Problems(diagnostics), texts: Vec::new(), file };
     let stated = root.and_then(|root| {
         // Only `technolog plan` writes holes at the top; a part file has them too, but no tools.

@@ -1,0 +1,50 @@
+//! `technolog audit`: anybody's plan held against the knowledge, or a folder of them.
+
+mod file;
+mod folder;
+mod words;
+
+use std::path::PathBuf;
+
+use technolog::audit::{Audit, Auditor};
+use technolog::report;
+
+use super::{CliError, Context, Format, Outcome, knowledge};
+
+/// Hold somebody's plan, or a folder of plans, against the knowledge: every figure, every choice, the program
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// The plan file (docs/audit.md), a plan of `technolog plan --format json`, or a folder of plans
+    #[arg(value_name = "PLAN.yaml")]
+    plan: PathBuf,
+}
+
+/// What an audit can be given out as.
+const FORMATS: [Format; 4] = [Format::Text, Format::Json, Format::Yaml, Format::Markdown];
+
+/// Audits a plan or a folder of them.
+///
+/// # Errors
+/// The plan file cannot be used; every mistake in it is told at once. Of a folder: it holds no plan, or some cannot be
+/// used, which its table says.
+pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
+    let format = context.format("audit", &FORMATS)?;
+    let knowledge = knowledge::load(context)?;
+    let auditor = Auditor::new(&knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
+    if args.plan.is_dir() {
+        return folder::run(&args.plan, format, &auditor, context);
+    }
+    let stated = file::read(&args.plan, &auditor, context)?;
+    let found = auditor.audit(&stated).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
+    give_out(&found, format, context)?;
+    Ok(if found.has_errors() { Outcome::Findings } else { Outcome::Done })
+}
+
+fn give_out(found: &Audit, format: Format, context: &Context) -> Result<(), CliError> {
+    match format {
+        Format::Json => context.emit_json(found),
+        Format::Yaml => context.emit_yaml(found),
+        Format::Markdown => context.emit(&report::audit::markdown(found, context.lang)),
+        _ => context.emit(&report::audit::page(found, context.lang)),
+    }
+}
