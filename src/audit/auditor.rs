@@ -58,13 +58,23 @@ impl<'k> Auditor<'k> {
     /// # Errors
     /// The knowledge cannot answer. What is wrong with the plan is a finding.
     pub fn audit(&self, stated: &Stated) -> Result<Audit, KnowledgeError> {
+        let ours = self.ours(stated)?;
+        self.audit_beside(stated, &ours)
+    }
+
+    /// Our own plan of the same part by the same method.
+    pub(super) fn ours(&self, stated: &Stated) -> Result<Arc<Plan>, KnowledgeError> {
         let plan = || planner::plan(&stated.part, stated.method, self.knowledge).map(Arc::new);
         // A part that cannot be written down cannot be told from another, so it is planned for itself.
-        let ours = match serde_json::to_string(&(&stated.part, stated.method)) {
-            Ok(key) => self.plans.get(key, plan)?,
-            Err(_) => plan()?,
-        };
-        self.audit_beside(stated, &ours)
+        match serde_json::to_string(&(&stated.part, stated.method)) {
+            Ok(key) => self.plans.get(key, plan),
+            Err(_) => plan(),
+        }
+    }
+
+    /// What may be rounded how.
+    pub(super) const fn tolerances(&self) -> &Tolerances {
+        &self.tolerances
     }
 
     /// The same beside our own plan of the same part by the same method, where it was made already.

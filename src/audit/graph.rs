@@ -179,7 +179,7 @@ impl<'a> Graph<'a> {
     }
 
     /// What a figure is as the plan has it: as stated, else as its formula makes it of what is stated.
-    fn written(&self, id: Id) -> Option<f64> {
+    pub(super) fn written(&self, id: Id) -> Option<f64> {
         if let Some(figure) = self.stated.figure(id) {
             return Some(figure.value);
         }

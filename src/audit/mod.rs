@@ -15,6 +15,7 @@
 //! Architecture invariant: an audit invents nothing. What a plan does not state is listed as missing, and what had to be
 //! taken from the tables instead is named in the finding that rests on it.
 
+mod against;
 mod auditor;
 pub mod checks;
 mod context;
@@ -36,6 +37,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::plan::Plan;
 
+pub use against::{Comparison, Cost, Difference};
 pub use auditor::Auditor;
 pub use file::schema;
 pub use finding::{Audit, Change, Finding, Section, Shown, Subject, Summary};

@@ -1,6 +1,7 @@
 //! An audit as a page: by sections of the plan, the most severe first, each finding with what it rests on and what else
 //! changes because of it.
 
+pub mod against;
 pub mod many;
 
 use crate::audit::quantity::Quantity;

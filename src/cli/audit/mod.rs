@@ -7,6 +7,7 @@ mod words;
 use std::path::PathBuf;
 
 use technolog::audit::{Audit, Auditor};
+use technolog::knowledge::Diagnostic;
 use technolog::report;
 
 use super::{CliError, Context, Format, Outcome, knowledge};
@@ -17,6 +18,9 @@ pub struct Args {
     /// The plan file (docs/audit.md), a plan of `technolog plan --format json`, or a folder of plans
     #[arg(value_name = "PLAN.yaml")]
     plan: PathBuf,
+    /// Another plan: show where the two differ, and what the difference costs
+    #[arg(long, value_name = "PLAN.yaml")]
+    against: Option<PathBuf>,
 }
 
 /// What an audit can be given out as.
@@ -32,9 +36,27 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let knowledge = knowledge::load(context)?;
     let auditor = Auditor::new(&knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
     if args.plan.is_dir() {
+        if args.against.is_some() {
+            let message = words::folder_against(context.lang);
+            return Err(Diagnostic::error("folder-against", message, None)
+                .help(words::name_a_plan(context.lang))
+                .into());
+        }
         return folder::run(&args.plan, format, &auditor, context);
     }
     let stated = file::read(&args.plan, &auditor, context)?;
+    if let Some(other) = &args.against {
+        let other = file::read(other, &auditor, context)?;
+        let compared = auditor.compare(&stated, &other);
+        let compared = compared.map_err(|error| CliError::of_knowledge(&error, context.lang))?;
+        match format {
+            Format::Json => context.emit_json(&compared)?,
+            Format::Yaml => context.emit_yaml(&compared)?,
+            Format::Markdown => context.emit(&report::audit::against::markdown(&compared, context.lang))?,
+            _ => context.emit(&report::audit::against::page(&compared, context.lang))?,
+        }
+        return Ok(Outcome::Done);
+    }
     let found = auditor.audit(&stated).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
     give_out(&found, format, context)?;
     Ok(if found.has_errors() { Outcome::Findings } else { Outcome::Done })

@@ -27,3 +27,13 @@ pub const fn what_is_a_plan(lang: Lang) -> &'static str {
         "plans are files .yaml, .yml and .json as docs/audit.md describes them",
     )
 }
+
+/// A folder where one plan is needed.
+pub const fn folder_against(lang: Lang) -> &'static str {
+    lang.pick("порівняти можна лише два плани, не теку", "only two plans can be compared, no folder")
+}
+
+/// What to do then.
+pub const fn name_a_plan(lang: Lang) -> &'static str {
+    lang.pick("назвіть файл плану", "name a plan file")
+}
