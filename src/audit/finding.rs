@@ -7,6 +7,7 @@ use crate::note::{Because, Note, Severity};
 use crate::plan::Operation;
 
 use super::context::Context;
+use super::marks::Marks;
 use super::quantity::{Id, Quantity, Scope};
 use super::stated::Stated;
 
@@ -21,6 +22,9 @@ pub struct Audit {
     pub summary: Summary,
     /// The findings by section, the most severe first.
     pub findings: Vec<Finding>,
+    /// Its marks, where a scheme was given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub marks: Option<Marks>,
 }
 
 /// Findings by severity.
@@ -234,7 +238,7 @@ impl Audit {
             }
             summary.follow += usize::from(!finding.follows_from.is_empty());
         }
-        Self { plan: stated.name.clone(), file: stated.file.clone(), summary, findings }
+        Self { plan: stated.name.clone(), file: stated.file.clone(), summary, findings, marks: None }
     }
 
     /// Where to begin: the gravest finding that follows from no other; of equals the first of the report.

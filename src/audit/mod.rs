@@ -25,6 +25,7 @@ mod finding;
 mod graph;
 mod keys;
 mod many;
+pub mod marks;
 mod near;
 mod own;
 pub mod quantity;

@@ -3,6 +3,7 @@
 
 pub mod against;
 pub mod many;
+mod marks;
 
 use crate::audit::quantity::Quantity;
 use crate::audit::{Audit, Finding, Section, Subject};
@@ -24,6 +25,12 @@ pub fn page(audit: &Audit, lang: Lang) -> String {
             }
         }
     }
+    if let Some(marks) = &audit.marks {
+        page.push_str(&format!("\n{}\n", marks::headline(marks, lang)));
+        for line in marks::lines(marks, lang) {
+            page.push_str(&grid::paragraph(&line, 2));
+        }
+    }
     page
 }
 
@@ -39,6 +46,12 @@ pub fn markdown(audit: &Audit, lang: Lang) -> String {
             for line in details(finding, lang) {
                 page.push_str(&format!("  - {line}\n"));
             }
+        }
+    }
+    if let Some(marks) = &audit.marks {
+        page.push_str(&format!("\n## {}\n\n", marks::headline(marks, lang)));
+        for line in marks::lines(marks, lang) {
+            page.push_str(&format!("- {line}\n"));
         }
     }
     page

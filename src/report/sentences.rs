@@ -24,6 +24,11 @@ fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'s
     all.chain(audit::SENTENCES).chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES)
 }
 
+/// Every code that a note can have.
+pub fn codes() -> impl Iterator<Item = &'static str> {
+    sentences().map(|(code, ..)| *code)
+}
+
 /// A note as a sentence. A code without words shows itself with its figures, so that nothing is lost.
 pub fn sentence(note: &Note, lang: Lang) -> String {
     let Some((_, uk, en)) = sentences().find(|(code, ..)| *code == note.code) else {

@@ -3,10 +3,13 @@
 use std::borrow::Cow;
 use std::path::Path;
 
+use technolog::audit::marks::{Scheme, read_scheme};
+use technolog::audit::rules;
 use technolog::audit::stated::Stated;
 use technolog::audit::{Auditor, Unreadable, read_if_plan, read_plan};
 use technolog::knowledge::Diagnostic;
 use technolog::knowledge::yaml::text_of;
+use technolog::report::sentences::codes;
 
 use super::super::diagnostics::Texts;
 use super::super::{CliError, Context, words};
@@ -31,6 +34,21 @@ pub fn read_any(path: &Path, auditor: &Auditor<'_>, context: &Context) -> Result
     let text = content(path, &shown, context)?;
     let stated = read_if_plan(&shown, &text, auditor.knowledge, &|name: &str| named(path, name));
     stated.map_err(|unreadable| unusable(path, shown, text, unreadable))
+}
+
+/// A marking scheme.
+///
+/// # Errors
+/// Every mistake of the file.
+pub fn scheme(path: &Path, context: &Context) -> Result<Scheme, CliError> {
+    let shown = path.display().to_string();
+    let text = content(path, &shown, context)?;
+    // A check is named by the code of its sentence.
+    let known: Vec<&str> = rules::all().map(|rule| rule.id).chain(codes()).collect();
+    read_scheme(&shown, &text, &known).map_err(|problems| {
+        let texts = Texts::default().with(&shown.clone(), shown, Cow::Owned(text));
+        CliError::Unusable { problems, texts }
+    })
 }
 
 /// The text of a file.

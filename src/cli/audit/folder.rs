@@ -3,6 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
+use technolog::audit::marks::Scheme;
 use technolog::audit::{Audited, Auditor, Unread};
 use technolog::knowledge::Diagnostic;
 use technolog::{parallel, report};
@@ -23,14 +24,20 @@ enum Seen {
 ///
 /// # Errors
 /// The folder cannot be read, or holds no plan; or a plan cannot be read, which the table has said.
-pub fn run(folder: &Path, format: Format, auditor: &Auditor<'_>, context: &Context) -> Result<Outcome, CliError> {
+pub fn run(
+    folder: &Path,
+    format: Format,
+    auditor: &Auditor<'_>,
+    scheme: Option<&Scheme>,
+    context: &Context,
+) -> Result<Outcome, CliError> {
     let mut files = Vec::new();
     collect(folder, &mut files).map_err(|error| {
         let message = cannot_read(context.lang, &folder.display().to_string(), error);
         CliError::from(Diagnostic::error("unreadable", message, None).help(check_path(context.lang)))
     })?;
     let progress = Progress::new(files.len());
-    let seen = parallel::map(&files, |path| one(path, auditor, context), |done| progress.show(done));
+    let seen = parallel::map(&files, |path| one(path, auditor, scheme, context), |done| progress.show(done));
     progress.clear();
     let mut audited = Vec::new();
     for (path, seen) in files.iter().zip(seen) {
@@ -58,7 +65,7 @@ pub fn run(folder: &Path, format: Format, auditor: &Auditor<'_>, context: &Conte
     Ok(if wrong { Outcome::Findings } else { Outcome::Done })
 }
 
-fn one(path: &Path, auditor: &Auditor<'_>, context: &Context) -> Result<Seen, CliError> {
+fn one(path: &Path, auditor: &Auditor<'_>, scheme: Option<&Scheme>, context: &Context) -> Result<Seen, CliError> {
     let stated = match file::read_any(path, auditor, context) {
         Ok(Some(stated)) => stated,
         Ok(None) => return Ok(Seen::NoPlan),
@@ -68,7 +75,8 @@ fn one(path: &Path, auditor: &Auditor<'_>, context: &Context) -> Result<Seen, Cl
         }
         Err(error) => return Err(error),
     };
-    let found = auditor.audit(&stated).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
+    let mut found = auditor.audit(&stated).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
+    found.marks = scheme.map(|scheme| scheme.mark(&found));
     Ok(Seen::Plan(Audited::Plan(Box::new(found))))
 }
 

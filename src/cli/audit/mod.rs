@@ -21,6 +21,9 @@ pub struct Args {
     /// Another plan: show where the two differ, and what the difference costs
     #[arg(long, value_name = "PLAN.yaml")]
     against: Option<PathBuf>,
+    /// A marking scheme (docs/audit.md): what each finding costs, and the score
+    #[arg(long, value_name = "FILE", conflicts_with = "against")]
+    marks: Option<PathBuf>,
 }
 
 /// What an audit can be given out as.
@@ -35,6 +38,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let format = context.format("audit", &FORMATS)?;
     let knowledge = knowledge::load(context)?;
     let auditor = Auditor::new(&knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
+    let scheme = args.marks.as_deref().map(|path| file::scheme(path, context)).transpose()?;
     if args.plan.is_dir() {
         if args.against.is_some() {
             let message = words::folder_against(context.lang);
@@ -42,7 +46,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
                 .help(words::name_a_plan(context.lang))
                 .into());
         }
-        return folder::run(&args.plan, format, &auditor, context);
+        return folder::run(&args.plan, format, &auditor, scheme.as_ref(), context);
     }
     let stated = file::read(&args.plan, &auditor, context)?;
     if let Some(other) = &args.against {
@@ -57,7 +61,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         }
         return Ok(Outcome::Done);
     }
-    let found = auditor.audit(&stated).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
+    let mut found = auditor.audit(&stated).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
+    found.marks = scheme.map(|scheme| scheme.mark(&found));
     give_out(&found, format, context)?;
     Ok(if found.has_errors() { Outcome::Findings } else { Outcome::Done })
 }

@@ -32,19 +32,28 @@ pub(super) fn title(lang: Lang) -> &'static str {
 
 /// Head and rows.
 pub(super) fn table(audited: &[Audited], lang: Lang) -> (Vec<String>, Vec<Vec<String>>) {
-    let head = match lang {
+    let mut head = match lang {
         Lang::Uk => ["файл", "помилки", "хибне", "сумнівне", "зауваження", "перша причина"],
         Lang::En => ["file", "errors", "wrong", "doubtful", "notes", "first root"],
-    };
+    }
+    .map(str::to_owned)
+    .to_vec();
+    let marked = audited.iter().filter_map(Audited::audit).any(|audit| audit.marks.is_some());
+    if marked {
+        head.push(lang.pick("бали", "marks").to_owned());
+    }
     let rows = audited.iter().map(|one| match one {
         Audited::Plan(audit) => row(audit, lang),
         Audited::Unreadable(unread) => {
             let why = unread.unreadable.first().map(|mistake| mistake.message.as_str()).unwrap_or_default();
             let said = format!("{}: {why}", lang.pick("не читається", "cannot be read"));
-            [unread.file.as_str(), "-", "-", "-", "-", &said].map(str::to_owned).to_vec()
+            let mut row = [unread.file.as_str(), "-", "-", "-", "-", &said].map(str::to_owned).to_vec();
+            row.extend(marked.then(|| "-".to_owned()));
+            row
         }
     });
-    (head.map(str::to_owned).to_vec(), rows.collect())
+    let rows = rows.collect();
+    (head, rows)
 }
 
 fn row(audit: &Audit, lang: Lang) -> Vec<String> {
@@ -52,6 +61,10 @@ fn row(audit: &Audit, lang: Lang) -> Vec<String> {
     let mut row = vec![audit.file.clone()];
     row.extend([error, wrong, doubtful, note].map(|count| count.to_string()));
     row.push(root(audit, lang));
+    row.extend(audit.marks.as_ref().map(|marks| {
+        let failed = if marks.passed == Some(false) { " !" } else { "" };
+        comma(&format!("{}{failed}", marks.points), lang)
+    }));
     row
 }
 
