@@ -10,6 +10,7 @@
 //! - [`planner`] is the one place where a refusal makes it try the next alternative;
 //! - [`plan`] is the result, a value; [`report`] prints it;
 //! - [`job`] is the plan as work of a machine, [`program`] its language, written and read back as [`motion`].
+//! - [`audit`] holds a plan that anybody made against all of it;
 //! - [`turning`] is a room of its own: a shaft, and the passes that rough it.
 //!
 //! Architecture invariant: nothing in this library reads a file, prints or asks the time.
@@ -17,13 +18,16 @@
 pub use technolog_knowledge as knowledge;
 pub use technolog_knowledge::units;
 
+pub mod audit;
 pub mod cutting;
 pub mod error;
 pub mod job;
 pub mod machine;
 pub mod material;
+mod memo;
 pub mod motion;
 pub mod note;
+pub mod parallel;
 pub mod part;
 pub mod plan;
 pub mod planner;

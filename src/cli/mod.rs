@@ -8,6 +8,7 @@
 //! Architecture invariant: nothing here decides anything; a command asks the library and shows the
 //! answer. Nothing else in the program touches arguments, environment, terminal or output files.
 
+mod audit;
 mod check;
 mod diagnostics;
 mod help;
@@ -18,6 +19,7 @@ mod order;
 mod output;
 mod plan;
 mod program;
+mod progress;
 mod proof;
 mod record;
 mod sheet;
@@ -58,7 +60,7 @@ struct Global {
     /// Folder with catalogs/ and rules/ instead of the embedded knowledge
     #[arg(long, global = true, value_name = "DIR")]
     knowledge: Option<PathBuf>,
-    /// Form of the answer: text, json, yaml, csv or svg, as far as the command has it
+    /// Form of the answer: text, json, yaml, csv, svg or markdown, as far as the command has it
     #[arg(long, global = true, value_enum, hide_possible_values = true)]
     format: Option<Format>,
     /// Write the answer to a file, not to the screen
@@ -80,6 +82,7 @@ enum Command {
     Order(order::Args),
     Turn(turn::Args),
     Program(program::Args),
+    Audit(audit::Args),
     Table(table::Args),
     Lookup(lookup::Args),
     Check(check::Args),
@@ -94,6 +97,7 @@ impl Command {
             Self::Order(args) => order::run(args, context),
             Self::Turn(args) => turn::run(args, context),
             Self::Program(args) => program::run(args, context),
+            Self::Audit(args) => audit::run(args, context),
             Self::Table(args) => table::run(args, context),
             Self::Lookup(args) => lookup::run(args, context),
             Self::Check(args) => check::run(args, context),
@@ -115,6 +119,8 @@ pub enum Format {
     Csv,
     /// For the eye.
     Svg,
+    /// For documents.
+    Markdown,
 }
 
 impl Format {
@@ -126,6 +132,7 @@ impl Format {
             Self::Yaml => "yaml",
             Self::Csv => "csv",
             Self::Svg => "svg",
+            Self::Markdown => "markdown",
         }
     }
 }

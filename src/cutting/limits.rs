@@ -178,7 +178,10 @@ fn synchronous(draft: &Draft, shop: &Shop<'_>) -> Tried<Held> {
 }
 
 /// The step of the spindle's series for a computed speed, by the rule `spindle-step`.
-fn spindle_step(wanted: RevsPerMinute, shop: &Shop<'_>) -> Result<(RevsPerMinute, String, Because), KnowledgeError> {
+pub(super) fn spindle_step(
+    wanted: RevsPerMinute,
+    shop: &Shop<'_>,
+) -> Result<(RevsPerMinute, String, Because), KnowledgeError> {
     let steps = &shop.machine.spindle_steps;
     let below = steps.iter().rev().find(|step| step.0 <= wanted.0);
     let above = steps.iter().find(|step| step.0 >= wanted.0);

@@ -197,6 +197,17 @@ pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Conditions> {
     })
 }
 
+/// The step of the machine's series for a computed speed, by the rule `spindle-step`; what limits it, and why.
+///
+/// # Errors
+/// The rule or the machine's series cannot answer.
+pub fn spindle_step(
+    wanted: RevsPerMinute,
+    shop: &Shop<'_>,
+) -> Result<(RevsPerMinute, String, Because), crate::error::KnowledgeError> {
+    limits::spindle_step(wanted, shop)
+}
+
 /// Spindle speed n = 1000·V/(π·D), 1/min (textbook Appendix Г item 7; V in m/min, D in mm).
 pub fn rpm_at(speed: MetresPerMinute, diameter: Micrometres) -> RevsPerMinute {
     RevsPerMinute(1000.0 * speed.0 / (std::f64::consts::PI * diameter.to_mm()))

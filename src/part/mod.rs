@@ -22,7 +22,7 @@ use serde::{Deserialize, Serialize};
 use crate::units::{ItGrade, Micrometres, Roughness};
 
 pub use file::schema;
-pub use read::read_part;
+pub use read::{read_part, read_part_node};
 pub use tolerance::{ToleratedDiameter, tolerance_width};
 
 /// A part with holes, as its drawing gives it.

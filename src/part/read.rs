@@ -27,6 +27,12 @@ pub fn read_part(file: &str, text: &str, knowledge: &Knowledge) -> Result<Part, 
     }
 }
 
+/// Reads a part that stands inside another file, such as a plan. Mistakes go to `problems`; with one of them there may be
+/// no part.
+pub fn read_part_node(node: &Node, knowledge: &Knowledge, problems: &mut Problems) -> Option<Part> {
+    Reader::new(knowledge, problems).part(node)
+}
+
 pub(super) struct Reader<'a> {
     pub(super) knowledge: &'a Knowledge,
     pub(super) problems: &'a mut Problems,

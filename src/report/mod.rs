@@ -1,5 +1,6 @@
 //! Reports: functions of a plan. They decide nothing.
 
+pub mod audit;
 pub mod backplot;
 mod canvas;
 pub mod cycles;

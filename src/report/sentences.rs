@@ -8,6 +8,7 @@ use crate::note::Note;
 use super::Lang;
 
 mod allowances;
+mod audit;
 mod iso;
 mod jobs;
 mod lathe_programs;
@@ -28,7 +29,13 @@ fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'s
     let all = all.chain(iso::SENTENCES).chain(jobs::SENTENCES).chain(lists::SENTENCES);
     let all = all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES);
     let all = all.chain(turning_tools::SENTENCES).chain(zones::SENTENCES).chain(workpiece::SENTENCES);
+    let all = all.chain(audit::SENTENCES);
     all.chain(lathe_programs::SENTENCES).chain(allowances::SENTENCES).chain(operation::SENTENCES)
+}
+
+/// Every code that a note can have.
+pub fn codes() -> impl Iterator<Item = &'static str> {
+    sentences().map(|(code, ..)| *code)
 }
 
 /// A note as a sentence. A code without words shows itself with its figures, so that nothing is lost.
@@ -606,7 +613,7 @@ mod tests {
     #[test]
     fn every_code_of_the_program_has_its_words() {
         let mut codes = BTreeSet::new();
-        for room in ["route", "tooling", "cutting", "planner", "job", "program", "turning"] {
+        for room in ["audit", "route", "tooling", "cutting", "planner", "job", "program", "turning"] {
             codes_in(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src").join(room), &mut codes);
         }
         assert!(codes.len() > 50, "the search for codes finds too few: {}", codes.len());

@@ -164,7 +164,7 @@ fn tables_of(row: RowRef<'_>) -> String {
 }
 
 /// The diameter printed for a cutter of one size; nothing for a boring bar, which is set.
-fn own_diameter(row: RowRef<'_>) -> Option<Micrometres> {
+pub(super) fn own_diameter(row: RowRef<'_>) -> Option<Micrometres> {
     row.length_if_any("diameter")
 }
 
@@ -215,8 +215,14 @@ fn fitting<'k>(table: &'k Table, need: &CutterNeed<'_>, ground: bool) -> Vec<Row
     }
 }
 
+/// Whether a row is of a size that does what is asked, ground down to it if need be.
+pub(super) fn size_fits(row: RowRef<'_>, need: &CutterNeed<'_>) -> bool {
+    let held = |ground: bool| fitting(row.table, need, ground).iter().any(|one| one.index == row.index);
+    held(false) || ((need.operation.is_reaming() || need.operation == Operation::CoreDrill) && held(true))
+}
+
 /// Why a row of the right size cannot be used.
-fn refuse(row: RowRef<'_>, need: &CutterNeed<'_>, machine: &Machine<'_>) -> Option<Note> {
+pub(super) fn refuse(row: RowRef<'_>, need: &CutterNeed<'_>, machine: &Machine<'_>) -> Option<Note> {
     let name = row.table.result.first().and_then(|column| row.text(column).ok()).unwrap_or_default();
     let note = |code: &str| Note::new(code).with("tool", name).with("table", &row.table.id);
     if matches!(need.operation, Operation::Drill | Operation::DrillOut) && need.diameter > machine.drill_max {

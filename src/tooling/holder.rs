@@ -143,7 +143,7 @@ fn bar_mass(cutter: &Cutter<'_>) -> f64 {
 }
 
 /// Why a holder does not take the cutter.
-fn refuse(row: RowRef<'_>, cutter: &Cutter<'_>, machine: &Machine<'_>) -> Option<Note> {
+pub(super) fn refuse(row: RowRef<'_>, cutter: &Cutter<'_>, machine: &Machine<'_>) -> Option<Note> {
     if let Ok(taper) = row.int("taper")
         && taper != machine.taper
     {
@@ -196,7 +196,7 @@ fn too_short(
 ///
 /// With a cylindrical shank L − seat + 2…3 mm (textbook 5.2 item 5); with a Morse shank the length
 /// outside the taper; a shell cutter sits on its arbor; a tool with the machine's taper stands out whole.
-fn overhang(
+pub(super) fn overhang(
     cutter: &Cutter<'_>,
     need: &CutterNeed<'_>,
     knowledge: &Knowledge,

@@ -2,6 +2,7 @@
 
 mod cutter;
 mod holder;
+pub mod named;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;

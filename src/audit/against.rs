@@ -1,0 +1,284 @@
+//! Two plans beside each other: where they differ, and what that costs.
+//!
+//! Rows are matched by their hole and operation, tools and conditions by the rows they are for: the same choice under
+//! another number or in another place of the file is no difference.
+
+use std::collections::BTreeSet;
+
+use serde::Serialize;
+
+use crate::error::KnowledgeError;
+use crate::plan::Operation;
+
+use super::auditor::Auditor;
+use super::context::Context;
+use super::finding::{Section, Subject};
+use super::graph::Graph;
+use super::near::plain;
+use super::quantity::{Id, Quantity, Scope};
+use super::rules;
+use super::stated::{Figure, Figures, Row, Stated, Text, Tool};
+
+/// Two plans beside each other.
+#[derive(Clone, Debug, Serialize)]
+pub struct Comparison {
+    /// The file of the first.
+    pub a: String,
+    /// The file of the second.
+    pub b: String,
+    /// Where they differ, by sections.
+    pub differences: Vec<Difference>,
+    /// What both cost; what neither states nor its figures give is left out.
+    pub costs: Vec<Cost>,
+}
+
+/// What two plans state otherwise.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Difference {
+    /// Where in the report.
+    pub section: Section,
+    /// About whom; tools by their place in the first plan, or in the second where only that has them.
+    pub subject: Subject,
+    /// What: the key of a figure, or `row`, `order`, `designation`, … for what is no figure.
+    pub what: String,
+    /// Which figure it is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub quantity: Option<Quantity>,
+    /// In the first plan.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub a: Option<String>,
+    /// In the second.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub b: Option<String>,
+}
+
+/// What something costs in both plans.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Cost {
+    /// `machine`, `rapid`, `tool_change`, `total` in min; `changes` and `places` in numbers.
+    pub what: &'static str,
+    /// In the first plan.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub a: Option<f64>,
+    /// In the second.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub b: Option<f64>,
+    /// How much more the second costs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub more: Option<f64>,
+}
+
+impl Auditor<'_> {
+    /// Holds two plans beside each other.
+    ///
+    /// # Errors
+    /// The knowledge cannot answer.
+    pub fn compare(&self, a: &Stated, b: &Stated) -> Result<Comparison, KnowledgeError> {
+        let mut found = Found { a, b, differences: Vec::new() };
+        found.rows();
+        found.clamping();
+        found.figures(Section::Times, &Subject::default(), &a.times, &b.times);
+        let mut differences = found.differences;
+        differences.sort_by_key(|one| one.section);
+        let costs = costs(&self.expenses(a)?, &self.expenses(b)?);
+        Ok(Comparison { a: a.file.clone(), b: b.file.clone(), differences, costs })
+    }
+
+    /// What a plan costs, as it states it, else as its own figures give it.
+    fn expenses(&self, stated: &Stated) -> Result<Vec<(&'static str, Option<f64>)>, KnowledgeError> {
+        let ours = self.ours(stated)?;
+        let context = Context::new(stated, &ours, self)?;
+        let mut graph = Graph::new(stated, self.tolerances());
+        rules::add(&context, &mut graph)?;
+        let times = [Quantity::MachineTime, Quantity::RapidTime, Quantity::ChangeTime, Quantity::TotalTime];
+        let time = |quantity: Quantity| (quantity.key(), graph.written(Id::new(Scope::Times, quantity)));
+        let mut all: Vec<(&str, Option<f64>)> = times.into_iter().map(time).collect();
+        let changes = context.changes();
+        let places: BTreeSet<u32> = changes.iter().copied().collect();
+        let counted = |count: usize| (count > 0).then_some(count as f64);
+        all.push(("changes", counted(changes.len())));
+        all.push(("places", counted(places.len())));
+        Ok(all)
+    }
+}
+
+fn costs(a: &[(&'static str, Option<f64>)], b: &[(&'static str, Option<f64>)]) -> Vec<Cost> {
+    let both = a.iter().zip(b).filter(|(a, b)| a.1.is_some() || b.1.is_some());
+    let rounded = |value: f64| crate::units::round_to(value, 4);
+    both.map(|((what, a), (_, b))| Cost {
+        what,
+        a: a.map(rounded),
+        b: b.map(rounded),
+        more: a.zip(*b).map(|(a, b)| rounded(b - a)),
+    })
+    .collect()
+}
+
+struct Found<'s> {
+    a: &'s Stated,
+    b: &'s Stated,
+    differences: Vec<Difference>,
+}
+
+/// What a row does: its hole, its operation, and the how manieth of these it is.
+fn names(stated: &Stated) -> Vec<(Option<&str>, Operation, usize)> {
+    let mut names: Vec<(Option<&str>, Operation, usize)> = Vec::new();
+    for row in &stated.rows {
+        let (hole, operation) = (row.hole.as_ref().map(|hole| hole.value.as_str()), row.operation.value);
+        let before = names.iter().filter(|(known, other, _)| *known == hole && *other == operation).count();
+        names.push((hole, operation, before));
+    }
+    names
+}
+
+impl Found<'_> {
+    fn rows(&mut self) {
+        let (a, b) = (self.a, self.b);
+        let (names_a, names_b) = (names(a), names(b));
+        let pairs: Vec<(usize, usize)> = names_a
+            .iter()
+            .enumerate()
+            .filter_map(|(at, name)| Some((at, names_b.iter().position(|other| other == name)?)))
+            .collect();
+        if !pairs.is_sorted_by_key(|(_, b)| *b) {
+            let order = |stated: &Stated, rows: Vec<usize>| {
+                let number = |at: usize| stated.rows.get(at).map_or(0, |row| row.number).to_string();
+                rows.into_iter().map(number).collect::<Vec<_>>().join(", ")
+            };
+            let of_a = order(a, pairs.iter().map(|(at, _)| *at).collect());
+            let of_b = order(b, pairs.iter().map(|(_, at)| *at).collect());
+            self.say(Section::Route, &Subject::default(), "order", Some(of_a), Some(of_b));
+        }
+        for (at, row) in a.rows.iter().enumerate().filter(|(at, _)| !pairs.iter().any(|(own, _)| own == at)) {
+            let number = names_a.get(at).map(|_| row.number.to_string());
+            self.say(Section::Route, &of_row(row), "row", number, None);
+        }
+        for (_, row) in b.rows.iter().enumerate().filter(|(at, _)| !pairs.iter().any(|(_, own)| own == at)) {
+            self.say(Section::Route, &of_row(row), "row", None, Some(row.number.to_string()));
+        }
+        // The same tool serves several rows, and so do the same conditions.
+        let (mut tools, mut conditions) = (BTreeSet::new(), BTreeSet::new());
+        for (at, other) in pairs {
+            let (Some(one), Some(two)) = (a.rows.get(at), b.rows.get(other)) else { continue };
+            let subject = of_row(one);
+            self.text(Section::Route, &subject, "scheme", &one.scheme, &two.scheme);
+            self.text(Section::Route, &subject, "table", &one.table, &two.table);
+            self.figures(Section::Route, &subject, &one.figures, &two.figures);
+            let number = |row: &Row| row.tool.as_ref().map(|tool| format!("T{}", tool.value));
+            if number(one) != number(two) {
+                self.say(Section::Route, &subject, "tool", number(one), number(two));
+            }
+            if let (Some(one), Some(two)) = (a.tool_of(one), b.tool_of(two))
+                && tools.insert((one, two))
+                && let (Some(one), Some(two)) = (a.tools.get(one), b.tools.get(two))
+            {
+                self.tool(one, two);
+            }
+            let pair = (a.conditions_of(at), b.conditions_of(other));
+            if conditions.insert(pair) {
+                self.conditions(&subject, pair);
+            }
+        }
+    }
+
+    fn tool(&mut self, a: &Tool, b: &Tool) {
+        let subject = Subject { tool: Some(a.number), ..Subject::default() };
+        self.text(Section::Tools, &subject, "designation", &a.designation, &b.designation);
+        self.text(Section::Tools, &subject, "standard", &a.standard, &b.standard);
+        self.text(Section::Tools, &subject, "table", &a.table, &b.table);
+        self.text(Section::Tools, &subject, "shank", &a.shank, &b.shank);
+        self.text(Section::Holders, &subject, "holder", &a.holder, &b.holder);
+        self.text(Section::Holders, &subject, "standard", &a.holder_standard, &b.holder_standard);
+        self.text(Section::Lengths, &subject, "with", &a.correction_word, &b.correction_word);
+        self.figures(Section::Lengths, &subject, &a.figures, &b.figures);
+    }
+
+    fn conditions(&mut self, subject: &Subject, (a, b): (Option<usize>, Option<usize>)) {
+        let none = Figures::new();
+        let (a, b) = (a.and_then(|at| self.a.conditions.get(at)), b.and_then(|at| self.b.conditions.get(at)));
+        let figures =
+            |own: Option<&super::stated::Conditions>| own.map_or_else(|| none.clone(), |own| own.figures.clone());
+        self.figures(Section::Conditions, subject, &figures(a), &figures(b));
+        // Factors of conditions that only one plan has are told by their results.
+        let (Some(a), Some(b)) = (a, b) else { return };
+        let quantities: BTreeSet<Quantity> = a.factors.keys().chain(b.factors.keys()).copied().collect();
+        for quantity in quantities {
+            let [a, b] = [a, b].map(|own| own.factors.get(&quantity).map(Vec::as_slice).unwrap_or_default());
+            let names: BTreeSet<&str> = a.iter().chain(b).map(|factor| factor.name.value.as_str()).collect();
+            for name in names {
+                let value = |own: &[super::stated::Factor]| {
+                    own.iter().find(|factor| factor.name.value == name).and_then(|factor| factor.value.clone())
+                };
+                self.figure(Section::Conditions, subject, quantity, Some(name), value(a).as_ref(), value(b).as_ref());
+            }
+        }
+    }
+
+    fn clamping(&mut self) {
+        let (a, b) = (self.a.clamping.as_ref(), self.b.clamping.as_ref());
+        let subject = Subject::default();
+        let none = Figures::new();
+        let [one, two] = [a, b].map(|own| own.map_or(&none, |own| &own.figures));
+        self.figures(Section::Clamping, &subject, one, two);
+        let text = |own: Option<&super::stated::Clamping>, key: &str| {
+            own.and_then(|own| match key {
+                "screw" => own.screw.clone(),
+                "standard" => own.standard.clone(),
+                _ => own.designation.clone(),
+            })
+        };
+        for key in ["screw", "designation", "standard"] {
+            self.text(Section::Clamping, &subject, key, &text(a, key), &text(b, key));
+        }
+    }
+
+    fn figures(&mut self, section: Section, subject: &Subject, a: &Figures, b: &Figures) {
+        let quantities: BTreeSet<Quantity> = a.keys().chain(b.keys()).copied().collect();
+        for quantity in quantities {
+            self.figure(section, subject, quantity, None, a.get(&quantity), b.get(&quantity));
+        }
+    }
+
+    fn figure(
+        &mut self,
+        section: Section,
+        subject: &Subject,
+        quantity: Quantity,
+        name: Option<&str>,
+        a: Option<&Figure>,
+        b: Option<&Figure>,
+    ) {
+        let same = match (a, b) {
+            // 26.5 and 26.50 are the same figure.
+            (Some(a), Some(b)) => (a.value - b.value).abs() <= 1e-9 * b.value.abs().max(1.0),
+            (a, b) => a.is_none() && b.is_none(),
+        };
+        if !same {
+            let text = |figure: Option<&Figure>| figure.map(|figure| figure.text.clone());
+            let key = quantity.key();
+            let what = name.map_or_else(|| key.to_owned(), |name| format!("{key}.{name}"));
+            self.say(section, subject, &what, text(a), text(b));
+            if let Some(last) = self.differences.last_mut() {
+                last.quantity = Some(quantity);
+            }
+        }
+    }
+
+    fn text(&mut self, section: Section, subject: &Subject, what: &str, a: &Option<Text>, b: &Option<Text>) {
+        let [one, two] = [a, b].map(|text| text.as_ref().map(|text| text.value.clone()));
+        // The same name with another dash or space is the same.
+        if one.as_deref().map(plain) != two.as_deref().map(plain) {
+            self.say(section, subject, what, one, two);
+        }
+    }
+
+    fn say(&mut self, section: Section, subject: &Subject, what: &str, a: Option<String>, b: Option<String>) {
+        let (subject, what) = (subject.clone(), what.to_owned());
+        self.differences.push(Difference { section, subject, what, quantity: None, a, b });
+    }
+}
+
+fn of_row(row: &Row) -> Subject {
+    let holes = row.hole.iter().map(|hole| hole.value.clone()).collect();
+    Subject { operation: Some(row.operation.value), holes, tool: None }
+}

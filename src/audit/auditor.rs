@@ -1,0 +1,102 @@
+//! What audits of many plans share: tables read once, parts planned once, programs interpreted once.
+
+use std::sync::Arc;
+
+use crate::error::KnowledgeError;
+use crate::knowledge::{Knowledge, RowRef};
+use crate::machine::Machine;
+use crate::memo::Memo;
+use crate::motion::Step;
+use crate::plan::Plan;
+use crate::planner;
+use crate::program::{Fault, Language, Setting};
+use crate::tooling::named::{NamedCutter, cutter_names, holder_names};
+
+use super::finding::Audit;
+use super::near::Names;
+use super::stated::{Program, Stated};
+use super::tolerance::Tolerances;
+use super::{checks, context, figures, graph, rules};
+
+/// Audits plans, one after the other or many at once.
+#[derive(Debug)]
+pub struct Auditor<'k> {
+    /// The knowledge that plans are held against.
+    pub knowledge: &'k Knowledge,
+    pub(super) cutters: Names<'k, NamedCutter<'k>>,
+    pub(super) holders: Names<'k, RowRef<'k>>,
+    tolerances: Tolerances,
+    plans: Memo<Result<Arc<Plan>, KnowledgeError>>,
+    runs: Memo<Run>,
+}
+
+/// What a program does on a machine as it is set.
+#[derive(Clone, Debug)]
+pub(super) struct Run {
+    pub faults: Arc<[Fault]>,
+    pub steps: Arc<[Step]>,
+}
+
+impl<'k> Auditor<'k> {
+    /// Reads what all audits need.
+    ///
+    /// # Errors
+    /// The table `audit-tolerance` lacks a quantity.
+    pub fn new(knowledge: &'k Knowledge) -> Result<Self, KnowledgeError> {
+        Ok(Self {
+            knowledge,
+            cutters: Names::new(cutter_names(knowledge).map(|cutter| (cutter, cutter.designation))),
+            holders: Names::new(holder_names(knowledge)),
+            tolerances: Tolerances::read(knowledge)?,
+            plans: Memo::default(),
+            runs: Memo::default(),
+        })
+    }
+
+    /// Holds a plan against the knowledge. The same part is planned once.
+    ///
+    /// # Errors
+    /// The knowledge cannot answer. What is wrong with the plan is a finding.
+    pub fn audit(&self, stated: &Stated) -> Result<Audit, KnowledgeError> {
+        let ours = self.ours(stated)?;
+        self.audit_beside(stated, &ours)
+    }
+
+    /// Our own plan of the same part by the same method.
+    pub(super) fn ours(&self, stated: &Stated) -> Result<Arc<Plan>, KnowledgeError> {
+        let plan = || planner::plan(&stated.part, stated.method, self.knowledge).map(Arc::new);
+        // A part that cannot be written down cannot be told from another, so it is planned for itself.
+        match serde_json::to_string(&(&stated.part, stated.method)) {
+            Ok(key) => self.plans.get(key, plan),
+            Err(_) => plan(),
+        }
+    }
+
+    /// What may be rounded how.
+    pub(super) const fn tolerances(&self) -> &Tolerances {
+        &self.tolerances
+    }
+
+    /// The same beside our own plan of the same part by the same method, where it was made already.
+    ///
+    /// # Errors
+    /// As of [`Auditor::audit`].
+    pub fn audit_beside(&self, stated: &Stated, ours: &Plan) -> Result<Audit, KnowledgeError> {
+        let context = context::Context::new(stated, ours, self)?;
+        let mut graph = graph::Graph::new(stated, &self.tolerances);
+        rules::add(&context, &mut graph)?;
+        let mut findings = figures::findings(&context, &graph);
+        checks::all(&context, &graph, &mut findings)?;
+        Ok(Audit::new(stated, findings))
+    }
+
+    /// Carries a program out. The same program with the same setting is carried out once.
+    pub(super) fn run(&self, program: &Program, language: &Language, machine: &Machine<'_>, setting: &Setting) -> Run {
+        let key = format!("{} {} {setting:?}\n{}", program.control, machine.table.id, program.text);
+        self.runs.get(key, || {
+            let mut steps: Vec<Step> = Vec::new();
+            let faults = language.check(&program.text, machine, setting, &mut steps);
+            Run { faults: faults.into(), steps: steps.into() }
+        })
+    }
+}

@@ -1,0 +1,177 @@
+//! Whether designations exist, and belong to the standards, shanks and tables that are stated with them.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::RowRef;
+use crate::note::{Because, Note, Severity};
+
+use super::super::context::Context;
+use super::super::finding::{Finding, Section};
+use super::super::graph::Graph;
+use super::super::near::{Likeness, Near, likeness, plain};
+use super::super::quantity::Scope;
+use super::super::rules::tools::COLUMNS;
+use super::super::stated::Text;
+use crate::tooling::named::{NamedCutter, cutter_names};
+
+pub(super) fn check<'a>(
+    context: &Context<'a>,
+    _: &Graph<'a>,
+    findings: &mut Vec<Finding>,
+) -> Result<(), KnowledgeError> {
+    for (at, tool) in context.stated.tools.iter().enumerate() {
+        let field = |key: &str| format!("tools.T{}.{key}", tool.number);
+        let about = |finding: Finding| finding.about(context.subject(Scope::Tool(at)));
+        let near = context.cutter_near(at);
+        dimensions(context, at, findings);
+        named(
+            near,
+            |cutter| cutter.row,
+            tool.designation.as_ref(),
+            Section::Tools,
+            field("designation"),
+            &about,
+            findings,
+        );
+        if let Some(cutter) = context.cutter(at) {
+            let row = cutter.row;
+            let of = Of { row, section: Section::Tools };
+            standard(&of, tool.standard.as_ref(), field("standard"), &about, findings);
+            if let Some(shank) = &tool.shank
+                && shank.value != cutter.head.shank.name()
+            {
+                let note = Note::new("audit-shank").with("shank", &shank.value).with("name", cutter.head.shank.name());
+                let finding = Finding::new(Severity::Wrong, Section::Tools, field("shank"), note).at(&shank.place);
+                let finding = finding.beside(&shank.value, cutter.head.shank.name());
+                findings.push(about(finding.resting_on([Because::row(row, Note::new("named"))])));
+            }
+        } else if let (Some(table), Some(name)) = (&tool.table, &tool.designation) {
+            // Known, but of another table than the one stated.
+            let note = Note::new("audit-tool-table").with("table", &table.value).with("tool", &name.value);
+            if matches!(near, Near::Unknown(_)) {
+                findings
+                    .push(about(Finding::new(Severity::Wrong, Section::Tools, field("table"), note).at(&table.place)));
+            }
+        }
+        let near = context.holder_near(at);
+        // A cutter with the machine's taper is its own holder.
+        if context.whole(at) {
+            continue;
+        }
+        named(near, |row| *row, tool.holder.as_ref(), Section::Holders, field("holder.designation"), &about, findings);
+        if let Some(row) = context.holder(at) {
+            let of = Of { row, section: Section::Holders };
+            standard(&of, tool.holder_standard.as_ref(), field("holder.standard"), &about, findings);
+        }
+    }
+    if let Some(clamp) = context.stated.clamping.as_ref().and_then(|clamping| clamping.designation.as_ref()) {
+        let note = Note::new("audit-no-catalog").with("designation", &clamp.value);
+        let field = "clamping.designation".to_owned();
+        findings.push(Finding::new(Severity::Note, Section::Clamping, field, note).at(&clamp.place));
+    }
+    Ok(())
+}
+
+/// A row and the section it is told in.
+struct Of<'k> {
+    row: RowRef<'k>,
+    section: Section,
+}
+
+/// What is to be said of a designation.
+fn named<'k, T>(
+    near: &Near<T>,
+    row: impl Fn(&T) -> RowRef<'k>,
+    name: Option<&Text>,
+    section: Section,
+    field: String,
+    about: &dyn Fn(Finding) -> Finding,
+    findings: &mut Vec<Finding>,
+) {
+    let Some(name) = name else { return };
+    let finding = |severity, note: Note| Finding::new(severity, section, field.clone(), note).at(&name.place);
+    let found = match near {
+        Near::Unstated | Near::Found(_) => return,
+        Near::Meant(found, known) => {
+            let note = Note::new("audit-designation-misprinted").with("tool", &name.value).with("known", known);
+            let because = Because::row(row(found), Note::new("named"));
+            finding(Severity::Wrong, note).beside(&name.value, known).resting_on([because])
+        }
+        Near::Unknown(Some(known)) => {
+            let note = Note::new("audit-designation-unknown").with("tool", &name.value).with("known", known);
+            finding(Severity::Wrong, note)
+        }
+        Near::Unknown(None) => finding(Severity::Wrong, Note::new("audit-designation-alien").with("tool", &name.value)),
+    };
+    findings.push(about(found));
+}
+
+/// Whether a standard is that of the row: of its table, or one that the row's place in the source names.
+fn standard(
+    of: &Of<'_>,
+    standard: Option<&Text>,
+    field: String,
+    about: &dyn Fn(Finding) -> Finding,
+    findings: &mut Vec<Finding>,
+) {
+    let Some(standard) = standard else { return };
+    let place: String = plain(of.row.place()).into_iter().collect();
+    let written: String = plain(&standard.value).into_iter().collect();
+    if place.contains(&written) {
+        return;
+    }
+    let because = Because::row(of.row, Note::new("named"));
+    let finding = |severity, note: Note| Finding::new(severity, of.section, field.clone(), note).at(&standard.place);
+    let found = match of.row.table.standard.as_deref() {
+        // Nothing to hold it against.
+        None => finding(Severity::Note, Note::new("audit-standard-unchecked").with("standard", &standard.value)),
+        Some(right) => match likeness(&standard.value, right) {
+            Likeness::Same => return,
+            Likeness::Misread => {
+                let note =
+                    Note::new("audit-standard-misprinted").with("standard", &standard.value).with("known", right);
+                finding(Severity::Wrong, note).beside(&standard.value, right)
+            }
+            Likeness::Other => {
+                let note = Note::new("audit-standard-other").with("standard", &standard.value).with("known", right);
+                finding(Severity::Wrong, note).beside(&standard.value, right)
+            }
+        },
+    };
+    findings.push(about(found.resting_on([because])));
+}
+
+/// Dimensions that are none of the designation's, and all those of another one: it is the designation that is wrong.
+fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<Finding>) {
+    let tool = &context.stated.tools[at];
+    let Some(name) = tool.designation.as_ref().filter(|_| context.cutter(at).is_some()) else { return };
+    let of_tool = |finding: &Finding| finding.subject.tool == Some(tool.number);
+    let off = findings.iter().filter(|finding| finding.rule == "tool-dimension" && of_tool(finding)).count();
+    if off == 0 {
+        return;
+    }
+    let stated = COLUMNS.iter().filter_map(|(column, quantity)| Some((*column, tool.figures.get(quantity)?.value)));
+    let stated: Vec<(&str, f64)> = stated.collect();
+    let fits = |cutter: &NamedCutter<'_>| {
+        stated.iter().all(|(column, value)| {
+            cutter.row.length_if_any(column).is_some_and(|length| (length.to_mm() - value).abs() < 1e-6)
+        })
+    };
+    let Some(other) = cutter_names(context.shop.knowledge).find(fits) else { return };
+    // One dimension alone may be the slip; the rows of the tool say which of the two is meant.
+    let unsuited = |finding: &Finding| of_tool(finding) && finding.rule.starts_with("tool-of-other-");
+    if off < 2 && !findings.iter().any(unsuited) {
+        return;
+    }
+    let field = format!("tools.T{}.designation", tool.number);
+    for finding in findings.iter_mut().filter(|finding| of_tool(finding)) {
+        let of_name = ["tool-dimension", "overhang", "tool-of-other-size", "tool-of-other-operation"];
+        if of_name.contains(&finding.rule.as_str()) {
+            finding.follows_from = vec![field.clone()];
+        }
+    }
+    let note = Note::new("audit-dimensions-of").with("tool", &name.value).with("known", other.designation);
+    let finding = Finding::new(Severity::Wrong, Section::Tools, field, note).at(&name.place);
+    let because = Because::row(other.row, Note::new("named"));
+    let finding = finding.beside(&name.value, other.designation).resting_on([because]);
+    findings.push(finding.about(context.subject(Scope::Tool(at))));
+}

@@ -1,0 +1,168 @@
+//! The machine's limits, the screw, the correctors.
+
+use std::collections::BTreeMap;
+
+use crate::error::KnowledgeError;
+use crate::knowledge::units::Unit;
+use crate::note::{Because, Note, Severity};
+use crate::units::round_to;
+
+use super::super::context::Context;
+use super::super::figures::{beside, shown};
+use super::super::finding::{Finding, Section};
+use super::super::graph::Graph;
+use super::super::quantity::{Id, Quantity as Q, Scope};
+
+pub(super) fn check<'a>(
+    context: &Context<'a>,
+    graph: &Graph<'a>,
+    findings: &mut Vec<Finding>,
+) -> Result<(), KnowledgeError> {
+    conditions(context, findings)?;
+    series(context, graph, findings)?;
+    screw(context, graph, findings)?;
+    lengths(context, findings)?;
+    correctors(context, findings);
+    magazine(context, findings);
+    Ok(())
+}
+
+/// Every figure that the machine bounds.
+fn conditions(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
+    let machine = &context.shop.machine;
+    for (at, own) in context.stated.conditions.iter().enumerate() {
+        let elsewhere = own.rows.iter().all(|row| context.stated.rows.get(*row).is_some_and(|row| row.elsewhere));
+        if elsewhere {
+            continue;
+        }
+        let bounds = [
+            (Q::MinuteFeed, machine.feed_max.0, "feed-max"),
+            (Q::Force, machine.thrust.0, "thrust-z-max"),
+            (Q::Torque, machine.spindle_torque.0, "spindle-torque-max"),
+            (Q::Power, machine.spindle_power.0, "spindle-power"),
+        ];
+        for (quantity, most, name) in bounds {
+            let Some(figure) = own.figures.get(&quantity).filter(|figure| figure.value > most * 1.001) else {
+                continue;
+            };
+            let note = Note::new("audit-beyond-machine").with("limit", shown(most)).with("quantity", name);
+            let field = context.field(Id::new(Scope::Conditions(at), quantity));
+            let finding = Finding::new(Severity::Error, Section::Conditions, field, note);
+            let finding = beside(finding, figure, format!("<= {}", shown(most)), quantity);
+            let because = Because::row(machine.row(name)?, Note::new("audit-limit"));
+            findings.push(finding.about(context.subject(Scope::Conditions(at))).resting_on([because]));
+        }
+    }
+    Ok(())
+}
+
+/// A spindle speed that no rule computed must still be a step of the machine.
+fn series(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
+    let machine = &context.shop.machine;
+    for (at, own) in context.stated.conditions.iter().enumerate() {
+        let id = Id::new(Scope::Conditions(at), Q::Rpm);
+        let Some(figure) = own.figures.get(&Q::Rpm).filter(|_| graph.formula(id).is_none()) else { continue };
+        if machine.spindle_steps.iter().any(|step| (step.0 - figure.value).abs() < 1e-6) {
+            continue;
+        }
+        let below = machine.spindle_steps.iter().rev().find(|step| step.0 < figure.value);
+        let above = machine.spindle_steps.iter().find(|step| step.0 > figure.value);
+        let text =
+            |step: Option<&crate::units::RevsPerMinute>| step.map_or_else(|| "-".to_owned(), |step| step.0.to_string());
+        let note = Note::new("audit-not-in-series").with("below", text(below)).with("above", text(above));
+        let finding = Finding::new(Severity::Wrong, Section::Conditions, context.field(id), note).at(&figure.place);
+        let because = Because::row(machine.row("spindle-speeds")?, Note::new("audit-series"));
+        let mut finding = finding.about(context.subject(Scope::Conditions(at))).resting_on([because]);
+        finding.stated = Some(figure.text.clone());
+        finding.quantity = Some(Q::Rpm);
+        findings.push(finding);
+    }
+    Ok(())
+}
+
+/// The screw bears the force on its clamp; a smaller one that would bear it too is no fault.
+fn screw(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
+    let Some(clamping) = &context.stated.clamping else { return Ok(()) };
+    let Some(screw) = &clamping.screw else { return Ok(()) };
+    let table = context.shop.knowledge.table("clamp-screws")?;
+    let field = || "clamping.screw".to_owned();
+    let Some(row) = table.find("thread", &screw.value) else {
+        let known: Vec<&str> = table.all_rows().filter_map(|row| row.text("thread").ok()).collect();
+        let note = Note::new("audit-no-screw").with("screw", &screw.value).with("known", known.join(", "));
+        findings.push(Finding::new(Severity::Wrong, Section::Clamping, field(), note).at(&screw.place));
+        return Ok(());
+    };
+    let each = Id::new(Scope::Clamping, Q::ForcePerClamp);
+    // Where the division over the clamps is not stated, it is what the force and their number make.
+    let whole = Id::new(Scope::Clamping, Q::ClampForce);
+    let Some(force) = graph.right(each).or_else(|| graph.right(whole)) else { return Ok(()) };
+    let bears = row.number_in("force_80", Unit::Newton)?;
+    if bears + 0.5 >= force {
+        // A plan of ours takes the smallest that bears the force, unless the drawing names its screws.
+        let smallest =
+            table.all_rows().find(|row| row.number_in("force_80", Unit::Newton).is_ok_and(|most| most + 0.5 >= force));
+        let named = context.stated.part.fixture.clamps.iter().any(|clamp| clamp.screw.is_some());
+        if let Some(smallest) = smallest.filter(|smallest| context.stated.own && !named && smallest.index < row.index) {
+            let note = Note::new("audit-screw-large").with("screw", &screw.value).with("force", round_to(force, 0));
+            let finding = Finding::new(Severity::Doubtful, Section::Clamping, field(), note).at(&screw.place);
+            findings.push(finding.beside(&screw.value, smallest.text("thread")?));
+        }
+        return Ok(());
+    }
+    let note = Note::new("audit-screw-weak")
+        .with("screw", &screw.value)
+        .with("bears", bears)
+        .with("force", round_to(force, 0));
+    let finding = Finding::new(Severity::Error, Section::Clamping, field(), note).at(&screw.place);
+    findings.push(finding.resting_on([Because::row(row, Note::new("named"))]));
+    Ok(())
+}
+
+/// An assembly within the largest overhang of the machine.
+fn lengths(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
+    let machine = &context.shop.machine;
+    let most = machine.overhang_max.to_mm();
+    for (at, tool) in context.stated.tools.iter().enumerate() {
+        let Some(figure) = tool.figures.get(&Q::Assembly).filter(|figure| figure.value > most) else { continue };
+        let note = Note::new("audit-beyond-machine").with("limit", shown(most)).with("quantity", "tool-overhang-max");
+        let field = context.field(Id::new(Scope::Tool(at), Q::Assembly));
+        let finding = beside(
+            Finding::new(Severity::Error, Section::Lengths, field, note),
+            figure,
+            format!("<= {}", shown(most)),
+            Q::Assembly,
+        );
+        let because = Because::row(machine.row("tool-overhang-max")?, Note::new("audit-limit"));
+        findings.push(finding.about(context.subject(Scope::Tool(at))).resting_on([because]));
+    }
+    Ok(())
+}
+
+/// Two tools of different lengths with one corrector.
+fn correctors(context: &Context<'_>, findings: &mut Vec<Finding>) {
+    let mut known: BTreeMap<i64, u32> = BTreeMap::new();
+    for (at, tool) in context.stated.tools.iter().enumerate() {
+        let Some(figure) = tool.figures.get(&Q::Corrector) else { continue };
+        if let Some(other) = known.insert(figure.value as i64, tool.number) {
+            let note =
+                Note::new("audit-same-corrector").with("corrector", &figure.text).with("other", format!("T{other}"));
+            let field = context.field(Id::new(Scope::Tool(at), Q::Corrector));
+            let finding = Finding::new(Severity::Error, Section::Lengths, field, note).at(&figure.place);
+            findings.push(finding.about(context.subject(Scope::Tool(at))));
+        }
+    }
+}
+
+/// More tools than places.
+fn magazine(context: &Context<'_>, findings: &mut Vec<Finding>) {
+    let (tools, places) = (context.stated.tools.len(), context.shop.machine.magazine);
+    if tools > places && places > 0 {
+        let note = Note::new("audit-magazine").with("tools", tools).with("places", places);
+        let finding = Finding::new(Severity::Doubtful, Section::Tools, "tools".to_owned(), note);
+        let finding = match context.stated.tools.get(places) {
+            Some(tool) => finding.at(&tool.place),
+            None => finding,
+        };
+        findings.push(finding);
+    }
+}

@@ -1,0 +1,80 @@
+//! Forces and torques beside the handbook's formulas at the feed that is taken: a part is clamped against them.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Input;
+use crate::knowledge::units::Unit;
+use crate::note::{Because, Note, Severity};
+use crate::plan::Transition;
+use crate::units::{Decimal, round_to};
+
+use super::super::context::Context;
+use super::super::figures::shown;
+use super::super::finding::{Finding, Section};
+use super::super::graph::Graph;
+use super::super::quantity::{Id, Quantity as Q, Scope};
+
+pub(super) fn check<'a>(
+    context: &Context<'a>,
+    graph: &Graph<'a>,
+    findings: &mut Vec<Finding>,
+) -> Result<(), KnowledgeError> {
+    let stated = context.stated;
+    // The figures of a plan of ours are these formulas.
+    if stated.own {
+        return Ok(());
+    }
+    for (at, conditions) in stated.conditions.iter().enumerate() {
+        let Some(row) = conditions.rows.first() else { continue };
+        let id = |quantity| Id::new(Scope::Conditions(at), quantity);
+        let taken = if conditions.figures.contains_key(&Q::FeedTaken) { Q::FeedTaken } else { Q::Feed };
+        let Some(feed) = graph.right(id(taken)) else { continue };
+        let Some(by) = context.reference(*row).and_then(|reference| at_feed(context, reference, feed)) else {
+            continue;
+        };
+        let clamped = stated.clamping.as_ref().and_then(|own| own.row.as_ref()).is_some_and(|own| own.value == *row);
+        let clamping = clamped.then_some((Id::new(Scope::Clamping, Q::Torque), by.torque, Section::Clamping));
+        let figures = [(id(Q::Force), by.force, Section::Conditions), (id(Q::Torque), by.torque, Section::Conditions)];
+        for (id, by_formula, section) in figures.into_iter().chain(clamping) {
+            let Some((figure, by_formula)) = stated.figure(id).zip(by_formula) else { continue };
+            let share = figure.value / by_formula * 100.0;
+            let rule = context.shop.knowledge.table("audit-load")?;
+            let input = Input::Number(Decimal::from_f64_rounded(share.clamp(0.0, 1e6)), Unit::Percent);
+            let answer = rule.decide(&[("of_formula", input)])?;
+            let Some(winner) = answer.winner() else { continue };
+            let note = match winner.text("judgement")? {
+                "low" => Note::new("audit-load-low"),
+                "high" => Note::new("audit-load-high"),
+                _ => continue,
+            };
+            let note = note.with("share", round_to(share, 0)).with("load", shown(by_formula)).with("feed", shown(feed));
+            let mut finding = Finding::new(Severity::Doubtful, section, context.field(id), note).at(&figure.place);
+            finding.quantity = Some(id.quantity);
+            finding.stated = Some(figure.text.clone());
+            let finding = finding.about(context.subject(id.scope));
+            findings.push(finding.resting_on([by.because.clone(), Because::row(winner, Note::new("audit-limit"))]));
+        }
+    }
+    Ok(())
+}
+
+/// Loads by the formulas.
+struct Loads {
+    torque: Option<f64>,
+    force: Option<f64>,
+    because: Because,
+}
+
+/// The loads of our own transition at another feed: they are powers of it, by the row of `torque-and-thrust`.
+fn at_feed(context: &Context<'_>, reference: &Transition, feed: f64) -> Option<Loads> {
+    let own = &reference.conditions;
+    let because = own.because.iter().find(|why| why.table == "torque-and-thrust")?;
+    let table = context.shop.knowledge.table("torque-and-thrust").ok()?;
+    let row = table.row(because.row?.checked_sub(1)?)?;
+    let ratio = feed / own.feed_mm_per_rev.0;
+    let scaled = |column: &str| row.number_in(column, Unit::None).ok().map(|exponent| libm::pow(ratio, exponent));
+    Some(Loads {
+        torque: own.torque_n_m.zip(scaled("ym")).map(|(torque, scale)| torque.0 * scale),
+        force: own.axial_force_n.zip(scaled("yp")).map(|(force, scale)| force.0 * scale),
+        because: because.clone(),
+    })
+}

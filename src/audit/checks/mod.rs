@@ -1,0 +1,40 @@
+//! Choices held against the tables: one file per kind, one line each in the list.
+
+mod cutters;
+mod designations;
+mod limits;
+mod loads;
+mod missing;
+mod ours;
+mod program;
+mod route;
+
+use crate::error::KnowledgeError;
+
+use super::context::Context;
+use super::finding::Finding;
+use super::graph::Graph;
+
+/// A kind of check; it adds what it finds.
+type Check = for<'a> fn(&Context<'a>, &Graph<'a>, &mut Vec<Finding>) -> Result<(), KnowledgeError>;
+
+/// Every check, in the order of a report.
+const CHECKS: &[Check] = &[
+    route::check,
+    cutters::check,
+    designations::check,
+    limits::check,
+    loads::check,
+    program::check,
+    ours::check,
+    missing::check,
+];
+
+/// Runs every check.
+pub(super) fn all<'a>(
+    context: &Context<'a>,
+    graph: &Graph<'a>,
+    findings: &mut Vec<Finding>,
+) -> Result<(), KnowledgeError> {
+    CHECKS.iter().try_for_each(|check| check(context, graph, findings))
+}

@@ -1,0 +1,164 @@
+//! A plan that `technolog plan` made, and that somebody changed: what no formula explains is held against the plan we make
+//! of the same part. That is no fault by itself, only not ours.
+
+use serde_json::Value;
+
+use crate::error::KnowledgeError;
+use crate::knowledge::yaml::{Node, NodeKind};
+use crate::note::{Note, Severity};
+
+use super::super::context::Context;
+use super::super::finding::{Finding, Section};
+use super::super::graph::Graph;
+
+/// What a plan says beside its decisions.
+const OUTSIDE: [&str; 5] = ["because", "alternatives", "findings", "visiting", "part"];
+
+/// The most that two prints of the same figure differ by.
+const SAME: f64 = 1e-9;
+
+pub(super) fn check<'a>(
+    context: &Context<'a>,
+    _: &Graph<'a>,
+    findings: &mut Vec<Finding>,
+) -> Result<(), KnowledgeError> {
+    let Some(tree) = &context.stated.tree else { return Ok(()) };
+    tools_of_transitions(tree, findings);
+    follow(context, findings);
+    let Ok(ours) = serde_json::to_value(context.plan) else { return Ok(()) };
+    let mut known = Known { found: Vec::new() };
+    for (key, section) in [
+        ("holes", Section::Route),
+        ("tools", Section::Tools),
+        ("clamping", Section::Clamping),
+        ("sequence", Section::Route),
+        ("time", Section::Times),
+    ] {
+        if let (Some(node), Some(value)) = (tree.get(key), ours.get(key)) {
+            known.compare(node, value, key, section);
+        }
+    }
+    // What a formula or another check has told already is told once.
+    let told = |finding: &Finding| {
+        findings
+            .iter()
+            .any(|other| other.line.is_some() && other.line == finding.line && other.column == finding.column)
+    };
+    let new: Vec<Finding> = known.found.into_iter().filter(|finding| !told(finding)).collect();
+    findings.extend(new);
+    Ok(())
+}
+
+/// The cutter of a transition is that of its tool in the magazine.
+fn tools_of_transitions(tree: &Node, findings: &mut Vec<Finding>) {
+    let tools = items(tree.get("tools"));
+    for hole in items(tree.get("holes")) {
+        for transition in items(hole.get("transitions")) {
+            for (part, name) in [("tool", "designation"), ("holder", "holder")] {
+                let number = transition.get("tool").and_then(|tool| tool.get("number")).and_then(Node::text);
+                let Some(stated) = transition.get(part).and_then(|own| own.get("designation")) else { continue };
+                let place_of = |tool: &&Node| tool.get("number").and_then(Node::text) == number;
+                let Some(own) = tools.iter().find(place_of).and_then(|tool| tool.get(name)) else { continue };
+                if own.text() == stated.text() || number == Some("0") {
+                    continue;
+                }
+                let text = |node: &Node| node.text().unwrap_or_default().to_owned();
+                let note = Note::new("audit-tool-of-transition")
+                    .with("tool", text(stated))
+                    .with("number", number.unwrap_or_default())
+                    .with("other", text(own));
+                let field = format!("tools.T{}.{name}", number.unwrap_or_default());
+                let finding = Finding::new(Severity::Error, Section::Tools, field, note).at(&own.place);
+                if !findings.iter().any(|known| known.note == finding.note) {
+                    findings.push(finding);
+                }
+            }
+        }
+    }
+}
+
+/// Whatever else does not fit about a tool whose name was exchanged follows from that.
+fn follow(context: &Context<'_>, findings: &mut [Finding]) {
+    let exchanged: Vec<String> = findings
+        .iter()
+        .filter(|finding| finding.note.code == "audit-tool-of-transition")
+        .map(|finding| finding.field.clone())
+        .collect();
+    for field in exchanged {
+        let Some(number) = context
+            .stated
+            .tools
+            .iter()
+            .map(|tool| tool.number)
+            .find(|number| field.starts_with(&format!("tools.T{number}.")))
+        else {
+            continue;
+        };
+        let own = findings.iter_mut().filter(|finding| finding.subject.tool == Some(number));
+        for finding in own.filter(|finding| finding.follows_from.is_empty()) {
+            finding.follows_from = vec![field.clone()];
+        }
+    }
+}
+
+struct Known {
+    found: Vec<Finding>,
+}
+
+impl Known {
+    fn compare(&mut self, node: &Node, ours: &Value, path: &str, section: Section) {
+        match (&node.kind, ours) {
+            (NodeKind::Map(entries), Value::Object(map)) => {
+                // Another transition or another tool has other figures.
+                let same = |key: &str| {
+                    let text = map.get(key).and_then(Value::as_str);
+                    text.is_none() || node.get(key).and_then(Node::text) == text
+                };
+                let other = !same("operation") || !same("designation") && path.starts_with("tools");
+                if other {
+                    return;
+                }
+                for (key, value) in entries.iter().filter(|(key, _)| !OUTSIDE.contains(&key.text.as_str())) {
+                    if let Some(ours) = map.get(&key.text) {
+                        self.compare(value, ours, &format!("{path}.{}", key.text), section);
+                    }
+                }
+            }
+            (NodeKind::Seq(items), Value::Array(ours)) => {
+                if items.len() != ours.len() {
+                    let note = Note::new("audit-not-ours").with("field", path);
+                    let note = note.with("stated", items.len()).with("right", ours.len());
+                    self.found.push(Finding::new(Severity::Doubtful, section, path.to_owned(), note).at(&node.place));
+                    return;
+                }
+                for (at, (item, ours)) in items.iter().zip(ours).enumerate() {
+                    self.compare(item, ours, &format!("{path}.{}", at + 1), section);
+                }
+            }
+            (NodeKind::Scalar { text, .. }, ours) => {
+                let shown = match ours {
+                    Value::String(text) => text.clone(),
+                    other => other.to_string(),
+                };
+                let alike = match (text.parse::<f64>(), shown.parse::<f64>()) {
+                    (Ok(a), Ok(b)) => (a - b).abs() <= SAME * b.abs().max(1.0),
+                    _ => *text == shown || (node.is_null() && ours.is_null()),
+                };
+                if !alike {
+                    let note =
+                        Note::new("audit-not-ours").with("field", path).with("stated", text).with("right", &shown);
+                    let finding = Finding::new(Severity::Doubtful, section, path.to_owned(), note).at(&node.place);
+                    self.found.push(finding);
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+fn items(node: Option<&Node>) -> &[Node] {
+    match node.map(|node| &node.kind) {
+        Some(NodeKind::Seq(items)) => items,
+        _ => &[],
+    }
+}

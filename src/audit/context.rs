@@ -1,0 +1,155 @@
+//! What the rules and checks of an audit share: the stated plan, the shop, what the tables know of its tools, and the
+//! plan we would make of the same part.
+
+use std::collections::BTreeMap;
+
+use crate::error::KnowledgeError;
+use crate::knowledge::RowRef;
+use crate::knowledge::table::Shank;
+use crate::part::Hole;
+use crate::plan::{Plan, Transition};
+use crate::shop::Shop;
+use crate::tooling::named::NamedCutter;
+
+use super::auditor::Auditor;
+use super::near::Near;
+use super::quantity::{Id, Quantity, Scope};
+use super::stated::{Row, Stated};
+
+/// What an audit stands in.
+#[derive(Debug)]
+pub struct Context<'a> {
+    /// The plan as stated.
+    pub stated: &'a Stated,
+    /// The knowledge, the machine and the material.
+    pub shop: Shop<'a>,
+    /// The plan we would make of the same part, by the same method.
+    pub plan: &'a Plan,
+    /// What audits share.
+    pub auditor: &'a Auditor<'a>,
+    cutters: Vec<Near<NamedCutter<'a>>>,
+    holders: Vec<Near<RowRef<'a>>>,
+    /// Correctors by the word that calls them in the program: `G43` or `G44`.
+    calls: BTreeMap<u32, &'static str>,
+}
+
+impl<'a> Context<'a> {
+    /// Looks up the tools.
+    ///
+    /// # Errors
+    /// The knowledge cannot answer.
+    pub fn new(stated: &'a Stated, plan: &'a Plan, auditor: &'a Auditor<'a>) -> Result<Self, KnowledgeError> {
+        let shop = Shop::new(&stated.part, stated.method, auditor.knowledge)?;
+        let mut cutters = Vec::new();
+        let mut holders = Vec::new();
+        for tool in &stated.tools {
+            let table = tool.table.as_ref().map(|table| table.value.as_str());
+            let named = tool.designation.as_ref().map(|text| text.value.as_str());
+            // A table that is named decides between equal designations.
+            let of_table = |cutter: &NamedCutter<'_>| table.is_none_or(|table| cutter.row.table.id == table);
+            cutters.push(auditor.cutters.find(named, of_table));
+            let named = tool.holder.as_ref().map(|text| text.value.as_str());
+            holders.push(auditor.holders.find(named, |_| true));
+        }
+        let calls = stated.program.as_ref().map(|program| calls(&program.text)).unwrap_or_default();
+        Ok(Self { stated, shop, plan, auditor, cutters, holders, calls })
+    }
+
+    /// What the catalogs know of a tool's designation.
+    pub fn cutter_near(&self, tool: usize) -> &Near<NamedCutter<'a>> {
+        self.cutters.get(tool).unwrap_or(&Near::Unstated)
+    }
+
+    /// The cutter of a tool, where its designation is known, or misprinted but not in doubt.
+    pub fn cutter(&self, tool: usize) -> Option<NamedCutter<'a>> {
+        self.cutter_near(tool).meant().copied()
+    }
+
+    /// What the catalogs know of a holder's designation.
+    pub fn holder_near(&self, tool: usize) -> &Near<RowRef<'a>> {
+        self.holders.get(tool).unwrap_or(&Near::Unstated)
+    }
+
+    /// The holder of a tool.
+    pub fn holder(&self, tool: usize) -> Option<RowRef<'a>> {
+        self.holder_near(tool).meant().copied()
+    }
+
+    /// Whether a cutter carries the machine's own taper, so that it needs no holder.
+    pub fn whole(&self, tool: usize) -> bool {
+        self.cutter(tool).is_some_and(|cutter| cutter.head.shank == Shank::Taper)
+    }
+
+    /// The group of holes of a row.
+    pub fn hole(&self, row: &Row) -> Option<&'a Hole> {
+        let name = &row.hole.as_ref()?.value;
+        self.stated.part.holes.iter().find(|hole| hole.name == *name)
+    }
+
+    /// The same transition in our plan: of the same hole, operation and place, and where it is stated of the same diameter.
+    pub fn reference(&self, row: usize) -> Option<&'a Transition> {
+        let own = self.stated.rows.get(row)?;
+        let name = &own.hole.as_ref()?.value;
+        let hole = self.plan.holes.iter().find(|hole| hole.name == *name)?;
+        if self.stated.own {
+            let turn = self.stated.rows_of_hole(name).position(|(at, _)| at == row)?;
+            return hole.transitions.get(turn).filter(|other| other.operation == own.operation.value);
+        }
+        let alike = |(at, _): &(usize, &Row)| self.stated.rows[*at].operation.value == own.operation.value;
+        let turn = self.stated.rows_of_hole(name).filter(alike).position(|(at, _)| at == row)?;
+        let found = hole.transitions.iter().filter(|other| other.operation == own.operation.value).nth(turn)?;
+        let diameter = own.figures.get(&Quantity::Diameter);
+        Some(found).filter(|found| diameter.is_none_or(|own| (own.value - found.diameter_mm.to_mm()).abs() < 1e-6))
+    }
+
+    /// The same factor where other conditions of the plan give it a value.
+    pub fn same_factor(&self, but: usize, quantity: Quantity, name: &str) -> Option<Id> {
+        let conditions = self.stated.conditions.iter().enumerate().filter(|(at, _)| *at != but);
+        conditions.into_iter().find_map(|(at, conditions)| {
+            let factors = conditions.factors.get(&quantity)?;
+            let index = factors.iter().position(|factor| factor.name.value == name && factor.value.is_some())?;
+            Some(Id { scope: Scope::Conditions(at), quantity, index })
+        })
+    }
+
+    /// The tools in the order of their changes: of the rows, without changing a tool for itself.
+    pub fn changes(&self) -> Vec<u32> {
+        if let Some(changes) = &self.stated.changes {
+            return changes.clone();
+        }
+        let mut changes: Vec<u32> = self.stated.rows.iter().filter_map(|row| Some(row.tool.as_ref()?.value)).collect();
+        changes.dedup();
+        changes
+    }
+
+    /// Whether the corrector of a tool is subtracted: as the plan says, else as its program calls it, else it is added.
+    pub fn subtracts(&self, tool: usize) -> bool {
+        self.correction_word(tool) == Some("G44")
+    }
+
+    /// `G43` or `G44`, where plan or program says.
+    pub fn correction_word(&self, tool: usize) -> Option<&str> {
+        let tool = self.stated.tools.get(tool)?;
+        if let Some(word) = &tool.correction_word {
+            return Some(&word.value);
+        }
+        let corrector = tool.figures.get(&Quantity::Corrector)?;
+        self.calls.get(&(corrector.value as u32)).copied()
+    }
+}
+
+/// Which correctors a program calls with which word.
+fn calls(program: &str) -> BTreeMap<u32, &'static str> {
+    let mut calls = BTreeMap::new();
+    for line in program.lines() {
+        let word = ["G43", "G44"].into_iter().find(|word| line.contains(word));
+        let number: String = line
+            .split_once('H')
+            .map(|(_, rest)| rest.chars().take_while(char::is_ascii_digit).collect())
+            .unwrap_or_default();
+        if let Some((word, number)) = word.zip(number.parse().ok()) {
+            calls.entry(number).or_insert(word);
+        }
+    }
+    calls
+}

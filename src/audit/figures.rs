@@ -1,0 +1,158 @@
+//! From the verdicts of the graph to findings: what is stated, what is right, what else changes because of it.
+
+use crate::note::{Note, Severity};
+
+use super::context::Context;
+use super::finding::{Change, Finding, Shown};
+use super::graph::{Graph, Status, Verdict};
+use super::quantity::{Id, Quantity};
+use super::stated::Figure;
+
+/// Figures that people read have so many significant digits.
+const DIGITS: i32 = 5;
+
+/// A finding for every stated figure that is not what it should be.
+pub(super) fn findings(context: &Context<'_>, graph: &Graph<'_>) -> Vec<Finding> {
+    let verdicts = graph.verdicts();
+    let one = |verdict: &Verdict| finding(verdict, &verdicts, context, graph);
+    verdicts.iter().filter_map(one).collect()
+}
+
+fn finding(verdict: &Verdict, all: &[Verdict], context: &Context<'_>, graph: &Graph<'_>) -> Option<Finding> {
+    let id = verdict.id;
+    let figure = context.stated.figure(id)?;
+    let formula = graph.formula(id)?;
+    let changes = changes(id, all, context);
+    let (severity, note, roots) = match &verdict.status {
+        Status::Fine => return None,
+        Status::Root(severity, Some(note)) => (*severity, note.clone(), Vec::new()),
+        Status::Root(severity, None) => {
+            // A slip of the comma or of the sign is told by the figures it was computed from.
+            let by_stated =
+                verdict.by_stated.map(|by| nature(figure.value, by)).filter(|nature| *nature != "audit-figure");
+            let note = Note::new(by_stated.unwrap_or_else(|| nature(figure.value, verdict.right)));
+            // The author went on with the right figure: a slip of the pen.
+            let went_on = graph.dependents(id).into_iter().any(|other| {
+                context.stated.figure(other).is_some()
+                    && all.iter().any(|verdict| verdict.id == other && verdict.status == Status::Fine)
+            });
+            let note = if changes.is_empty() && went_on { note.with("carried", "no") } else { note };
+            (*severity, note, Vec::new())
+        }
+        Status::Follows(roots) => {
+            let fields: Vec<String> = roots.iter().map(|root| context.field(*root)).collect();
+            (Severity::Wrong, Note::new("audit-follows").with("fields", fields.join(", ")), fields)
+        }
+    };
+    let mut finding = Finding::new(severity, Context::section(id), context.field(id), note).at(&figure.place);
+    finding.rule = formula.rule.id.to_owned();
+    finding.source = formula.rule.source;
+    finding.subject = context.subject(id.scope);
+    finding.quantity = Some(id.quantity);
+    finding.stated = Some(figure.text.clone());
+    finding.right = Some(shown(verdict.right));
+    let off = (figure.value - verdict.right) / verdict.right * 100.0;
+    let off = off.is_finite().then(|| crate::units::round_to(off, 1));
+    // What is chosen from a series or counted is not some per cent wrong.
+    finding.deviation_percent = off.filter(|_| !matches!(verdict.status, Status::Root(_, Some(_))));
+    let by_stated = verdict.by_stated.map(shown).filter(|by| Some(by) != finding.right.as_ref());
+    finding.by_stated = by_stated.filter(|_| roots.is_empty());
+    finding.formula = with_numbers(verdict, formula.rule.formula, &formula.numbers);
+    finding.supplied = verdict
+        .supplied
+        .iter()
+        .filter_map(|id| Some(Shown { quantity: id.quantity, value: shown(graph.right(*id)?) }))
+        .collect();
+    finding.follows_from = roots;
+    finding.changes = changes;
+    finding.because = graph.because(id);
+    Some(finding)
+}
+
+/// The figures that follow from a slip.
+fn changes(root: Id, all: &[Verdict], context: &Context<'_>) -> Vec<Change> {
+    let follows = |verdict: &&Verdict| matches!(&verdict.status, Status::Follows(roots) if roots.contains(&root));
+    let change = |verdict: &Verdict| {
+        let figure = context.stated.figure(verdict.id)?;
+        Some(Change {
+            field: context.field(verdict.id),
+            quantity: verdict.id.quantity,
+            stated: figure.text.clone(),
+            right: shown(verdict.right),
+        })
+    };
+    all.iter().filter(follows).filter_map(change).collect()
+}
+
+/// What kind of slip turns the right value into the stated one.
+pub(super) fn nature(stated: f64, right: f64) -> &'static str {
+    let near = |a: f64, b: f64| (a - b).abs() <= 0.03 * b.abs();
+    let moved = |shift: i32| shift != 0 && near(stated, right * libm::pow(10.0, f64::from(shift)));
+    if (-4..=4).any(moved) && right != 0.0 {
+        "audit-decimal-point"
+    } else if right != 0.0 && near(-stated, right) {
+        "audit-sign"
+    } else {
+        "audit-figure"
+    }
+}
+
+/// The formula in symbols and with its figures: `n = 1000·V/(π·D) = 1000·30.32/(3.14·6)`.
+fn with_numbers(verdict: &Verdict, symbols: &str, numbers: &str) -> String {
+    // What is the same as another figure, chosen or given, has no sum to show.
+    if matches!(numbers, "" | "{0}") {
+        return String::new();
+    }
+    let mut filled = numbers.to_owned();
+    for (at, value) in verdict.inputs.iter().enumerate() {
+        // A negative figure needs brackets behind a sign.
+        let value = if *value < 0.0 { format!("({})", shown(*value)) } else { shown(*value) };
+        filled = filled.replace(&format!("{{{at}}}"), &value);
+    }
+    let parts = [symbols, &filled, &shown(verdict.right)];
+    let mut parts: Vec<&str> = parts.into_iter().filter(|part| !part.is_empty()).collect();
+    parts.dedup();
+    if parts.len() < 2 { String::new() } else { parts.join(" = ") }
+}
+
+/// A figure as people read it: five significant digits, no zeros at the end.
+pub(super) fn shown(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return "0".to_owned();
+    }
+    let before = libm::floor(libm::log10(value.abs())) as i32 + 1;
+    let places = usize::try_from((DIGITS - before).clamp(0, 4)).unwrap_or(0);
+    let text = format!("{value:.places$}");
+    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+/// A stated figure's own text beside the right value.
+pub(super) fn beside(finding: Finding, figure: &Figure, right: impl ToString, quantity: Quantity) -> Finding {
+    let mut finding = finding.at(&figure.place).beside(&figure.text, right);
+    finding.quantity = Some(quantity);
+    finding
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{nature, shown};
+
+    #[test]
+    fn five_digits_are_shown() {
+        for (value, text) in
+            [(1608.333, "1608.3"), (27.456, "27.456"), (0.195, "0.195"), (-50.0, "-50"), (12345.6, "12346")]
+        {
+            assert_eq!(shown(value), text);
+        }
+    }
+
+    #[test]
+    fn a_slip_of_the_comma_is_told_from_another() {
+        assert_eq!(nature(0.1235, 1.235), "audit-decimal-point");
+        assert_eq!(nature(2746.0, 27.456), "audit-decimal-point");
+        assert_eq!(nature(2.0, 0.195), "audit-decimal-point");
+        assert_eq!(nature(50.0, -50.0), "audit-sign");
+        assert_eq!(nature(977.0, 937.0), "audit-figure");
+    }
+}

@@ -1,0 +1,322 @@
+//! What an audit says: findings as data, without a language.
+
+use serde::Serialize;
+
+use crate::knowledge::diagnostic::Place;
+use crate::note::{Because, Note, Severity};
+use crate::plan::Operation;
+
+use super::context::Context;
+use super::marks::Marks;
+use super::quantity::{Id, Quantity, Scope};
+use super::stated::Stated;
+
+/// What an audit found.
+#[derive(Clone, Debug, Serialize)]
+pub struct Audit {
+    /// The plan's name.
+    pub plan: String,
+    /// Its file.
+    pub file: String,
+    /// How many findings of each severity.
+    pub summary: Summary,
+    /// The findings by section, the most severe first.
+    pub findings: Vec<Finding>,
+    /// Its marks, where a scheme was given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub marks: Option<Marks>,
+}
+
+/// Findings by severity.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Summary {
+    /// Unsafe or impossible.
+    pub error: usize,
+    /// Contradicts the source or the arithmetic.
+    pub wrong: usize,
+    /// Allowed, but dominated or resting on unconfirmed figures.
+    pub doubtful: usize,
+    /// Worth knowing.
+    pub note: usize,
+    /// How many of them follow from others.
+    pub follow: usize,
+}
+
+/// A section of a plan's report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "lowercase")]
+#[allow(missing_docs)] // the headings of the report
+pub enum Section {
+    Route,
+    Tools,
+    Holders,
+    Conditions,
+    Clamping,
+    Lengths,
+    Program,
+    Times,
+    Missing,
+}
+
+/// A figure as people read it: what it is, and its value.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Shown {
+    /// What it is.
+    pub quantity: Quantity,
+    /// Its value, with a decimal point.
+    pub value: String,
+}
+
+/// Another figure that is wrong because of this one.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Change {
+    /// Its path in the plan.
+    pub field: String,
+    /// What it is.
+    pub quantity: Quantity,
+    /// As stated.
+    pub stated: String,
+    /// As it should be.
+    pub right: String,
+}
+
+/// What of the plan a finding is about.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Subject {
+    /// The transition.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub operation: Option<Operation>,
+    /// The groups of holes.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub holes: Vec<String>,
+    /// The tool.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tool: Option<u32>,
+}
+
+/// A finding.
+#[derive(Clone, Debug, Serialize)]
+pub struct Finding {
+    /// The rule or check that found it; stable.
+    pub rule: String,
+    /// What of the plan it is about, as a path: `conditions.2.feed`.
+    pub field: String,
+    /// How grave.
+    pub severity: Severity,
+    /// Where in the report.
+    pub section: Section,
+    /// About whom.
+    pub subject: Subject,
+    /// The figure it is about.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub quantity: Option<Quantity>,
+    /// The file it stands in.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub file: Option<String>,
+    /// The line, from 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line: Option<u32>,
+    /// The column, from 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub column: Option<u32>,
+    /// As stated.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stated: Option<String>,
+    /// As it should be.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub right: Option<String>,
+    /// What the formula makes of the stated figures, where that is something else.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub by_stated: Option<String>,
+    /// How far the stated value is from the right one, per cent of it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub deviation_percent: Option<f64>,
+    /// The formula with its figures.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub formula: String,
+    /// Where the formula comes from.
+    #[serde(skip_serializing_if = "str::is_empty")]
+    pub source: &'static str,
+    /// What the plan does not state and was taken from tables or computed.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub supplied: Vec<Shown>,
+    /// The fields whose slips it follows from; it is no slip of its own then.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub follows_from: Vec<String>,
+    /// What else is wrong because of it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub changes: Vec<Change>,
+    /// What it says.
+    #[serde(flatten)]
+    pub note: Note,
+    /// Why, where another decision of the tables says it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub reasons: Vec<Note>,
+    /// The rows it rests on.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub because: Vec<Because>,
+}
+
+impl Finding {
+    /// A finding of a check; the note's code is its rule.
+    pub fn new(severity: Severity, section: Section, field: String, note: Note) -> Self {
+        Self {
+            rule: note.code.clone(),
+            field,
+            severity,
+            section,
+            subject: Subject::default(),
+            quantity: None,
+            file: None,
+            line: None,
+            column: None,
+            stated: None,
+            right: None,
+            by_stated: None,
+            deviation_percent: None,
+            formula: String::new(),
+            source: "",
+            supplied: Vec::new(),
+            follows_from: Vec::new(),
+            changes: Vec::new(),
+            note,
+            reasons: Vec::new(),
+            because: Vec::new(),
+        }
+    }
+
+    /// At that place.
+    #[must_use]
+    pub fn at(mut self, place: &Place) -> Self {
+        self.file = Some(place.file.to_string());
+        self.line = Some(place.line);
+        self.column = Some(place.column);
+        self
+    }
+
+    /// About that.
+    #[must_use]
+    pub fn about(mut self, subject: Subject) -> Self {
+        self.subject = subject;
+        self
+    }
+
+    /// With what is stated and what it should be.
+    #[must_use]
+    pub fn beside(mut self, stated: impl ToString, right: impl ToString) -> Self {
+        self.stated = Some(stated.to_string());
+        self.right = Some(right.to_string());
+        self
+    }
+
+    /// With a row it rests on.
+    #[must_use]
+    pub fn resting_on(mut self, because: impl IntoIterator<Item = Because>) -> Self {
+        self.because.extend(because);
+        self
+    }
+
+    /// Whether it is grave enough to fail the plan.
+    pub fn is_wrong(&self) -> bool {
+        self.severity <= Severity::Wrong
+    }
+}
+
+impl Audit {
+    pub(super) fn new(stated: &Stated, mut findings: Vec<Finding>) -> Self {
+        // Of one section the roots before what follows, the most severe first, then as the file has them.
+        findings.sort_by_key(|finding| {
+            (finding.section, finding.severity, !finding.follows_from.is_empty(), finding.line, finding.column)
+        });
+        let mut summary = Summary::default();
+        for finding in &findings {
+            match finding.severity {
+                Severity::Error => summary.error += 1,
+                Severity::Wrong => summary.wrong += 1,
+                Severity::Doubtful => summary.doubtful += 1,
+                Severity::Note => summary.note += 1,
+            }
+            summary.follow += usize::from(!finding.follows_from.is_empty());
+        }
+        Self { plan: stated.name.clone(), file: stated.file.clone(), summary, findings, marks: None }
+    }
+
+    /// Where to begin: the gravest finding that follows from no other; of equals the first of the report.
+    pub fn first_root(&self) -> Option<&Finding> {
+        let roots = self.findings.iter().filter(|one| one.severity < Severity::Note && one.follows_from.is_empty());
+        roots.min_by_key(|one| one.severity)
+    }
+
+    /// Whether the plan fails: a finding of severity error or wrong.
+    pub fn has_errors(&self) -> bool {
+        self.findings.iter().any(Finding::is_wrong)
+    }
+}
+
+impl Context<'_> {
+    /// The path of a figure in the plan: `conditions.2.feed`, tools by their numbers, rows by theirs.
+    pub(super) fn field(&self, id: Id) -> String {
+        let key = id.quantity.key();
+        match id.scope {
+            Scope::Constant => key.to_owned(),
+            Scope::Row(at) => format!("route.{}.{key}", self.stated.rows.get(at).map_or(0, |row| row.number)),
+            Scope::Conditions(at) => {
+                let factors = self.stated.conditions.get(at).and_then(|own| own.factors.get(&id.quantity));
+                match factors.and_then(|factors| factors.get(id.index)) {
+                    Some(factor) => format!("conditions.{}.{key}.{}", at + 1, factor.name.value),
+                    None => format!("conditions.{}.{key}", at + 1),
+                }
+            }
+            Scope::Tool(at) => format!("tools.T{}.{key}", self.stated.tools.get(at).map_or(0, |tool| tool.number)),
+            Scope::Clamping if id.quantity == Quantity::ClampForce => "clamping.force".to_owned(),
+            Scope::Clamping => format!("clamping.{key}"),
+            Scope::Times => format!("times.{key}"),
+        }
+    }
+
+    /// What a part of the plan is about.
+    pub(super) fn subject(&self, scope: Scope) -> Subject {
+        let rows = match scope {
+            Scope::Row(at) => vec![at],
+            Scope::Conditions(at) => self.stated.conditions.get(at).map(|own| own.rows.clone()).unwrap_or_default(),
+            _ => Vec::new(),
+        };
+        let tool = match scope {
+            Scope::Tool(at) => self.stated.tools.get(at).map(|tool| tool.number),
+            _ => None,
+        };
+        let rows: Vec<_> = rows.iter().filter_map(|at| self.stated.rows.get(*at)).collect();
+        let mut holes: Vec<String> = Vec::new();
+        for hole in rows.iter().filter_map(|row| row.hole.as_ref()) {
+            if !holes.contains(&hole.value) {
+                holes.push(hole.value.clone());
+            }
+        }
+        Subject { operation: rows.first().map(|row| row.operation.value), holes, tool }
+    }
+
+    /// The section in which a figure is told.
+    pub(super) fn section(id: Id) -> Section {
+        match (id.scope, id.quantity) {
+            (Scope::Row(_), _) => Section::Route,
+            (Scope::Conditions(_) | Scope::Constant, _) => Section::Conditions,
+            (Scope::Clamping, _) => Section::Clamping,
+            (Scope::Times, _) => Section::Times,
+            (
+                Scope::Tool(_),
+                Quantity::HolderMorse | Quantity::ClampMin | Quantity::ClampMax | Quantity::HolderLength,
+            ) => Section::Holders,
+            (
+                Scope::Tool(_),
+                Quantity::Overhang
+                | Quantity::HolderUsed
+                | Quantity::Assembly
+                | Quantity::LongestAssembly
+                | Quantity::Corrector
+                | Quantity::Correction
+                | Quantity::BookCorrection,
+            ) => Section::Lengths,
+            (Scope::Tool(_), _) => Section::Tools,
+        }
+    }
+}

@@ -1,0 +1,387 @@
+//! The figures of a plan as a graph: which follows from which, what it should be, and where a deviation begins.
+//!
+//! A figure is held against its formula. Where it does not fit, the slip is its own; where it fits only because a
+//! figure it was computed from is wrong, it is a consequence and names the root. An author who misprints a figure and
+//! goes on with the right one makes one slip, not two: so a formula is tried with the stated and with the right value
+//! of every input.
+
+use std::cell::{OnceCell, RefCell};
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::note::{Because, Note, Severity};
+
+use super::quantity::Id;
+use super::stated::{Figure, Stated};
+use super::tolerance::Tolerances;
+
+/// A rule that computes a figure.
+#[derive(Clone, Copy, Debug)]
+pub struct Rule {
+    /// Stable id.
+    pub id: &'static str,
+    /// Its formula in symbols.
+    pub formula: &'static str,
+    /// Where it comes from.
+    pub source: &'static str,
+}
+
+/// How a value that is chosen, not computed, stands to what may be chosen: nothing against it, or how grave it is and why.
+pub type Judged = Option<(Severity, Note)>;
+
+type Compute<'a> = Box<dyn Fn(&[f64]) -> Option<f64> + 'a>;
+type Judge<'a> = Box<dyn Fn(f64, &[f64]) -> Judged + 'a>;
+
+/// A rule applied to one figure.
+pub struct Formula<'a> {
+    /// The rule.
+    pub rule: &'static Rule,
+    /// What it computes.
+    pub output: Id,
+    /// What it computes it from.
+    pub inputs: Vec<Id>,
+    /// The formula with `{0}`, `{1}` … for the inputs.
+    pub numbers: String,
+    /// The computation.
+    pub compute: Compute<'a>,
+    /// For what is chosen: whether a stated value may stand although it is not the computed one.
+    pub judge: Option<Judge<'a>>,
+    /// The rows it rests on.
+    pub because: Vec<Because>,
+}
+
+/// A constant: its values in use, the exact one first.
+#[derive(Clone, Debug)]
+pub struct Constant {
+    /// The values.
+    pub values: Vec<f64>,
+    /// Where they stand.
+    pub because: Vec<Because>,
+}
+
+/// What became of a stated figure.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Status {
+    /// It is as it should be.
+    Fine,
+    /// It is wrong by itself.
+    Root(Severity, Option<Note>),
+    /// It follows from figures that are wrong.
+    Follows(BTreeSet<Id>),
+}
+
+/// A stated figure beside its formula.
+#[derive(Clone, Debug)]
+pub struct Verdict {
+    /// The figure.
+    pub id: Id,
+    /// What it should be.
+    pub right: f64,
+    /// What the formula makes of the stated inputs, where that is another value.
+    pub by_stated: Option<f64>,
+    /// The inputs as the right value was computed from.
+    pub inputs: Vec<f64>,
+    /// Inputs that the plan does not state, computed or taken from tables.
+    pub supplied: Vec<Id>,
+    /// What became of it.
+    pub status: Status,
+}
+
+/// The figures with their formulas.
+pub struct Graph<'a> {
+    stated: &'a Stated,
+    tolerances: &'a Tolerances,
+    constants: BTreeMap<Id, Constant>,
+    formulas: BTreeMap<Id, Vec<Formula<'a>>>,
+    right: RefCell<BTreeMap<Id, Option<f64>>>,
+    open: RefCell<BTreeSet<Id>>,
+    /// Of several formulas of a figure the one that is taken.
+    taken: RefCell<BTreeMap<Id, Option<usize>>>,
+    /// Figures by what is computed from them.
+    users: OnceCell<BTreeMap<Id, Vec<Id>>>,
+}
+
+impl<'a> Graph<'a> {
+    /// A graph without formulas.
+    pub fn new(stated: &'a Stated, tolerances: &'a Tolerances) -> Self {
+        Self {
+            stated,
+            tolerances,
+            constants: BTreeMap::new(),
+            formulas: BTreeMap::new(),
+            right: RefCell::default(),
+            open: RefCell::default(),
+            taken: RefCell::default(),
+            users: OnceCell::new(),
+        }
+    }
+
+    /// Takes on a formula. Of several for one figure the first whose inputs are known is taken.
+    pub fn add(&mut self, formula: Formula<'a>) {
+        self.formulas.entry(formula.output).or_default().push(formula);
+    }
+
+    /// Takes on a constant.
+    pub fn constant(&mut self, id: Id, constant: Constant) {
+        self.constants.insert(id, constant);
+    }
+
+    /// The formula by which a figure is computed, if there is one whose inputs are known.
+    pub fn formula(&self, id: Id) -> Option<&Formula<'a>> {
+        let formulas = self.formulas.get(&id)?;
+        if let Some(taken) = self.taken.borrow().get(&id) {
+            return formulas.get((*taken)?);
+        }
+        let taken = formulas.iter().position(|formula| self.value_of(formula).is_some());
+        // In the middle of a computation some figures are not known yet.
+        if self.open.borrow().is_empty() {
+            self.taken.borrow_mut().insert(id, taken);
+        }
+        formulas.get(taken?)
+    }
+
+    fn value_of(&self, formula: &Formula<'a>) -> Option<f64> {
+        let inputs: Option<Vec<f64>> = formula.inputs.iter().map(|input| self.right(*input)).collect();
+        (formula.compute)(&inputs?).filter(|value| value.is_finite())
+    }
+
+    /// What a figure should be: by its formula, else as stated. A choice that may stand is right as it is.
+    pub fn right(&self, id: Id) -> Option<f64> {
+        if let Some(constant) = self.constants.get(&id) {
+            return constant.values.first().copied();
+        }
+        if let Some(known) = self.right.borrow().get(&id) {
+            return *known;
+        }
+        let stated = self.stated.figure(id).map(|figure| figure.value);
+        // A formula that needs its own result does not help.
+        if !self.open.borrow_mut().insert(id) {
+            return stated;
+        }
+        let value = self.formula(id).and_then(|formula| {
+            let inputs: Option<Vec<f64>> = formula.inputs.iter().map(|input| self.right(*input)).collect();
+            let inputs = inputs?;
+            match (&formula.judge, stated) {
+                (Some(judge), Some(stated)) if may_stand(&judge(stated, &inputs)) => Some(stated),
+                _ => {
+                    let value = (formula.compute)(&inputs).filter(|value| value.is_finite())?;
+                    // A plan of ours is printed from figures that nobody sees: its own print is nearer to them than
+                    // what comes out of other prints.
+                    let figure = self.stated.figure(id).filter(|_| self.stated.own);
+                    let nearer = figure.filter(|own| self.fits(id, own, value, self.slack(formula, &inputs)));
+                    Some(nearer.map_or(value, |own| own.value))
+                }
+            }
+        });
+        let value = value.or(stated);
+        self.open.borrow_mut().remove(&id);
+        self.right.borrow_mut().insert(id, value);
+        value
+    }
+
+    /// What a figure is as the plan has it: as stated, else as its formula makes it of what is stated.
+    pub(super) fn written(&self, id: Id) -> Option<f64> {
+        if let Some(figure) = self.stated.figure(id) {
+            return Some(figure.value);
+        }
+        let right = self.right(id);
+        if self.constants.contains_key(&id) || !self.open.borrow_mut().insert(id) {
+            return right;
+        }
+        let value = self.formula(id).and_then(|formula| {
+            let inputs: Option<Vec<f64>> = formula.inputs.iter().map(|input| self.written(*input)).collect();
+            (formula.compute)(&inputs?).filter(|value| value.is_finite())
+        });
+        self.open.borrow_mut().remove(&id);
+        value.or(right)
+    }
+
+    /// The rows behind a figure's formula and behind the constants it uses.
+    pub fn because(&self, id: Id) -> Vec<Because> {
+        let Some(formula) = self.formula(id) else { return Vec::new() };
+        let constants = formula.inputs.iter().filter_map(|input| self.constants.get(input));
+        formula.because.iter().cloned().chain(constants.flat_map(|constant| constant.because.clone())).collect()
+    }
+
+    /// Whether a stated figure is what it should be, within its tolerance.
+    fn fits(&self, id: Id, stated: &Figure, value: f64, slack: f64) -> bool {
+        (stated.value - value).abs() <= self.tolerances.of(id.quantity, stated, value) + slack
+    }
+
+    /// Whether a figure of the plan, stated or made of what is stated, is not what it should be.
+    fn is_off(&self, id: Id) -> bool {
+        let (Some(written), Some(right)) = (self.written(id), self.right(id)) else { return false };
+        match self.stated.figure(id) {
+            Some(figure) => !self.fits(id, figure, right, 0.0),
+            None => (written - right).abs() > 1e-6 * right.abs().max(1.0) && !self.off_inputs(id).is_empty(),
+        }
+    }
+
+    /// The inputs of a figure's formula that are not what they should be.
+    fn off_inputs(&self, id: Id) -> Vec<Id> {
+        let inputs = self.formula(id).map(|formula| formula.inputs.as_slice()).unwrap_or_default();
+        inputs.iter().copied().filter(|input| *input != id && self.is_off(*input)).collect()
+    }
+
+    /// Where the deviation of a figure begins.
+    fn roots_of(&self, id: Id) -> BTreeSet<Id> {
+        if self.stated.figure(id).is_none() {
+            return self.off_inputs(id).into_iter().flat_map(|input| self.roots_of(input)).collect();
+        }
+        match self.verdict(id).map(|verdict| verdict.status) {
+            Some(Status::Follows(roots)) => roots,
+            _ => BTreeSet::from([id]),
+        }
+    }
+
+    /// What a formula's input may have been when the author computed: as stated, as it should be, or any value in use.
+    fn options(&self, input: Id) -> Vec<(f64, bool)> {
+        if let Some(constant) = self.constants.get(&input) {
+            return constant.values.iter().map(|value| (*value, false)).collect();
+        }
+        let right = self.right(input);
+        let written = self.written(input);
+        let mut options = Vec::new();
+        options.extend(written.map(|written| (written, self.is_off(input))));
+        options.extend(right.filter(|right| written != Some(*right)).map(|value| (value, false)));
+        // Or as it should be, rounded as the plan prints it.
+        if let (Some(figure), Some(right)) = (self.stated.figure(input), right) {
+            let rounded = (right / figure.last_place).round() * figure.last_place;
+            options.extend((written != Some(rounded)).then_some((rounded, false)));
+        }
+        options
+    }
+
+    /// How much a result may differ because inputs are printed rounded.
+    fn slack(&self, formula: &Formula<'a>, inputs: &[f64]) -> f64 {
+        let Some(middle) = (formula.compute)(inputs) else { return 0.0 };
+        let mut slack = 0.0;
+        for (at, input) in formula.inputs.iter().enumerate() {
+            let Some(figure) = self.stated.figure(*input) else { continue };
+            // A formula gives the whole figure; only a plan of ours is printed from figures that nobody sees.
+            let whole = !self.stated.own && self.formula(*input).is_some();
+            if !self.tolerances.rounded(input.quantity) || whole {
+                continue;
+            }
+            let mut moved = inputs.to_vec();
+            moved[at] += figure.last_place / 2.0;
+            slack += (formula.compute)(&moved).map_or(0.0, |value| (value - middle).abs());
+        }
+        slack
+    }
+
+    /// The verdict on a stated figure; nothing where no formula computes it.
+    pub fn verdict(&self, id: Id) -> Option<Verdict> {
+        let figure = self.stated.figure(id)?;
+        let formula = self.formula(id)?;
+        let right = self.right(id)?;
+        let inputs: Vec<f64> = formula.inputs.iter().map(|input| self.right(*input)).collect::<Option<_>>()?;
+        let stated_inputs: Vec<f64> = formula
+            .inputs
+            .iter()
+            .zip(&inputs)
+            .map(|(input, right)| self.options(*input).first().map_or(*right, |one| one.0))
+            .collect();
+        let by_stated = (formula.compute)(&stated_inputs);
+        let supplied = formula.inputs.iter().copied();
+        let supplied = supplied.filter(|id| !self.constants.contains_key(id) && self.stated.figure(*id).is_none());
+        let mut verdict = Verdict { id, right, by_stated, inputs, supplied: supplied.collect(), status: Status::Fine };
+        if let Some(judge) = &formula.judge {
+            let judged = judge(figure.value, &verdict.inputs);
+            if may_stand(&judged) {
+                // Dominated, but it may stand: what follows from it is right.
+                if let Some((severity, note)) = judged {
+                    verdict.right = (formula.compute)(&verdict.inputs).unwrap_or(right);
+                    verdict.status = Status::Root(severity, Some(note));
+                }
+                return Some(verdict);
+            }
+            // Chosen rightly for inputs that are wrong.
+            let by_wrong = judge(figure.value, &stated_inputs);
+            let roots = self.roots(formula, |at| self.options(formula.inputs[at]).first().is_some_and(|one| one.1));
+            verdict.status = match judged {
+                _ if may_stand(&by_wrong) && !roots.is_empty() => Status::Follows(roots),
+                Some((severity, note)) => Status::Root(severity, Some(note)),
+                None => Status::Fine,
+            };
+            return Some(verdict);
+        }
+        if self.fits(id, figure, right, self.slack(formula, &verdict.inputs)) {
+            return Some(verdict);
+        }
+        verdict.status = match self.explained(id, figure, formula) {
+            Some(roots) if roots.is_empty() => Status::Fine,
+            Some(roots) => Status::Follows(roots),
+            None => Status::Root(self.tolerances.severity(id.quantity), None),
+        };
+        Some(verdict)
+    }
+
+    /// Whether some mixture of stated and right inputs gives the stated result; the wrong ones among them.
+    fn explained(&self, id: Id, figure: &Figure, formula: &Formula<'a>) -> Option<BTreeSet<Id>> {
+        let options: Vec<Vec<(f64, bool)>> = formula.inputs.iter().map(|input| self.options(*input)).collect();
+        // Only what differs is worth trying; more than that is no formula of a plan.
+        let total: usize = options.iter().map(|one| one.len().max(1)).product();
+        let mut best: Option<BTreeSet<Id>> = None;
+        for number in 0..total.min(4096) {
+            let mut rest = number;
+            let picked: Option<Vec<(f64, bool)>> = options
+                .iter()
+                .map(|own| {
+                    let at = rest % own.len().max(1);
+                    rest /= own.len().max(1);
+                    own.get(at).copied()
+                })
+                .collect();
+            let picked = picked?;
+            let values: Vec<f64> = picked.iter().map(|one| one.0).collect();
+            let Some(value) = (formula.compute)(&values) else { continue };
+            if !self.fits(id, figure, value, self.slack(formula, &values)) {
+                continue;
+            }
+            let roots = self.roots(formula, |at| picked[at].1);
+            if best.as_ref().is_none_or(|known| roots.len() < known.len()) {
+                best = Some(roots);
+            }
+        }
+        best
+    }
+
+    /// The roots of the inputs that `wrong` picks.
+    fn roots(&self, formula: &Formula<'a>, wrong: impl Fn(usize) -> bool) -> BTreeSet<Id> {
+        let inputs = formula.inputs.iter().enumerate().filter(|(at, _)| wrong(*at));
+        inputs.flat_map(|(_, input)| self.roots_of(*input)).collect()
+    }
+
+    /// Every stated figure that has a formula, with its verdict.
+    pub fn verdicts(&self) -> Vec<Verdict> {
+        self.formulas.keys().filter_map(|id| self.verdict(*id)).collect()
+    }
+
+    /// What depends on a figure, directly and further on. Only when every formula is there.
+    pub fn dependents(&self, id: Id) -> BTreeSet<Id> {
+        let users = self.users.get_or_init(|| {
+            let mut users: BTreeMap<Id, Vec<Id>> = BTreeMap::new();
+            for output in self.formulas.keys() {
+                for input in self.formula(*output).map(|formula| formula.inputs.as_slice()).unwrap_or_default() {
+                    users.entry(*input).or_default().push(*output);
+                }
+            }
+            users
+        });
+        let mut found = BTreeSet::new();
+        let mut open = vec![id];
+        while let Some(next) = open.pop() {
+            for output in users.get(&next).into_iter().flatten() {
+                if *output != id && found.insert(*output) {
+                    open.push(*output);
+                }
+            }
+        }
+        found
+    }
+}
+
+/// Whether a judged choice may stand: nothing is said against it, or only that another were better.
+fn may_stand(judged: &Judged) -> bool {
+    judged.as_ref().is_none_or(|(severity, _)| *severity >= Severity::Doubtful)
+}

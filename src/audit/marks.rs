@@ -1,0 +1,162 @@
+//! Marks: what an audit costs the author by a lecturer's scheme.
+
+mod read;
+pub mod scheme;
+
+use serde::Serialize;
+
+use crate::note::Severity;
+
+use super::finding::{Audit, Finding, Section};
+pub use read::read_scheme;
+pub use scheme::schema;
+
+/// A marking scheme.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Scheme {
+    /// Its name.
+    pub name: String,
+    /// The most that can be had.
+    pub points: f64,
+    /// From how many points on a plan passes.
+    pub pass: Option<f64>,
+    /// Deductions by severity.
+    pub deduct: BySeverity,
+    /// The deduction for what follows from another slip.
+    pub consequences: f64,
+    /// Sections with deductions or a cap of their own.
+    pub sections: Vec<(Section, SectionScheme)>,
+    /// Deductions by the ids of rules.
+    pub rules: Vec<(String, f64)>,
+}
+
+/// Deductions by severity; nothing where the scheme is silent.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[allow(missing_docs)] // the severities
+pub struct BySeverity {
+    pub error: Option<f64>,
+    pub wrong: Option<f64>,
+    pub doubtful: Option<f64>,
+    pub note: Option<f64>,
+}
+
+/// What is special about a section.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SectionScheme {
+    /// Its own deductions.
+    pub deduct: BySeverity,
+    /// The most that the section can cost.
+    pub at_most: Option<f64>,
+}
+
+/// Marks of a plan.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Marks {
+    /// The name of the scheme.
+    pub scheme: String,
+    /// Points had.
+    pub points: f64,
+    /// Of how many.
+    pub of: f64,
+    /// Whether the plan passes, where the scheme says from when.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub passed: Option<bool>,
+    /// What was taken off for each finding, in the order of the audit; what is free is there with its reason too.
+    pub deductions: Vec<Deduction>,
+}
+
+/// What a finding costs.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Deduction {
+    /// The field of the finding.
+    pub field: String,
+    /// Its rule.
+    pub rule: String,
+    /// Its section.
+    pub section: Section,
+    /// Its severity.
+    pub severity: Severity,
+    /// Points taken off.
+    pub points: f64,
+    /// By what of the scheme.
+    pub by: Ground,
+    /// Whether the cap of the section or the last point left less to take than the scheme says.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub capped: bool,
+}
+
+/// By what of the scheme points are taken off.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Ground {
+    /// It follows from another slip.
+    Consequence,
+    /// Its rule is named.
+    Rule,
+    /// Its section says so.
+    Section,
+    /// Its severity.
+    Severity,
+}
+
+impl BySeverity {
+    const fn of(self, severity: Severity) -> Option<f64> {
+        match severity {
+            Severity::Error => self.error,
+            Severity::Wrong => self.wrong,
+            Severity::Doubtful => self.doubtful,
+            Severity::Note => self.note,
+        }
+    }
+}
+
+impl Scheme {
+    /// The marks of an audit. The most particular word of the scheme holds: the rule before the section before the
+    /// severity; what follows from another slip is charged as a consequence whatever its rule.
+    pub fn mark(&self, audit: &Audit) -> Marks {
+        let mut left = self.points;
+        let mut spent: Vec<(Section, f64)> = Vec::new();
+        let mut deductions = Vec::new();
+        for finding in &audit.findings {
+            let (asked, by) = self.charge(finding);
+            let own = self.sections.iter().find(|(section, _)| *section == finding.section).map(|(_, own)| own);
+            let before = spent.iter().find(|(section, _)| *section == finding.section).map_or(0.0, |(_, spent)| *spent);
+            let room = own.and_then(|own| own.at_most).map_or(f64::INFINITY, |most| most - before);
+            let taken = asked.min(room).min(left).max(0.0);
+            left -= taken;
+            spent.retain(|(section, _)| *section != finding.section);
+            spent.push((finding.section, before + taken));
+            deductions.push(Deduction {
+                field: finding.field.clone(),
+                rule: finding.rule.clone(),
+                section: finding.section,
+                severity: finding.severity,
+                points: rounded(taken),
+                by,
+                capped: taken < asked,
+            });
+        }
+        let points = rounded(left);
+        let passed = self.pass.map(|pass| points >= pass);
+        Marks { scheme: self.name.clone(), points, of: self.points, passed, deductions }
+    }
+
+    fn charge(&self, finding: &Finding) -> (f64, Ground) {
+        if !finding.follows_from.is_empty() {
+            return (self.consequences, Ground::Consequence);
+        }
+        if let Some((_, points)) = self.rules.iter().find(|(rule, _)| *rule == finding.rule) {
+            return (*points, Ground::Rule);
+        }
+        let own = self.sections.iter().find(|(section, _)| *section == finding.section);
+        if let Some(points) = own.and_then(|(_, own)| own.deduct.of(finding.severity)) {
+            return (points, Ground::Section);
+        }
+        (self.deduct.of(finding.severity).unwrap_or(0.0), Ground::Severity)
+    }
+}
+
+/// Hundredths: halves and quarters of points stay what they are, binary dust goes.
+fn rounded(points: f64) -> f64 {
+    crate::units::round_to(points, 2)
+}

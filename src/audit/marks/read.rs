@@ -1,0 +1,122 @@
+//! The scheme file: YAML to [`Scheme`], collecting every mistake.
+
+use crate::knowledge::Diagnostic;
+use crate::knowledge::diagnostic::nearest;
+use crate::knowledge::yaml::{Fields, Node, Problems, parse};
+
+use super::super::finding::Section;
+use super::super::read::number;
+use super::{BySeverity, Scheme, SectionScheme};
+
+/// Keys of a scheme.
+pub(super) const SCHEME: &[&str] = &["scheme", "points", "pass", "deduct", "consequences", "sections", "rules"];
+/// Keys of deductions.
+pub(super) const SEVERITIES: &[&str] = &["error", "wrong", "doubtful", "note"];
+/// Keys of a section.
+pub(super) const SECTION: &[&str] = &["error", "wrong", "doubtful", "note", "at_most"];
+
+const SECTIONS: [(&str, Section); 9] = [
+    ("route", Section::Route),
+    ("tools", Section::Tools),
+    ("holders", Section::Holders),
+    ("conditions", Section::Conditions),
+    ("clamping", Section::Clamping),
+    ("lengths", Section::Lengths),
+    ("program", Section::Program),
+    ("times", Section::Times),
+    ("missing", Section::Missing),
+];
+
+/// Reads a scheme; `rules` are the ids that a finding can have.
+///
+/// # Errors
+/// Every mistake of the file, each with its place and what to do.
+pub fn read_scheme(file: &str, text: &str, rules: &[&str]) -> Result<Scheme, Vec<Diagnostic>> {
+    let (root, diagnostics) = parse(file, text);
+    let mut problems = Problems(diagnostics);
+    let scheme = root.and_then(|root| scheme(&root, rules, &mut problems));
+    match scheme {
+        Some(scheme) if problems.0.is_empty() => Ok(scheme),
+        _ => {
+            problems.0.sort_by(|a, b| a.place.cmp(&b.place));
+            Err(problems.0)
+        }
+    }
+}
+
+fn scheme(root: &Node, rules: &[&str], problems: &mut Problems) -> Option<Scheme> {
+    let mut fields = problems.map(root)?;
+    let name = fields.take("scheme").and_then(|node| problems.text(node)).unwrap_or_default().to_owned();
+    let points = fields.need("points", problems).and_then(|node| positive(node, problems));
+    let pass_node = fields.take("pass");
+    let pass = pass_node.and_then(|node| positive(node, problems));
+    let deduct = fields.take("deduct").map(|node| deductions(node, problems)).unwrap_or_default();
+    let consequences = fields.take("consequences").and_then(|node| positive(node, problems)).unwrap_or(0.0);
+    let sections = fields.take("sections").map(|node| sections(node, problems)).unwrap_or_default();
+    let named = fields.take("rules").map(|node| by_rule(node, rules, problems)).unwrap_or_default();
+    fields.finish(SCHEME, problems);
+    if let (Some(node), Some(pass), Some(points)) = (pass_node, pass, points)
+        && pass > points
+    {
+        let message = format!("nobody passes with {pass} of {points} points");
+        problems.error_help::<()>("bad-value", message, &node.place, "`pass` is at most `points`");
+    }
+    Some(Scheme { name, points: points?, pass, deduct, consequences, sections, rules: named })
+}
+
+/// Points: a number, not below nothing.
+fn positive(node: &Node, problems: &mut Problems) -> Option<f64> {
+    let text = problems.text(node)?;
+    let value = number(text).map(|(value, _)| value).filter(|value| (0.0..=1e6).contains(value));
+    let help = if text.contains(',') {
+        "write the decimal point of a number, not a comma"
+    } else if text.starts_with(['-', '−']) {
+        "write how many points are taken off, without a sign"
+    } else {
+        "write a number of points: 2 or 0.5"
+    };
+    value.or_else(|| problems.error_help("bad-value", format!("`{text}` is no number of points"), &node.place, help))
+}
+
+fn deductions(node: &Node, problems: &mut Problems) -> BySeverity {
+    let Some(mut fields) = problems.map(node) else { return BySeverity::default() };
+    let deduct = severities(&mut fields, problems);
+    fields.finish(SEVERITIES, problems);
+    deduct
+}
+
+fn severities(fields: &mut Fields<'_>, problems: &mut Problems) -> BySeverity {
+    let mut points = |key: &str| fields.take(key).and_then(|node| positive(node, problems));
+    BySeverity { error: points("error"), wrong: points("wrong"), doubtful: points("doubtful"), note: points("note") }
+}
+
+fn sections(node: &Node, problems: &mut Problems) -> Vec<(Section, SectionScheme)> {
+    let Some(mut fields) = problems.map(node) else { return Vec::new() };
+    let mut read = Vec::new();
+    for (key, section) in SECTIONS {
+        let Some(node) = fields.take(key) else { continue };
+        let Some(mut own) = problems.map(node) else { continue };
+        let deduct = severities(&mut own, problems);
+        let at_most = own.take("at_most").and_then(|node| positive(node, problems));
+        own.finish(SECTION, problems);
+        read.push((section, SectionScheme { deduct, at_most }));
+    }
+    fields.finish(&SECTIONS.map(|(key, _)| key), problems);
+    read
+}
+
+fn by_rule(node: &Node, rules: &[&str], problems: &mut Problems) -> Vec<(String, f64)> {
+    let Some(mut fields) = problems.map(node) else { return Vec::new() };
+    let mut read = Vec::new();
+    for (key, node) in fields.rest() {
+        if !rules.contains(&key.text.as_str()) {
+            let help = match nearest(&key.text, rules.iter().copied()) {
+                Some(near) => format!("did you mean `{near}`?"),
+                None => "docs/audit.md lists the rules; `--format json` says which one a finding has".to_owned(),
+            };
+            problems.error_help::<()>("unknown-rule", format!("no rule `{}`", key.text), &key.place, help);
+        }
+        read.extend(positive(node, problems).map(|points| (key.text.clone(), points)));
+    }
+    read
+}

@@ -1,0 +1,156 @@
+//! Designations and standards as people write them: found although a prefix is lost or a letter misread.
+
+use std::collections::BTreeMap;
+
+/// What became of a name that was looked for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Near<T> {
+    /// No name was stated.
+    Unstated,
+    /// It is there.
+    Found(T),
+    /// It is not there as written, but one name is, with its prefix lost or one sign misread.
+    Meant(T, String),
+    /// It is not there; the most similar name, if any is similar.
+    Unknown(Option<String>),
+}
+
+impl<T> Near<T> {
+    /// What was found or doubtless meant.
+    pub fn meant(&self) -> Option<&T> {
+        match self {
+            Self::Found(found) | Self::Meant(found, _) => Some(found),
+            Self::Unstated | Self::Unknown(_) => None,
+        }
+    }
+}
+
+/// Names to look others up among, made comparable once.
+#[derive(Debug)]
+pub struct Names<'n, T> {
+    all: Vec<(T, &'n str, Vec<char>)>,
+    /// Where each name stands.
+    exact: BTreeMap<Vec<char>, Vec<usize>>,
+}
+
+impl<'n, T: Clone> Names<'n, T> {
+    /// The names with what they name.
+    pub fn new(names: impl Iterator<Item = (T, &'n str)>) -> Self {
+        let all: Vec<(T, &str, Vec<char>)> = names.map(|(value, name)| (value, name, plain(name))).collect();
+        let mut exact: BTreeMap<Vec<char>, Vec<usize>> = BTreeMap::new();
+        for (at, (_, _, name)) in all.iter().enumerate() {
+            exact.entry(name.clone()).or_default().push(at);
+        }
+        Self { all, exact }
+    }
+
+    /// Looks a name up among those that may be meant.
+    pub fn find(&self, name: Option<&str>, may_be: impl Fn(&T) -> bool) -> Near<T> {
+        let Some(name) = name else { return Near::Unstated };
+        let wanted = plain(name);
+        let mut same = self.exact.get(&wanted).into_iter().flatten().filter_map(|at| self.all.get(*at));
+        if let Some((value, ..)) = same.find(|(value, ..)| may_be(value)) {
+            return Near::Found(value.clone());
+        }
+        let mut lost: Vec<(&T, &str)> = Vec::new();
+        let mut best: Option<(usize, &str)> = None;
+        for (value, known, other) in self.all.iter().filter(|(value, ..)| may_be(value)) {
+            let away = distance(&wanted, other);
+            if away <= 3 && best.is_none_or(|(least, _)| away < least) {
+                best = Some((away, known));
+            }
+            // A tail long enough to tell designations apart.
+            if wanted.len() >= 6 && other.len() > wanted.len() && other.ends_with(&wanted) {
+                lost.push((value, known));
+            }
+        }
+        if let [(value, known)] = lost[..] {
+            return Near::Meant(value.clone(), known.to_owned());
+        }
+        Near::Unknown(best.map(|(_, known)| known.to_owned()))
+    }
+}
+
+/// Whether a standard is the one meant: as written, or with a sign or two misread.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Likeness {
+    /// The same.
+    Same,
+    /// Another in a sign or two of the same number.
+    Misread,
+    /// Another.
+    Other,
+}
+
+/// How a written standard stands to the right one.
+pub fn likeness(written: &str, right: &str) -> Likeness {
+    let (a, b) = (plain(written), plain(right));
+    if a == b {
+        Likeness::Same
+    } else if distance(&a, &b) <= 2 {
+        Likeness::Misread
+    } else {
+        Likeness::Other
+    }
+}
+
+/// A name without spaces, with one kind of dash, and with Latin letters for the Cyrillic ones that look alike.
+pub fn plain(name: &str) -> Vec<char> {
+    let alike = |letter: char| match letter {
+        '–' | '—' | '−' | '‑' => '-',
+        'А' | 'а' => 'A',
+        'В' | 'в' => 'B',
+        'С' | 'с' => 'C',
+        'Е' | 'е' => 'E',
+        'Н' | 'н' => 'H',
+        'К' | 'к' => 'K',
+        'М' | 'м' => 'M',
+        'О' | 'о' => 'O',
+        'Р' | 'р' => 'P',
+        'Т' | 'т' => 'T',
+        'Х' | 'х' => 'X',
+        other => other,
+    };
+    name.chars().filter(|letter| !letter.is_whitespace()).map(alike).flat_map(char::to_uppercase).collect()
+}
+
+/// How many signs must be changed, put in or left out (Levenshtein).
+fn distance(a: &[char], b: &[char]) -> usize {
+    if a.len().abs_diff(b.len()) > 4 {
+        return usize::MAX;
+    }
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, one) in a.iter().enumerate() {
+        let mut corner = i;
+        row[0] = i + 1;
+        for (j, other) in b.iter().enumerate() {
+            let changed = corner + usize::from(one != other);
+            corner = row[j + 1];
+            row[j + 1] = changed.min(row[j] + 1).min(corner + 1);
+        }
+    }
+    row[b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_lost_prefix_is_found_and_another_number_is_not() {
+        let names = ["035-2317-0103", "035-2317-0104", "035-2300-1273"];
+        let names = Names::new(names.iter().map(|name| ((), *name)));
+        let look = |name: &str| names.find(Some(name), |()| true);
+        assert_eq!(look("035 - 2300 – 1273"), Near::Found(()));
+        assert_eq!(look("2317-0103"), Near::Meant((), "035-2317-0103".to_owned()));
+        assert_eq!(look("035-2317-0109"), Near::Unknown(Some("035-2317-0103".to_owned())));
+        assert_eq!(look("191113040"), Near::Unknown(None));
+    }
+
+    #[test]
+    fn a_misread_standard_is_told_from_another() {
+        assert_eq!(likeness("ОСТ 2420-5-80", "ОСТ 2И20-5-80"), Likeness::Misread);
+        assert_eq!(likeness("ТУ 2 – 035 – 986 – 85", "ТУ 2-035-986-85"), Likeness::Same);
+        assert_eq!(likeness("ГОСТ 10902-77", "ОСТ 2И20-1-80"), Likeness::Other);
+    }
+}

@@ -1,0 +1,272 @@
+//! A plan that `technolog plan --format json` or `yaml` wrote, as stated.
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+use crate::knowledge::yaml::{Node, NodeKind, Problems};
+use crate::part::{Part, Point};
+use crate::plan::{CuttingMethod, Feature, Operation};
+
+use super::quantity::Quantity;
+use super::read::number;
+use super::stated::{Clamping, Conditions, Figure, Figures, Row, Said, Stated, Text, Tool};
+use super::tolerance::Tolerances;
+
+/// What of the file is needed as a whole; all else is read with its places.
+#[derive(Deserialize)]
+struct Head {
+    part: Part,
+    #[serde(default)]
+    cutting: CuttingMethod,
+}
+
+const CONDITIONS: [(&str, Quantity); 10] = [
+    ("depth_of_cut_mm", Quantity::DepthOfCut),
+    ("feed_mm_per_rev", Quantity::Feed),
+    ("computed_speed_m_per_min", Quantity::Speed),
+    ("speed_m_per_min", Quantity::SpeedTaken),
+    ("spindle_rpm", Quantity::Rpm),
+    ("feed_mm_per_min", Quantity::MinuteFeed),
+    ("axial_force_n", Quantity::Force),
+    ("torque_n_m", Quantity::Torque),
+    ("power_kw", Quantity::Power),
+    ("machine_time_min", Quantity::Time),
+];
+
+const CLAMPING: [(&str, Quantity); 4] = [
+    ("torque_n_m", Quantity::Torque),
+    ("distance_mm", Quantity::Distance),
+    ("force_n", Quantity::ClampForce),
+    ("force_per_clamp_n", Quantity::ForcePerClamp),
+];
+
+const TOOL: [(&str, Quantity); 6] = [
+    ("diameter_mm", Quantity::Diameter),
+    ("overhang_mm", Quantity::Overhang),
+    ("length_mm", Quantity::Assembly),
+    ("corrector", Quantity::Corrector),
+    ("correction_mm", Quantity::Correction),
+    ("book_correction_mm", Quantity::BookCorrection),
+];
+
+const TIMES: [(&str, Quantity); 4] = [
+    ("machine_min", Quantity::MachineTime),
+    ("rapid_min", Quantity::RapidTime),
+    ("tool_change_min", Quantity::ChangeTime),
+    ("total_min", Quantity::TotalTime),
+];
+
+/// Reads it. What it lacks is not stated; what is no figure where one belongs is a mistake.
+pub(super) fn read(
+    root: &Node,
+    text: &str,
+    file: &str,
+    problems: &mut Problems,
+    knowledge: &Knowledge,
+) -> Option<Stated> {
+    // JSON is YAML, but its enumerations are written otherwise.
+    let json = text.trim_start().starts_with('{');
+    let head: Result<Head, String> = if json {
+        serde_json::from_str(text).map_err(|error| error.to_string())
+    } else {
+        serde_yaml::from_str(text).map_err(|error| error.to_string())
+    };
+    let head = match head {
+        Ok(head) => head,
+        Err(error) => {
+            let help = "write it anew with `technolog plan PART.yaml --format json`";
+            return problems.error_help("bad-plan", format!("no plan of ours: {error}"), &root.place, help);
+        }
+    };
+    let tolerances: Result<Tolerances, KnowledgeError> = Tolerances::read(knowledge);
+    let Ok(tolerances) = tolerances else {
+        return problems.error("knowledge", "the table `audit-tolerance` cannot be used", &root.place);
+    };
+    let mut reader = Own { problems, tolerances };
+    let (mut rows, mut conditions) = (Vec::new(), Vec::new());
+    for hole in items(root.get("holes")) {
+        let name = text_of(hole, "name");
+        let scheme = hole.get("route").and_then(|route| text_of(route, "scheme"));
+        let table = hole.get("route").and_then(|route| text_of(route, "table"));
+        for node in items(hole.get("transitions")) {
+            let Some(mut row) = reader.row(node, rows.len()) else { continue };
+            row.hole.clone_from(&name);
+            row.scheme.clone_from(&scheme);
+            row.table.clone_from(&table);
+            row.figures.extend(
+                hole.get("count").and_then(|node| reader.figure(node, Quantity::Count)).map(|f| (Quantity::Count, f)),
+            );
+            if let Some(own) = node.get("conditions") {
+                conditions.push(reader.conditions(own, node, rows.len()));
+            }
+            rows.push(row);
+        }
+    }
+    let tools = items(root.get("tools")).filter_map(|node| reader.tool(node)).collect();
+    let changes: Vec<u32> =
+        items(root.get("sequence")).filter_map(|visit| visit.get("tool")?.text()?.parse().ok()).collect();
+    let clamping = root.get("clamping").filter(|node| !node.is_null()).map(|node| reader.clamping(node));
+    let times = root.get("time").map(|node| reader.figures(node, &TIMES)).unwrap_or_default();
+    Some(Stated {
+        name: head.part.part.clone(),
+        file: file.to_owned(),
+        part: head.part,
+        method: head.cutting,
+        own: true,
+        tree: Some(root.clone()),
+        rows,
+        tools,
+        conditions,
+        clamping,
+        program: None,
+        times,
+        changes: Some(changes),
+    })
+}
+
+struct Own<'a> {
+    problems: &'a mut Problems,
+    tolerances: Tolerances,
+}
+
+impl Own<'_> {
+    fn figure(&mut self, node: &Node, quantity: Quantity) -> Option<Figure> {
+        let text = node.text()?;
+        if node.is_null() {
+            return None;
+        }
+        let value =
+            number(text).map(|(value, _)| value).or_else(|| text.parse().ok().filter(|value: &f64| value.is_finite()));
+        let Some(value) = value else {
+            return self.problems.error("bad-value", format!("`{text}` is no number"), &node.place);
+        };
+        let places = i32::try_from(self.tolerances.own_places(quantity)).unwrap_or(0);
+        let last_place = libm::pow(10.0, f64::from(-places));
+        Some(Figure { value, text: text.to_owned(), last_place, place: node.place.clone() })
+    }
+
+    fn figures(&mut self, node: &Node, keys: &[(&str, Quantity)]) -> Figures {
+        let mut figures = Figures::new();
+        for (key, quantity) in keys {
+            figures
+                .extend(node.get(key).and_then(|node| self.figure(node, *quantity)).map(|figure| (*quantity, figure)));
+        }
+        figures
+    }
+
+    fn row(&mut self, node: &Node, at: usize) -> Option<Row> {
+        let operation = node.get("operation")?;
+        let name = operation.text()?;
+        let Some(value) = Operation::from_name(name) else {
+            let names: Vec<&str> = Operation::NAMES.iter().map(|(name, _)| *name).collect();
+            let help = format!("it may be {}", names.join(", "));
+            return self.problems.error_help("bad-value", format!("no operation `{name}`"), &operation.place, help);
+        };
+        let keys = [
+            ("diameter_mm", Quantity::Diameter),
+            ("from_diameter_mm", Quantity::From),
+            ("depth_mm", Quantity::Depth),
+            ("passes", Quantity::Passes),
+        ];
+        let feature = node.get("feature").and_then(Node::text);
+        let number_node = node.get("tool").and_then(|tool| tool.get("number"));
+        let tool =
+            number_node.and_then(|node| Some(Said { value: node.text()?.parse().ok()?, place: node.place.clone() }));
+        Some(Row {
+            number: u32::try_from(at + 1).unwrap_or(u32::MAX),
+            place: node.place.clone(),
+            operation: Said { value, place: operation.place.clone() },
+            hole: None,
+            feature: feature.and_then(|text| serde_yaml::from_str::<Feature>(text).ok()),
+            step: node.get("step").and_then(Node::text).and_then(|text| text.parse().ok()),
+            elsewhere: node.get("elsewhere").and_then(Node::text) == Some("true"),
+            tool: tool.filter(|tool: &Said<u32>| tool.value > 0),
+            scheme: None,
+            table: None,
+            figures: self.figures(node, &keys),
+        })
+    }
+
+    fn conditions(&mut self, node: &Node, transition: &Node, row: usize) -> Conditions {
+        let mut figures = self.figures(node, &CONDITIONS);
+        // A step drill is reckoned by its wide diameter.
+        let more = [("travel_mm", Quantity::Travel), ("also_diameter_mm", Quantity::Diameter)];
+        figures.extend(self.figures(transition, &more));
+        Conditions {
+            place: node.place.clone(),
+            rows: vec![row],
+            limited_by: node.get("limited_by").and_then(Node::text).map(str::to_owned),
+            rounds: node.get("rounds").is_some_and(|rounds| !rounds.is_null()),
+            factors: BTreeMap::new(),
+            figures,
+        }
+    }
+
+    fn tool(&mut self, node: &Node) -> Option<Tool> {
+        let number = node.get("number")?.text()?.parse().ok()?;
+        let mut figures = self.figures(node, &TOOL);
+        for link in items(node.get("links")) {
+            let length = link.get("length_mm");
+            if link.get("kind").and_then(Node::text) == Some("holder") {
+                let used = length.and_then(|node| self.figure(node, Quantity::HolderUsed));
+                figures.extend(used.map(|figure| (Quantity::HolderUsed, figure)));
+            }
+        }
+        Some(Tool {
+            number,
+            place: node.place.clone(),
+            designation: text_of(node, "designation"),
+            standard: None,
+            table: text_of(node, "table"),
+            shank: None,
+            holder: text_of(node, "holder"),
+            holder_standard: None,
+            correction_word: None,
+            figures,
+        })
+    }
+
+    fn clamping(&mut self, node: &Node) -> Clamping {
+        let point = |node: &Node| {
+            let [x, y] = ["x", "y"].map(|axis| node.get(axis).and_then(Node::text).and_then(|text| text.parse().ok()));
+            let listed = || {
+                let mut two = items(Some(node)).filter_map(|node| node.text()?.parse().ok());
+                Some(Point { x: two.next()?, y: two.next()? })
+            };
+            x.zip(y).map(|(x, y)| Point { x, y }).or_else(listed)
+        };
+        let at: Vec<Point> = items(node.get("clamps")).filter_map(point).collect();
+        let mut figures = self.figures(node, &CLAMPING);
+        if let Some(clamps) = node.get("clamps") {
+            let text = at.len().to_string();
+            let figure = Figure { value: at.len() as f64, text, last_place: 1.0, place: clamps.place.clone() };
+            figures.insert(Quantity::Clamps, figure);
+        }
+        Clamping {
+            place: node.place.clone(),
+            row: None,
+            hole: text_of(node, "hole"),
+            screw: text_of(node, "screw"),
+            designation: None,
+            standard: None,
+            at,
+            figures,
+        }
+    }
+}
+
+fn items(node: Option<&Node>) -> impl Iterator<Item = &Node> {
+    let list: &[Node] = match node.map(|node| &node.kind) {
+        Some(NodeKind::Seq(items)) => items,
+        _ => &[],
+    };
+    list.iter()
+}
+
+fn text_of(node: &Node, key: &str) -> Option<Text> {
+    let node = node.get(key).filter(|node| !node.is_null())?;
+    Some(Said { value: node.text()?.to_owned(), place: node.place.clone() })
+}

@@ -1,0 +1,104 @@
+//! Conditions and clamping.
+
+use std::collections::BTreeMap;
+
+use crate::knowledge::yaml::{Node, NodeKind};
+
+use super::Reader;
+use crate::audit::keys::{CARD, CLAMPING, CONDITIONS};
+use crate::audit::quantity::Quantity;
+use crate::audit::stated::{Clamping, Conditions, Factor, Row, Said};
+
+impl Reader<'_> {
+    pub(super) fn conditions(&mut self, node: &Node, rows: &[Row]) -> Vec<Conditions> {
+        let items = self.problems.list(node).unwrap_or_default();
+        let mut all: Vec<Conditions> = Vec::new();
+        for node in items {
+            let Some(own) = self.one(node, rows) else { continue };
+            let twice = own.rows.iter().find(|row| all.iter().any(|other| other.rows.contains(row)));
+            if let Some(row) = twice.and_then(|row| rows.get(*row)) {
+                let message = format!("row {} has conditions already", row.number);
+                let _ = self.problems.error_help::<()>("duplicate-row", message, &own.place, "name every row once");
+            }
+            all.push(own);
+        }
+        all
+    }
+
+    fn one(&mut self, node: &Node, rows: &[Row]) -> Option<Conditions> {
+        let mut fields = self.problems.map(node)?;
+        let named = fields.need("for", &mut self.problems).map(|node| self.rows_named(node, rows));
+        let card = fields.take("card");
+        let factors_node = fields.take("factors");
+        let keys: Vec<&str> =
+            CONDITIONS.iter().copied().filter(|key| !matches!(*key, "for" | "card" | "factors")).collect();
+        let mut figures = self.figures(&mut fields, &keys);
+        fields.finish(CONDITIONS, &mut self.problems);
+        if let Some(mut fields) = card.and_then(|node| self.problems.map(node)) {
+            figures.extend(self.figures_under("card.", &mut fields, CARD));
+            fields.finish(CARD, &mut self.problems);
+        }
+        let mut factors = BTreeMap::new();
+        if let Some(mut fields) = factors_node.and_then(|node| self.problems.map(node)) {
+            for key in CARD {
+                let quantity = Quantity::of_key(&format!("factors.{key}"));
+                if let Some((quantity, node)) = quantity.zip(fields.take(key)) {
+                    factors.insert(quantity, self.factors(node));
+                }
+            }
+            fields.finish(CARD, &mut self.problems);
+        }
+        let place = node.place.clone();
+        Some(Conditions { place, rows: named?, limited_by: None, rounds: false, factors, figures })
+    }
+
+    /// Factors by name; one without a value is only named.
+    fn factors(&mut self, node: &Node) -> Vec<Factor> {
+        let NodeKind::Map(entries) = &node.kind else {
+            let message = format!("a mapping is expected here, not {}", node.kind_name());
+            let _ = self.problems.error_help::<()>(
+                "bad-value",
+                message,
+                &node.place,
+                "name the factors: `{material: 1.3}`",
+            );
+            return Vec::new();
+        };
+        let mut factors = Vec::new();
+        for (key, node) in entries {
+            let name = Said { value: key.text.clone(), place: key.place.clone() };
+            let value = if node.is_null() { None } else { self.figure(node) };
+            factors.push(Factor { name, value });
+        }
+        factors
+    }
+
+    pub(super) fn clamping(&mut self, node: &Node, rows: &[Row]) -> Option<Clamping> {
+        let mut fields = self.problems.map(node)?;
+        let row = fields.take("for").and_then(|node| {
+            let value = self.rows_named(node, rows).first().copied()?;
+            Some(Said { value, place: node.place.clone() })
+        });
+        let screw = self.text_of(&mut fields, "screw").map(|text| {
+            // Cyrillic М is typed as often as the Latin letter.
+            Said { value: text.value.replace('М', "M"), ..text }
+        });
+        let designation = self.text_of(&mut fields, "designation");
+        let standard = self.text_of(&mut fields, "standard");
+        let force = fields.take("force").and_then(|node| self.figure(node));
+        let keys: Vec<&str> = CLAMPING.iter().copied().filter(|key| *key != "force").collect();
+        let mut figures = self.figures(&mut fields, &keys);
+        figures.extend(force.map(|force| (Quantity::ClampForce, force)));
+        fields.finish(CLAMPING, &mut self.problems);
+        Some(Clamping {
+            place: node.place.clone(),
+            row,
+            hole: None,
+            screw,
+            designation,
+            standard,
+            at: Vec::new(),
+            figures,
+        })
+    }
+}

@@ -1,0 +1,257 @@
+//! The plan file: YAML to [`Stated`], collecting every mistake.
+
+mod conditions;
+mod figures;
+mod rows;
+mod tools;
+
+pub(super) use figures::number;
+
+use crate::knowledge::Knowledge;
+use crate::knowledge::diagnostic::{Diagnostic, Severity};
+use crate::knowledge::yaml::{Fields, Node, NodeKind, Problems, parse};
+use crate::part::{Part, read_part, read_part_node};
+use crate::plan::CuttingMethod;
+use crate::program::Language;
+
+use super::keys::{PLAN, PROGRAM, TIMES};
+use super::stated::{Figures, Program, Said, Stated, Text};
+
+/// Reads the files that a plan names, relative to it. An error is the reason.
+pub type Files<'a> = &'a dyn Fn(&str) -> Result<String, String>;
+
+/// A text that diagnostics may point into: its name and its content.
+pub type NamedText = (String, String);
+
+/// Why a plan could not be read.
+#[derive(Debug)]
+pub struct Unreadable {
+    /// Every mistake.
+    pub problems: Vec<Diagnostic>,
+    /// The texts of the files that the plan names.
+    pub texts: Vec<NamedText>,
+}
+
+/// Reads a plan, written by hand or by `technolog plan`.
+///
+/// # Errors
+/// Every mistake of the file, each with its place and what to do.
+pub fn read_plan(file: &str, text: &str, knowledge: &Knowledge, files: Files<'_>) -> Result<Stated, Unreadable> {
+    read_tree(parse(file, text), file, text, knowledge, files)
+}
+
+/// The same of a file that may be something else, one of a folder: nothing, where it is readable but no plan.
+///
+/// # Errors
+/// As of [`read_plan`].
+pub fn read_if_plan(
+    file: &str,
+    text: &str,
+    knowledge: &Knowledge,
+    files: Files<'_>,
+) -> Result<Option<Stated>, Unreadable> {
+    let (root, diagnostics) = parse(file, text);
+    if root.as_ref().is_some_and(|root| !is_plan(root)) {
+        return Ok(None);
+    }
+    read_tree((root, diagnostics), file, text, knowledge, files).map(Some)
+}
+
+/// Whether a file means to be a plan: what `technolog plan` writes, or what has a part of a plan and no holes, which a
+/// part file has. A plan that has forgotten its part is one too.
+fn is_plan(root: &Node) -> bool {
+    let NodeKind::Map(entries) = &root.kind else { return false };
+    if root.get("holes").is_some() {
+        return root.get("sequence").is_some();
+    }
+    let own = |key: &str| PLAN.contains(&key);
+    let parts = ["route", "tools", "conditions", "clamping", "program"];
+    parts.iter().any(|key| root.get(key).is_some())
+        || root.get("part").is_some() && entries.iter().all(|(key, _)| own(&key.text))
+}
+
+fn read_tree(
+    (root, diagnostics): (Option<Node>, Vec<Diagnostic>),
+    file: &str,
+    text: &str,
+    knowledge: &Knowledge,
+    files: Files<'_>,
+) -> Result<Stated, Unreadable> {
+    let mut reader = Reader { knowledge, files, problems: Problems(diagnostics), texts: Vec::new(), file };
+    let stated = root.and_then(|root| {
+        // Only `technolog plan` writes holes at the top; a part file has them too, but no tools.
+        if root.get("holes").is_some() && root.get("sequence").is_some() {
+            super::own::read(&root, text, file, &mut reader.problems, knowledge)
+        } else {
+            reader.plan(&root)
+        }
+    });
+    let broken = reader.problems.0.iter().any(|problem| problem.severity == Severity::Error);
+    match stated {
+        Some(stated) if !broken => Ok(stated),
+        _ => {
+            reader.problems.0.sort_by(|a, b| a.place.cmp(&b.place));
+            Err(Unreadable { problems: reader.problems.0, texts: reader.texts })
+        }
+    }
+}
+
+/// Reads one plan file.
+struct Reader<'a> {
+    knowledge: &'a Knowledge,
+    files: Files<'a>,
+    problems: Problems,
+    texts: Vec<NamedText>,
+    file: &'a str,
+}
+
+impl Reader<'_> {
+    fn plan(&mut self, root: &Node) -> Option<Stated> {
+        let mut fields = self.problems.map(root)?;
+        let name = self.text(fields.take("plan")).map(|name| name.value).unwrap_or_default();
+        let part = fields.need("part", &mut self.problems).and_then(|node| self.part(node));
+        let cutting = fields.take("cutting");
+        let method = cutting
+            .and_then(|node| self.choice(node, &[("formula", CuttingMethod::Formula), ("card", CuttingMethod::Card)]));
+        let route = fields.take("route");
+        let tools = fields.take("tools");
+        let conditions = fields.take("conditions");
+        let clamping = fields.take("clamping");
+        let program = fields.take("program");
+        let times = fields.take("times");
+        fields.finish(PLAN, &mut self.problems);
+
+        let part = part?;
+        let rows = route.map(|node| self.rows(node, &part)).unwrap_or_default();
+        let tools = tools.map(|node| self.tools(node)).unwrap_or_default();
+        for row in &rows {
+            if let Some(tool) = &row.tool
+                && !tools.is_empty()
+                && !tools.iter().any(|known| known.number == tool.value)
+            {
+                let known: Vec<String> = tools.iter().map(|tool| format!("T{}", tool.number)).collect();
+                let message = format!("no tool T{} in `tools`", tool.value);
+                let help = format!("known are {}", known.join(", "));
+                self.problems.error_help::<()>("unknown-tool", message, &tool.place, help);
+            }
+        }
+        let conditions = conditions.map(|node| self.conditions(node, &rows)).unwrap_or_default();
+        let clamping = clamping.and_then(|node| self.clamping(node, &rows));
+        let program = program.and_then(|node| self.program(node));
+        let times = times.map(|node| self.times(node)).unwrap_or_default();
+        let name = if name.is_empty() { part.part.clone() } else { name };
+        Some(Stated {
+            name,
+            file: self.file.to_owned(),
+            part,
+            method: method.unwrap_or_default(),
+            own: false,
+            tree: None,
+            rows,
+            tools,
+            conditions,
+            clamping,
+            program,
+            times,
+            changes: None,
+        })
+    }
+
+    /// The part: a path, or the part itself.
+    fn part(&mut self, node: &Node) -> Option<Part> {
+        if matches!(node.kind, NodeKind::Map(_)) {
+            return read_part_node(node, self.knowledge, &mut self.problems);
+        }
+        let path = self.problems.text(node)?.to_owned();
+        let text = self.named(&path, node)?;
+        match read_part(&path, &text, self.knowledge) {
+            Ok(part) => Some(part),
+            Err(problems) => {
+                self.problems.0.extend(problems);
+                None
+            }
+        }
+    }
+
+    /// The text of a file that the plan names.
+    fn named(&mut self, path: &str, node: &Node) -> Option<String> {
+        match (self.files)(path) {
+            Ok(text) => {
+                self.texts.push((path.to_owned(), text.clone()));
+                Some(text)
+            }
+            Err(why) => {
+                let message = format!("cannot read `{path}`: {why}");
+                let help = "paths are relative to the plan file";
+                self.problems.error_help("unreadable", message, &node.place, help)
+            }
+        }
+    }
+
+    fn program(&mut self, node: &Node) -> Option<Program> {
+        let mut fields = self.problems.map(node)?;
+        let file_node = fields.need("file", &mut self.problems);
+        let control_node = fields.need("control", &mut self.problems);
+        let setting_node = fields.take("setting");
+        fields.finish(PROGRAM, &mut self.problems);
+        let names = Language::NAMES.map(|name| (name, name));
+        let control = control_node.and_then(|node| self.choice(node, &names));
+        let path = self.text(file_node);
+        let text = path.as_ref().zip(file_node).and_then(|(path, node)| self.named(&path.value, node));
+        let setting = setting_node.and_then(|node| {
+            let path = self.problems.text(node)?.to_owned();
+            let text = self.named(&path, node)?;
+            let language = Language::read(control?, self.knowledge).ok()?;
+            match language.setting(&path, &text) {
+                Ok(_) => Some((path, text)),
+                Err(problems) => {
+                    self.problems.0.extend(problems);
+                    None
+                }
+            }
+        });
+        Some(Program {
+            file: path?,
+            text: text?,
+            control: control?.to_owned(),
+            place: control_node?.place.clone(),
+            setting,
+        })
+    }
+
+    fn times(&mut self, node: &Node) -> Figures {
+        let Some(mut fields) = self.problems.map(node) else { return Figures::new() };
+        let figures = self.figures(&mut fields, TIMES);
+        fields.finish(TIMES, &mut self.problems);
+        figures
+    }
+
+    /// A text that is not empty.
+    fn text(&mut self, node: Option<&Node>) -> Option<Text> {
+        let node = node?;
+        let text = self.problems.text(node)?.trim();
+        if text.is_empty() {
+            return self.problems.error("bad-value", "a text must not be empty", &node.place);
+        }
+        Some(Said { value: text.to_owned(), place: node.place.clone() })
+    }
+
+    fn choice<T: Copy>(&mut self, node: &Node, choices: &[(&str, T)]) -> Option<T> {
+        let text = self.problems.text(node)?;
+        if let Some((_, value)) = choices.iter().find(|(name, _)| *name == text) {
+            return Some(*value);
+        }
+        let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
+        let help = match crate::knowledge::diagnostic::nearest(text, names.iter().copied()) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => format!("it may be {}", names.join(" or ")),
+        };
+        self.problems.error_help("bad-value", format!("`{text}` is not known here"), &node.place, help)
+    }
+
+    /// A field that holds a text.
+    fn text_of(&mut self, fields: &mut Fields<'_>, key: &str) -> Option<Text> {
+        let node = fields.take(key);
+        self.text(node)
+    }
+}

@@ -1,0 +1,107 @@
+//! The route.
+
+use crate::knowledge::diagnostic::nearest;
+use crate::knowledge::yaml::Node;
+use crate::part::Part;
+use crate::plan::Operation;
+
+use super::Reader;
+use crate::audit::keys::ROW;
+use crate::audit::stated::{Row, Said};
+
+impl Reader<'_> {
+    pub(super) fn rows(&mut self, node: &Node, part: &Part) -> Vec<Row> {
+        let items = self.problems.list(node).unwrap_or_default();
+        let mut rows: Vec<Row> = Vec::new();
+        for (at, node) in items.iter().enumerate() {
+            let number = u32::try_from(at + 1).unwrap_or(u32::MAX);
+            let Some(row) = self.row(node, number, part) else { continue };
+            if let Some(known) = rows.iter().find(|known| known.number == row.number) {
+                let message = format!("two rows of the number {}", row.number);
+                let help = format!("the other stands at line {}", known.place.line);
+                self.problems.error_help::<()>("duplicate-row", message, &row.place, help);
+            }
+            rows.push(row);
+        }
+        rows
+    }
+
+    fn row(&mut self, node: &Node, number: u32, part: &Part) -> Option<Row> {
+        let mut fields = self.problems.map(node)?;
+        let own = fields.take("row").and_then(|node| self.problems.scalar::<u32>(node));
+        let operation = fields.need("operation", &mut self.problems).and_then(|node| {
+            let value = self.choice(node, &Operation::NAMES)?;
+            Some(Said { value, place: node.place.clone() })
+        });
+        let hole = self.text_of(&mut fields, "hole");
+        if let Some(hole) = &hole
+            && !part.holes.iter().any(|known| known.name == hole.value)
+        {
+            let names: Vec<&str> = part.holes.iter().map(|hole| hole.name.as_str()).collect();
+            let help = match nearest(&hole.value, names.iter().copied()) {
+                Some(near) => format!("did you mean `{near}`?"),
+                None => format!("the part has {}", names.join(", ")),
+            };
+            let message = format!("the part has no group of holes `{}`", hole.value);
+            self.problems.error_help::<()>("unknown-hole", message, &hole.place, help);
+        }
+        let tool = fields.take("tool").and_then(|node| self.tool_number(node));
+        let scheme = self.text_of(&mut fields, "scheme");
+        let table = self.text_of(&mut fields, "table");
+        let figures = self.figures(&mut fields, ROW);
+        fields.finish(ROW, &mut self.problems);
+        Some(Row {
+            number: own.unwrap_or(number),
+            place: node.place.clone(),
+            operation: operation?,
+            hole,
+            feature: None,
+            step: None,
+            elsewhere: false,
+            tool,
+            scheme,
+            table,
+            figures,
+        })
+    }
+
+    /// `T2`, or `2`; the Cyrillic letter is typed as often.
+    fn tool_number(&mut self, node: &Node) -> Option<Said<u32>> {
+        let text = self.problems.text(node)?;
+        match number_of_tool(text) {
+            Some(value) => Some(Said { value, place: node.place.clone() }),
+            None => {
+                let message = format!("`{text}` is no tool");
+                self.problems.error_help("bad-value", message, &node.place, "name it by its place: T1, T2, …")
+            }
+        }
+    }
+
+    /// The rows that a key `for` names, by their numbers.
+    pub(super) fn rows_named(&mut self, node: &Node, rows: &[Row]) -> Vec<usize> {
+        let list = if node.text().is_some() {
+            std::slice::from_ref(node)
+        } else {
+            self.problems.list(node).unwrap_or_default()
+        };
+        let mut named = Vec::new();
+        for node in list {
+            let Some(number) = self.problems.scalar::<u32>(node) else { continue };
+            match rows.iter().position(|row| row.number == number) {
+                Some(at) => named.push(at),
+                None => {
+                    let known: Vec<String> = rows.iter().map(|row| row.number.to_string()).collect();
+                    let message = format!("the route has no row {number}");
+                    let help = format!("its rows are {}", known.join(", "));
+                    self.problems.error_help::<()>("unknown-row", message, &node.place, help);
+                }
+            }
+        }
+        named
+    }
+}
+
+/// The number of a tool: `T2`, `Т2`, `2`.
+pub(super) fn number_of_tool(text: &str) -> Option<u32> {
+    text.strip_prefix(['T', 'Т']).unwrap_or(text).parse().ok().filter(|number| *number > 0)
+}

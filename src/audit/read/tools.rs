@@ -1,0 +1,76 @@
+//! Tools and holders.
+
+use crate::knowledge::yaml::{Node, NodeKind};
+
+use super::Reader;
+use super::rows::number_of_tool;
+use crate::audit::keys::{HOLDER, TOOL};
+use crate::audit::stated::{Said, Tool};
+
+impl Reader<'_> {
+    /// Tools by their places: `T1: {…}`.
+    pub(super) fn tools(&mut self, node: &Node) -> Vec<Tool> {
+        let NodeKind::Map(entries) = &node.kind else {
+            let message = format!("a mapping is expected here, not {}", node.kind_name());
+            let help = "name the tools by their places: `T1: {designation: …}`";
+            let _ = self.problems.error_help::<()>("bad-value", message, &node.place, help);
+            return Vec::new();
+        };
+        let mut tools: Vec<Tool> = Vec::new();
+        for (key, node) in entries {
+            let Some(number) = number_of_tool(&key.text) else {
+                let message = format!("`{}` is no tool", key.text);
+                let help = "name it by its place: T1, T2, …";
+                let _ = self.problems.error_help::<()>("bad-value", message, &key.place, help);
+                continue;
+            };
+            let Some(tool) = self.tool(node, number) else { continue };
+            if tools.iter().any(|known| known.number == number) {
+                let message = format!("the tool T{number} stands twice");
+                let help = "give each tool its own place";
+                let _ = self.problems.error_help::<()>("duplicate-tool", message, &key.place, help);
+            }
+            tools.push(tool);
+        }
+        tools
+    }
+
+    fn tool(&mut self, node: &Node, number: u32) -> Option<Tool> {
+        let mut fields = self.problems.map(node)?;
+        let designation = self.text_of(&mut fields, "designation");
+        let standard = self.text_of(&mut fields, "standard");
+        let table = self.text_of(&mut fields, "table");
+        let shank = fields.take("shank").and_then(|node| {
+            let names = ["cylindrical", "morse", "shell", "taper"].map(|name| (name, name));
+            let value = self.choice(node, &names)?.to_owned();
+            Some(Said { value, place: node.place.clone() })
+        });
+        let correction_word = fields.take("with").and_then(|node| {
+            let value = self.choice(node, &[("G43", "G43"), ("G44", "G44")])?.to_owned();
+            Some(Said { value, place: node.place.clone() })
+        });
+        let holder_node = fields.take("holder");
+        let keys: Vec<&str> = TOOL.iter().copied().filter(|key| *key != "holder").collect();
+        let mut figures = self.figures(&mut fields, &keys);
+        fields.finish(TOOL, &mut self.problems);
+        let (mut holder, mut holder_standard) = (None, None);
+        if let Some(mut fields) = holder_node.and_then(|node| self.problems.map(node)) {
+            holder = self.text_of(&mut fields, "designation");
+            holder_standard = self.text_of(&mut fields, "standard");
+            figures.extend(self.figures_under("holder.", &mut fields, HOLDER));
+            fields.finish(HOLDER, &mut self.problems);
+        }
+        Some(Tool {
+            number,
+            place: node.place.clone(),
+            designation,
+            standard,
+            table,
+            shank,
+            holder,
+            holder_standard,
+            correction_word,
+            figures,
+        })
+    }
+}

@@ -1,0 +1,77 @@
+//! Clamping: from the cut to the torque, the force, and its division over the clamps.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::units::Unit;
+use crate::note::{Because, Note, Severity};
+
+use super::super::context::Context;
+use super::super::graph::{Graph, Rule};
+use super::super::quantity::{Id, Quantity as Q, Scope};
+use super::{formula, given, same};
+
+const POWER: Rule = Rule { id: "clamping-power", formula: "N", source: "textbook, Appendix Г items 7 and 8" };
+const RPM: Rule = Rule { id: "clamping-rpm", formula: "nпр", source: "textbook, Appendix Г items 7 and 8" };
+const TORQUE: Rule = Rule { id: "torque-of-power", formula: "M = 9750·N/n", source: "textbook, Appendix Г item 8" };
+const LARGEST: Rule = Rule { id: "largest-torque", formula: "M", source: "textbook 5.2 item 7: the largest torque" };
+const CONSTANT: Rule = Rule { id: "clamping-constant", formula: "", source: "textbook 5.2 item 7 (l. 4675-4677)" };
+const DISTANCE: Rule = Rule { id: "distance-to-clamp", formula: "d", source: "textbook 5.2 item 7" };
+const FORCE: Rule = Rule { id: "clamping-force", formula: "W = k·M/(f·d)", source: "textbook 5.2 item 7" };
+const CLAMPS: Rule = Rule { id: "two-clamps", formula: "zп", source: "textbook 5.2 item 7 (l. 4653-4654)" };
+const EACH: Rule = Rule { id: "force-per-clamp", formula: "Q = W/zп", source: "textbook 5.2 item 7 (l. 4680-4686)" };
+
+pub(super) const RULES: &[Rule] = &[POWER, RPM, TORQUE, LARGEST, CONSTANT, DISTANCE, FORCE, CLAMPS, EACH];
+
+pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), KnowledgeError> {
+    let stated = context.stated;
+    let Some(clamping) = &stated.clamping else { return Ok(()) };
+    let id = |quantity| Id::new(Scope::Clamping, quantity);
+    if let Some(at) = clamping.row.as_ref().and_then(|row| stated.conditions_of(row.value)) {
+        graph.add(same(&POWER, id(Q::Power), Id::new(Scope::Conditions(at), Q::Power)));
+        graph.add(same(&RPM, id(Q::Rpm), Id::new(Scope::Conditions(at), Q::Rpm)));
+        let torque = |values: &[f64]| Some(9750.0 * values.first()? / values.get(1)?);
+        graph.add(formula(&TORQUE, id(Q::Torque), vec![id(Q::Power), id(Q::Rpm)], "9750·{0}/{1}", torque));
+    }
+    if let Some(hole) = &clamping.hole {
+        let of_hole = stated.rows_of_hole(&hole.value).filter_map(|(row, _)| stated.conditions_of(row));
+        let torques: Vec<Id> = of_hole
+            .map(|at| Id::new(Scope::Conditions(at), Q::Torque))
+            .filter(|torque| stated.figure(*torque).is_some())
+            .collect();
+        let marks: Vec<String> = (0..torques.len()).map(|at| format!("{{{at}}}")).collect();
+        let largest = |values: &[f64]| values.iter().copied().reduce(f64::max);
+        graph.add(formula(&LARGEST, id(Q::Torque), torques, &format!("max({})", marks.join("; ")), largest));
+        let group = stated.part.holes.iter().find(|known| known.name == hole.value);
+        let nearest = group
+            .into_iter()
+            .flat_map(|hole| &hole.at)
+            .filter_map(|point| clamping.at.iter().map(|clamp| clamp.distance(*point)).min());
+        if let Some(distance) = nearest.filter(|distance| distance.micrometres() > 0).min() {
+            graph.add(given(&DISTANCE, id(Q::Distance), distance.to_mm(), []));
+        }
+    }
+    let table = context.shop.knowledge.table("clamping")?;
+    for (name, quantity) in [("safety", Q::Safety), ("friction", Q::Friction), ("clamps", Q::Clamps)] {
+        let row = table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
+        let value = row.number_in("maximum", Unit::None)?;
+        let because = Because::row(row, Note::new(name).with("value", value));
+        if quantity != Q::Clamps {
+            graph.add(given(&CONSTANT, id(quantity), value, [because]));
+            continue;
+        }
+        let mut two = given(&CLAMPS, id(quantity), value, [because]);
+        two.judge = Some(Box::new(move |stated, _| {
+            let note = Note::new("audit-clamps").with("needed", value);
+            (stated < value).then_some((Severity::Doubtful, note))
+        }));
+        graph.add(two);
+    }
+    let inputs = vec![id(Q::Safety), id(Q::Torque), id(Q::Friction), id(Q::Distance)];
+    let force = |values: &[f64]| {
+        let [k, torque, f, distance] = values else { return None };
+        Some(k * torque / (f * distance / 1000.0))
+    };
+    graph.add(formula(&FORCE, id(Q::ClampForce), inputs, "{0}·{1}/({2}·{3}/1000)", force));
+    let each = |values: &[f64]| Some(values.first()? / values.get(1)?.max(1.0));
+    graph.add(formula(&EACH, id(Q::ForcePerClamp), vec![id(Q::ClampForce), id(Q::Clamps)], "{0}/{1}", each));
+    Ok(())
+}

@@ -1,0 +1,251 @@
+//! Cutting conditions: from card and factors to feed, speed, spindle step, force, power, torque and time.
+
+use crate::cutting;
+use crate::error::KnowledgeError;
+use crate::knowledge::Input;
+use crate::knowledge::units::Unit;
+use crate::note::{Because, Note, Severity};
+use crate::plan::Operation;
+use crate::units::{Decimal, RevsPerMinute, round_to};
+
+use super::super::context::Context;
+use super::super::graph::{Constant, Graph, Judged, Rule};
+use super::super::quantity::{Id, Quantity as Q, Scope};
+use super::{formula, given, same};
+
+const DEPTH: Rule =
+    Rule { id: "depth-of-cut", formula: "t = (D − D0)/2", source: "textbook 1.2; Appendix Г item 7" };
+const FEED: Rule = Rule { id: "feed", formula: "S = Sт·Ks", source: "textbook, Appendix Г item 7 (l. 10102)" };
+const TAKEN: Rule = Rule { id: "feed-taken", formula: "S", source: "textbook, Appendix Г item 7 (l. 10102)" };
+const SPEED: Rule =
+    Rule { id: "speed", formula: "V = Vт·ΠKv", source: "textbook, Appendix Г item 7 (l. 10104-10106)" };
+const COMPUTED: Rule =
+    Rule { id: "rpm-computed", formula: "n = 1000·V/(π·D)", source: "textbook, Appendix Г item 7 (l. 10112)" };
+const STEP: Rule = Rule { id: "spindle-step", formula: "nпр", source: "the machine's series, rule spindle-step" };
+const AT_STEP: Rule =
+    Rule { id: "speed-taken", formula: "Vд = π·D·n/1000", source: "textbook, Appendix Г item 7" };
+const MINUTE: Rule = Rule { id: "minute-feed", formula: "Sхв = S·n", source: "textbook 1.4" };
+const FORCE: Rule = Rule { id: "force", formula: "P = Pт/Kp", source: "textbook, Appendix Г item 7 (l. 10108)" };
+const POWER: Rule = Rule { id: "power", formula: "N = Nт/KN", source: "textbook, Appendix Г item 7 (l. 10110)" };
+const POWER_OF: Rule = Rule { id: "power-of-torque", formula: "N = M·n/9750", source: "textbook, Appendix Г item 8" };
+const TORQUE: Rule = Rule { id: "torque-of-power", formula: "M = 9750·N/n", source: "textbook, Appendix Г item 8" };
+const TIME: Rule = Rule { id: "machine-time", formula: "Tм = L·i/Sхв", source: "textbook 1.4" };
+const BY_TABLES: Rule =
+    Rule { id: "by-tables", formula: "", source: "the cutting tables, as `technolog plan` reads them" };
+
+pub(super) const RULES: &[Rule] =
+    &[DEPTH, FEED, TAKEN, SPEED, COMPUTED, STEP, AT_STEP, MINUTE, FORCE, POWER, POWER_OF, TORQUE, TIME, BY_TABLES];
+
+const PI: Id = Id::new(Scope::Constant, Q::Pi);
+
+pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), KnowledgeError> {
+    let constants = context.shop.knowledge.table("audit-constants")?;
+    let rows: Vec<_> = constants.all_rows().filter(|row| row.text("name") == Ok("pi")).collect();
+    let values = rows.iter().map(|row| row.number_in("value", Unit::None)).collect::<Result<Vec<f64>, _>>()?;
+    graph.constant(PI, Constant { values, because: Vec::new() });
+    for at in 0..context.stated.conditions.len() {
+        one(context, graph, at)?;
+    }
+    Ok(())
+}
+
+fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result<(), KnowledgeError> {
+    let conditions = &context.stated.conditions[at];
+    let Some(first) = conditions.rows.first().copied() else { return Ok(()) };
+    let row = &context.stated.rows[first];
+    let operation = row.operation.value;
+    let id = |quantity| Id::new(Scope::Conditions(at), quantity);
+    let of_row = |quantity| Id::new(Scope::Row(first), quantity);
+    let has = |id: Id| context.stated.figure(id).is_some();
+
+    let axial = !conditions.rounds && !matches!(operation, Operation::Mill | Operation::Tap);
+    if axial {
+        depth_of_cut(context, graph, at, first, operation);
+    }
+    by_factors(context, graph, at, (Q::CardFeed, Q::FactorFeed, Q::Feed), &FEED, false);
+    by_factors(context, graph, at, (Q::CardSpeed, Q::FactorSpeed, Q::Speed), &SPEED, false);
+    by_factors(context, graph, at, (Q::CardForce, Q::FactorForce, Q::Force), &FORCE, true);
+    by_factors(context, graph, at, (Q::CardPower, Q::FactorPower, Q::Power), &POWER, true);
+    graph.add(same(&TAKEN, id(Q::FeedTaken), id(Q::Feed)));
+    if !conditions.rounds && operation != Operation::Mill {
+        let inputs = vec![id(Q::Speed), PI, id(Q::Diameter)];
+        let rpm = |values: &[f64]| Some(1000.0 * values.first()? / (values.get(1)? * values.get(2)?));
+        graph.add(formula(&COMPUTED, id(Q::RpmComputed), inputs, "1000·{0}/({1}·{2})", rpm));
+        let inputs = vec![PI, id(Q::Diameter), id(Q::Rpm)];
+        let speed = |values: &[f64]| Some(values.iter().product::<f64>() / 1000.0);
+        graph.add(formula(&AT_STEP, id(Q::SpeedTaken), inputs, "{0}·{1}·{2}/1000", speed));
+    }
+    spindle(context, graph, at)?;
+    let feed = if has(id(Q::FeedTaken)) { id(Q::FeedTaken) } else { id(Q::Feed) };
+    let product = |values: &[f64]| Some(values.iter().product::<f64>());
+    graph.add(formula(&MINUTE, id(Q::MinuteFeed), vec![feed, id(Q::Rpm)], "{0}·{1}", product));
+    let turning = |values: &[f64]| Some(values.first()? * values.get(1)? / 9750.0);
+    if has(id(Q::Torque)) {
+        graph.add(formula(&POWER_OF, id(Q::Power), vec![id(Q::Torque), id(Q::Rpm)], "{0}·{1}/9750", turning));
+    }
+    if !has(id(Q::Torque)) || has(id(Q::CardPower)) {
+        let torque = |values: &[f64]| Some(9750.0 * values.first()? / values.get(1)?);
+        graph.add(formula(&TORQUE, id(Q::Torque), vec![id(Q::Power), id(Q::Rpm)], "9750·{0}/{1}", torque));
+    }
+    // A tap goes back at its feed.
+    if axial {
+        let passes = has(of_row(Q::Passes));
+        let mut inputs = vec![id(Q::Travel), id(Q::MinuteFeed)];
+        inputs.extend(passes.then_some(of_row(Q::Passes)));
+        let numbers = if passes { "{0}·{2}/{1}" } else { "{0}/{1}" };
+        let time = |values: &[f64]| Some(values.first()? * values.get(2).copied().unwrap_or(1.0) / values.get(1)?);
+        graph.add(formula(&TIME, id(Q::Time), inputs, numbers, time));
+    }
+    reference(context, graph, at, first);
+    Ok(())
+}
+
+/// t = (D − D0)/2, of one pass; for centring D/2.
+fn depth_of_cut<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize, first: usize, operation: Operation) {
+    let id = |quantity| Id::new(Scope::Conditions(at), quantity);
+    let of_row = |quantity| Id::new(Scope::Row(first), quantity);
+    let mut inputs = vec![id(Q::Diameter)];
+    let mut numbers = "{0}/2".to_owned();
+    if operation != Operation::CentreDrill {
+        inputs.push(of_row(Q::From));
+        numbers = "({0}−{1})/2".to_owned();
+    }
+    if context.stated.figure(of_row(Q::Passes)).is_some() {
+        numbers.push_str(&format!("/{{{}}}", inputs.len()));
+        inputs.push(of_row(Q::Passes));
+    }
+    let centring = operation == Operation::CentreDrill;
+    let depth = move |values: &[f64]| {
+        let (from, passes) = if centring { (0.0, values.get(1)) } else { (*values.get(1)?, values.get(2)) };
+        Some((values.first()? - from) / 2.0 / passes.copied().unwrap_or(1.0).max(1.0))
+    };
+    graph.add(formula(&DEPTH, id(Q::DepthOfCut), inputs, &numbers, depth));
+}
+
+/// A figure of the card times its factors, or divided by them. A factor that is only named has the value that other
+/// conditions of the same plan give it.
+fn by_factors<'a>(
+    context: &'a Context<'a>,
+    graph: &mut Graph<'a>,
+    at: usize,
+    (card, factor, output): (Q, Q, Q),
+    rule: &'static Rule,
+    divides: bool,
+) {
+    let stated = context.stated;
+    let id = |quantity| Id::new(Scope::Conditions(at), quantity);
+    let none = Vec::new();
+    let factors = stated.conditions[at].factors.get(&factor).unwrap_or(&none);
+    let mut inputs = vec![id(card)];
+    let mut numbers = "{0}".to_owned();
+    for (index, own) in factors.iter().enumerate() {
+        let mut input = Id { index, ..id(factor) };
+        if own.value.is_none() {
+            let Some(elsewhere) = context.same_factor(at, factor, &own.name.value) else { return };
+            input = elsewhere;
+        }
+        numbers.push_str(&format!("{}{{{}}}", if divides { "/" } else { "·" }, inputs.len()));
+        inputs.push(input);
+    }
+    let compute = move |values: &[f64]| {
+        let product: f64 = values.get(1..)?.iter().product();
+        let card = *values.first()?;
+        Some(if divides { card / product } else { card * product })
+    };
+    graph.add(formula(rule, id(output), inputs, &numbers, compute));
+}
+
+/// The spindle step: a step of the machine's series, by the rule `spindle-step`; another step is judged by the rule
+/// `audit-spindle`.
+fn spindle<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result<(), KnowledgeError> {
+    let conditions = &context.stated.conditions[at];
+    let id = |quantity| Id::new(Scope::Conditions(at), quantity);
+    let shop = &context.shop;
+    // What something else than the cutting speed held back has no step of its own.
+    if conditions.limited_by.as_deref().is_some_and(|limit| limit != "cutting-speed") || conditions.rounds {
+        return Ok(());
+    }
+    if context.stated.rows[conditions.rows[0]].operation.value == Operation::Tap {
+        return Ok(());
+    }
+    let step = move |values: &[f64]| {
+        let computed = RevsPerMinute(*values.first()?);
+        cutting::spindle_step(computed, shop).ok().map(|(step, ..)| step.0)
+    };
+    let series = shop.machine.row("spindle-speeds")?;
+    let mut own = formula(&STEP, id(Q::Rpm), vec![id(Q::RpmComputed)], "", step);
+    own.because.push(Because::row(series, Note::new("audit-series")));
+    own.because.push(Because::table(shop.knowledge.table("spindle-step")?, Note::new("audit-step-rule")));
+    own.judge = Some(Box::new(move |value, values| judge_step(context, value, *values.first()?)));
+    graph.add(own);
+    Ok(())
+}
+
+fn judge_step(context: &Context<'_>, value: f64, computed: f64) -> Judged {
+    let shop = &context.shop;
+    let (right, ..) = cutting::spindle_step(RevsPerMinute(computed), shop).ok()?;
+    if (right.0 - value).abs() < 1e-6 {
+        return None;
+    }
+    let steps = &shop.machine.spindle_steps;
+    let note = |code: &str| {
+        let excess = round_to((value / computed - 1.0) * 100.0, 1);
+        Note::new(code).with("excess", excess).with("computed", round_to(computed, 1)).with("step", right.0)
+    };
+    if !steps.iter().any(|step| (step.0 - value).abs() < 1e-6) {
+        let below = steps.iter().rev().find(|step| step.0 < value);
+        let above = steps.iter().find(|step| step.0 > value);
+        let show = |step: Option<&RevsPerMinute>| step.map_or_else(|| "-".to_owned(), |step| step.0.to_string());
+        let note = note("audit-no-step").with("below", show(below)).with("above", show(above));
+        return Some((Severity::Wrong, note));
+    }
+    let excess = Decimal::from_f64_rounded((value / computed - 1.0) * 100.0);
+    let rule = shop.knowledge.table("audit-spindle").ok()?;
+    let answer = rule.decide(&[("excess", Input::Number(excess, Unit::Percent))]).ok()?;
+    let severity = match answer.winner()?.text("severity").ok()? {
+        "doubtful" => Severity::Doubtful,
+        _ => Severity::Wrong,
+    };
+    Some((severity, note(if value > computed { "audit-step-fast" } else { "audit-step-slow" })))
+}
+
+/// What `technolog plan` reads from the tables for the same transition: the last resort for figures that nothing else
+/// computes. A plan of ours must have them; of another plan only what it leaves out is taken.
+fn reference<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize, first: usize) {
+    let Some(reference) = context.reference(first) else { return };
+    let own = &reference.conditions;
+    let id = |quantity| Id::new(Scope::Conditions(at), quantity);
+    let because = || own.because.iter().take(2).cloned();
+    let spot = reference.operation == Operation::CentreDrill;
+    if spot {
+        let why = reference.because.iter().filter(|why| why.table == "centre-spot").cloned();
+        graph.add(given(&BY_TABLES, Id::new(Scope::Row(first), Q::Diameter), reference.diameter_mm.to_mm(), why));
+    }
+    if !context.stated.own {
+        return;
+    }
+    // What the route gives no formula for.
+    for (quantity, value) in [
+        (Q::Diameter, reference.diameter_mm.to_mm()),
+        (Q::Depth, reference.depth_mm.to_mm()),
+        (Q::Passes, f64::from(reference.passes)),
+    ] {
+        graph.add(given(&BY_TABLES, Id::new(Scope::Row(first), quantity), value, because()));
+    }
+    let figures = [
+        (Q::DepthOfCut, Some(own.depth_of_cut_mm)),
+        (Q::Feed, Some(own.feed_mm_per_rev.0)),
+        (Q::Speed, Some(own.computed_speed_m_per_min.0)),
+        (Q::Rpm, Some(own.spindle_rpm.0)),
+        (Q::SpeedTaken, Some(own.speed_m_per_min.0)),
+        (Q::Force, own.axial_force_n.map(|force| force.0)),
+        (Q::Torque, own.torque_n_m.map(|torque| torque.0)),
+        (Q::Travel, Some(reference.travel_mm.to_mm())),
+        (Q::Time, Some(own.machine_time_min.0)),
+    ];
+    for (quantity, value) in figures {
+        if let Some(value) = value {
+            graph.add(given(&BY_TABLES, id(quantity), value, because()));
+        }
+    }
+}

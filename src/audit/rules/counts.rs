@@ -1,0 +1,82 @@
+//! Counts, diameters and depths of the route against the drawing and against each other.
+
+use crate::error::KnowledgeError;
+use crate::plan::{Feature, Operation};
+
+use super::super::context::Context;
+use super::super::graph::{Graph, Rule};
+use super::super::quantity::{Id, Quantity as Q, Scope};
+use super::{formula, given, same};
+
+const COUNT: Rule = Rule { id: "holes-of-group", formula: "z", source: "the drawing" };
+const COUNT_OF_CONDITIONS: Rule =
+    Rule { id: "holes-of-rows", formula: "z = Σz", source: "textbook, Appendix Г items 4 and 7" };
+const FROM: Rule =
+    Rule { id: "diameter-before", formula: "D0", source: "textbook 1.2: what the transition before leaves" };
+const DIAMETER: Rule = Rule { id: "diameter-of-tool", formula: "D", source: "a drill leaves its own diameter" };
+const PASS_DIAMETER: Rule = Rule { id: "diameter-of-row", formula: "D", source: "textbook, Appendix Г item 7" };
+const DEPTH: Rule = Rule { id: "depth-of-hole", formula: "l", source: "the drawing" };
+
+pub(super) const RULES: &[Rule] = &[COUNT, COUNT_OF_CONDITIONS, FROM, DIAMETER, PASS_DIAMETER, DEPTH];
+
+pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), KnowledgeError> {
+    let stated = context.stated;
+    for (at, row) in stated.rows.iter().enumerate() {
+        let scope = Scope::Row(at);
+        let Some(hole) = context.hole(row) else { continue };
+        graph.add(given(&COUNT, Id::new(scope, Q::Count), hole.at.len() as f64, []));
+        let axial = matches!(row.operation.value, Operation::Drill | Operation::DrillOut);
+        if let Some(tool) = stated.tool_of(row).filter(|_| axial && !row.elsewhere) {
+            graph.add(same(&DIAMETER, Id::new(scope, Q::Diameter), Id::new(Scope::Tool(tool), Q::Diameter)));
+        }
+        let main = row.feature.is_none_or(|feature| feature == Feature::Bore) && row.step.is_none();
+        let opens = !matches!(
+            row.operation.value,
+            Operation::CentreDrill | Operation::Chamfer | Operation::Countersink | Operation::Counterbore
+        );
+        if !main || !opens {
+            continue;
+        }
+        let before = stated.rows_of_hole(&hole.name).take_while(|(other, _)| *other < at);
+        let before = before
+            .filter(|(_, other)| {
+                other.feature.is_none_or(|feature| feature == Feature::Bore)
+                    && other.step.is_none()
+                    && !matches!(
+                        other.operation.value,
+                        Operation::CentreDrill | Operation::Chamfer | Operation::Countersink | Operation::Counterbore
+                    )
+            })
+            .last();
+        let output = Id::new(scope, Q::From);
+        match before {
+            Some((before, _)) => graph.add(same(&FROM, output, Id::new(Scope::Row(before), Q::Diameter))),
+            None if row.operation.value != Operation::Tap => {
+                let start = hole.state.diameter().unwrap_or_default();
+                graph.add(given(&FROM, output, start.to_mm(), []));
+            }
+            None => {}
+        }
+        let plain = hole.steps.is_empty() && hole.thread.is_none() && hole.cone.is_none();
+        if axial && plain {
+            graph.add(given(&DEPTH, Id::new(scope, Q::Depth), hole.depth.to_mm(), []));
+        }
+    }
+    for (at, conditions) in stated.conditions.iter().enumerate() {
+        let scope = Scope::Conditions(at);
+        let counts: Vec<Id> = conditions.rows.iter().map(|row| Id::new(Scope::Row(*row), Q::Count)).collect();
+        if let Some(first) = conditions.rows.first() {
+            let marks: Vec<String> = (0..counts.len()).map(|at| format!("{{{at}}}")).collect();
+            let sum = formula(&COUNT_OF_CONDITIONS, Id::new(scope, Q::Count), counts, &marks.join("+"), |values| {
+                Some(values.iter().sum())
+            });
+            graph.add(sum);
+            let stepped = stated.own && conditions.figures.contains_key(&Q::Diameter);
+            if stepped {
+                continue;
+            }
+            graph.add(same(&PASS_DIAMETER, Id::new(scope, Q::Diameter), Id::new(Scope::Row(*first), Q::Diameter)));
+        }
+    }
+    Ok(())
+}

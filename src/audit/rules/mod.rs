@@ -1,0 +1,67 @@
+//! The formulas that the figures of a plan obey: one file per family, each rule with its source.
+//!
+//! A rule is a constant beside the function that applies it: id, formula, source. It computes one figure from others of
+//! the plan and takes part in the graph; it never asks what is stated.
+
+mod clamping;
+mod conditions;
+mod counts;
+mod times;
+pub(super) mod tools;
+
+use crate::error::KnowledgeError;
+use crate::note::Because;
+
+use super::context::Context;
+use super::graph::{Formula, Graph, Rule};
+use super::quantity::Id;
+
+/// Adds the formulas of a family to the graph.
+type Family = for<'a> fn(&'a Context<'a>, &mut Graph<'a>) -> Result<(), KnowledgeError>;
+
+/// Every family, in the order of a report.
+const FAMILIES: &[Family] = &[counts::add, tools::add, conditions::add, clamping::add, times::add];
+
+/// Every rule.
+pub fn all() -> impl Iterator<Item = &'static Rule> {
+    [counts::RULES, tools::RULES, conditions::RULES, clamping::RULES, times::RULES].into_iter().flatten()
+}
+
+/// Adds every formula to the graph.
+///
+/// # Errors
+/// The knowledge cannot answer.
+pub fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), KnowledgeError> {
+    FAMILIES.iter().try_for_each(|family| family(context, graph))
+}
+
+/// A formula without choice and rows; `numbers` has `{0}` … for the inputs.
+fn formula<'a>(
+    rule: &'static Rule,
+    output: Id,
+    inputs: Vec<Id>,
+    numbers: &str,
+    compute: impl Fn(&[f64]) -> Option<f64> + 'a,
+) -> Formula<'a> {
+    Formula {
+        rule,
+        output,
+        inputs,
+        numbers: numbers.to_owned(),
+        compute: Box::new(compute),
+        judge: None,
+        because: Vec::new(),
+    }
+}
+
+/// Two figures that must be the same.
+fn same<'a>(rule: &'static Rule, output: Id, input: Id) -> Formula<'a> {
+    formula(rule, output, vec![input], "{0}", |values| values.first().copied())
+}
+
+/// A figure that a row of a table or of the drawing gives.
+fn given<'a>(rule: &'static Rule, output: Id, value: f64, because: impl IntoIterator<Item = Because>) -> Formula<'a> {
+    let mut formula = formula(rule, output, Vec::new(), "", move |_| Some(value));
+    formula.because.extend(because);
+    formula
+}

@@ -1,0 +1,47 @@
+//! Times of the whole part.
+
+use crate::error::KnowledgeError;
+use crate::note::{Because, Note};
+
+use super::super::context::Context;
+use super::super::graph::{Graph, Rule};
+use super::super::quantity::{Id, Quantity as Q, Scope};
+use super::{formula, given};
+
+const MACHINE: Rule = Rule { id: "machine-time-of-part", formula: "ΣTм = Σz·Tм", source: "textbook 1.4" };
+const CHANGE: Rule = Rule { id: "tool-change-time", formula: "Tзм = m·tзм", source: "the machine's record" };
+const RAPID: Rule =
+    Rule { id: "rapid-time", formula: "Tх", source: "textbook 1.3.1, as `technolog order` computes it" };
+const TOTAL: Rule = Rule { id: "total-time", formula: "T = ΣTм + Tх + Tзм", source: "textbook 1.3.1" };
+
+pub(super) const RULES: &[Rule] = &[MACHINE, CHANGE, RAPID, TOTAL];
+
+pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), KnowledgeError> {
+    let stated = context.stated;
+    let id = |quantity| Id::new(Scope::Times, quantity);
+    let mut inputs = Vec::new();
+    let mut marks = Vec::new();
+    for (at, row) in stated.rows.iter().enumerate().filter(|(_, row)| !row.elsewhere) {
+        let Some(conditions) = stated.conditions_of(at) else { continue };
+        marks.push(format!("{{{}}}·{{{}}}", inputs.len(), inputs.len() + 1));
+        inputs.push(Id::new(Scope::Row(at), Q::Count));
+        inputs.push(Id::new(Scope::Conditions(conditions), Q::Time));
+        let _ = row;
+    }
+    if !inputs.is_empty() {
+        let sum = |values: &[f64]| Some(values.chunks(2).map(|pair| pair.iter().product::<f64>()).sum());
+        graph.add(formula(&MACHINE, id(Q::MachineTime), inputs, &marks.join("+"), sum));
+    }
+    let changes = context.changes().len();
+    if changes > 0 {
+        let change = context.shop.machine.tool_change.0;
+        let because = Because::row(context.shop.machine.row("tool-change-time")?, Note::new("audit-tool-change"));
+        graph.add(given(&CHANGE, id(Q::ChangeTime), changes as f64 * change, [because]));
+    }
+    if stated.own {
+        graph.add(given(&RAPID, id(Q::RapidTime), context.plan.time.rapid_min.0, []));
+    }
+    let inputs = vec![id(Q::MachineTime), id(Q::RapidTime), id(Q::ChangeTime)];
+    graph.add(formula(&TOTAL, id(Q::TotalTime), inputs, "{0}+{1}+{2}", |values| Some(values.iter().sum())));
+    Ok(())
+}

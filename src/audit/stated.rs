@@ -1,0 +1,232 @@
+//! A plan as somebody states it: what is written, as it is printed and where, and nothing that is not.
+
+use std::collections::BTreeMap;
+
+use crate::knowledge::diagnostic::Place;
+use crate::knowledge::yaml::Node;
+use crate::part::Part;
+use crate::plan::{CuttingMethod, Feature, Operation};
+
+use super::quantity::{Id, Quantity, Scope};
+
+/// Something written, with its place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Said<T> {
+    /// What it means.
+    pub value: T,
+    /// Where it stands.
+    pub place: Place,
+}
+
+/// A text as written.
+pub type Text = Said<String>;
+
+/// A number as written.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Figure {
+    /// Its value, in the unit of its quantity.
+    pub value: f64,
+    /// As it is printed.
+    pub text: String,
+    /// What its last place is worth: 0.01 for `26.52`.
+    pub last_place: f64,
+    /// Where it stands.
+    pub place: Place,
+}
+
+/// The figures of one part of a plan.
+pub type Figures = BTreeMap<Quantity, Figure>;
+
+/// A plan as stated.
+#[derive(Clone, Debug)]
+pub struct Stated {
+    /// Its name.
+    pub name: String,
+    /// The file as the user knows it.
+    pub file: String,
+    /// The part it is for.
+    pub part: Part,
+    /// By what its conditions were found: whose feeds and speeds ours are compared with.
+    pub method: CuttingMethod,
+    /// Whether it was written by `technolog plan`: its figures are rounded as that rounds, and its route is listed
+    /// hole by hole.
+    pub own: bool,
+    /// The file of a plan of ours, as a tree with places.
+    pub tree: Option<Node>,
+    /// The route, in the order of work.
+    pub rows: Vec<Row>,
+    /// The tools, in the order of the file.
+    pub tools: Vec<Tool>,
+    /// Conditions, each for one or more rows.
+    pub conditions: Vec<Conditions>,
+    /// How the part is clamped.
+    pub clamping: Option<Clamping>,
+    /// The program that carries it out.
+    pub program: Option<Program>,
+    /// Where the time goes.
+    pub times: Figures,
+    /// The numbers of the tools in the order of their changes, where the plan states it apart from the rows.
+    pub changes: Option<Vec<u32>>,
+}
+
+/// A row of the route: one transition of one group of holes.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// Its number in the plan.
+    pub number: u32,
+    /// Where it stands.
+    pub place: Place,
+    /// What is done.
+    pub operation: Said<Operation>,
+    /// The group of holes.
+    pub hole: Option<Text>,
+    /// What of the hole it makes, where the plan says so.
+    pub feature: Option<Feature>,
+    /// The step of a stepped hole.
+    pub step: Option<usize>,
+    /// Whether it is done on another machine.
+    pub elsewhere: bool,
+    /// The number of its tool.
+    pub tool: Option<Said<u32>>,
+    /// The scheme it belongs to.
+    pub scheme: Option<Text>,
+    /// The table of the scheme.
+    pub table: Option<Text>,
+    /// Count, diameter, diameter before, depth, passes.
+    pub figures: Figures,
+}
+
+/// A tool with its holder.
+#[derive(Clone, Debug)]
+pub struct Tool {
+    /// Its number: T1 is 1.
+    pub number: u32,
+    /// Where it stands.
+    pub place: Place,
+    /// The cutter.
+    pub designation: Option<Text>,
+    /// The standard it is said to be of.
+    pub standard: Option<Text>,
+    /// Its table, where the plan names it.
+    pub table: Option<Text>,
+    /// How it is held: `cylindrical`, `morse`, `shell`, `taper`.
+    pub shank: Option<Text>,
+    /// The holder.
+    pub holder: Option<Text>,
+    /// The standard of the holder.
+    pub holder_standard: Option<Text>,
+    /// `G43` or `G44`: how the correction is called.
+    pub correction_word: Option<Text>,
+    /// Dimensions, lengths, corrections.
+    pub figures: Figures,
+}
+
+/// A factor by its name.
+#[derive(Clone, Debug)]
+pub struct Factor {
+    /// Its name, as in the table `card-corrections` or of the author's own.
+    pub name: Text,
+    /// Its value; absent where the plan only names it.
+    pub value: Option<Figure>,
+}
+
+/// Cutting conditions.
+#[derive(Clone, Debug)]
+pub struct Conditions {
+    /// Where they stand.
+    pub place: Place,
+    /// The rows they are for, by their places in the route.
+    pub rows: Vec<usize>,
+    /// What held them back, where the plan says so.
+    pub limited_by: Option<String>,
+    /// Circles of a mill: the simple formulas do not hold for them.
+    pub rounds: bool,
+    /// The factors of feed, speed, force and power.
+    pub factors: BTreeMap<Quantity, Vec<Factor>>,
+    /// Everything else.
+    pub figures: Figures,
+}
+
+/// The clamping.
+#[derive(Clone, Debug)]
+pub struct Clamping {
+    /// Where it stands.
+    pub place: Place,
+    /// The row whose torque it is computed for.
+    pub row: Option<Said<usize>>,
+    /// The group of holes, where the plan names it instead.
+    pub hole: Option<Text>,
+    /// The screw.
+    pub screw: Option<Text>,
+    /// The clamp's designation.
+    pub designation: Option<Text>,
+    /// Its standard.
+    pub standard: Option<Text>,
+    /// Where the clamps press, mm.
+    pub at: Vec<crate::part::Point>,
+    /// The figures.
+    pub figures: Figures,
+}
+
+/// The program of a plan.
+#[derive(Clone, Debug)]
+pub struct Program {
+    /// Its file, as the plan names it.
+    pub file: Text,
+    /// Its text.
+    pub text: String,
+    /// The control.
+    pub control: String,
+    /// The place of the control in the plan.
+    pub place: Place,
+    /// The setting: its name and text.
+    pub setting: Option<(String, String)>,
+}
+
+impl Stated {
+    /// A figure, where it is stated.
+    pub fn figure(&self, id: Id) -> Option<&Figure> {
+        let figures = match id.scope {
+            Scope::Constant => return None,
+            Scope::Row(at) => &self.rows.get(at)?.figures,
+            Scope::Tool(at) => &self.tools.get(at)?.figures,
+            Scope::Conditions(at) => {
+                let conditions = self.conditions.get(at)?;
+                if let Some(factors) = conditions.factors.get(&id.quantity) {
+                    return factors.get(id.index)?.value.as_ref();
+                }
+                &conditions.figures
+            }
+            Scope::Clamping => &self.clamping.as_ref()?.figures,
+            Scope::Times => &self.times,
+        };
+        figures.get(&id.quantity)
+    }
+
+    /// The place of a tool in the list, by its number.
+    pub fn tool_at(&self, number: u32) -> Option<usize> {
+        self.tools.iter().position(|tool| tool.number == number)
+    }
+
+    /// The tool of a row.
+    pub fn tool_of(&self, row: &Row) -> Option<usize> {
+        self.tool_at(row.tool.as_ref()?.value)
+    }
+
+    /// The conditions of a row.
+    pub fn conditions_of(&self, row: usize) -> Option<usize> {
+        self.conditions.iter().position(|conditions| conditions.rows.contains(&row))
+    }
+
+    /// The rows of a tool.
+    pub fn rows_of_tool(&self, number: u32) -> impl Iterator<Item = (usize, &Row)> {
+        let own = move |row: &&Row| row.tool.as_ref().is_some_and(|tool| tool.value == number);
+        self.rows.iter().enumerate().filter(move |(_, row)| own(row))
+    }
+
+    /// The rows of a group of holes in order.
+    pub fn rows_of_hole<'a>(&'a self, hole: &'a str) -> impl Iterator<Item = (usize, &'a Row)> {
+        let own = move |row: &&Row| row.hole.as_ref().is_some_and(|name| name.value == hole);
+        self.rows.iter().enumerate().filter(move |(_, row)| own(row))
+    }
+}

@@ -1,0 +1,78 @@
+//! What may be rounded how: the table `audit-tolerance`.
+
+use std::collections::BTreeMap;
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+use crate::knowledge::units::Unit;
+use crate::note::Severity;
+
+use super::quantity::Quantity;
+use super::stated::Figure;
+
+/// How far each quantity may differ from what it should be.
+#[derive(Clone, Debug, Default)]
+pub struct Tolerances(BTreeMap<Quantity, Tolerance>);
+
+/// A row of the table.
+#[derive(Clone, Copy, Debug)]
+struct Tolerance {
+    half_places: f64,
+    relative: f64,
+    own_places: i64,
+    rounded: bool,
+    severity: Severity,
+}
+
+impl Tolerances {
+    /// Reads the table.
+    ///
+    /// # Errors
+    /// It is missing, or lacks a quantity.
+    pub fn read(knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
+        let table = knowledge.table("audit-tolerance")?;
+        let mut read = BTreeMap::new();
+        for quantity in Quantity::ALL {
+            let row =
+                table.find("quantity", quantity.key()).ok_or_else(|| KnowledgeError::no_row(table, quantity.key()))?;
+            read.insert(
+                *quantity,
+                Tolerance {
+                    half_places: row.number_in("half_places", Unit::None)?,
+                    relative: row.number_in("relative", Unit::Percent)? / 100.0,
+                    own_places: row.int("own_places")?,
+                    rounded: row.flag("rounded"),
+                    severity: match row.text("severity")? {
+                        "error" => Severity::Error,
+                        "doubtful" => Severity::Doubtful,
+                        "note" => Severity::Note,
+                        _ => Severity::Wrong,
+                    },
+                },
+            );
+        }
+        Ok(Self(read))
+    }
+
+    /// How far a stated figure may be from a value, in the unit of its quantity.
+    pub fn of(&self, quantity: Quantity, stated: &Figure, value: f64) -> f64 {
+        let Some(own) = self.0.get(&quantity) else { return 0.0 };
+        // Binary fractions are not exact: a millionth of the value is no deviation.
+        own.half_places * stated.last_place / 2.0 + own.relative * value.abs() + 1e-9 * value.abs().max(1.0)
+    }
+
+    /// Whether a printed figure of this quantity may stand for a longer one.
+    pub fn rounded(&self, quantity: Quantity) -> bool {
+        self.0.get(&quantity).is_some_and(|own| own.rounded)
+    }
+
+    /// The decimal places to which `technolog plan` rounds it.
+    pub fn own_places(&self, quantity: Quantity) -> i64 {
+        self.0.get(&quantity).map_or(0, |own| own.own_places)
+    }
+
+    /// How grave a deviation is.
+    pub fn severity(&self, quantity: Quantity) -> Severity {
+        self.0.get(&quantity).map_or(Severity::Wrong, |own| own.severity)
+    }
+}

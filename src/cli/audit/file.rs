@@ -1,0 +1,84 @@
+//! Reading a plan file with the files it names.
+
+use std::borrow::Cow;
+use std::path::Path;
+
+use technolog::audit::marks::{Scheme, read_scheme};
+use technolog::audit::rules;
+use technolog::audit::stated::Stated;
+use technolog::audit::{Auditor, Unreadable, read_if_plan, read_plan};
+use technolog::knowledge::Diagnostic;
+use technolog::knowledge::yaml::text_of;
+use technolog::report::sentences::codes;
+
+use super::super::diagnostics::Texts;
+use super::super::{CliError, Context, words};
+
+/// A plan.
+///
+/// # Errors
+/// Every mistake of the file.
+pub fn read(path: &Path, auditor: &Auditor<'_>, context: &Context) -> Result<Stated, CliError> {
+    let shown = path.display().to_string();
+    let text = content(path, &shown, context)?;
+    let stated = read_plan(&shown, &text, auditor.knowledge, &|name: &str| named(path, name));
+    stated.map_err(|unreadable| unusable(path, shown, text, unreadable))
+}
+
+/// A file of a folder: nothing where it is no plan.
+///
+/// # Errors
+/// Every mistake of the plan.
+pub fn read_any(path: &Path, auditor: &Auditor<'_>, context: &Context) -> Result<Option<Stated>, CliError> {
+    let shown = path.display().to_string();
+    let text = content(path, &shown, context)?;
+    let stated = read_if_plan(&shown, &text, auditor.knowledge, &|name: &str| named(path, name));
+    stated.map_err(|unreadable| unusable(path, shown, text, unreadable))
+}
+
+/// A marking scheme.
+///
+/// # Errors
+/// Every mistake of the file.
+pub fn scheme(path: &Path, context: &Context) -> Result<Scheme, CliError> {
+    let shown = path.display().to_string();
+    let text = content(path, &shown, context)?;
+    // A check is named by the code of its sentence.
+    let known: Vec<&str> = rules::all().map(|rule| rule.id).chain(codes()).collect();
+    read_scheme(&shown, &text, &known).map_err(|problems| {
+        let texts = Texts::default().with(&shown.clone(), shown, Cow::Owned(text));
+        CliError::Unusable { problems, texts }
+    })
+}
+
+/// The text of a file.
+///
+/// # Errors
+/// It cannot be read, or is no text.
+pub fn content(path: &Path, shown: &str, context: &Context) -> Result<String, CliError> {
+    let bytes = std::fs::read(path).map_err(|error| {
+        let message = words::cannot_read(context.lang, shown, error);
+        CliError::from(Diagnostic::error("unreadable", message, None).help(words::check_path(context.lang)))
+    })?;
+    Ok(text_of(shown, bytes)?)
+}
+
+/// A file that a plan names: relative to the plan.
+fn named(plan: &Path, name: &str) -> Result<String, String> {
+    let bytes = std::fs::read(beside(plan).join(name)).map_err(|error| error.to_string())?;
+    String::from_utf8(bytes).map_err(|error| error.to_string())
+}
+
+fn beside(plan: &Path) -> &Path {
+    plan.parent().unwrap_or(Path::new(""))
+}
+
+fn unusable(path: &Path, shown: String, text: String, unreadable: Unreadable) -> CliError {
+    let Unreadable { problems, texts } = unreadable;
+    let mut known = Texts::default().with(&shown.clone(), shown, Cow::Owned(text));
+    for (name, text) in texts {
+        let path = beside(path).join(&name).display().to_string();
+        known = known.with(&name, path, Cow::Owned(text));
+    }
+    CliError::Unusable { problems, texts: known }
+}

@@ -1,0 +1,99 @@
+//! `technolog audit DIR`: every plan of a folder, on all cores, in one table.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use technolog::audit::marks::Scheme;
+use technolog::audit::{Audited, Auditor, Unread};
+use technolog::knowledge::Diagnostic;
+use technolog::{parallel, report};
+
+use super::super::progress::Progress;
+use super::super::words::{cannot_read, check_path};
+use super::super::{CliError, Context, Format, Outcome, output};
+use super::{file, words};
+
+/// What became of a file of the folder.
+enum Seen {
+    Plan(Audited),
+    /// It is something else.
+    NoPlan,
+}
+
+/// Audits every plan of a folder and of the folders in it, in the order of their names.
+///
+/// # Errors
+/// The folder cannot be read, or holds no plan; or a plan cannot be read, which the table has said.
+pub fn run(
+    folder: &Path,
+    format: Format,
+    auditor: &Auditor<'_>,
+    scheme: Option<&Scheme>,
+    context: &Context,
+) -> Result<Outcome, CliError> {
+    let mut files = Vec::new();
+    collect(folder, &mut files).map_err(|error| {
+        let message = cannot_read(context.lang, &folder.display().to_string(), error);
+        CliError::from(Diagnostic::error("unreadable", message, None).help(check_path(context.lang)))
+    })?;
+    let progress = Progress::new(files.len());
+    let seen = parallel::map(&files, |path| one(path, auditor, scheme, context), |done| progress.show(done));
+    progress.clear();
+    let mut audited = Vec::new();
+    for (path, seen) in files.iter().zip(seen) {
+        match seen? {
+            Seen::Plan(plan) => audited.push(plan),
+            Seen::NoPlan => {
+                output::complain(&format!("{}\n", words::no_plan(context.lang, path.display())));
+            }
+        }
+    }
+    if audited.is_empty() {
+        let message = words::no_plans(context.lang, folder.display());
+        return Err(Diagnostic::error("no-plans", message, None).help(words::what_is_a_plan(context.lang)).into());
+    }
+    match format {
+        Format::Json => context.emit_json(&audited)?,
+        Format::Yaml => context.emit_yaml(&audited)?,
+        Format::Markdown => context.emit(&report::audit::many::markdown(&audited, context.lang))?,
+        _ => context.emit(&report::audit::many::page(&audited, context.lang))?,
+    }
+    if audited.iter().any(|one| one.audit().is_none()) {
+        return Err(CliError::Shown);
+    }
+    let wrong = audited.iter().filter_map(Audited::audit).any(technolog::audit::Audit::has_errors);
+    Ok(if wrong { Outcome::Findings } else { Outcome::Done })
+}
+
+fn one(path: &Path, auditor: &Auditor<'_>, scheme: Option<&Scheme>, context: &Context) -> Result<Seen, CliError> {
+    let stated = match file::read_any(path, auditor, context) {
+        Ok(Some(stated)) => stated,
+        Ok(None) => return Ok(Seen::NoPlan),
+        Err(CliError::Unusable { problems, .. }) => {
+            let unread = Unread::new(&path.display().to_string(), &problems);
+            return Ok(Seen::Plan(Audited::Unreadable(unread)));
+        }
+        Err(error) => return Err(error),
+    };
+    let mut found = auditor.audit(&stated).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
+    found.marks = scheme.map(|scheme| scheme.mark(&found));
+    Ok(Seen::Plan(Audited::Plan(Box::new(found))))
+}
+
+/// The files that may be plans. Hidden ones are left out, and links to folders, which could go round.
+fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
+    let mut entries = std::fs::read_dir(folder)?.collect::<io::Result<Vec<_>>>()?;
+    entries.sort_by_key(std::fs::DirEntry::file_name);
+    for entry in entries {
+        let path = entry.path();
+        if entry.file_name().to_string_lossy().starts_with('.') {
+            continue;
+        }
+        if entry.file_type()?.is_dir() {
+            collect(&path, files)?;
+        } else if path.extension().is_some_and(|kind| ["yaml", "yml", "json"].iter().any(|known| kind == *known)) {
+            files.push(path);
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,77 @@
+//! `technolog audit`: anybody's plan held against the knowledge, or a folder of them.
+
+mod file;
+mod folder;
+mod words;
+
+use std::path::PathBuf;
+
+use technolog::audit::{Audit, Auditor};
+use technolog::knowledge::Diagnostic;
+use technolog::report;
+
+use super::{CliError, Context, Format, Outcome, knowledge};
+
+/// Hold somebody's plan, or a folder of plans, against the knowledge: every figure, every choice, the program
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// The plan file (docs/audit.md), a plan of `technolog plan --format json`, or a folder of plans
+    #[arg(value_name = "PLAN.yaml")]
+    plan: PathBuf,
+    /// Another plan: show where the two differ, and what the difference costs
+    #[arg(long, value_name = "PLAN.yaml")]
+    against: Option<PathBuf>,
+    /// A marking scheme (docs/audit.md): what each finding costs, and the score
+    #[arg(long, value_name = "FILE", conflicts_with = "against")]
+    marks: Option<PathBuf>,
+}
+
+/// What an audit can be given out as.
+const FORMATS: [Format; 4] = [Format::Text, Format::Json, Format::Yaml, Format::Markdown];
+
+/// Audits a plan or a folder of them.
+///
+/// # Errors
+/// The plan file cannot be used; every mistake in it is told at once. Of a folder: it holds no plan, or some cannot be
+/// used, which its table says.
+pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
+    let format = context.format("audit", &FORMATS)?;
+    let knowledge = knowledge::load(context)?;
+    let auditor = Auditor::new(&knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
+    let scheme = args.marks.as_deref().map(|path| file::scheme(path, context)).transpose()?;
+    if args.plan.is_dir() {
+        if args.against.is_some() {
+            let message = words::folder_against(context.lang);
+            return Err(Diagnostic::error("folder-against", message, None)
+                .help(words::name_a_plan(context.lang))
+                .into());
+        }
+        return folder::run(&args.plan, format, &auditor, scheme.as_ref(), context);
+    }
+    let stated = file::read(&args.plan, &auditor, context)?;
+    if let Some(other) = &args.against {
+        let other = file::read(other, &auditor, context)?;
+        let compared = auditor.compare(&stated, &other);
+        let compared = compared.map_err(|error| CliError::of_knowledge(&error, context.lang))?;
+        match format {
+            Format::Json => context.emit_json(&compared)?,
+            Format::Yaml => context.emit_yaml(&compared)?,
+            Format::Markdown => context.emit(&report::audit::against::markdown(&compared, context.lang))?,
+            _ => context.emit(&report::audit::against::page(&compared, context.lang))?,
+        }
+        return Ok(Outcome::Done);
+    }
+    let mut found = auditor.audit(&stated).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
+    found.marks = scheme.map(|scheme| scheme.mark(&found));
+    give_out(&found, format, context)?;
+    Ok(if found.has_errors() { Outcome::Findings } else { Outcome::Done })
+}
+
+fn give_out(found: &Audit, format: Format, context: &Context) -> Result<(), CliError> {
+    match format {
+        Format::Json => context.emit_json(found),
+        Format::Yaml => context.emit_yaml(found),
+        Format::Markdown => context.emit(&report::audit::markdown(found, context.lang)),
+        _ => context.emit(&report::audit::page(found, context.lang)),
+    }
+}

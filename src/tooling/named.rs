@@ -1,0 +1,111 @@
+//! Cutters and holders that somebody else chose, by their designations: whether they exist, suit and fit.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::table::{Shank, ToolHead};
+use crate::knowledge::units::{Micrometres, Unit};
+use crate::knowledge::{Knowledge, RowRef, Table};
+use crate::machine::Machine;
+use crate::note::{Because, Note};
+use crate::plan::Operation;
+
+use super::cutter::{Cutter, CutterNeed, own_diameter, refuse, size_fits};
+use super::holder;
+
+/// A cutter of a catalog with what its table says of all of them.
+#[derive(Clone, Copy, Debug)]
+pub struct NamedCutter<'k> {
+    /// Its row.
+    pub row: RowRef<'k>,
+    /// The head of its table.
+    pub head: &'k ToolHead,
+    /// The designation asked for.
+    pub designation: &'k str,
+}
+
+/// Every designation of the cutters' catalogs.
+pub fn cutter_names(knowledge: &Knowledge) -> impl Iterator<Item = NamedCutter<'_>> {
+    let tables = knowledge.tables().filter_map(|table| Some((table, table.tool.as_ref()?)));
+    tables.flat_map(|(table, head)| {
+        designations(table).map(move |(row, designation)| NamedCutter { row, head, designation })
+    })
+}
+
+/// Every designation of the holders' catalogs.
+pub fn holder_names(knowledge: &Knowledge) -> impl Iterator<Item = (RowRef<'_>, &str)> {
+    knowledge.tables().filter(|table| table.id.starts_with("holders-")).flat_map(designations)
+}
+
+fn designations(table: &Table) -> impl Iterator<Item = (RowRef<'_>, &str)> {
+    let columns =
+        table.columns.iter().map(|column| column.name.as_str()).filter(|name| name.starts_with("designation"));
+    columns.flat_map(|column| table.all_rows().filter_map(move |row| Some((row, row.text(column).ok()?))))
+}
+
+/// Why a cutter does not do what is asked of it; nothing where it does.
+pub fn unsuited(cutter: &NamedCutter<'_>, need: &CutterNeed<'_>, machine: &Machine<'_>) -> Option<Note> {
+    let operation = need.operation.name();
+    if !cutter.head.operations.iter().any(|known| known == operation) {
+        let for_what = cutter.head.operations.join(", ");
+        return Some(Note::new("tool-of-other-operation").with("operation", operation).with("transitions", for_what));
+    }
+    if !size_fits(cutter.row, need) {
+        let own = own_diameter(cutter.row).map_or_else(|| "-".to_owned(), |own| own.to_string());
+        return Some(Note::new("tool-of-other-size").with("own", own).with("needed", need.diameter));
+    }
+    refuse(cutter.row, need, machine)
+}
+
+/// Why a holder does not take a cutter; nothing where it does.
+pub fn not_taken(holder: RowRef<'_>, cutter: &NamedCutter<'_>, machine: &Machine<'_>) -> Option<Note> {
+    // What a family of holders is chosen by stands in its columns.
+    let takes = match cutter.head.shank {
+        Shank::Cylindrical => "clamp_min",
+        Shank::Morse => "morse",
+        Shank::Shell => "bore",
+        Shank::Taper => return None,
+    };
+    let tap_chuck = cutter.head.shank == Shank::Cylindrical && holder.table.column_index("thread_min").is_some();
+    if holder.table.column_index(takes).is_none() && !tap_chuck {
+        return Some(Note::new("holder-of-other-shank").with("shank", cutter.head.shank.name()));
+    }
+    holder::refuse(holder, &as_cutter(cutter), machine)
+}
+
+/// How far a cutter may stand out by the rule of section 5.2 item 5: least, most, and why.
+///
+/// # Errors
+/// The knowledge cannot answer.
+pub fn overhang(
+    cutter: &NamedCutter<'_>,
+    operation: Operation,
+    knowledge: &Knowledge,
+) -> Result<(Micrometres, Micrometres, Because), KnowledgeError> {
+    let need = CutterNeed::plain(operation, own_diameter(cutter.row).unwrap_or_default());
+    let (most, because) = holder::overhang(&as_cutter(cutter), &need, knowledge)?;
+    let ranged = because.table == "clamping";
+    let least = match knowledge.table("clamping")?.find("name", "overhang-addition").filter(|_| ranged) {
+        Some(row) => {
+            let range = row.number_in("maximum", Unit::None)? - row.number_in("minimum", Unit::None)?;
+            most - Micrometres::from_mm_rounded(range)
+        }
+        None => most,
+    };
+    Ok((least, most, because))
+}
+
+/// The angle of a cutter's point, degrees, where its table has one.
+pub fn point_angle(cutter: &NamedCutter<'_>) -> Option<f64> {
+    cutter.head.point_angle.map(|angle| angle.to_f64())
+}
+
+fn as_cutter<'k>(named: &NamedCutter<'k>) -> Cutter<'k> {
+    let because = Because::row(named.row, Note::new("named"));
+    Cutter {
+        row: named.row,
+        head: named.head,
+        designation: named.designation,
+        diameter: own_diameter(named.row).unwrap_or_default(),
+        because: because.clone(),
+        order: because,
+    }
+}
