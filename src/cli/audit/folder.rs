@@ -56,6 +56,7 @@ pub fn run(
         Format::Json => context.emit_json(&audited)?,
         Format::Yaml => context.emit_yaml(&audited)?,
         Format::Markdown => context.emit(&report::audit::many::markdown(&audited, context.lang))?,
+        Format::Html => context.emit(&report::audit::html::folder(&audited, context.lang))?,
         _ => context.emit(&report::audit::many::page(&audited, context.lang))?,
     }
     if audited.iter().any(|one| one.audit().is_none()) {
