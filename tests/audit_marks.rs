@@ -155,3 +155,12 @@ fn a_folder_has_a_column_of_marks() {
     assert_eq!(code, 1);
     assert!(text.lines().next().unwrap().ends_with("| marks"), "{text}");
 }
+
+/// docs/audit.md shows the example as it is.
+#[test]
+fn the_page_shows_the_example() {
+    let example = std::fs::read_to_string(root("examples/marks.yaml")).unwrap();
+    let body: String =
+        example.lines().skip_while(|line| line.starts_with('#')).map(|line| line.to_owned() + "\n").collect();
+    assert!(std::fs::read_to_string(root("docs/audit.md")).unwrap().contains(&body));
+}

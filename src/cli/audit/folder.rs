@@ -33,7 +33,7 @@ pub fn run(
 ) -> Result<Outcome, CliError> {
     let mut files = Vec::new();
     collect(folder, &mut files).map_err(|error| {
-        let message = cannot_read(context.lang, &folder.display().to_string(), error);
+        let message = cannot_read(context.lang, folder.display(), error);
         CliError::from(Diagnostic::error("unreadable", message, None).help(check_path(context.lang)))
     })?;
     let progress = Progress::new(files.len());
