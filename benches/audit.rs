@@ -6,7 +6,7 @@ use std::hint::black_box;
 use std::path::Path;
 
 use criterion::Criterion;
-use technolog::audit::{audit_beside, read_plan};
+use technolog::audit::{Auditor, read_plan};
 use technolog::{planner, shipped};
 
 fn main() {
@@ -26,7 +26,11 @@ fn main() {
         bench.iter(|| planner::plan(black_box(&stated.part), stated.method, &knowledge).unwrap());
     });
     group.bench_function("a plan beside ours", |bench| {
-        bench.iter(|| audit_beside(black_box(&stated), &ours, &knowledge).unwrap());
+        bench.iter(|| Auditor::new(&knowledge).unwrap().audit_beside(black_box(&stated), &ours).unwrap());
+    });
+    let auditor = Auditor::new(&knowledge).unwrap();
+    group.bench_function("one of many plans", |bench| {
+        bench.iter(|| auditor.audit(black_box(&stated)).unwrap());
     });
     group.finish();
     criterion.final_summary();

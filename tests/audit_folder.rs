@@ -94,6 +94,45 @@ fn the_code_of_a_folder_is_that_of_its_worst_plan() {
     assert!(beside.contains("there is no plan in the folder"), "{beside}");
 }
 
+#[test]
+fn a_page_for_the_browser_is_whole_and_shows_what_a_plan_says() {
+    let folder = folder("audit-folder-html");
+    let evil = right().replacen("plan: Плита без описок", "plan: <script>alert(1)</script>", 1);
+    let evil = evil.replacen("designation: 035-2317-0103", "designation: '\"><img src=x onerror=alert(1)>'", 1);
+    fs::write(folder.join("plans/<b>.yaml"), evil).unwrap();
+    let (one, _, _) = command(&folder, &["audit", "plans/<b>.yaml", "--format", "html"]);
+    let (all, _, _) = command(&folder, &["audit", "plans", "--format", "html"]);
+    for page in [&one, &all] {
+        for sign in ["<script", "<img", "<b>.yaml", "http", "src=x onerror=alert(1)>"] {
+            assert!(!page.contains(sign), "{sign}: {page}");
+        }
+        assert!(page.contains("&lt;b&gt;.yaml"), "{page}");
+    }
+    assert!(one.contains("&lt;script&gt;") && one.contains("&lt;img"), "{one}");
+}
+
+#[test]
+fn the_worked_example_for_the_browser() {
+    let marks = ["--marks", "examples/marks.yaml"];
+    let (page, _, code) = command(
+        &root(""),
+        &["audit", "examples/appendix-g/plan.yaml", "--format", "html", "--lang", "en", marks[0], marks[1]],
+    );
+    assert_eq!(code, 1);
+    insta::assert_snapshot!("audit-html", page);
+    // Every tag that is opened is closed, innermost first.
+    let mut open: Vec<&str> = Vec::new();
+    for tag in page.split('<').skip(1).filter_map(|rest| rest.split_once('>')).map(|(tag, _)| tag) {
+        let name = tag.split_whitespace().next().unwrap();
+        match name.strip_prefix('/') {
+            Some(closed) => assert_eq!(open.pop(), Some(closed)),
+            None if ["meta", "!doctype"].contains(&name) => {}
+            None => open.push(name),
+        }
+    }
+    assert!(open.is_empty(), "{open:?}");
+}
+
 /// The figures of Appendix Г, a different one spoilt in each plan:
 /// `cargo test --release --test audit_folder -- --ignored --nocapture`.
 #[test]

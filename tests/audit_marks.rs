@@ -6,6 +6,7 @@ mod common;
 
 use std::path::Path;
 use std::process::Command;
+use std::sync::LazyLock;
 
 use proptest::prelude::*;
 use technolog::audit::marks::{Ground, Marks, Scheme, read_scheme};
@@ -95,12 +96,14 @@ fn a_plan_passes_from_the_threshold_on() {
     }
 }
 
+static AUDITED: LazyLock<Audit> = LazyLock::new(audited);
+
 proptest! {
     /// What is left and what was taken off are the whole, and no section costs more than its cap.
     #[test]
     fn points_add_up(points in 0_u32..200, error in 0_u32..20, wrong in 0_u32..20, doubtful in 0_u32..5, cap in 0_u32..30) {
         let text = format!("{{points: {points}, deduct: {{error: {error}, wrong: {wrong}, doubtful: {doubtful}}}, sections: {{conditions: {{at_most: {cap}}}}}}}");
-        let marks = scheme(&text).mark(&audited());
+        let marks = scheme(&text).mark(&AUDITED);
         let taken: f64 = marks.deductions.iter().map(|one| one.points).sum();
         prop_assert!((marks.points + taken - f64::from(points)).abs() < 1e-9, "{marks:?}");
         let conditions = marks.deductions.iter().filter(|one| one.section == technolog::audit::Section::Conditions);
@@ -151,4 +154,13 @@ fn a_folder_has_a_column_of_marks() {
     let (text, code) = command(&["audit", "examples/appendix-g", "--marks", "examples/marks.yaml", "--lang", "en"]);
     assert_eq!(code, 1);
     assert!(text.lines().next().unwrap().ends_with("| marks"), "{text}");
+}
+
+/// docs/audit.md shows the example as it is.
+#[test]
+fn the_page_shows_the_example() {
+    let example = std::fs::read_to_string(root("examples/marks.yaml")).unwrap();
+    let body: String =
+        example.lines().skip_while(|line| line.starts_with('#')).map(|line| line.to_owned() + "\n").collect();
+    assert!(std::fs::read_to_string(root("docs/audit.md")).unwrap().contains(&body));
 }

@@ -60,7 +60,7 @@ struct Global {
     /// Folder with catalogs/ and rules/ instead of the embedded knowledge
     #[arg(long, global = true, value_name = "DIR")]
     knowledge: Option<PathBuf>,
-    /// Form of the answer: text, json, yaml, csv, svg or markdown, as far as the command has it
+    /// Form of the answer: text, json, yaml, csv, svg, markdown or html, as far as the command has it
     #[arg(long, global = true, value_enum, hide_possible_values = true)]
     format: Option<Format>,
     /// Write the answer to a file, not to the screen
@@ -121,6 +121,8 @@ pub enum Format {
     Svg,
     /// For documents.
     Markdown,
+    /// For the browser.
+    Html,
 }
 
 impl Format {
@@ -133,6 +135,7 @@ impl Format {
             Self::Csv => "csv",
             Self::Svg => "svg",
             Self::Markdown => "markdown",
+            Self::Html => "html",
         }
     }
 }

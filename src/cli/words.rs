@@ -311,7 +311,7 @@ pub const HELP_UK: &[(&str, &str)] = &[
     ("technolog", "База знань і рушій правил для проектування технологічних процесів обробки отворів і валів"),
     ("technolog.lang", "Мова відповідей: uk або en (якщо не вказано, за змінною LANG, інакше uk)"),
     ("technolog.knowledge", "Тека з catalogs/ і rules/ замість вбудованої бази знань"),
-    ("technolog.format", "Формат відповіді: text, json, yaml, csv, svg або markdown, що з них має команда"),
+    ("technolog.format", "Формат відповіді: text, json, yaml, csv, svg, markdown або html, що з них має команда"),
     ("technolog.output", "Записати відповідь у файл, а не на екран"),
     ("technolog.help", "Показати цю довідку"),
     ("technolog.version", "Показати версію"),

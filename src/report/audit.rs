@@ -2,6 +2,7 @@
 //! changes because of it.
 
 pub mod against;
+pub mod html;
 pub mod many;
 mod marks;
 

@@ -33,7 +33,7 @@ pub fn run(
 ) -> Result<Outcome, CliError> {
     let mut files = Vec::new();
     collect(folder, &mut files).map_err(|error| {
-        let message = cannot_read(context.lang, &folder.display().to_string(), error);
+        let message = cannot_read(context.lang, folder.display(), error);
         CliError::from(Diagnostic::error("unreadable", message, None).help(check_path(context.lang)))
     })?;
     let progress = Progress::new(files.len());
@@ -56,6 +56,7 @@ pub fn run(
         Format::Json => context.emit_json(&audited)?,
         Format::Yaml => context.emit_yaml(&audited)?,
         Format::Markdown => context.emit(&report::audit::many::markdown(&audited, context.lang))?,
+        Format::Html => context.emit(&report::audit::html::folder(&audited, context.lang))?,
         _ => context.emit(&report::audit::many::page(&audited, context.lang))?,
     }
     if audited.iter().any(|one| one.audit().is_none()) {

@@ -27,7 +27,10 @@ pub struct Args {
 }
 
 /// What an audit can be given out as.
-const FORMATS: [Format; 4] = [Format::Text, Format::Json, Format::Yaml, Format::Markdown];
+const FORMATS: [Format; 5] = [Format::Text, Format::Json, Format::Yaml, Format::Markdown, Format::Html];
+
+/// What a comparison can be given out as.
+const COMPARED: [Format; 4] = [Format::Text, Format::Json, Format::Yaml, Format::Markdown];
 
 /// Audits a plan or a folder of them.
 ///
@@ -35,7 +38,11 @@ const FORMATS: [Format; 4] = [Format::Text, Format::Json, Format::Yaml, Format::
 /// The plan file cannot be used; every mistake in it is told at once. Of a folder: it holds no plan, or some cannot be
 /// used, which its table says.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    let format = context.format("audit", &FORMATS)?;
+    let format = if args.against.is_some() {
+        context.format("audit --against", &COMPARED)?
+    } else {
+        context.format("audit", &FORMATS)?
+    };
     let knowledge = knowledge::load(context)?;
     let auditor = Auditor::new(&knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
     let scheme = args.marks.as_deref().map(|path| file::scheme(path, context)).transpose()?;
@@ -72,6 +79,7 @@ fn give_out(found: &Audit, format: Format, context: &Context) -> Result<(), CliE
         Format::Json => context.emit_json(found),
         Format::Yaml => context.emit_yaml(found),
         Format::Markdown => context.emit(&report::audit::markdown(found, context.lang)),
+        Format::Html => context.emit(&report::audit::html::page(found, context.lang)),
         _ => context.emit(&report::audit::page(found, context.lang)),
     }
 }

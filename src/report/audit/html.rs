@@ -1,0 +1,134 @@
+//! An audit as a page for a browser: one file, nothing loaded from elsewhere, whatever a plan says only shown.
+
+use crate::audit::{Audit, Audited};
+use crate::note::Severity;
+
+use super::super::Lang;
+use super::{by_section, details, heading, headline, many, marks, place, severity, summary, title};
+
+/// Colours for both lights of a screen, and for paper; a severity is told by its word too, not by colour alone.
+const STYLE: &str = "
+:root { color-scheme: light dark; --error: #b3261e; --wrong: #b45309; --doubtful: #52606d; --note: #2f6f4f; --line: #8884; }
+@media (prefers-color-scheme: dark) {
+  :root { --error: #ff8a80; --wrong: #ffb74d; --doubtful: #b0bec5; --note: #81c784; }
+}
+body { font: 16px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }
+h1 { font-size: 1.5rem; } h2 { font-size: 1.15rem; margin-top: 2rem; border-bottom: 1px solid var(--line); }
+ul { list-style: none; padding: 0; } li { margin: .6rem 0; overflow-wrap: anywhere; }
+li.finding { border-left: 4px solid; padding-left: .75rem; }
+.error { border-color: var(--error); } .wrong { border-color: var(--wrong); }
+.doubtful { border-color: var(--doubtful); } .note { border-color: var(--note); }
+.error > b { color: var(--error); } .wrong > b { color: var(--wrong); }
+.doubtful > b { color: var(--doubtful); } .note > b { color: var(--note); }
+code { opacity: .75; } .why { font-size: .9rem; margin: .1rem 0 0 1rem; } .why li { margin: 0; opacity: .85; }
+.scroll { overflow-x: auto; } table { border-collapse: collapse; width: 100%; }
+th, td { text-align: left; vertical-align: top; padding: .25rem .6rem; border-bottom: 1px solid var(--line); }
+@media print { body { margin: 0; max-width: none; } li.finding { break-inside: avoid; } }
+";
+
+/// The page of a plan.
+pub fn page(audit: &Audit, lang: Lang) -> String {
+    let mut body = format!("<h1>{}</h1>\n", escaped(&title(audit, lang)));
+    body.push_str(&format!("<p>{}</p>\n", escaped(&summary(audit, lang))));
+    for (section, findings) in by_section(audit) {
+        body.push_str(&format!("<h2>{}</h2>\n<ul>\n", heading(section, lang)));
+        for finding in findings {
+            let at = place(finding, &audit.file).map(|place| format!(" <code>{}</code>", escaped(&place)));
+            let (class, word) = (class(finding.severity), severity(finding.severity, lang));
+            let said = escaped(&headline(finding, lang));
+            body.push_str(&format!("<li class=\"finding {class}\"><b>{word}</b>{} {said}", at.unwrap_or_default()));
+            body.push_str(&list("why", &details(finding, lang)));
+            body.push_str("</li>\n");
+        }
+        body.push_str("</ul>\n");
+    }
+    if let Some(marks) = &audit.marks {
+        body.push_str(&format!("<h2>{}</h2>\n", escaped(&marks::headline(marks, lang))));
+        body.push_str(&list("marks", &marks::lines(marks, lang)));
+    }
+    whole(&title(audit, lang), &body, lang)
+}
+
+/// The page of a folder.
+pub fn folder(audited: &[Audited], lang: Lang) -> String {
+    let (head, rows) = many::table(audited, lang);
+    let cells = |cells: &[String], tag: &str| -> String {
+        let cells = cells.iter().map(|cell| format!("<{tag}>{}</{tag}>", escaped(cell))).collect::<String>();
+        format!("<tr>{cells}</tr>\n")
+    };
+    let rows: String = rows.iter().map(|row| cells(row, "td")).collect();
+    let body = format!(
+        "<h1>{}</h1>\n<p>{}</p>\n<div class=\"scroll\"><table>\n<thead>{}</thead>\n<tbody>{rows}</tbody>\n</table></div>\n",
+        many::title(lang),
+        escaped(&many::summary(audited, lang)),
+        cells(&head, "th").trim_end(),
+    );
+    whole(many::title(lang), &body, lang)
+}
+
+fn whole(title: &str, body: &str, lang: Lang) -> String {
+    format!(
+        "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n\
+         <style>{STYLE}</style>\n</head>\n<body>\n{body}</body>\n</html>\n",
+        lang.pick("uk", "en"),
+        escaped(title)
+    )
+}
+
+fn list(class: &str, lines: &[String]) -> String {
+    if lines.is_empty() {
+        return String::new();
+    }
+    let items: String = lines.iter().map(|line| format!("<li>{}</li>\n", escaped(line))).collect();
+    format!("\n<ul class=\"{class}\">\n{items}</ul>\n")
+}
+
+const fn class(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Error => "error",
+        Severity::Wrong => "wrong",
+        Severity::Doubtful => "doubtful",
+        Severity::Note => "note",
+    }
+}
+
+/// A text as it is shown, whatever signs are in it.
+fn escaped(text: &str) -> String {
+    let mut shown = String::with_capacity(text.len());
+    for letter in text.chars() {
+        match letter {
+            '&' => shown.push_str("&amp;"),
+            '<' => shown.push_str("&lt;"),
+            '>' => shown.push_str("&gt;"),
+            '"' => shown.push_str("&quot;"),
+            '\'' => shown.push_str("&#39;"),
+            // Signs that no page may have, and those that turn the direction of the text.
+            '\t' | '\n' => shown.push(' '),
+            other if other.is_control() || matches!(other, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}') => {
+                shown.push('\u{fffd}');
+            }
+            other => shown.push(other),
+        }
+    }
+    shown
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::escaped;
+
+    proptest! {
+        #[test]
+        fn no_text_opens_a_tag_or_ends_an_attribute(text in any::<String>()) {
+            let shown = escaped(&text);
+            prop_assert!(!shown.contains(['<', '>', '"', '\'']), "{shown}");
+            let known = ["&amp;", "&lt;", "&gt;", "&quot;", "&#39;"];
+            for (at, _) in shown.match_indices('&') {
+                prop_assert!(known.iter().any(|name| shown[at..].starts_with(name)), "{shown}");
+            }
+        }
+    }
+}
