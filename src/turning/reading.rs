@@ -6,6 +6,7 @@ use crate::knowledge::diagnostic::{Diagnostic, Place, Severity, nearest};
 use crate::knowledge::yaml::{Fields, Node, Problems, parse};
 use crate::knowledge::{Knowledge, Table};
 use crate::note::Note;
+use crate::turning::tooling::Lathe;
 use crate::units::Micrometres;
 
 /// The largest length or diameter of a file, mm: sums of passes stay exact.
@@ -111,6 +112,17 @@ impl<'a> Reader<'a> {
             Some(near) => self.fault("unknown-material-near", &[("material", &text), ("near", &near)], &node.place),
             None => self.fault("unknown-material", &[("material", &text)], &node.place),
         }
+    }
+
+    /// The id of a lathe.
+    pub(super) fn lathe(&mut self, node: &Node) -> Option<String> {
+        let text = self.problems.text(node)?.to_owned();
+        let known = Lathe::ids(self.knowledge);
+        if known.contains(&text.as_str()) {
+            return Some(text);
+        }
+        let known = known.iter().map(|id| format!("`{id}`")).collect::<Vec<_>>().join(", ");
+        self.fault("unknown-lathe", &[("lathe", &text), ("known", &known)], &node.place)
     }
 
     pub(super) fn choice<T: Copy>(&mut self, node: &Node, choices: &[(&str, T)]) -> Option<T> {

@@ -3,6 +3,11 @@
 pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
     // Mistakes of a shaft file.
     ("empty-name", "назва порожня", "the name is empty"),
+    (
+        "unknown-lathe",
+        "верстата `{lathe}` немає в каталозі; є: {known}",
+        "no catalog has the lathe `{lathe}`; there are: {known}",
+    ),
     ("unknown-material", "матеріалу `{material}` немає", "there is no material `{material}`"),
     (
         "unknown-material-near",
@@ -99,6 +104,7 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
 
 pub(super) const REMEDIES: &[(&str, &str, &str)] = &[
     ("empty-name", "назвіть вал", "name the shaft"),
+    ("unknown-lathe", "назвіть один із них або приберіть `machine`", "name one of them, or leave `machine` out"),
     ("unknown-material", "матеріали дає `technolog table materials`", "`technolog table materials` lists them"),
     ("unknown-material-near", "матеріали дає `technolog table materials`", "`technolog table materials` lists them"),
     ("no-such-choice", "візьміть одне з них", "take one of them"),

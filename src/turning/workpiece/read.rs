@@ -66,7 +66,7 @@ impl Reader<'_> {
         let material = fields.need("material", &mut self.problems).and_then(|node| self.material(node));
         let blank_node = fields.need("blank", &mut self.problems);
         let machine = match fields.take("machine") {
-            Some(node) => self.name(node).map(Some),
+            Some(node) => self.lathe(node).map(Some),
             None => Some(None),
         };
         let holding = match fields.take("holding") {
