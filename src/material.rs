@@ -1,7 +1,8 @@
 //! What the part is made of, as the cutting tables ask for it.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::{Knowledge, RowRef};
+use crate::knowledge::diagnostic::nearest;
+use crate::knowledge::{Knowledge, RowRef, Table};
 use crate::units::{Decimal, Unit};
 
 /// A material grade.
@@ -19,6 +20,22 @@ pub struct Material<'k> {
     pub hardness: Decimal,
     /// Tensile strength, MPa; zero where the tables do not ask for it.
     pub strength: Decimal,
+}
+
+/// The id of a material by itself or by an alias; else the known name that is nearest to it, if one is near.
+///
+/// # Errors
+/// No material has that name.
+pub fn named(knowledge: &Knowledge, text: &str) -> Result<String, Option<String>> {
+    let names = |table: &str, column: &'static str| {
+        let rows = knowledge.table(table).into_iter().flat_map(Table::all_rows);
+        rows.filter_map(move |row| Some((row.text(column).ok()?, row.text("id").ok()?)))
+    };
+    let known: Vec<(&str, &str)> = names("materials", "id").chain(names("material-aliases", "alias")).collect();
+    match known.iter().find(|(name, _)| *name == text) {
+        Some((_, id)) => Ok((*id).to_owned()),
+        None => Err(nearest(text, known.iter().map(|(name, _)| *name)).map(str::to_owned)),
+    }
 }
 
 impl<'k> Material<'k> {

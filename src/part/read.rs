@@ -1,8 +1,9 @@
 //! The part file: YAML to [`Part`], collecting every mistake.
 
+use crate::knowledge::Knowledge;
 use crate::knowledge::diagnostic::{Diagnostic, Place, Severity, nearest};
 use crate::knowledge::yaml::{Fields, Node, Problems, parse};
-use crate::knowledge::{Knowledge, Table};
+use crate::material;
 use crate::units::{Decimal, Micrometres};
 
 use super::check;
@@ -145,15 +146,11 @@ impl Reader<'_> {
     /// The id of a material, by itself or by an alias.
     pub(super) fn material(&mut self, node: &Node) -> Option<String> {
         let text = self.problems.text(node)?.to_owned();
-        let names = |table: &str, column: &'static str| {
-            let rows = self.knowledge.table(table).into_iter().flat_map(Table::all_rows);
-            rows.filter_map(move |row| Some((row.text(column).ok()?, row.text("id").ok()?)))
+        let near = match material::named(self.knowledge, &text) {
+            Ok(id) => return Some(id),
+            Err(near) => near,
         };
-        let known: Vec<(&str, &str)> = names("materials", "id").chain(names("material-aliases", "alias")).collect();
-        if let Some((_, id)) = known.iter().find(|(name, _)| *name == text) {
-            return Some((*id).to_owned());
-        }
-        let help = match nearest(&text, known.iter().map(|(name, _)| *name)) {
+        let help = match near {
             Some(near) => format!("did you mean `{near}`? `technolog table materials` lists them all"),
             None => "`technolog table materials` lists them".to_owned(),
         };

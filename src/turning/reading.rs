@@ -2,9 +2,10 @@
 
 use std::fmt::Display;
 
-use crate::knowledge::diagnostic::{Diagnostic, Place, Severity, nearest};
+use crate::knowledge::Knowledge;
+use crate::knowledge::diagnostic::{Diagnostic, Place, Severity};
 use crate::knowledge::yaml::{Fields, Node, Problems, parse};
-use crate::knowledge::{Knowledge, Table};
+use crate::material;
 use crate::note::Note;
 use crate::turning::tooling::Lathe;
 use crate::units::Micrometres;
@@ -99,18 +100,12 @@ impl<'a> Reader<'a> {
     /// The id of a material, by itself or by an alias.
     pub(super) fn material(&mut self, node: &Node) -> Option<String> {
         let text = self.problems.text(node)?.to_owned();
-        let names = |table: &str, column: &'static str| {
-            let rows = self.knowledge.table(table).into_iter().flat_map(Table::all_rows);
-            rows.filter_map(move |row| Some((row.text(column).ok()?, row.text("id").ok()?)))
-        };
-        let known: Vec<(&str, &str)> = names("materials", "id").chain(names("material-aliases", "alias")).collect();
-        if let Some((_, id)) = known.iter().find(|(name, _)| *name == text) {
-            return Some((*id).to_owned());
-        }
-        let near = nearest(&text, known.iter().map(|(name, _)| *name)).map(str::to_owned);
-        match near {
-            Some(near) => self.fault("unknown-material-near", &[("material", &text), ("near", &near)], &node.place),
-            None => self.fault("unknown-material", &[("material", &text)], &node.place),
+        match material::named(self.knowledge, &text) {
+            Ok(id) => Some(id),
+            Err(Some(near)) => {
+                self.fault("unknown-material-near", &[("material", &text), ("near", &near)], &node.place)
+            }
+            Err(None) => self.fault("unknown-material", &[("material", &text)], &node.place),
         }
     }
 
