@@ -155,7 +155,7 @@ fn part_text(plan: &Plan, home: Point, context: &Context) -> String {
         ]);
     }
     if !rows.is_empty() {
-        text.push_str(&grid::ruled(&head, &rows).unwrap_or_else(|| grid::columns(&rows, 2)));
+        text.push_str(&grid::table(&head, &rows, 2));
         text.push('\n');
     }
     for visit in &plan.sequence {

@@ -139,7 +139,7 @@ impl Held {
             }
         }
         let head = [Word::Hole, Word::Transition, Word::Tool, Word::Made].map(|word| context.word(word).to_owned());
-        let table = grid::ruled(&head, &rows).unwrap_or_else(|| grid::columns(&rows, 2));
+        let table = grid::table(&head, &rows, 2);
         format!("{}\n{table}", context.word(Word::ProofHead))
     }
 }

@@ -68,7 +68,7 @@ fn list_text(tables: &[&Table], context: &Context) -> String {
             ]
         })
         .collect();
-    grid::ruled(&head, &rows).unwrap_or_else(|| grid::columns(&rows, 0))
+    grid::table(&head, &rows, 0)
 }
 
 #[derive(Serialize)]

@@ -10,6 +10,11 @@ pub const WIDTH: usize = 120;
 /// Narrower than this no column of [`columns`] is made to save its longest word.
 const NARROW: usize = 12;
 
+/// A ruled table under a head, or, where that is too wide, the rows in columns without head and rules, indented.
+pub fn table(head: &[String], rows: &[Vec<String>], indent: usize) -> String {
+    ruled(head, rows).unwrap_or_else(|| columns(rows, indent))
+}
+
 /// A ruled table under a head. Nothing, when not even wrapping at every word makes it fit.
 pub fn ruled(head: &[String], rows: &[Vec<String>]) -> Option<String> {
     // Each column has a space on both sides, and a rule between two.

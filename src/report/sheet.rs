@@ -35,7 +35,7 @@ fn section(number: usize, title: &str, body: &str) -> String {
 /// A table, or its rows one under the other when it cannot be narrow enough.
 fn table(head: &[&str], rows: &[Vec<String>]) -> String {
     let head: Vec<String> = head.iter().map(|&cell| cell.to_owned()).collect();
-    grid::ruled(&head, rows).unwrap_or_else(|| grid::columns(rows, 2))
+    grid::table(&head, rows, 2)
 }
 
 /// A number as people write it: a comma in Ukrainian, no trailing zeros.

@@ -168,7 +168,7 @@ fn variants(found: &Sequences, lang: Lang) -> String {
         }
         rows.push(row);
     }
-    grid::ruled(&head, &rows).unwrap_or_else(|| grid::columns(&rows, 2))
+    grid::table(&head, &rows, 2)
 }
 
 fn passes(variant: &Variant, lang: Lang) -> String {
@@ -196,5 +196,5 @@ fn passes(variant: &Variant, lang: Lang) -> String {
             sentence(&pass.reason, lang),
         ]);
     }
-    grid::ruled(&head, &rows).unwrap_or_else(|| grid::columns(&rows, 2))
+    grid::table(&head, &rows, 2)
 }

@@ -9,7 +9,7 @@ use super::{comma, place};
 pub fn page(audited: &[Audited], lang: Lang) -> String {
     let (head, rows) = table(audited, lang);
     // A table that is too wide is columns without rules.
-    let table = grid::ruled(&head, &rows).unwrap_or_else(|| grid::columns(&rows, 0));
+    let table = grid::table(&head, &rows, 0);
     format!("{table}\n{}\n", summary(audited, lang))
 }
 

@@ -44,7 +44,7 @@ impl Sheet {
         }
         text.push('\n');
         let rows: Vec<Vec<String>> = self.rows.iter().map(|row| cells(row).into()).collect();
-        text.push_str(&grid::ruled(&self.head(), &rows).unwrap_or_else(|| grid::columns(&rows, 0)));
+        text.push_str(&grid::table(&self.head(), &rows, 0));
         text.push_str(self.note());
         text.push('\n');
         text

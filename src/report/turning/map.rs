@@ -39,7 +39,7 @@ pub fn map_page(shaft: &Shaft, map: &[Ratio], lang: Lang) -> String {
         rows.push(row);
     }
     let mut page = grid::paragraph(&title(shaft, lang), 0);
-    page.push_str(&grid::ruled(&head, &rows).unwrap_or_else(|| grid::columns(&rows, 2)));
+    page.push_str(&grid::table(&head, &rows, 2));
     let Some((kind, ratio)) = settled(map) else { return page };
     let line = match kind {
         Kind::Longitudinal => lang.pick(

@@ -166,7 +166,7 @@ fn allowances(operation: &Operation, lang: Lang) -> String {
             ]);
         }
     }
-    grid::ruled(&head, &rows).unwrap_or_else(|| grid::columns(&rows, 2))
+    grid::table(&head, &rows, 2)
 }
 
 fn total(operation: &Operation, lang: Lang) -> String {

@@ -63,7 +63,7 @@ fn levels(found: &Schemes, lang: Lang) -> String {
             schemes(&zone.schemes),
         ]);
     }
-    page.push_str(&grid::ruled(&head, &rows).unwrap_or_else(|| grid::columns(&rows, 2)));
+    page.push_str(&grid::table(&head, &rows, 2));
     for section in horizontals {
         let diameters: Vec<String> = section.diameters_mm.iter().map(|diameter| figure(diameter, lang)).collect();
         let line = lang.pick("Горизонталі від Z {z}: Ø{list}.", "Horizontals from Z {z}: Ø{list}.");
@@ -100,5 +100,5 @@ fn schemes(found: &Schemes, lang: Lang) -> String {
             format!("{} ({})", sentence(&scheme.because.note, lang), scheme.because.place),
         ]);
     }
-    grid::ruled(&head, &rows).unwrap_or_else(|| grid::columns(&rows, 2))
+    grid::table(&head, &rows, 2)
 }

@@ -99,5 +99,5 @@ fn compared(work: &Work, lang: Lang) -> String {
         ]
     };
     let rows: Vec<Vec<String>> = work.transitions.iter().map(row).collect();
-    grid::ruled(&head, &rows).unwrap_or_else(|| grid::columns(&rows, 2))
+    grid::table(&head, &rows, 2)
 }

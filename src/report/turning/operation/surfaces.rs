@@ -64,7 +64,7 @@ fn elements(operation: &Operation, stretch: &Stretch, work: Option<&SideWork>, l
             later,
         ]);
     }
-    grid::ruled(&head, &rows).unwrap_or_else(|| grid::columns(&rows, 4))
+    grid::table(&head, &rows, 4)
 }
 
 /// A main element by one word; of the others why, without the name that stands in the row.

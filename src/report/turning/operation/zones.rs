@@ -59,7 +59,7 @@ pub(super) fn zones(operation: &Operation, lang: Lang) -> String {
             schemes.join(" + "),
         ]);
     }
-    let mut page = grid::ruled(&head, &rows).unwrap_or_else(|| grid::columns(&rows, 2));
+    let mut page = grid::table(&head, &rows, 2);
     let mut told: Vec<String> = Vec::new();
     for (set_up, side, one) in operation.zones() {
         let name = place(set_up, side, one, lang);
@@ -141,7 +141,7 @@ pub(super) fn additional(operation: &Operation, lang: Lang) -> String {
     if rows.is_empty() {
         return String::new();
     }
-    let mut page = grid::ruled(&head, &rows).unwrap_or_else(|| grid::columns(&rows, 2));
+    let mut page = grid::table(&head, &rows, 2);
     for line in refused {
         page.push_str(&grid::paragraph(&line, 2));
     }
