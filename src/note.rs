@@ -31,6 +31,12 @@ impl Note {
     }
 }
 
+/// That a row is not confirmed, as a finding about the whole part; none where it is.
+pub fn doubtful_row(row: RowRef<'_>) -> Option<Finding> {
+    let doubt = Because::row(row, Note::new("unconfirmed")).doubt()?;
+    Some(Finding::of_part(Severity::Doubtful, doubt))
+}
+
 /// How grave a finding about a plan is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
@@ -43,6 +49,18 @@ pub enum Severity {
     Doubtful,
     /// Worth knowing.
     Note,
+}
+
+impl Severity {
+    /// Its name for programs, as in JSON.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Error => "error",
+            Self::Wrong => "wrong",
+            Self::Doubtful => "doubtful",
+            Self::Note => "note",
+        }
+    }
 }
 
 /// Something about a plan that its reader must know.
@@ -149,6 +167,13 @@ impl Because {
     pub fn over(mut self, rejected: Vec<Note>) -> Self {
         self.rejected = rejected;
         self
+    }
+
+    /// That the row is not confirmed, and why; none where it is.
+    pub fn doubt(&self) -> Option<Note> {
+        let why = self.unconfirmed.as_ref()?;
+        let row = self.row.map_or_else(|| "-".to_owned(), |row| row.to_string());
+        Some(Note::new("unconfirmed").with("table", &self.table).with("row", row).with("why", why))
     }
 
     /// Whether the row was inferred or is not fully trusted.

@@ -251,11 +251,7 @@ fn unconfirmed(plan: &mut Plan) {
                 let hole = hole.map(str::to_owned);
                 found.push(Finding { severity: Severity::Doubtful, hole, note: reason.note.clone() });
             }
-            let Some(why) = &reason.unconfirmed else { continue };
-            let note = Note::new("unconfirmed")
-                .with("table", &reason.table)
-                .with("row", reason.row.map_or_else(|| "-".to_owned(), |row| row.to_string()))
-                .with("why", why);
+            let Some(note) = reason.doubt() else { continue };
             match found.iter_mut().find(|finding| finding.note == note) {
                 // Said of several groups, it is said of the part.
                 Some(known) if known.hole.as_deref() != hole => known.hole = None,

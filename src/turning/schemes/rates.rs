@@ -2,7 +2,7 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::{Input, Knowledge, RowRef};
-use crate::note::{Finding, Note, Severity};
+use crate::note::{Finding, doubtful_row};
 use crate::turning::shaft::{Rates, Shaft};
 use crate::units::{MillimetresPerMinute, Unit};
 
@@ -27,10 +27,7 @@ pub fn of_table(knowledge: &Knowledge) -> Result<(Rates, Vec<Finding>), Knowledg
     let mut of = |name: &str| -> Result<RowRef<'_>, KnowledgeError> {
         let answer = table.decide(&[("quantity", Input::Text(name))])?;
         let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(table, name))?;
-        if let Some(why) = &row.row().unconfirmed {
-            let note = Note::new("unconfirmed").with("table", &table.id).with("row", row.number()).with("why", why);
-            findings.push(Finding::of_part(Severity::Doubtful, note));
-        }
+        findings.extend(doubtful_row(row));
         Ok(row)
     };
     let rates = Rates {

@@ -1,7 +1,7 @@
 //! Sizes of reliefs that the file leaves out, from the tables of the standards.
 
 use crate::knowledge::{Input, Knowledge, RowRef};
-use crate::note::{Finding, Note, Severity};
+use crate::note::{Finding, doubtful_row};
 use crate::turning::contour::Side;
 use crate::units::Micrometres;
 
@@ -34,11 +34,7 @@ pub(super) fn thread(pitch: Micrometres, side: Side, knowledge: &Knowledge) -> O
 }
 
 fn relief(row: RowRef<'_>) -> Option<Relief> {
-    let finding = row.row().unconfirmed.as_ref().map(|why| {
-        let note = Note::new("unconfirmed").with("table", &row.table.id).with("row", row.number()).with("why", why);
-        Finding::of_part(Severity::Doubtful, note)
-    });
-    Some(Relief { width: row.length("width").ok()?, depth: row.length("depth").ok()?, finding })
+    Some(Relief { width: row.length("width").ok()?, depth: row.length("depth").ok()?, finding: doubtful_row(row) })
 }
 
 #[cfg(test)]
