@@ -7,11 +7,6 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "no lathe is named (`machine:`): what it can finish, depth, conditions and power are not checked",
     ),
     (
-        "no-such-lathe",
-        "верстата {lathe} немає в каталозі; відомі: {known}",
-        "no catalog has the lathe {lathe}; known: {known}",
-    ),
-    (
         "no-intermediate-contour",
         "проміжний припуск не можна накласти: {why}",
         "the intermediate allowance cannot be laid on: {why}",

@@ -57,7 +57,7 @@ pub fn operation_page(operation: &Operation, knowledge: &Knowledge, lang: Lang) 
     if !operation.findings.is_empty() {
         section(&mut page, lang.pick("Зауваження", "Findings"));
         for finding in &operation.findings {
-            let severity = term(severity(finding.severity), lang);
+            let severity = term(finding.severity.name(), lang);
             page.push_str(&grid::paragraph(&format!("{severity}: {}", sentence(&finding.note, lang)), 2));
         }
     }
@@ -86,15 +86,6 @@ pub fn programs_list(programs: &[Written], lang: Lang) -> String {
         list.push('\n');
     }
     list
-}
-
-const fn severity(severity: crate::note::Severity) -> &'static str {
-    match severity {
-        crate::note::Severity::Error => "error",
-        crate::note::Severity::Wrong => "wrong",
-        crate::note::Severity::Doubtful => "doubtful",
-        crate::note::Severity::Note => "note",
-    }
 }
 
 pub(super) const fn side_name(side: Side) -> &'static str {

@@ -13,6 +13,7 @@
 
 mod clip;
 pub mod depth;
+mod doubts;
 pub mod layers;
 mod level;
 mod pocket;
@@ -136,8 +137,11 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
         let sides = sides(&set_up, &bench, &mut findings)?;
         done.push(SetUpWork { set_up, sides });
     }
-    let findings = told_once(findings);
-    Ok(Operation { workpiece: workpiece.clone(), blank_advice, elsewhere, set_ups: done, findings })
+    let mut operation =
+        Operation { workpiece: workpiece.clone(), blank_advice, elsewhere, set_ups: done, findings: Vec::new() };
+    findings.extend(doubts::doubts(&operation));
+    operation.findings = told_once(findings);
+    Ok(operation)
 }
 
 /// The outside of a set-up, then its bore: a bore is roughed into a part that is faced already.

@@ -2,16 +2,16 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
-use crate::note::{Finding, Note, Severity};
+use crate::note::{Finding, Note, Severity, doubtful_row};
 use crate::turning::allowances::capability::{Elsewhere, Holds, elsewhere};
 use crate::turning::tooling::Lathe;
 use crate::turning::workpiece::Workpiece;
 use crate::units::Micrometres;
 
-/// The lathe that the file names; none where it names none, or one that no catalog has, which is a finding.
+/// The lathe that the file names; none where it names none, which is a finding.
 ///
 /// # Errors
-/// The record of the lathe is not whole.
+/// No catalog has it (the reader of files has seen to that), or its record is not whole.
 pub fn lathe<'k>(
     workpiece: &Workpiece,
     knowledge: &'k Knowledge,
@@ -21,12 +21,6 @@ pub fn lathe<'k>(
         findings.push(Finding::of_part(Severity::Note, Note::new("no-lathe")));
         return Ok(None);
     };
-    if !Lathe::ids(knowledge).contains(&id.as_str()) {
-        let known = Lathe::ids(knowledge).join(", ");
-        let note = Note::new("no-such-lathe").with("lathe", id).with("known", known);
-        findings.push(Finding::of_part(Severity::Error, note));
-        return Ok(None);
-    }
     let lathe = Lathe::find(knowledge, id)?;
     let length = Micrometres::new(workpiece.blank.length().halves() / 2);
     if let Some(note) = lathe.refuses_part(workpiece.blank.largest_diameter(), length) {
@@ -53,6 +47,10 @@ pub fn finished_elsewhere(
             finest: lathe.best_roughness?,
         })
     });
+    if let (Some(lathe), Some(_)) = (lathe, &holds) {
+        let rows = ["it-outer", "it-inner", "it-face", "ra-best"].into_iter().filter_map(|name| lathe.row(name).ok());
+        findings.extend(rows.filter_map(doubtful_row));
+    }
     let length = Micrometres::new(workpiece.length().halves() / 2);
     let mut all = Vec::new();
     for profile in std::iter::once(&workpiece.outer).chain(&workpiece.inner) {

@@ -7,7 +7,7 @@ use serde::Serialize;
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::material::Material;
-use crate::note::Note;
+use crate::note::{Because, Note};
 use crate::turning::allowances::capability::Elsewhere;
 use crate::turning::contour::Side;
 use crate::turning::elements::{self, Angles};
@@ -37,10 +37,6 @@ pub struct Bench<'a, 'k> {
 pub struct Taken {
     /// Its designation.
     pub designation: String,
-    /// Its table.
-    pub table: String,
-    /// Its row.
-    pub row: usize,
     /// φ.
     pub main_angle_deg: Degrees,
     /// φ1.
@@ -51,8 +47,8 @@ pub struct Taken {
     /// Its width, of a grooving tool, mm.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub width_mm: Option<Micrometres>,
-    /// Why this one.
-    pub note: Note,
+    /// Its row, and why this one.
+    pub because: Because,
 }
 
 /// The tools that may rough a side: of the right hand or neutral, with a shank that the lathe clamps and a known nose radius. First
@@ -147,11 +143,12 @@ pub fn told(tool: &TurningTool<'_>, zones: usize) -> Taken {
     Taken {
         width_mm: tool.width,
         designation: tool.designation.to_owned(),
-        table: tool.row.table.id.clone(),
-        row: tool.row.number(),
         main_angle_deg: Degrees(tool.lead_angle.to_f64()),
         secondary_angle_deg: Degrees(tool.trail_angle.to_f64()),
         nose_radius_mm: tool.nose_radius,
-        note: Note::new("turning-tool-taken").with("tool", tool.designation).with("zones", zones),
+        because: Because::row(
+            tool.row,
+            Note::new("turning-tool-taken").with("tool", tool.designation).with("zones", zones),
+        ),
     }
 }
