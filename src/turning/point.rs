@@ -84,6 +84,12 @@ impl Vector {
         Self { z: self.z + other.z, radius: self.radius + other.radius }
     }
 
+    /// What leads here from there, both seen from one point.
+    #[must_use]
+    pub fn minus(self, other: Self) -> Self {
+        Self { z: self.z - other.z, radius: self.radius - other.radius }
+    }
+
     /// Turned by a quarter to the left of the way, which is outwards for a way towards the chuck.
     #[must_use]
     pub fn left(self) -> Self {

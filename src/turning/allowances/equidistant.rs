@@ -313,7 +313,7 @@ fn tip(one: &Parallel, next: &Parallel, begins: bool) -> Vec<Corner> {
     let corners = join(one, next).unwrap_or_default();
     let [arc, end] = corners.as_slice() else { return corners };
     let out = if begins { -1.0 } else { 1.0 };
-    let on_axis = one.to.plus(Vector::new(out * end.at.plus(one.to.times(-1.0)).length(), 0.0));
+    let on_axis = one.to.plus(Vector::new(out * end.at.minus(one.to).length(), 0.0));
     let half = arc.sweep / 2.0;
     if begins {
         vec![Corner { at: on_axis, sweep: half }, *end]
@@ -332,7 +332,7 @@ fn mirrored(parallel: &Parallel) -> Parallel {
 /// The corners between the end of one parallel and the beginning of the next; none at a hollow corner.
 fn join(one: &Parallel, next: &Parallel) -> Option<Vec<Corner>> {
     let (sine, cosine) = (one.ahead_to.cross(next.ahead_from), one.ahead_to.dot(next.ahead_from));
-    if one.over_to.plus(next.over_from.times(-1.0)).length() < TOUCH || sine.abs() < STRAIGHT && cosine > 0.0 {
+    if one.over_to.minus(next.over_from).length() < TOUCH || sine.abs() < STRAIGHT && cosine > 0.0 {
         return Some(Vec::new());
     }
     if sine > 0.0 {
@@ -366,7 +366,7 @@ fn shadow(top: &[Corner], ground: f64) -> Vec<Corner> {
     let mut outline: Vec<Corner> = Vec::new();
     for corner in top {
         match outline.last_mut() {
-            Some(last) if corner.at.plus(last.at.times(-1.0)).length() < TOUCH => last.sweep = corner.sweep,
+            Some(last) if corner.at.minus(last.at).length() < TOUCH => last.sweep = corner.sweep,
             _ => outline.push(*corner),
         }
     }

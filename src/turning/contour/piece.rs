@@ -122,7 +122,7 @@ impl Piece {
     pub fn direction_at(self, point: Point) -> Vector {
         match (self.curve, self.centre()) {
             (Curve::Arc { turn, .. }, Some(centre)) => {
-                let spoke = centre.times(-1.0).plus(point.vector()).unit();
+                let spoke = point.vector().minus(centre).unit();
                 match turn {
                     Turn::Left => spoke.left(),
                     Turn::Right => spoke.left().times(-1.0),
