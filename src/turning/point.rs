@@ -46,6 +46,12 @@ impl Point {
         Self::default().moved(place)
     }
 
+    /// Inside out: its radius counts inwards from `top`.
+    #[must_use]
+    pub fn inside_out(self, top: Half) -> Self {
+        Self { radius: top - self.radius, z: self.z }
+    }
+
     /// From zero to here, mm.
     pub fn vector(self) -> Vector {
         Self::default().to(self)

@@ -8,7 +8,7 @@
 
 use crate::turning::contour::{Contour, Curve, Piece, Side, Turn};
 use crate::turning::length::Half;
-use crate::turning::point::{Point, Vector};
+use crate::turning::point::Vector;
 
 use super::read_back;
 use super::union::{Corner, union};
@@ -96,10 +96,7 @@ pub fn equidistant_over(contour: &Contour, distances: &[Half]) -> Result<Vec<Ove
     if contour.side == Side::Inner {
         let top = contour.radii().map_or(Half::ZERO, |(_, most)| most);
         let outer = contour.inside_out(top);
-        let back = |over: Over| {
-            let place = |point: Point| Point { radius: top - point.radius, z: point.z };
-            Over { piece: over.piece.mapped(true, place), of: over.of }
-        };
+        let back = |over: Over| Over { piece: over.piece.inside_out(top), of: over.of };
         // Radii of the image count from the largest radius of the bore, so its zero is not the axis.
         return Ok(between_bare_faces(&outer, distances, false)?.into_iter().map(back).collect());
     }
@@ -324,8 +321,7 @@ fn tip(one: &Parallel, next: &Parallel, begins: bool) -> Vec<Corner> {
 
 /// The image of a piece on the other side of the axis, walked the way that the contour goes on there.
 fn mirrored(parallel: &Parallel) -> Parallel {
-    let place = |point: Point| Point { radius: Half::ZERO - point.radius, z: point.z };
-    let piece = parallel.piece.mapped(true, place).reversed();
+    let piece = parallel.piece.inside_out(Half::ZERO).reversed();
     Parallel::new(piece, Half::from(parallel.wanted))
 }
 

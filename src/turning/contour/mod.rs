@@ -110,12 +110,11 @@ impl Contour {
     /// is written for outer contours serves for bores.
     #[must_use]
     pub fn inside_out(&self, top: Half) -> Self {
-        let place = |point: Point| Point { radius: top - point.radius, z: point.z };
         let side = match self.side {
             Side::Outer => Side::Inner,
             Side::Inner => Side::Outer,
         };
-        Self { side, pieces: self.pieces.iter().map(|piece| piece.mapped(true, place)).collect() }
+        Self { side, pieces: self.pieces.iter().map(|piece| piece.inside_out(top)).collect() }
     }
 }
 

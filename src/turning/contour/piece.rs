@@ -253,6 +253,12 @@ impl Piece {
         };
         Self { from: place(self.from), to: place(self.to), curve }
     }
+
+    /// Inside out: radii count inwards from `top`.
+    #[must_use]
+    pub fn inside_out(self, top: Half) -> Self {
+        self.mapped(true, |point| point.inside_out(top))
+    }
 }
 
 #[cfg(test)]
