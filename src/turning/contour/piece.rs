@@ -164,6 +164,12 @@ impl Piece {
         points
     }
 
+    /// The least and the greatest radius of it.
+    pub fn radii(self) -> (Half, Half) {
+        let radii = self.extremes().into_iter().map(|point| (point.radius, point.radius));
+        radii.fold((self.from.radius, self.from.radius), both)
+    }
+
     /// Whether a point on the circle of an arc, or on the line, lies between its ends.
     pub fn holds(self, point: Point) -> bool {
         let (before, after) = (self.from.to(point), point.to(self.to));
@@ -259,6 +265,11 @@ impl Piece {
     pub fn inside_out(self, top: Half) -> Self {
         self.mapped(true, |point| point.inside_out(top))
     }
+}
+
+/// From the lesser of two beginnings to the greater of two ends.
+pub(super) fn both(one: (Half, Half), other: (Half, Half)) -> (Half, Half) {
+    (one.0.min(other.0), one.1.max(other.1))
 }
 
 #[cfg(test)]
