@@ -46,6 +46,12 @@ impl Point {
         Self::default().moved(place)
     }
 
+    /// Inside out: its radius counts inwards from `top`.
+    #[must_use]
+    pub fn inside_out(self, top: Half) -> Self {
+        Self { radius: top - self.radius, z: self.z }
+    }
+
     /// From zero to here, mm.
     pub fn vector(self) -> Vector {
         Self::default().to(self)
@@ -82,6 +88,12 @@ impl Vector {
     #[must_use]
     pub fn plus(self, other: Self) -> Self {
         Self { z: self.z + other.z, radius: self.radius + other.radius }
+    }
+
+    /// What leads here from there, both seen from one point.
+    #[must_use]
+    pub fn minus(self, other: Self) -> Self {
+        Self { z: self.z - other.z, radius: self.radius - other.radius }
     }
 
     /// Turned by a quarter to the left of the way, which is outwards for a way towards the chuck.

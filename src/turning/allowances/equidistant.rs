@@ -8,7 +8,7 @@
 
 use crate::turning::contour::{Contour, Curve, Piece, Side, Turn};
 use crate::turning::length::Half;
-use crate::turning::point::{Point, Vector};
+use crate::turning::point::Vector;
 
 use super::read_back;
 use super::union::{Corner, union};
@@ -96,10 +96,7 @@ pub fn equidistant_over(contour: &Contour, distances: &[Half]) -> Result<Vec<Ove
     if contour.side == Side::Inner {
         let top = contour.radii().map_or(Half::ZERO, |(_, most)| most);
         let outer = contour.inside_out(top);
-        let back = |over: Over| {
-            let place = |point: Point| Point { radius: top - point.radius, z: point.z };
-            Over { piece: over.piece.mapped(true, place), of: over.of }
-        };
+        let back = |over: Over| Over { piece: over.piece.inside_out(top), of: over.of };
         // Radii of the image count from the largest radius of the bore, so its zero is not the axis.
         return Ok(between_bare_faces(&outer, distances, false)?.into_iter().map(back).collect());
     }
@@ -313,7 +310,7 @@ fn tip(one: &Parallel, next: &Parallel, begins: bool) -> Vec<Corner> {
     let corners = join(one, next).unwrap_or_default();
     let [arc, end] = corners.as_slice() else { return corners };
     let out = if begins { -1.0 } else { 1.0 };
-    let on_axis = one.to.plus(Vector::new(out * end.at.plus(one.to.times(-1.0)).length(), 0.0));
+    let on_axis = one.to.plus(Vector::new(out * end.at.minus(one.to).length(), 0.0));
     let half = arc.sweep / 2.0;
     if begins {
         vec![Corner { at: on_axis, sweep: half }, *end]
@@ -324,15 +321,14 @@ fn tip(one: &Parallel, next: &Parallel, begins: bool) -> Vec<Corner> {
 
 /// The image of a piece on the other side of the axis, walked the way that the contour goes on there.
 fn mirrored(parallel: &Parallel) -> Parallel {
-    let place = |point: Point| Point { radius: Half::ZERO - point.radius, z: point.z };
-    let piece = parallel.piece.mapped(true, place).reversed();
+    let piece = parallel.piece.inside_out(Half::ZERO).reversed();
     Parallel::new(piece, Half::from(parallel.wanted))
 }
 
 /// The corners between the end of one parallel and the beginning of the next; none at a hollow corner.
 fn join(one: &Parallel, next: &Parallel) -> Option<Vec<Corner>> {
     let (sine, cosine) = (one.ahead_to.cross(next.ahead_from), one.ahead_to.dot(next.ahead_from));
-    if one.over_to.plus(next.over_from.times(-1.0)).length() < TOUCH || sine.abs() < STRAIGHT && cosine > 0.0 {
+    if one.over_to.minus(next.over_from).length() < TOUCH || sine.abs() < STRAIGHT && cosine > 0.0 {
         return Some(Vec::new());
     }
     if sine > 0.0 {
@@ -366,7 +362,7 @@ fn shadow(top: &[Corner], ground: f64) -> Vec<Corner> {
     let mut outline: Vec<Corner> = Vec::new();
     for corner in top {
         match outline.last_mut() {
-            Some(last) if corner.at.plus(last.at.times(-1.0)).length() < TOUCH => last.sweep = corner.sweep,
+            Some(last) if corner.at.minus(last.at).length() < TOUCH => last.sweep = corner.sweep,
             _ => outline.push(*corner),
         }
     }

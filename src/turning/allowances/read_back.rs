@@ -61,7 +61,7 @@ impl Stretch {
     }
 
     fn chord(self) -> Vector {
-        between(self.from, self.to)
+        self.to.minus(self.from)
     }
 
     /// The point at a share of its way.
@@ -80,11 +80,11 @@ impl Stretch {
     /// Whether another stretch lies on the same line or circle and goes the same way; both arcs at most half a circle.
     fn goes_on_as(self, next: Self) -> bool {
         if self.sweep == 0.0 && next.sweep == 0.0 {
-            let whole = between(self.from, next.to);
+            let whole = next.to.minus(self.from);
             return whole.unit().cross(self.chord()).abs() < SAME / 10.0 && self.chord().dot(next.chord()) > 0.0;
         }
         let together = self.sweep + next.sweep;
-        let apart = between(self.centre(), next.centre()).length();
+        let apart = next.centre().minus(self.centre()).length();
         self.sweep * next.sweep > 0.0 && together.abs() < HALF_CIRCLE && apart < SAME
     }
 
@@ -98,10 +98,6 @@ impl Stretch {
     fn rest(self, share: f64) -> Self {
         Self { from: self.at(share), to: self.to, sweep: self.sweep * (1.0 - share) }
     }
-}
-
-fn between(from: Vector, to: Vector) -> Vector {
-    to.plus(from.times(-1.0))
 }
 
 /// The pieces of an outline between its ends, each with the parallel that it lies on.
@@ -129,7 +125,7 @@ pub(super) fn read_back(whole: &[Corner], ends: &Ends, parallels: &[Parallel]) -
 
 /// The outline from the foundation before the part to that behind it.
 fn above_foundation(whole: &[Corner], ends: &Ends) -> Option<Vec<Stretch>> {
-    let is_at = |corner: &Corner, at: Vector| between(corner.at, at).length() < SAME;
+    let is_at = |corner: &Corner, at: Vector| at.minus(corner.at).length() < SAME;
     let start = whole.iter().position(|corner| is_at(corner, ends.left))?;
     let round: Vec<&Corner> = whole.iter().cycle().skip(start).take(whole.len()).collect();
     let end = round.iter().position(|corner| is_at(corner, ends.right))?;
@@ -151,8 +147,8 @@ fn trim(stretches: &mut Vec<Stretch>, end: End, outwards: f64) {
 
 /// What follows after the ray; none where the outline does not meet it in its reach.
 fn after(stretches: &[Stretch], end: End) -> Option<Vec<Stretch>> {
-    let along = |at: Vector| end.out.dot(between(end.corner, at));
-    let aside = |at: Vector| end.out.cross(between(end.corner, at));
+    let along = |at: Vector| end.out.dot(at.minus(end.corner));
+    let aside = |at: Vector| end.out.cross(at.minus(end.corner));
     let reached = |at: Vector| (-SAME..end.reach + SAME).contains(&along(at));
     let met = |at: Vector| aside(at).abs() < SAME && reached(at);
     for (place, stretch) in stretches.iter().enumerate() {
@@ -189,7 +185,7 @@ fn crossing(stretch: Stretch, measure: impl Fn(Vector) -> f64) -> f64 {
 fn parallel_of(stretch: Stretch, parallels: &[Parallel]) -> Option<usize> {
     let middle = stretch.at(0.5);
     let fits = |parallel: &Parallel| {
-        let from = between(parallel.over_from, middle);
+        let from = middle.minus(parallel.over_from);
         match parallel.piece.centre() {
             None => {
                 stretch.sweep == 0.0
@@ -197,15 +193,15 @@ fn parallel_of(stretch: Stretch, parallels: &[Parallel]) -> Option<usize> {
                     && parallel.ahead_from.cross(from).abs() < ON_IT
             }
             Some(centre) => {
-                let radius = between(centre, parallel.over_from).length();
-                stretch.sweep * parallel.sweep > 0.0 && (between(centre, middle).length() - radius).abs() < ON_IT
+                let radius = parallel.over_from.minus(centre).length();
+                stretch.sweep * parallel.sweep > 0.0 && (middle.minus(centre).length() - radius).abs() < ON_IT
             }
         }
     };
     // How far the middle lies beyond the ends of the parallel.
     let beyond = |parallel: &Parallel| {
-        let chord = between(parallel.over_from, parallel.over_to);
-        let along = chord.unit().dot(between(parallel.over_from, middle));
+        let chord = parallel.over_to.minus(parallel.over_from);
+        let along = chord.unit().dot(middle.minus(parallel.over_from));
         (-along).max(along - chord.length()).max(0.0)
     };
     let fitting = parallels.iter().enumerate().filter(|(_, parallel)| fits(parallel));
@@ -215,7 +211,7 @@ fn parallel_of(stretch: Stretch, parallels: &[Parallel]) -> Option<usize> {
 /// A stretch as a piece, or two: the rounded ends of nearly half a circle may not tell its centre, its halves do.
 fn pieces(stretch: Stretch, parallel: Option<&Parallel>) -> impl Iterator<Item = Piece> {
     let whole = piece(stretch, parallel);
-    let off = whole.centre().map_or(0.0, |centre| between(centre, stretch.centre()).length());
+    let off = whole.centre().map_or(0.0, |centre| stretch.centre().minus(centre).length());
     let halves = (off > OFF_CENTRE && stretch.sweep.abs() > HALF_CIRCLE / 2.0).then(|| {
         let rest = stretch.rest(0.5);
         [Stretch { to: rest.from, sweep: stretch.sweep / 2.0, ..stretch }, rest]

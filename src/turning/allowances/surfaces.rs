@@ -51,8 +51,7 @@ impl Place {
 
 /// The largest diameter of a surface.
 pub fn diameter(surface: &Surface) -> Micrometres {
-    let radii = surface.pieces.iter().flat_map(|piece| piece.extremes()).map(|point| point.radius);
-    radii.max().unwrap_or_default().diameter()
+    surface.pieces.iter().map(|piece| piece.radii().1).max().unwrap_or_default().diameter()
 }
 
 /// The length of the part, from the ends of its contour, in whole micrometres.

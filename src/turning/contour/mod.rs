@@ -10,6 +10,7 @@ use serde::Serialize;
 
 use super::length::Half;
 use super::point::Point;
+use piece::both;
 pub use piece::{Curve, Piece, Turn};
 pub use surface::{Profile, Surface, SurfaceKind};
 
@@ -75,10 +76,8 @@ impl Contour {
 
     /// The least and the greatest radius at a Z, of a monotone contour: the same but on a face. None beyond its ends.
     pub fn radii_at(&self, z: Half) -> Option<(Half, Half)> {
-        let radii = self.pieces.iter().flat_map(|piece| piece.at_z(z)).map(|point| point.radius);
-        radii.fold(None, |found: Option<(Half, Half)>, radius| {
-            Some(found.map_or((radius, radius), |(least, most)| (least.min(radius), most.max(radius))))
-        })
+        let points = self.pieces.iter().flat_map(|piece| piece.at_z(z));
+        points.map(|point| (point.radius, point.radius)).reduce(both)
     }
 
     /// Where it crosses, touches or lies on the horizontal of a radius, in its own order; a point that two pieces share
@@ -91,10 +90,7 @@ impl Contour {
 
     /// The least and the greatest radius of it anywhere.
     pub fn radii(&self) -> Option<(Half, Half)> {
-        let radii = self.pieces.iter().flat_map(|piece| piece.extremes()).map(|point| point.radius);
-        radii.fold(None, |found: Option<(Half, Half)>, radius| {
-            Some(found.map_or((radius, radius), |(least, most)| (least.min(radius), most.max(radius))))
-        })
+        self.pieces.iter().map(|piece| piece.radii()).reduce(both)
     }
 
     /// The part turned over: what was Z = `length` becomes Z = 0, and the contour again goes from the free end.
@@ -110,12 +106,11 @@ impl Contour {
     /// is written for outer contours serves for bores.
     #[must_use]
     pub fn inside_out(&self, top: Half) -> Self {
-        let place = |point: Point| Point { radius: top - point.radius, z: point.z };
         let side = match self.side {
             Side::Outer => Side::Inner,
             Side::Inner => Side::Outer,
         };
-        Self { side, pieces: self.pieces.iter().map(|piece| piece.mapped(true, place)).collect() }
+        Self { side, pieces: self.pieces.iter().map(|piece| piece.inside_out(top)).collect() }
     }
 }
 

@@ -122,7 +122,7 @@ impl Piece {
     pub fn direction_at(self, point: Point) -> Vector {
         match (self.curve, self.centre()) {
             (Curve::Arc { turn, .. }, Some(centre)) => {
-                let spoke = centre.times(-1.0).plus(point.vector()).unit();
+                let spoke = point.vector().minus(centre).unit();
                 match turn {
                     Turn::Left => spoke.left(),
                     Turn::Right => spoke.left().times(-1.0),
@@ -162,6 +162,12 @@ impl Piece {
             }
         }
         points
+    }
+
+    /// The least and the greatest radius of it.
+    pub fn radii(self) -> (Half, Half) {
+        let radii = self.extremes().into_iter().map(|point| (point.radius, point.radius));
+        radii.fold((self.from.radius, self.from.radius), both)
     }
 
     /// Whether a point on the circle of an arc, or on the line, lies between its ends.
@@ -253,6 +259,17 @@ impl Piece {
         };
         Self { from: place(self.from), to: place(self.to), curve }
     }
+
+    /// Inside out: radii count inwards from `top`.
+    #[must_use]
+    pub fn inside_out(self, top: Half) -> Self {
+        self.mapped(true, |point| point.inside_out(top))
+    }
+}
+
+/// From the lesser of two beginnings to the greater of two ends.
+pub(super) fn both(one: (Half, Half), other: (Half, Half)) -> (Half, Half) {
+    (one.0.min(other.0), one.1.max(other.1))
 }
 
 #[cfg(test)]

@@ -103,7 +103,7 @@ fn inside(piece: Piece) -> impl Iterator<Item = Point> {
         let on_chord = piece.from.vector().plus(chord.times(f64::from(part) / 16.0));
         let Some(centre) = piece.centre() else { return Some(Point::at(on_chord)) };
         let Curve::Arc { radius, .. } = piece.curve else { return None };
-        let spoke = centre.times(-1.0).plus(on_chord);
+        let spoke = on_chord.minus(centre);
         // Half a circle has its centre on the chord: its middle has no direction from there.
         (spoke.length() > 1e-6).then(|| Point::at(centre.plus(spoke.unit().times(radius.to_mm()))))
     })

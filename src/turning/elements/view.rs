@@ -52,7 +52,7 @@ impl View {
 
     /// A piece of the part as the tool sees it.
     fn forth(self, piece: Piece) -> Piece {
-        let flipped = self.top.map_or(piece, |top| piece.mapped(true, |at| Point::new(top - at.radius, at.z)));
+        let flipped = self.top.map_or(piece, |top| piece.inside_out(top));
         if self.mirrored {
             flipped.mapped(true, |at| Point::new(at.radius, Half::ZERO - at.z)).reversed()
         } else {

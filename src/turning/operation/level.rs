@@ -20,9 +20,7 @@ pub(super) fn raised(contour: &Contour, level: Half) -> Contour {
         for (from, to) in points.iter().zip(points.iter().skip(1)) {
             let part = piece.between(*from, *to);
             // A point inside the part says on which side of the level it lies: at its ends it may touch.
-            let inside = part.extremes().into_iter().map(|point| point.radius);
-            let (least, most) =
-                inside.fold((from.radius, from.radius), |(least, most), radius| (least.min(radius), most.max(radius)));
+            let (least, most) = part.radii();
             let kept = if above { most > level } else { least < level };
             if kept {
                 put(part);

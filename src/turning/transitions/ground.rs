@@ -326,7 +326,7 @@ fn on_at(piece: &Piece, length: f64) -> Point {
         (Curve::Arc { radius, turn }, Some(centre)) => {
             let sign = if turn == crate::turning::contour::Turn::Left { 1.0 } else { -1.0 };
             let angle = sign * length / radius.to_mm().max(f64::MIN_POSITIVE);
-            let spoke = centre.times(-1.0).plus(piece.from.vector());
+            let spoke = piece.from.vector().minus(centre);
             let (sin, cos) = (libm::sin(angle), libm::cos(angle));
             let turned = Vector::new(spoke.z * cos - spoke.radius * sin, spoke.z * sin + spoke.radius * cos);
             Point::at(centre.plus(turned))

@@ -312,12 +312,11 @@ fn outer(
 
 /// A way inside out: that over a bore, and back.
 fn way_inside_out(way: &Way, top: Half) -> Way {
-    let place = |point: Point| Point { radius: top - point.radius, z: point.z };
     let moves = way.pieces().map(|(piece, purpose)| {
-        let piece = piece.mapped(true, place);
+        let piece = piece.inside_out(top);
         Move { to: piece.to, curve: piece.curve, purpose }
     });
-    Way { from: place(way.from), moves: moves.collect() }
+    Way { from: way.from.inside_out(top), moves: moves.collect() }
 }
 
 /// Whether finishing must follow a scheme for a roughness that is asked: where the table `turning-schemes` says how fine
