@@ -9,7 +9,7 @@ use crate::plan::Operation;
 use crate::units::{Decimal, RevsPerMinute, round_to};
 
 use super::super::context::Context;
-use super::super::graph::{Constant, Graph, Judged, Rule};
+use super::super::graph::{Constant, Formula, Graph, Judged, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::{formula, given, same};
 
@@ -84,8 +84,7 @@ fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result
         graph.add(formula(&POWER_OF, id(Q::Power), vec![id(Q::Torque), id(Q::Rpm)], "{0}·{1}/9750", turning));
     }
     if !has(id(Q::Torque)) || has(id(Q::CardPower)) {
-        let torque = |values: &[f64]| Some(9750.0 * values.first()? / values.get(1)?);
-        graph.add(formula(&TORQUE, id(Q::Torque), vec![id(Q::Power), id(Q::Rpm)], "9750·{0}/{1}", torque));
+        graph.add(torque_of_power(Scope::Conditions(at)));
     }
     // A tap goes back at its feed.
     if axial {
@@ -98,6 +97,13 @@ fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result
     }
     reference(context, graph, at, first);
     Ok(())
+}
+
+/// M = 9750·N/n, of conditions and of the clamping alike; N in kW, n in 1/min, M in N·m.
+pub(super) fn torque_of_power<'a>(scope: Scope) -> Formula<'a> {
+    let id = |quantity| Id::new(scope, quantity);
+    let torque = |values: &[f64]| Some(9750.0 * values.first()? / values.get(1)?);
+    formula(&TORQUE, id(Q::Torque), vec![id(Q::Power), id(Q::Rpm)], "9750·{0}/{1}", torque)
 }
 
 /// t = (D − D0)/2, of one pass; for centring D/2.

@@ -6,7 +6,7 @@ use crate::plan::{Feature, Operation};
 use super::super::context::Context;
 use super::super::graph::{Graph, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
-use super::{formula, given, same};
+use super::{formula, given, marks, same};
 
 const COUNT: Rule = Rule { id: "holes-of-group", formula: "z", source: "the drawing" };
 const COUNT_OF_CONDITIONS: Rule =
@@ -66,8 +66,8 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
         let scope = Scope::Conditions(at);
         let counts: Vec<Id> = conditions.rows.iter().map(|row| Id::new(Scope::Row(*row), Q::Count)).collect();
         if let Some(first) = conditions.rows.first() {
-            let marks: Vec<String> = (0..counts.len()).map(|at| format!("{{{at}}}")).collect();
-            let sum = formula(&COUNT_OF_CONDITIONS, Id::new(scope, Q::Count), counts, &marks.join("+"), |values| {
+            let numbers = marks(counts.len(), "+");
+            let sum = formula(&COUNT_OF_CONDITIONS, Id::new(scope, Q::Count), counts, &numbers, |values| {
                 Some(values.iter().sum())
             });
             graph.add(sum);
