@@ -76,9 +76,8 @@ fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result
         graph.add(formula(&AT_STEP, id(Q::SpeedTaken), inputs, "{0}·{1}·{2}/1000", speed));
     }
     spindle(context, graph, at)?;
-    let feed = if has(id(Q::FeedTaken)) { id(Q::FeedTaken) } else { id(Q::Feed) };
     let product = |values: &[f64]| Some(values.iter().product::<f64>());
-    graph.add(formula(&MINUTE, id(Q::MinuteFeed), vec![feed, id(Q::Rpm)], "{0}·{1}", product));
+    graph.add(formula(&MINUTE, id(Q::MinuteFeed), vec![id(conditions.feed()), id(Q::Rpm)], "{0}·{1}", product));
     let turning = |values: &[f64]| Some(values.first()? * values.get(1)? / 9750.0);
     if has(id(Q::Torque)) {
         graph.add(formula(&POWER_OF, id(Q::Power), vec![id(Q::Torque), id(Q::Rpm)], "{0}·{1}/9750", turning));
