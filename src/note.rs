@@ -45,6 +45,22 @@ pub enum Severity {
     Note,
 }
 
+impl Severity {
+    /// Every severity with its name in tables and plans, the gravest first.
+    pub const NAMES: [(&'static str, Self); 4] =
+        [("error", Self::Error), ("wrong", Self::Wrong), ("doubtful", Self::Doubtful), ("note", Self::Note)];
+
+    /// Its name in tables and plans.
+    pub fn name(self) -> &'static str {
+        Self::NAMES.iter().find(|(_, severity)| *severity == self).map_or("", |(name, _)| name)
+    }
+
+    /// The severity of that name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::NAMES.iter().find(|(known, _)| *known == name).map(|(_, severity)| *severity)
+    }
+}
+
 /// Something about a plan that its reader must know.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Finding {

@@ -192,25 +192,17 @@ fn judge_step(context: &Context<'_>, value: f64, computed: f64) -> Judged {
     if (right.0 - value).abs() < 1e-6 {
         return None;
     }
-    let steps = &shop.machine.spindle_steps;
     let note = |code: &str| {
         let excess = round_to((value / computed - 1.0) * 100.0, 1);
         Note::new(code).with("excess", excess).with("computed", round_to(computed, 1)).with("step", right.0)
     };
-    if !steps.iter().any(|step| (step.0 - value).abs() < 1e-6) {
-        let below = steps.iter().rev().find(|step| step.0 < value);
-        let above = steps.iter().find(|step| step.0 > value);
-        let show = |step: Option<&RevsPerMinute>| step.map_or_else(|| "-".to_owned(), |step| step.0.to_string());
-        let note = note("audit-no-step").with("below", show(below)).with("above", show(above));
-        return Some((Severity::Wrong, note));
+    if let Some((below, above)) = context.steps_around(value) {
+        return Some((Severity::Wrong, note("audit-no-step").with("below", below).with("above", above)));
     }
     let excess = Decimal::from_f64_rounded((value / computed - 1.0) * 100.0);
     let rule = shop.knowledge.table("audit-spindle").ok()?;
     let answer = rule.decide(&[("excess", Input::Number(excess, Unit::Percent))]).ok()?;
-    let severity = match answer.winner()?.text("severity").ok()? {
-        "doubtful" => Severity::Doubtful,
-        _ => Severity::Wrong,
-    };
+    let severity = Severity::from_name(answer.winner()?.text("severity").ok()?)?;
     Some((severity, note(if value > computed { "audit-step-fast" } else { "audit-step-slow" })))
 }
 
