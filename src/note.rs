@@ -52,7 +52,10 @@ pub enum Severity {
 }
 
 impl Severity {
-    /// Its name for programs, as in JSON.
+    /// Every severity, the gravest first.
+    pub const ALL: [Self; 4] = [Self::Error, Self::Wrong, Self::Doubtful, Self::Note];
+
+    /// Its name in tables, plans and JSON.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Error => "error",
@@ -60,6 +63,11 @@ impl Severity {
             Self::Doubtful => "doubtful",
             Self::Note => "note",
         }
+    }
+
+    /// The severity of that name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|severity| severity.name() == name)
     }
 }
 

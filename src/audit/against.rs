@@ -17,7 +17,10 @@ use super::graph::Graph;
 use super::near::plain;
 use super::quantity::{Id, Quantity, Scope};
 use super::rules;
-use super::stated::{Figure, Figures, Row, Stated, Text, Tool};
+use super::stated::{Clamping, Factor, Figure, Figures, Row, Stated, Text, Tool};
+
+/// A name that a clamping states.
+type NameOf = fn(&Clamping) -> &Option<Text>;
 
 /// Two plans beside each other.
 #[derive(Clone, Debug, Serialize)]
@@ -149,9 +152,8 @@ impl Found<'_> {
             let of_b = order(b, pairs.iter().map(|(_, at)| *at).collect());
             self.say(Section::Route, &Subject::default(), "order", Some(of_a), Some(of_b));
         }
-        for (at, row) in a.rows.iter().enumerate().filter(|(at, _)| !pairs.iter().any(|(own, _)| own == at)) {
-            let number = names_a.get(at).map(|_| row.number.to_string());
-            self.say(Section::Route, &of_row(row), "row", number, None);
+        for (_, row) in a.rows.iter().enumerate().filter(|(at, _)| !pairs.iter().any(|(own, _)| own == at)) {
+            self.say(Section::Route, &of_row(row), "row", Some(row.number.to_string()), None);
         }
         for (_, row) in b.rows.iter().enumerate().filter(|(at, _)| !pairs.iter().any(|(_, own)| own == at)) {
             self.say(Section::Route, &of_row(row), "row", None, Some(row.number.to_string()));
@@ -196,9 +198,8 @@ impl Found<'_> {
     fn conditions(&mut self, subject: &Subject, (a, b): (Option<usize>, Option<usize>)) {
         let none = Figures::new();
         let (a, b) = (a.and_then(|at| self.a.conditions.get(at)), b.and_then(|at| self.b.conditions.get(at)));
-        let figures =
-            |own: Option<&super::stated::Conditions>| own.map_or_else(|| none.clone(), |own| own.figures.clone());
-        self.figures(Section::Conditions, subject, &figures(a), &figures(b));
+        let [one, two] = [a, b].map(|own| own.map_or(&none, |own| &own.figures));
+        self.figures(Section::Conditions, subject, one, two);
         // Factors of conditions that only one plan has are told by their results.
         let (Some(a), Some(b)) = (a, b) else { return };
         let quantities: BTreeSet<Quantity> = a.factors.keys().chain(b.factors.keys()).copied().collect();
@@ -206,7 +207,7 @@ impl Found<'_> {
             let [a, b] = [a, b].map(|own| own.factors.get(&quantity).map(Vec::as_slice).unwrap_or_default());
             let names: BTreeSet<&str> = a.iter().chain(b).map(|factor| factor.name.value.as_str()).collect();
             for name in names {
-                let value = |own: &[super::stated::Factor]| {
+                let value = |own: &[Factor]| {
                     own.iter().find(|factor| factor.name.value == name).and_then(|factor| factor.value.clone())
                 };
                 self.figure(Section::Conditions, subject, quantity, Some(name), value(a).as_ref(), value(b).as_ref());
@@ -220,15 +221,11 @@ impl Found<'_> {
         let none = Figures::new();
         let [one, two] = [a, b].map(|own| own.map_or(&none, |own| &own.figures));
         self.figures(Section::Clamping, &subject, one, two);
-        let text = |own: Option<&super::stated::Clamping>, key: &str| {
-            own.and_then(|own| match key {
-                "screw" => own.screw.clone(),
-                "standard" => own.standard.clone(),
-                _ => own.designation.clone(),
-            })
-        };
-        for key in ["screw", "designation", "standard"] {
-            self.text(Section::Clamping, &subject, key, &text(a, key), &text(b, key));
+        let names: [(&str, NameOf); 3] =
+            [("screw", |own| &own.screw), ("designation", |own| &own.designation), ("standard", |own| &own.standard)];
+        for (key, name) in names {
+            let [one, two] = [a, b].map(|own| own.map_or(&None, name));
+            self.text(Section::Clamping, &subject, key, one, two);
         }
     }
 

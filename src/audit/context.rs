@@ -10,6 +10,7 @@ use crate::part::Hole;
 use crate::plan::{Plan, Transition};
 use crate::shop::Shop;
 use crate::tooling::named::NamedCutter;
+use crate::units::RevsPerMinute;
 
 use super::auditor::Auditor;
 use super::near::Near;
@@ -120,6 +121,19 @@ impl<'a> Context<'a> {
         let mut changes: Vec<u32> = self.stated.rows.iter().filter_map(|row| Some(row.tool.as_ref()?.value)).collect();
         changes.dedup();
         changes
+    }
+
+    /// The steps of the machine below and above a spindle speed, 1/min, `-` where there is none; nothing where the speed is
+    /// a step itself.
+    pub fn steps_around(&self, speed: f64) -> Option<(String, String)> {
+        let steps = &self.shop.machine.spindle_steps;
+        if steps.iter().any(|step| (step.0 - speed).abs() < 1e-6) {
+            return None;
+        }
+        let shown = |step: Option<&RevsPerMinute>| step.map_or_else(|| "-".to_owned(), |step| step.0.to_string());
+        let below = steps.iter().rev().find(|step| step.0 < speed);
+        let above = steps.iter().find(|step| step.0 > speed);
+        Some((shown(below), shown(above)))
     }
 
     /// Whether the corrector of a tool is subtracted: as the plan says, else as its program calls it, else it is added.

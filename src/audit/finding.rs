@@ -256,7 +256,7 @@ impl Audit {
 impl Context<'_> {
     /// The path of a figure in the plan: `conditions.2.feed`, tools by their numbers, rows by theirs.
     pub(super) fn field(&self, id: Id) -> String {
-        let key = id.quantity.key();
+        let key = id.key();
         match id.scope {
             Scope::Constant => key.to_owned(),
             Scope::Row(at) => format!("route.{}.{key}", self.stated.rows.get(at).map_or(0, |row| row.number)),
@@ -268,7 +268,6 @@ impl Context<'_> {
                 }
             }
             Scope::Tool(at) => format!("tools.T{}.{key}", self.stated.tools.get(at).map_or(0, |tool| tool.number)),
-            Scope::Clamping if id.quantity == Quantity::ClampForce => "clamping.force".to_owned(),
             Scope::Clamping => format!("clamping.{key}"),
             Scope::Times => format!("times.{key}"),
         }

@@ -178,6 +178,11 @@ impl<'a> Graph<'a> {
         value
     }
 
+    /// What a figure is as stated, else what it should be.
+    pub fn stated_or_right(&self, id: Id) -> Option<f64> {
+        self.stated.figure(id).map(|figure| figure.value).or_else(|| self.right(id))
+    }
+
     /// What a figure is as the plan has it: as stated, else as its formula makes it of what is stated.
     pub(super) fn written(&self, id: Id) -> Option<f64> {
         if let Some(figure) = self.stated.figure(id) {

@@ -105,9 +105,9 @@ pub(super) fn read(
             rows.push(row);
         }
     }
-    let tools = items(root.get("tools")).filter_map(|node| reader.tool(node)).collect();
+    let tools = items(root.get("tools")).iter().filter_map(|node| reader.tool(node)).collect();
     let changes: Vec<u32> =
-        items(root.get("sequence")).filter_map(|visit| visit.get("tool")?.text()?.parse().ok()).collect();
+        items(root.get("sequence")).iter().filter_map(|visit| visit.get("tool")?.text()?.parse().ok()).collect();
     let clamping = root.get("clamping").filter(|node| !node.is_null()).map(|node| reader.clamping(node));
     let times = root.get("time").map(|node| reader.figures(node, &TIMES)).unwrap_or_default();
     Some(Stated {
@@ -233,12 +233,12 @@ impl Own<'_> {
         let point = |node: &Node| {
             let [x, y] = ["x", "y"].map(|axis| node.get(axis).and_then(Node::text).and_then(|text| text.parse().ok()));
             let listed = || {
-                let mut two = items(Some(node)).filter_map(|node| node.text()?.parse().ok());
+                let mut two = items(Some(node)).iter().filter_map(|node| node.text()?.parse().ok());
                 Some(Point { x: two.next()?, y: two.next()? })
             };
             x.zip(y).map(|(x, y)| Point { x, y }).or_else(listed)
         };
-        let at: Vec<Point> = items(node.get("clamps")).filter_map(point).collect();
+        let at: Vec<Point> = items(node.get("clamps")).iter().filter_map(point).collect();
         let mut figures = self.figures(node, &CLAMPING);
         if let Some(clamps) = node.get("clamps") {
             let text = at.len().to_string();
@@ -258,12 +258,12 @@ impl Own<'_> {
     }
 }
 
-fn items(node: Option<&Node>) -> impl Iterator<Item = &Node> {
-    let list: &[Node] = match node.map(|node| &node.kind) {
+/// The items of a list; of what is none, none.
+pub(super) fn items(node: Option<&Node>) -> &[Node] {
+    match node.map(|node| &node.kind) {
         Some(NodeKind::Seq(items)) => items,
         _ => &[],
-    };
-    list.iter()
+    }
 }
 
 fn text_of(node: &Node, key: &str) -> Option<Text> {

@@ -151,4 +151,12 @@ impl Id {
     pub const fn new(scope: Scope, quantity: Quantity) -> Self {
         Self { scope, quantity, index: 0 }
     }
+
+    /// Its key where it belongs in a plan file: the force of the clamping is called `force` there.
+    pub fn key(self) -> &'static str {
+        match (self.scope, self.quantity) {
+            (Scope::Clamping, Quantity::ClampForce) => Quantity::Force.key(),
+            (_, quantity) => quantity.key(),
+        }
+    }
 }

@@ -96,6 +96,19 @@ pub struct Row {
     pub figures: Figures,
 }
 
+impl Row {
+    /// Whether it is of the main cylinder of its hole, as far as the plan says: of no step and of nothing else of the hole.
+    pub fn of_main_cylinder(&self) -> bool {
+        self.step.is_none() && self.feature.is_none_or(|feature| feature == Feature::Bore)
+    }
+
+    /// Whether it makes the main cylinder wider or threads it; centring and the edge leave it as it is.
+    pub fn opens_main_cylinder(&self) -> bool {
+        let operation = self.operation.value;
+        self.of_main_cylinder() && operation != Operation::CentreDrill && !operation.is_of_edge()
+    }
+}
+
 /// A tool with its holder.
 #[derive(Clone, Debug)]
 pub struct Tool {
@@ -145,6 +158,13 @@ pub struct Conditions {
     pub factors: BTreeMap<Quantity, Vec<Factor>>,
     /// Everything else.
     pub figures: Figures,
+}
+
+impl Conditions {
+    /// Which feed they are worked with: the one taken, where it is stated beside the computed one.
+    pub fn feed(&self) -> Quantity {
+        if self.figures.contains_key(&Quantity::FeedTaken) { Quantity::FeedTaken } else { Quantity::Feed }
+    }
 }
 
 /// The clamping.

@@ -42,12 +42,7 @@ impl Tolerances {
                     relative: row.number_in("relative", Unit::Percent)? / 100.0,
                     own_places: row.int("own_places")?,
                     rounded: row.flag("rounded"),
-                    severity: match row.text("severity")? {
-                        "error" => Severity::Error,
-                        "doubtful" => Severity::Doubtful,
-                        "note" => Severity::Note,
-                        _ => Severity::Wrong,
-                    },
+                    severity: Severity::from_name(row.text("severity")?).unwrap_or(Severity::Wrong),
                 },
             );
         }

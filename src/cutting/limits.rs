@@ -177,8 +177,11 @@ fn synchronous(draft: &Draft, shop: &Shop<'_>) -> Tried<Held> {
     Err(Refusal::Not(Note::new("no-step-below").with("computed", round_to(wanted.0, 1))))
 }
 
-/// The step of the spindle's series for a computed speed, by the rule `spindle-step`.
-pub(super) fn spindle_step(
+/// The step of the machine's series for a computed speed, by the rule `spindle-step`; what limits it, and why.
+///
+/// # Errors
+/// The rule or the machine's series cannot answer.
+pub fn spindle_step(
     wanted: RevsPerMinute,
     shop: &Shop<'_>,
 ) -> Result<(RevsPerMinute, String, Because), KnowledgeError> {

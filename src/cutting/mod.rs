@@ -24,6 +24,8 @@ use crate::units::{
     Newtons, RevsPerMinute, Roughness,
 };
 
+pub use limits::spindle_step;
+
 /// What is cut.
 #[derive(Clone, Copy, Debug)]
 pub struct Cut<'a> {
@@ -195,17 +197,6 @@ pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Conditions> {
         card: draft.card,
         because,
     })
-}
-
-/// The step of the machine's series for a computed speed, by the rule `spindle-step`; what limits it, and why.
-///
-/// # Errors
-/// The rule or the machine's series cannot answer.
-pub fn spindle_step(
-    wanted: RevsPerMinute,
-    shop: &Shop<'_>,
-) -> Result<(RevsPerMinute, String, Because), crate::error::KnowledgeError> {
-    limits::spindle_step(wanted, shop)
 }
 
 /// Spindle speed n = 1000·V/(π·D), 1/min (textbook Appendix Г item 7; V in m/min, D in mm).

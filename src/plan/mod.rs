@@ -78,6 +78,11 @@ impl Operation {
     pub const fn is_reaming(self) -> bool {
         matches!(self, Self::RoughReam | Self::FinishReam)
     }
+
+    /// Whether it works on the edge of a hole and leaves its cylinder as it is.
+    pub const fn is_of_edge(self) -> bool {
+        matches!(self, Self::Chamfer | Self::Countersink | Self::Counterbore)
+    }
 }
 
 /// How cutting conditions are found.

@@ -26,8 +26,7 @@ pub(super) fn check<'a>(
         let Some(cutter) = context.cutter(tool) else { continue };
         let Some(hole) = context.hole(row) else { continue };
         // The angle of an edge stands in no row; what we chose for it `ours` holds against our plan.
-        let edge = matches!(row.operation.value, Operation::Countersink | Operation::Chamfer | Operation::Counterbore);
-        if edge && context.stated.own {
+        if row.operation.value.is_of_edge() && context.stated.own {
             continue;
         }
         let Some(why) = named::unsuited(&cutter, &need(context, graph, at, row, hole, overrun), machine) else {
@@ -35,8 +34,8 @@ pub(super) fn check<'a>(
         };
         let field = format!("route.{}.tool", row.number);
         let place = row.tool.as_ref().map_or(&row.place, |tool| &tool.place);
-        let severity = Severity::Error;
-        let mut finding = Finding::new(severity, Section::Tools, field, why.with("tool", cutter.designation)).at(place);
+        let note = why.with("tool", cutter.designation);
+        let mut finding = Finding::new(Severity::Error, Section::Tools, field, note).at(place);
         finding.subject = context.subject(Scope::Row(at));
         finding.subject.tool = Some(context.stated.tools[tool].number);
         findings.push(finding.resting_on([Because::row(cutter.row, Note::new("named"))]));
@@ -72,11 +71,7 @@ fn need<'a>(
     hole: &'a Hole,
     overrun: Micrometres,
 ) -> CutterNeed<'a> {
-    let length = |quantity| {
-        let id = Id::new(Scope::Row(at), quantity);
-        let value = context.stated.figure(id).map(|figure| figure.value).or_else(|| graph.right(id));
-        value.map(Micrometres::from_mm_rounded)
-    };
+    let length = |quantity| graph.stated_or_right(Id::new(Scope::Row(at), quantity)).map(Micrometres::from_mm_rounded);
     let operation = row.operation.value;
     let reference = context.reference(at);
     let planned = reference.map(|transition| transition.diameter_mm);

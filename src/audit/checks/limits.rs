@@ -62,14 +62,8 @@ fn series(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<Finding>)
     for (at, own) in context.stated.conditions.iter().enumerate() {
         let id = Id::new(Scope::Conditions(at), Q::Rpm);
         let Some(figure) = own.figures.get(&Q::Rpm).filter(|_| graph.formula(id).is_none()) else { continue };
-        if machine.spindle_steps.iter().any(|step| (step.0 - figure.value).abs() < 1e-6) {
-            continue;
-        }
-        let below = machine.spindle_steps.iter().rev().find(|step| step.0 < figure.value);
-        let above = machine.spindle_steps.iter().find(|step| step.0 > figure.value);
-        let text =
-            |step: Option<&crate::units::RevsPerMinute>| step.map_or_else(|| "-".to_owned(), |step| step.0.to_string());
-        let note = Note::new("audit-not-in-series").with("below", text(below)).with("above", text(above));
+        let Some((below, above)) = context.steps_around(figure.value) else { continue };
+        let note = Note::new("audit-not-in-series").with("below", below).with("above", above);
         let finding = Finding::new(Severity::Wrong, Section::Conditions, context.field(id), note).at(&figure.place);
         let because = Because::row(machine.row("spindle-speeds")?, Note::new("audit-series"));
         let mut finding = finding.about(context.subject(Scope::Conditions(at))).resting_on([because]);

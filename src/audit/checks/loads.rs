@@ -26,8 +26,7 @@ pub(super) fn check<'a>(
     for (at, conditions) in stated.conditions.iter().enumerate() {
         let Some(row) = conditions.rows.first() else { continue };
         let id = |quantity| Id::new(Scope::Conditions(at), quantity);
-        let taken = if conditions.figures.contains_key(&Q::FeedTaken) { Q::FeedTaken } else { Q::Feed };
-        let Some(feed) = graph.right(id(taken)) else { continue };
+        let Some(feed) = graph.right(id(conditions.feed())) else { continue };
         let Some(by) = context.reference(*row).and_then(|reference| at_feed(context, reference, feed)) else {
             continue;
         };

@@ -44,8 +44,8 @@ pub(super) fn check<'a>(
     }
     say("route", rows);
     let figures = |scope: Scope, quantities: &[Q]| -> Vec<&'static str> {
-        let lacking = quantities.iter().filter(|quantity| stated.figure(Id::new(scope, **quantity)).is_none());
-        lacking.map(|quantity| quantity.key()).collect()
+        let ids = quantities.iter().map(|quantity| Id::new(scope, *quantity));
+        ids.filter(|id| stated.figure(*id).is_none()).map(Id::key).collect()
     };
     let mut tools = Vec::new();
     if stated.tools.is_empty() {
@@ -76,9 +76,6 @@ pub(super) fn check<'a>(
         Some(own) => {
             let needed = [Q::Torque, Q::Distance, Q::ClampForce, Q::Clamps, Q::ForcePerClamp];
             let mut lacking: Vec<&str> = figures(Scope::Clamping, &needed);
-            if let Some(force) = lacking.iter_mut().find(|key| **key == Q::ClampForce.key()) {
-                *force = "force";
-            }
             lacking.extend(own.screw.is_none().then_some("screw"));
             clamping.extend(lacking.into_iter().map(str::to_owned));
         }

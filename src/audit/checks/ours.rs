@@ -10,6 +10,7 @@ use crate::note::{Note, Severity};
 use super::super::context::Context;
 use super::super::finding::{Finding, Section};
 use super::super::graph::Graph;
+use super::super::own::items;
 
 /// What a plan says beside its decisions.
 const OUTSIDE: [&str; 5] = ["because", "alternatives", "findings", "visiting", "part"];
@@ -153,12 +154,5 @@ impl Known {
             }
             _ => {}
         }
-    }
-}
-
-fn items(node: Option<&Node>) -> &[Node] {
-    match node.map(|node| &node.kind) {
-        Some(NodeKind::Seq(items)) => items,
-        _ => &[],
     }
 }

@@ -104,30 +104,15 @@ fn as_plan(context: &Context<'_>, graph: &Graph<'_>) -> Option<Plan> {
             }
             transition.tool.number = number;
             let Some(conditions) = stated.conditions_of(at) else { continue };
-            // What the author meant: a slip of the comma is no other feed.
-            let figure = |quantity| {
-                let id = Id::new(Scope::Conditions(conditions), quantity);
-                let slipped = graph.verdict(id).zip(stated.figure(id)).is_some_and(|(verdict, figure)| {
-                    let comma = nature(figure.value, verdict.right) == "audit-decimal-point";
-                    comma && matches!(verdict.status, Status::Root(_, None))
-                });
-                if slipped {
-                    graph.right(id)
-                } else {
-                    stated.figure(id).map(|figure| figure.value).or_else(|| graph.right(id))
-                }
-            };
-            let stated_feed = stated.figure(Id::new(Scope::Conditions(conditions), Q::FeedTaken)).is_some();
-            let feed = if stated_feed { figure(Q::FeedTaken) } else { figure(Q::Feed) };
+            let said = &stated.conditions[conditions];
             let own = &mut transition.conditions;
-            if let Some(rpm) = stated.figure(Id::new(Scope::Conditions(conditions), Q::Rpm)) {
+            if let Some(rpm) = said.figures.get(&Q::Rpm) {
                 own.spindle_rpm = RevsPerMinute(rpm.value);
             }
-            if let Some(feed) = feed {
+            if let Some(feed) = meant(context, graph, Id::new(Scope::Conditions(conditions), said.feed())) {
                 own.feed_mm_per_rev = MillimetresPerRev(feed);
             }
-            let minute =
-                stated.figure(Id::new(Scope::Conditions(conditions), Q::MinuteFeed)).map(|figure| figure.value);
+            let minute = said.figures.get(&Q::MinuteFeed).map(|figure| figure.value);
             own.feed_mm_per_min = MillimetresPerMinute(minute.unwrap_or(own.feed_mm_per_rev.0 * own.spindle_rpm.0));
         }
     }
@@ -137,6 +122,15 @@ fn as_plan(context: &Context<'_>, graph: &Graph<'_>) -> Option<Plan> {
     plan.sequence = visits;
     plan.time = time;
     Some(plan)
+}
+
+/// What the author meant by a figure: a slip of the comma is no other value.
+fn meant(context: &Context<'_>, graph: &Graph<'_>, id: Id) -> Option<f64> {
+    let slipped = graph.verdict(id).zip(context.stated.figure(id)).is_some_and(|(verdict, figure)| {
+        let comma = nature(figure.value, verdict.right) == "audit-decimal-point";
+        comma && matches!(verdict.status, Status::Root(_, None))
+    });
+    if slipped { graph.right(id) } else { graph.stated_or_right(id) }
 }
 
 fn tool(context: &Context<'_>, base: &ToolPlan, number: u32) -> ToolPlan {

@@ -4,7 +4,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Input;
 use crate::note::{Because, Note, Severity};
 use crate::part::Hole;
-use crate::plan::{Feature, HolePlan, Operation};
+use crate::plan::{HolePlan, Operation};
 use crate::units::{Micrometres, round_to};
 
 use super::super::context::Context;
@@ -54,8 +54,7 @@ fn order(context: &Context<'_>, rows: &[(usize, &Row)], findings: &mut Vec<Findi
     let mut before: Option<(i64, &Row)> = None;
     for (at, row) in rows {
         let operation = row.operation.value;
-        let edge = matches!(operation, Operation::Chamfer | Operation::Countersink | Operation::Counterbore);
-        if edge || row.step.is_some() || row.feature.is_some_and(|feature| feature != Feature::Bore) {
+        if operation.is_of_edge() || !row.of_main_cylinder() {
             continue;
         }
         let inputs = [("operation", Input::Text(operation.name())), ("face", Input::Bool(false))];
@@ -89,24 +88,12 @@ fn finished(
     rows: &[(usize, &Row)],
     findings: &mut Vec<Finding>,
 ) {
-    let bores = |row: &Row| {
-        let edge = matches!(
-            row.operation.value,
-            Operation::CentreDrill
-                | Operation::Chamfer
-                | Operation::Countersink
-                | Operation::Counterbore
-                | Operation::Tap
-        );
-        !edge && row.step.is_none() && row.feature.is_none_or(|feature| feature == Feature::Bore)
-    };
+    let bores = |row: &Row| row.opens_main_cylinder() && row.operation.value != Operation::Tap;
     let mut before = Micrometres::ZERO;
     let mut last = None;
     for (at, row) in rows.iter().filter(|(_, row)| bores(row)) {
         let id = Id::new(Scope::Row(*at), Q::Diameter);
-        let Some(diameter) = context.stated.figure(id).map(|figure| figure.value).or_else(|| graph.right(id)) else {
-            return;
-        };
+        let Some(diameter) = graph.stated_or_right(id) else { return };
         let diameter = Micrometres::from_mm_rounded(diameter);
         let floor = row.operation.value == Operation::Mill && diameter == before;
         if diameter <= before && !floor {
@@ -171,11 +158,8 @@ fn scheme(hole: &Hole, plan: &HolePlan, rows: &[(usize, &Row)], findings: &mut V
     if stated == ours {
         return;
     }
-    let main = |list: &[Operation]| -> Vec<Operation> {
-        let edge =
-            |one: &Operation| matches!(one, Operation::Chamfer | Operation::Countersink | Operation::Counterbore);
-        list.iter().copied().filter(|one| !edge(one)).collect()
-    };
+    let main =
+        |list: &[Operation]| -> Vec<Operation> { list.iter().copied().filter(|one| !one.is_of_edge()).collect() };
     let alike = |other: &crate::plan::Alternative| {
         let made: Vec<Operation> = other.operations.iter().map(|made| made.operation).collect();
         main(&made) == main(&stated)

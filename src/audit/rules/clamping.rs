@@ -7,11 +7,11 @@ use crate::note::{Because, Note, Severity};
 use super::super::context::Context;
 use super::super::graph::{Graph, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
-use super::{formula, given, same};
+use super::conditions::torque_of_power;
+use super::{formula, given, largest, same};
 
 const POWER: Rule = Rule { id: "clamping-power", formula: "N", source: "textbook, Appendix Г items 7 and 8" };
 const RPM: Rule = Rule { id: "clamping-rpm", formula: "nпр", source: "textbook, Appendix Г items 7 and 8" };
-const TORQUE: Rule = Rule { id: "torque-of-power", formula: "M = 9750·N/n", source: "textbook, Appendix Г item 8" };
 const LARGEST: Rule = Rule { id: "largest-torque", formula: "M", source: "textbook 5.2 item 7: the largest torque" };
 const CONSTANT: Rule = Rule { id: "clamping-constant", formula: "", source: "textbook 5.2 item 7 (l. 4675-4677)" };
 const DISTANCE: Rule = Rule { id: "distance-to-clamp", formula: "d", source: "textbook 5.2 item 7" };
@@ -19,7 +19,7 @@ const FORCE: Rule = Rule { id: "clamping-force", formula: "W = k·M/(f·d)", sou
 const CLAMPS: Rule = Rule { id: "two-clamps", formula: "zп", source: "textbook 5.2 item 7 (l. 4653-4654)" };
 const EACH: Rule = Rule { id: "force-per-clamp", formula: "Q = W/zп", source: "textbook 5.2 item 7 (l. 4680-4686)" };
 
-pub(super) const RULES: &[Rule] = &[POWER, RPM, TORQUE, LARGEST, CONSTANT, DISTANCE, FORCE, CLAMPS, EACH];
+pub(super) const RULES: &[Rule] = &[POWER, RPM, LARGEST, CONSTANT, DISTANCE, FORCE, CLAMPS, EACH];
 
 pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), KnowledgeError> {
     let stated = context.stated;
@@ -28,8 +28,7 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
     if let Some(at) = clamping.row.as_ref().and_then(|row| stated.conditions_of(row.value)) {
         graph.add(same(&POWER, id(Q::Power), Id::new(Scope::Conditions(at), Q::Power)));
         graph.add(same(&RPM, id(Q::Rpm), Id::new(Scope::Conditions(at), Q::Rpm)));
-        let torque = |values: &[f64]| Some(9750.0 * values.first()? / values.get(1)?);
-        graph.add(formula(&TORQUE, id(Q::Torque), vec![id(Q::Power), id(Q::Rpm)], "9750·{0}/{1}", torque));
+        graph.add(torque_of_power(Scope::Clamping));
     }
     if let Some(hole) = &clamping.hole {
         let of_hole = stated.rows_of_hole(&hole.value).filter_map(|(row, _)| stated.conditions_of(row));
@@ -37,9 +36,7 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
             .map(|at| Id::new(Scope::Conditions(at), Q::Torque))
             .filter(|torque| stated.figure(*torque).is_some())
             .collect();
-        let marks: Vec<String> = (0..torques.len()).map(|at| format!("{{{at}}}")).collect();
-        let largest = |values: &[f64]| values.iter().copied().reduce(f64::max);
-        graph.add(formula(&LARGEST, id(Q::Torque), torques, &format!("max({})", marks.join("; ")), largest));
+        graph.add(largest(&LARGEST, id(Q::Torque), torques));
         let group = stated.part.holes.iter().find(|known| known.name == hole.value);
         let nearest = group
             .into_iter()

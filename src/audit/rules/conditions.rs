@@ -9,7 +9,7 @@ use crate::plan::Operation;
 use crate::units::{Decimal, RevsPerMinute, round_to};
 
 use super::super::context::Context;
-use super::super::graph::{Constant, Graph, Judged, Rule};
+use super::super::graph::{Constant, Formula, Graph, Judged, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::{formula, given, same};
 
@@ -76,16 +76,14 @@ fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result
         graph.add(formula(&AT_STEP, id(Q::SpeedTaken), inputs, "{0}·{1}·{2}/1000", speed));
     }
     spindle(context, graph, at)?;
-    let feed = if has(id(Q::FeedTaken)) { id(Q::FeedTaken) } else { id(Q::Feed) };
     let product = |values: &[f64]| Some(values.iter().product::<f64>());
-    graph.add(formula(&MINUTE, id(Q::MinuteFeed), vec![feed, id(Q::Rpm)], "{0}·{1}", product));
+    graph.add(formula(&MINUTE, id(Q::MinuteFeed), vec![id(conditions.feed()), id(Q::Rpm)], "{0}·{1}", product));
     let turning = |values: &[f64]| Some(values.first()? * values.get(1)? / 9750.0);
     if has(id(Q::Torque)) {
         graph.add(formula(&POWER_OF, id(Q::Power), vec![id(Q::Torque), id(Q::Rpm)], "{0}·{1}/9750", turning));
     }
     if !has(id(Q::Torque)) || has(id(Q::CardPower)) {
-        let torque = |values: &[f64]| Some(9750.0 * values.first()? / values.get(1)?);
-        graph.add(formula(&TORQUE, id(Q::Torque), vec![id(Q::Power), id(Q::Rpm)], "9750·{0}/{1}", torque));
+        graph.add(torque_of_power(Scope::Conditions(at)));
     }
     // A tap goes back at its feed.
     if axial {
@@ -98,6 +96,13 @@ fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result
     }
     reference(context, graph, at, first);
     Ok(())
+}
+
+/// M = 9750·N/n, of conditions and of the clamping alike; N in kW, n in 1/min, M in N·m.
+pub(super) fn torque_of_power<'a>(scope: Scope) -> Formula<'a> {
+    let id = |quantity| Id::new(scope, quantity);
+    let torque = |values: &[f64]| Some(9750.0 * values.first()? / values.get(1)?);
+    formula(&TORQUE, id(Q::Torque), vec![id(Q::Power), id(Q::Rpm)], "9750·{0}/{1}", torque)
 }
 
 /// t = (D − D0)/2, of one pass; for centring D/2.
@@ -187,25 +192,17 @@ fn judge_step(context: &Context<'_>, value: f64, computed: f64) -> Judged {
     if (right.0 - value).abs() < 1e-6 {
         return None;
     }
-    let steps = &shop.machine.spindle_steps;
     let note = |code: &str| {
         let excess = round_to((value / computed - 1.0) * 100.0, 1);
         Note::new(code).with("excess", excess).with("computed", round_to(computed, 1)).with("step", right.0)
     };
-    if !steps.iter().any(|step| (step.0 - value).abs() < 1e-6) {
-        let below = steps.iter().rev().find(|step| step.0 < value);
-        let above = steps.iter().find(|step| step.0 > value);
-        let show = |step: Option<&RevsPerMinute>| step.map_or_else(|| "-".to_owned(), |step| step.0.to_string());
-        let note = note("audit-no-step").with("below", show(below)).with("above", show(above));
-        return Some((Severity::Wrong, note));
+    if let Some((below, above)) = context.steps_around(value) {
+        return Some((Severity::Wrong, note("audit-no-step").with("below", below).with("above", above)));
     }
     let excess = Decimal::from_f64_rounded((value / computed - 1.0) * 100.0);
     let rule = shop.knowledge.table("audit-spindle").ok()?;
     let answer = rule.decide(&[("excess", Input::Number(excess, Unit::Percent))]).ok()?;
-    let severity = match answer.winner()?.text("severity").ok()? {
-        "doubtful" => Severity::Doubtful,
-        _ => Severity::Wrong,
-    };
+    let severity = Severity::from_name(answer.winner()?.text("severity").ok()?)?;
     Some((severity, note(if value > computed { "audit-step-fast" } else { "audit-step-slow" })))
 }
 

@@ -1,12 +1,12 @@
 //! Counts, diameters and depths of the route against the drawing and against each other.
 
 use crate::error::KnowledgeError;
-use crate::plan::{Feature, Operation};
+use crate::plan::Operation;
 
 use super::super::context::Context;
 use super::super::graph::{Graph, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
-use super::{formula, given, same};
+use super::{formula, given, marks, same};
 
 const COUNT: Rule = Rule { id: "holes-of-group", formula: "z", source: "the drawing" };
 const COUNT_OF_CONDITIONS: Rule =
@@ -29,25 +29,11 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
         if let Some(tool) = stated.tool_of(row).filter(|_| axial && !row.elsewhere) {
             graph.add(same(&DIAMETER, Id::new(scope, Q::Diameter), Id::new(Scope::Tool(tool), Q::Diameter)));
         }
-        let main = row.feature.is_none_or(|feature| feature == Feature::Bore) && row.step.is_none();
-        let opens = !matches!(
-            row.operation.value,
-            Operation::CentreDrill | Operation::Chamfer | Operation::Countersink | Operation::Counterbore
-        );
-        if !main || !opens {
+        if !row.opens_main_cylinder() {
             continue;
         }
         let before = stated.rows_of_hole(&hole.name).take_while(|(other, _)| *other < at);
-        let before = before
-            .filter(|(_, other)| {
-                other.feature.is_none_or(|feature| feature == Feature::Bore)
-                    && other.step.is_none()
-                    && !matches!(
-                        other.operation.value,
-                        Operation::CentreDrill | Operation::Chamfer | Operation::Countersink | Operation::Counterbore
-                    )
-            })
-            .last();
+        let before = before.filter(|(_, other)| other.opens_main_cylinder()).last();
         let output = Id::new(scope, Q::From);
         match before {
             Some((before, _)) => graph.add(same(&FROM, output, Id::new(Scope::Row(before), Q::Diameter))),
@@ -66,8 +52,8 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
         let scope = Scope::Conditions(at);
         let counts: Vec<Id> = conditions.rows.iter().map(|row| Id::new(Scope::Row(*row), Q::Count)).collect();
         if let Some(first) = conditions.rows.first() {
-            let marks: Vec<String> = (0..counts.len()).map(|at| format!("{{{at}}}")).collect();
-            let sum = formula(&COUNT_OF_CONDITIONS, Id::new(scope, Q::Count), counts, &marks.join("+"), |values| {
+            let numbers = marks(counts.len(), "+");
+            let sum = formula(&COUNT_OF_CONDITIONS, Id::new(scope, Q::Count), counts, &numbers, |values| {
                 Some(values.iter().sum())
             });
             graph.add(sum);

@@ -65,3 +65,14 @@ fn given<'a>(rule: &'static Rule, output: Id, value: f64, because: impl IntoIter
     formula.because.extend(because);
     formula
 }
+
+/// The largest of several figures.
+fn largest<'a>(rule: &'static Rule, output: Id, inputs: Vec<Id>) -> Formula<'a> {
+    let numbers = format!("max({})", marks(inputs.len(), "; "));
+    formula(rule, output, inputs, &numbers, |values| values.iter().copied().reduce(f64::max))
+}
+
+/// `{0}`, `{1}` … of so many inputs, with a sign between.
+fn marks(count: usize, between: &str) -> String {
+    (0..count).map(|at| format!("{{{at}}}")).collect::<Vec<_>>().join(between)
+}

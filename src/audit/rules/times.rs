@@ -21,12 +21,11 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
     let id = |quantity| Id::new(Scope::Times, quantity);
     let mut inputs = Vec::new();
     let mut marks = Vec::new();
-    for (at, row) in stated.rows.iter().enumerate().filter(|(_, row)| !row.elsewhere) {
+    for (at, _) in stated.rows.iter().enumerate().filter(|(_, row)| !row.elsewhere) {
         let Some(conditions) = stated.conditions_of(at) else { continue };
         marks.push(format!("{{{}}}·{{{}}}", inputs.len(), inputs.len() + 1));
         inputs.push(Id::new(Scope::Row(at), Q::Count));
         inputs.push(Id::new(Scope::Conditions(conditions), Q::Time));
-        let _ = row;
     }
     if !inputs.is_empty() {
         let sum = |values: &[f64]| Some(values.chunks(2).map(|pair| pair.iter().product::<f64>()).sum());

@@ -9,7 +9,7 @@ use crate::tooling::named;
 use super::super::context::Context;
 use super::super::graph::{Graph, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
-use super::{formula, given, same};
+use super::{formula, given, largest, same};
 
 const DIMENSION: Rule = Rule { id: "tool-dimension", formula: "", source: "the catalog of the tool's designation" };
 const HOLDER: Rule = Rule { id: "holder-dimension", formula: "", source: "the catalog of the holder's designation" };
@@ -124,12 +124,7 @@ fn corrections<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) {
     let stated = context.stated;
     let id = |quantity| Id::new(Scope::Tool(at), quantity);
     let lengths: Vec<Id> = (0..stated.tools.len()).map(|tool| Id::new(Scope::Tool(tool), Q::Assembly)).collect();
-    let marks: Vec<String> = (0..lengths.len()).map(|at| format!("{{{at}}}")).collect();
-    let longest =
-        formula(&REFERENCE, id(Q::LongestAssembly), lengths, &format!("max({})", marks.join("; ")), |values| {
-            values.iter().copied().reduce(f64::max)
-        });
-    graph.add(longest);
+    graph.add(largest(&REFERENCE, id(Q::LongestAssembly), lengths));
     let inputs = vec![id(Q::Assembly), id(Q::LongestAssembly)];
     let difference = |values: &[f64]| Some(values.first()? - values.get(1)?);
     let reverse = move |values: &[f64]| difference(values).map(|value| -value);

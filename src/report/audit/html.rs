@@ -1,7 +1,6 @@
 //! An audit as a page for a browser: one file, nothing loaded from elsewhere, whatever a plan says only shown.
 
 use crate::audit::{Audit, Audited};
-use crate::note::Severity;
 
 use super::super::Lang;
 use super::{by_section, details, heading, headline, many, marks, place, severity, summary, title};
@@ -34,7 +33,7 @@ pub fn page(audit: &Audit, lang: Lang) -> String {
         body.push_str(&format!("<h2>{}</h2>\n<ul>\n", heading(section, lang)));
         for finding in findings {
             let at = place(finding, &audit.file).map(|place| format!(" <code>{}</code>", escaped(&place)));
-            let (class, word) = (class(finding.severity), severity(finding.severity, lang));
+            let (class, word) = (finding.severity.name(), severity(finding.severity, lang));
             let said = escaped(&headline(finding, lang));
             body.push_str(&format!("<li class=\"finding {class}\"><b>{word}</b>{} {said}", at.unwrap_or_default()));
             body.push_str(&list("why", &details(finding, lang)));
@@ -82,15 +81,6 @@ fn list(class: &str, lines: &[String]) -> String {
     }
     let items: String = lines.iter().map(|line| format!("<li>{}</li>\n", escaped(line))).collect();
     format!("\n<ul class=\"{class}\">\n{items}</ul>\n")
-}
-
-const fn class(severity: Severity) -> &'static str {
-    match severity {
-        Severity::Error => "error",
-        Severity::Wrong => "wrong",
-        Severity::Doubtful => "doubtful",
-        Severity::Note => "note",
-    }
 }
 
 /// A text as it is shown, whatever signs are in it.
