@@ -7,12 +7,13 @@
 mod common;
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 use serde_json::Value;
-use technolog::audit::{audit_beside, read_plan};
+use technolog::audit::{Finding, audit_beside, by_hand, read_plan};
 use technolog::knowledge::Value as Cell;
 use technolog::note::Severity;
-use technolog::plan::CuttingMethod;
+use technolog::plan::{CuttingMethod, Plan};
 
 use common::{KNOWLEDGE, planned, read};
 
@@ -23,6 +24,8 @@ struct Mutant {
     text: String,
     /// The line that differs, from 1; absent where lines were moved.
     line: Option<usize>,
+    /// The columns of what differs, where more than one figure stands in the line.
+    columns: Option<Range<usize>>,
 }
 
 /// What does not belong to the plan itself: its part, its reasons, what it was weighed against.
@@ -60,7 +63,7 @@ fn changed(plan: &Value, kind: &'static str, path: &str, to: Value) -> Mutant {
     *plan.pointer_mut(path).unwrap() = to;
     let after = text(&plan);
     let line = before.lines().zip(after.lines()).position(|(a, b)| a != b).map(|at| at + 1);
-    Mutant { kind, what: path.to_owned(), text: after, line }
+    Mutant { kind, what: path.to_owned(), text: after, line, columns: None }
 }
 
 /// A number times a factor, as it was written: whole where it was whole.
@@ -123,67 +126,207 @@ fn mutants(plan: &Value) -> Vec<Mutant> {
             let mut dropped = plan.clone();
             dropped["holes"][at]["transitions"].as_array_mut().unwrap().remove(one);
             let what = format!("/holes/{at}/transitions/{one}");
-            mutants.push(Mutant { kind: "transition dropped", what: what.clone(), text: text(&dropped), line: None });
+            mutants.push(Mutant {
+                kind: "transition dropped",
+                what: what.clone(),
+                text: text(&dropped),
+                line: None,
+                columns: None,
+            });
             if one + 1 < count {
                 let mut swapped = plan.clone();
                 swapped["holes"][at]["transitions"].as_array_mut().unwrap().swap(one, one + 1);
-                mutants.push(Mutant { kind: "transitions swapped", what, text: text(&swapped), line: None });
+                mutants.push(Mutant {
+                    kind: "transitions swapped",
+                    what,
+                    text: text(&swapped),
+                    line: None,
+                    columns: None,
+                });
             }
         }
     }
     mutants
 }
 
-#[test]
-fn most_changes_of_a_plan_are_found_and_named_first() {
-    // Kind: made, found, found by a formula or a table and not only by our own plan, named first.
-    let mut shares: BTreeMap<&str, [usize; 4]> = BTreeMap::new();
-    let mut missed: BTreeMap<String, usize> = BTreeMap::new();
-    let parts = ["examples/plate.yaml", "tests/parts/reamed-iron.yaml"];
-    for path in parts {
-        let part = read(&std::fs::read_to_string(path).unwrap());
-        let ours = planned(&part, CuttingMethod::Formula);
-        let plan = serde_json::to_value(&ours).unwrap();
-        for mutant in mutants(&plan) {
-            let share = shares.entry(mutant.kind).or_default();
-            share[0] += 1;
-            let none = |_: &str| Err("no files here".to_owned());
-            let (found, ruled, first) = match read_plan("plan.json", &mutant.text, &KNOWLEDGE, &none) {
-                // A mistake of the file is found at its place.
-                Err(_) => (true, true, true),
-                Ok(stated) => {
-                    let audit = audit_beside(&stated, &ours, &KNOWLEDGE).unwrap();
-                    let mut grave: Vec<_> =
-                        audit.findings.iter().filter(|one| one.severity <= Severity::Doubtful).collect();
-                    grave.sort_by_key(|one| (!one.follows_from.is_empty(), one.severity));
-                    let at = |line: Option<u32>| line.map(|line| line as usize);
-                    let first = grave.first().is_some_and(|one| mutant.line.is_none() || at(one.line) == mutant.line);
-                    let ruled = grave.iter().any(|one| one.note.code != "audit-not-ours");
-                    (!grave.is_empty(), ruled, first)
+/// Figures behind a key that are a name or a place, not a figure.
+const NAMES: [&str; 7] = ["row", "for", "at", "designation", "scheme", "table", "step"];
+
+/// Every figure of a plan by hand changed, every name misprinted, every row dropped and exchanged with the next.
+fn by_hand_mutants(text: &str) -> Vec<Mutant> {
+    let mut mutants = Vec::new();
+    let lines: Vec<&str> = text.lines().collect();
+    let with = |at: usize, line: &str| {
+        let mut lines = lines.clone();
+        lines[at] = line;
+        lines.join("\n") + "\n"
+    };
+    let mut section = "";
+    for (at, line) in lines.iter().enumerate() {
+        if !line.starts_with(' ') {
+            section = line.split(':').next().unwrap();
+        }
+        // `key: value` wherever it stands in the line; keys are ASCII.
+        for (colon, _) in line.match_indices(": ") {
+            let key = line[..colon].rsplit([' ', '{']).next().unwrap();
+            let start = colon + 2;
+            let value = line[start..].split([',', '}']).next().unwrap();
+            let Ok(number) = value.parse::<f64>() else { continue };
+            if NAMES.contains(&key) {
+                continue;
+            }
+            let places = value.split_once('.').map_or(0, |(_, part)| part.len());
+            for (kind, factor) in [("figure + 15 %", 1.15), ("comma moved right", 10.0), ("comma moved left", 0.1)] {
+                let whole = value.parse::<i64>().is_ok();
+                let new =
+                    if whole && factor < 2.0 { (number * factor).round().max(number + 1.0) } else { number * factor };
+                let places = if factor < 1.0 && number != 0.0 { places + 1 } else { places };
+                let new = format!("{new:.places$}");
+                if new.parse::<f64>().unwrap() == number {
+                    continue;
                 }
-            };
-            share[1] += usize::from(found);
-            share[2] += usize::from(ruled);
-            share[3] += usize::from(found && first);
-            if !found || !first {
-                let field: String =
-                    mutant.what.chars().map(|letter| if letter.is_ascii_digit() { '#' } else { letter }).collect();
-                *missed.entry(format!("{} {field}", if found { "not first:" } else { "missed:" })).or_default() += 1;
+                let changed = format!("{}{new}{}", &line[..start], &line[start + value.len()..]);
+                let column = line[..start].chars().count() + 1;
+                let what = format!("{section} {key}");
+                mutants.push(Mutant {
+                    kind,
+                    what,
+                    text: with(at, &changed),
+                    line: Some(at + 1),
+                    columns: Some(column..column + 1),
+                });
+            }
+        }
+        let what = |name: &str| format!("{section} {name}");
+        if section == "route" && line.starts_with("  - ") {
+            let mut dropped = lines.clone();
+            dropped.remove(at);
+            let text = dropped.join("\n") + "\n";
+            mutants.push(Mutant { kind: "row dropped", what: what("row"), text, line: None, columns: None });
+        }
+        for key in ["designation: \"", "designation: {designation: \""] {
+            if let Some(start) = line.find(key) {
+                let start = start + key.len();
+                let end = start + line[start..].find('"').unwrap();
+                let changed = format!("{}9{}", &line[..end], &line[end..]);
+                let column = line[..start].chars().count();
+                mutants.push(Mutant {
+                    kind: "designation misprinted",
+                    what: what("designation"),
+                    text: with(at, &changed),
+                    line: Some(at + 1),
+                    columns: Some(column..column + 1),
+                });
             }
         }
     }
-    let total = shares.values().fold([0; 4], |sum, one| std::array::from_fn(|at| sum[at] + one[at]));
-    let line = |name: &str, [made, found, ruled, first]: [usize; 4]| {
-        let share = |part: usize| 100.0 * part as f64 / made as f64;
-        format!("{name:<24} {made:>5} {:>5.1} % {:>5.1} % {:>5.1} %", share(found), share(ruled), share(first))
+    mutants
+}
+
+/// What became of the mutants of one kind.
+#[derive(Clone, Copy, Default)]
+struct Share {
+    made: usize,
+    found: usize,
+    /// Found by a formula or a table, and not only by our own plan.
+    ruled: usize,
+    /// Found, and the changed field is named first.
+    first: usize,
+}
+
+/// The shares by kind, and what was missed or not named first.
+#[derive(Default)]
+struct Report {
+    shares: BTreeMap<&'static str, Share>,
+    missed: BTreeMap<String, usize>,
+}
+
+impl Report {
+    fn add(&mut self, mutant: &Mutant, (found, ruled, first): (bool, bool, bool)) {
+        let share = self.shares.entry(mutant.kind).or_default();
+        share.made += 1;
+        share.found += usize::from(found);
+        share.ruled += usize::from(ruled);
+        share.first += usize::from(found && first);
+        if !found || !first {
+            let field: String =
+                mutant.what.chars().map(|letter| if letter.is_ascii_digit() { '#' } else { letter }).collect();
+            let what = format!("{:<11} {:<22} {field}", if found { "not first:" } else { "missed:" }, mutant.kind);
+            *self.missed.entry(what).or_default() += 1;
+        }
+    }
+
+    fn total(&self) -> Share {
+        self.shares.values().fold(Share::default(), |sum, one| Share {
+            made: sum.made + one.made,
+            found: sum.found + one.found,
+            ruled: sum.ruled + one.ruled,
+            first: sum.first + one.first,
+        })
+    }
+
+    fn print(&self) {
+        let line = |name: &str, one: Share| {
+            let share = |part: usize| 100.0 * part as f64 / one.made as f64;
+            let [found, ruled, first] = [one.found, one.ruled, one.first].map(share);
+            println!("{name:<24} {:>5} {found:>5.1} % {ruled:>5.1} % {first:>5.1} %", one.made);
+        };
+        println!("{:<24} {:>5} {:>7} {:>7} {:>7}", "kind", "made", "found", "by rule", "first");
+        self.shares.iter().for_each(|(kind, share)| line(kind, *share));
+        line("all", self.total());
+        self.missed.iter().for_each(|(what, count)| println!("{count:>4} {what}"));
+    }
+}
+
+/// Whether a mutant is found, found by a rule, and the changed field named first.
+fn judged(mutant: &Mutant, file: &str, part: &str, ours: &Plan) -> (bool, bool, bool) {
+    let files = |_: &str| Ok(part.to_owned());
+    let Ok(stated) = read_plan(file, &mutant.text, &KNOWLEDGE, &files) else {
+        // A mistake of the file is found at its place.
+        return (true, true, true);
     };
-    println!("{:<24} {:>5} {:>7} {:>7} {:>7}", "kind", "made", "found", "by rule", "first");
-    for (kind, share) in &shares {
-        println!("{}", line(kind, *share));
+    let audit = audit_beside(&stated, ours, &KNOWLEDGE).unwrap();
+    let mut grave: Vec<_> = audit.findings.iter().filter(|one| one.severity <= Severity::Doubtful).collect();
+    grave.sort_by_key(|one| (!one.follows_from.is_empty(), one.severity));
+    let here = |one: &Finding| {
+        let line = mutant.line.is_none_or(|line| one.line.is_some_and(|at| at as usize == line));
+        line && mutant
+            .columns
+            .as_ref()
+            .is_none_or(|columns| one.column.is_some_and(|at| columns.contains(&(at as usize))))
+    };
+    let first = grave.first().is_some_and(|one| here(one));
+    let ruled = grave.iter().any(|one| one.note.code != "audit-not-ours");
+    (!grave.is_empty(), ruled, first)
+}
+
+fn report(parts: &[&str], mutants: impl Fn(&Plan) -> (&'static str, Vec<Mutant>)) -> Report {
+    let mut report = Report::default();
+    for path in parts {
+        let part = std::fs::read_to_string(path).unwrap();
+        let ours = planned(&read(&part), CuttingMethod::Formula);
+        let (file, mutants) = mutants(&ours);
+        for mutant in mutants {
+            report.add(&mutant, judged(&mutant, file, &part, &ours));
+        }
     }
-    println!("{}", line("all", total));
-    for (what, count) in &missed {
-        println!("{count:>4} {what}");
-    }
-    assert!(total[1] * 100 >= total[0] * 95, "less than 95 % found");
+    report
+}
+
+#[test]
+fn most_changes_of_a_plan_are_found_and_named_first() {
+    let parts = ["examples/plate.yaml", "tests/parts/reamed-iron.yaml"];
+    let report = report(&parts, |ours| ("plan.json", mutants(&serde_json::to_value(ours).unwrap())));
+    report.print();
+    let total = report.total();
+    assert!(total.found * 100 >= total.made * 95, "less than 95 % found");
+}
+
+#[test]
+fn most_changes_of_a_plan_by_hand_are_found_and_named_first() {
+    let parts = ["examples/plate.yaml", "tests/parts/reamed-iron.yaml"];
+    let report = report(&parts, |ours| ("plan.yaml", by_hand_mutants(&by_hand(ours, "part.yaml"))));
+    report.print();
+    let total = report.total();
+    assert!(total.found * 100 >= total.made * 87, "less than 87 % found");
 }

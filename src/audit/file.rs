@@ -8,8 +8,9 @@ use std::collections::BTreeMap;
 use schemars::{JsonSchema, Schema, schema_for};
 use serde::Deserialize;
 
+use crate::part::Point;
 use crate::part::file::PartFile;
-use crate::plan::{CuttingMethod, Operation};
+use crate::plan::{CuttingMethod, Feature, Operation};
 
 /// The JSON Schema of a plan file.
 pub fn schema() -> Schema {
@@ -74,10 +75,16 @@ pub struct Row {
     pub operation: Operation,
     /// The group of holes.
     pub hole: Option<Name>,
+    /// What of the hole it makes, where that is not its bore.
+    pub feature: Option<Feature>,
+    /// The step of a stepped hole it works on, from 1 at the entry face.
+    pub step: Option<u32>,
     /// How many holes.
     pub count: Option<Number>,
     /// The diameter it leaves, mm; for centring that of the spot.
     pub diameter: Option<Number>,
+    /// What the same stroke also opens, mm: the wide part of a step drill.
+    pub also: Option<Number>,
     /// The diameter before it, mm.
     pub from: Option<Number>,
     /// How deep, mm.
@@ -86,6 +93,8 @@ pub struct Row {
     pub passes: Option<Number>,
     /// Its tool: T1, T2, ….
     pub tool: Option<Name>,
+    /// Whether it is done on another machine.
+    pub elsewhere: Option<bool>,
     /// The scheme of А.7 it belongs to.
     pub scheme: Option<Name>,
     /// The table of the scheme: `A.9`.
@@ -182,6 +191,8 @@ pub struct Conditions {
     pub rpm_computed: Option<Number>,
     /// Spindle speed taken, 1/min.
     pub rpm: Option<Number>,
+    /// What held the spindle speed back where the cutting speed did not: `spindle-power`, `feed-force`, ….
+    pub limited_by: Option<String>,
     /// Cutting speed at the spindle speed taken, m/min.
     pub speed_taken: Option<Number>,
     /// Feed per minute, mm/min.
@@ -244,6 +255,8 @@ pub struct Factors {
 pub struct Clamping {
     /// The row of the route whose torque it must hold.
     pub r#for: Option<u32>,
+    /// The group of holes whose largest torque it must hold, where no row is named.
+    pub hole: Option<Name>,
     /// The power the torque was computed from, kW.
     pub power: Option<Number>,
     /// The spindle speed the torque was computed from, 1/min.
@@ -260,6 +273,8 @@ pub struct Clamping {
     pub force: Option<Number>,
     /// Number of clamps.
     pub clamps: Option<Number>,
+    /// Where the clamps press, mm: the distance to the hole follows.
+    pub at: Option<Vec<Point>>,
     /// Force per clamp Q, N.
     pub force_per_clamp: Option<Number>,
     /// The screw: `M10`.

@@ -29,7 +29,8 @@ pub struct Rule {
 pub type Judged = Option<(Severity, Note)>;
 
 type Compute<'a> = Box<dyn Fn(&[f64]) -> Option<f64> + 'a>;
-type Judge<'a> = Box<dyn Fn(f64, &[f64]) -> Judged + 'a>;
+/// Judges a stated value beside the inputs of its formula.
+pub(super) type Judge<'a> = Box<dyn Fn(f64, &[f64]) -> Judged + 'a>;
 
 /// A rule applied to one figure.
 pub struct Formula<'a> {

@@ -3,8 +3,23 @@
 /// Of the file.
 pub const PLAN: &[&str] = &["plan", "part", "cutting", "route", "tools", "conditions", "clamping", "program", "times"];
 /// Of a row of the route.
-pub const ROW: &[&str] =
-    &["row", "operation", "hole", "count", "diameter", "from", "depth", "passes", "tool", "scheme", "table"];
+pub const ROW: &[&str] = &[
+    "row",
+    "operation",
+    "hole",
+    "feature",
+    "step",
+    "count",
+    "diameter",
+    "also",
+    "from",
+    "depth",
+    "passes",
+    "tool",
+    "elsewhere",
+    "scheme",
+    "table",
+];
 /// Of a tool.
 pub const TOOL: &[&str] = &[
     "designation",
@@ -43,6 +58,7 @@ pub const CONDITIONS: &[&str] = &[
     "speed",
     "rpm_computed",
     "rpm",
+    "limited_by",
     "speed_taken",
     "minute_feed",
     "force",
@@ -52,11 +68,25 @@ pub const CONDITIONS: &[&str] = &[
     "time",
     "tool_life",
 ];
+/// What may hold conditions back, as `technolog plan` names it.
+pub const LIMITS: &[&str] = &[
+    "cutting-speed",
+    "practice-speed",
+    "drill-strength",
+    "thrust",
+    "spindle-torque",
+    "spindle-power",
+    "spindle-speed-max",
+    "spindle-speed-min",
+    "feed-max",
+    "feed-min",
+];
 /// Of the figures of a card.
 pub const CARD: &[&str] = &["feed", "speed", "force", "power"];
 /// Of the clamping.
 pub const CLAMPING: &[&str] = &[
     "for",
+    "hole",
     "power",
     "rpm",
     "torque",
@@ -65,6 +95,7 @@ pub const CLAMPING: &[&str] = &[
     "distance",
     "force",
     "clamps",
+    "at",
     "force_per_clamp",
     "screw",
     "designation",

@@ -33,6 +33,7 @@ mod read;
 pub mod rules;
 pub mod stated;
 mod tolerance;
+mod write;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
@@ -46,6 +47,7 @@ pub use graph::Rule;
 pub use many::{Audited, Mistake, Unread, total};
 pub use read::{NamedText, Unreadable, read_if_plan, read_plan};
 use stated::Stated;
+pub use write::by_hand;
 
 /// Holds one plan against the knowledge; many are audited faster by one [`Auditor`].
 ///

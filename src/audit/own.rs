@@ -170,6 +170,7 @@ impl Own<'_> {
             ("from_diameter_mm", Quantity::From),
             ("depth_mm", Quantity::Depth),
             ("passes", Quantity::Passes),
+            ("also_diameter_mm", Quantity::Also),
         ];
         let feature = node.get("feature").and_then(Node::text);
         let number_node = node.get("tool").and_then(|tool| tool.get("number"));
@@ -192,9 +193,7 @@ impl Own<'_> {
 
     fn conditions(&mut self, node: &Node, transition: &Node, row: usize) -> Conditions {
         let mut figures = self.figures(node, &CONDITIONS);
-        // A step drill is reckoned by its wide diameter.
-        let more = [("travel_mm", Quantity::Travel), ("also_diameter_mm", Quantity::Diameter)];
-        figures.extend(self.figures(transition, &more));
+        figures.extend(self.figures(transition, &[("travel_mm", Quantity::Travel)]));
         Conditions {
             place: node.place.clone(),
             rows: vec![row],

@@ -50,6 +50,7 @@ const ONE: (&str, &str) = ("", "");
 quantities! {
     Count: "count", "z", ONE, "кількість отворів", "number of holes";
     Diameter: "diameter", "D", MM, "діаметр", "diameter";
+    Also: "also", "D", MM, "діаметр, який відкриває той самий хід", "diameter that the same stroke opens";
     From: "from", "D0", MM, "діаметр до переходу", "diameter before";
     Depth: "depth", "l", MM, "глибина", "depth";
     Passes: "passes", "i", ONE, "кількість проходів", "passes";

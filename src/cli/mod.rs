@@ -29,7 +29,7 @@ mod turn_operation;
 mod usage;
 mod words;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{ArgAction, FromArgMatches, Parser, Subcommand, ValueEnum};
@@ -123,6 +123,8 @@ pub enum Format {
     Markdown,
     /// For the browser.
     Html,
+    /// A plan as somebody writes it by hand.
+    Hand,
 }
 
 impl Format {
@@ -136,6 +138,7 @@ impl Format {
             Self::Svg => "svg",
             Self::Markdown => "markdown",
             Self::Html => "html",
+            Self::Hand => "hand",
         }
     }
 }
@@ -177,6 +180,14 @@ impl Context {
     /// It cannot be written.
     pub fn emit(&self, answer: &str) -> Result<(), CliError> {
         output::write(answer.as_bytes(), self.output.as_deref(), self.lang)
+    }
+
+    /// How a file at `path` is called from beside the answer: from the folder of `-o`, else from here.
+    pub fn beside_answer(&self, path: &Path) -> String {
+        let folder = self.output.as_deref().and_then(Path::parent).filter(|folder| !folder.as_os_str().is_empty());
+        let absolute = |path: &Path| std::path::absolute(path).ok();
+        let seen = folder.and_then(|folder| Some(output::relative(&absolute(path)?, &absolute(folder)?)));
+        seen.unwrap_or_else(|| path.to_owned()).display().to_string()
     }
 
     /// Gives out the answer as JSON.

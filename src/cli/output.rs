@@ -3,7 +3,7 @@
 use std::fmt::Display;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Write};
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use technolog::knowledge::Diagnostic;
 
@@ -36,6 +36,13 @@ pub fn unprintable(lang: Lang, error: impl Display) -> CliError {
 pub fn complain(problems: &str) {
     // Where not even this can be printed there is nobody to tell.
     let _ = io::stderr().lock().write_all(problems.as_bytes());
+}
+
+/// The way to a file from a folder, both absolute.
+pub fn relative(file: &Path, folder: &Path) -> PathBuf {
+    let shared = file.components().zip(folder.components()).take_while(|(a, b)| a == b).count();
+    let up = folder.components().skip(shared).map(|_| Component::ParentDir);
+    up.chain(file.components().skip(shared)).collect()
 }
 
 fn to_screen(answer: &[u8]) -> io::Result<()> {

@@ -8,7 +8,7 @@ use technolog::knowledge::yaml::text_of;
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::part::read_part;
 use technolog::plan::{CuttingMethod, Plan};
-use technolog::{planner, report};
+use technolog::{audit, planner, report};
 
 use super::diagnostics::Texts;
 use super::{CliError, Context, Format, Outcome, knowledge, words};
@@ -42,12 +42,13 @@ impl Method {
 /// # Errors
 /// The part file cannot be used; every mistake in it is told at once.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    let format = context.format("plan", &[Format::Text, Format::Json, Format::Yaml])?;
+    let format = context.format("plan", &[Format::Text, Format::Json, Format::Yaml, Format::Hand])?;
     let knowledge = knowledge::load(context)?;
     let plan = make(&args.part, args.method.method(), &knowledge, context)?;
     match format {
         Format::Json => context.emit_json(&plan)?,
         Format::Yaml => context.emit_yaml(&plan)?,
+        Format::Hand => context.emit(&audit::by_hand(&plan, &context.beside_answer(&args.part)))?,
         _ => context.emit(&report::sheet::page(&plan, &knowledge, context.lang))?,
     }
     Ok(if plan.has_errors() { Outcome::Findings } else { Outcome::Done })

@@ -25,21 +25,17 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         let mut tables: Vec<&Table> = knowledge.tables().collect();
         tables.sort_by_key(|table| knowledge::natural(&table.id));
         match format {
-            Format::Text | Format::Yaml | Format::Svg | Format::Markdown | Format::Html => {
-                context.emit(&list_text(&tables, context))?
-            }
             Format::Json => context.emit_json(&list_json(&tables, context))?,
             Format::Csv => context.emit(&list_csv(&tables, context))?,
+            _ => context.emit(&list_text(&tables, context))?,
         }
         return Ok(Outcome::Done);
     };
     let table = knowledge::table(&knowledge, id, context)?;
     match format {
-        Format::Text | Format::Yaml | Format::Svg | Format::Markdown | Format::Html => {
-            context.emit(&sheet::whole(table, context))?
-        }
         Format::Json => context.emit_json(&table_json(table, context))?,
         Format::Csv => context.emit(&table_csv(table))?,
+        _ => context.emit(&sheet::whole(table, context))?,
     }
     Ok(Outcome::Done)
 }

@@ -35,6 +35,25 @@ pub enum Feature {
     Face,
 }
 
+impl Feature {
+    /// Every feature with its name in plans.
+    pub const NAMES: [(&'static str, Self); 8] = [
+        ("bore", Self::Bore),
+        ("step", Self::Step),
+        ("thread", Self::Thread),
+        ("cone", Self::Cone),
+        ("counterbore", Self::Counterbore),
+        ("countersink", Self::Countersink),
+        ("chamfer", Self::Chamfer),
+        ("face", Self::Face),
+    ];
+
+    /// Its name in plans.
+    pub fn name(self) -> &'static str {
+        Self::NAMES.iter().find(|(_, feature)| *feature == self).map_or("", |(name, _)| name)
+    }
+}
+
 /// The accuracy a transition leaves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Achieved {

@@ -4,10 +4,13 @@ use std::collections::BTreeMap;
 
 use crate::knowledge::yaml::{Node, NodeKind};
 
+use crate::units::Micrometres;
+
 use super::Reader;
-use crate::audit::keys::{CARD, CLAMPING, CONDITIONS};
+use crate::audit::keys::{CARD, CLAMPING, CONDITIONS, LIMITS};
 use crate::audit::quantity::Quantity;
 use crate::audit::stated::{Clamping, Conditions, Factor, Row, Said};
+use crate::part::{Part, Point};
 
 impl Reader<'_> {
     pub(super) fn conditions(&mut self, node: &Node, rows: &[Row]) -> Vec<Conditions> {
@@ -30,9 +33,9 @@ impl Reader<'_> {
         let named = fields.need("for", &mut self.problems).map(|node| self.rows_named(node, rows));
         let card = fields.take("card");
         let factors_node = fields.take("factors");
-        let keys: Vec<&str> =
-            CONDITIONS.iter().copied().filter(|key| !matches!(*key, "for" | "card" | "factors")).collect();
-        let mut figures = self.figures(&mut fields, &keys);
+        let limits: Vec<(&str, &str)> = LIMITS.iter().map(|name| (*name, *name)).collect();
+        let limited_by = fields.take("limited_by").and_then(|node| self.choice(node, &limits));
+        let mut figures = self.figures(&mut fields, CONDITIONS);
         fields.finish(CONDITIONS, &mut self.problems);
         if let Some(mut fields) = card.and_then(|node| self.problems.map(node)) {
             figures.extend(self.figures_under("card.", &mut fields, CARD));
@@ -49,7 +52,28 @@ impl Reader<'_> {
             fields.finish(CARD, &mut self.problems);
         }
         let place = node.place.clone();
-        Some(Conditions { place, rows: named?, limited_by: None, rounds: false, factors, figures })
+        let limited_by = limited_by.map(str::to_owned);
+        Some(Conditions { place, rows: named?, limited_by, rounds: false, factors, figures })
+    }
+
+    /// Points in the coordinates of the part: `[[0, -130], [0, 130]]`, mm.
+    fn points(&mut self, node: &Node) -> Vec<Point> {
+        let items = self.problems.list(node).unwrap_or_default();
+        let mut points = Vec::new();
+        for item in items {
+            let two = match &item.kind {
+                NodeKind::Seq(two) if two.len() == 2 => two.as_slice(),
+                _ => &[],
+            };
+            let [x, y] = two else {
+                let help = "give each point in brackets of its own: [[X, Y], [X, Y]]";
+                self.problems.error_help::<()>("bad-value", "a point is expected here", &item.place, help);
+                continue;
+            };
+            let mut length = |node: &Node| self.figure(node).map(|figure| Micrometres::from_mm_rounded(figure.value));
+            points.extend(length(x).zip(length(y)).map(|(x, y)| Point { x, y }));
+        }
+        points
     }
 
     /// Factors by name; one without a value is only named.
@@ -73,12 +97,14 @@ impl Reader<'_> {
         factors
     }
 
-    pub(super) fn clamping(&mut self, node: &Node, rows: &[Row]) -> Option<Clamping> {
+    pub(super) fn clamping(&mut self, node: &Node, rows: &[Row], part: &Part) -> Option<Clamping> {
         let mut fields = self.problems.map(node)?;
         let row = fields.take("for").and_then(|node| {
             let value = self.rows_named(node, rows).first().copied()?;
             Some(Said { value, place: node.place.clone() })
         });
+        let hole = self.hole(&mut fields, part);
+        let at = fields.take("at").map(|node| self.points(node)).unwrap_or_default();
         let screw = self.text_of(&mut fields, "screw").map(|text| {
             // Cyrillic М is typed as often as the Latin letter.
             Said { value: text.value.replace('М', "M"), ..text }
@@ -90,15 +116,6 @@ impl Reader<'_> {
         let mut figures = self.figures(&mut fields, &keys);
         figures.extend(force.map(|force| (Quantity::ClampForce, force)));
         fields.finish(CLAMPING, &mut self.problems);
-        Some(Clamping {
-            place: node.place.clone(),
-            row,
-            hole: None,
-            screw,
-            designation,
-            standard,
-            at: Vec::new(),
-            figures,
-        })
+        Some(Clamping { place: node.place.clone(), row, hole, screw, designation, standard, at, figures })
     }
 }

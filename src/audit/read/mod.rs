@@ -136,7 +136,7 @@ impl Reader<'_> {
             }
         }
         let conditions = conditions.map(|node| self.conditions(node, &rows)).unwrap_or_default();
-        let clamping = clamping.and_then(|node| self.clamping(node, &rows));
+        let clamping = clamping.and_then(|node| self.clamping(node, &rows, &part));
         let program = program.and_then(|node| self.program(node));
         let times = times.map(|node| self.times(node)).unwrap_or_default();
         let name = if name.is_empty() { part.part.clone() } else { name };

@@ -1,13 +1,13 @@
 //! The route.
 
 use crate::knowledge::diagnostic::nearest;
-use crate::knowledge::yaml::Node;
+use crate::knowledge::yaml::{Fields, Node};
 use crate::part::Part;
-use crate::plan::Operation;
+use crate::plan::{Feature, Operation};
 
 use super::Reader;
 use crate::audit::keys::ROW;
-use crate::audit::stated::{Row, Said};
+use crate::audit::stated::{Row, Said, Text};
 
 impl Reader<'_> {
     pub(super) fn rows(&mut self, node: &Node, part: &Part) -> Vec<Row> {
@@ -33,18 +33,10 @@ impl Reader<'_> {
             let value = self.choice(node, &Operation::NAMES)?;
             Some(Said { value, place: node.place.clone() })
         });
-        let hole = self.text_of(&mut fields, "hole");
-        if let Some(hole) = &hole
-            && !part.holes.iter().any(|known| known.name == hole.value)
-        {
-            let names: Vec<&str> = part.holes.iter().map(|hole| hole.name.as_str()).collect();
-            let help = match nearest(&hole.value, names.iter().copied()) {
-                Some(near) => format!("did you mean `{near}`?"),
-                None => format!("the part has {}", names.join(", ")),
-            };
-            let message = format!("the part has no group of holes `{}`", hole.value);
-            self.problems.error_help::<()>("unknown-hole", message, &hole.place, help);
-        }
+        let hole = self.hole(&mut fields, part);
+        let feature = fields.take("feature").and_then(|node| self.choice(node, &Feature::NAMES));
+        let step = fields.take("step").and_then(|node| self.problems.scalar::<usize>(node));
+        let elsewhere = fields.take("elsewhere").and_then(|node| self.problems.boolean(node));
         let tool = fields.take("tool").and_then(|node| self.tool_number(node));
         let scheme = self.text_of(&mut fields, "scheme");
         let table = self.text_of(&mut fields, "table");
@@ -55,14 +47,29 @@ impl Reader<'_> {
             place: node.place.clone(),
             operation: operation?,
             hole,
-            feature: None,
-            step: None,
-            elsewhere: false,
+            feature,
+            step,
+            elsewhere: elsewhere.unwrap_or_default(),
             tool,
             scheme,
             table,
             figures,
         })
+    }
+
+    /// The group of holes that a field names.
+    pub(super) fn hole(&mut self, fields: &mut Fields<'_>, part: &Part) -> Option<Text> {
+        let hole = self.text_of(fields, "hole")?;
+        if !part.holes.iter().any(|known| known.name == hole.value) {
+            let names: Vec<&str> = part.holes.iter().map(|hole| hole.name.as_str()).collect();
+            let help = match nearest(&hole.value, names.iter().copied()) {
+                Some(near) => format!("did you mean `{near}`?"),
+                None => format!("the part has {}", names.join(", ")),
+            };
+            let message = format!("the part has no group of holes `{}`", hole.value);
+            self.problems.error_help::<()>("unknown-hole", message, &hole.place, help);
+        }
+        Some(hole)
     }
 
     /// `T2`, or `2`; the Cyrillic letter is typed as often.

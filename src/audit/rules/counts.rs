@@ -6,7 +6,7 @@ use crate::plan::Operation;
 use super::super::context::Context;
 use super::super::graph::{Graph, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
-use super::{formula, given, marks, same};
+use super::{formula, given, largest, marks, same};
 
 const COUNT: Rule = Rule { id: "holes-of-group", formula: "z", source: "the drawing" };
 const COUNT_OF_CONDITIONS: Rule =
@@ -57,11 +57,14 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
                 Some(values.iter().sum())
             });
             graph.add(sum);
-            let stepped = stated.own && conditions.figures.contains_key(&Q::Diameter);
-            if stepped {
-                continue;
+            let of_row = |quantity| Id::new(Scope::Row(*first), quantity);
+            let output = Id::new(scope, Q::Diameter);
+            // A step drill is reckoned by its wide diameter.
+            if stated.figure(of_row(Q::Also)).is_some() {
+                graph.add(largest(&PASS_DIAMETER, output, vec![of_row(Q::Diameter), of_row(Q::Also)]));
+            } else {
+                graph.add(same(&PASS_DIAMETER, output, of_row(Q::Diameter)));
             }
-            graph.add(same(&PASS_DIAMETER, Id::new(scope, Q::Diameter), Id::new(Scope::Row(*first), Q::Diameter)));
         }
     }
     Ok(())

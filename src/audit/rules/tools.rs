@@ -5,9 +5,10 @@ use crate::knowledge::units::Unit;
 use crate::note::{Because, Note, Severity};
 use crate::plan::Operation;
 use crate::tooling::named;
+use crate::units::Micrometres;
 
 use super::super::context::Context;
-use super::super::graph::{Graph, Rule};
+use super::super::graph::{Graph, Judge, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::{formula, given, largest, same};
 
@@ -55,12 +56,16 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
             let row = cutter.row;
             let because = || [Because::row(row, Note::new("named"))];
             for (column, quantity) in COLUMNS {
-                // A plan of ours gives for a tool the size that it is ground or set to.
-                let set = stated.own
+                let Some(length) = row.length_if_any(column) else { continue };
+                // A core drill or a reamer may be ground, a bar set, to the size that the row makes.
+                let set = quantity == Q::Diameter
                     && !matches!(operation, Some(Operation::Drill | Operation::DrillOut | Operation::CentreDrill));
-                if let Some(length) = row.length_if_any(column).filter(|_| !(set && quantity == Q::Diameter)) {
-                    graph.add(given(&DIMENSION, id(quantity), length.to_mm(), because()));
+                if set && stated.own {
+                    continue;
                 }
+                let mut dimension = given(&DIMENSION, id(quantity), length.to_mm(), because());
+                dimension.judge = set.then(|| ground(context, tool.number, length));
+                graph.add(dimension);
             }
             if let Ok(morse) = row.int("morse") {
                 graph.add(given(&DIMENSION, id(Q::Morse), morse as f64, because()));
@@ -98,6 +103,22 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
         corrections(context, graph, at);
     }
     Ok(())
+}
+
+/// A size other than the catalog's may stand where the tool is ground down to what its row makes.
+fn ground<'a>(context: &'a Context<'a>, tool: u32, catalog: Micrometres) -> Judge<'a> {
+    let limit = context.shop.convention("cutter-grind-limit-mm").unwrap_or_default();
+    Box::new(move |value, _| {
+        let stated = Micrometres::from_mm_rounded(value);
+        if stated == catalog {
+            return None;
+        }
+        let mut rows = context.stated.rows_of_tool(tool);
+        let made = rows.any(|(_, row)| row.figures.get(&Q::Diameter).is_some_and(|own| own.value == value));
+        let grindable = made && stated < catalog && catalog - stated <= limit;
+        let note = Note::new("audit-ground").with("own", catalog).with("size", stated);
+        Some(if grindable { (Severity::Note, note) } else { (Severity::Wrong, Note::new("audit-figure")) })
+    })
 }
 
 fn overhang<'a>(

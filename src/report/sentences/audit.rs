@@ -8,6 +8,11 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
     ("audit-sign", "знак протилежний", "the sign is the opposite one"),
     ("audit-follows", "наслідок: {fields}", "follows from {fields}"),
     (
+        "audit-ground",
+        "каталог цього позначення має {own} мм: під {size} мм його треба перешліфувати",
+        "the catalog of this designation has {own} mm: it must be ground down to {size} mm",
+    ),
+    (
         "audit-overhang",
         "за приміткою до 5.2 п. 5 виліт від {least} до {most} мм",
         "by the note of section 5.2 item 5 the overhang is {least} to {most} mm",
