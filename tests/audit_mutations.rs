@@ -178,8 +178,11 @@ fn by_hand_mutants(text: &str) -> Vec<Mutant> {
             let places = value.split_once('.').map_or(0, |(_, part)| part.len());
             for (kind, factor) in [("figure + 15 %", 1.15), ("comma moved right", 10.0), ("comma moved left", 0.1)] {
                 let whole = value.parse::<i64>().is_ok();
-                let new =
-                    if whole && factor < 2.0 { (number * factor).round().max(number + 1.0) } else { number * factor };
+                let new = if whole && factor > 1.0 && factor < 2.0 {
+                    (number * factor).round().max(number + 1.0)
+                } else {
+                    number * factor
+                };
                 let places = if factor < 1.0 && number != 0.0 { places + 1 } else { places };
                 let new = format!("{new:.places$}");
                 if new.parse::<f64>().unwrap() == number {
@@ -296,6 +299,11 @@ fn judged(mutant: &Mutant, file: &str, part: &str, ours: &Plan) -> (bool, bool, 
             .is_none_or(|columns| one.column.is_some_and(|at| columns.contains(&(at as usize))))
     };
     let first = grave.first().is_some_and(|one| here(one));
+    if !first && std::env::var_os("TRACE").is_some() {
+        let line = mutant.line.and_then(|line| mutant.text.lines().nth(line - 1)).unwrap_or_default();
+        let said: Vec<String> = grave.iter().map(|one| format!("{} {}", one.rule, one.field)).collect();
+        println!("{} {} {:?}: {line}\n    {}", mutant.kind, mutant.what, mutant.columns, said.join("; "));
+    }
     let ruled = grave.iter().any(|one| one.note.code != "audit-not-ours");
     (!grave.is_empty(), ruled, first)
 }

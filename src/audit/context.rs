@@ -6,11 +6,11 @@ use std::collections::BTreeMap;
 use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
 use crate::knowledge::table::Shank;
-use crate::part::Hole;
+use crate::part::{Hole, Point};
 use crate::plan::{Plan, Transition};
 use crate::shop::Shop;
 use crate::tooling::named::NamedCutter;
-use crate::units::RevsPerMinute;
+use crate::units::{Micrometres, RevsPerMinute};
 
 use super::auditor::Auditor;
 use super::near::Near;
@@ -89,6 +89,14 @@ impl<'a> Context<'a> {
 
     /// The same transition in our plan: of the same hole, operation and place, and where it is stated of the same diameter.
     pub fn reference(&self, row: usize) -> Option<&'a Transition> {
+        let diameter = self.stated.rows.get(row)?.figures.get(&Quantity::Diameter).filter(|_| !self.stated.own);
+        let alike =
+            |found: &&Transition| diameter.is_none_or(|own| (own.value - found.diameter_mm.to_mm()).abs() < 1e-6);
+        self.same_transition(row).filter(alike)
+    }
+
+    /// The same whatever its diameter.
+    pub fn same_transition(&self, row: usize) -> Option<&'a Transition> {
         let own = self.stated.rows.get(row)?;
         let name = &own.hole.as_ref()?.value;
         let hole = self.plan.holes.iter().find(|hole| hole.name == *name)?;
@@ -98,9 +106,27 @@ impl<'a> Context<'a> {
         }
         let alike = |(at, _): &(usize, &Row)| self.stated.rows[*at].operation.value == own.operation.value;
         let turn = self.stated.rows_of_hole(name).filter(alike).position(|(at, _)| at == row)?;
-        let found = hole.transitions.iter().filter(|other| other.operation == own.operation.value).nth(turn)?;
-        let diameter = own.figures.get(&Quantity::Diameter);
-        Some(found).filter(|found| diameter.is_none_or(|own| (own.value - found.diameter_mm.to_mm()).abs() < 1e-6))
+        hole.transitions.iter().filter(|other| other.operation == own.operation.value).nth(turn)
+    }
+
+    /// The group of holes that the clamping is computed for.
+    pub fn clamped_hole(&self) -> Option<&'a Hole> {
+        let clamping = self.stated.clamping.as_ref()?;
+        match (&clamping.hole, &clamping.row) {
+            (Some(hole), _) => self.stated.part.holes.iter().find(|known| known.name == hole.value),
+            (None, Some(row)) => self.hole(self.stated.rows.get(row.value)?),
+            (None, None) => None,
+        }
+    }
+
+    /// From the hole of a group that is nearest to its clamp to that clamp: where the plan, else the drawing, says where
+    /// clamps press. A hole under a clamp has no arm.
+    pub fn distance_to_clamp(&self, hole: &Hole) -> Option<Micrometres> {
+        let stated = self.stated.clamping.as_ref().map(|clamping| clamping.at.as_slice()).unwrap_or_default();
+        let drawn: Vec<Point> = self.stated.part.fixture.clamps.iter().map(|clamp| clamp.at).collect();
+        let clamps = if stated.is_empty() { &drawn } else { stated };
+        let nearest = hole.at.iter().filter_map(|point| clamps.iter().map(|clamp| clamp.distance(*point)).min());
+        nearest.filter(|distance| distance.micrometres() > 0).min()
     }
 
     /// The same factor where other conditions of the plan give it a value.

@@ -57,7 +57,13 @@ fn finding(verdict: &Verdict, all: &[Verdict], context: &Context<'_>, graph: &Gr
     finding.deviation_percent = off.filter(|_| !matches!(verdict.status, Status::Root(_, Some(_))));
     let by_stated = verdict.by_stated.map(shown).filter(|by| Some(by) != finding.right.as_ref());
     finding.by_stated = by_stated.filter(|_| roots.is_empty());
-    finding.formula = with_numbers(verdict, formula.rule.formula, &formula.numbers);
+    // A misprinted figure is shown by what was computed from the right one.
+    let shown_by = graph.computed_from_right(id).and_then(|other| {
+        let formula = graph.formula(other)?;
+        Some((all.iter().find(|verdict| verdict.id == other)?, formula))
+    });
+    let (verdict_of, by) = shown_by.unwrap_or((verdict, formula));
+    finding.formula = with_numbers(verdict_of, by.rule.formula, &by.numbers);
     finding.supplied = verdict
         .supplied
         .iter()

@@ -28,6 +28,8 @@ pub struct Rule {
 /// How a value that is chosen, not computed, stands to what may be chosen: nothing against it, or how grave it is and why.
 pub type Judged = Option<(Severity, Note)>;
 
+mod what_if;
+
 type Compute<'a> = Box<dyn Fn(&[f64]) -> Option<f64> + 'a>;
 /// Judges a stated value beside the inputs of its formula.
 pub(super) type Judge<'a> = Box<dyn Fn(f64, &[f64]) -> Judged + 'a>;
@@ -99,6 +101,10 @@ pub struct Graph<'a> {
     taken: RefCell<BTreeMap<Id, Option<usize>>>,
     /// Figures by what is computed from them.
     users: OnceCell<BTreeMap<Id, Vec<Id>>>,
+    /// Figures that were misprinted, each with a figure that the author computed from the right one.
+    misprinted: BTreeMap<Id, Id>,
+    /// Stated figures that are known to be off, or not.
+    off: RefCell<BTreeMap<Id, bool>>,
 }
 
 impl<'a> Graph<'a> {
@@ -113,6 +119,8 @@ impl<'a> Graph<'a> {
             open: RefCell::default(),
             taken: RefCell::default(),
             users: OnceCell::new(),
+            misprinted: BTreeMap::new(),
+            off: RefCell::default(),
         }
     }
 
@@ -186,19 +194,7 @@ impl<'a> Graph<'a> {
 
     /// What a figure is as the plan has it: as stated, else as its formula makes it of what is stated.
     pub(super) fn written(&self, id: Id) -> Option<f64> {
-        if let Some(figure) = self.stated.figure(id) {
-            return Some(figure.value);
-        }
-        let right = self.right(id);
-        if self.constants.contains_key(&id) || !self.open.borrow_mut().insert(id) {
-            return right;
-        }
-        let value = self.formula(id).and_then(|formula| {
-            let inputs: Option<Vec<f64>> = formula.inputs.iter().map(|input| self.written(*input)).collect();
-            (formula.compute)(&inputs?).filter(|value| value.is_finite())
-        });
-        self.open.borrow_mut().remove(&id);
-        value.or(right)
+        self.written_if(id, None)
     }
 
     /// The rows behind a figure's formula and behind the constants it uses.
@@ -216,10 +212,19 @@ impl<'a> Graph<'a> {
     /// Whether a figure of the plan, stated or made of what is stated, is not what it should be.
     fn is_off(&self, id: Id) -> bool {
         let (Some(written), Some(right)) = (self.written(id), self.right(id)) else { return false };
-        match self.stated.figure(id) {
-            Some(figure) => !self.fits(id, figure, right, 0.0),
-            None => (written - right).abs() > 1e-6 * right.abs().max(1.0) && !self.off_inputs(id).is_empty(),
+        let Some(figure) = self.stated.figure(id) else {
+            return (written - right).abs() > 1e-6 * right.abs().max(1.0) && !self.off_inputs(id).is_empty();
+        };
+        if let Some(known) = self.off.borrow().get(&id) {
+            return *known;
         }
+        // While the figures before it are asked, it is what it looks like by itself.
+        let alone = !self.fits(id, figure, right, 0.0);
+        self.off.borrow_mut().insert(id, alone);
+        // What rounding on the way explains is as it should be.
+        let off = alone && self.verdict(id).is_none_or(|verdict| verdict.status != Status::Fine);
+        self.off.borrow_mut().insert(id, off);
+        off
     }
 
     /// The inputs of a figure's formula that are not what they should be.
@@ -363,9 +368,8 @@ impl<'a> Graph<'a> {
         self.formulas.keys().filter_map(|id| self.verdict(*id)).collect()
     }
 
-    /// What depends on a figure, directly and further on. Only when every formula is there.
-    pub fn dependents(&self, id: Id) -> BTreeSet<Id> {
-        let users = self.users.get_or_init(|| {
+    fn users(&self) -> &BTreeMap<Id, Vec<Id>> {
+        self.users.get_or_init(|| {
             let mut users: BTreeMap<Id, Vec<Id>> = BTreeMap::new();
             for output in self.formulas.keys() {
                 for input in self.formula(*output).map(|formula| formula.inputs.as_slice()).unwrap_or_default() {
@@ -373,7 +377,12 @@ impl<'a> Graph<'a> {
                 }
             }
             users
-        });
+        })
+    }
+
+    /// What depends on a figure, directly and further on. Only when every formula is there.
+    pub fn dependents(&self, id: Id) -> BTreeSet<Id> {
+        let users = self.users();
         let mut found = BTreeSet::new();
         let mut open = vec![id];
         while let Some(next) = open.pop() {

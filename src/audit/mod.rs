@@ -26,6 +26,7 @@ mod graph;
 mod keys;
 mod many;
 pub mod marks;
+mod misprints;
 mod near;
 mod own;
 pub mod quantity;

@@ -1,7 +1,5 @@
 //! The machine's limits, the screw, the correctors.
 
-use std::collections::BTreeMap;
-
 use crate::error::KnowledgeError;
 use crate::knowledge::units::Unit;
 use crate::note::{Because, Note, Severity};
@@ -12,6 +10,7 @@ use super::super::figures::{beside, shown};
 use super::super::finding::{Finding, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
+use super::super::stated::Figure;
 
 pub(super) fn check<'a>(
     context: &Context<'a>,
@@ -132,18 +131,30 @@ fn lengths(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), Kno
     Ok(())
 }
 
-/// Two tools of different lengths with one corrector.
+/// Two tools of different lengths with one corrector; a tool that alone has another corrector than its own number.
 fn correctors(context: &Context<'_>, findings: &mut Vec<Finding>) {
-    let mut known: BTreeMap<i64, u32> = BTreeMap::new();
-    for (at, tool) in context.stated.tools.iter().enumerate() {
-        let Some(figure) = tool.figures.get(&Q::Corrector) else { continue };
-        if let Some(other) = known.insert(figure.value as i64, tool.number) {
+    let stated = context.stated.tools.iter().enumerate();
+    let own: Vec<(usize, u32, &Figure)> =
+        stated.filter_map(|(at, tool)| Some((at, tool.number, tool.figures.get(&Q::Corrector)?))).collect();
+    let is_own = |number: u32, figure: &Figure| figure.value == f64::from(number);
+    for (place, (at, number, figure)) in own.iter().enumerate() {
+        let others = || own.iter().enumerate().filter(|(other, _)| *other != place).map(|(_, one)| one);
+        let twin = others().find(|(_, _, other)| other.value == figure.value);
+        // Of two the slip is of the one whose number it is not, else of the later one.
+        let theirs = |other: &&(usize, u32, &Figure)| is_own(other.1, other.2) || other.0 < *at;
+        let field = context.field(Id::new(Scope::Tool(*at), Q::Corrector));
+        let finding = if let Some(other) = twin.filter(theirs).filter(|_| !is_own(*number, figure)) {
+            let note = Note::new("audit-same-corrector").with("corrector", &figure.text);
+            Finding::new(Severity::Error, Section::Lengths, field, note.with("other", format!("T{}", other.1)))
+        } else if !is_own(*number, figure) && own.len() > 2 && others().all(|(_, number, other)| is_own(*number, other))
+        {
             let note =
-                Note::new("audit-same-corrector").with("corrector", &figure.text).with("other", format!("T{other}"));
-            let field = context.field(Id::new(Scope::Tool(at), Q::Corrector));
-            let finding = Finding::new(Severity::Error, Section::Lengths, field, note).at(&figure.place);
-            findings.push(finding.about(context.subject(Scope::Tool(at))));
-        }
+                Note::new("audit-other-corrector").with("corrector", &figure.text).with("tool", format!("T{number}"));
+            Finding::new(Severity::Doubtful, Section::Lengths, field, note)
+        } else {
+            continue;
+        };
+        findings.push(finding.at(&figure.place).about(context.subject(Scope::Tool(*at))));
     }
 }
 

@@ -12,6 +12,8 @@ use super::{formula, given, largest, same};
 
 const POWER: Rule = Rule { id: "clamping-power", formula: "N", source: "textbook, Appendix Г items 7 and 8" };
 const RPM: Rule = Rule { id: "clamping-rpm", formula: "nпр", source: "textbook, Appendix Г items 7 and 8" };
+const ROW: Rule = Rule { id: "clamping-torque", formula: "M", source: "textbook, Appendix Г items 7 and 8" };
+const PLACES: Rule = Rule { id: "clamps-by-places", formula: "zп", source: "the places of the clamps" };
 const LARGEST: Rule = Rule { id: "largest-torque", formula: "M", source: "textbook 5.2 item 7: the largest torque" };
 const CONSTANT: Rule = Rule { id: "clamping-constant", formula: "", source: "textbook 5.2 item 7 (l. 4675-4677)" };
 const DISTANCE: Rule = Rule { id: "distance-to-clamp", formula: "d", source: "textbook 5.2 item 7" };
@@ -19,7 +21,7 @@ const FORCE: Rule = Rule { id: "clamping-force", formula: "W = k·M/(f·d)", sou
 const CLAMPS: Rule = Rule { id: "two-clamps", formula: "zп", source: "textbook 5.2 item 7 (l. 4653-4654)" };
 const EACH: Rule = Rule { id: "force-per-clamp", formula: "Q = W/zп", source: "textbook 5.2 item 7 (l. 4680-4686)" };
 
-pub(super) const RULES: &[Rule] = &[POWER, RPM, LARGEST, CONSTANT, DISTANCE, FORCE, CLAMPS, EACH];
+pub(super) const RULES: &[Rule] = &[POWER, RPM, ROW, PLACES, LARGEST, CONSTANT, DISTANCE, FORCE, CLAMPS, EACH];
 
 pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), KnowledgeError> {
     let stated = context.stated;
@@ -29,6 +31,7 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
         graph.add(same(&POWER, id(Q::Power), Id::new(Scope::Conditions(at), Q::Power)));
         graph.add(same(&RPM, id(Q::Rpm), Id::new(Scope::Conditions(at), Q::Rpm)));
         graph.add(torque_of_power(Scope::Clamping));
+        graph.add(same(&ROW, id(Q::Torque), Id::new(Scope::Conditions(at), Q::Torque)));
     }
     if let Some(hole) = &clamping.hole {
         let of_hole = stated.rows_of_hole(&hole.value).filter_map(|(row, _)| stated.conditions_of(row));
@@ -37,14 +40,12 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
             .filter(|torque| stated.figure(*torque).is_some())
             .collect();
         graph.add(largest(&LARGEST, id(Q::Torque), torques));
-        let group = stated.part.holes.iter().find(|known| known.name == hole.value);
-        let nearest = group
-            .into_iter()
-            .flat_map(|hole| &hole.at)
-            .filter_map(|point| clamping.at.iter().map(|clamp| clamp.distance(*point)).min());
-        if let Some(distance) = nearest.filter(|distance| distance.micrometres() > 0).min() {
-            graph.add(given(&DISTANCE, id(Q::Distance), distance.to_mm(), []));
-        }
+    }
+    if let Some(distance) = context.clamped_hole().and_then(|hole| context.distance_to_clamp(hole)) {
+        graph.add(given(&DISTANCE, id(Q::Distance), distance.to_mm(), []));
+    }
+    if !clamping.at.is_empty() {
+        graph.add(given(&PLACES, id(Q::Clamps), clamping.at.len() as f64, []));
     }
     let table = context.shop.knowledge.table("clamping")?;
     for (name, quantity) in [("safety", Q::Safety), ("friction", Q::Friction), ("clamps", Q::Clamps)] {

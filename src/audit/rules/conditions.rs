@@ -1,5 +1,7 @@
 //! Cutting conditions: from card and factors to feed, speed, spindle step, force, power, torque and time.
 
+use std::collections::BTreeMap;
+
 use crate::cutting;
 use crate::error::KnowledgeError;
 use crate::knowledge::Input;
@@ -211,6 +213,45 @@ fn judge_step(context: &Context<'_>, value: f64, computed: f64) -> Judged {
     let answer = rule.decide(&[("excess", Input::Number(excess, Unit::Percent))]).ok()?;
     let severity = Severity::from_name(answer.winner()?.text("severity").ok()?)?;
     Some((severity, note(if value > computed { "audit-step-fast" } else { "audit-step-slow" })))
+}
+
+/// What the tables give for figures of conditions that no formula computes: card points, factors, feeds, travels, spots.
+pub(super) fn by_tables(context: &Context<'_>) -> Result<BTreeMap<Id, f64>, KnowledgeError> {
+    let corrections = context.shop.knowledge.table("card-corrections")?;
+    let group = context.shop.material.group;
+    let mut known = BTreeMap::new();
+    for (at, conditions) in context.stated.conditions.iter().enumerate() {
+        let scope = Scope::Conditions(at);
+        for (quantity, factors) in &conditions.factors {
+            for (index, factor) in factors.iter().enumerate() {
+                let name = factor.name.value.as_str();
+                let elsewhere = context.same_factor(at, *quantity, name);
+                let elsewhere = elsewhere.and_then(|id| Some(context.stated.figure(id)?.value));
+                let rows = corrections.all_rows().filter(|row| row.text("name") == Ok(name));
+                let row = rows.into_iter().find(|row| row.text("material_group") == Ok(group));
+                let table = row.and_then(|row| row.number_in("factor", Unit::None).ok());
+                known.extend(table.or(elsewhere).map(|value| (Id { scope, quantity: *quantity, index }, value)));
+            }
+        }
+        let Some(first) = conditions.rows.first() else { continue };
+        let Some(reference) = context.same_transition(*first) else { continue };
+        let own = &reference.conditions;
+        let figures = [
+            (Q::Feed, Some(own.feed_mm_per_rev.0)),
+            (Q::Speed, Some(own.computed_speed_m_per_min.0)),
+            (Q::Travel, Some(reference.travel_mm.to_mm())),
+            (Q::Force, own.axial_force_n.map(|force| force.0)),
+            (Q::Torque, own.torque_n_m.map(|torque| torque.0)),
+            (Q::CardFeed, own.card.as_ref().map(|card| card.feed_mm_per_rev.0)),
+            (Q::CardSpeed, own.card.as_ref().map(|card| card.speed_m_per_min.0)),
+            (Q::CardForce, own.card.as_ref().and_then(|card| card.axial_force_n).map(|force| force.0)),
+            (Q::CardPower, own.card.as_ref().and_then(|card| card.power_kw).map(|power| power.0)),
+        ];
+        known.extend(figures.into_iter().filter_map(|(quantity, value)| Some((Id::new(scope, quantity), value?))));
+        known.insert(Id::new(Scope::Row(*first), Q::Diameter), reference.diameter_mm.to_mm());
+    }
+    known.insert(Id::new(Scope::Times, Q::RapidTime), context.plan.time.rapid_min.0);
+    Ok(known)
 }
 
 /// What `technolog plan` reads from the tables for the same transition: the last resort for figures that nothing else

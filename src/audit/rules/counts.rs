@@ -15,9 +15,14 @@ const FROM: Rule =
     Rule { id: "diameter-before", formula: "D0", source: "textbook 1.2: what the transition before leaves" };
 const DIAMETER: Rule = Rule { id: "diameter-of-tool", formula: "D", source: "a drill leaves its own diameter" };
 const PASS_DIAMETER: Rule = Rule { id: "diameter-of-row", formula: "D", source: "textbook, Appendix Г item 7" };
+const ONE_DIAMETER: Rule =
+    Rule { id: "diameter-of-conditions", formula: "D", source: "conditions are computed for one diameter" };
+const MILL_DIAMETER: Rule =
+    Rule { id: "diameter-of-mill", formula: "D", source: "the speed of a mill is that of its own edge" };
 const DEPTH: Rule = Rule { id: "depth-of-hole", formula: "l", source: "the drawing" };
 
-pub(super) const RULES: &[Rule] = &[COUNT, COUNT_OF_CONDITIONS, FROM, DIAMETER, PASS_DIAMETER, DEPTH];
+pub(super) const RULES: &[Rule] =
+    &[COUNT, COUNT_OF_CONDITIONS, FROM, DIAMETER, PASS_DIAMETER, ONE_DIAMETER, MILL_DIAMETER, DEPTH];
 
 pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), KnowledgeError> {
     let stated = context.stated;
@@ -57,8 +62,23 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
                 Some(values.iter().sum())
             });
             graph.add(sum);
+            // What is cut at the same conditions is of the same diameter.
+            for other in conditions.rows.iter().skip(1) {
+                let same_diameter = same(
+                    &ONE_DIAMETER,
+                    Id::new(Scope::Row(*other), Q::Diameter),
+                    Id::new(Scope::Row(*first), Q::Diameter),
+                );
+                graph.add(same_diameter);
+            }
             let of_row = |quantity| Id::new(Scope::Row(*first), quantity);
             let output = Id::new(scope, Q::Diameter);
+            // n = 1000·V/(π·D) takes the diameter that cuts: of a mill its own.
+            let mill = stated.rows.get(*first).filter(|row| row.operation.value == Operation::Mill);
+            if let Some(tool) = mill.and_then(|row| stated.tool_of(row)) {
+                graph.add(same(&MILL_DIAMETER, output, Id::new(Scope::Tool(tool), Q::Diameter)));
+                continue;
+            }
             // A step drill is reckoned by its wide diameter.
             if stated.figure(of_row(Q::Also)).is_some() {
                 graph.add(largest(&PASS_DIAMETER, output, vec![of_row(Q::Diameter), of_row(Q::Also)]));

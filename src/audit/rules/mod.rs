@@ -9,6 +9,8 @@ mod counts;
 mod times;
 pub(super) mod tools;
 
+use std::collections::BTreeMap;
+
 use crate::error::KnowledgeError;
 use crate::note::Because;
 
@@ -24,7 +26,9 @@ const FAMILIES: &[Family] = &[counts::add, tools::add, conditions::add, clamping
 
 /// Every rule.
 pub fn all() -> impl Iterator<Item = &'static Rule> {
-    [counts::RULES, tools::RULES, conditions::RULES, clamping::RULES, times::RULES].into_iter().flatten()
+    [counts::RULES, tools::RULES, conditions::RULES, clamping::RULES, times::RULES, super::misprints::RULES]
+        .into_iter()
+        .flatten()
 }
 
 /// Adds every formula to the graph.
@@ -33,6 +37,15 @@ pub fn all() -> impl Iterator<Item = &'static Rule> {
 /// The knowledge cannot answer.
 pub fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), KnowledgeError> {
     FAMILIES.iter().try_for_each(|family| family(context, graph))
+}
+
+/// What the tables give for figures that no formula computes: nothing is demanded by it, but it tells which of two figures
+/// is the misprinted one.
+///
+/// # Errors
+/// The knowledge cannot answer.
+pub fn by_tables(context: &Context<'_>) -> Result<BTreeMap<Id, f64>, KnowledgeError> {
+    conditions::by_tables(context)
 }
 
 /// A formula without choice and rows; `numbers` has `{0}` … for the inputs.

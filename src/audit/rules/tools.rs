@@ -8,6 +8,7 @@ use crate::tooling::named;
 use crate::units::Micrometres;
 
 use super::super::context::Context;
+use super::super::figures::nature;
 use super::super::graph::{Graph, Judge, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::{formula, given, largest, same};
@@ -145,14 +146,35 @@ fn corrections<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) {
     let stated = context.stated;
     let id = |quantity| Id::new(Scope::Tool(at), quantity);
     let lengths: Vec<Id> = (0..stated.tools.len()).map(|tool| Id::new(Scope::Tool(tool), Q::Assembly)).collect();
-    graph.add(largest(&REFERENCE, id(Q::LongestAssembly), lengths));
+    // Any tool may be the reference tool; the longest is the usual one.
+    let mut reference = largest(&REFERENCE, id(Q::LongestAssembly), lengths);
+    reference.judge = Some(Box::new(move |value, inputs| {
+        let known = inputs.iter().any(|length| (length - value).abs() < 1e-6);
+        (!known).then(|| (Severity::Wrong, Note::new("audit-no-such-reference")))
+    }));
+    graph.add(reference);
     let inputs = vec![id(Q::Assembly), id(Q::LongestAssembly)];
     let difference = |values: &[f64]| Some(values.first()? - values.get(1)?);
     let reverse = move |values: &[f64]| difference(values).map(|value| -value);
-    if context.subtracts(at) {
-        graph.add(formula(&MINUS, id(Q::Correction), inputs.clone(), "{1}−{0}", reverse));
+    let mut correction = if context.subtracts(at) {
+        formula(&MINUS, id(Q::Correction), inputs.clone(), "{1}−{0}", reverse)
     } else {
-        graph.add(formula(&PLUS, id(Q::Correction), inputs.clone(), "{0}−{1}", difference));
+        formula(&PLUS, id(Q::Correction), inputs.clone(), "{0}−{1}", difference)
+    };
+    // Where neither plan nor program says G43 or G44, the sign may be that of either.
+    if context.correction_word(at).is_none() && !stated.own {
+        correction.judge = Some(Box::new(move |value, inputs| {
+            let plus = difference(inputs)?;
+            let near = |right: f64| (value - right).abs() < 1e-6;
+            if near(plus) {
+                None
+            } else if near(-plus) {
+                Some((Severity::Doubtful, Note::new("audit-sign-by-g44")))
+            } else {
+                Some((Severity::Error, Note::new(nature(value, if value * plus < 0.0 { -plus } else { plus }))))
+            }
+        }));
     }
+    graph.add(correction);
     graph.add(formula(&BOOK, id(Q::BookCorrection), inputs, "{1}−{0}", reverse));
 }

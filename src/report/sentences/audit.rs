@@ -13,6 +13,21 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "the catalog of this designation has {own} mm: it must be ground down to {size} mm",
     ),
     (
+        "audit-no-such-reference",
+        "довжини такого комплекту немає: еталонний інструмент - один із комплектів плану",
+        "no assembly has that length: the reference tool is one of the plan's assemblies",
+    ),
+    (
+        "audit-sign-by-g44",
+        "знак для G44; ні план, ні програма не кажуть, G43 чи G44, а для G43 він протилежний",
+        "the sign for G44; neither plan nor program says G43 or G44, and for G43 it is the opposite one",
+    ),
+    (
+        "audit-other-corrector",
+        "{tool} має коректор {corrector}, а решта інструментів - коректор свого номера",
+        "{tool} has the corrector {corrector}, and every other tool that of its own number",
+    ),
+    (
         "audit-overhang",
         "за приміткою до 5.2 п. 5 виліт від {least} до {most} мм",
         "by the note of section 5.2 item 5 the overhang is {least} to {most} mm",

@@ -1,0 +1,185 @@
+//! Which figure was misprinted, where only what was computed from it does not fit.
+//!
+//! An author who misprints a figure and goes on with the right one leaves a plan in which everything computed from that
+//! figure disagrees with it. Which of the figures is at fault is told by the others: a misprint explains every disagreement
+//! and breaks nothing that fits. Where that leaves more than one figure, the tables decide, then the likeness of a slip of
+//! the pen; where nothing decides, the computed figure is named and nothing is guessed.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::figures::nature;
+use super::graph::{Formula, Graph, Rule, Status};
+use super::quantity::Id;
+
+const MISPRINT: Rule =
+    Rule { id: "misprinted", formula: "", source: "what was computed from it agrees on another value" };
+
+pub(super) const RULES: &[Rule] = &[MISPRINT];
+
+/// A misprint changes one figure, and few plans have more of them than that.
+const MOST: usize = 32;
+
+/// Two values that nobody would print apart, as a share.
+const SAME: f64 = 0.005;
+
+/// A figure that may have been misprinted.
+struct Suspect {
+    id: Id,
+    /// What it should have been.
+    right: f64,
+    /// How many figures fit by that and do not fit as it is.
+    mends: usize,
+    /// Whether the tables give that value.
+    known: bool,
+    /// Whether it looks like a slip of the pen.
+    slip: bool,
+}
+
+/// Finds misprinted figures one after the other and puts them right; `tables` is what the tables would give for figures that
+/// no formula computes.
+pub(super) fn correct(graph: &mut Graph<'_>, tables: &BTreeMap<Id, f64>) {
+    for _ in 0..MOST {
+        let own: Vec<Id> = graph
+            .verdicts()
+            .into_iter()
+            .filter(|verdict| matches!(verdict.status, Status::Root(_, None)))
+            .map(|verdict| verdict.id)
+            .filter(|id| graph.computed_from_right(*id).is_none())
+            .collect();
+        let Some((found, computed)) = own.iter().find_map(|id| Some((misprinted(graph, *id, tables)?, *id))) else {
+            return;
+        };
+        let right = found.right;
+        let formula = Formula {
+            rule: &MISPRINT,
+            output: found.id,
+            inputs: Vec::new(),
+            numbers: String::new(),
+            compute: Box::new(move |_| Some(right)),
+            judge: None,
+            because: Vec::new(),
+        };
+        graph.correct(formula, computed);
+    }
+}
+
+/// The figure whose misprint explains that a computed figure does not fit; nothing where it is that figure itself or
+/// where more than one may be it.
+fn misprinted(graph: &Graph<'_>, computed: Id, tables: &BTreeMap<Id, f64>) -> Option<Suspect> {
+    let suspects: Vec<Suspect> =
+        graph.stated_inputs(computed).into_iter().filter_map(|id| suspect(graph, id, computed, tables)).collect();
+    let most = suspects.iter().map(|one| one.mends).max()?;
+    let own = graph.computed_if(computed, None)?;
+    // How much would fit, were the slip its own, and whether what follows from it speaks against that.
+    let users = graph.stated_users(computed).into_iter();
+    let users: Vec<(Option<bool>, Option<bool>)> =
+        users.map(|user| (graph.fits_if(user, None), graph.fits_if(user, Some((computed, own))))).collect();
+    let alone = !users.contains(&(Some(true), Some(false)));
+    let mended = 1 + users.iter().filter(|pair| **pair == (Some(false), Some(true))).count();
+    if alone && mended > most {
+        return None;
+    }
+    let slip = graph.printed(computed).is_some_and(|figure| is_slip(&figure.text, figure.value, own));
+    let mut best: Vec<Suspect> = suspects.into_iter().filter(|one| one.mends == most).collect();
+    if mended == most && alone {
+        // Nothing speaks for the computed figure but itself.
+        let known = best.iter().any(|one| one.known);
+        if !known && slip {
+            return None;
+        }
+        best.retain(|one| one.known || (!known && one.slip));
+    }
+    for mark in [|one: &Suspect| one.known, |one: &Suspect| one.slip] {
+        if best.len() > 1 && best.iter().any(mark) {
+            best.retain(mark);
+        }
+    }
+    if best.len() == 1 { best.pop() } else { None }
+}
+
+/// Whether the misprint of a figure explains that a computed one does not fit.
+fn suspect(graph: &Graph<'_>, id: Id, computed: Id, tables: &BTreeMap<Id, f64>) -> Option<Suspect> {
+    // What a formula computes rightly is no misprint, and what it does not is told already.
+    if graph.formula(id).is_some_and(|formula| formula.judge.is_none()) {
+        return None;
+    }
+    let figure = graph.printed(id)?;
+    let users: BTreeSet<Id> = graph.stated_users(id);
+    let before: Vec<Option<bool>> = users.iter().map(|user| graph.fits_if(*user, None)).collect();
+    let mends = |right: f64| -> Option<usize> {
+        let other = Some((id, right));
+        if graph.fits_if(computed, other) != Some(true) || graph.fits_if(id, other) == Some(false) {
+            return None;
+        }
+        let after: Vec<Option<bool>> = users.iter().map(|user| graph.fits_if(*user, other)).collect();
+        let breaks = before.iter().zip(&after).any(|pair| matches!(pair, (Some(true), Some(false))));
+        let mended = before.iter().zip(&after).filter(|pair| matches!(pair, (Some(false), Some(true))));
+        (!breaks).then(|| mended.count())
+    };
+    let known = tables.get(&id).copied();
+    let same = |one: f64, other: f64| (one - other).abs() <= SAME * other.abs();
+    // What the tables give is as it should be.
+    if known.is_some_and(|known| same(figure.value, known)) {
+        return None;
+    }
+    let solved = solutions(graph, id, figure.value, computed).into_iter();
+    let rounded = solved.flat_map(|value| (0..4).map(move |more| rounded(value, figure.last_place, more)));
+    let (right, mends) = known.into_iter().chain(rounded).find_map(|right| Some((right, mends(right)?)))?;
+    let known = known.is_some_and(|known| same(right, known));
+    Some(Suspect { id, right, mends, known, slip: is_slip(&figure.text, figure.value, right) })
+}
+
+/// The values of a figure that give the computed one as stated, where that goes with the figure or with its reciprocal, or
+/// is the figure itself.
+fn solutions(graph: &Graph<'_>, id: Id, value: f64, computed: Id) -> Vec<f64> {
+    let Some(target) = graph.printed(computed).map(|figure| figure.value) else { return Vec::new() };
+    let other = value * 1.25 + 0.125;
+    let at = |value: f64| graph.computed_if(computed, Some((id, value)));
+    let (Some(one), Some(two)) = (at(value), at(other)) else { return Vec::new() };
+    let share = (target - one) / (two - one);
+    let line = value + share * (other - value);
+    let reciprocal = 1.0 / (1.0 / value + share * (1.0 / other - 1.0 / value));
+    [line, reciprocal, target].into_iter().filter(|value| value.is_finite()).collect()
+}
+
+/// A value at the places of a print, and at so many more.
+fn rounded(value: f64, last_place: f64, more: i32) -> f64 {
+    let place = last_place * libm::pow(10.0, f64::from(-more));
+    libm::round(value / place) * place
+}
+
+/// Whether a value printed wrong looks like a slip of the pen: of the decimal point or the sign, one digit another, or two
+/// exchanged.
+fn is_slip(text: &str, stated: f64, right: f64) -> bool {
+    if nature(stated, right) != "audit-figure" {
+        return true;
+    }
+    let places = text.split_once('.').map_or(0, |(_, part)| part.len());
+    let printed = format!("{right:.places$}");
+    let whole = printed.parse().is_ok_and(|value: f64| (value - right).abs() <= 1e-9 * right.abs().max(1.0));
+    if !whole || text.len() != printed.len() {
+        return false;
+    }
+    let off: Vec<(u8, u8)> = text.bytes().zip(printed.bytes()).filter(|(a, b)| a != b).collect();
+    match off.as_slice() {
+        // Of a short figure any other value is one digit off.
+        [_] => text.len() > 2,
+        [(a, b), (c, d)] => a == d && b == c,
+        _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_slip;
+
+    #[test]
+    fn slips_of_the_pen_are_told_from_other_values() {
+        for (text, right) in [("2830", 283.0), ("0.283", 283.0), ("54.58", 44.58), ("13.39", 13.93), ("-50", 50.0)] {
+            assert!(is_slip(text, text.parse().unwrap(), right), "{text} for {right}");
+        }
+        for (text, right) in [("13.93", 19.33), ("977", 1489.1), ("26.52", 42.14)] {
+            assert!(!is_slip(text, text.parse().unwrap(), right), "{text} for {right}");
+        }
+    }
+}
