@@ -1,9 +1,9 @@
 //! An audit as a page for a browser: one file, nothing loaded from elsewhere, whatever a plan says only shown.
 
-use crate::audit::{Audit, Audited};
+use crate::audit::{Audit, Audited, Comparison};
 
 use super::super::Lang;
-use super::{by_section, details, heading, headline, many, marks, place, severity, summary, title};
+use super::{against, by_section, counts, details, heading, headline, many, marks, place, severity, summary, title};
 
 /// Colours for both lights of a screen, and for paper; a severity is told by its word too, not by colour alone.
 const STYLE: &str = "
@@ -29,6 +29,10 @@ th, td { text-align: left; vertical-align: top; padding: .25rem .6rem; border-bo
 pub fn page(audit: &Audit, lang: Lang) -> String {
     let mut body = format!("<h1>{}</h1>\n", escaped(&title(audit, lang)));
     body.push_str(&format!("<p>{}</p>\n", escaped(&summary(audit, lang))));
+    let (head, rows) = counts::table(audit, lang);
+    if !rows.is_empty() {
+        body.push_str(&table("counts", &head, &rows));
+    }
     for (section, findings) in by_section(audit) {
         body.push_str(&format!("<h2>{}</h2>\n<ul>\n", heading(section, lang)));
         for finding in findings {
@@ -36,14 +40,14 @@ pub fn page(audit: &Audit, lang: Lang) -> String {
             let (class, word) = (finding.severity.name(), severity(finding.severity, lang));
             let said = escaped(&headline(finding, lang));
             body.push_str(&format!("<li class=\"finding {class}\"><b>{word}</b>{} {said}", at.unwrap_or_default()));
-            body.push_str(&list("why", &details(finding, lang)));
+            body.push_str(&list("why", &details(finding, audit, lang)));
             body.push_str("</li>\n");
         }
         body.push_str("</ul>\n");
     }
     if let Some(marks) = &audit.marks {
         body.push_str(&format!("<h2>{}</h2>\n", escaped(&marks::headline(marks, lang))));
-        body.push_str(&list("marks", &marks::lines(marks, lang)));
+        body.push_str(&list("marks", &marks::lines(marks, audit, lang)));
     }
     whole(&title(audit, lang), &body, lang)
 }
@@ -51,18 +55,39 @@ pub fn page(audit: &Audit, lang: Lang) -> String {
 /// The page of a folder.
 pub fn folder(audited: &[Audited], lang: Lang) -> String {
     let (head, rows) = many::table(audited, lang);
+    let body = format!(
+        "<h1>{}</h1>\n<p>{}</p>\n{}",
+        many::title(lang),
+        escaped(&many::summary(audited, lang)),
+        table("plans", &head, &rows),
+    );
+    whole(many::title(lang), &body, lang)
+}
+
+/// The page of two plans beside each other.
+pub fn comparison(comparison: &Comparison, lang: Lang) -> String {
+    let title = against::title(comparison, lang);
+    let mut body = format!("<h1>{}</h1>\n", escaped(&title));
+    for (heading, head, rows) in against::tables(comparison, lang) {
+        body.push_str(&format!("<h2>{}</h2>\n{}", escaped(heading), table("beside", &head, &rows)));
+    }
+    if comparison.differences.is_empty() {
+        body.push_str(&format!("<p>{}</p>\n", against::none(lang)));
+    }
+    whole(&title, &body, lang)
+}
+
+/// A table under a head, which scrolls by itself where it is too wide.
+fn table(class: &str, head: &[String], rows: &[Vec<String>]) -> String {
     let cells = |cells: &[String], tag: &str| -> String {
         let cells = cells.iter().map(|cell| format!("<{tag}>{}</{tag}>", escaped(cell))).collect::<String>();
         format!("<tr>{cells}</tr>\n")
     };
     let rows: String = rows.iter().map(|row| cells(row, "td")).collect();
-    let body = format!(
-        "<h1>{}</h1>\n<p>{}</p>\n<div class=\"scroll\"><table>\n<thead>{}</thead>\n<tbody>{rows}</tbody>\n</table></div>\n",
-        many::title(lang),
-        escaped(&many::summary(audited, lang)),
-        cells(&head, "th").trim_end(),
-    );
-    whole(many::title(lang), &body, lang)
+    format!(
+        "<div class=\"scroll\"><table class=\"{class}\">\n<thead>{}</thead>\n<tbody>\n{rows}</tbody>\n</table></div>\n",
+        cells(head, "th").trim_end(),
+    )
 }
 
 fn whole(title: &str, body: &str, lang: Lang) -> String {
