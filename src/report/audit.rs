@@ -18,7 +18,7 @@ use words::{comma, heading, name, place, said, subject};
 
 /// The page for people.
 pub fn page(audit: &Audit, lang: Lang) -> String {
-    let mut page = format!("{}\n{}\n", title(audit, lang), summary(audit, lang));
+    let mut page = format!("{} ({})\n{}\n", title(audit, lang), audit.file, summary(audit, lang));
     let (head, rows) = counts::table(audit, lang);
     if !rows.is_empty() {
         page.push_str(&format!("\n{}", grid::table(&head, &rows, 0)));
@@ -45,7 +45,7 @@ pub fn page(audit: &Audit, lang: Lang) -> String {
 
 /// The same for documents.
 pub fn markdown(audit: &Audit, lang: Lang) -> String {
-    let mut page = format!("# {}\n\n{}\n", title(audit, lang), summary(audit, lang));
+    let mut page = format!("# {}\n\n`{}`\n\n{}\n", title(audit, lang), audit.file, summary(audit, lang));
     let (head, rows) = counts::table(audit, lang);
     if !rows.is_empty() {
         page.push_str(&format!("\n{}", marked_table(&head, &rows)));
@@ -71,7 +71,7 @@ pub fn markdown(audit: &Audit, lang: Lang) -> String {
 }
 
 fn title(audit: &Audit, lang: Lang) -> String {
-    format!("{} «{}» ({})", lang.pick("Перевірка плану", "Audit of the plan"), audit.plan, audit.file)
+    format!("{} «{}»", lang.pick("Перевірка плану", "Audit of the plan"), audit.plan)
 }
 
 fn summary(audit: &Audit, lang: Lang) -> String {

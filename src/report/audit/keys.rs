@@ -166,6 +166,11 @@ const FACTORS: &[(&str, &str, &str)] = &[
 ];
 
 const VALUES: &[(&str, &str, &str)] = &[
+    // Bounds of a machine.
+    ("thrust-z-max", "найбільша осьова сила", "largest thrust"),
+    ("spindle-torque-max", "найбільший крутний момент", "largest torque"),
+    ("tool-overhang-max", "найбільший виліт інструмента", "largest overhang of a tool"),
+    // Of plans.
     ("taper", "конус шпинделя", "the spindle's taper"),
     ("tables", "за таблицями", "by the tables"),
     ("complexes", "за комплексами", "by complexes"),

@@ -37,9 +37,9 @@ pub(super) fn table(audited: &[Audited], lang: Lang) -> (Vec<String>, Vec<Vec<St
     let rows = audited.iter().map(|one| match one {
         Audited::Plan(audit) => row(audit, lang),
         Audited::Unreadable(unread) => {
-            let why = unread.unreadable.first().map(|mistake| mistaken(mistake, lang)).unwrap_or_default();
-            let said = format!("{}: {why}", lang.pick("не читається", "cannot be read"));
-            let mut row = [unread.file.as_str(), "-", "-", "-", "-", &said].map(str::to_owned).to_vec();
+            let why =
+                unread.unreadable.first().map(|mistake| mistaken(mistake, &unread.file, lang)).unwrap_or_default();
+            let mut row = [unread.file.as_str(), "-", "-", "-", "-", &why].map(str::to_owned).to_vec();
             row.extend(marked.then(|| "-".to_owned()));
             row
         }
@@ -61,9 +61,11 @@ fn row(audit: &Audit, lang: Lang) -> Vec<String> {
 
 /// Why a file cannot be read. Readers of files speak English; other languages have the kind of the mistake, the name
 /// that it is about and the place, and the whole of it where the file is audited alone.
-fn mistaken(mistake: &Mistake, lang: Lang) -> String {
+fn mistaken(mistake: &Mistake, file: &str, lang: Lang) -> String {
+    let place = mistake.place.as_deref().map(|place| place.strip_prefix(&format!("{file}:")).unwrap_or(place));
+    let at = place.map(|place| format!("{place} ")).unwrap_or_default();
     if lang == Lang::En {
-        return mistake.message.clone();
+        return format!("{at}cannot be read: {}", mistake.message);
     }
     let kind = match mistake.code {
         "yaml" => "файл записано не за правилами YAML",
@@ -77,8 +79,7 @@ fn mistaken(mistake: &Mistake, lang: Lang) -> String {
     // What stands in backticks is written in the file.
     let named = mistake.message.split('`').nth(1).filter(|_| mistake.code != "yaml");
     let named = named.map(|name| format!(" `{name}`")).unwrap_or_default();
-    let place = mistake.place.as_deref().map(|place| format!(", {place}")).unwrap_or_default();
-    format!("{kind}{named}{place}")
+    format!("{at}не читається: {kind}{named}")
 }
 
 /// Where to begin: `31:5 свердління A: подача S 0,25 → 0,325`.

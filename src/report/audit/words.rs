@@ -138,6 +138,10 @@ pub(super) fn said(finding: &Finding, lang: Lang) -> String {
             let field = keys::words(&finding.field, lang).unwrap_or_else(|| lang.pick("число", "a figure").to_owned());
             Note::new("audit-not-ours").with("field", field).with("stated", of("stated")).with("right", of("right"))
         }
+        "audit-beyond-machine" => {
+            let bound = finding.note.params.get("quantity").map_or("", String::as_str);
+            finding.note.clone().with("quantity", value(bound, lang))
+        }
         _ => finding.note.clone(),
     };
     sentence(&note, lang)
