@@ -157,6 +157,9 @@ fn missing(missing: &[Lack], section: &str, lang: Lang) -> String {
             None => groups.push((&lack.keys, vec![whose])),
         }
     }
+    if matches!(missing, [lack] if lack.keys == [section]) {
+        return lang.pick("увесь розділ", "the whole section").to_owned();
+    }
     let whole = missing.iter().all(|lack| lack.of.is_empty());
     let group = |(keys, whose): &(&[&str], Vec<String>)| {
         let names: Vec<String> = keys
