@@ -131,19 +131,26 @@ fn pages(audit: &Audit, lang: Lang) -> Vec<String> {
     vec![page(audit, lang), markdown(audit, lang), visible(&html::page(audit, lang))]
 }
 
-/// Every page there is, of every plan, by the name of the plan.
-fn everything(lang: Lang) -> Vec<(String, String)> {
+/// Every plan with its audit.
+static PLANS: LazyLock<Vec<(Stated, Audit)>> = LazyLock::new(|| {
     let known: Vec<&str> = rules::all().map(|rule| rule.id).chain(codes()).collect();
     let scheme = "{points: 1000, deduct: {error: 5, wrong: 4, doubtful: 3, note: 2}, consequences: 1}";
     let scheme = read_scheme("marks.yaml", scheme, &known).unwrap();
-    let plans: Vec<Stated> = by_hand().into_iter().chain(spoilt()).collect();
+    let marked = |stated: Stated| {
+        let mut audit = AUDITOR.audit(&stated).unwrap();
+        audit.marks = Some(scheme.mark(&audit));
+        (stated, audit)
+    };
+    by_hand().into_iter().chain(spoilt()).map(marked).collect()
+});
+
+/// Every page there is, of every plan, by the name of the plan.
+fn everything(lang: Lang) -> Vec<(String, String)> {
     let mut all = Vec::new();
     let mut audited = Vec::new();
-    for stated in &plans {
-        let mut audit = AUDITOR.audit(stated).unwrap();
-        audit.marks = Some(scheme.mark(&audit));
-        all.extend(pages(&audit, lang).into_iter().map(|page| (audit.plan.clone(), page)));
-        audited.push(Audited::Plan(Box::new(audit)));
+    for (_, audit) in PLANS.iter() {
+        all.extend(pages(audit, lang).into_iter().map(|page| (audit.plan.clone(), page)));
+        audited.push(Audited::Plan(Box::new(audit.clone())));
     }
     let none = |_: &str| Err("no such file".to_owned());
     for broken in ["part: [\n", "tools: {}\n", "part: here.yaml\n", &text("tests/audit/bad.yaml")] {
@@ -152,15 +159,16 @@ fn everything(lang: Lang) -> Vec<(String, String)> {
     }
     let folder = [many::page(&audited, lang), many::markdown(&audited, lang), visible(&html::folder(&audited, lang))];
     all.extend(folder.map(|page| ("folder".to_owned(), page)));
-    let last = plans.last().unwrap();
-    for pair in plans.windows(2).chain([[last.clone(), plans[0].clone()].as_slice()]) {
-        let compared = AUDITOR.compare(&pair[0], &pair[1]).unwrap();
+    // Some beside another of their kind, and one by hand beside one of ours.
+    let pairs = PLANS.chunks_exact(2).step_by(3).map(|pair| (&pair[0].0, &pair[1].0));
+    for (a, b) in pairs.chain(PLANS.first().zip(PLANS.last()).map(|(a, b)| (&a.0, &b.0))) {
+        let compared = AUDITOR.compare(a, b).unwrap();
         let pages = [
             against::page(&compared, lang),
             against::markdown(&compared, lang),
             visible(&html::comparison(&compared, lang)),
         ];
-        all.extend(pages.map(|page| (format!("{} against {}", pair[0].name, pair[1].name), page)));
+        all.extend(pages.map(|page| (format!("{} against {}", a.name, b.name), page)));
     }
     all
 }
@@ -257,8 +265,8 @@ fn the_english_pages_have_no_paths() {
 
 #[test]
 fn the_counts_of_the_sections_are_those_of_the_whole() {
-    for stated in by_hand() {
-        let summary = AUDITOR.audit(&stated).unwrap().summary;
+    for (_, audit) in PLANS.iter() {
+        let summary = &audit.summary;
         let sum = summary.sections.values().fold([0; 5], |sum, own| {
             let own = [own.error, own.wrong, own.doubtful, own.note, own.follow];
             std::array::from_fn(|at| sum[at] + own[at])
