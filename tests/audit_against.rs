@@ -70,7 +70,7 @@ fn rows_in_another_place_are_matched_by_what_they_do() {
 
 #[test]
 fn the_worked_example_beside_the_right_plan() {
-    for (lang, format) in [("uk", "text"), ("en", "text"), ("en", "markdown"), ("en", "json")] {
+    for (lang, format) in [("uk", "text"), ("en", "text"), ("en", "markdown"), ("uk", "html"), ("en", "json")] {
         let arguments = ["audit", "examples/appendix-g/plan.yaml", "--against", "tests/audit/right.yaml"];
         let output = Command::new(env!("CARGO_BIN_EXE_technolog"))
             .args(arguments)

@@ -102,13 +102,17 @@ fn a_page_for_the_browser_is_whole_and_shows_what_a_plan_says() {
     fs::write(folder.join("plans/<b>.yaml"), evil).unwrap();
     let (one, _, _) = command(&folder, &["audit", "plans/<b>.yaml", "--format", "html"]);
     let (all, _, _) = command(&folder, &["audit", "plans", "--format", "html"]);
-    for page in [&one, &all] {
+    fs::write(folder.join("plans/right.yaml"), right()).unwrap();
+    let two = ["audit", "plans/<b>.yaml", "--against", "plans/right.yaml", "--format", "html"];
+    let (beside, _, _) = command(&folder, &two);
+    for page in [&one, &all, &beside] {
         for sign in ["<script", "<img", "<b>.yaml", "http", "src=x onerror=alert(1)>"] {
             assert!(!page.contains(sign), "{sign}: {page}");
         }
         assert!(page.contains("&lt;b&gt;.yaml"), "{page}");
     }
     assert!(one.contains("&lt;script&gt;") && one.contains("&lt;img"), "{one}");
+    assert!(beside.contains("&lt;img"), "{beside}");
 }
 
 #[test]

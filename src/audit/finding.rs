@@ -1,6 +1,8 @@
 //! What an audit says: findings as data, without a language.
 
-use serde::Serialize;
+use std::collections::BTreeMap;
+
+use serde::{Serialize, Serializer};
 
 use crate::knowledge::diagnostic::Place;
 use crate::note::{Because, Note, Severity};
@@ -18,7 +20,7 @@ pub struct Audit {
     pub plan: String,
     /// Its file.
     pub file: String,
-    /// How many findings of each severity.
+    /// How many findings of each severity, in all and by section.
     pub summary: Summary,
     /// The findings by section, the most severe first.
     pub findings: Vec<Finding>,
@@ -27,9 +29,19 @@ pub struct Audit {
     pub marks: Option<Marks>,
 }
 
+/// How many findings there are.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Summary {
+    /// In all.
+    #[serde(flatten)]
+    pub all: Counts,
+    /// By section; those without a finding are left out.
+    pub sections: BTreeMap<Section, Counts>,
+}
+
 /// Findings by severity.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Summary {
+pub struct Counts {
     /// Unsafe or impossible.
     pub error: usize,
     /// Contradicts the source or the arithmetic.
@@ -40,6 +52,18 @@ pub struct Summary {
     pub note: usize,
     /// How many of them follow from others.
     pub follow: usize,
+}
+
+impl Counts {
+    fn add(&mut self, finding: &Finding) {
+        match finding.severity {
+            Severity::Error => self.error += 1,
+            Severity::Wrong => self.wrong += 1,
+            Severity::Doubtful => self.doubtful += 1,
+            Severity::Note => self.note += 1,
+        }
+        self.follow += usize::from(!finding.follows_from.is_empty());
+    }
 }
 
 /// A section of a plan's report.
@@ -78,6 +102,18 @@ pub struct Change {
     pub stated: String,
     /// As it should be.
     pub right: String,
+}
+
+/// What a part of the plan leaves out.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Lack {
+    /// Which part: the number of a row, of conditions, or of a tool as `T3`; empty: the section as a whole.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub of: String,
+    /// About whom that part is.
+    pub subject: Subject,
+    /// The keys it lacks, as a plan file has them.
+    pub keys: Vec<&'static str>,
 }
 
 /// What of the plan a finding is about.
@@ -134,9 +170,9 @@ pub struct Finding {
     /// The formula with its figures.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub formula: String,
-    /// Where the formula comes from.
-    #[serde(skip_serializing_if = "str::is_empty")]
-    pub source: &'static str,
+    /// Where the formula comes from, in Ukrainian and in English; English for programs.
+    #[serde(serialize_with = "english", skip_serializing_if = "is_unsaid")]
+    pub source: (&'static str, &'static str),
     /// What the plan does not state and was taken from tables or computed.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub supplied: Vec<Shown>,
@@ -146,6 +182,9 @@ pub struct Finding {
     /// What else is wrong because of it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub changes: Vec<Change>,
+    /// What the plan does not state, where the finding is of that.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub missing: Vec<Lack>,
     /// What it says.
     #[serde(flatten)]
     pub note: Note,
@@ -155,6 +194,16 @@ pub struct Finding {
     /// The rows it rests on.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub because: Vec<Because>,
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde asks for it")]
+fn english<S: Serializer>(source: &(&'static str, &'static str), serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(source.1)
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde asks for it")]
+fn is_unsaid(source: &(&'static str, &'static str)) -> bool {
+    source.1.is_empty()
 }
 
 impl Finding {
@@ -175,10 +224,11 @@ impl Finding {
             by_stated: None,
             deviation_percent: None,
             formula: String::new(),
-            source: "",
+            source: ("", ""),
             supplied: Vec::new(),
             follows_from: Vec::new(),
             changes: Vec::new(),
+            missing: Vec::new(),
             note,
             reasons: Vec::new(),
             because: Vec::new(),
@@ -230,13 +280,8 @@ impl Audit {
         });
         let mut summary = Summary::default();
         for finding in &findings {
-            match finding.severity {
-                Severity::Error => summary.error += 1,
-                Severity::Wrong => summary.wrong += 1,
-                Severity::Doubtful => summary.doubtful += 1,
-                Severity::Note => summary.note += 1,
-            }
-            summary.follow += usize::from(!finding.follows_from.is_empty());
+            summary.all.add(finding);
+            summary.sections.entry(finding.section).or_default().add(finding);
         }
         Self { plan: stated.name.clone(), file: stated.file.clone(), summary, findings, marks: None }
     }

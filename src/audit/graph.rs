@@ -21,8 +21,8 @@ pub struct Rule {
     pub id: &'static str,
     /// Its formula in symbols.
     pub formula: &'static str,
-    /// Where it comes from.
-    pub source: &'static str,
+    /// Where it comes from, in Ukrainian and in English.
+    pub source: (&'static str, &'static str),
 }
 
 /// How a value that is chosen, not computed, stands to what may be chosen: nothing against it, or how grave it is and why.

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::knowledge::Diagnostic;
 
-use super::finding::{Audit, Summary};
+use super::finding::{Audit, Counts};
 
 /// What became of a file.
 #[derive(Clone, Debug, Serialize)]
@@ -64,10 +64,10 @@ impl Audited {
 }
 
 /// The findings of all plans by severity.
-pub fn total(audited: &[Audited]) -> Summary {
-    audited.iter().filter_map(Audited::audit).fold(Summary::default(), |all, audit| {
-        let own = audit.summary;
-        Summary {
+pub fn total(audited: &[Audited]) -> Counts {
+    audited.iter().filter_map(Audited::audit).fold(Counts::default(), |all, audit| {
+        let own = audit.summary.all;
+        Counts {
             error: all.error + own.error,
             wrong: all.wrong + own.wrong,
             doubtful: all.doubtful + own.doubtful,

@@ -11,8 +11,11 @@ use super::figures::nature;
 use super::graph::{Formula, Graph, Rule, Status};
 use super::quantity::Id;
 
-const MISPRINT: Rule =
-    Rule { id: "misprinted", formula: "", source: "what was computed from it agrees on another value" };
+const MISPRINT: Rule = Rule {
+    id: "misprinted",
+    formula: "",
+    source: ("те, що з нього рахували, дає інше значення", "what was computed from it agrees on another value"),
+};
 
 pub(super) const RULES: &[Rule] = &[MISPRINT];
 
@@ -81,10 +84,10 @@ fn misprinted(graph: &Graph<'_>, computed: Id, tables: &BTreeMap<Id, f64>) -> Op
     }
     let slip = graph.printed(computed).is_some_and(|figure| is_slip(&figure.text, figure.value, own));
     let mut best: Vec<Suspect> = suspects.into_iter().filter(|one| one.mends == most).collect();
-    if mended == most && alone {
-        // Nothing speaks for the computed figure but itself.
+    if most == 1 || mended == most && alone {
+        // Nothing speaks for the computed figure but itself, or it was computed wrong and carried on.
         let known = best.iter().any(|one| one.known);
-        if !known && slip {
+        if !known && slip && alone {
             return None;
         }
         best.retain(|one| one.known || (!known && one.slip));

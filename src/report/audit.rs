@@ -2,33 +2,41 @@
 //! changes because of it.
 
 pub mod against;
+mod counts;
 pub mod html;
+mod keys;
 pub mod many;
 mod marks;
+mod words;
 
-use crate::audit::quantity::Quantity;
-use crate::audit::{Audit, Finding, Section, Subject};
-use crate::note::{Because, Severity};
+use crate::audit::{Audit, Finding, Section};
+use crate::note::Because;
 
-use super::{Lang, grid, operation_noun, sentence};
+use super::{Lang, grid, sentence};
+pub use words::severity;
+use words::{comma, heading, name, place, said, subject};
 
 /// The page for people.
 pub fn page(audit: &Audit, lang: Lang) -> String {
-    let mut page = format!("{}\n{}\n", title(audit, lang), summary(audit, lang));
+    let mut page = format!("{} ({})\n{}\n", title(audit, lang), audit.file, summary(audit, lang));
+    let (head, rows) = counts::table(audit, lang);
+    if !rows.is_empty() {
+        page.push_str(&format!("\n{}", grid::table(&head, &rows, 0)));
+    }
     for (section, findings) in by_section(audit) {
         page.push_str(&format!("\n{}\n", heading(section, lang)));
         for finding in findings {
             let at = place(finding, &audit.file).map(|place| format!(" {place}")).unwrap_or_default();
             let head = format!("{}{at} {}", severity(finding.severity, lang), headline(finding, lang));
             page.push_str(&grid::paragraph(&head, 2));
-            for line in details(finding, lang) {
+            for line in details(finding, audit, lang) {
                 page.push_str(&grid::paragraph(&line, 6));
             }
         }
     }
     if let Some(marks) = &audit.marks {
         page.push_str(&format!("\n{}\n", marks::headline(marks, lang)));
-        for line in marks::lines(marks, lang) {
+        for line in marks::lines(marks, audit, lang) {
             page.push_str(&grid::paragraph(&line, 2));
         }
     }
@@ -37,21 +45,25 @@ pub fn page(audit: &Audit, lang: Lang) -> String {
 
 /// The same for documents.
 pub fn markdown(audit: &Audit, lang: Lang) -> String {
-    let mut page = format!("# {}\n\n{}\n", title(audit, lang), summary(audit, lang));
+    let mut page = format!("# {}\n\n`{}`\n\n{}\n", title(audit, lang), audit.file, summary(audit, lang));
+    let (head, rows) = counts::table(audit, lang);
+    if !rows.is_empty() {
+        page.push_str(&format!("\n{}", marked_table(&head, &rows)));
+    }
     for (section, findings) in by_section(audit) {
         page.push_str(&format!("\n## {}\n\n", heading(section, lang)));
         for finding in findings {
             let at = place(finding, &audit.file).map(|place| format!(" `{place}`")).unwrap_or_default();
             let said = headline(finding, lang);
             page.push_str(&format!("- **{}**{at} {said}\n", severity(finding.severity, lang)));
-            for line in details(finding, lang) {
+            for line in details(finding, audit, lang) {
                 page.push_str(&format!("  - {line}\n"));
             }
         }
     }
     if let Some(marks) = &audit.marks {
         page.push_str(&format!("\n## {}\n\n", marks::headline(marks, lang)));
-        for line in marks::lines(marks, lang) {
+        for line in marks::lines(marks, audit, lang) {
             page.push_str(&format!("- {line}\n"));
         }
     }
@@ -59,11 +71,11 @@ pub fn markdown(audit: &Audit, lang: Lang) -> String {
 }
 
 fn title(audit: &Audit, lang: Lang) -> String {
-    format!("{} «{}» ({})", lang.pick("Перевірка плану", "Audit of the plan"), audit.plan, audit.file)
+    format!("{} «{}»", lang.pick("Перевірка плану", "Audit of the plan"), audit.plan)
 }
 
 fn summary(audit: &Audit, lang: Lang) -> String {
-    let own = audit.summary;
+    let own = audit.summary.all;
     match lang {
         Lang::Uk => format!(
             "помилок {}, хибного {}, сумнівного {}, зауважень {}; з них наслідків інших {}",
@@ -82,90 +94,41 @@ fn by_section(audit: &Audit) -> impl Iterator<Item = (Section, &[Finding])> {
     chunks.filter_map(|chunk| chunk.first().map(|first| (first.section, chunk)))
 }
 
-fn heading(section: Section, lang: Lang) -> &'static str {
-    match section {
-        Section::Route => lang.pick("Маршрут", "Route"),
-        Section::Tools => lang.pick("Різальний інструмент", "Cutters"),
-        Section::Holders => lang.pick("Допоміжний інструмент", "Holders"),
-        Section::Conditions => lang.pick("Режими різання", "Cutting conditions"),
-        Section::Clamping => lang.pick("Закріплення", "Clamping"),
-        Section::Lengths => lang.pick("Довжини і корекції", "Lengths and corrections"),
-        Section::Program => lang.pick("Керуюча програма", "Program"),
-        Section::Times => lang.pick("Час", "Times"),
-        Section::Missing => lang.pick("Не вказано", "Not stated"),
-    }
-}
-
-/// How grave a finding is, in a word.
-pub fn severity(severity: Severity, lang: Lang) -> &'static str {
-    match severity {
-        Severity::Error => lang.pick("помилка", "error"),
-        Severity::Wrong => lang.pick("хибно", "wrong"),
-        Severity::Doubtful => lang.pick("сумнівно", "doubtful"),
-        Severity::Note => lang.pick("зауваження", "note"),
-    }
-}
-
-/// `12:5`, with the file where it is another than the plan's.
-fn place(finding: &Finding, file: &str) -> Option<String> {
-    let at = format!("{}:{}", finding.line?, finding.column?);
-    match &finding.file {
-        Some(own) if own != file => Some(format!("{own}:{at}")),
-        _ => Some(at),
-    }
-}
-
 /// What is wrong, in one sentence.
 fn headline(finding: &Finding, lang: Lang) -> String {
-    // In a program people look for the block.
-    let about = match finding.field.strip_prefix("program.").filter(|_| finding.section == Section::Program) {
-        Some(block) => block.to_owned(),
-        None => subject(&finding.subject, lang),
-    };
-    let said = sentence(&finding.note, lang);
+    let about = words::block(finding).map_or_else(|| subject(&finding.subject, lang), str::to_owned);
+    let said = said(finding, lang);
     let said = match (finding.quantity, &finding.stated, &finding.right) {
-        (Some(quantity), Some(stated), Some(right)) => {
-            let figure = figure(quantity, stated, right, finding.deviation_percent, lang);
+        (Some(_), Some(stated), Some(right)) => {
+            let figure = figure(finding, stated, right, lang);
             if finding.note.code == "audit-figure" || finding.note.code == "audit-follows" {
                 figure
             } else {
                 format!("{figure}; {said}")
             }
         }
-        (Some(quantity), Some(stated), None) => {
-            format!("{}: {} {}; {said}", name(quantity, lang), lang.pick("написано", "stated"), comma(stated, lang))
+        (Some(_), Some(stated), None) => {
+            let what = words::what(finding, lang);
+            format!("{what}: {} {}; {said}", lang.pick("написано", "stated"), comma(stated, lang))
         }
         _ => said,
     };
     if about.is_empty() { said } else { format!("{about}: {said}") }
 }
 
-fn figure(quantity: Quantity, stated: &str, right: &str, off: Option<f64>, lang: Lang) -> String {
-    let unit = lang.pick(quantity.unit().0, quantity.unit().1);
+/// `подача S: написано 0,25, має бути 0,325 мм/об (-23,1 %)`.
+fn figure(finding: &Finding, stated: &str, right: &str, lang: Lang) -> String {
+    let unit = finding.quantity.map(|quantity| lang.pick(quantity.unit().0, quantity.unit().1)).unwrap_or_default();
     let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
-    let off = off.filter(|off| off.abs() >= 0.1).map(|off| format!(" ({off:+} %)")).unwrap_or_default();
+    let off = finding.deviation_percent.filter(|off| off.abs() >= 0.1);
+    let off = off.map(|off| format!(" ({off:+} %)")).unwrap_or_default();
     let [said, be] = [lang.pick("написано", "stated"), lang.pick("має бути", "should be")];
-    comma(&format!("{}: {said} {stated}, {be} {right}{unit}{off}", name(quantity, lang)), lang)
-}
-
-/// `подача S`.
-fn name(quantity: Quantity, lang: Lang) -> String {
-    let (uk, en) = quantity.name();
-    format!("{} {}", lang.pick(uk, en), quantity.symbol())
-}
-
-fn subject(subject: &Subject, lang: Lang) -> String {
-    let mut parts = Vec::new();
-    parts.extend(subject.operation.map(|operation| operation_noun(operation.name(), lang).to_owned()));
-    if !subject.holes.is_empty() {
-        parts.push(subject.holes.join(", "));
-    }
-    parts.extend(subject.tool.map(|tool| format!("T{tool}")));
-    parts.join(" ")
+    let figures = comma(&format!("{said} {stated}, {be} {right}{unit}{off}"), lang);
+    format!("{}: {figures}", words::what(finding, lang))
 }
 
 /// What the finding rests on and what follows from it.
-fn details(finding: &Finding, lang: Lang) -> Vec<String> {
+fn details(finding: &Finding, audit: &Audit, lang: Lang) -> Vec<String> {
     let mut lines = Vec::new();
     if !finding.formula.is_empty() {
         lines.push(comma(&finding.formula, lang));
@@ -183,14 +146,18 @@ fn details(finding: &Finding, lang: Lang) -> Vec<String> {
     }
     if !finding.supplied.is_empty() {
         let said = lang.pick("у плані немає, взято", "not in the plan, taken");
-        let taken: Vec<String> =
-            finding.supplied.iter().map(|one| format!("{} = {}", one.quantity.symbol(), one.value)).collect();
-        lines.push(comma(&format!("{said}: {}", taken.join(", ")), lang));
+        let taken: Vec<String> = finding
+            .supplied
+            .iter()
+            .map(|one| format!("{} = {}", name(one.quantity, lang), comma(&one.value, lang)))
+            .collect();
+        lines.push(format!("{said}: {}", taken.join(", ")));
     }
     lines.extend(finding.reasons.iter().map(|why| sentence(why, lang)));
     let rows: Vec<String> = finding.because.iter().map(|because| row(because, lang)).collect();
     let mut rests: Vec<String> = Vec::new();
-    rests.extend((!finding.source.is_empty()).then(|| finding.source.to_owned()));
+    let source = lang.pick(finding.source.0, finding.source.1);
+    rests.extend((!source.is_empty()).then(|| source.to_owned()));
     for row in rows {
         if !rests.contains(&row) {
             rests.push(row);
@@ -200,19 +167,26 @@ fn details(finding: &Finding, lang: Lang) -> Vec<String> {
         lines.push(format!("{}: {}", lang.pick("підстава", "rests on"), rests.join("; ")));
     }
     if !finding.follows_from.is_empty() {
-        let said = lang.pick("наслідок", "follows from");
-        lines.push(format!("{said}: {}", finding.follows_from.join(", ")));
+        let roots = finding.follows_from.iter().map(|root| (root.as_str(), String::new()));
+        lines.push(format!("{}: {}", lang.pick("наслідок", "follows from"), words::fields(roots, audit, lang)));
     }
     if !finding.changes.is_empty() {
+        let change = |stated: &str, right: &str| comma(&format!("{stated} → {right}"), lang);
+        let changes = finding.changes.iter().map(|one| (one.field.as_str(), change(&one.stated, &one.right)));
         let said = lang.pick("через це хибне", "wrong because of it");
-        let changes: Vec<String> = finding
-            .changes
-            .iter()
-            .map(|change| comma(&format!("{} {} → {}", change.field, change.stated, change.right), lang))
-            .collect();
-        lines.push(format!("{said}: {}", changes.join(", ")));
+        lines.push(format!("{said}: {}", words::fields(changes, audit, lang)));
     }
     lines
+}
+
+/// A table of a document, under a head.
+fn marked_table(head: &[String], rows: &[Vec<String>]) -> String {
+    let line = |cells: &[String]| {
+        let cells: Vec<String> = cells.iter().map(|cell| cell.replace('|', "\\|")).collect();
+        format!("| {} |\n", cells.join(" | "))
+    };
+    let rows: String = rows.iter().map(|row| line(row)).collect();
+    format!("{}|{}\n{rows}", line(head), "---|".repeat(head.len()))
 }
 
 /// A row as a reader finds it: table, number, and whether it is unconfirmed.
@@ -223,19 +197,5 @@ fn row(because: &Because, lang: Lang) -> String {
     } else {
         ""
     };
-    format!("{}{number}{doubt}", because.table)
-}
-
-/// Decimal points as the language writes them: a point between two digits.
-fn comma(text: &str, lang: Lang) -> String {
-    if lang == Lang::En {
-        return text.to_owned();
-    }
-    let letters: Vec<char> = text.chars().collect();
-    let digit = |at: Option<usize>| at.and_then(|at| letters.get(at)).is_some_and(char::is_ascii_digit);
-    let shown = |(at, letter): (usize, &char)| match letter {
-        '.' if digit(at.checked_sub(1)) && digit(at.checked_add(1)) => ',',
-        other => *other,
-    };
-    letters.iter().enumerate().map(shown).collect()
+    format!("{} {}{number}{doubt}", lang.pick("таблиця", "table"), because.table)
 }

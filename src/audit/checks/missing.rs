@@ -4,7 +4,7 @@ use crate::error::KnowledgeError;
 use crate::note::{Note, Severity};
 
 use super::super::context::Context;
-use super::super::finding::{Finding, Section};
+use super::super::finding::{Finding, Lack, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
 
@@ -18,28 +18,32 @@ pub(super) fn check<'a>(
     if stated.own {
         return Ok(());
     }
-    let mut say = |section: &str, what: Vec<String>| {
-        if !what.is_empty() {
+    let mut say = |section: &str, missing: Vec<Lack>| {
+        if !missing.is_empty() {
+            let what: Vec<String> = missing.iter().map(said).collect();
             let note = Note::new("audit-missing").with("section", section).with("what", what.join(", "));
-            findings.push(Finding::new(Severity::Note, Section::Missing, section.to_owned(), note));
+            let mut finding = Finding::new(Severity::Note, Section::Missing, section.to_owned(), note);
+            finding.missing = missing;
+            findings.push(finding);
         }
     };
+    let lack = |of: String, scope: Scope, keys: Vec<&'static str>| Lack { of, subject: context.subject(scope), keys };
     let mut rows = Vec::new();
     if stated.rows.is_empty() {
-        rows.push("route".to_owned());
+        rows.push(whole("route"));
     }
     for (at, row) in stated.rows.iter().enumerate() {
         let lacks = |quantity| stated.figure(Id::new(Scope::Row(at), quantity)).is_none();
-        let mut own: Vec<&str> = Vec::new();
+        let mut own = Vec::new();
         own.extend(row.tool.is_none().then_some("tool"));
         own.extend(row.hole.is_none().then_some("hole"));
         own.extend(lacks(Q::Count).then_some("count"));
         own.extend(lacks(Q::Diameter).then_some("diameter"));
         if !own.is_empty() {
-            rows.push(format!("{}: {}", row.number, own.join(" ")));
+            rows.push(lack(row.number.to_string(), Scope::Row(at), own));
         }
         if stated.conditions_of(at).is_none() {
-            rows.push(format!("{}: conditions", row.number));
+            rows.push(lack(row.number.to_string(), Scope::Row(at), vec!["conditions"]));
         }
     }
     say("route", rows);
@@ -49,15 +53,15 @@ pub(super) fn check<'a>(
     };
     let mut tools = Vec::new();
     if stated.tools.is_empty() {
-        tools.push("tools".to_owned());
+        tools.push(whole("tools"));
     }
     for (at, tool) in stated.tools.iter().enumerate() {
-        let mut own: Vec<&str> = Vec::new();
+        let mut own = Vec::new();
         own.extend(tool.designation.is_none().then_some("designation"));
         own.extend(tool.holder.is_none().then_some("holder"));
         own.extend(figures(Scope::Tool(at), &[Q::Overhang, Q::Assembly, Q::Corrector, Q::Correction]));
         if !own.is_empty() {
-            tools.push(format!("T{}: {}", tool.number, own.join(" ")));
+            tools.push(lack(format!("T{}", tool.number), Scope::Tool(at), own));
         }
     }
     say("tools", tools);
@@ -66,25 +70,35 @@ pub(super) fn check<'a>(
         let needed = [Q::DepthOfCut, Q::Feed, Q::Speed, Q::Rpm, Q::MinuteFeed, Q::Torque, Q::Power, Q::Time];
         let own = figures(Scope::Conditions(at), &needed);
         if !own.is_empty() {
-            conditions.push(format!("{}: {}", at + 1, own.join(" ")));
+            conditions.push(lack((at + 1).to_string(), Scope::Conditions(at), own));
         }
     }
     say("conditions", conditions);
-    let mut clamping: Vec<String> = Vec::new();
+    let mut clamping = Vec::new();
     match &stated.clamping {
-        None => clamping.push("clamping".to_owned()),
+        None => clamping.push(whole("clamping")),
         Some(own) => {
             let needed = [Q::Torque, Q::Distance, Q::ClampForce, Q::Clamps, Q::ForcePerClamp];
-            let mut lacking: Vec<&str> = figures(Scope::Clamping, &needed);
-            lacking.extend(own.screw.is_none().then_some("screw"));
-            clamping.extend(lacking.into_iter().map(str::to_owned));
+            clamping.extend(figures(Scope::Clamping, &needed).into_iter().map(whole));
+            clamping.extend(own.screw.is_none().then(|| whole("screw")));
         }
     }
     say("clamping", clamping);
     if stated.program.is_none() {
-        say("program", vec!["program".to_owned()]);
+        say("program", vec![whole("program")]);
     }
     let times = figures(Scope::Times, &[Q::MachineTime, Q::RapidTime, Q::ChangeTime, Q::TotalTime]);
-    say("times", times.into_iter().map(str::to_owned).collect());
+    say("times", times.into_iter().map(whole).collect());
     Ok(())
+}
+
+/// A key that the section as a whole lacks.
+fn whole(key: &'static str) -> Lack {
+    Lack { keys: vec![key], ..Lack::default() }
+}
+
+/// As programs read it: `T3: correction`, `2: tool hole`.
+fn said(lack: &Lack) -> String {
+    let keys = lack.keys.join(" ");
+    if lack.of.is_empty() { keys } else { format!("{}: {keys}", lack.of) }
 }

@@ -6,9 +6,10 @@ use serde_json::Value;
 use crate::error::KnowledgeError;
 use crate::knowledge::yaml::{Node, NodeKind};
 use crate::note::{Note, Severity};
+use crate::plan::Operation;
 
 use super::super::context::Context;
-use super::super::finding::{Finding, Section};
+use super::super::finding::{Finding, Section, Subject};
 use super::super::graph::Graph;
 use super::super::own::items;
 
@@ -36,7 +37,7 @@ pub(super) fn check<'a>(
         ("time", Section::Times),
     ] {
         if let (Some(node), Some(value)) = (tree.get(key), ours.get(key)) {
-            known.compare(node, value, key, section);
+            known.compare(node, value, key, (section, &Subject::default()));
         }
     }
     // What a formula or another check has told already is told once.
@@ -107,7 +108,7 @@ struct Known {
 }
 
 impl Known {
-    fn compare(&mut self, node: &Node, ours: &Value, path: &str, section: Section) {
+    fn compare(&mut self, node: &Node, ours: &Value, path: &str, (section, subject): (Section, &Subject)) {
         match (&node.kind, ours) {
             (NodeKind::Map(entries), Value::Object(map)) => {
                 // Another transition or another tool has other figures.
@@ -119,9 +120,10 @@ impl Known {
                 if other {
                     return;
                 }
+                let subject = about(node, path, subject);
                 for (key, value) in entries.iter().filter(|(key, _)| !OUTSIDE.contains(&key.text.as_str())) {
                     if let Some(ours) = map.get(&key.text) {
-                        self.compare(value, ours, &format!("{path}.{}", key.text), section);
+                        self.compare(value, ours, &format!("{path}.{}", key.text), (section, &subject));
                     }
                 }
             }
@@ -129,11 +131,12 @@ impl Known {
                 if items.len() != ours.len() {
                     let note = Note::new("audit-not-ours").with("field", path);
                     let note = note.with("stated", items.len()).with("right", ours.len());
-                    self.found.push(Finding::new(Severity::Doubtful, section, path.to_owned(), note).at(&node.place));
+                    let finding = Finding::new(Severity::Doubtful, section, path.to_owned(), note).at(&node.place);
+                    self.found.push(finding.about(subject.clone()));
                     return;
                 }
                 for (at, (item, ours)) in items.iter().zip(ours).enumerate() {
-                    self.compare(item, ours, &format!("{path}.{}", at + 1), section);
+                    self.compare(item, ours, &format!("{path}.{}", at + 1), (section, subject));
                 }
             }
             (NodeKind::Scalar { text, .. }, ours) => {
@@ -149,10 +152,27 @@ impl Known {
                     let note =
                         Note::new("audit-not-ours").with("field", path).with("stated", text).with("right", &shown);
                     let finding = Finding::new(Severity::Doubtful, section, path.to_owned(), note).at(&node.place);
-                    self.found.push(finding);
+                    self.found.push(finding.about(subject.clone()));
                 }
             }
             _ => {}
         }
     }
+}
+
+/// Whom a node is about: a group of holes, a transition of it, a tool; else whom the node around it is about.
+fn about(node: &Node, path: &str, around: &Subject) -> Subject {
+    let text = |key: &str| node.get(key).and_then(Node::text);
+    let mut subject = around.clone();
+    if path.starts_with("holes.") && subject.holes.is_empty() {
+        subject.holes.extend(text("name").map(str::to_owned));
+    }
+    subject.operation = subject.operation.or_else(|| text("operation").and_then(Operation::from_name));
+    let number = match path.split('.').next() {
+        Some("tools") => text("number"),
+        Some("sequence") => text("tool"),
+        _ => None,
+    };
+    subject.tool = subject.tool.or_else(|| number?.parse().ok());
+    subject
 }

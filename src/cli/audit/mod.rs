@@ -26,11 +26,8 @@ pub struct Args {
     marks: Option<PathBuf>,
 }
 
-/// What an audit can be given out as.
+/// What an audit and a comparison can be given out as.
 const FORMATS: [Format; 5] = [Format::Text, Format::Json, Format::Yaml, Format::Markdown, Format::Html];
-
-/// What a comparison can be given out as.
-const COMPARED: [Format; 4] = [Format::Text, Format::Json, Format::Yaml, Format::Markdown];
 
 /// Audits a plan or a folder of them.
 ///
@@ -38,11 +35,7 @@ const COMPARED: [Format; 4] = [Format::Text, Format::Json, Format::Yaml, Format:
 /// The plan file cannot be used; every mistake in it is told at once. Of a folder: it holds no plan, or some cannot be
 /// used, which its table says.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    let format = if args.against.is_some() {
-        context.format("audit --against", &COMPARED)?
-    } else {
-        context.format("audit", &FORMATS)?
-    };
+    let format = context.format("audit", &FORMATS)?;
     let knowledge = knowledge::load(context)?;
     let auditor = Auditor::new(&knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
     let scheme = args.marks.as_deref().map(|path| file::scheme(path, context)).transpose()?;
@@ -64,6 +57,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             Format::Json => context.emit_json(&compared)?,
             Format::Yaml => context.emit_yaml(&compared)?,
             Format::Markdown => context.emit(&report::audit::against::markdown(&compared, context.lang))?,
+            Format::Html => context.emit(&report::audit::html::comparison(&compared, context.lang))?,
             _ => context.emit(&report::audit::against::page(&compared, context.lang))?,
         }
         return Ok(Outcome::Done);

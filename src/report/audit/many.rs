@@ -1,9 +1,10 @@
 //! Audits of many plans as a table: a line for each, where to begin in it.
 
-use crate::audit::{Audit, Audited, Summary, total};
+use crate::audit::{Audit, Audited, Counts, Mistake, total};
 
-use super::super::{Lang, grid, sentence};
-use super::{comma, place};
+use super::super::{Lang, grid};
+use super::words::whereabouts;
+use super::{comma, counts, marked_table, place, said};
 
 /// The table for people.
 pub fn page(audited: &[Audited], lang: Lang) -> String {
@@ -16,13 +17,7 @@ pub fn page(audited: &[Audited], lang: Lang) -> String {
 /// The same for documents.
 pub fn markdown(audited: &[Audited], lang: Lang) -> String {
     let (head, rows) = table(audited, lang);
-    let line = |cells: &[String]| {
-        let cells: Vec<String> = cells.iter().map(|cell| cell.replace('|', "\\|")).collect();
-        format!("| {} |\n", cells.join(" | "))
-    };
-    let rule = format!("|{}\n", "---|".repeat(head.len()));
-    let rows: String = rows.iter().map(|row| line(row)).collect();
-    format!("# {}\n\n{}{rule}{rows}\n{}\n", title(lang), line(&head), summary(audited, lang))
+    format!("# {}\n\n{}\n{}\n", title(lang), marked_table(&head, &rows), summary(audited, lang))
 }
 
 /// What the table is of.
@@ -32,12 +27,9 @@ pub(super) fn title(lang: Lang) -> &'static str {
 
 /// Head and rows.
 pub(super) fn table(audited: &[Audited], lang: Lang) -> (Vec<String>, Vec<Vec<String>>) {
-    let mut head = match lang {
-        Lang::Uk => ["файл", "помилки", "хибне", "сумнівне", "зауваження", "перша причина"],
-        Lang::En => ["file", "errors", "wrong", "doubtful", "notes", "first root"],
-    }
-    .map(str::to_owned)
-    .to_vec();
+    let mut head = vec![lang.pick("файл", "file").to_owned()];
+    head.extend(counts::severities(lang).map(str::to_owned));
+    head.push(lang.pick("перша причина", "first root").to_owned());
     let marked = audited.iter().filter_map(Audited::audit).any(|audit| audit.marks.is_some());
     if marked {
         head.push(lang.pick("бали", "marks").to_owned());
@@ -45,9 +37,9 @@ pub(super) fn table(audited: &[Audited], lang: Lang) -> (Vec<String>, Vec<Vec<St
     let rows = audited.iter().map(|one| match one {
         Audited::Plan(audit) => row(audit, lang),
         Audited::Unreadable(unread) => {
-            let why = unread.unreadable.first().map(|mistake| mistake.message.as_str()).unwrap_or_default();
-            let said = format!("{}: {why}", lang.pick("не читається", "cannot be read"));
-            let mut row = [unread.file.as_str(), "-", "-", "-", "-", &said].map(str::to_owned).to_vec();
+            let why =
+                unread.unreadable.first().map(|mistake| mistaken(mistake, &unread.file, lang)).unwrap_or_default();
+            let mut row = [unread.file.as_str(), "-", "-", "-", "-", &why].map(str::to_owned).to_vec();
             row.extend(marked.then(|| "-".to_owned()));
             row
         }
@@ -57,9 +49,8 @@ pub(super) fn table(audited: &[Audited], lang: Lang) -> (Vec<String>, Vec<Vec<St
 }
 
 fn row(audit: &Audit, lang: Lang) -> Vec<String> {
-    let Summary { error, wrong, doubtful, note, .. } = audit.summary;
     let mut row = vec![audit.file.clone()];
-    row.extend([error, wrong, doubtful, note].map(|count| count.to_string()));
+    row.extend(counts::by_severity(audit.summary.all).map(|count| count.to_string()));
     row.push(root(audit, lang));
     row.extend(audit.marks.as_ref().map(|marks| {
         let failed = if marks.passed == Some(false) { " !" } else { "" };
@@ -68,21 +59,46 @@ fn row(audit: &Audit, lang: Lang) -> Vec<String> {
     row
 }
 
-/// Where to begin: `31:5 conditions.2.feed: 0.25 → 0.325`.
+/// Why a file cannot be read. Readers of files speak English; other languages have the kind of the mistake, the name
+/// that it is about and the place, and the whole of it where the file is audited alone.
+fn mistaken(mistake: &Mistake, file: &str, lang: Lang) -> String {
+    let place = mistake.place.as_deref().map(|place| place.strip_prefix(&format!("{file}:")).unwrap_or(place));
+    let at = place.map(|place| format!("{place} ")).unwrap_or_default();
+    if lang == Lang::En {
+        return format!("{at}cannot be read: {}", mistake.message);
+    }
+    let kind = match mistake.code {
+        "yaml" => "файл записано не за правилами YAML",
+        "missing-key" => "бракує ключа",
+        "unknown-key" => "незнайомий ключ",
+        "duplicate-key" | "duplicate-name" | "duplicate-row" | "duplicate-tool" => "двічі те саме",
+        "unreadable" => "немає файлу",
+        code if code.starts_with("unknown-") => "незнайоме ім'я",
+        _ => "негодне значення",
+    };
+    // What stands in backticks is written in the file.
+    let named = mistake.message.split('`').nth(1).filter(|_| mistake.code != "yaml");
+    let named = named.map(|name| format!(" `{name}`")).unwrap_or_default();
+    format!("{at}не читається: {kind}{named}")
+}
+
+/// Where to begin: `31:5 свердління A: подача S 0,25 → 0,325`.
 fn root(audit: &Audit, lang: Lang) -> String {
     let Some(root) = audit.first_root() else { return String::new() };
     let at = place(root, &audit.file).map(|place| format!("{place} ")).unwrap_or_default();
-    let said = match (&root.stated, &root.right) {
-        (Some(stated), Some(right)) => comma(&format!("{stated} → {right}"), lang),
-        _ => sentence(&root.note, lang),
-    };
-    format!("{at}{}: {said}", root.field)
+    let whereabouts = whereabouts(root, lang);
+    match (root.quantity, &root.stated, &root.right) {
+        (Some(_), Some(stated), Some(right)) => {
+            format!("{at}{whereabouts} {}", comma(&format!("{stated} → {right}"), lang))
+        }
+        _ => format!("{at}{whereabouts}: {}", said(root, lang)),
+    }
 }
 
 /// One line under the table.
 pub(super) fn summary(audited: &[Audited], lang: Lang) -> String {
     let unread = audited.iter().filter(|one| one.audit().is_none()).count();
-    let (plans, Summary { error, wrong, doubtful, note, .. }) = (audited.len(), total(audited));
+    let (plans, Counts { error, wrong, doubtful, note, .. }) = (audited.len(), total(audited));
     match lang {
         Lang::Uk => format!(
             "планів {plans}, з них не читається {unread}; помилок {error}, хибного {wrong}, сумнівного {doubtful}, зауважень {note}"

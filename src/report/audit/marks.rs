@@ -1,9 +1,11 @@
 //! Marks in words.
 
 use crate::audit::marks::{Deduction, Ground, Marks};
+use crate::audit::{Audit, Finding};
 
 use super::super::Lang;
-use super::{comma, severity};
+use super::words::whereabouts;
+use super::{comma, place, severity};
 
 /// `Курсовий проєкт: 71,5 з 100, зараховано`.
 pub fn headline(marks: &Marks, lang: Lang) -> String {
@@ -19,9 +21,10 @@ pub fn headline(marks: &Marks, lang: Lang) -> String {
 }
 
 /// What costs points, a line each; what is free only in numbers.
-pub(super) fn lines(marks: &Marks, lang: Lang) -> Vec<String> {
-    let mut lines: Vec<String> =
-        marks.deductions.iter().filter(|one| one.points > 0.0).map(|one| line(one, lang)).collect();
+pub(super) fn lines(marks: &Marks, audit: &Audit, lang: Lang) -> Vec<String> {
+    // Deductions stand in the order of the findings, one for each.
+    let costly = marks.deductions.iter().zip(&audit.findings).filter(|(one, _)| one.points > 0.0);
+    let mut lines: Vec<String> = costly.map(|(one, finding)| line(one, finding, &audit.file, lang)).collect();
     let free =
         |by: &dyn Fn(&Deduction) -> bool| marks.deductions.iter().filter(|one| one.points == 0.0 && by(one)).count();
     let (capped, follow) = (free(&|one| one.capped), free(&|one| one.by == Ground::Consequence));
@@ -38,17 +41,19 @@ pub(super) fn lines(marks: &Marks, lang: Lang) -> Vec<String> {
     lines
 }
 
-/// `-4 conditions.2.feed: хибно, за правилом feed`.
-fn line(deduction: &Deduction, lang: Lang) -> String {
+/// `-4 хибно 90:11 свердління A, B: подача S (за вагою)`.
+fn line(deduction: &Deduction, finding: &Finding, file: &str, lang: Lang) -> String {
     let by = match deduction.by {
         Ground::Consequence => lang.pick("як наслідок", "as a consequence").to_owned(),
         Ground::Rule => format!("{} {}", lang.pick("за правилом", "by the rule"), deduction.rule),
         Ground::Section => {
-            format!("{} {}", lang.pick("за розділом", "by the section"), super::heading(deduction.section, lang))
+            format!("{} «{}»", lang.pick("за розділом", "by the section"), super::heading(deduction.section, lang))
         }
         Ground::Severity => lang.pick("за вагою", "by its severity").to_owned(),
     };
     let capped = if deduction.capped { lang.pick(", до межі", ", up to the cap") } else { "" };
     let points = comma(&deduction.points.to_string(), lang);
-    format!("-{points} {}: {}, {by}{capped}", deduction.field, severity(deduction.severity, lang))
+    let at = place(finding, file).map(|place| format!(" {place}")).unwrap_or_default();
+    let severity = severity(deduction.severity, lang);
+    format!("-{points} {severity}{at} {} ({by}{capped})", whereabouts(finding, lang))
 }

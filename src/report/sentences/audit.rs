@@ -225,5 +225,5 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "the transition names {tool}, and the tool T{number} is {other}",
     ),
     // What is missing.
-    ("audit-missing", "{section}: не вказано {what}", "{section}: not stated are {what}"),
+    ("audit-missing", "{section}: {what}", "{section}: {what}"),
 ];
