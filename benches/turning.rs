@@ -7,30 +7,23 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use petgraph::algo::dijkstra;
-use petgraph::graph::DiGraph;
 use technolog::turning::contour::{Contour, Piece, Side, Turn};
 use technolog::turning::length::Half;
 use technolog::turning::passes::cost::Objective;
 use technolog::turning::passes::enumeration::enumerate;
 use technolog::turning::passes::grid::Grid;
-use technolog::turning::passes::optimum::{CostToGo, moves};
+use technolog::turning::passes::optimum::CostToGo;
 use technolog::turning::point::Point;
-use technolog::turning::shaft::{Division, Rates, Shaft};
+use technolog::turning::shaft::{Division, Shaft};
 use technolog::turning::transitions::{Feeds, Scheme, Settings, Stock, Tool, work};
-use technolog::units::{Degrees, Micrometres, MillimetresPerMinute};
+use technolog::units::{Degrees, MillimetresPerMinute};
 
 #[path = "../tests/common/shafts.rs"]
 mod shafts;
+use shafts::by_petgraph;
 
 fn main() {
-    let rates = Rates {
-        longitudinal_feed: MillimetresPerMinute(180.0),
-        transverse_feed: MillimetresPerMinute(150.0),
-        rapid: MillimetresPerMinute(6000.0),
-        approach: Micrometres::from_mm(2),
-        retract: Micrometres::new(500),
-    };
+    let rates = shafts::rates();
     println!("steps  levels  slices   states  path us  time us  petgraph us           orders  enumeration us");
     for (steps, each_levels, each_slices) in
         [(2, 2, 2), (2, 3, 3), (3, 3, 3), (3, 4, 4), (3, 5, 5), (12, 5, 5), (12, 10, 10), (12, 60, 60)]
@@ -41,11 +34,11 @@ fn main() {
         assert_eq!((levels, slices), ((steps * each_levels) as usize, (steps * each_slices) as usize));
         let path = microseconds(|| CostToGo::of(&grid, Objective::Path).passes().len());
         let time = microseconds(|| CostToGo::of(&grid, Objective::Time { rates }).passes().len());
-        let by_petgraph = microseconds(|| shortest_by_petgraph(&grid));
+        let petgraph_time = microseconds(|| by_petgraph(&grid, 0));
         let found = CostToGo::of(&grid, Objective::Path).optimum().main;
-        assert_eq!(found, shortest_by_petgraph(&grid));
+        assert_eq!(found, by_petgraph(&grid, 0));
         print!(
-            "{steps:>5} {levels:>7} {slices:>7} {:>8} {path:>8.1} {time:>8.1} {by_petgraph:>12.1}",
+            "{steps:>5} {levels:>7} {slices:>7} {:>8} {path:>8.1} {time:>8.1} {petgraph_time:>12.1}",
             (levels + 1) * (slices + 1)
         );
         // Every order of 15 levels and 15 slices takes seconds already.
@@ -78,27 +71,6 @@ fn stepped(steps: i64, levels: i64, slices: i64) -> Shaft {
     let (rise, length) = (2 * (levels * 4_000 - 1_500), slices * 3_500 - 1_200);
     let all: Vec<(i64, i64)> = (0..steps).map(|step| (20_000 + step * rise, length)).collect();
     shafts::shaft(20_000 + steps * rise, &all, 4_000, 3_500, Division::Full)
-}
-
-/// The cutting path by petgraph: the graph is made, then searched.
-fn shortest_by_petgraph(grid: &Grid) -> u64 {
-    let width = grid.slices.len() + 1;
-    let mut graph = DiGraph::<(), u64>::new();
-    let nodes: Vec<_> = (0..(grid.levels.len() + 1) * width).map(|_| graph.add_node(())).collect();
-    let end = graph.add_node(());
-    for levels in 0..=grid.levels.len() {
-        for slices in 0..width {
-            let here = nodes[levels * width + slices];
-            let Some([longitudinal, transverse]) = moves(grid, levels, slices) else {
-                graph.add_edge(here, end, 0);
-                continue;
-            };
-            let cost = |length: Half| length.halves().unsigned_abs();
-            graph.add_edge(here, nodes[(levels + 1) * width + slices], cost(longitudinal.length));
-            graph.add_edge(here, nodes[levels * width + slices + 1], cost(transverse.length));
-        }
-    }
-    dijkstra(&graph, nodes[0], Some(end), |edge| *edge.weight())[&end]
 }
 
 /// A zone of so many pieces, cones, cylinders, faces and fillets in turn, that rise under a bar by so many levels.

@@ -7,12 +7,16 @@
 use serde_json::{Value, json};
 use technolog::knowledge::Knowledge;
 use technolog::shipped;
-use technolog::turning::contour::{Contour, Curve, Piece, Side, Turn};
+use technolog::turning::contour::{Contour, Piece, Side, Turn};
 use technolog::turning::length::Half;
 use technolog::turning::point::Point;
 use technolog::turning::program::{Allowance, Control, Direction, Feeds, Roughing, Setting, Speed, cycle, plain};
 use technolog::turning::way::{Purpose, Way};
 use technolog::units::{MetresPerMinute, MillimetresPerRev, RevsPerMinute};
+
+#[path = "../tests/common/told.rs"]
+mod told;
+use told::told_piece;
 
 /// A generator of random numbers (splitmix64).
 struct Dice(u64);
@@ -149,19 +153,6 @@ fn random_task(dice: &mut Dice) -> (Contour, Point, Roughing) {
     (outer.inside_out(top), Point::new(top - corner.radius, face), roughing)
 }
 
-fn of_piece(piece: Piece) -> Value {
-    let mut told = json!({
-        "from": [piece.from.radius.to_mm(), piece.from.z.to_mm()],
-        "to": [piece.to.radius.to_mm(), piece.to.z.to_mm()],
-    });
-    if let (Curve::Arc { radius, turn }, Some(centre)) = (piece.curve, piece.centre()) {
-        told["radius"] = json!(radius.to_mm());
-        told["left"] = json!(turn == Turn::Left);
-        told["centre"] = json!([centre.radius, centre.z]);
-    }
-    told
-}
-
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut arguments = std::env::args().skip(1);
     let count: u64 = arguments.next().map_or(Ok(200), |text| text.parse())?;
@@ -174,9 +165,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let moves: Vec<Value> = way
             .pieces()
             .map(|(piece, purpose)| {
-                let mut told_piece = of_piece(piece);
-                told_piece["feed"] = json!(told.feeds.of(purpose).map(|feed| feed.0));
-                told_piece
+                let mut piece = told_piece(piece);
+                piece["feed"] = json!(told.feeds.of(purpose).map(|feed| feed.0));
+                piece
             })
             .collect();
         let from = [way.from.radius.to_mm(), way.from.z.to_mm()];
@@ -185,7 +176,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for _ in 0..count {
         let ((contour, corner, roughing), told) = (random_task(&mut dice), setting(&mut dice));
         let written = cycle(&control, &contour, corner, roughing, &told);
-        let pieces: Vec<Value> = contour.pieces.iter().map(|piece| of_piece(*piece)).collect();
+        let pieces: Vec<Value> = contour.pieces.iter().map(|piece| told_piece(*piece)).collect();
         let mut line = json!({
             "kind": "cycle",
             "direction": roughing.direction.name(),

@@ -7,11 +7,13 @@ use std::sync::LazyLock;
 use technolog::knowledge::Knowledge;
 use technolog::shipped;
 use technolog::turning::allowances::{
-    Errors, Holds, Method, Place, areas, between, capability, equidistant, finishing, least,
+    Errors, Holds, Method, Place, areas, between, elsewhere, equidistant, finishing, least,
 };
 use technolog::turning::contour::{Contour, Piece, Profile, Side, Surface, SurfaceKind};
 use technolog::turning::length::Half;
+use technolog::turning::operation::plan;
 use technolog::turning::point::Point;
+use technolog::turning::workpiece::read_workpiece;
 use technolog::units::{ItGrade, Micrometres, Roughness};
 
 static KNOWLEDGE: LazyLock<Knowledge> = LazyLock::new(|| Knowledge::from_sources(shipped::SOURCES).unwrap());
@@ -58,12 +60,8 @@ fn holds() -> Holds {
 #[test]
 fn what_the_lathe_cannot_finish_is_found() {
     let found = |holds: &Holds| {
-        let found = capability(&shaft(), Some(holds), mm(63), &KNOWLEDGE).unwrap();
-        found
-            .elsewhere
-            .iter()
-            .map(|elsewhere| (elsewhere.surface.clone(), elsewhere.operation.clone()))
-            .collect::<Vec<_>>()
+        let (found, _) = elsewhere(&shaft(), Some(holds), mm(63), &KNOWLEDGE).unwrap();
+        found.iter().map(|one| (one.surface.clone(), one.operation.clone())).collect::<Vec<_>>()
     };
     let ground = [("A".to_owned(), "outer-grinding".to_owned())];
     assert_eq!(found(&holds()), ground);
@@ -72,27 +70,39 @@ fn what_the_lathe_cannot_finish_is_found() {
     // The grade is held, the roughness is not.
     assert_eq!(found(&Holds { outer: better, finest: "Ra 2.5".parse().unwrap(), ..holds() }), ground);
     // Without a lathe nothing is decided, and that is said.
-    let nothing = capability(&shaft(), None, mm(63), &KNOWLEDGE).unwrap();
-    assert_eq!((nothing.replaced, nothing.elsewhere.len()), (shaft(), 0));
-    assert_eq!(nothing.findings[0].note.code, "no-lathe-to-compare");
+    let (nothing, findings) = elsewhere(&shaft(), None, mm(63), &KNOWLEDGE).unwrap();
+    assert_eq!(nothing, []);
+    assert_eq!(findings[0].note.code, "no-lathe-to-compare");
 }
 
-/// 12.2-2: an intermediate allowance, and new elements in place of the primary ones.
+/// 12.2-2: an intermediate allowance for what is finished elsewhere.
+#[test]
+fn what_is_finished_elsewhere_gets_an_intermediate_allowance() {
+    let (found, findings) = elsewhere(&shaft(), Some(&holds()), mm(63), &KNOWLEDGE).unwrap();
+    // grinding-allowance, Ø(30..50] up to 100 mm: 0.3 on the diameter.
+    assert_eq!(found[0].allowance_mm, Half::from(0.15));
+    let codes: Vec<&str> = findings.iter().map(|finding| finding.note.code.as_str()).collect();
+    assert_eq!(codes, ["no-grade-to-compare", "unconfirmed", "no-grade-to-compare"]);
+}
+
+/// 12.2-2: new elements in place of the primary ones, in the contour that the lathe leaves: the same shaft from its file.
 #[test]
 fn new_elements_replace_those_finished_elsewhere() {
-    let found = capability(&shaft(), Some(&holds()), mm(63), &KNOWLEDGE).unwrap();
-    // grinding-allowance, Ø(30..50] up to 100 mm: 0.3 on the diameter.
-    assert_eq!(found.elsewhere[0].allowance_mm, Half::from(0.15));
-    let of = |name: &str| found.replaced.surfaces.iter().find(|surface| surface.name == name).unwrap().clone();
-    assert_eq!(of("A").pieces, [Piece::line(at(18.15, 0.0), at(18.15, 30.0))]);
-    assert_eq!(of("A").grade, ItGrade::new(8), "what the lathe leaves");
-    // Its neighbours reach up to it; the rest is as it was.
-    assert_eq!(of("front").pieces, [Piece::line(at(0.0, 0.0), at(18.15, 0.0))]);
-    assert_eq!(of("relief").pieces[0], Piece::line(at(18.15, 30.0), at(17.7, 30.0)));
-    assert_eq!(of("C"), shaft().surfaces[4]);
-    assert!(found.replaced.contour().hangs_together());
-    let codes: Vec<&str> = found.findings.iter().map(|finding| finding.note.code.as_str()).collect();
-    assert_eq!(codes, ["no-grade-to-compare", "unconfirmed", "no-grade-to-compare"]);
+    let text = "shaft: S\nmaterial: steel-45\nmachine: 16k20f3\n\
+        blank: {kind: bar, diameter: 56, length: 100, face: 2}\n\
+        outer: [{from: {d: 0, z: 0}}, {face: 36}, {cylinder: -30, grade: h6, roughness: Ra 1.25}, \
+        {groove: rectangular, width: 3, depth: 0.3}, {face: 50}, {cylinder: -63, grade: h12}]\n\
+        roughing: {limiting_depth: 3}\n";
+    let workpiece = read_workpiece("shaft", text, &KNOWLEDGE).unwrap();
+    let operation = plan(&workpiece, &KNOWLEDGE).unwrap();
+    assert_eq!(operation.elsewhere[0].allowance_mm, Half::from(0.15));
+    let layers = &operation.set_ups[0].sides[0].layers;
+    // Its neighbours reach up to it, over the bridged groove too; the rest is as it was.
+    let left = [(0.0, 0.0), (18.15, 0.0), (18.15, 33.0), (25.0, 33.0), (25.0, 63.0)];
+    let left: Vec<Point> = left.into_iter().map(|(radius, z)| at(radius, z)).collect();
+    assert_eq!(layers.left, Contour::through(Side::Outer, &left));
+    // The finishing allowance of the table, 1.0 on the diameter, comes over the new element.
+    assert_eq!(layers.rough.radii_at(Half::from(15.0)).unwrap().1, Half::from(18.15 + 0.5));
 }
 
 /// 12.2-3: the statistical method is a table by size; what it lacks is said.

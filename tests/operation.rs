@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use technolog::knowledge::Knowledge;
 use technolog::note::Severity;
 use technolog::shipped;
-use technolog::turning::contour::{Curve, Piece, Side, Turn};
+use technolog::turning::contour::Side;
 use technolog::turning::operation::programs::{Form, programs};
 use technolog::turning::operation::work::{Work, ZoneWork};
 use technolog::turning::operation::{Operation, plan};
@@ -26,10 +26,13 @@ mod section;
 mod shafts;
 #[path = "common/side.rs"]
 mod side;
+#[path = "common/told.rs"]
+mod told;
 #[path = "common/turned.rs"]
 mod turned;
 
 use side::{Fault, work_off};
+use told::told_piece;
 
 static KNOWLEDGE: LazyLock<Knowledge> = LazyLock::new(|| shipped::knowledge().unwrap());
 
@@ -205,19 +208,6 @@ fn parts(count: usize, seed: u8) -> Vec<String> {
 
 fn variable(name: &str, otherwise: usize) -> usize {
     std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(otherwise)
-}
-
-fn told_piece(piece: Piece) -> Value {
-    let mut told = json!({
-        "from": [piece.from.radius.to_mm(), piece.from.z.to_mm()],
-        "to": [piece.to.radius.to_mm(), piece.to.z.to_mm()],
-    });
-    if let (Curve::Arc { radius, turn }, Some(centre)) = (piece.curve, piece.centre()) {
-        told["radius"] = json!(radius.to_mm());
-        told["left"] = json!(turn == Turn::Left);
-        told["centre"] = json!([centre.radius, centre.z]);
-    }
-    told
 }
 
 /// The programs of random parts with their ways, one JSON object on a line, for the interpreter of LinuxCNC:

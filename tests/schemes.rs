@@ -17,25 +17,15 @@ use technolog::turning::schemes::find;
 use technolog::turning::schemes::path::{Motion, Role, Vertex};
 use technolog::turning::schemes::removal::Scheme;
 use technolog::turning::schemes::told::{measure, points};
-use technolog::turning::shaft::{BlankKind, Division, Rates, Shaft, Step, read_shaft};
-use technolog::units::{Micrometres, MillimetresPerMinute};
+use technolog::turning::shaft::{BlankKind, Division, Shaft, Step, read_shaft};
+use technolog::units::Micrometres;
 
 #[path = "common/shafts.rs"]
 mod shafts;
-use shafts::{shaft, shafts};
+use shafts::{rates, shaft, shafts};
 
 fn mm(value: f64) -> Half {
     Half::from(value)
-}
-
-fn rates() -> Rates {
-    Rates {
-        longitudinal_feed: MillimetresPerMinute(100.0),
-        transverse_feed: MillimetresPerMinute(80.0),
-        rapid: MillimetresPerMinute(5000.0),
-        approach: Micrometres::from_mm(2),
-        retract: Micrometres::new(500),
-    }
 }
 
 fn path(scheme: Scheme, levels: &Levels) -> Vec<Vertex> {

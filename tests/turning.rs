@@ -7,8 +7,6 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use petgraph::algo::dijkstra;
-use petgraph::graph::DiGraph;
 use proptest::prelude::*;
 use serde_json::Value;
 use technolog::knowledge::yaml::text_of;
@@ -17,7 +15,7 @@ use technolog::turning::length::Half;
 use technolog::turning::passes::cost::{Cost, Objective};
 use technolog::turning::passes::enumeration::enumerate;
 use technolog::turning::passes::grid::{Grid, states};
-use technolog::turning::passes::optimum::{CostToGo, moves};
+use technolog::turning::passes::optimum::CostToGo;
 use technolog::turning::passes::pass::{Kind, Pass, legs};
 use technolog::turning::passes::rich::staircase::{Lines, Stairs};
 use technolog::turning::passes::variants::{per_step, total};
@@ -25,11 +23,11 @@ use technolog::turning::passes::{find, named, rich};
 use technolog::turning::point::Point;
 use technolog::turning::shaft::{Division, Mistake, Rates, Shaft, read_shaft};
 use technolog::turning::workpiece::read_turned;
-use technolog::units::{Micrometres, MillimetresPerMinute};
+use technolog::units::Micrometres;
 
 #[path = "common/shafts.rs"]
 mod shafts;
-use shafts::{objectives, shaft, shafts};
+use shafts::{by_petgraph, objectives, rates, shaft, shafts};
 
 fn run(args: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_technolog"));
@@ -249,38 +247,6 @@ fn what_a_pass_adds_is_no_less_than_nothing() {
         let output = run(&["examples/shaft.yaml", "--objective", "path-and-passes", bad]);
         assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{bad}");
     }
-}
-
-fn rates() -> Rates {
-    Rates {
-        longitudinal_feed: MillimetresPerMinute(100.0),
-        transverse_feed: MillimetresPerMinute(80.0),
-        rapid: MillimetresPerMinute(5000.0),
-        approach: Micrometres::from_mm(2),
-        retract: Micrometres::new(500),
-    }
-}
-
-/// The shortest way by petgraph: a node for each state and direction of the pass before. Only for objectives that do not
-/// ask where the pass before ended.
-fn by_petgraph(grid: &Grid, per_pass: u64) -> u64 {
-    let width = grid.slices.len() + 1;
-    let mut graph = DiGraph::<(), u64>::new();
-    let nodes: Vec<_> = (0..(grid.levels.len() + 1) * width).map(|_| graph.add_node(())).collect();
-    let end = graph.add_node(());
-    for levels in 0..=grid.levels.len() {
-        for slices in 0..width {
-            let here = nodes[levels * width + slices];
-            let Some([longitudinal, transverse]) = moves(grid, levels, slices) else {
-                graph.add_edge(here, end, 0);
-                continue;
-            };
-            let cost = |length: Half| length.halves().unsigned_abs() + per_pass;
-            graph.add_edge(here, nodes[(levels + 1) * width + slices], cost(longitudinal.length));
-            graph.add_edge(here, nodes[levels * width + slices + 1], cost(transverse.length));
-        }
-    }
-    dijkstra(&graph, nodes[0], Some(end), |edge| *edge.weight())[&end]
 }
 
 /// The stock as columns: Z to which each reaches, and its radius. Passes are cut out of it one after the other.

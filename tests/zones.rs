@@ -158,10 +158,10 @@ fn neighbours_are_joined_as_far_as_a_tool_reaches() {
 #[test]
 fn joining_saves_returns() {
     let zones = zones(&outer(&THREE), &outer(&[(40.0, 0.0), (40.0, 50.0)]));
-    assert_eq!(idle_returns(&zones[0], mm(5.0)), Returns { split: 9, joined: 4, saved: 5 });
+    assert_eq!(idle_returns(&zones[0], mm(5.0)), Returns { depth_mm: mm(5.0), split: 9, joined: 4, saved: 5 });
     // With levels of 8: 3 + 2 + 2 split. Joined: down to 32 over all; down to 24 ends before the second cylinder of 25 and
     // the third of 30, each of which takes a pass of its own; then the first to 20.
-    assert_eq!(idle_returns(&zones[0], mm(8.0)), Returns { split: 7, joined: 5, saved: 2 });
+    assert_eq!(idle_returns(&zones[0], mm(8.0)), Returns { depth_mm: mm(8.0), split: 7, joined: 5, saved: 2 });
     assert_eq!(idle_returns(&zones[0], Half::ZERO).split, 0);
 }
 

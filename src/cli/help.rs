@@ -3,7 +3,8 @@
 use clap::{Command, CommandFactory};
 
 use super::Cli;
-use super::words::{HELP_UK, Lang};
+use super::help_uk::HELP_UK;
+use super::words::Lang;
 
 /// The language of help and usage, found before the arguments are read: that of `--lang`, if it stands there.
 pub fn language(default: Lang) -> Lang {

@@ -2,7 +2,7 @@
 //!
 //! A command is an `Args` struct and a function `run(&Args, &Context) -> Result<Outcome, CliError>`,
 //! one line in [`Command`] and one in [`Command::run`], and its help in Ukrainian in
-//! [`words::HELP_UK`]. Exit codes: 0 done, 1 done and something was found wrong, 2 the input could
+//! [`help_uk::HELP_UK`]. Exit codes: 0 done, 1 done and something was found wrong, 2 the input could
 //! not be used.
 //!
 //! Architecture invariant: nothing here decides anything; a command asks the library and shows the
@@ -12,6 +12,7 @@ mod audit;
 mod check;
 mod diagnostics;
 mod help;
+mod help_uk;
 mod knowledge;
 mod lint;
 mod lookup;

@@ -2,7 +2,7 @@
 //!
 //! Plain words are a [`Word`]; sentences with something in them are functions of the same name in
 //! both languages; the help of commands and options stands in English beside them in the code and
-//! in Ukrainian in [`HELP_UK`]. The messages of the diagnostics that the knowledge room makes are
+//! in Ukrainian in [`super::help_uk`]. The messages of the diagnostics that the knowledge room makes are
 //! English in both.
 
 use std::fmt::Display;
@@ -304,84 +304,6 @@ pub fn expected(lang: Lang, column: &Column) -> String {
         }
     }
 }
-
-/// The help in Ukrainian: of a command under its name, of an option under `command.option`.
-/// English stands beside the code; a test holds the two together.
-pub const HELP_UK: &[(&str, &str)] = &[
-    ("technolog", "База знань і рушій правил для проектування технологічних процесів обробки отворів і валів"),
-    ("technolog.lang", "Мова відповідей: uk або en (якщо не вказано, за змінною LANG, інакше uk)"),
-    ("technolog.knowledge", "Тека з catalogs/ і rules/ замість вбудованої бази знань"),
-    ("technolog.format", "Формат відповіді: text, json, yaml, csv, svg, markdown або html, що з них має команда"),
-    ("technolog.output", "Записати відповідь у файл, а не на екран"),
-    ("technolog.help", "Показати цю довідку"),
-    ("technolog.version", "Показати версію"),
-    ("table", "Перелік таблиць або одна таблиця так, як її друкує джерело"),
-    ("table.table", "Таблиця, наприклад A.8; без неї - перелік"),
-    ("lookup", "Один запит до однієї таблиці, з поясненням відповіді"),
-    ("lookup.table", "Таблиця, наприклад A.8"),
-    ("lookup.query", "Що відомо, за назвами граф: it=7 diameter=12 roughness=\"Ra 2.5\""),
-    ("lookup.all", "Кожен відкинутий рядок поодинці, скільки б їх не було"),
-    ("plan", "Повний план обробки деталі: маршрут, інструмент, режими, закріплення, корекції, час"),
-    ("plan.part", "Файл деталі"),
-    ("plan.cutting", "Режими різання за формулами (formula) чи за картами прикладу (card)"),
-    ("explain", "Чому отвір обробляється саме так і чому не інакше"),
-    ("explain.part", "Файл деталі"),
-    ("explain.hole", "Назва групи отворів"),
-    ("explain.cutting", "Режими різання за формулами (formula) чи за картами прикладу (card)"),
-    ("check", "Прочитати й виконати керуючу програму: помилки, рухи, час"),
-    ("check.program", "Файл програми"),
-    ("check.control", "ПЧПК, мовою якого вона написана"),
-    ("check.machine", "Верстат, за назвою в каталозі; без цього - верстат деталі або gf2171"),
-    ("check.part", "Деталь, яку програма має виготовити: кожен отвір, кожен перехід (docs/proof.md)"),
-    ("check.setting", "Що задає оператор: нулі, коректори, перемикачі (docs/control-….md)"),
-    ("program", "Керуюча програма деталі: спроектована, записана і перед показом прочитана назад"),
-    ("program.part", "Файл деталі"),
-    ("program.control", "ПЧПК, для якого вона"),
-    (
-        "program.show",
-        "Що показати: програму (program), налагодження для оператора (setting), карту кодування (encoding), рисунок рухів (backplot) чи циклів (cycles)",
-    ),
-    ("order", "Порядок інструментів і шлях обходу отворів з довжиною, часом і нижньою межею; також для списку точок"),
-    ("order.file", "Файл деталі або список точок: CSV (x,y у мм) чи TSPLIB (EUC_2D)"),
-    ("order.metric", "Для списку: відстань по прямій (euclid, так без цього) чи час швидких ходів (rapid)"),
-    ("order.closed", "Для списку: повернутися до першої точки"),
-    (
-        "order.effort",
-        "Наскільки старанно шукати, спроб на точку: для списку без цього 100; порядок деталі без цього той, що в плані",
-    ),
-    ("order.machine", "Для списку зі швидкими ходами: чий це верстат, без цього gf2171"),
-    (
-        "turn",
-        "Чорнове точіння вала: найкоротша послідовність проходів поруч із поздовжньою, поперечною та одним напрямом на ступінь; рівні, зони та схеми видалення припуску з траєкторіями",
-    ),
-    ("turn.shaft", "Файл вала"),
-    (
-        "turn.objective",
-        "Що зменшувати: шлях різання (path), шлях із додатком на прохід (path-and-passes), час (time) чи проходи (passes)",
-    ),
-    ("turn.per_pass", "Для path-and-passes: скільки додає до шляху кожен прохід, мм"),
-    (
-        "turn.show",
-        "Що показати: passes - ходи (для контуру - операцію), operation - зони, різці й сім схем, schemes - те саме, на кресленні шлях кожної схеми, steps - оптимум хід за \
-         ходом (--format svg), map - варіанти за відношенням довжини до діаметра, program - рухи, cycle - чорновий цикл \
-         системи ЧПК",
-    ),
-    ("turn.control", "Для program і cycle: система ЧПК, linuxcnc, sinumerik або nc-201"),
-    ("turn.number", "Для program і cycle: котра з програм, від 1; перелік - у потоці помилок"),
-    ("turn.spindle", "Для program і cycle: частота обертання, об/хв, якщо верстат її не дає"),
-    (
-        "turn.moves",
-        "Ходи: як у статті (basic) чи розширені (rich), що зупиняються будь-де і беруть менше; без цього - як каже файл",
-    ),
-    (
-        "audit",
-        "Перевірити чужий план чи теку планів: кожне число за формулою, кожен вибір за таблицями, програму за планом",
-    ),
-    ("audit.plan", "Файл плану (docs/audit.md), план від `technolog plan --format json` або тека планів"),
-    ("audit.against", "Другий план: показати, де вони різняться і чого це коштує"),
-    ("audit.marks", "Схема оцінювання (docs/audit.md): скільки коштує кожне зауваження і бали разом"),
-    ("lint", "Доводить базу знань: прогалини, суперечності, мертві рядки, посилання, закони, приклади"),
-];
 
 #[cfg(test)]
 mod tests {

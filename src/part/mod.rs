@@ -3,6 +3,7 @@
 //! [`read_part`] turns the user's YAML into these types and reports every mistake of the file at once,
 //! each with its place and remedy. [`schema`] is the file's form for editors.
 
+mod arrange_steps;
 mod check;
 mod check_features;
 pub mod file;

@@ -5,11 +5,12 @@ use crate::knowledge::diagnostic::Place;
 use crate::knowledge::yaml::{Fields, Node, NodeKind};
 use crate::units::{ItGrade, Micrometres, Roughness};
 
+use super::arrange_steps::Cylinders;
 use super::check::{Centres, Group, Span};
 use super::keys::HOLE;
 use super::read::Reader;
 use super::read_diameter::Sized;
-use super::read_steps::{Cylinders, Whole};
+use super::read_steps::Whole;
 use super::{Blank, Bottom, CentreTolerance, Hole, Point};
 
 impl Reader<'_> {

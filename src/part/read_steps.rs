@@ -1,14 +1,14 @@
-//! Stepped holes: the cylinders as written, from the entry face inwards, and the main one among them.
+//! Stepped holes: the cylinders as written, from the entry face inwards; [`super::arrange_steps`] finds the main one.
 
 use crate::knowledge::diagnostic::Place;
 use crate::knowledge::yaml::{Fields, Node};
 use crate::units::{Micrometres, Roughness};
 
-use super::check::Span;
+use super::Bottom;
+use super::arrange_steps::{Cylinder, Cylinders};
 use super::keys::STEP;
 use super::read::Reader;
 use super::read_diameter::Sized;
-use super::{Bottom, Face, HoleStep, Thread, ToleratedDiameter};
 
 /// What the group says beside its steps.
 pub(super) struct Whole<'a> {
@@ -25,56 +25,9 @@ pub(super) struct Whole<'a> {
     pub place: &'a Place,
 }
 
-/// The cylinders of a hole: the main one, and the wider ones beside it.
-pub(super) struct Cylinders {
-    pub diameter: ToleratedDiameter,
-    pub thread: Option<Thread>,
-    pub depth: Micrometres,
-    pub bottom: Bottom,
-    pub roughness: Roughness,
-    pub chamfer: Option<Micrometres>,
-    pub steps: Vec<HoleStep>,
-    /// All of them, from the entry face inwards.
-    pub spans: Vec<Span>,
-}
-
-/// A cylinder as it is written.
-struct Cylinder {
-    diameter: ToleratedDiameter,
-    thread: Option<Thread>,
-    roughness: Roughness,
-    bottom: Option<Bottom>,
-    chamfer: Option<Micrometres>,
-    /// From the entry face, mm.
-    end: Micrometres,
-    place: Place,
-}
-
-impl Cylinder {
-    const fn nominal(&self) -> Micrometres {
-        self.diameter.nominal
-    }
-
-    /// The diameter it takes away: under a thread the thread's own.
-    fn widest(&self) -> Micrometres {
-        self.thread.as_ref().map_or(self.nominal(), |thread| thread.size.max(self.nominal()))
-    }
-
-    fn step(self, face: Face, depth: Micrometres) -> HoleStep {
-        HoleStep {
-            diameter: self.diameter,
-            face,
-            depth,
-            bottom: self.bottom.unwrap_or(Bottom::Flat),
-            roughness: self.roughness,
-            thread: self.thread,
-            chamfer: self.chamfer,
-        }
-    }
-}
-
 /// The help for every slip in the depths of steps.
-const DEPTH_OR_LENGTH: &str = "`depth` counts from the entry face to the end of the step, `length` is the step's own";
+pub(super) const DEPTH_OR_LENGTH: &str =
+    "`depth` counts from the entry face to the end of the step, `length` is the step's own";
 
 impl Reader<'_> {
     /// The cylinders of a stepped hole.
@@ -182,134 +135,6 @@ impl Reader<'_> {
                 self.problems.error_help("missing-key", message, fields.place, help)
             }
         }
-    }
-
-    /// Holds the group's own diameter against the steps: it is the narrowest of them, or the cylinder that
-    /// goes on behind the last, which is then added. Says whether it was.
-    fn innermost(&mut self, cylinders: &mut Vec<Cylinder>, whole: &Whole<'_>) -> Option<bool> {
-        let Some(own) = &whole.own else { return Some(false) };
-        let nominal = own.diameter.nominal;
-        let narrowest = cylinders.iter().map(Cylinder::nominal).min()?;
-        let fault = if nominal < narrowest {
-            None
-        } else if nominal > narrowest {
-            let (shown, help) = (&own.diameter, "leave it out, or give the narrowest");
-            Some((format!("{shown} of the hole is wider than Ø{narrowest}, its narrowest step"), help))
-        } else {
-            let main = cylinders.iter_mut().find(|one| one.nominal() == narrowest)?;
-            let same_field = (main.diameter.upper, main.diameter.lower) == (own.diameter.upper, own.diameter.lower);
-            let (ours, theirs) = (&own.diameter, &main.diameter);
-            let differ =
-                Some((format!("{ours} of the hole is {theirs} in its step"), "write it once, or the same twice"));
-            match (&own.thread, &main.thread) {
-                (Some(thread), Some(known)) if thread.id != known.id => differ,
-                (Some(thread), _) => {
-                    main.thread = Some(thread.clone());
-                    main.diameter = own.diameter.clone();
-                    return Some(false);
-                }
-                (None, None) if !same_field => differ,
-                (None, _) => return Some(false),
-            }
-        };
-        if let Some((message, help)) = fault {
-            return self.problems.error_help("bad-diameter", message, &own.place, help);
-        }
-        let last = cylinders.last()?.end;
-        let Some(depth) = whole.depth else {
-            // Without a readable blank the depth of a through hole is not known, and that is reported there.
-            if !whole.through {
-                let help = "the hole's own diameter goes on behind the last step: say how deep";
-                self.problems.error_help::<()>("missing-key", "the key `depth` is missing", whole.place, help);
-            }
-            return None;
-        };
-        if depth <= last {
-            let message = format!(
-                "the steps end at {last}, which leaves nothing of a hole {depth} deep for its own {}",
-                own.diameter
-            );
-            let place = cylinders.last()?.place.clone();
-            return self.problems.error_help("bad-depth", message, &place, DEPTH_OR_LENGTH);
-        }
-        let roughness = match whole.roughness {
-            Some(stated) => stated?,
-            None if own.thread.is_some() => self.thread_roughness(&own.place)?,
-            None => {
-                let help = "the hole's own diameter goes on behind the last step";
-                return self.problems.error_help("missing-key", "the key `roughness` is missing", whole.place, help);
-            }
-        };
-        cylinders.push(Cylinder {
-            diameter: own.diameter.clone(),
-            thread: own.thread.clone(),
-            roughness,
-            bottom: None,
-            chamfer: None,
-            end: depth,
-            place: own.place.clone(),
-        });
-        Some(true)
-    }
-
-    /// The cylinders narrow towards the main one from each side.
-    fn narrows(&mut self, cylinders: &[Cylinder], through: bool) -> Option<()> {
-        let mut sound = Some(());
-        for (index, cylinder) in cylinders.iter().enumerate() {
-            let wide = cylinder.nominal();
-            if index > 0 && cylinders[index - 1].nominal() == wide {
-                let message = format!("step {} is Ø{wide} like the one before it", index + 1);
-                sound = self.problems.error_help("bad-diameter", message, &cylinder.place, "join the two");
-                continue;
-            }
-            let narrower = |others: &[Cylinder]| others.iter().any(|other| other.nominal() < wide);
-            if narrower(&cylinders[..index]) && (!through || narrower(&cylinders[index + 1..])) {
-                let message = format!("step {} is Ø{wide}, wider than what leads to it", index + 1);
-                let help = "no axial tool reaches an inner chamber; give it as `groove`";
-                sound = self.problems.error_help("inner-step", message, &cylinder.place, help);
-            }
-        }
-        sound
-    }
-
-    /// Makes the narrowest cylinder the main one; those before it are entered from the entry face, those
-    /// behind it from the back.
-    fn arrange(&mut self, mut cylinders: Vec<Cylinder>, whole: Whole<'_>) -> Option<Cylinders> {
-        if let (Some((chamfer, place)), Some(first)) = (whole.chamfer, cylinders.first_mut()) {
-            if let Some(own) = first.chamfer.filter(|own| *own != chamfer) {
-                let message = format!("the chamfer at the entry is {chamfer} here and {own} in the first step");
-                self.problems.error_help::<()>("bad-value", message, &place, "keep one of them");
-            }
-            first.chamfer = Some(chamfer);
-        }
-        let mut spans = Vec::new();
-        let mut start = Micrometres::ZERO;
-        for cylinder in &cylinders {
-            spans.push(Span::new(cylinder.widest(), start, cylinder.end));
-            start = cylinder.end;
-        }
-        let depth = start;
-        let narrowest = cylinders.iter().map(Cylinder::nominal).min()?;
-        let main = cylinders.iter().position(|one| one.nominal() == narrowest)?;
-        let mut behind = cylinders.split_off(main);
-        let main = behind.remove(0);
-        let back_starts = spans.iter().skip(spans.len() - behind.len()).map(|span| span.from);
-        let entry = cylinders.into_iter().map(|one| {
-            let end = one.end;
-            one.step(Face::Entry, end)
-        });
-        let back = behind.into_iter().zip(back_starts).map(|(one, from)| one.step(Face::Back, depth - from));
-        Some(Cylinders {
-            diameter: main.diameter,
-            thread: main.thread,
-            depth,
-            // The innermost end is the hole's bottom, not a shoulder: the hole's default holds.
-            bottom: main.bottom.or(whole.bottom).unwrap_or_default(),
-            roughness: main.roughness,
-            chamfer: main.chamfer,
-            steps: entry.chain(back).collect(),
-            spans,
-        })
     }
 }
 

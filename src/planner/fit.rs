@@ -1,20 +1,25 @@
 //! Gives the steps of one hole their cutters, holders and conditions, or says why one cannot have them.
 
+mod centring;
+mod reach;
+
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use crate::cutting::{self, Cut};
 use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::knowledge::units::Unit;
-use crate::knowledge::{Input, Knowledge, RowRef};
+use crate::knowledge::Input;
 use crate::note::{Because, Note};
-use crate::part::{Entry, Face, Hole, Part};
+use crate::part::{Entry, Hole, Part};
 use crate::plan::{Conditions, Feature, Operation};
 use crate::route::bores::Edge;
 use crate::route::{Place, Step};
 use crate::shop::Shop;
 use crate::tooling::{self, Assembly, CutterNeed};
-use crate::units::{Decimal, ItGrade, Micrometres, Roughness, round_to};
+use crate::units::{ItGrade, Micrometres, Roughness, round_to};
+
+use centring::widest_spot;
+use reach::point_angle;
 
 /// A step with what it is done with.
 #[derive(Clone, Debug)]
@@ -66,9 +71,6 @@ struct Key {
     eased: bool,
     last: bool,
 }
-
-/// The point angle of the centring drills (A.14: 2φ = 90°), thousandths of a degree.
-const CENTRING_ANGLE: u32 = 90_000;
 
 /// What every step of a hole shares.
 pub(super) struct Fitting<'p, 'k> {
@@ -133,20 +135,6 @@ impl<'p, 'k> Fitting<'p, 'k> {
         })
     }
 
-    fn travels(&self, through: bool) -> &(Micrometres, Micrometres, Because) {
-        &self.travels[usize::from(through)]
-    }
-
-    /// How deep a drill of that diameter must reach in a cylinder: depth, point and overrun.
-    pub fn drill_reach(&self, place: &Place, diameter: Micrometres) -> Micrometres {
-        place.depth + cone(diameter, self.drill_point) + self.travels(place.through).1
-    }
-
-    /// The height of a drill's point.
-    pub fn point(&self, diameter: Micrometres) -> Micrometres {
-        cone(diameter, self.drill_point)
-    }
-
     /// Fits every step of a hole in their order; the first that cannot be fitted says why.
     pub fn fit(&self, steps: Vec<Step>, finish_elsewhere: bool) -> Tried<Vec<Fitted>> {
         let drill = steps.iter().find(|step| step.operation == Operation::Drill).map(|step| step.diameter);
@@ -166,66 +154,6 @@ impl<'p, 'k> Fitting<'p, 'k> {
             });
         }
         Ok(fitted)
-    }
-
-    /// The edge at the entry that centring makes with its spot, by the rule `centre-spot`: a chamfer or a
-    /// countersink of 90° around the main cylinder, where a centring drill of the catalogs is wide enough.
-    pub fn edge_by_centring(&self) -> Result<Option<Edge>, KnowledgeError> {
-        let around = self.hole.diameter.nominal;
-        // A face that is cut after it would take the spot away.
-        if self.edges.iter().any(|edge| edge.feature == Feature::Face) {
-            return Ok(None);
-        }
-        let edge = self.edges.iter().find(|edge| {
-            edge.face == Face::Entry
-                && edge.start == Micrometres::ZERO
-                && matches!(edge.feature, Feature::Chamfer | Feature::Countersink)
-                && edge.angle_millideg == CENTRING_ANGLE
-                && edge.around == around
-                && edge.diameter <= self.widest_spot
-        });
-        let Some(edge) = edge else { return Ok(None) };
-        Ok((self.spot_rule(true)?.text("spot")? == "chamfer").then_some(*edge))
-    }
-
-    fn spot_rule(&self, chamfer: bool) -> Result<RowRef<'k>, KnowledgeError> {
-        let rule = self.shop.knowledge.table("centre-spot")?;
-        let diameter = ("diameter", Input::Length(self.hole.diameter.nominal));
-        let answer = rule.decide(&[("chamfer", Input::Bool(chamfer)), diameter])?;
-        answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this hole"))
-    }
-
-    /// Centring: the spot by the rule `centre-spot`; its tool is chosen for the whole part.
-    fn centre(&self, step: Step, drill: Micrometres) -> Tried<Fitted> {
-        let (row, spot, note) = match self.edge_by_centring()? {
-            Some(edge) => (self.spot_rule(true)?, edge.diameter, Note::new("spot-by-chamfer")),
-            None => {
-                // Where no centring drill is wide enough for the chamfer, the spot is that of a hole without one.
-                let row = match self.spot_rule(self.hole.chamfer.is_some())? {
-                    row if row.text("spot")? == "chamfer" => self.spot_rule(false)?,
-                    row => row,
-                };
-                let share = row.number_in("share", Unit::None)?;
-                let spot = Micrometres::from_mm_rounded(drill.to_mm() * share);
-                // A spot of 90° is half as deep as wide: in a thin plate it stays within half of the hole.
-                let most = self.hole.depth;
-                if spot > most {
-                    (row, most, Note::new("spot-by-depth").with("share", share))
-                } else {
-                    (row, spot, Note::new("spot-by-drill").with("share", share))
-                }
-            }
-        };
-        let note = note.with("spot", spot).with("drill", drill);
-        let depth = spot.half();
-        let travel = self.travels(false).0 + depth;
-        let place = Place { depth, through: false, ..step.place };
-        let step = Step { diameter: spot, nominal: spot, place, ..step };
-        let cut = Cut { depth, travel, ..self.cut(&step, None, "HSS", travel) };
-        let conditions = cutting::conditions(&cut, self.shop)?;
-        let mut because = step.because.clone();
-        because.push(Because::row(row, note));
-        Ok(Fitted { step, tool: None, travel, approach: self.travels(false).0, conditions, because })
     }
 
     /// One step that is not centring.
@@ -332,26 +260,6 @@ impl<'p, 'k> Fitting<'p, 'k> {
         Ok(Outfit { tool, travel, conditions })
     }
 
-    /// Where a step of the main cylinder begins below wider ones, and the diameter of the narrowest of those.
-    fn step_above(&self, step: &Step) -> Option<(Micrometres, Micrometres)> {
-        let main = step.place.step.is_none() && step.place.start > Micrometres::ZERO;
-        let wider = self.hole.steps.iter().filter(|step| step.face == Face::Entry).map(|step| step.diameter.nominal);
-        let around = wider.chain(self.hole.counterbore.map(|counterbore| counterbore.diameter)).min()?;
-        (main && step.operation == Operation::Tap).then_some((step.place.start, around))
-    }
-
-    /// How deep the wide part of a step drill goes: the counterbore or step, or the edge it chamfers.
-    fn opening_depth(&self) -> Micrometres {
-        let edge = || self.edges.iter().find(|edge| edge.face == Face::Entry).map(|edge| edge.depth(Micrometres::ZERO));
-        self.flat_opening().or_else(edge).unwrap_or_default()
-    }
-
-    /// The depth of the counterbore or step at the entry, if there is one.
-    fn flat_opening(&self) -> Option<Micrometres> {
-        let step = self.hole.steps.iter().find(|step| step.face == Face::Entry);
-        self.hole.counterbore.map(|counterbore| counterbore.depth).or(step.map(|step| step.depth))
-    }
-
     /// A milled cylinder is as round as the machine makes it, which may take a share of the tolerance.
     fn round_enough(&self, step: &Step) -> Tried<()> {
         let Some(roundness) = self.shop.machine.roundness else { return Ok(()) };
@@ -393,46 +301,6 @@ impl<'p, 'k> Fitting<'p, 'k> {
             it: step.asks.map(|(it, _)| it),
             feed_diameter: step.also.map(|_| step.diameter),
         }
-    }
-
-    /// How far a tool's point goes beyond the full diameter.
-    pub fn lead(&self, step: &Step) -> Micrometres {
-        match step.operation {
-            Operation::Drill | Operation::DrillOut => cone(step.diameter, self.drill_point),
-            Operation::CoreDrill => cone(step.diameter - step.from, self.core_drill_point),
-            // The thread is full only behind the tap's lead.
-            Operation::Tap => Micrometres::from_mm_rounded(step.pitch.unwrap_or_default().to_mm() * self.tap_lead),
-            _ => Micrometres::ZERO,
-        }
-    }
-
-    /// Working travel of one pass, and how far the cutter must reach below its face.
-    fn travel(&self, step: &Step) -> (Micrometres, Micrometres) {
-        let lead = self.lead(step);
-        let (approach, overrun, _) = self.travels(step.place.through);
-        let reach = step.place.depth + lead + *overrun;
-        (*approach + reach - step.place.start, reach)
-    }
-
-    /// What the tools do beyond the hole: a drill's point through a blind hole's floor, a spot deeper than
-    /// the hole.
-    pub fn beyond(&self, fitted: &[Fitted], thickness: Micrometres) -> Vec<Note> {
-        let mut notes = Vec::new();
-        for one in fitted {
-            let step = &one.step;
-            let main = step.place.feature == Feature::Bore;
-            let (depth, limit, code) = match step.operation {
-                Operation::Drill | Operation::DrillOut if main && !step.place.through => {
-                    (step.place.depth + self.point(step.diameter), thickness, "point-breaks-through")
-                }
-                Operation::CentreDrill => (step.diameter.half(), self.hole.depth, "spot-too-deep"),
-                _ => continue,
-            };
-            if depth >= limit {
-                notes.push(Note::new(code).with("depth", depth).with("limit", limit).with("diameter", step.diameter));
-            }
-        }
-        notes
     }
 
     /// Says what the second drill costs in time and saves in thrust against one drill of full size.
@@ -500,29 +368,6 @@ fn cutter_shape(cutter: &tooling::Cutter<'_>) -> Option<cutting::CutterShape> {
     let teeth = u32::try_from(cutter.row.int("teeth").ok()?).ok()?;
     let cutting_length = cutter.row.length("cutting_length").ok()?;
     Some(cutting::CutterShape { diameter: cutter.diameter, teeth, cutting_length })
-}
-
-/// The widest centring drill of table A.14.
-fn widest_spot(knowledge: &Knowledge) -> Result<Micrometres, KnowledgeError> {
-    let table = knowledge.table("A.14")?;
-    Ok(table.all_rows().filter_map(|row| row.length("diameter").ok()).max().unwrap_or_default())
-}
-
-/// The sharpest point among the tables of an operation's cutters, degrees: the longest cone, so that every
-/// one of them clears the hole. 180, a flat end, where no table names an angle.
-fn point_angle(knowledge: &Knowledge, operation: Operation) -> f64 {
-    knowledge
-        .tables()
-        .filter_map(|table| table.tool.as_ref())
-        .filter(|head| head.operations.iter().any(|name| name == operation.name()))
-        .filter_map(|head| head.point_angle)
-        .min()
-        .map_or(180.0, Decimal::to_f64)
-}
-
-/// Height of a cone over a diameter: d/2 / tan(φ/2), the point of a drill or the lead of a core drill.
-fn cone(diameter: Micrometres, angle_deg: f64) -> Micrometres {
-    Micrometres::from_mm_rounded(diameter.to_mm() / 2.0 / libm::tan((angle_deg / 2.0).to_radians()))
 }
 
 /// One reason stands for all, how many there were is said with it: the first that is about the cutter and

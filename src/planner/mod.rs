@@ -3,12 +3,18 @@
 //! Holes are planned from the smallest up, because a drill of a smaller hole may be the first drill of a
 //! larger one. For each hole the candidates of the three ways ([`crate::route`]) are turned into steps with
 //! tools and conditions, or refused with a reason (`options`); the routes of all holes are chosen together,
-//! so that they share their tools (`choose`). Then the tools of the whole part are put together.
+//! so that they share their tools (`choose`). Then the tools of the whole part are put together (`magazine`).
+//!
+//! - `options`: the routes of a group; `ways`: how they are found, tried and filed;
+//! - `whole`: a whole hole by one candidate; `step_drill`: hole and opening by one drill;
+//! - `fit`: cutter, holder and conditions of each step, with `fit/centring` and `fit/reach`.
 
 mod choose;
 mod fit;
 mod magazine;
 mod options;
+mod step_drill;
+mod ways;
 mod whole;
 
 use crate::error::{KnowledgeError, Refusal};

@@ -1,4 +1,4 @@
-//! Every route a group of holes may take, each with its tools, conditions and time.
+//! Every route a group of holes may take, each with its tools, conditions and time; the ways to them stand in [`super::ways`].
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -7,17 +7,18 @@ use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::Input;
 use crate::note::{Because, Note};
 use crate::part::{Hole, Part};
-use crate::plan::{Alternative, Feature, Made, Operation, Way};
+use crate::plan::{Alternative, Made, Operation, Way};
 use crate::route::auxiliary::{self, Kind};
 use crate::route::bores;
 use crate::route::diameters::Sizes;
 use crate::route::scheme::{self, Question};
-use crate::route::{Candidate, Step, accuracy, complex, search};
+use crate::route::{Candidate, accuracy};
 use crate::shop::Shop;
 use crate::tooling::DrillSize;
 use crate::units::{Micrometres, Minutes};
 
 use super::fit::{Fitted, Fitting};
+use super::ways::{none, refused};
 use super::whole::{Finder, edges, hops, smallest_bore};
 
 /// A route that can be carried out.
@@ -179,184 +180,7 @@ pub(super) fn options(
     Ok(options)
 }
 
-/// The largest drill of a size that a route lacked and the catalogs have, but too short.
-fn too_short(refused: &[Alternative], all: &[DrillSize], reaching: &[Micrometres]) -> Option<DrillSize> {
-    let lacked = refused.iter().filter(|other| other.why.code == "no-drill-in-allowance").find_map(|other| {
-        let bound = |name: &str| other.why.params.get(name)?.parse::<Micrometres>().ok();
-        Some(bound("low")?..=bound("high")?)
-    })?;
-    let sizes = all.iter().rev();
-    sizes.copied().find(|size| lacked.contains(&size.diameter) && !reaching.contains(&size.diameter))
-}
-
 impl Finder<'_, '_> {
-    /// The kind of auxiliary hole by which A.10 knows it; a finer main cylinder is a main hole of A.8 or A.9.
-    fn auxiliary_kind(&self) -> Option<Kind> {
-        let main = &self.task.main;
-        if main.thread.is_some() {
-            // A.10 begins in solid metal.
-            return main.before.is_solid().then_some(Kind::Thread);
-        }
-        if main.diameter.it < self.drilled || !main.before.is_solid() || !self.hole.steps.is_empty() {
-            return None;
-        }
-        if self.hole.counterbore.is_some() {
-            return Some(Kind::Counterbore);
-        }
-        let sink = self.hole.countersink.map(|sink| sink.angle_millideg).or(self.hole.cone.map(|c| c.angle_millideg));
-        sink.map(|angle| if angle == 90_000 { Kind::Countersink90 } else { Kind::CountersinkOther })
-    }
-
-    /// The three ways; what the tables finish on another machine is not weighed against the others.
-    fn every_way(&self, kind: Option<Kind>, options: &mut Options) -> Result<(), KnowledgeError> {
-        if let Some(candidate) = self.tapped_at_once()? {
-            self.weigh(&candidate, options)?;
-            return Ok(());
-        }
-        self.tables(kind, options)?;
-        if options.choices.iter().any(|choice| choice.candidate.finish_elsewhere) {
-            return Ok(());
-        }
-        self.complexes(options)?;
-        // How a hole in solid metal is made for a thread A.10 says, down to where it bores; nothing reaches beyond.
-        if self.task.main.thread.is_some() && self.task.main.before.is_solid() {
-            return Ok(());
-        }
-        self.search(options)
-    }
-
-    /// Tapping alone, where the blank's hole is that for the thread already.
-    fn tapped_at_once(&self) -> Result<Option<Candidate>, KnowledgeError> {
-        let main = &self.task.main;
-        let (Some(thread), Some(start)) = (&main.thread, self.sizes.start) else { return Ok(None) };
-        if !(main.diameter.smallest()..=main.diameter.largest()).contains(&start) {
-            return Ok(None);
-        }
-        let rule = self.shop.knowledge.table("next-transition")?;
-        let note = Note::new("tapped-at-once").with("start", start).with("thread", &thread.written);
-        Ok(Some(Candidate {
-            way: Way::Search,
-            table: rule.id.clone(),
-            scheme: Operation::Tap.name().to_owned(),
-            transitions: vec![Operation::Tap],
-            finish_elsewhere: false,
-            promise: None,
-            because: vec![Because::table(rule, note)],
-        }))
-    }
-
-    /// The first scheme of the tables that can be carried out; what the tables rank behind it is not weighed
-    /// against it.
-    fn tables(&self, kind: Option<Kind>, options: &mut Options) -> Result<(), KnowledgeError> {
-        let mut found = None;
-        if let Some(kind) = kind {
-            match Refusal::split(auxiliary::candidates(&self.question, kind, self.shop))? {
-                Ok(schemes) => found = Some(schemes),
-                Err(why) => options.refused.push(none(Way::Tables, "A.10", why)),
-            }
-        }
-        if found.is_none() && self.task.main.thread.is_none() {
-            match Refusal::split(scheme::candidates(&self.question, self.shop))? {
-                Ok(schemes) => found = Some(schemes),
-                Err(why) => options.refused.push(none(Way::Tables, "A.8", why)),
-            }
-        }
-        let mut taken = None;
-        for candidate in found.into_iter().flatten() {
-            if let Some(first) = &taken {
-                let later = refused(&candidate, Note::new("ranked-later").with("first", first));
-                let own = *first == format!("{} {}", candidate.table, candidate.scheme);
-                if !own && !options.refused.contains(&later) {
-                    options.refused.push(later);
-                }
-                continue;
-            }
-            if self.weigh(&candidate, options)? {
-                taken = Some(format!("{} {}", candidate.table, candidate.scheme));
-            }
-        }
-        Ok(())
-    }
-
-    fn complexes(&self, options: &mut Options) -> Result<(), KnowledgeError> {
-        let openings = complex::Openings {
-            counterbored: self.hole.counterbore.is_some(),
-            countersunk: self.hole.countersink.is_some(),
-        };
-        match Refusal::split(complex::candidates(&self.question, openings, self.shop))? {
-            Err(why) => options.refused.push(none(Way::Complexes, "A.4", why)),
-            Ok(complexes) => {
-                for candidate in complexes {
-                    self.weigh(&candidate, options)?;
-                }
-            }
-        }
-        Ok(())
-    }
-
-    fn search(&self, options: &mut Options) -> Result<(), KnowledgeError> {
-        let main = &self.task.main;
-        let cost = |steps: Vec<Step>| self.cost(steps);
-        match Refusal::split(search::candidates(main, &self.sizes, &cost, self.shop))? {
-            Err(why) => options.refused.push(none(Way::Search, "next-transition", why)),
-            Ok(routes) => {
-                for mut candidate in routes {
-                    if main.thread.is_some() {
-                        candidate.transitions.push(Operation::Tap);
-                        candidate.scheme.push_str(" + tap");
-                    }
-                    self.weigh(&candidate, options)?;
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// Tries a candidate, files it under what can be done or what cannot, and says whether it can.
-    fn weigh(&self, candidate: &Candidate, options: &mut Options) -> Result<bool, KnowledgeError> {
-        // With a cutter for each opening, and with a step drill for hole and opening at once.
-        let plain = Refusal::split(self.carried_out(candidate, false))?;
-        let joined =
-            if self.may_join(candidate) { Refusal::split(self.carried_out(candidate, true))?.ok() } else { None };
-        let plain = match (plain, &joined) {
-            (Ok(steps), _) => Some(steps),
-            (Err(_), Some(_)) => None,
-            (Err(why), None) => {
-                options.refused.push(refused(candidate, why));
-                return Ok(false);
-            }
-        };
-        for steps in plain.into_iter().chain(joined) {
-            let choice = self.choice(candidate, steps);
-            let borrowed = choice.borrowed;
-            self.file(choice, options);
-            // Without the borrowed drill the rule drills in one pass.
-            if let Some(drill) = borrowed
-                && let Ok(steps) = Refusal::split(self.carried_out_alone(candidate))?
-            {
-                let alone = Choice { instead_of: Some(drill), ..self.choice(candidate, steps) };
-                self.file(alone, options);
-            }
-        }
-        Ok(true)
-    }
-
-    /// Files a route under what can be done, unless it is there already.
-    fn file(&self, choice: Choice, options: &mut Options) {
-        let twin = options.choices.iter().find(|known| same(known, &choice));
-        let Some(twin) = twin else {
-            options.choices.push(choice);
-            return;
-        };
-        let why = Note::new("same-as").with("table", &twin.candidate.table);
-        let same = refused(&choice.candidate, why.with("same", &twin.candidate.scheme));
-        let itself = (same.way, &same.table, &same.scheme)
-            == (twin.candidate.way, &twin.candidate.table, &twin.candidate.scheme);
-        if !itself && !options.refused.contains(&same) {
-            options.refused.push(same);
-        }
-    }
-
     /// Section 1.2 on boring (rule `boring-for-position`): where the position asks for it, routes of complexes
     /// and search that do not bore stand back; where it does not, those that bore; in both cases only while
     /// another route can be carried out.
@@ -398,73 +222,14 @@ impl Finder<'_, '_> {
         let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this position"))?;
         Ok(row.text("boring")? == "asked")
     }
-
-    fn choice(&self, candidate: &Candidate, steps: Vec<Fitted>) -> Choice {
-        let own = steps.iter().map(|fitted| self.time(fitted) + self.hops.0).sum::<f64>();
-        let borrowed = steps.iter().find(|fitted| fitted.step.borrowed).map(|fitted| fitted.step.diameter);
-        let misses = self.misses(candidate, &steps);
-        Choice { candidate: candidate.clone(), steps, misses, own: Minutes(own), borrowed, instead_of: None }
-    }
-
-    /// What of the drawing a route does not hold: grade, roughness and position must be promised by the table
-    /// it is from, or reached by its chain; what is finished on another machine is held there.
-    fn misses(&self, candidate: &Candidate, steps: &[Fitted]) -> Vec<Note> {
-        let main = &self.task.main;
-        if candidate.finish_elsewhere || candidate.transitions == [Operation::Tap] {
-            return Vec::new();
-        }
-        let cuts = |step: &&Step| step.place.feature == Feature::Bore && !step.elsewhere && step.achieved.is_some();
-        let last = steps.iter().rev().map(|fitted| &fitted.step).find(cuts);
-        let Some(reached) = last.and_then(|step| step.achieved) else { return vec![Note::new("misses-unknown")] };
-        let mut misses = Vec::new();
-        if main.thread.is_none() {
-            if reached.it.is_none_or(|it| it > main.diameter.it) {
-                let it = reached.it.map_or_else(|| "-".to_owned(), |it| it.to_string());
-                misses.push(Note::new("misses-grade").with("it", it).with("asked", main.diameter.it));
-            }
-            if reached.roughness.is_none_or(|own| own > main.roughness) {
-                let own = reached.roughness.map_or_else(|| "-".to_owned(), |own| own.to_string());
-                misses.push(Note::new("misses-roughness").with("roughness", own).with("asked", main.roughness));
-            }
-        }
-        if main.before.is_cast() && reached.position_mm.is_none() {
-            misses.push(Note::new("misses-axis").with("asked", self.question.position));
-        }
-        let asked = self.question.position;
-        let beyond = reached.position_mm.filter(|own| *own > asked);
-        misses.extend(beyond.map(|own| Note::new("misses-position").with("position", own).with("asked", asked)));
-        misses
-    }
 }
 
-/// Whether two routes are one: the same cutters leave the same diameters.
-fn same(a: &Choice, b: &Choice) -> bool {
-    let shown = |choice: &Choice| -> Vec<(Operation, Micrometres, Micrometres, Option<String>)> {
-        let steps = choice.steps.iter();
-        steps
-            .map(|fitted| {
-                let tool = fitted.tool.as_ref().map(|tool| tool.designation.clone());
-                (fitted.step.operation, fitted.step.from, fitted.step.diameter, tool)
-            })
-            .collect()
-    };
-    a.candidate.finish_elsewhere == b.candidate.finish_elsewhere && shown(a) == shown(b)
-}
-
-fn refused(candidate: &Candidate, why: Note) -> Alternative {
-    Alternative { scheme: candidate.scheme.clone(), ..none(candidate.way, &candidate.table, why) }
-}
-
-/// A way that has no candidate at all.
-fn none(way: Way, table: &str, why: Note) -> Alternative {
-    Alternative {
-        way,
-        table: table.to_owned(),
-        scheme: String::new(),
-        operations: Vec::new(),
-        time_min: None,
-        new_tools: None,
-        meets: false,
-        why,
-    }
+/// The largest drill of a size that a route lacked and the catalogs have, but too short.
+fn too_short(refused: &[Alternative], all: &[DrillSize], reaching: &[Micrometres]) -> Option<DrillSize> {
+    let lacked = refused.iter().filter(|other| other.why.code == "no-drill-in-allowance").find_map(|other| {
+        let bound = |name: &str| other.why.params.get(name)?.parse::<Micrometres>().ok();
+        Some(bound("low")?..=bound("high")?)
+    })?;
+    let sizes = all.iter().rev();
+    sizes.copied().find(|size| lacked.contains(&size.diameter) && !reaching.contains(&size.diameter))
 }

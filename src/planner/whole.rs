@@ -277,57 +277,6 @@ impl Finder<'_, '_> {
         let none = || Note::new("no-opening").with("diameter", bore.diameter.nominal).with("start", start);
         best.map(|(_, steps)| steps).ok_or_else(|| Refusal::Not(why.unwrap_or_else(none)))
     }
-
-    /// Whether a step drill may make the hole and its opening at once: a through hole that is only drilled,
-    /// with one flat opening that drilling holds, or with a chamfer.
-    pub fn may_join(&self, candidate: &Candidate) -> bool {
-        let cuts = |operation: &&Operation| !matches!(operation, Operation::CentreDrill | Operation::Tap);
-        let chamfered =
-            self.task.wider.is_empty() && self.task.edges.iter().any(|edge| edge.feature == Feature::Chamfer);
-        self.task.main.place.through
-            && (self.drilled_opening().is_some() || chamfered)
-            && candidate.transitions.iter().filter(cuts).eq([&Operation::Drill])
-    }
-
-    /// The one wider cylinder of a hole, where a step drill's flat step holds its grade.
-    fn drilled_opening(&self) -> Option<&Bore> {
-        let [bore] = self.task.wider.as_slice() else { return None };
-        let drilled = bore.diameter.it >= self.drilled && bore.thread.is_none();
-        (bore.place.face == Face::Entry && bore.flat && drilled).then_some(bore)
-    }
-
-    /// Lets the drill make the opening too; which one, or why no step drill does.
-    fn join(&self, steps: &mut [Step], centring_makes_edge: bool) -> Tried<Option<Feature>> {
-        let Some(drill) = steps.iter_mut().find(|step| step.operation == Operation::Drill) else {
-            return Err(Refusal::Not(Note::new("no-step-drill")));
-        };
-        let (feature, wide) = match self.drilled_opening() {
-            Some(bore) => (bore.place.feature, Some(bore.diameter.nominal)),
-            None if centring_makes_edge => return Err(Refusal::Not(Note::new("chamfered-by-centring"))),
-            None => {
-                let chamfer = self.task.edges.iter().find(|edge| edge.feature == Feature::Chamfer);
-                let chamfer = chamfer.map(|edge| edge.diameter).unwrap_or_default();
-                (Feature::Chamfer, self.chamfering_drill(drill.diameter, chamfer)?)
-            }
-        };
-        let none = || Note::new("no-step-drill").with("narrow", drill.diameter).with("wide", wide.unwrap_or_default());
-        if wide.is_none() {
-            return Err(Refusal::Not(none()));
-        }
-        drill.also = wide;
-        Ok(Some(feature))
-    }
-
-    /// The wide diameter of a drill of A.15 that makes the chamfer too.
-    fn chamfering_drill(
-        &self,
-        drill: Micrometres,
-        chamfer: Micrometres,
-    ) -> Result<Option<Micrometres>, KnowledgeError> {
-        let table = self.shop.knowledge.table("A.15")?;
-        let rows = table.all_rows().filter(|row| row.length_if_any("diameter") == Some(drill));
-        Ok(rows.filter_map(|row| row.length_if_any("step_diameter")).find(|wide| *wide >= chamfer))
-    }
 }
 
 /// The step that cuts each edge of a hole, or why none does; a face that no counterbore of the catalogs cuts

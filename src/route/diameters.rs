@@ -1,9 +1,9 @@
 //! Intermediate diameters: backwards from the finished cylinder, by the allowances of section 1.2.1 and,
-//! inside them, by the handbook's step diameters.
+//! inside them, by the handbook's step diameters. Each kind of transition says what it begins from: drills here, rough boring
+//! and milling in `boring`, what removes an allowance in `finishing`; `two_passes` splits the drilling.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::Input;
-use crate::knowledge::units::Unit;
 use crate::note::{Because, Note};
 use crate::part::{ThreadKind, ToleratedDiameter};
 use crate::plan::Operation;
@@ -11,12 +11,15 @@ use crate::shop::Shop;
 use crate::units::Micrometres;
 
 use super::bores::Bore;
-use super::{Candidate, Step, handbook};
+use super::{Candidate, Step};
 
 mod allowance;
 mod boring;
+mod finishing;
+mod two_passes;
 
 use allowance::allowance;
+use two_passes::two_passes;
 
 /// What a route is turned into steps with.
 #[derive(Clone, Copy, Debug)]
@@ -295,79 +298,6 @@ impl Backwards<'_, '_> {
         let place = super::Place { feature: crate::plan::Feature::Thread, depth, through, ..step.place };
         Ok(Step { place, pitch: Some(thread.pitch), ..step })
     }
-
-    /// A transition that removes an allowance: the diameter before it is the handbook's where the range of
-    /// section 1.2.1 permits it, else the aim of the range; the drill nearest to that where a drill makes it.
-    fn finishing(self) -> Tried<Step> {
-        let Self { operation, after, previous, bore, sizes, shop } = self;
-        let allowance = allowance(operation, after, bore.diameter.nominal, previous, shop)?;
-        let (smallest, largest) = (after - allowance.high, after - allowance.low);
-        let handbook_row = handbook::row(bore, shop)?;
-        let advised = handbook_row.and_then(|row| handbook::before(row, operation, previous));
-        let aim = advised.unwrap_or(after - allowance.aim).max(smallest).min(largest);
-        let before = if previous.is_none() {
-            let start = self.start()?;
-            if start < smallest || start > largest {
-                return Err(Refusal::Not(
-                    Note::new("stock-outside-allowance")
-                        .with("operation", operation.name())
-                        .with("stock", after - start)
-                        .with("low", allowance.low)
-                        .with("high", allowance.high)
-                        .with("diameter", after),
-                ));
-            }
-            start
-        } else if self.after_drill() {
-            let inside = |drill: &Micrometres| *drill >= smallest && *drill <= largest && *drill < after;
-            let drills = sizes.drills.iter().copied().filter(inside);
-            let nearest = drills.min_by_key(|drill| ((*drill - aim).abs(), *drill));
-            nearest.ok_or_else(|| {
-                Refusal::Not(
-                    Note::new("no-drill-in-allowance")
-                        .with("operation", operation.name())
-                        .with("low", smallest)
-                        .with("high", largest)
-                        .with("diameter", after),
-                )
-            })?
-        } else if previous == Some(Operation::Counterbore) {
-            let inside = |size: &Micrometres| *size >= smallest && *size <= largest;
-            let sizes = super::openings::counterbores(after, shop)?;
-            let nearest = sizes.into_iter().filter(inside).min_by_key(|size| ((*size - aim).abs(), *size));
-            nearest.ok_or_else(|| {
-                let note = Note::new("no-counterbore-in-allowance").with("operation", operation.name());
-                Refusal::Not(note.with("low", smallest).with("high", largest).with("diameter", after))
-            })?
-        } else if advised == Some(aim) {
-            aim
-        } else {
-            // To the setting step, but never out of the range.
-            let step = shop.convention("setting-step-mm")?.micrometres().max(1);
-            let set = Micrometres::new((aim.micrometres() + step / 2).div_euclid(step) * step);
-            set.max(smallest).min(largest)
-        };
-        let note = Note::new("allowance")
-            .with("operation", operation.name())
-            .with("low", allowance.low)
-            .with("high", allowance.high)
-            .with("taken", after - before);
-        let mut because = vec![Because::row(allowance.row, note)];
-        because.extend(allowance.stock);
-        if let (Some(row), Some(advised)) = (handbook_row, advised) {
-            let code = if advised == before { "handbook-step" } else { "handbook-step-outside" };
-            let note = Note::new(code).with("advised", advised).with("taken", before);
-            because.push(Because::row(row, note.with("low", smallest).with("high", largest)));
-        }
-        // Reamers and core drills of the catalog are ground to the size before the last one.
-        let fixed = operation.is_reaming() || operation == Operation::CoreDrill;
-        let nominal = if fixed { bore.diameter.nominal } else { after };
-        if fixed && after != nominal {
-            let note = Note::new("ground-to-size").with("nominal", nominal).with("size", after);
-            because.push(Because::row(allowance.row, note));
-        }
-        Ok(Step { nominal, because, ..self.step(before) })
-    }
 }
 
 /// The drill that can make a cylinder itself: of its nominal diameter, or within its tolerance.
@@ -375,56 +305,4 @@ pub fn final_drill(diameter: &ToleratedDiameter, drills: &[Micrometres]) -> Opti
     let target = diameter.target();
     let permitted = |drill: &Micrometres| (diameter.smallest()..=diameter.largest()).contains(drill);
     drills.iter().copied().find(|drill| *drill == target).or_else(|| drills.iter().copied().find(permitted))
-}
-
-/// Splits the drilling in two where the rule `two-pass-drilling` or the handbook says so.
-fn two_passes(steps: &mut Vec<Step>, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
-    let Some(index) = steps.iter().position(|step| step.operation == Operation::Drill) else { return Ok(()) };
-    let diameter = steps[index].diameter;
-    if let Some(row) = handbook::row(bore, shop)?
-        && let (Some(first), Some(last)) = (handbook::first_drill(row), handbook::last_drill(row))
-        && last == diameter
-        && !sizes.single_drill
-        && sizes.drills.contains(&first)
-    {
-        let note = Note::new("handbook-first-drill").with("first", first).with("diameter", diameter);
-        split(steps, index, first, Because::row(row, note.clone()), Because::row(row, note));
-        return Ok(());
-    }
-    let shares = shop.knowledge.table("first-drill")?;
-    let share = shares.row(0).ok_or_else(|| KnowledgeError::no_row(shares, "two-pass drilling"))?;
-    let (share_min, share_max) = (share.number_in("share_min", Unit::None)?, share.number_in("share_max", Unit::None)?);
-    let [low, high] = [share_min, share_max].map(|share| Micrometres::from_mm_rounded(diameter.to_mm() * share));
-    let inside = |drills: &[Micrometres]| drills.iter().copied().filter(|drill| (low..=high).contains(drill)).max();
-    let at_hand = inside(sizes.in_magazine);
-    let rule = shop.knowledge.table("two-pass-drilling")?;
-    let in_magazine = at_hand.is_some() && !sizes.single_drill;
-    let answer =
-        rule.decide(&[("diameter", Input::Length(diameter)), ("first_drill_in_magazine", Input::Bool(in_magazine))])?;
-    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this drill"))?;
-    let note = |code: &str| Note::new(code).with("diameter", diameter).with("low", low).with("high", high);
-    if row.int("passes")? < 2 {
-        steps[index].because.push(Because::answer(&answer, note("one-pass")));
-        return Ok(());
-    }
-    // Above 30 mm with nothing at hand: the smallest drill of the range cuts with the least thrust.
-    let first = at_hand.or_else(|| sizes.drills.iter().copied().find(|drill| (low..=high).contains(drill)));
-    let Some(first) = first else { return Ok(()) };
-    let why = Because::answer(&answer, note("two-passes").with("first", first));
-    let note = note("first-drill").with("first", first).with("share-min", share_min).with("share-max", share_max);
-    split(steps, index, first, Because::row(share, note), why);
-    // Below the limit above which two drills are the rule, the first is there for another hole only.
-    steps[index].borrowed = at_hand.is_some() && diameter <= share.length("above_diameter")?;
-    Ok(())
-}
-
-/// Puts a first drill before the drill at `index`, which then opens what the first left.
-fn split(steps: &mut Vec<Step>, index: usize, first: Micrometres, of_first: Because, of_second: Because) {
-    let second = &mut steps[index];
-    second.operation = Operation::DrillOut;
-    second.from = first;
-    second.because.push(of_second);
-    let mut drill = Step::plain(Operation::Drill, second.place, first, Micrometres::ZERO);
-    drill.because.push(of_first);
-    steps.insert(index, drill);
 }

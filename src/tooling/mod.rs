@@ -1,8 +1,14 @@
 //! Cutters and holders from the catalogs, and whether they reach.
+//!
+//! - `cutter`: what is asked of a cutter, and every one that fits, in the order of the tables;
+//! - `sizes`: which rows are of the right size; `reach`: why one of them cannot be used;
+//! - `holder`: the holder for its shank; [`named`]: a cutter that a plan names.
 
 mod cutter;
 mod holder;
 pub mod named;
+mod reach;
+mod sizes;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
@@ -11,8 +17,9 @@ use crate::note::{Because, Note};
 use crate::plan::Operation;
 use crate::units::Micrometres;
 
-pub use cutter::{Cutter, CutterNeed, DrillSize, drill_sizes};
+pub use cutter::{Cutter, CutterNeed};
 pub use holder::Assembly;
+pub use sizes::{DrillSize, drill_sizes};
 
 /// The first cutter that fits together with a holder that takes it within the machine's overhang.
 ///

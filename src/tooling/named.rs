@@ -8,8 +8,10 @@ use crate::machine::Machine;
 use crate::note::{Because, Note};
 use crate::plan::Operation;
 
-use super::cutter::{Cutter, CutterNeed, own_diameter, refuse, size_fits};
+use super::cutter::{Cutter, CutterNeed};
 use super::holder;
+use super::reach::refuse;
+use super::sizes::{own_diameter, size_fits};
 
 /// A cutter of a catalog with what its table says of all of them.
 #[derive(Clone, Copy, Debug)]

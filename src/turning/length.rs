@@ -43,6 +43,23 @@ impl Half {
         Micrometres::new(self.0)
     }
 
+    /// How many equal parts it takes at least, so that none of them is above `most` (at least half a micrometre): the
+    /// quotient, rounded up. None for a length that is not above zero.
+    pub fn parts(self, most: Self) -> i64 {
+        let most = most.0.max(1);
+        self.0.max(0).saturating_add(most - 1) / most
+    }
+
+    /// One of so many equal parts, rounded up to a whole half of a micrometre; `parts` is taken as 1 at least.
+    pub fn part(self, parts: i64) -> Self {
+        Self(self.parts(Self(parts)))
+    }
+
+    /// In whole micrometres, rounded up; of a length that is not negative.
+    pub fn rounded_up(self) -> Micrometres {
+        Micrometres::new(self.parts(Self(2)))
+    }
+
     /// Millimetres, for formulas and drawings.
     pub fn to_mm(self) -> f64 {
         self.0 as f64 / 2000.0
@@ -123,5 +140,23 @@ mod tests {
         assert_eq!(radius.diameter().to_string(), "39.985");
         assert_eq!(serde_json::to_string(&(radius, Half::of(Micrometres::from_mm(7)))).unwrap(), "[19.9925,7]");
         assert_eq!(serde_json::from_str::<Half>("19.9925").unwrap(), radius);
+    }
+
+    #[test]
+    fn parts_are_the_fewest_and_the_smallest_that_do() {
+        for size in 0..40 {
+            for most in 1..12 {
+                let (size, most) = (Half::new(size), Half::new(most));
+                let (parts, part) = (size.parts(most), size.part(size.parts(most)));
+                assert!(part <= most && part.halves() * parts >= size.halves(), "{size} in {parts} of {part}");
+                assert!(
+                    parts == 0 || (parts - 1) * most.halves() < size.halves(),
+                    "{size} does with fewer than {parts}"
+                );
+                assert!(parts == 0 || (part.halves() - 1) * parts < size.halves(), "{size} does with less than {part}");
+            }
+        }
+        assert_eq!(Half::new(-7).parts(Half::new(2)), 0);
+        assert_eq!([4, 5].map(|halves| Half::new(halves).rounded_up().micrometres()), [2, 3]);
     }
 }

@@ -2,15 +2,18 @@
 
 #![allow(dead_code, reason = "no test needs all of them")]
 
+use petgraph::algo::dijkstra;
+use petgraph::graph::DiGraph;
 use proptest::prelude::*;
 use technolog::note::Note;
 use technolog::turning::length::Half;
 use technolog::turning::passes::cost::Objective;
 use technolog::turning::passes::grid::Grid;
+use technolog::turning::passes::optimum::moves;
 use technolog::turning::passes::pass::{Kind, Pass};
 use technolog::turning::point::Point;
 use technolog::turning::shaft::{Blank, BlankKind, Division, Holding, Moves, Rates, Roughing, Shaft, Step};
-use technolog::units::Micrometres;
+use technolog::units::{Micrometres, MillimetresPerMinute};
 
 /// A shaft by micrometres: the bar, the steps as diameter and length, the depths.
 pub fn shaft(bar: i64, steps: &[(i64, i64)], longitudinal: i64, transverse: i64, division: Division) -> Shaft {
@@ -57,6 +60,39 @@ pub fn shafts(most: usize) -> impl Strategy<Value = Shaft> {
             let grid = Grid::of(shaft);
             grid.levels.len() + grid.slices.len() <= most
         })
+}
+
+/// Rates that differ from one another, so that times tell which was taken.
+pub fn rates() -> Rates {
+    Rates {
+        longitudinal_feed: MillimetresPerMinute(100.0),
+        transverse_feed: MillimetresPerMinute(80.0),
+        rapid: MillimetresPerMinute(5000.0),
+        approach: Micrometres::from_mm(2),
+        retract: Micrometres::new(500),
+    }
+}
+
+/// The shortest way by petgraph, the making of its graph counted in: a node for each state. Only for objectives that do not
+/// ask where the pass before ended.
+pub fn by_petgraph(grid: &Grid, per_pass: u64) -> u64 {
+    let width = grid.slices.len() + 1;
+    let mut graph = DiGraph::<(), u64>::new();
+    let nodes: Vec<_> = (0..(grid.levels.len() + 1) * width).map(|_| graph.add_node(())).collect();
+    let end = graph.add_node(());
+    for levels in 0..=grid.levels.len() {
+        for slices in 0..width {
+            let here = nodes[levels * width + slices];
+            let Some([longitudinal, transverse]) = moves(grid, levels, slices) else {
+                graph.add_edge(here, end, 0);
+                continue;
+            };
+            let cost = |length: Half| length.halves().unsigned_abs() + per_pass;
+            graph.add_edge(here, nodes[(levels + 1) * width + slices], cost(longitudinal.length));
+            graph.add_edge(here, nodes[levels * width + slices + 1], cost(transverse.length));
+        }
+    }
+    dijkstra(&graph, nodes[0], Some(end), |edge| *edge.weight())[&end]
 }
 
 /// Every objective.

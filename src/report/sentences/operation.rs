@@ -25,10 +25,10 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
     ),
     (
         "bore-drilled-first",
-        "отвір спершу свердлять: Ø{diameter} на глибину {depth} мм; діаметр - наш вибір: цілі міліметри, щонайменше на 1 мм \
-         на бік менше за чорновий отвір",
-        "the bore is drilled first: Ø{diameter}, {depth} mm deep; the diameter is our choice: whole millimetres, at least \
-         1 mm a side below the rough bore",
+        "отвір спершу свердлять: Ø{diameter} на глибину {depth} мм; діаметр - наш вибір: кратний {step} мм, щонайменше на \
+         {stock} мм на бік менше за чорновий отвір",
+        "the bore is drilled first: Ø{diameter}, {depth} mm deep; the diameter is our choice: a multiple of {step} mm, at \
+         least {stock} mm a side below the rough bore",
     ),
     (
         "bore-too-narrow-to-drill",
@@ -81,6 +81,15 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "bounds-exceeded",
         "{tool}: за t_p = {depth} мм перевищено: {bounds}",
         "{tool}: at t_p = {depth} mm these are exceeded: {bounds}",
+    ),
+    ("tool-order", "з придатних береться: {prefer}", "of those that fit this one is taken: {prefer}"),
+    ("turning-skin", "заготовка - {kind}, стан поверхні: {surface}", "blank: {kind}, its surface: {surface}"),
+    (
+        "returns-saved",
+        "одна зона замість окремих над кожною ділянкою: на однакових рівнях по {depth} мм проходів і повернень {joined} \
+         замість {split}",
+        "one zone in place of one over each part: on the same levels of {depth} mm {joined} passes and returns in place \
+         of {split}",
     ),
     ("turning-tool-taken", "{tool}: підходить для зон: {zones}", "{tool}: it fits this many zones: {zones}"),
     (

@@ -8,7 +8,6 @@ mod zones;
 use crate::knowledge::Knowledge;
 use crate::material::Material;
 use crate::note::Because;
-use crate::turning::contour::Side;
 use crate::turning::length::Half;
 use crate::turning::operation::Operation;
 use crate::turning::operation::programs::Written;
@@ -76,7 +75,7 @@ pub fn programs_list(programs: &[Written], lang: Lang) -> String {
         let line = line
             .replace("{number}", &(index + 1).to_string())
             .replace("{set_up}", &program.set_up.to_string())
-            .replace("{side}", term(side_name(program.side), lang))
+            .replace("{side}", term(program.side.name(), lang))
             .replace("{zones}", &zones.join(", "))
             .replace("{tool}", &program.tool);
         list.push_str(&line);
@@ -86,13 +85,6 @@ pub fn programs_list(programs: &[Written], lang: Lang) -> String {
         list.push('\n');
     }
     list
-}
-
-pub(super) const fn side_name(side: Side) -> &'static str {
-    match side {
-        Side::Outer => "outer",
-        Side::Inner => "inner",
-    }
 }
 
 /// A sentence with the row that it rests on.
@@ -149,7 +141,7 @@ fn allowances(operation: &Operation, lang: Lang) -> String {
                 |area: &crate::turning::allowances::areas::Area| figure(round_to(area.area_mm2.0, 2) + 0.0, lang);
             rows.push(vec![
                 set_up.set_up.number.to_string(),
-                term(side_name(side.side), lang).to_owned(),
+                term(side.side.name(), lang).to_owned(),
                 area(&areas.rough_main),
                 area(&areas.additional),
                 area(&areas.finish),

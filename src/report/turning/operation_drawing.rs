@@ -2,7 +2,6 @@
 
 use super::super::canvas::{Anchor, Canvas, Pen};
 use super::super::sentences::term;
-use super::operation::side_name;
 use super::view::{View, pen_of};
 use super::{Lang, figure};
 use crate::turning::contour::{Contour, Piece, Side};
@@ -67,9 +66,8 @@ fn layers(canvas: &mut Canvas, set_up: &SetUpWork, side: &SideWork, top: f64, la
     let tall = view.long(far.radius);
     let title =
         lang.pick("Установ {number}, {side}: припуски та зони", "Set-up {number}, {side}: allowances and zones");
-    let title = title
-        .replace("{number}", &set_up.set_up.number.to_string())
-        .replace("{side}", term(side_name(side.side), lang));
+    let title =
+        title.replace("{number}", &set_up.set_up.number.to_string()).replace("{side}", term(side.side.name(), lang));
     canvas.text((MARGIN, top + TITLE - 8.0), 15.0, Anchor::Start, &title);
     view.area(canvas, solid(&layers.part, far.radius), STEEL);
     let areas = [&layers.areas.rough_main, &layers.areas.additional, &layers.areas.finish];
@@ -146,7 +144,7 @@ fn way(
     );
     let title = title
         .replace("{number}", &set_up.set_up.number.to_string())
-        .replace("{side}", term(side_name(side.side), lang))
+        .replace("{side}", term(side.side.name(), lang))
         .replace("{zone}", &zone.zone.number.to_string())
         .replace("{scheme}", term(transition.scheme.name(), lang))
         .replace("{depth}", &figure(work.levels.depth, lang))

@@ -98,10 +98,8 @@ pub fn finishing(
                 found
             }
         };
-        if let Some((because, why)) = because.as_ref().and_then(|found| Some((found, found.unconfirmed.as_ref()?))) {
-            let row = because.row.map_or(String::new(), |row| row.to_string());
-            let note = Note::new("unconfirmed").with("table", &because.table).with("row", row).with("why", why);
-            let finding = Finding::of_part(Severity::Doubtful, note);
+        if let Some(doubt) = because.as_ref().and_then(Because::doubt) {
+            let finding = Finding::of_part(Severity::Doubtful, doubt);
             if !findings.contains(&finding) {
                 findings.push(finding);
             }

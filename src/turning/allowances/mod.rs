@@ -1,6 +1,6 @@
 //! What is left for finishing, and the rough contour that leaves it (lecture 12.2).
 //!
-//! - [`mod@capability`]: what the lathe cannot finish gets an intermediate allowance, and new elements replace the old ones;
+//! - [`mod@capability`]: what the lathe cannot finish gets an intermediate allowance;
 //! - [`mod@finishing`]: the finishing allowance of each surface, by table, from errors or as stated;
 //! - [`mod@equidistant`]: the rough contour, which keeps those allowances (the union of `union`, read back by `read_back`);
 //! - [`mod@areas`]: the three allowances as areas and volumes.
@@ -14,7 +14,7 @@ pub mod surfaces;
 mod union;
 
 pub use areas::{Area, Areas, areas, between};
-pub use capability::{Capability, CapabilityError, Elsewhere, Holds, capability};
+pub use capability::{Elsewhere, Holds, elsewhere};
 pub use equidistant::{EquidistantError, Over, equidistant, equidistant_over};
 pub use finishing::{Allowance, Errors, Method, allowance, finishing, least};
 pub use surfaces::Place;

@@ -24,6 +24,16 @@ pub enum Side {
     Inner,
 }
 
+impl Side {
+    /// Its name in files, tables and answers.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Outer => "outer",
+            Self::Inner => "inner",
+        }
+    }
+}
+
 /// Pieces that hang together: each begins where the one before it ends.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Contour {

@@ -53,12 +53,6 @@ pub struct Angles {
 impl Angles {
     /// The contouring tool by which the lecture tells main elements: φ = 95°, φ1 = 30° (12.1, l. 85-91).
     pub const CONTOURING: Self = Self { main: Degrees(95.0), secondary: Degrees(30.0), hand: Hand::Right };
-
-    /// With a clearance kept between the auxiliary edge and the metal: φ1 counts as so much less, not below 0.
-    #[must_use]
-    pub fn with_clearance(self, clearance: Degrees) -> Self {
-        Self { secondary: Degrees((self.secondary.0 - clearance.0).max(0.0)), ..self }
-    }
 }
 
 /// What an element of the contour is to a tool.

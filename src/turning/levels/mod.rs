@@ -69,7 +69,7 @@ impl Levels {
 
     /// How many levels lie over a cylinder, the last perhaps thinner: ⌈tᵢ / t_p⌉.
     pub fn count(&self, section: &Section, cylinder: &Cylinder) -> i64 {
-        divided_up(section.stock(cylinder), self.depth)
+        section.stock(cylinder).parts(self.depth)
     }
 
     /// How many levels of the full depth lie over a cylinder: ⌊tᵢ / t_p⌋.
@@ -81,15 +81,9 @@ impl Levels {
 fn stocks(sections: &[Section], limit: Half) -> Vec<Stock> {
     let of = |section: &Section, cylinder: &Cylinder| {
         let stock = section.stock(cylinder);
-        let passes = divided_up(stock, limit);
-        let mean = Half::new(divided_up(stock, Half::new(passes)));
+        let passes = stock.parts(limit);
+        let mean = stock.part(passes);
         Stock { cylinder: *cylinder, blank: section.blank, stock, passes, mean }
     };
     sections.iter().flat_map(|section| section.cylinders.iter().map(move |one| of(section, one))).collect()
-}
-
-/// A quotient, rounded up; the dividend is not negative.
-fn divided_up(size: Half, by: Half) -> i64 {
-    let by = by.halves().max(1);
-    (size.halves() + by - 1) / by
 }

@@ -3,7 +3,8 @@
 use serde::Serialize;
 
 use crate::error::{KnowledgeError, Refusal};
-use crate::note::{Finding, Note, Severity};
+use crate::knowledge::Input;
+use crate::note::{Because, Finding, Note, Severity};
 use crate::turning::cutting::{
     Cut, Direction, LimitingDepth, Speed, TurningConditions, conditions, limiting_depth, rough_feed,
 };
@@ -12,7 +13,6 @@ use crate::turning::schemes::rates;
 use crate::turning::shaft;
 use crate::turning::tooling::TurningTool;
 use crate::turning::transitions::Feeds;
-use crate::turning::workpiece::StockKind;
 use crate::units::{Micrometres, MillimetresPerMinute};
 
 use super::tools::Bench;
@@ -68,12 +68,13 @@ pub fn depth(
     if let Some(given) = bench.workpiece.roughing.limiting_depth {
         return Ok(Some(Depth { limiting_depth_mm: Half::of(given), given: true, limit: None }));
     }
-    let Some(cut) = cut(task, bench) else {
+    let Some((cut, skin)) = cut(task, bench)? else {
         findings.push(Finding::of_part(Severity::Error, Note::new("no-limiting-depth")));
         return Ok(None);
     };
     match Refusal::split(limit(&cut, task.stock))? {
-        Ok((limit, depth)) => {
+        Ok((mut limit, depth)) => {
+            limit.because.push(skin);
             findings.extend(limit.findings());
             if depth <= Half::ZERO {
                 let note = Note::new("no-depth-allowed").with("tool", task.tool.designation);
@@ -98,9 +99,9 @@ const MOST_PASSES: i64 = 60;
 fn limit(cut: &Cut<'_, '_>, stock: Half) -> Result<(LimitingDepth, Half), Refusal> {
     let mut first: Option<Result<LimitingDepth, Refusal>> = None;
     for passes in 1..=MOST_PASSES {
-        let depth = Half::new((stock.halves() + passes - 1) / passes);
-        let whole = Micrometres::new((depth.halves() + 1) / 2);
-        let found = rough_feed(cut, whole).and_then(|feed| limiting_depth(cut, feed.feed, Speed::WithinPower));
+        let depth = stock.part(passes);
+        let found =
+            rough_feed(cut, depth.rounded_up()).and_then(|feed| limiting_depth(cut, feed.feed, Speed::WithinPower));
         match found {
             Err(Refusal::Knowledge(error)) => return Err(Refusal::Knowledge(error)),
             Ok(found) if found.depth_mm.is_some_and(|limit| Half::of(limit) >= depth) => {
@@ -120,21 +121,19 @@ fn limit(cut: &Cut<'_, '_>, stock: Half) -> Result<(LimitingDepth, Half), Refusa
     }
 }
 
-fn cut<'a, 'k>(task: Task<'a, 'k>, bench: &'a Bench<'_, 'k>) -> Option<Cut<'a, 'k>> {
-    let surface = match bench.workpiece.blank.kind {
-        StockKind::Bar | StockKind::Tube => "rolled",
-        StockKind::Forging => "forged",
-        StockKind::Casting => "cast",
-    };
-    Some(Cut {
-        knowledge: bench.knowledge,
-        lathe: bench.lathe?,
-        tool: task.tool,
-        material: &bench.material,
-        diameter: task.diameter,
-        direction: task.direction,
-        surface,
-    })
+/// What is cut, through the skin that the rule `turning-skin` says the blank has, with the row that says it; none without a
+/// lathe.
+fn cut<'a, 'k>(task: Task<'a, 'k>, bench: &'a Bench<'_, 'k>) -> Result<Option<(Cut<'a, 'k>, Because)>, KnowledgeError> {
+    let Some(lathe) = bench.lathe else { return Ok(None) };
+    let (knowledge, kind) = (bench.knowledge, bench.workpiece.blank.kind.name());
+    let rule = knowledge.table("turning-skin")?;
+    let answer = rule.decide(&[("stock", Input::Text(kind))])?;
+    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, kind))?;
+    let surface = row.text("surface")?;
+    let because = Because::answer(&answer, Note::new("turning-skin").with("kind", kind).with("surface", surface));
+    let (tool, material) = (task.tool, &bench.material);
+    let (diameter, direction) = (task.diameter, task.direction);
+    Ok(Some((Cut { knowledge, lathe, tool, material, diameter, direction, surface }, because)))
 }
 
 /// Rates and distances at a depth of passes: those of the file before those of the conditions before those of the table
@@ -149,11 +148,11 @@ pub fn pace(
     findings: &mut Vec<Finding>,
 ) -> Result<Pace, KnowledgeError> {
     let given = bench.workpiece.rates;
-    let conditions = match cut(task, bench) {
+    let conditions = match cut(task, bench)? {
         None => None,
-        // Rounded up to a whole micrometre.
-        Some(cut) => match Refusal::split(conditions(&cut, Micrometres::new((depth.halves() + 1) / 2), None))? {
-            Ok(found) => {
+        Some((cut, skin)) => match Refusal::split(conditions(&cut, depth.rounded_up(), None))? {
+            Ok(mut found) => {
+                found.because.push(skin);
                 findings.extend(found.findings());
                 if !found.exceeded.is_empty() {
                     let bounds: Vec<String> = found.exceeded.iter().map(|bound| bound.name().to_owned()).collect();

@@ -27,7 +27,7 @@ fn of_side(side: &SideWork) -> Vec<&Because> {
 fn of_zone(work: &ZoneWork) -> Vec<&Because> {
     let mut rows = vec![&work.zone.because, &work.zone.scheme.because];
     rows.extend(work.zone.parts.iter().map(|part| &part.because));
-    rows.extend(work.tool.iter().map(|tool| &tool.because));
+    rows.extend(work.tool.iter().flat_map(|tool| [&tool.because, &tool.because_order]));
     if let Some(limit) = work.depth.as_ref().and_then(|depth| depth.limit.as_ref()) {
         rows.extend(limit.because.iter().chain(limit.bounds.iter().flat_map(|bound| &bound.because)));
     }

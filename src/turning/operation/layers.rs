@@ -15,6 +15,7 @@ use crate::turning::workpiece::{Allowances, Workpiece};
 use crate::turning::zones::{SetUp, Stretch};
 use crate::units::Micrometres;
 
+use super::drill::{self, Drilled};
 use super::tools::Bench;
 
 /// The layers of one side in a set-up, in its coordinates: Z = 0 at the end that is free in it.
@@ -25,6 +26,9 @@ pub struct Layers {
     /// The blank, as far as this set-up turns it; of a bore into solid metal the drilled hole.
     #[serde(skip)]
     pub blank: Contour,
+    /// That hole, where there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub drilled_first: Option<Drilled>,
     /// The rough contour.
     pub rough: Contour,
     /// The contour that this lathe leaves after finishing: the main one, with what stays for other machines.
@@ -108,11 +112,13 @@ pub fn layers(
     };
     let finish = between(&rough, &left);
     let rough = up_to(rough, face);
-    let Some((blank, rough)) = blank(&rough, set_up, workpiece, findings) else { return Ok(None) };
+    let Some(Standing { blank, rough, drilled_first }) = standing(&rough, set_up, bench, findings)? else {
+        return Ok(None);
+    };
     let part = stretch.profile.contour();
     let mut areas = areas(&blank, &rough, main, &part);
     areas.finish = finish;
-    Ok(Some(Layers { allowances, blank, rough, left, main: main.clone(), part, areas }))
+    Ok(Some(Layers { allowances, blank, drilled_first, rough, left, main: main.clone(), part, areas }))
 }
 
 /// A rough bore from the rough face on: before its own beginning stands the allowance of the face.
@@ -169,10 +175,13 @@ pub fn before_face(
     let at = |point: Point| Point { radius: point.radius, z: point.z - distance };
     let rough = Contour { side: Side::Outer, pieces: vec![face.mapped(false, at)] };
     let finish = between(&rough, &main);
-    let Some((blank, rough)) = blank(&rough, set_up, workpiece, findings) else { return Ok(None) };
+    let Some(Standing { blank, rough, drilled_first }) = standing(&rough, set_up, bench, findings)? else {
+        return Ok(None);
+    };
     let mut areas = areas(&blank, &rough, &main, &main);
     areas.finish = finish;
-    Ok(Some(Layers { allowances: Vec::new(), blank, rough, left: main.clone(), part: main.clone(), main, areas }))
+    let (left, part) = (main.clone(), main.clone());
+    Ok(Some(Layers { allowances: Vec::new(), blank, drilled_first, rough, left, main, part, areas }))
 }
 
 fn method(allowances: &Allowances) -> Method {
@@ -219,14 +228,23 @@ fn same_carrier(one: &Piece, other: &Piece) -> bool {
     }
 }
 
-/// The blank over a rough contour in the coordinates of the set-up, and the rough contour as far as the blank stands.
-fn blank(
+/// What stands over a rough contour in the coordinates of the set-up.
+struct Standing {
+    /// The blank, or the hole that is drilled into it.
+    blank: Contour,
+    /// The rough contour as far as the blank stands.
+    rough: Contour,
+    drilled_first: Option<Drilled>,
+}
+
+fn standing(
     rough: &Contour,
     set_up: &SetUp,
-    workpiece: &Workpiece,
+    bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
-) -> Option<(Contour, Contour)> {
-    let (start, end) = (rough.start()?, rough.end()?);
+) -> Result<Option<Standing>, KnowledgeError> {
+    let workpiece = bench.workpiece;
+    let (Some(start), Some(end)) = (rough.start(), rough.end()) else { return Ok(None) };
     let seen =
         |contour: &Contour| if set_up.turned_over { contour.turned_over(workpiece.length()) } else { contour.clone() };
     let reach = |contour: &Contour| {
@@ -245,12 +263,13 @@ fn blank(
         let outer = if set_up.turned_over { faced(outer, workpiece.blank.inner.as_ref()) } else { outer };
         let blank = reach(&outer);
         let rough = behind_blank(rough, &blank, findings);
-        return Some((blank, rough));
+        return Ok(Some(Standing { blank, rough, drilled_first: None }));
     }
     if let Some(inner) = &workpiece.blank.inner {
-        return Some((reach(&seen(inner)), rough.clone()));
+        return Ok(Some(Standing { blank: reach(&seen(inner)), rough: rough.clone(), drilled_first: None }));
     }
-    drilled(rough, findings)
+    let drilled = drill::before_boring(rough, bench.knowledge, findings)?;
+    Ok(drilled.map(|(drilled, rough)| Standing { blank: drilled.contour(&rough), rough, drilled_first: Some(drilled) }))
 }
 
 /// The rough contour from where the blank begins: where the stock on the face is thinner than its allowance, which is told.
@@ -289,28 +308,4 @@ fn faced(mut blank: Contour, inner: Option<&Contour>) -> Contour {
         }
     }
     blank
-}
-
-/// The hole that is drilled before a solid blank is bored: in whole millimetres, at least one smaller on the side than the
-/// narrowest place of the rough bore. Ours, and told.
-fn drilled(rough: &Contour, findings: &mut Vec<Finding>) -> Option<(Contour, Contour)> {
-    let narrow = rough.pieces.iter().filter(|piece| !piece.is_face()).flat_map(|piece| [piece.from, piece.to]);
-    let narrow = narrow.map(|point| point.radius).min()?;
-    let whole = (narrow - Half::from(1.0)).diameter().micrometres() / 1000;
-    if whole < 3 {
-        let note = Note::new("bore-too-narrow-to-drill").with("diameter", narrow.diameter());
-        findings.push(Finding::of_part(Severity::Error, note));
-        return None;
-    }
-    let radius = Half::radius_of(Micrometres::from_mm(whole));
-    // A blind bore ends with its bottom, of which the drill has taken the middle.
-    let mut rough = rough.clone();
-    if let Some(bottom) = rough.pieces.last_mut().filter(|last| last.is_face() && last.to.radius < radius) {
-        bottom.to.radius = radius;
-    }
-    let (start, end) = (rough.start()?, rough.end()?);
-    let note = Note::new("bore-drilled-first").with("diameter", radius.diameter()).with("depth", end.z);
-    findings.push(Finding::of_part(Severity::Note, note));
-    let points = [Point { radius, z: start.z }, Point { radius, z: end.z }];
-    Some((Contour::through(Side::Inner, &points), rough))
 }

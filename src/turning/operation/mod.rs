@@ -14,6 +14,7 @@
 mod clip;
 pub mod depth;
 mod doubts;
+pub mod drill;
 pub mod layers;
 mod level;
 mod pocket;

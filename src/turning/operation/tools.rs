@@ -1,11 +1,11 @@
 //! Which tools rough a side: of those that fit the zones, as few as possible.
 
-use std::cmp::Reverse;
+use std::cmp::Ordering;
 
 use serde::Serialize;
 
 use crate::error::KnowledgeError;
-use crate::knowledge::Knowledge;
+use crate::knowledge::{Input, Knowledge};
 use crate::material::Material;
 use crate::note::{Because, Note};
 use crate::turning::allowances::capability::Elsewhere;
@@ -49,10 +49,60 @@ pub struct Taken {
     pub width_mm: Option<Micrometres>,
     /// Its row, and why this one.
     pub because: Because,
+    /// By what it comes before others that fit as many zones.
+    pub because_order: Because,
 }
 
-/// The tools that may rough a side: of the right hand or neutral, with a shank that the lathe clamps and a known nose radius. First
-/// that with the least φ1, whose point is the strongest, and of equals that with the largest shank.
+/// What tools that fit are put in order by: the answers of the rule `turning-tool-order`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Preference {
+    LeastTrailAngle,
+    LargestShank,
+    WidestBlade,
+}
+
+impl Preference {
+    const NAMES: [(&'static str, Self); 3] = [
+        ("least-trail-angle", Self::LeastTrailAngle),
+        ("largest-shank", Self::LargestShank),
+        ("widest-blade", Self::WidestBlade),
+    ];
+
+    /// Which of two tools comes first by it alone.
+    fn compare(self, one: &TurningTool<'_>, other: &TurningTool<'_>) -> Ordering {
+        match self {
+            Self::LeastTrailAngle => one.trail_angle.cmp(&other.trail_angle),
+            Self::LargestShank => other.shank.map(thickness).cmp(&one.shank.map(thickness)),
+            Self::WidestBlade => other.width.cmp(&one.width),
+        }
+    }
+}
+
+/// What counts among tools of a kind, what counts most first, and the row that says so.
+fn order(kind: ToolKind, knowledge: &Knowledge) -> Result<(Vec<Preference>, Because), KnowledgeError> {
+    const TABLE: &str = "turning-tool-order";
+    let rule = knowledge.table(TABLE)?;
+    let answer = rule.decide(&[("kind", Input::Text(kind.name()))])?;
+    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, kind.name()))?;
+    let names = row.texts("prefer")?;
+    let known = |name: &&str| Preference::NAMES.iter().find(|(known, _)| known == name).map(|(_, found)| *found);
+    let found: Option<Vec<Preference>> = names.iter().map(known).collect();
+    let found = found.ok_or_else(|| KnowledgeError::lacks(TABLE, "`prefer` has a name that planning does not know"))?;
+    Ok((found, Because::answer(&answer, Note::new("tool-order").with("prefer", names.join(", ")))))
+}
+
+/// Tools of a kind in that order; equals stay in that of their tables.
+fn put_in_order(tools: &mut [TurningTool<'_>], kind: ToolKind, knowledge: &Knowledge) -> Result<(), KnowledgeError> {
+    let (order, _) = order(kind, knowledge)?;
+    tools.sort_by(|one, other| {
+        let decided = order.iter().map(|preference| preference.compare(one, other));
+        decided.fold(Ordering::Equal, Ordering::then)
+    });
+    Ok(())
+}
+
+/// The tools that may rough a side: of the right hand or neutral, with a shank that the lathe clamps and a known nose
+/// radius; in the order of the rule `turning-tool-order`.
 ///
 /// # Errors
 /// A table of tools is broken.
@@ -64,12 +114,12 @@ pub fn candidates<'k>(side: Side, bench: &Bench<'_, 'k>) -> Result<Vec<TurningTo
     let mut tools = TurningTool::all(bench.knowledge)?;
     tools.retain(|tool| (tool.kind, tool.works) == wanted && tool.hand != Hand::L && tool.nose_radius.is_some());
     tools.retain(|tool| bench.lathe.is_none_or(|lathe| lathe.refuses_tool(tool).is_none()));
-    tools.sort_by_key(|tool| (tool.trail_angle, Reverse(tool.shank.map(thickness))));
+    put_in_order(&mut tools, wanted.0, bench.knowledge)?;
     Ok(tools)
 }
 
-/// The tools for additional elements: those that rough the side, then grooving tools, the widest first, because it takes the
-/// fewest plunges.
+/// The tools for additional elements: those that rough the side, then grooving tools, each in the order of the rule
+/// `turning-tool-order`.
 ///
 /// # Errors
 /// A table of tools is broken.
@@ -83,7 +133,7 @@ pub fn for_valleys<'k>(side: Side, bench: &Bench<'_, 'k>) -> Result<Vec<TurningT
         tool.kind == ToolKind::Grooving && tool.works == works && tool.hand != Hand::L && tool.width.is_some()
     });
     plunging.retain(|tool| bench.lathe.is_none_or(|lathe| lathe.refuses_tool(tool).is_none()));
-    plunging.sort_by_key(|tool| Reverse(tool.width));
+    put_in_order(&mut plunging, ToolKind::Grooving, bench.knowledge)?;
     let mut tools = candidates(side, bench)?;
     tools.extend(plunging);
     Ok(tools)
@@ -139,8 +189,12 @@ pub fn assign(zones: &[Zone], tools: &[ToolAngles]) -> Vec<Option<usize>> {
 }
 
 /// A tool as it is told.
-pub fn told(tool: &TurningTool<'_>, zones: usize) -> Taken {
-    Taken {
+///
+/// # Errors
+/// The knowledge base lacks the rule `turning-tool-order`, or a row of it.
+pub fn told(tool: &TurningTool<'_>, zones: usize, bench: &Bench<'_, '_>) -> Result<Taken, KnowledgeError> {
+    let (_, because_order) = order(tool.kind, bench.knowledge)?;
+    Ok(Taken {
         width_mm: tool.width,
         designation: tool.designation.to_owned(),
         main_angle_deg: Degrees(tool.lead_angle.to_f64()),
@@ -150,5 +204,6 @@ pub fn told(tool: &TurningTool<'_>, zones: usize) -> Taken {
             tool.row,
             Note::new("turning-tool-taken").with("tool", tool.designation).with("zones", zones),
         ),
-    }
+        because_order,
+    })
 }

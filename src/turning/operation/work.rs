@@ -13,8 +13,7 @@ use crate::turning::tooling::TurningTool;
 use crate::turning::transitions::measures::{Best, best};
 use crate::turning::transitions::split::Split;
 use crate::turning::transitions::{self, Scheme, Settings, Stock, Transition};
-use crate::turning::workpiece;
-use crate::turning::zones::{self, Feed, Fit, Stretch, Zone, fit};
+use crate::turning::zones::{self, Feed, Fit, Returns, Stretch, Zone, fit, idle_returns};
 use crate::units::{Degrees, Micrometres};
 
 use super::depth::{self, Depth, Pace, Task};
@@ -37,6 +36,10 @@ pub struct ZoneWork {
     pub depth: Option<Depth>,
     /// What is cleared by itself, in the order of work.
     pub works: Vec<Work>,
+    /// What it saves that its parts are one zone (fig. 12.5), on levels of its largest t_p, whatever the schemes; none of a
+    /// zone of one part, and of a face.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub returns: Option<Returns>,
 }
 
 impl ZoneWork {
@@ -172,9 +175,9 @@ pub fn additional(
             let ways = tool.filter(|tool| !tool.plunges());
             let mut work = match ways {
                 Some(tool) => zone_work(&zone, Some(tool), 1, &angles, ground, bench, findings)?,
-                None => ZoneWork { zone, fit: held, tool: None, depth: None, works: Vec::new() },
+                None => ZoneWork { zone, fit: held, tool: None, depth: None, works: Vec::new(), returns: None },
             };
-            work.tool = tool.map(|tool| tools::told(tool, 1));
+            work.tool = tool.map(|tool| tools::told(tool, 1, bench)).transpose()?;
             works.push(work);
         }
     }
@@ -211,14 +214,15 @@ fn zone_work(
     findings: &mut Vec<Finding>,
 ) -> Result<ZoneWork, KnowledgeError> {
     let held = fit(zone, angles);
-    let mut work = ZoneWork { zone: zone.clone(), fit: held, tool: None, depth: None, works: Vec::new() };
+    let mut work =
+        ZoneWork { zone: zone.clone(), fit: held, tool: None, depth: None, works: Vec::new(), returns: None };
     let Some(tool) = tool else {
-        let note = Note::new("no-tool-for-zone").with("zone", zone.number).with("side", side(ground.rough.side));
+        let note = Note::new("no-tool-for-zone").with("zone", zone.number).with("side", ground.rough.side.name());
         let note = note.with("main", zone.needs.main.0).with("secondary", zone.needs.secondary.0);
         findings.push(Finding::of_part(Severity::Error, note));
         return Ok(work);
     };
-    work.tool = Some(tools::told(tool, count));
+    work.tool = Some(tools::told(tool, count, bench)?);
     let (direction, stocks) = match zone.feed {
         Feed::Across => (Direction::Transverse, vec![(facing(zone, ground.rough), 0)]),
         Feed::Along => {
@@ -244,6 +248,9 @@ fn zone_work(
         left = done.transition().map(|transition| transition.left.clone());
         work.works.push(done);
     }
+    let deepest = work.works.iter().map(|work| work.levels.depth).max();
+    let joined = zone.feed == Feed::Along && zone.parts.len() > 1;
+    work.returns = deepest.filter(|_| joined).map(|depth| idle_returns(zone, depth));
     Ok(work)
 }
 
@@ -318,10 +325,8 @@ fn clear(
 /// The levels of a stock. Before a face the passes go across, so its thickness is divided, not its height.
 fn levels(stock: &Stock, limit: Half, feed: Feed) -> Split {
     if feed == Feed::Across {
-        let thick = (stock.to - stock.from).halves();
-        let limit = limit.halves().max(1);
-        let passes = ((thick + limit - 1) / limit).max(1);
-        return Split { depth: Half::new((thick + passes - 1) / passes), sections: Vec::new() };
+        let thick = stock.to - stock.from;
+        return Split { depth: thick.part(thick.parts(limit)), sections: Vec::new() };
     }
     match stock.rough.side {
         Side::Outer => Split::of(&stock.rough, &stock.blank, limit),
@@ -338,16 +343,8 @@ fn wanted(zone: &Zone, index: usize, bench: &Bench<'_, '_>) -> Option<Scheme> {
         return Some(Scheme::Descent);
     }
     if let Some(asked) = bench.workpiece.roughing.scheme {
-        let name = workpiece::Scheme::NAMES.iter().find(|(_, scheme)| *scheme == asked).map(|(name, _)| *name)?;
-        return Scheme::ALL.into_iter().find(|scheme| scheme.name() == name);
+        return Some(Scheme::from(asked));
     }
     let name = zone.scheme.schemes.get(index).or_else(|| zone.scheme.schemes.last())?;
     Scheme::ALL.into_iter().find(|scheme| scheme.name() == name)
-}
-
-const fn side(side: Side) -> &'static str {
-    match side {
-        Side::Outer => "outer",
-        Side::Inner => "inner",
-    }
 }

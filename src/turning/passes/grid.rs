@@ -115,8 +115,7 @@ impl Grid {
 
 /// How many states the grid of a shaft has, without making it.
 pub fn states(shaft: &Shaft) -> u64 {
-    let parts =
-        |size: Half, depth: Half| size.halves().max(0).unsigned_abs().div_ceil(depth.halves().max(1).unsigned_abs());
+    let parts = |size: Half, depth: Half| size.parts(depth).unsigned_abs();
     let (longitudinal, transverse) =
         (Half::of(shaft.roughing.longitudinal_depth), Half::of(shaft.roughing.transverse_depth));
     let (mut levels, mut slices, mut outer) = (1_u64, 1_u64, Half::radius_of(shaft.blank.diameter));
@@ -148,8 +147,8 @@ fn cylinders(shaft: &Shaft) -> Vec<Cylinder> {
 
 /// A size in depths: where each begins and ends.
 fn divide(size: Half, depth: Half, division: Division) -> Vec<(Half, Half)> {
+    let count = size.parts(depth);
     let (size, depth) = (size.halves(), depth.halves().max(1));
-    let count = (size.max(0) + depth - 1) / depth;
     let end = |part: i64| match division {
         Division::Full => (part * depth).min(size),
         // Whole halves of a micrometre, none above the depth: rounding a multiple of size/count keeps neighbours

@@ -86,7 +86,7 @@ impl Cycles {
         for direction in [Direction::Longitudinal, Direction::Facing] {
             for side in [Side::Outer, Side::Inner] {
                 if found.cycle(direction, side).is_none() {
-                    let wanted = format!("control {control}, {} {}", direction.name(), side_name(side));
+                    let wanted = format!("control {control}, {} {}", direction.name(), side.name());
                     return Err(KnowledgeError::no_row(table, &wanted));
                 }
             }
@@ -113,7 +113,7 @@ impl Cycles {
     }
 
     fn cycle(&self, direction: Direction, side: Side) -> Option<&Cycle> {
-        self.cycles.iter().find(|cycle| cycle.direction == direction.name() && cycle.side == side_name(side))
+        self.cycles.iter().find(|cycle| cycle.direction == direction.name() && cycle.side == side.name())
     }
 
     /// The function that calls the cycle of a task.
@@ -145,12 +145,5 @@ impl Cycles {
             }
         };
         self.fields.iter().map(|field| (field.name.as_str(), value(field))).collect()
-    }
-}
-
-const fn side_name(side: Side) -> &'static str {
-    match side {
-        Side::Outer => "outer",
-        Side::Inner => "inner",
     }
 }

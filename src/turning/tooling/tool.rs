@@ -199,15 +199,21 @@ fn word<'k, T>(row: RowRef<'k>, column: &str, of: fn(&str) -> Option<T>) -> Resu
 }
 
 impl ToolKind {
+    const ALL: [Self; 5] = [Self::Turning, Self::Boring, Self::Grooving, Self::FaceGrooving, Self::Threading];
+
+    /// Its name in tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Turning => "turning",
+            Self::Boring => "boring",
+            Self::Grooving => "grooving",
+            Self::FaceGrooving => "face-grooving",
+            Self::Threading => "threading",
+        }
+    }
+
     fn of(text: &str) -> Option<Self> {
-        Some(match text {
-            "turning" => Self::Turning,
-            "boring" => Self::Boring,
-            "grooving" => Self::Grooving,
-            "face-grooving" => Self::FaceGrooving,
-            "threading" => Self::Threading,
-            _ => return None,
-        })
+        Self::ALL.into_iter().find(|kind| kind.name() == text)
     }
 }
 

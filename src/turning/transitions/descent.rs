@@ -50,9 +50,9 @@ fn places(course: &Course<'_>, edge: Half) -> Vec<Half> {
     let mut filled = Vec::new();
     let mut before = ground.from();
     for place in places {
-        let width = (place - before).halves();
-        let parts = (width + edge.halves() - 1) / edge.halves().max(1);
-        filled.extend((1..=parts).map(|part| Half::new(before.halves() + width * part / parts)));
+        let width = place - before;
+        let parts = width.parts(edge);
+        filled.extend((1..=parts).map(|part| Half::new(before.halves() + width.halves() * part / parts)));
         before = place;
     }
     filled

@@ -43,6 +43,7 @@ use super::contour::{Contour, Side};
 use super::length::Half;
 use super::point::Point;
 use super::way::{Move, Purpose, Way};
+use super::workpiece;
 use course::Course;
 use equidistant::Offset;
 use ground::Ground;
@@ -175,6 +176,21 @@ impl Scheme {
             Self::SemiFinishing => "semi-finishing",
             Self::Equidistant => "equidistant",
             Self::Contour => "contour",
+        }
+    }
+}
+
+/// The scheme that a file asks for. Against a stop is no wish of a file.
+impl From<workpiece::Scheme> for Scheme {
+    fn from(asked: workpiece::Scheme) -> Self {
+        match asked {
+            workpiece::Scheme::Loop => Self::Loop,
+            workpiece::Scheme::Zigzag => Self::Zigzag,
+            workpiece::Scheme::Descent => Self::Descent,
+            workpiece::Scheme::PickUp => Self::PickUp,
+            workpiece::Scheme::SemiFinishing => Self::SemiFinishing,
+            workpiece::Scheme::Equidistant => Self::Equidistant,
+            workpiece::Scheme::Contour => Self::Contour,
         }
     }
 }

@@ -174,18 +174,12 @@ fn stands(ground: &Ground, section: &Section, limit: Half) -> Vec<Stand> {
         let part = super::ground::clipped(piece, section.from, section.to)?;
         let deepest = part.from.radius.min(part.to.radius);
         let stock = section.top - deepest;
-        let passes = divided_up(stock, limit);
-        let mean = Half::new(divided_up(stock, Half::new(passes)));
+        let passes = stock.parts(limit);
+        let mean = stock.part(passes);
         let stand = Stand { from: part.from.z, to: part.to.z, deepest, stock, passes, mean };
         (stock > Half::ZERO).then_some(stand)
     };
     ground.pieces.iter().filter(|piece| !piece.is_face()).filter_map(of).collect()
-}
-
-/// A quotient, rounded up; the dividend is not negative.
-fn divided_up(size: Half, by: Half) -> i64 {
-    let by = by.halves().max(1);
-    (size.halves() + by - 1) / by
 }
 
 #[cfg(test)]

@@ -161,14 +161,10 @@ impl Walk<'_, '_, '_> {
     }
 
     fn push(&mut self, item: &Item, kind: SurfaceKind, pieces: Vec<Piece>) {
-        let side = match self.walked.side {
-            Side::Outer => "outer",
-            Side::Inner => "inner",
-        };
         let said = &item.said;
         let name = match &said.name {
             Some((name, _)) => name.clone(),
-            None => format!("{side} {}", self.walked.surfaces.len() + 1),
+            None => format!("{} {}", self.walked.side.name(), self.walked.surfaces.len() + 1),
         };
         let (grade, roughness, stated_allowance) = (said.grade, said.roughness, said.allowance);
         let surface = Surface { name, kind, pieces, grade, roughness, stated_allowance };

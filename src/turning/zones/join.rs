@@ -81,9 +81,11 @@ fn passage(stock: Stock<'_>, from: Half, to: Half) -> Half {
     [before, along, inside].into_iter().flatten().min().unwrap_or_default()
 }
 
-/// How many returns of the tool joining saves.
+/// How many returns of the tool joining saves, on the same levels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Returns {
+    /// The depth of the levels, mm.
+    pub depth_mm: Half,
     /// Where the stock over each part is cleared by itself (fig. 12.5 а).
     pub split: usize,
     /// Where a pass goes on over neighbouring parts (fig. 12.5 б, в).
@@ -100,7 +102,7 @@ pub fn idle_returns(zone: &Zone, depth: Half) -> Returns {
     let mut parts: Vec<&Part> = zone.parts.iter().collect();
     parts.sort_by_key(|part| part.from_z);
     if depth <= Half::ZERO {
-        return Returns { split: 0, joined: 0, saved: 0 };
+        return Returns { depth_mm: depth, split: 0, joined: 0, saved: 0 };
     }
     let top = parts.iter().map(|part| part.top).max().unwrap_or_default();
     let lowest = parts.iter().map(|part| part.floor).min().unwrap_or_default();
@@ -119,5 +121,5 @@ pub fn idle_returns(zone: &Zone, depth: Half) -> Returns {
         }
         above = above - depth;
     }
-    Returns { split, joined, saved: split - joined }
+    Returns { depth_mm: depth, split, joined, saved: split - joined }
 }

@@ -8,7 +8,7 @@ use crate::turning::zones::Stretch;
 use super::super::super::sentences::term;
 use super::super::super::{Lang, grid, sentence};
 use super::super::figure;
-use super::{reasoned, side_name, z};
+use super::{reasoned, z};
 
 pub(super) fn surfaces(operation: &Operation, set_up: &SetUpWork, lang: Lang) -> String {
     let one = &set_up.set_up;
@@ -23,7 +23,7 @@ pub(super) fn surfaces(operation: &Operation, set_up: &SetUpWork, lang: Lang) ->
     for (side, stretch) in [(Side::Outer, &one.outer), (Side::Inner, &one.inner)] {
         let Some(stretch) = stretch else { continue };
         let work = set_up.sides.iter().find(|work| work.side == side);
-        page.push_str(&grid::paragraph(term(side_name(side), lang), 2));
+        page.push_str(&grid::paragraph(term(side.name(), lang), 2));
         page.push_str(&elements(operation, stretch, work, lang));
     }
     page

@@ -1,5 +1,6 @@
 //! The zones with their tools and depths, and those of additional elements.
 
+use crate::note::Note;
 use crate::turning::contour::Side;
 use crate::turning::operation::work::ZoneWork;
 use crate::turning::operation::{Operation, SetUpWork, SideWork};
@@ -9,7 +10,7 @@ use crate::units::round_to;
 use super::super::super::sentences::term;
 use super::super::super::{Lang, grid, sentence};
 use super::super::figure;
-use super::{side_name, z};
+use super::z;
 
 pub(super) fn zones(operation: &Operation, lang: Lang) -> String {
     let head = [
@@ -77,6 +78,11 @@ pub(super) fn zones(operation: &Operation, lang: Lang) -> String {
             let line = line.replace("{name}", &name).replace("{feed}", &figure(limit.feed_mm_per_rev.0, lang));
             told.push(line.replace("{bounds}", &bounds));
         }
+        if let Some(returns) = one.returns.filter(|returns| returns.saved > 0) {
+            let note = Note::new("returns-saved").with("depth", returns.depth_mm);
+            let note = note.with("joined", returns.joined).with("split", returns.split);
+            told.push(format!("{name}: {}", sentence(&note, lang)));
+        }
         for refused in &one.fit.refused {
             let why: Vec<String> = refused.why.iter().map(|why| sentence(why, lang)).collect();
             let line = lang.pick("{name}: не {tool}: {why}", "{name}: not {tool}: {why}");
@@ -124,7 +130,7 @@ pub(super) fn additional(operation: &Operation, lang: Lang) -> String {
             }
             rows.push(vec![
                 set_up.set_up.number.to_string(),
-                term(side_name(side.side), lang).to_owned(),
+                term(side.side.name(), lang).to_owned(),
                 span,
                 format!(
                     "{} … {}",

@@ -1,0 +1,85 @@
+//! Centring: how wide its spot is, by the rule `centre-spot`, and which edge it makes.
+
+use crate::cutting::{self, Cut};
+use crate::error::{KnowledgeError, Tried};
+use crate::knowledge::units::Unit;
+use crate::knowledge::{Input, Knowledge, RowRef};
+use crate::note::{Because, Note};
+use crate::part::Face;
+use crate::plan::Feature;
+use crate::route::bores::Edge;
+use crate::route::{Place, Step};
+use crate::units::Micrometres;
+
+use super::{Fitted, Fitting};
+
+/// The point angle of the centring drills (A.14: 2φ = 90°), thousandths of a degree.
+const CENTRING_ANGLE: u32 = 90_000;
+
+impl<'k> Fitting<'_, 'k> {
+    /// The edge at the entry that centring makes with its spot, by the rule `centre-spot`: a chamfer or a
+    /// countersink of 90° around the main cylinder, where a centring drill of the catalogs is wide enough.
+    pub fn edge_by_centring(&self) -> Result<Option<Edge>, KnowledgeError> {
+        let around = self.hole.diameter.nominal;
+        // A face that is cut after it would take the spot away.
+        if self.edges.iter().any(|edge| edge.feature == Feature::Face) {
+            return Ok(None);
+        }
+        let edge = self.edges.iter().find(|edge| {
+            edge.face == Face::Entry
+                && edge.start == Micrometres::ZERO
+                && matches!(edge.feature, Feature::Chamfer | Feature::Countersink)
+                && edge.angle_millideg == CENTRING_ANGLE
+                && edge.around == around
+                && edge.diameter <= self.widest_spot
+        });
+        let Some(edge) = edge else { return Ok(None) };
+        Ok((self.spot_rule(true)?.text("spot")? == "chamfer").then_some(*edge))
+    }
+
+    fn spot_rule(&self, chamfer: bool) -> Result<RowRef<'k>, KnowledgeError> {
+        let rule = self.shop.knowledge.table("centre-spot")?;
+        let diameter = ("diameter", Input::Length(self.hole.diameter.nominal));
+        let answer = rule.decide(&[("chamfer", Input::Bool(chamfer)), diameter])?;
+        answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this hole"))
+    }
+
+    /// Centring: the spot by the rule `centre-spot`; its tool is chosen for the whole part.
+    pub(super) fn centre(&self, step: Step, drill: Micrometres) -> Tried<Fitted> {
+        let (row, spot, note) = match self.edge_by_centring()? {
+            Some(edge) => (self.spot_rule(true)?, edge.diameter, Note::new("spot-by-chamfer")),
+            None => {
+                // Where no centring drill is wide enough for the chamfer, the spot is that of a hole without one.
+                let row = match self.spot_rule(self.hole.chamfer.is_some())? {
+                    row if row.text("spot")? == "chamfer" => self.spot_rule(false)?,
+                    row => row,
+                };
+                let share = row.number_in("share", Unit::None)?;
+                let spot = Micrometres::from_mm_rounded(drill.to_mm() * share);
+                // A spot of 90° is half as deep as wide: in a thin plate it stays within half of the hole.
+                let most = self.hole.depth;
+                if spot > most {
+                    (row, most, Note::new("spot-by-depth").with("share", share))
+                } else {
+                    (row, spot, Note::new("spot-by-drill").with("share", share))
+                }
+            }
+        };
+        let note = note.with("spot", spot).with("drill", drill);
+        let depth = spot.half();
+        let travel = self.travels(false).0 + depth;
+        let place = Place { depth, through: false, ..step.place };
+        let step = Step { diameter: spot, nominal: spot, place, ..step };
+        let cut = Cut { depth, travel, ..self.cut(&step, None, "HSS", travel) };
+        let conditions = cutting::conditions(&cut, self.shop)?;
+        let mut because = step.because.clone();
+        because.push(Because::row(row, note));
+        Ok(Fitted { step, tool: None, travel, approach: self.travels(false).0, conditions, because })
+    }
+}
+
+/// The widest centring drill of table A.14.
+pub(super) fn widest_spot(knowledge: &Knowledge) -> Result<Micrometres, KnowledgeError> {
+    let table = knowledge.table("A.14")?;
+    Ok(table.all_rows().filter_map(|row| row.length("diameter").ok()).max().unwrap_or_default())
+}

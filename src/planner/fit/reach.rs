@@ -1,0 +1,103 @@
+//! How far the tools of a hole go: approach and overrun, points, leads, and what of it goes beyond the hole.
+
+use crate::knowledge::Knowledge;
+use crate::note::{Because, Note};
+use crate::part::Face;
+use crate::plan::{Feature, Operation};
+use crate::route::{Place, Step};
+use crate::units::{Decimal, Micrometres};
+
+use super::{Fitted, Fitting};
+
+impl Fitting<'_, '_> {
+    pub(super) fn travels(&self, through: bool) -> &(Micrometres, Micrometres, Because) {
+        &self.travels[usize::from(through)]
+    }
+
+    /// How deep a drill of that diameter must reach in a cylinder: depth, point and overrun.
+    pub fn drill_reach(&self, place: &Place, diameter: Micrometres) -> Micrometres {
+        place.depth + cone(diameter, self.drill_point) + self.travels(place.through).1
+    }
+
+    /// The height of a drill's point.
+    pub fn point(&self, diameter: Micrometres) -> Micrometres {
+        cone(diameter, self.drill_point)
+    }
+
+    /// Where a step of the main cylinder begins below wider ones, and the diameter of the narrowest of those.
+    pub(super) fn step_above(&self, step: &Step) -> Option<(Micrometres, Micrometres)> {
+        let main = step.place.step.is_none() && step.place.start > Micrometres::ZERO;
+        let wider = self.hole.steps.iter().filter(|step| step.face == Face::Entry).map(|step| step.diameter.nominal);
+        let around = wider.chain(self.hole.counterbore.map(|counterbore| counterbore.diameter)).min()?;
+        (main && step.operation == Operation::Tap).then_some((step.place.start, around))
+    }
+
+    /// How deep the wide part of a step drill goes: the counterbore or step, or the edge it chamfers.
+    pub(super) fn opening_depth(&self) -> Micrometres {
+        let edge = || self.edges.iter().find(|edge| edge.face == Face::Entry).map(|edge| edge.depth(Micrometres::ZERO));
+        self.flat_opening().or_else(edge).unwrap_or_default()
+    }
+
+    /// The depth of the counterbore or step at the entry, if there is one.
+    pub(super) fn flat_opening(&self) -> Option<Micrometres> {
+        let step = self.hole.steps.iter().find(|step| step.face == Face::Entry);
+        self.hole.counterbore.map(|counterbore| counterbore.depth).or(step.map(|step| step.depth))
+    }
+
+    /// How far a tool's point goes beyond the full diameter.
+    pub fn lead(&self, step: &Step) -> Micrometres {
+        match step.operation {
+            Operation::Drill | Operation::DrillOut => cone(step.diameter, self.drill_point),
+            Operation::CoreDrill => cone(step.diameter - step.from, self.core_drill_point),
+            // The thread is full only behind the tap's lead.
+            Operation::Tap => Micrometres::from_mm_rounded(step.pitch.unwrap_or_default().to_mm() * self.tap_lead),
+            _ => Micrometres::ZERO,
+        }
+    }
+
+    /// Working travel of one pass, and how far the cutter must reach below its face.
+    pub(super) fn travel(&self, step: &Step) -> (Micrometres, Micrometres) {
+        let lead = self.lead(step);
+        let (approach, overrun, _) = self.travels(step.place.through);
+        let reach = step.place.depth + lead + *overrun;
+        (*approach + reach - step.place.start, reach)
+    }
+
+    /// What the tools do beyond the hole: a drill's point through a blind hole's floor, a spot deeper than
+    /// the hole.
+    pub fn beyond(&self, fitted: &[Fitted], thickness: Micrometres) -> Vec<Note> {
+        let mut notes = Vec::new();
+        for one in fitted {
+            let step = &one.step;
+            let main = step.place.feature == Feature::Bore;
+            let (depth, limit, code) = match step.operation {
+                Operation::Drill | Operation::DrillOut if main && !step.place.through => {
+                    (step.place.depth + self.point(step.diameter), thickness, "point-breaks-through")
+                }
+                Operation::CentreDrill => (step.diameter.half(), self.hole.depth, "spot-too-deep"),
+                _ => continue,
+            };
+            if depth >= limit {
+                notes.push(Note::new(code).with("depth", depth).with("limit", limit).with("diameter", step.diameter));
+            }
+        }
+        notes
+    }
+}
+
+/// The sharpest point among the tables of an operation's cutters, degrees: the longest cone, so that every
+/// one of them clears the hole. 180, a flat end, where no table names an angle.
+pub(super) fn point_angle(knowledge: &Knowledge, operation: Operation) -> f64 {
+    knowledge
+        .tables()
+        .filter_map(|table| table.tool.as_ref())
+        .filter(|head| head.operations.iter().any(|name| name == operation.name()))
+        .filter_map(|head| head.point_angle)
+        .min()
+        .map_or(180.0, Decimal::to_f64)
+}
+
+/// Height of a cone over a diameter: d/2 / tan(φ/2), the point of a drill or the lead of a core drill.
+fn cone(diameter: Micrometres, angle_deg: f64) -> Micrometres {
+    Micrometres::from_mm_rounded(diameter.to_mm() / 2.0 / libm::tan((angle_deg / 2.0).to_radians()))
+}

@@ -1,0 +1,142 @@
+//! The words about cutting conditions of holes: feeds, speeds, forces, what holds them back.
+
+pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
+    // Conditions.
+    ("feed", "подача: верхня межа {upper} мм/об × {multiple}", "feed: upper end {upper} mm/rev × {multiple}"),
+    ("feed-choice", "звідки береться подача", "where the feed comes from"),
+    ("feed-before-finishing", "подача × {factor}: далі розвертання", "feed × {factor}: a reamer follows"),
+    ("depth-feed-factor", "подача × {factor} за глибиною", "feed × {factor} for the depth"),
+    ("depth-speed-factor", "швидкість × {factor} за глибиною", "speed × {factor} for the depth"),
+    ("material-speed-factor", "швидкість × {factor} за матеріалом", "speed × {factor} for the material"),
+    ("speed-alloy-factor", "швидкість × {factor} за сплавом", "speed × {factor} for the alloy"),
+    ("material-force-factor", "сили × {factor} за матеріалом", "forces × {factor} for the material"),
+    ("force-alloy-factor", "сили × {factor} за сплавом", "forces × {factor} for the alloy"),
+    ("surface-factor", "швидкість × {factor} за станом поверхні", "speed × {factor} for the surface"),
+    ("tool-life", "стійкість {minutes} хв", "tool life {minutes} min"),
+    ("speed-coefficients", "коефіцієнти швидкості, Cv = {cv}", "speed coefficients, Cv = {cv}"),
+    ("load-coefficients", "коефіцієнти моменту й осьової сили", "torque and thrust coefficients"),
+    ("boring-feed", "подача розточування {feed} мм/об", "boring feed {feed} mm/rev"),
+    ("boring-finish-feed", "подача за шорсткістю {feed} мм/об", "feed by roughness {feed} mm/rev"),
+    ("too-fine-to-bore", "{roughness} розточуванням не досягається", "{roughness} is beyond boring"),
+    (
+        "spindle-step",
+        "розрахункова частота {computed}; ступені {below} і {above} (вищий на {excess} %): {step} об/хв",
+        "computed {computed}; steps {below} and {above} ({excess} % above): {step} 1/min",
+    ),
+    (
+        "spindle-fastest",
+        "розрахункова частота {computed} вища за найбільшу: {step} об/хв",
+        "computed {computed} is above the top: {step} 1/min",
+    ),
+    (
+        "spindle-slowest",
+        "розрахункова частота {computed} нижча за найменшу: {step} об/хв",
+        "computed {computed} is below the lowest: {step} 1/min",
+    ),
+    (
+        "feed-reduced",
+        "подачу зменшено з {from} до {to} мм/об: {by}, межа {limit}",
+        "feed reduced from {from} to {to} mm/rev: {by}, limit {limit}",
+    ),
+    ("feed-held", "подачу обмежено {limit} мм/хв", "feed held at {limit} mm/min"),
+    (
+        "no-feed",
+        "{operation}: таблиця {table} не має подачі для матеріалу {material}",
+        "{operation}: table {table} has no feed for {material}",
+    ),
+    (
+        "stand-in",
+        "{table} не має числа для матеріалу {material}; береться {group}",
+        "{table} has no figure for {material}; {group} stands in",
+    ),
+    (
+        "no-figure",
+        "{operation}: таблиця {table} не має числа для матеріалу {material}",
+        "{operation}: table {table} has no figure for {material}",
+    ),
+    (
+        "stand-in-operation",
+        "{operation}: власних чисел немає; беруться числа переходу «{instead}»",
+        "{operation}: no figures of its own; those of {instead} stand in",
+    ),
+    (
+        "stand-in-tool-material",
+        "{table} не має числа для інструмента {tool}; береться {other}",
+        "{table} has no figure for tools of {tool}; {other} stands in",
+    ),
+    ("no-cutter-shape", "{operation}: фрезу не вказано", "{operation}: no mill is given"),
+    ("no-pitch", "{operation}: крок різьби не вказано", "{operation}: no pitch is given"),
+    (
+        "mill-does-not-enter",
+        "{operation}: фреза Ø{diameter} не входить в отвір Ø{hole}",
+        "{operation}: the mill Ø{diameter} does not enter the hole Ø{hole}",
+    ),
+    (
+        "milling-rounds",
+        "проходів {passes}, рівнів {levels}: t = {t} мм, B = {b} мм; шлях осі фрези {path} мм, її подача × {factor}",
+        "passes {passes}, levels {levels}: t = {t} mm, B = {b} mm; path of the mill's axis {path} mm, its feed × {factor}",
+    ),
+    ("feed-per-tooth", "подача на зуб {feed} мм", "feed per tooth {feed} mm"),
+    (
+        "milling-finish-feed",
+        "подача на зуб × {factor}: останній прохід, {roughness}",
+        "feed per tooth × {factor}: last pass, {roughness}",
+    ),
+    ("milling-load-coefficients", "коефіцієнти сили Pz фрези", "coefficients of the mill's main force"),
+    (
+        "tapping-coefficients",
+        "коефіцієнти швидкості мітчика, Cv = {cv}, T = {minutes} хв",
+        "speed coefficients of the tap, Cv = {cv}, T = {minutes} min",
+    ),
+    ("tapping-load-coefficients", "коефіцієнти моменту мітчика", "torque coefficients of the tap"),
+    ("feed-is-pitch", "подача дорівнює крокові {pitch} мм", "the feed is the pitch, {pitch} mm"),
+    (
+        "spindle-step-below",
+        "розрахункова частота {computed}; ступінь не вище неї: {step} об/хв",
+        "computed speed {computed}; the step not above it: {step} 1/min",
+    ),
+    (
+        "no-step-below",
+        "{operation}: жоден ступінь шпинделя не нижчий за {computed} об/хв з достатньою потужністю й подачею",
+        "{operation}: no spindle step up to {computed} 1/min has the power and the feed rate",
+    ),
+    (
+        "torque-beyond-spindle",
+        "{operation}: момент {torque} > {limit} Н·м шпинделя",
+        "{operation}: torque {torque} > {limit} N·m of the spindle",
+    ),
+    ("reaming-feed", "подача розвертання × {factor}", "reaming feed × {factor}"),
+    (
+        "reaming-feed-blind",
+        "глухий отвір: подача в межах {low}-{high} мм/об",
+        "blind hole: feed within {low}-{high} mm/rev",
+    ),
+    ("reaming-load-coefficients", "коефіцієнти сили різання зуба розвертки", "force coefficients of a reamer's tooth"),
+    ("reamer-teeth", "зубів розвертки {teeth}", "teeth of the reamer {teeth}"),
+    (
+        "too-deep",
+        "{operation}: глибина {ratio} D поза таблицею {table}",
+        "{operation}: {ratio} diameters deep is outside table {table}",
+    ),
+    ("card-calibration", "карта: {name} × {factor} від формули", "card: {name} × {factor} of the formula"),
+    (
+        "card-point",
+        "карта друкує тут V = {speed} м/хв, P = {thrust} Н, N = {power} кВт",
+        "the card prints V = {speed} m/min, P = {thrust} N, N = {power} kW here",
+    ),
+    (
+        "card-point-forces-differ",
+        "карта друкує тут V = {speed} м/хв, P = {thrust} Н, N = {power} кВт; силу й потужність формула не відтворює; навантаження взято за формулою",
+        "the card prints V = {speed} m/min, P = {thrust} N, N = {power} kW here; the formula does not reproduce force and power; the loads are the formula's",
+    ),
+    (
+        "card-corrections",
+        "поправки прикладу: швидкість × {product}, матеріал {material}",
+        "the example's factors: speed × {product}, material {material}",
+    ),
+    (
+        "card-other-material",
+        "поправки карт для матеріалу {material} невідомі",
+        "the cards' factors for {material} are not known",
+    ),
+];

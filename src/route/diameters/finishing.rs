@@ -1,0 +1,84 @@
+//! The diameter before a transition that removes an allowance of section 1.2.1.
+
+use crate::error::{Refusal, Tried};
+use crate::note::{Because, Note};
+use crate::plan::Operation;
+use crate::units::Micrometres;
+
+use super::super::{Step, handbook, openings};
+use super::{Backwards, allowance};
+
+impl Backwards<'_, '_> {
+    /// A transition that removes an allowance: the diameter before it is the handbook's where the range of
+    /// section 1.2.1 permits it, else the aim of the range; the drill nearest to that where a drill makes it.
+    pub(super) fn finishing(self) -> Tried<Step> {
+        let Self { operation, after, previous, bore, sizes, shop } = self;
+        let allowance = allowance(operation, after, bore.diameter.nominal, previous, shop)?;
+        let (smallest, largest) = (after - allowance.high, after - allowance.low);
+        let handbook_row = handbook::row(bore, shop)?;
+        let advised = handbook_row.and_then(|row| handbook::before(row, operation, previous));
+        let aim = advised.unwrap_or(after - allowance.aim).max(smallest).min(largest);
+        let before = if previous.is_none() {
+            let start = self.start()?;
+            if start < smallest || start > largest {
+                return Err(Refusal::Not(
+                    Note::new("stock-outside-allowance")
+                        .with("operation", operation.name())
+                        .with("stock", after - start)
+                        .with("low", allowance.low)
+                        .with("high", allowance.high)
+                        .with("diameter", after),
+                ));
+            }
+            start
+        } else if self.after_drill() {
+            let inside = |drill: &Micrometres| *drill >= smallest && *drill <= largest && *drill < after;
+            let drills = sizes.drills.iter().copied().filter(inside);
+            let nearest = drills.min_by_key(|drill| ((*drill - aim).abs(), *drill));
+            nearest.ok_or_else(|| {
+                Refusal::Not(
+                    Note::new("no-drill-in-allowance")
+                        .with("operation", operation.name())
+                        .with("low", smallest)
+                        .with("high", largest)
+                        .with("diameter", after),
+                )
+            })?
+        } else if previous == Some(Operation::Counterbore) {
+            let inside = |size: &Micrometres| *size >= smallest && *size <= largest;
+            let sizes = openings::counterbores(after, shop)?;
+            let nearest = sizes.into_iter().filter(inside).min_by_key(|size| ((*size - aim).abs(), *size));
+            nearest.ok_or_else(|| {
+                let note = Note::new("no-counterbore-in-allowance").with("operation", operation.name());
+                Refusal::Not(note.with("low", smallest).with("high", largest).with("diameter", after))
+            })?
+        } else if advised == Some(aim) {
+            aim
+        } else {
+            // To the setting step, but never out of the range.
+            let step = shop.convention("setting-step-mm")?.micrometres().max(1);
+            let set = Micrometres::new((aim.micrometres() + step / 2).div_euclid(step) * step);
+            set.max(smallest).min(largest)
+        };
+        let note = Note::new("allowance")
+            .with("operation", operation.name())
+            .with("low", allowance.low)
+            .with("high", allowance.high)
+            .with("taken", after - before);
+        let mut because = vec![Because::row(allowance.row, note)];
+        because.extend(allowance.stock);
+        if let (Some(row), Some(advised)) = (handbook_row, advised) {
+            let code = if advised == before { "handbook-step" } else { "handbook-step-outside" };
+            let note = Note::new(code).with("advised", advised).with("taken", before);
+            because.push(Because::row(row, note.with("low", smallest).with("high", largest)));
+        }
+        // Reamers and core drills of the catalog are ground to the size before the last one.
+        let fixed = operation.is_reaming() || operation == Operation::CoreDrill;
+        let nominal = if fixed { bore.diameter.nominal } else { after };
+        if fixed && after != nominal {
+            let note = Note::new("ground-to-size").with("nominal", nominal).with("size", after);
+            because.push(Because::row(allowance.row, note));
+        }
+        Ok(Step { nominal, because, ..self.step(before) })
+    }
+}

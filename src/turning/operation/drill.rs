@@ -1,0 +1,75 @@
+//! The hole that is drilled before a solid blank is bored, by the rule `bore-drill`. It is named, not planned.
+
+use serde::Serialize;
+
+use crate::error::KnowledgeError;
+use crate::knowledge::{Input, Knowledge};
+use crate::note::{Because, Finding, Note, Severity, doubtful_row};
+use crate::turning::contour::{Contour, Side};
+use crate::turning::length::Half;
+use crate::turning::point::Point;
+use crate::units::Micrometres;
+
+/// A hole drilled first.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Drilled {
+    /// Its diameter, mm.
+    pub diameter_mm: Micrometres,
+    /// Its depth: Z of its end in the set-up, mm.
+    pub depth_mm: Half,
+    /// The row that its diameter follows from.
+    pub because: Because,
+}
+
+impl Drilled {
+    /// Its wall, from where the rough bore begins.
+    pub(super) fn contour(&self, rough: &Contour) -> Contour {
+        let radius = Half::radius_of(self.diameter_mm);
+        let ends = [rough.start(), rough.end()].into_iter().flatten().map(|end| Point { radius, z: end.z });
+        Contour::through(Side::Inner, &ends.collect::<Vec<_>>())
+    }
+}
+
+/// The hole under a rough bore, and the bore without what the drill has taken of its bottom; none where the bore is too
+/// narrow to be drilled and bored, which is a finding.
+///
+/// # Errors
+/// The knowledge base lacks the rule `bore-drill`, or a row of it.
+pub(super) fn before_boring(
+    rough: &Contour,
+    knowledge: &Knowledge,
+    findings: &mut Vec<Finding>,
+) -> Result<Option<(Drilled, Contour)>, KnowledgeError> {
+    let walls = rough.pieces.iter().filter(|piece| !piece.is_face());
+    let narrow = walls.flat_map(|piece| [piece.from.radius, piece.to.radius]).min();
+    let (Some(narrow), Some(end)) = (narrow, rough.end()) else { return Ok(None) };
+    let rule = knowledge.table("bore-drill")?;
+    let answer = rule.decide(&[("diameter", Input::Length(narrow.diameter().max(Micrometres::ZERO)))])?;
+    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, &narrow.diameter().to_string()))?;
+    findings.extend(doubtful_row(row));
+    let stock_and_step =
+        if row.flag("drilled") { Some((row.length("least_stock")?, row.length("step")?)) } else { None };
+    let most = |stock: Micrometres| (narrow - Half::of(stock)).diameter();
+    let drill =
+        stock_and_step.map(|(stock, step)| (most(stock).micrometres() / step.micrometres().max(1), stock, step));
+    let Some((steps, stock, step)) = drill.filter(|(steps, ..)| *steps > 0) else {
+        let note = Note::new("bore-too-narrow-to-drill").with("diameter", narrow.diameter());
+        findings.push(Finding::of_part(Severity::Error, note));
+        return Ok(None);
+    };
+    let diameter = Micrometres::new(step.micrometres().saturating_mul(steps));
+    let note = Note::new("bore-drilled-first").with("diameter", diameter).with("depth", end.z);
+    let note = note.with("stock", stock).with("step", step);
+    findings.push(Finding::of_part(Severity::Note, note.clone()));
+    let because = Because::answer(&answer, note);
+    Ok(Some((Drilled { diameter_mm: diameter, depth_mm: end.z, because }, without_middle(rough, diameter))))
+}
+
+/// A blind bore ends with its bottom, of which the drill has taken the middle.
+fn without_middle(rough: &Contour, drill: Micrometres) -> Contour {
+    let (mut rough, radius) = (rough.clone(), Half::radius_of(drill));
+    if let Some(bottom) = rough.pieces.last_mut().filter(|last| last.is_face() && last.to.radius < radius) {
+        bottom.to.radius = radius;
+    }
+    rough
+}
