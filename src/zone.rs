@@ -29,6 +29,13 @@ impl Stroke {
     }
 }
 
+/// How low the spindle's nose may stand over the table with the quill up: as low as the tool that needs most lets it, but
+/// not below the least of the machine; nothing without tools.
+pub fn lowest_nose(strokes: &[Stroke], least: Option<Micrometres>) -> Option<Micrometres> {
+    let needed = strokes.iter().map(Stroke::passes_from).max()?;
+    Some(least.map_or(needed, |least| least.max(needed)))
+}
+
 /// The axes of the table, each with the least and the greatest coordinate of the holes; none where there is no hole.
 pub fn spans(part: &Part) -> impl Iterator<Item = (Axis, Micrometres, Micrometres)> {
     let points = || part.holes.iter().flat_map(|hole| &hole.at);
@@ -47,4 +54,28 @@ pub fn approach<'k>(part: &Part, through: bool, knowledge: &'k Knowledge) -> Res
     let entry = if part.entry == Entry::Rough { "rough" } else { "machined" };
     let answer = rule.decide(&[("entry", Input::Text(entry)), ("through", Input::Bool(through))])?;
     answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, entry))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn stroke(length: i64, highest: i64, lowest: i64) -> Stroke {
+        let [length, highest, lowest] = [length, highest, lowest].map(Micrometres::from_mm);
+        Stroke { length, highest, lowest }
+    }
+
+    #[test]
+    fn the_nose_stands_as_low_as_the_longest_tool_lets_it() {
+        // A part of 40 mm on supports of 60: tools of 215 and 155 mm pass 3 mm over it and go 6 mm below it.
+        let long = stroke(215, 103, 54);
+        let short = stroke(155, 103, 54);
+        let nose = lowest_nose(&[short, long], Some(Micrometres::from_mm(250))).unwrap();
+        assert_eq!(nose, Micrometres::from_mm(318));
+        assert_eq!(short.way(nose), Micrometres::from_mm(318 - 54 - 155));
+        // Where the machine holds it higher, it is farther down to the bottom.
+        let nose = lowest_nose(&[short, long], Some(Micrometres::from_mm(400))).unwrap();
+        assert_eq!(short.way(nose), Micrometres::from_mm(400 - 54 - 155));
+        assert_eq!(lowest_nose(&[], None), None);
+    }
 }

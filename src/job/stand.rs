@@ -51,7 +51,8 @@ pub(super) fn stand(
     let supports = supports(part, works, shop, findings)?;
     // From the table to the zero of the drawing.
     let zero_height = supports + part.blank.thickness - part.datum.top;
-    let needed = Stroke { length: reference + longest, highest: zero_height + heights, lowest: zero_height }.passes_from();
+    let needed =
+        Stroke { length: reference + longest, highest: zero_height + heights, lowest: zero_height }.passes_from();
     let step = Micrometres::from_mm_rounded(convention("knee-step", shop.knowledge)?.0);
     let (least, most) = machine.nose_to_table.unwrap_or((Micrometres::ZERO, needed));
     let nose = up_to(needed, step).max(least);

@@ -22,7 +22,8 @@ pub(super) fn check<'a>(
     let known = designation(context, clamping, findings)?;
     // A clamp whose screw is not stated has that of its designation.
     let own = clamping.screw.as_ref().map(|screw| (screw.value.as_str(), screw));
-    let of_clamp = known.zip(clamping.designation.as_ref()).and_then(|(row, name)| Some((row.text("screw").ok()?, name)));
+    let of_clamp =
+        known.zip(clamping.designation.as_ref()).and_then(|(row, name)| Some((row.text("screw").ok()?, name)));
     match own.or(of_clamp) {
         Some((thread, said)) => screw(context, graph, thread, said, findings),
         None => Ok(()),
@@ -49,7 +50,8 @@ fn designation<'k>(
         return Ok(None);
     };
     let because = || [Because::row(row, Note::new("named"))];
-    let said = [("standard", &clamping.standard, "audit-clamp-standard"), ("screw", &clamping.screw, "audit-clamp-screw")];
+    let said =
+        [("standard", &clamping.standard, "audit-clamp-standard"), ("screw", &clamping.screw, "audit-clamp-screw")];
     for (key, stated, code) in said {
         let (Some(stated), right) = (stated, row.text(key)?) else { continue };
         if likeness(&stated.value, right) != Likeness::Same {

@@ -190,11 +190,11 @@ impl Zone<'_, '_> {
             let finding = self.finding(one, note, format!("<= {fits}"));
             found.push((one.tool, finding.resting_on([limit(machine.row("nose-to-table-max")?)])));
         }
-        // The knee stands as low as the longest tool asks, but no higher than it goes.
-        let Some(longest) = reaches.iter().max_by_key(|one| one.stroke.passes_from()) else { return Ok(found) };
         let least = machine.nose_to_table.map(|(least, _)| least);
-        let held = least.filter(|least| *least > longest.stroke.passes_from());
-        let nose = held.unwrap_or(longest.stroke.passes_from());
+        let strokes: Vec<Stroke> = reaches.iter().map(|one| one.stroke).collect();
+        let longest = reaches.iter().max_by_key(|one| one.stroke.passes_from());
+        let (Some(nose), Some(longest)) = (zone::lowest_nose(&strokes, least), longest) else { return Ok(found) };
+        let held = least.filter(|_| nose > longest.stroke.passes_from());
         for one in reaches {
             let way = one.stroke.way(nose);
             let told = found.iter().any(|(tool, _)| *tool == longest.tool || *tool == one.tool);
@@ -203,9 +203,7 @@ impl Zone<'_, '_> {
             }
             let fits = one.stroke.length + way - machine.travel_z;
             let note = match held {
-                Some(least) => {
-                    Note::new("audit-zone-low").with("least", least).with("lowest", one.stroke.lowest)
-                }
+                Some(least) => Note::new("audit-zone-low").with("least", least).with("lowest", one.stroke.lowest),
                 None => {
                     let other = self.context.stated.tools.get(longest.tool).map_or(0, |tool| tool.number);
                     let note = Note::new("audit-zone-under").with("other", other).with("approach", self.approach);

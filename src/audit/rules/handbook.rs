@@ -4,24 +4,25 @@
 
 use std::rc::Rc;
 
-use crate::cutting::Cut;
 use crate::cutting::factors;
 use crate::cutting::handbook::{self, Handbook};
 use crate::cutting::laws::{LoadLaw, SpeedLaw};
+use crate::cutting::{self, Cut};
 use crate::error::{KnowledgeError, Refusal};
 use crate::knowledge::Input;
 use crate::knowledge::units::Unit;
 use crate::note::{Because, Note, Severity};
 use crate::plan::CuttingMethod;
-use crate::units::{Decimal, Micrometres, MillimetresPerRev, round_to};
+use crate::units::{Decimal, Micrometres, MillimetresPerRev, RevsPerMinute, round_to};
 
 use super::super::context::Context;
-use super::super::figures::shown;
+use super::super::figures::{nature, shown};
 use super::super::graph::{Formula, Graph, Judged, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::{formula, given};
 
-const LIFE: Rule = Rule { id: "tool-life", formula: "T", source: "Косилова/Мещеряков т.2 table 30 (facts 1.3)" };
+const LIFE: Rule =
+    Rule { id: "tool-life", formula: "T", source: "Косилова/Мещеряков т.2 table 30 (facts 1.3)" };
 const SPEED: Rule = Rule {
     id: "handbook-speed",
     formula: "V = Cv·D^q·Kv/(T^m·t^x·S^y)",
@@ -59,7 +60,7 @@ pub(super) fn add_all<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Re
 fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result<(), KnowledgeError> {
     let Some(cut) = cut(context, at)? else { return Ok(()) };
     let stated = context.stated;
-    let id = |quantity| Id::new(Scope::Conditions(at), quantity);
+    let id = move |quantity| Id::new(Scope::Conditions(at), quantity);
     // Which row holds depends on the feed.
     let feed = stated.figure(id(stated.conditions[at].feed())).map(|figure| MillimetresPerRev(figure.value));
     let formulas = match feed.filter(|feed| feed.0 > 0.0) {
@@ -67,12 +68,18 @@ fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result
         None => None,
     };
     if let Ok(Some((life, because))) = Refusal::split(handbook::tool_life(&cut, &context.shop))? {
-        let mut own = given(&LIFE, id(Q::ToolLife), life, because);
-        let at_step = formulas.as_ref().and_then(|formulas| life_at_step(context, at, formulas.speed, life));
+        let table = Because::table(context.shop.knowledge.table("audit-formula")?, Note::new("audit-limit"));
+        let mut own = given(&LIFE, id(Q::ToolLife), life, because.into_iter().chain([table]));
+        let at_step =
+            formulas.as_ref().and_then(|formulas| life_at_step(context, at, formulas.speed, cut.diameter, life));
         own.judge = Some(Box::new(move |value, _| {
             // The life at the step of the spindle may be meant, not the one that the speed is computed with.
-            let fits = at_step.is_some_and(|at_step| judged(context, Q::ToolLife, value, at_step).is_none());
-            if fits { None } else { judged(context, Q::ToolLife, value, life) }
+            let slack = |at_step| {
+                let figure = context.stated.figure(id(Q::ToolLife));
+                figure.map_or(0.0, |figure| context.auditor.tolerances().of(Q::ToolLife, figure, at_step))
+            };
+            let meant = at_step.is_some_and(|at_step| (value - at_step).abs() <= slack(at_step));
+            if meant { None } else { judged(context, Q::ToolLife, value, life) }
         }));
         graph.add(own);
     }
@@ -174,7 +181,8 @@ fn loads<'a>(
     }
     let kp = formulas.load_factor;
     let inputs = vec![id(conditions.feed()), id(Q::DepthOfCut), id(Q::Diameter)];
-    let load = move |law: LoadLaw| move |values: &[f64]| Some(law.at(*values.get(2)?, *values.get(1)?, *values.first()?) * kp);
+    let load =
+        move |law: LoadLaw| move |values: &[f64]| Some(law.at(*values.get(2)?, *values.get(1)?, *values.first()?) * kp);
     let because = || formulas.loads_because.iter();
     for (rule, quantity, law) in [(&FORCE, Q::Force, thrust), (&TORQUE, Q::Torque, torque)] {
         add(context, graph, formula(rule, id(quantity), inputs.clone(), &numbers(&law, kp), load(law)), because())?;
@@ -215,15 +223,21 @@ fn judged(context: &Context<'_>, quantity: Q, value: f64, by_formula: f64) -> Ju
     let of_formula = Decimal::from_f64_rounded(share.clamp(0.0, 1e6));
     let inputs = [("quantity", Input::Text(quantity.key())), ("of_formula", Input::Number(of_formula, Unit::Percent))];
     let severity = Severity::from_name(rule.decide(&inputs).ok()?.winner()?.text("severity").ok()?)?;
-    let code = if quantity == Q::ToolLife { "audit-tool-life" } else { "audit-by-formula" };
+    let nature = nature(value, by_formula);
+    let code = match quantity {
+        // A slip of the comma or of the sign is told as what it is.
+        _ if severity == Severity::Wrong && nature != "audit-figure" => nature,
+        Q::ToolLife => "audit-tool-life",
+        _ => "audit-by-formula",
+    };
     Some((severity, Note::new(code).with("share", round_to(share, 0)).with("value", shown(by_formula))))
 }
 
 /// The tool life at the spindle speed that is stated, min; nothing where the plan lacks a figure for it.
-fn life_at_step(context: &Context<'_>, at: usize, law: SpeedLaw, life: f64) -> Option<f64> {
+fn life_at_step(context: &Context<'_>, at: usize, law: SpeedLaw, diameter: Micrometres, life: f64) -> Option<f64> {
     let figure = |quantity| Some(context.stated.figure(Id::new(Scope::Conditions(at), quantity))?.value);
-    let at_step = std::f64::consts::PI * figure(Q::Diameter)? * figure(Q::Rpm)? / 1000.0;
-    Some(law.life_at(life, figure(Q::Speed)?, at_step)).filter(|life| life.is_finite())
+    let at_step = cutting::speed_at(RevsPerMinute(figure(Q::Rpm)?), diameter);
+    Some(law.life_at(life, figure(Q::Speed)?, at_step.0)).filter(|life| life.is_finite())
 }
 
 /// The formula of a load with `{0}` for the feed, `{1}` for the depth of cut and `{2}` for the diameter.

@@ -25,7 +25,9 @@ const FAMILIES: &[Family] = &[counts::add, tools::add, conditions::add, handbook
 
 /// Every rule.
 pub fn all() -> impl Iterator<Item = &'static Rule> {
-    [counts::RULES, tools::RULES, conditions::RULES, handbook::RULES, clamping::RULES, times::RULES].into_iter().flatten()
+    [counts::RULES, tools::RULES, conditions::RULES, handbook::RULES, clamping::RULES, times::RULES]
+        .into_iter()
+        .flatten()
 }
 
 /// Adds every formula to the graph.

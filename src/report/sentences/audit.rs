@@ -225,7 +225,7 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
     ),
     (
         "audit-blank-off-table",
-        "заготовка по {axis}: {size} > {table} мм стола, звисає на {over} мм; клади її інакше або на пристрій",
+        "заготовка по {axis}: {size} > {table} мм стола, звисає на {over} мм; покладіть її інакше або на пристрій",
         "the blank along {axis}: {size} > {table} mm of table, {over} mm stand out; lay it otherwise or on a fixture",
     ),
     (
