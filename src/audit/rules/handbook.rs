@@ -2,8 +2,6 @@
 //! force, torque and power, and the tool life that they are given for. How far a stated figure may be off, and how grave
 //! it is beyond, says the rule `audit-formula`.
 
-use std::rc::Rc;
-
 use crate::cutting::factors;
 use crate::cutting::handbook::{self, Handbook};
 use crate::cutting::laws::{LoadLaw, SpeedLaw};
@@ -67,27 +65,34 @@ fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result
         Some(feed) => Refusal::split(handbook::formulas(&cut, feed, &context.shop))?.ok().flatten(),
         None => None,
     };
+    let mut by_table = None;
     if let Ok(Some((life, because))) = Refusal::split(handbook::tool_life(&cut, &context.shop))? {
+        let at_step = formulas.as_ref().is_some_and(|own| is_at_step(context, at, own.speed, cut.diameter, life));
+        by_table = Some(life).filter(|_| at_step);
         let table = Because::table(context.shop.knowledge.table("audit-formula")?, Note::new("audit-limit"));
         let mut own = given(&LIFE, id(Q::ToolLife), life, because.into_iter().chain([table]));
-        let at_step =
-            formulas.as_ref().and_then(|formulas| life_at_step(context, at, formulas.speed, cut.diameter, life));
-        own.judge = Some(Box::new(move |value, _| {
-            // The life at the step of the spindle may be meant, not the one that the speed is computed with.
-            let slack = |at_step| {
-                let figure = context.stated.figure(id(Q::ToolLife));
-                figure.map_or(0.0, |figure| context.auditor.tolerances().of(Q::ToolLife, figure, at_step))
-            };
-            let meant = at_step.is_some_and(|at_step| (value - at_step).abs() <= slack(at_step));
-            if meant { None } else { judged(context, Q::ToolLife, value, life) }
+        own.judge = Some(Box::new(move |value, _| match at_step {
+            true => None,
+            false => judged(context, Q::ToolLife, value, life),
         }));
         graph.add(own);
     }
     if let Some(formulas) = formulas.filter(|_| stated.method == CuttingMethod::Formula) {
-        speed(context, graph, at, &formulas)?;
+        speed(context, graph, at, &formulas, by_table)?;
         loads(context, graph, at, &formulas)?;
     }
     Ok(())
+}
+
+/// Whether the tool life stated is that at the spindle speed stated, not the one that the speed is computed with.
+fn is_at_step(context: &Context<'_>, at: usize, law: SpeedLaw, diameter: Micrometres, life: f64) -> bool {
+    let figure = |quantity| context.stated.figure(Id::new(Scope::Conditions(at), quantity));
+    let (Some(own), Some(rpm), Some(speed)) = (figure(Q::ToolLife), figure(Q::Rpm), figure(Q::Speed)) else {
+        return false;
+    };
+    let at_step = law.life_at(life, speed.value, cutting::speed_at(RevsPerMinute(rpm.value), diameter).0);
+    let slack = context.auditor.tolerances().of(Q::ToolLife, own, at_step);
+    (own.value - at_step).abs() <= slack
 }
 
 /// What is cut under conditions, as far as the formulas ask; nothing where the cutter is not known.
@@ -129,17 +134,22 @@ fn cut<'a>(context: &'a Context<'a>, at: usize) -> Result<Option<Cut<'a>>, Knowl
     }))
 }
 
-/// V = Cv·D^q·Kv/(T^m·t^x·S^y), with the factors that the plan states, else with those of the tables.
+/// V = Cv·D^q·Kv/(T^m·t^x·S^y), with the factors that the plan states, else with those of the tables; T as stated, or
+/// `by_table` where the plan states the life of another speed.
 fn speed<'a>(
     context: &'a Context<'a>,
     graph: &mut Graph<'a>,
     at: usize,
     formulas: &Handbook,
+    by_table: Option<f64>,
 ) -> Result<(), KnowledgeError> {
     let conditions = &context.stated.conditions[at];
     let id = |quantity| Id::new(Scope::Conditions(at), quantity);
     let law = formulas.speed;
-    let mut inputs = vec![id(conditions.feed()), id(Q::DepthOfCut), id(Q::Diameter), id(Q::ToolLife)];
+    let mut inputs = vec![id(conditions.feed()), id(Q::DepthOfCut), id(Q::Diameter)];
+    let life = by_table.map_or_else(|| "{3}".to_owned(), shown);
+    inputs.extend(by_table.is_none().then_some(id(Q::ToolLife)));
+    let first = inputs.len();
     let named = conditions.factors.get(&Q::FactorSpeed).map(Vec::as_slice).unwrap_or_default();
     // A factor without a figure may be anything.
     if named.iter().any(|factor| factor.value.is_none()) {
@@ -151,17 +161,21 @@ fn speed<'a>(
     if named.is_empty() {
         numbers.push_str(&format!("·{}", shown(kv)));
     }
-    (0..named.len()).for_each(|index| numbers.push_str(&format!("·{{{}}}", index + 4)));
-    let below = [power("{3}", law.m), power("{1}", law.x), power("{0}", law.y)];
+    (0..named.len()).for_each(|index| numbers.push_str(&format!("·{{{}}}", first + index)));
+    let below = [power(&life, law.m), power("{1}", law.x), power("{0}", law.y)];
     let below: Vec<String> = below.into_iter().filter(|one| !one.is_empty()).collect();
     numbers.push_str(&format!("/({})", below.join("·")));
     let compute = move |values: &[f64]| {
-        let [feed, depth_of_cut, diameter, life, factors @ ..] = values else { return None };
-        Some(law.at(*diameter, *depth_of_cut, *feed, *life) * kv * factors.iter().product::<f64>())
+        let [feed, depth_of_cut, diameter, more @ ..] = values else { return None };
+        let (life, factors) = match by_table {
+            Some(life) => (life, more),
+            None => more.split_first().map(|(life, factors)| (*life, factors))?,
+        };
+        Some(law.at(*diameter, *depth_of_cut, *feed, life) * kv * factors.iter().product::<f64>())
     };
     let own = formula(&SPEED, id(Q::Speed), inputs, &numbers, compute);
     let because = if named.is_empty() { formulas.speed_because.len() } else { 1 };
-    add(context, graph, own, formulas.speed_because.iter().take(because))
+    add(context, graph, own, compute, formulas.speed_because.iter().take(because))
 }
 
 /// P, M and N by table 32, at the feed that is taken.
@@ -185,33 +199,32 @@ fn loads<'a>(
         move |law: LoadLaw| move |values: &[f64]| Some(law.at(*values.get(2)?, *values.get(1)?, *values.first()?) * kp);
     let because = || formulas.loads_because.iter();
     for (rule, quantity, law) in [(&FORCE, Q::Force, thrust), (&TORQUE, Q::Torque, torque)] {
-        add(context, graph, formula(rule, id(quantity), inputs.clone(), &numbers(&law, kp), load(law)), because())?;
+        let own = formula(rule, id(quantity), inputs.clone(), &numbers(&law, kp), load(law));
+        add(context, graph, own, load(law), because())?;
     }
     // Where the torque is stated the power follows from it.
     if context.stated.figure(id(Q::Torque)).is_none() {
         let numbers = format!("{}·{{3}}/9750", numbers(&torque, kp));
         let power = move |values: &[f64]| Some(load(torque)(values)? * values.get(3)? / 9750.0);
         let inputs = inputs.into_iter().chain([id(Q::Rpm)]).collect();
-        add(context, graph, formula(&POWER, id(Q::Power), inputs, &numbers, power), because())?;
+        add(context, graph, formula(&POWER, id(Q::Power), inputs, &numbers, power), power, because())?;
     }
     Ok(())
 }
 
-/// Takes on a formula that is judged by `audit-formula`, with the rows behind it.
+/// Takes on a formula that is judged by `audit-formula`, with the rows behind it; `compute` is its own.
 fn add<'a, 'b>(
     context: &'a Context<'a>,
     graph: &mut Graph<'a>,
     mut own: Formula<'a>,
+    compute: impl Fn(&[f64]) -> Option<f64> + 'a,
     because: impl Iterator<Item = &'b Because>,
 ) -> Result<(), KnowledgeError> {
     let table = context.shop.knowledge.table("audit-formula")?;
     own.because.extend(because.cloned());
     own.because.push(Because::table(table, Note::new("audit-limit")));
     let quantity = own.output.quantity;
-    let compute: Rc<dyn Fn(&[f64]) -> Option<f64> + 'a> = own.compute.into();
-    let for_judge = Rc::clone(&compute);
-    own.judge = Some(Box::new(move |value, inputs| judged(context, quantity, value, for_judge(inputs)?)));
-    own.compute = Box::new(move |inputs| compute(inputs));
+    own.judge = Some(Box::new(move |value, inputs| judged(context, quantity, value, compute(inputs)?)));
     graph.add(own);
     Ok(())
 }
@@ -231,13 +244,6 @@ fn judged(context: &Context<'_>, quantity: Q, value: f64, by_formula: f64) -> Ju
         _ => "audit-by-formula",
     };
     Some((severity, Note::new(code).with("share", round_to(share, 0)).with("value", shown(by_formula))))
-}
-
-/// The tool life at the spindle speed that is stated, min; nothing where the plan lacks a figure for it.
-fn life_at_step(context: &Context<'_>, at: usize, law: SpeedLaw, diameter: Micrometres, life: f64) -> Option<f64> {
-    let figure = |quantity| Some(context.stated.figure(Id::new(Scope::Conditions(at), quantity))?.value);
-    let at_step = cutting::speed_at(RevsPerMinute(figure(Q::Rpm)?), diameter);
-    Some(law.life_at(life, figure(Q::Speed)?, at_step.0)).filter(|life| life.is_finite())
 }
 
 /// The formula of a load with `{0}` for the feed, `{1}` for the depth of cut and `{2}` for the diameter.
