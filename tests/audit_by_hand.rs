@@ -48,8 +48,10 @@ fn by_hand(part_file: &str, plan: &Plan) -> String {
     for (at, (_, one)) in transitions().enumerate().filter(|(_, (_, one))| one.conditions.rounds.is_none()) {
         let own = &one.conditions;
         writeln!(text, "  - for: {}\n    depth_of_cut: {}", at + 1, own.depth_of_cut_mm).unwrap();
-        writeln!(text, "    feed: {}\n    speed: {}", own.feed_mm_per_rev.0, own.computed_speed_m_per_min.0).unwrap();
+        writeln!(text, "    feed: {}", own.feed_mm_per_rev.0).unwrap();
+        // What a limit of drill or machine held back has a speed computed at a larger feed than the one it is left with.
         if own.limited_by == "cutting-speed" {
+            writeln!(text, "    speed: {}", own.computed_speed_m_per_min.0).unwrap();
             writeln!(text, "    rpm: {}\n    minute_feed: {}", own.spindle_rpm.0, own.feed_mm_per_min.0).unwrap();
             writeln!(text, "    tool_life: {}", own.tool_life_min.0).unwrap();
         }

@@ -56,9 +56,13 @@ pub(super) fn add_all<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Re
 }
 
 fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result<(), KnowledgeError> {
-    let Some(cut) = cut(context, at)? else { return Ok(()) };
     let stated = context.stated;
     let id = move |quantity| Id::new(Scope::Conditions(at), quantity);
+    // By cards only a tool life is held against the handbook.
+    if stated.method != CuttingMethod::Formula && stated.figure(id(Q::ToolLife)).is_none() {
+        return Ok(());
+    }
+    let Some(cut) = cut(context, at)? else { return Ok(()) };
     // Which row holds depends on the feed.
     let feed = stated.figure(id(stated.conditions[at].feed())).map(|figure| MillimetresPerRev(figure.value));
     let formulas = match feed.filter(|feed| feed.0 > 0.0) {
