@@ -5,7 +5,7 @@
 //!
 //! - [`knowledge`] and [`units`] are the tables, the queries that say why, and the exact quantities;
 //! - [`shipped`] is the knowledge the program carries in itself;
-//! - [`part`] is what is to be made, [`shop`] what it is made with ([`machine`], [`material`]);
+//! - [`part`] is what is to be made, [`shop`] what it is made with ([`machine`], [`material`], [`zone`]);
 //! - [`route`], [`tooling`], [`cutting`], [`setup`] and [`sequence`] each add their part;
 //! - [`planner`] is the one place where a refusal makes it try the next alternative;
 //! - [`plan`] is the result, a value; [`report`] prints it;
@@ -40,3 +40,4 @@ pub mod shipped;
 pub mod shop;
 pub mod tooling;
 pub mod turning;
+pub mod zone;

@@ -2,6 +2,7 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::{Knowledge, RowRef, Table};
+use crate::motion::Axis;
 use crate::units::{
     Kilowatts, Micrometres, MillimetresPerMinute, MillimetresPerSecondSquared, Minutes, NewtonMetres, Newtons,
     RevsPerMinute,
@@ -145,6 +146,15 @@ impl<'k> Machine<'k> {
             contouring: number("contouring")? > 0.0,
             minute_rate: number("minute-rate").ok(),
         })
+    }
+
+    /// Travel along an axis, of the whole stroke.
+    pub const fn travel(&self, axis: Axis) -> Micrometres {
+        match axis {
+            Axis::X => self.travel_x,
+            Axis::Y => self.travel_y,
+            Axis::Z => self.travel_z,
+        }
     }
 
     /// The row of a quantity.

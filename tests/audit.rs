@@ -17,13 +17,16 @@ use technolog::plan::CuttingMethod;
 
 use common::{KNOWLEDGE, planned, read};
 
-/// A change of tests/audit/right.yaml.
+/// A change of a plan without a slip.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Fault {
     name: String,
     from: String,
     to: String,
+    /// Further changes of the same fault.
+    #[serde(default)]
+    and: Vec<Change>,
     /// `severity rule field` of every slip.
     finds: Vec<String>,
     /// Fields that are wrong because of it; absent: whatever they are.
@@ -38,6 +41,30 @@ struct Fault {
     /// Whether the slip is told at another line than the changed one.
     #[serde(default)]
     elsewhere: bool,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Change {
+    from: String,
+    to: String,
+}
+
+/// A plan without a slip, the faults that are made in it, and what is said of it as it is.
+struct Case {
+    right: &'static str,
+    faults: &'static str,
+    known: &'static [&'static str],
+}
+
+const CASES: [Case; 3] = [
+    Case { right: "right.yaml", faults: "faults.yaml", known: &METHOD },
+    Case { right: "right-formula.yaml", faults: "faults-formula.yaml", known: &[] },
+    Case { right: "right-zone.yaml", faults: "faults-zone.yaml", known: &[] },
+];
+
+fn case_file(name: &str) -> String {
+    std::fs::read_to_string(root("tests/audit").join(name)).unwrap_or_else(|why| panic!("{name}: {why}"))
 }
 
 /// What is doubtful of the book's method itself, so of every plan by it: 2638 of 4485 N, 42.1 of 76.7 N·m, 1.88 of 2.84.
@@ -70,26 +97,34 @@ fn said(finding: &Finding) -> String {
 
 #[test]
 fn a_plan_without_a_slip_has_no_finding() {
-    let text = std::fs::read_to_string(root("tests/audit/right.yaml")).unwrap();
-    let found = audited(&text);
-    let grave: Vec<String> = found.findings.iter().filter(|one| one.severity < Severity::Note).map(said).collect();
-    // The book divides force and power by the factor by which it raises the feed (docs/worked-example.md).
-    assert_eq!(grave, METHOD);
+    for case in CASES {
+        let found = audited(&case_file(case.right));
+        let grave: Vec<String> = found.findings.iter().filter(|one| one.severity < Severity::Note).map(said).collect();
+        // The book divides force and power by the factor by which it raises the feed (docs/worked-example.md).
+        assert_eq!(grave, case.known, "{}", case.right);
+    }
 }
 
 #[test]
 fn every_fault_is_found_at_its_line() {
-    let right = std::fs::read_to_string(root("tests/audit/right.yaml")).unwrap();
-    let faults = std::fs::read_to_string(root("tests/audit/faults.yaml")).unwrap();
-    let faults: Vec<Fault> = serde_yaml::from_str(&faults).unwrap();
+    let wrong: Vec<String> = CASES.iter().flat_map(faults_not_found).collect();
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+fn faults_not_found(case: &Case) -> Vec<String> {
+    let right = case_file(case.right);
+    let faults: Vec<Fault> = serde_yaml::from_str(&case_file(case.faults)).unwrap();
     let mut wrong = Vec::new();
     for fault in faults {
-        assert_eq!(right.matches(&fault.from).count(), 1, "{}: `{}`", fault.name, fault.from);
-        let text = right.replacen(&fault.from, &fault.to, 1);
+        let first = Change { from: fault.from.clone(), to: fault.to.clone() };
+        let text = std::iter::once(&first).chain(&fault.and).fold(right.clone(), |text, change| {
+            assert_eq!(text.matches(&change.from).count(), 1, "{}: `{}`", fault.name, change.from);
+            text.replacen(&change.from, &change.to, 1)
+        });
         let line = right.lines().zip(text.lines()).position(|(a, b)| a != b).unwrap() + 1;
         let audit = audited(&text);
         let found: Vec<&Finding> = slips(&audit).collect();
-        let method = |one: &String| !METHOD.contains(&one.as_str()) && !one.contains(" audit-load-");
+        let method = |one: &String| !case.known.contains(&one.as_str()) && !one.contains(" audit-load-");
         let told: BTreeSet<String> = found.iter().map(|one| said(one)).filter(method).collect();
         let expected: BTreeSet<String> = fault.finds.iter().cloned().collect();
         if !(told == expected || fault.also && told.is_superset(&expected)) {
@@ -108,7 +143,27 @@ fn every_fault_is_found_at_its_line() {
             wrong.push(format!("{}: follow {following:?}", fault.name));
         }
     }
-    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    wrong
+}
+
+/// Whether the way out is named, and what is missing for a check is said once.
+#[test]
+fn the_zone_says_what_would_work_and_what_it_does_not_know() {
+    let right = case_file("right-zone.yaml");
+    let wide = right.replace("width: 300", "width: 640").replace("[200, 100]]", "[200, 310]]");
+    let found = audited(&wide);
+    let travel = found.findings.iter().find(|one| one.rule == "beyond-travel").unwrap();
+    assert!(travel.reasons.iter().any(|why| why.code == "audit-zone-turned"), "{:?}", travel.reasons);
+    // Along both axes wider than the table travels: no turning helps.
+    let wider =
+        wide.replace("length: 500", "length: 1100").replace("[200, 0]", "[520, 0]").replace("[-200, 0]", "[-520, 0]");
+    let found = audited(&wider);
+    let travel: Vec<_> = found.findings.iter().filter(|one| one.rule == "beyond-travel").collect();
+    assert_eq!(travel.len(), 2);
+    assert!(travel.iter().all(|one| one.reasons.is_empty()));
+    let unknown = |text: &str| audited(text).findings.iter().filter(|one| one.rule == "audit-zone-unknown").count();
+    assert_eq!(unknown(&right), 0);
+    assert_eq!(unknown(&right.replace("machine: gf2171", "machine: ir500pmf4")), 1);
 }
 
 /// The plan of a part by a method, as JSON and back through the audit.

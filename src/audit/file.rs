@@ -358,7 +358,8 @@ mod tests {
     #[test]
     fn the_shipped_plans_are_of_the_schema() {
         let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-        for file in ["examples/appendix-g/plan.yaml", "tests/audit/right.yaml"] {
+        let hand = ["right", "right-formula", "right-zone"].map(|name| format!("tests/audit/{name}.yaml"));
+        for file in hand.iter().map(String::as_str).chain(["examples/appendix-g/plan.yaml"]) {
             let text = std::fs::read_to_string(root.join(file)).unwrap();
             let read: Result<PlanFile, _> = serde_yaml::from_str(&text);
             assert!(read.is_ok(), "{file}: {:?}", read.err());

@@ -1,18 +1,19 @@
 //! Drilling, drilling out, core drilling and centring.
 
-use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::knowledge::Input;
+use crate::error::{Refusal, Tried};
 use crate::note::{Because, Note};
 use crate::plan::{CuttingMethod, Operation};
 use crate::shop::Shop;
 use crate::units::{MetresPerMinute, MillimetresPerRev, Minutes};
 
+use super::factors::Factor;
 use super::feed::{self, Feed};
-use super::figures::{self, coolant, number};
+use super::figures::coolant;
+use super::laws::{self, LoadLaw, SpeedLaw};
 use super::{Cut, Draft, Loads, Motion, PowerLaw, card, factors};
 
 /// The operation by which the coefficient tables know this transition: centring is drilling.
-fn table_operation(operation: Operation) -> &'static str {
+pub(super) fn table_operation(operation: Operation) -> &'static str {
     match operation {
         Operation::DrillOut => "drill-out",
         Operation::CoreDrill => "core-drill",
@@ -45,17 +46,8 @@ pub(super) fn by_tables(cut: &Cut<'_>, feed: Feed, shop: &Shop<'_>) -> Tried<Dra
     if shop.method == CuttingMethod::Card && cut.operation != Operation::CoreDrill {
         return Ok(card::draft(cut, feed.feed, &base, loads, because, shop)?);
     }
-    // A row that stands in is that of its own reference material; the factor of ours would not fit it.
-    let mut corrections = Vec::new();
-    if base.own_speed {
-        corrections.push(factors::material_speed("drilling", cut.tool_material, shop)?);
-    }
-    corrections.push(factors::surface(cut.surface, shop)?);
-    if cut.operation == Operation::Drill {
-        corrections.push(factors::by_depth("depth-speed-factor", cut, shop)?);
-    }
     let mut speed = base.speed;
-    for (factor, reason) in corrections {
+    for (factor, reason) in speed_corrections(cut, base.own_speed, shop)? {
         speed *= factor;
         because.push(reason);
     }
@@ -71,6 +63,19 @@ pub(super) fn by_tables(cut: &Cut<'_>, feed: Feed, shop: &Shop<'_>) -> Tried<Dra
         card: None,
         rounds: None,
     })
+}
+
+/// Kv = Kmv·Kpv·Klv. A row that stands in is that of its own reference material; the factor of ours would not fit it.
+pub(super) fn speed_corrections(cut: &Cut<'_>, own_row: bool, shop: &Shop<'_>) -> Tried<Vec<Factor>> {
+    let mut corrections = Vec::new();
+    if own_row {
+        corrections.push(factors::material_speed("drilling", cut.tool_material, shop)?);
+    }
+    corrections.push(factors::surface(cut.surface, shop)?);
+    if cut.operation == Operation::Drill {
+        corrections.push(factors::by_depth("depth-speed-factor", cut, shop)?);
+    }
+    Ok(corrections)
 }
 
 /// Speed and loads before any correction: for steel at σB = 750 MPa.
@@ -92,35 +97,26 @@ pub(super) struct Base {
 }
 
 fn base(cut: &Cut<'_>, feed: MillimetresPerRev, shop: &Shop<'_>) -> Tried<Base> {
-    let operation = ("operation", Input::Text(table_operation(cut.operation)));
-    let tool = ("tool_material", Input::Text(cut.tool_material));
+    let operation = table_operation(cut.operation);
     let (d, t) = (cut.diameter.to_mm(), cut.depth_of_cut());
 
-    let (tool_life, mut because) = factors::tool_life(table_operation(cut.operation), cut, shop)?;
-    let speed = figures::ask("cutting-speed", &[operation, tool, ("feed", figures::feed_input(feed))], shop)?;
-    let coefficient = |name: &str| number(speed.row, name);
-    let (cv, q, x, y, m) =
-        (coefficient("cv")?, coefficient("q")?, coefficient("x")?, coefficient("y")?, coefficient("m")?);
-    let v = cv * libm::pow(d, q) / (libm::pow(tool_life, m) * libm::pow(t, x) * libm::pow(feed.0, y));
+    let (tool_life, mut because) = factors::tool_life(operation, cut, shop)?;
+    let (law, speed) = laws::speed(operation, cut.tool_material, feed, shop)?;
+    let SpeedLaw { cv, q, x, y, m } = law;
     let note = Note::new("speed-coefficients").with("cv", cv).with("q", q).with("x", x).with("y", y).with("m", m);
     because.extend(speed.because(note));
 
     let mut loads = Loads::default();
     let mut own_loads = true;
     // Without a row of loads the transition is still cut; its forces are left out and not guessed.
-    if let Ok(figures) = Refusal::split(figures::ask("torque-and-thrust", &[operation, tool], shop))? {
-        let row = figures.row;
-        let law = |c: &str, q: &str, x: &str, y: &str| -> Result<PowerLaw, KnowledgeError> {
-            let factor = 10.0 * number(row, c)? * libm::pow(d, number(row, q)?) * libm::pow(t, number(row, x)?);
-            Ok(PowerLaw { factor, exponent: number(row, y)? })
-        };
-        loads.torque = Some(law("cm", "qm", "xm", "ym")?);
-        loads.thrust = Some(law("cp", "qp", "xp", "yp")?);
+    if let Ok((torque, thrust, figures)) = Refusal::split(laws::loads(operation, cut.tool_material, shop))? {
+        let of_feed = |law: LoadLaw| PowerLaw { factor: law.without_feed(d, t), exponent: law.y };
+        loads = Loads { torque: Some(of_feed(torque)), thrust: Some(of_feed(thrust)) };
         own_loads = figures.own();
         because.extend(figures.because(Note::new("load-coefficients")));
     }
     Ok(Base {
-        speed: v,
+        speed: law.at(d, t, feed.0, tool_life),
         own_speed: speed.own(),
         tool_life: Minutes(tool_life),
         life_exponent: m,

@@ -153,6 +153,15 @@ pub(crate) fn tool_life(operation: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Trie
     Ok((life, found.because(Note::new("tool-life").with("minutes", life))))
 }
 
+/// The surface of a hole's metal by the rule `surface`, a value of the table `skin-factor`.
+pub(crate) fn surface_of<'k>(skin: bool, shop: &Shop<'k>) -> Result<&'k str, KnowledgeError> {
+    let rule = shop.knowledge.table("surface")?;
+    let group = Input::Text(shop.material.group);
+    let answer = rule.decide(&[("skin", Input::Bool(skin)), ("material_group", group)])?;
+    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, shop.material.group))?;
+    Ok(row.text("surface")?)
+}
+
 /// Kpv: the skin of the blank.
 pub(crate) fn surface<'k>(surface: &str, shop: &impl Asking<'k>) -> Tried<Factor> {
     let table = shop.knowledge().table("skin-factor")?;

@@ -10,6 +10,8 @@ mod drilling;
 pub(crate) mod factors;
 mod feed;
 pub(crate) mod figures;
+pub mod handbook;
+pub mod laws;
 mod limits;
 mod milling;
 mod reaming;

@@ -9,7 +9,7 @@ use crate::units::{MetresPerMinute, MillimetresPerRev, Minutes};
 
 use super::feed::Feed;
 use super::figures::{self, coolant, missing, number};
-use super::{Cut, Draft, Loads, Motion, PowerLaw, factors, feed};
+use super::{Cut, Draft, Loads, Motion, PowerLaw, factors, feed, laws};
 
 /// Conditions of a reamer (Косилова/Мещеряков т.2 table 29; facts 1, 1.2).
 ///
@@ -20,18 +20,9 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
     let Feed { feed, mut because } = corrected_feed(cut, shop)?;
     let (tool_life, life) = factors::tool_life("ream", cut, shop)?;
     because.extend(life);
-    let others = [
-        ("operation", Input::Text("ream")),
-        ("tool_material", Input::Text(cut.tool_material)),
-        ("feed", figures::feed_input(feed)),
-    ];
-    let figures = figures::ask("cutting-speed", &others, shop)?;
-    let row = figures.row;
-    because.extend(figures.because(Note::new("speed-coefficients").with("cv", number(row, "cv")?)));
-    let mut speed = number(row, "cv")? * libm::pow(cut.diameter.to_mm(), number(row, "q")?)
-        / (libm::pow(tool_life, number(row, "m")?)
-            * libm::pow(cut.depth_of_cut(), number(row, "x")?)
-            * libm::pow(feed.0, number(row, "y")?));
+    let (law, figures) = laws::speed("ream", cut.tool_material, feed, shop)?;
+    because.extend(figures.because(Note::new("speed-coefficients").with("cv", law.cv)));
+    let mut speed = law.at(cut.diameter.to_mm(), cut.depth_of_cut(), feed.0, tool_life);
     if figures.own() {
         let (factor, reason) = factors::material_speed("drilling", cut.tool_material, shop)?;
         speed *= factor;
@@ -43,8 +34,8 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
         feed,
         speed: MetresPerMinute(speed),
         tool_life: Minutes(tool_life),
-        life_exponent: number(row, "m")?,
-        coolant: coolant(row),
+        life_exponent: law.m,
+        coolant: coolant(figures.row),
         loads: Loads { torque, thrust: None },
         motion: Motion::along_axis(cut),
         because,

@@ -7,6 +7,7 @@ use crate::part::{Part, Point};
 use crate::plan::Plan;
 use crate::shop::Shop;
 use crate::units::Micrometres;
+use crate::zone::Stroke;
 
 use super::cycle::convention;
 use super::{SetUp, ToolWork};
@@ -50,7 +51,8 @@ pub(super) fn stand(
     let supports = supports(part, works, shop, findings)?;
     // From the table to the zero of the drawing.
     let zero_height = supports + part.blank.thickness - part.datum.top;
-    let needed = zero_height + heights + reference + longest;
+    let needed =
+        Stroke { length: reference + longest, highest: zero_height + heights, lowest: zero_height }.passes_from();
     let step = Micrometres::from_mm_rounded(convention("knee-step", shop.knowledge)?.0);
     let (least, most) = machine.nose_to_table.unwrap_or((Micrometres::ZERO, needed));
     let nose = up_to(needed, step).max(least);
@@ -105,14 +107,17 @@ fn up_to(value: Micrometres, step: Micrometres) -> Micrometres {
 /// A tool that the quill cannot bring to its depth.
 pub(super) fn reach_of_quill(setup: &SetUp, plan: &Plan, shop: &Shop<'_>, findings: &mut Vec<Finding>) {
     for work in &setup.works {
-        let correction =
-            plan.tools.iter().find(|tool| tool.number == work.tool).map(|tool| tool.correction_mm).unwrap_or_default();
+        let Some(tool) = plan.tools.iter().find(|tool| tool.number == work.tool) else { continue };
         let Some(end) = work.cycles.iter().map(|cycle| cycle.end).min() else { continue };
-        let at = setup.zero.z + end + correction;
-        if at < -shop.machine.travel_z {
+        let Some(out) = work.cycles.iter().map(|cycle| cycle.out).max() else { continue };
+        let part = &plan.part;
+        let zero_height = setup.supports + part.blank.thickness - part.datum.top;
+        let stroke = Stroke { length: tool.length_mm, highest: zero_height + out, lowest: zero_height + end };
+        let way = stroke.way(setup.nose);
+        if way > shop.machine.travel_z {
             let note = Note::new("quill-too-short")
                 .with("tool", work.tool)
-                .with("way", -at)
+                .with("way", way)
                 .with("travel", shop.machine.travel_z);
             findings.push(Finding::of_part(Severity::Error, note));
         }

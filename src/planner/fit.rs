@@ -10,7 +10,7 @@ use crate::cutting::{self, Cut};
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::Input;
 use crate::note::{Because, Note};
-use crate::part::{Entry, Hole, Part};
+use crate::part::{Hole, Part};
 use crate::plan::{Conditions, Feature, Operation};
 use crate::route::bores::Edge;
 use crate::route::{Place, Step};
@@ -98,24 +98,16 @@ impl<'p, 'k> Fitting<'p, 'k> {
     /// Approach, overrun, surface and reamer lead by their rules.
     pub fn new(hole: &'p Hole, edges: &'p [Edge], part: &'p Part, shop: &'p Shop<'k>) -> Result<Self, KnowledgeError> {
         let knowledge = shop.knowledge;
-        let entry = if part.entry == Entry::Rough { "rough" } else { "machined" };
-        let rule = knowledge.table("approach")?;
         let travel = |through: bool| -> Result<(Micrometres, Micrometres, Because), KnowledgeError> {
-            let answer = rule.decide(&[("entry", Input::Text(entry)), ("through", Input::Bool(through))])?;
-            let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, entry))?;
+            let row = crate::zone::approach(part, through, knowledge)?;
             let (approach, overrun) = (row.length("approach")?, row.length("overrun")?);
             let note = Note::new("travel").with("approach", approach).with("overrun", overrun);
             Ok((approach, overrun, Because::row(row, note)))
         };
         let travels = [travel(false)?, travel(true)?];
 
-        let rule = knowledge.table("surface")?;
-        let group = Input::Text(shop.material.group);
-        let answer = rule.decide(&[("skin", Input::Bool(hole.skin)), ("material_group", group)])?;
-        let surface = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, shop.material.group))?;
-
         let rule = knowledge.table("reamer-lead")?;
-        let answer = rule.decide(&[("material_group", group)])?;
+        let answer = rule.decide(&[("material_group", Input::Text(shop.material.group))])?;
         let lead = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, shop.material.group))?;
         Ok(Self {
             hole,
@@ -125,7 +117,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             widest_spot: widest_spot(knowledge)?,
             drill_point: point_angle(knowledge, Operation::Drill),
             core_drill_point: point_angle(knowledge, Operation::CoreDrill),
-            surface: surface.text("surface")?,
+            surface: cutting::factors::surface_of(hole.skin, shop)?,
             lead: lead.text("lead")?,
             clearance: shop.convention("mill-clearance-mm")?,
             floor_clearance: shop.convention("floor-clearance-mm")?,

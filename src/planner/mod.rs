@@ -24,7 +24,7 @@ use crate::part::{Face, Hole, Part};
 use crate::plan::{Clamping, CuttingMethod, Operation, Plan, Route};
 use crate::shop::Shop;
 use crate::units::round_to;
-use crate::{sequence, setup, tooling};
+use crate::{sequence, setup, tooling, zone};
 
 use choose::{Chooser, Weighed};
 use fit::{Fitted, Fitting};
@@ -228,22 +228,16 @@ fn start_point(part: &Part, clamping: &Clamping, shop: &Shop<'_>) -> Option<Find
 }
 
 /// The blank must be light enough for the table, and the holes must lie within its travel.
-fn reach_of_table(part: &Part, shop: &Shop<'_>, findings: &mut Vec<Finding>) {
+pub(crate) fn reach_of_table(part: &Part, shop: &Shop<'_>, findings: &mut Vec<Finding>) {
     if let Some(mass) = part.mass_kg.filter(|mass| *mass > shop.machine.load_max_kg) {
         let note = Note::new("too-heavy").with("mass", mass).with("limit", shop.machine.load_max_kg);
         findings.push(Finding::of_part(Severity::Error, note));
     }
-    let points = || part.holes.iter().flat_map(|hole| &hole.at);
-    let axes = [
-        ("X", points().map(|point| point.x).collect::<Vec<_>>(), shop.machine.travel_x),
-        ("Y", points().map(|point| point.y).collect::<Vec<_>>(), shop.machine.travel_y),
-    ];
-    for (axis, values, travel) in axes {
-        if let (Some(low), Some(high)) = (values.iter().min(), values.iter().max())
-            && *high - *low > travel
-        {
-            let note = Note::new("beyond-travel").with("axis", axis).with("span", *high - *low).with("travel", travel);
-            findings.push(Finding::of_part(Severity::Error, note));
+    for (axis, low, high) in zone::spans(part) {
+        let travel = shop.machine.travel(axis);
+        if high - low > travel {
+            let note = Note::new("beyond-travel").with("axis", axis.letter()).with("span", high - low);
+            findings.push(Finding::of_part(Severity::Error, note.with("travel", travel)));
         }
     }
 }

@@ -13,6 +13,7 @@ use super::super::finding::{Finding, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::stated::Row;
+use super::reach::Tips;
 
 pub(super) fn check<'a>(
     context: &Context<'a>,
@@ -20,7 +21,7 @@ pub(super) fn check<'a>(
     findings: &mut Vec<Finding>,
 ) -> Result<(), KnowledgeError> {
     let machine = &context.shop.machine;
-    let overrun = overrun(context)?;
+    let tips = Tips::read(context)?;
     for (at, row) in context.stated.rows.iter().enumerate().filter(|(_, row)| !row.elsewhere) {
         let Some(tool) = context.stated.tool_of(row) else { continue };
         let Some(cutter) = context.cutter(tool) else { continue };
@@ -29,7 +30,7 @@ pub(super) fn check<'a>(
         if row.operation.value.is_of_edge() && context.stated.own {
             continue;
         }
-        let Some(why) = named::unsuited(&cutter, &need(context, graph, at, row, hole, overrun), machine) else {
+        let Some(why) = named::unsuited(&cutter, &need(context, graph, &tips, at, row, hole), machine) else {
             continue;
         };
         let field = format!("route.{}.tool", row.number);
@@ -55,42 +56,28 @@ pub(super) fn check<'a>(
     Ok(())
 }
 
-/// How far a tool runs out of a through hole, by the rule `approach`.
-fn overrun(context: &Context<'_>) -> Result<Micrometres, KnowledgeError> {
-    let part = &context.stated.part;
-    crate::program::proof::Tolerated::read(part, context.shop.knowledge).map(|tolerated| tolerated.overrun)
-}
-
-/// What the row asks of its cutter. Of a plan of ours only what stands in the row is asked, for its reach was reckoned
-/// with all that lies above it.
+/// What the row asks of its cutter. Of a plan of ours only what stands in the row is asked, and of reach only that of
+/// drills, for it was reckoned with all that lies above it. How far a tap reaches depends on what its shank passes through.
 fn need<'a>(
     context: &Context<'_>,
     graph: &Graph<'_>,
+    tips: &Tips,
     at: usize,
     row: &Row,
     hole: &'a Hole,
-    overrun: Micrometres,
 ) -> CutterNeed<'a> {
     let length = |quantity| graph.stated_or_right(Id::new(Scope::Row(at), quantity)).map(Micrometres::from_mm_rounded);
     let operation = row.operation.value;
-    let reference = context.reference(at);
-    let planned = reference.map(|transition| transition.diameter_mm);
+    let planned = context.reference(at).map(|transition| transition.diameter_mm);
     let diameter = length(Q::Diameter).or(planned).unwrap_or(hole.diameter.nominal);
     let drills = matches!(operation, Operation::Drill | Operation::DrillOut);
-    let reach = if drills && row.step.is_none() && hole.steps.is_empty() {
-        let point = reference.map_or(Micrometres::ZERO, |transition| {
-            // Travel less approach, depth and overrun is the point.
-            transition.travel_mm - transition.approach_mm - (transition.depth_mm - transition.start_mm)
-        });
-        let own = if hole.through { overrun } else { Micrometres::ZERO };
-        length(Q::Depth).unwrap_or(hole.depth) + point.max(own)
-    } else {
-        Micrometres::ZERO
-    };
+    let asked = if context.stated.own { drills } else { row.opens_main_cylinder() && operation != Operation::Tap };
+    let plain = row.step.is_none() && hole.steps.is_empty();
+    let reach = if asked && plain { tips.of(context, at) } else { None };
     let cone = hole.countersink.map(|sink| sink.angle_millideg).or(hole.cone.map(|cone| cone.angle_millideg));
     CutterNeed {
         enters: length(Q::From).unwrap_or_default(),
-        reach,
+        reach: reach.unwrap_or_default(),
         through: hole.through,
         thread: hole.thread_at(row.step).map(|thread| thread.id.as_str()),
         angle_millideg: match operation {

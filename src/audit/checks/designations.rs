@@ -63,11 +63,6 @@ pub(super) fn check<'a>(
             standard(&of, tool.holder_standard.as_ref(), field("holder.standard"), &about, findings);
         }
     }
-    if let Some(clamp) = context.stated.clamping.as_ref().and_then(|clamping| clamping.designation.as_ref()) {
-        let note = Note::new("audit-no-catalog").with("designation", &clamp.value);
-        let field = "clamping.designation".to_owned();
-        findings.push(Finding::new(Severity::Note, Section::Clamping, field, note).at(&clamp.place));
-    }
     Ok(())
 }
 

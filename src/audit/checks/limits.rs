@@ -1,9 +1,7 @@
-//! The machine's limits, the screw, the correctors.
+//! The machine's limits, the correctors.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::units::Unit;
 use crate::note::{Because, Note, Severity};
-use crate::units::round_to;
 
 use super::super::context::Context;
 use super::super::figures::{beside, shown};
@@ -19,7 +17,6 @@ pub(super) fn check<'a>(
 ) -> Result<(), KnowledgeError> {
     conditions(context, findings)?;
     series(context, graph, findings)?;
-    screw(context, graph, findings)?;
     lengths(context, findings)?;
     correctors(context, findings);
     magazine(context, findings);
@@ -70,44 +67,6 @@ fn series(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<Finding>)
         finding.quantity = Some(Q::Rpm);
         findings.push(finding);
     }
-    Ok(())
-}
-
-/// The screw bears the force on its clamp; a smaller one that would bear it too is no fault.
-fn screw(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
-    let Some(clamping) = &context.stated.clamping else { return Ok(()) };
-    let Some(screw) = &clamping.screw else { return Ok(()) };
-    let table = context.shop.knowledge.table("clamp-screws")?;
-    let field = || "clamping.screw".to_owned();
-    let Some(row) = table.find("thread", &screw.value) else {
-        let known: Vec<&str> = table.all_rows().filter_map(|row| row.text("thread").ok()).collect();
-        let note = Note::new("audit-no-screw").with("screw", &screw.value).with("known", known.join(", "));
-        findings.push(Finding::new(Severity::Wrong, Section::Clamping, field(), note).at(&screw.place));
-        return Ok(());
-    };
-    let each = Id::new(Scope::Clamping, Q::ForcePerClamp);
-    // Where the division over the clamps is not stated, it is what the force and their number make.
-    let whole = Id::new(Scope::Clamping, Q::ClampForce);
-    let Some(force) = graph.right(each).or_else(|| graph.right(whole)) else { return Ok(()) };
-    let bears = row.number_in("force_80", Unit::Newton)?;
-    if bears + 0.5 >= force {
-        // A plan of ours takes the smallest that bears the force, unless the drawing names its screws.
-        let smallest =
-            table.all_rows().find(|row| row.number_in("force_80", Unit::Newton).is_ok_and(|most| most + 0.5 >= force));
-        let named = context.stated.part.fixture.clamps.iter().any(|clamp| clamp.screw.is_some());
-        if let Some(smallest) = smallest.filter(|smallest| context.stated.own && !named && smallest.index < row.index) {
-            let note = Note::new("audit-screw-large").with("screw", &screw.value).with("force", round_to(force, 0));
-            let finding = Finding::new(Severity::Doubtful, Section::Clamping, field(), note).at(&screw.place);
-            findings.push(finding.beside(&screw.value, smallest.text("thread")?));
-        }
-        return Ok(());
-    }
-    let note = Note::new("audit-screw-weak")
-        .with("screw", &screw.value)
-        .with("bears", bears)
-        .with("force", round_to(force, 0));
-    let finding = Finding::new(Severity::Error, Section::Clamping, field(), note).at(&screw.place);
-    findings.push(finding.resting_on([Because::row(row, Note::new("named"))]));
     Ok(())
 }
 

@@ -1,5 +1,6 @@
 //! Choices held against the tables: one file per kind, one line each in the list.
 
+mod clamps;
 mod cutters;
 mod designations;
 mod limits;
@@ -7,7 +8,9 @@ mod loads;
 mod missing;
 mod ours;
 mod program;
+mod reach;
 mod route;
+mod zone;
 
 use crate::error::KnowledgeError;
 
@@ -24,6 +27,9 @@ const CHECKS: &[Check] = &[
     cutters::check,
     designations::check,
     limits::check,
+    zone::check,
+    reach::check,
+    clamps::check,
     loads::check,
     program::check,
     ours::check,

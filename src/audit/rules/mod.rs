@@ -6,6 +6,7 @@
 mod clamping;
 mod conditions;
 mod counts;
+mod handbook;
 mod times;
 pub(super) mod tools;
 
@@ -22,13 +23,21 @@ use super::quantity::Id;
 type Family = for<'a> fn(&'a Context<'a>, &mut Graph<'a>) -> Result<(), KnowledgeError>;
 
 /// Every family, in the order of a report.
-const FAMILIES: &[Family] = &[counts::add, tools::add, conditions::add, clamping::add, times::add];
+const FAMILIES: &[Family] = &[counts::add, tools::add, conditions::add, handbook::add_all, clamping::add, times::add];
 
 /// Every rule.
 pub fn all() -> impl Iterator<Item = &'static Rule> {
-    [counts::RULES, tools::RULES, conditions::RULES, clamping::RULES, times::RULES, super::misprints::RULES]
-        .into_iter()
-        .flatten()
+    [
+        counts::RULES,
+        tools::RULES,
+        conditions::RULES,
+        handbook::RULES,
+        clamping::RULES,
+        times::RULES,
+        super::misprints::RULES,
+    ]
+    .into_iter()
+    .flatten()
 }
 
 /// Adds every formula to the graph.

@@ -35,11 +35,10 @@ use serde::Serialize;
 
 use crate::error::KnowledgeError;
 use crate::job::{Cycle, Job, Kind, SetUp, Stop, ToolWork};
-use crate::knowledge::{Input, Knowledge};
+use crate::knowledge::Knowledge;
 use crate::motion::{BlockRef, Position, Step};
 use crate::note::{Note, Severity};
-use crate::part::Point;
-use crate::part::{Entry, Part};
+use crate::part::{Part, Point};
 use crate::plan::{Operation, Plan, Transition};
 use crate::units::Micrometres;
 
@@ -80,10 +79,7 @@ impl Tolerated {
     /// # Errors
     /// A table lacks a figure.
     pub fn read(part: &Part, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
-        let rule = knowledge.table("approach")?;
-        let entry = if part.entry == Entry::Rough { "rough" } else { "machined" };
-        let answer = rule.decide(&[("entry", Input::Text(entry)), ("through", Input::Bool(true))])?;
-        let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, entry))?;
+        let row = crate::zone::approach(part, true, knowledge)?;
         let overload = crate::job::convention("overload", knowledge)?.0;
         let overlong = crate::job::convention("overlong", knowledge)?.0;
         Ok(Self { overrun: row.length("overrun")?, overload, overlong })

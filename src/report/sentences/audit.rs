@@ -226,4 +226,74 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
     ),
     // What is missing.
     ("audit-missing", "{section}: {what}", "{section}: {what}"),
+    // Beside the handbook's formulas.
+    (
+        "audit-by-formula",
+        "{share} % від {value}, що дає формула довідника з написаних величин",
+        "{share} % of the {value} that the handbook's formula makes of what is stated",
+    ),
+    (
+        "audit-tool-life",
+        "{share} % від {value} хв, для яких довідник дає швидкості за цього діаметра",
+        "{share} % of the {value} min for which the handbook gives speeds at this diameter",
+    ),
+    // The working zone.
+    (
+        "audit-zone-turned",
+        "повернуті на 90°, отвори займали б {span} <= {travel} мм по {axis}",
+        "turned by 90°, the holes would span {span} <= {travel} mm along {axis}",
+    ),
+    (
+        "audit-blank-off-table",
+        "заготовка по {axis}: {size} > {table} мм стола, звисає на {over} мм; покладіть її інакше або на пристрій",
+        "the blank along {axis}: {size} > {table} mm of table, {over} mm stand out; lay it otherwise or on a fixture",
+    ),
+    (
+        "audit-zone-over",
+        "комплект не проходить над деталлю: {length} + недобіг {approach} + деталь {thickness} + пристрій {fixture} = \
+         {needed} > {most} мм від стола до торця шпинделя; пройшов би комплект до {fits} мм",
+        "the assembly does not pass over the part: {length} + approach {approach} + part {thickness} + fixture {fixture} = \
+         {needed} > {most} mm from table to spindle nose; one of up to {fits} mm would pass",
+    ),
+    (
+        "audit-zone-under",
+        "повзун не опускає інструмент до дна: комплект T{other} {longest} − {length} + недобіг {approach} + глибина вістря {depth} = \
+         {way} > {travel} мм ходу; досить було б комплекту від {fits} мм",
+        "the quill does not bring the tool to the bottom: assembly of T{other} {longest} − {length} + approach {approach} + \
+         depth of the tip {depth} = {way} > {travel} mm of travel; an assembly of {fits} mm or more would do",
+    ),
+    (
+        "audit-zone-low",
+        "повзун не опускає інструмент до дна: торець шпинделя щонайменше {least} над столом − {length} − дно {lowest} = \
+         {way} > {travel} мм ходу; досить було б комплекту від {fits} мм",
+        "the quill does not bring the tool to the bottom: spindle nose at least {least} over the table − {length} − \
+         bottom {lowest} = {way} > {travel} mm of travel; an assembly of {fits} mm or more would do",
+    ),
+    (
+        "audit-zone-unknown",
+        "висоту не перевірено: у записі верстата немає відстані від стола до торця шпинделя",
+        "the height was not checked: the record of the machine has no distance from table to spindle nose",
+    ),
+    // The reach.
+    (
+        "audit-holder-hits",
+        "вістря опускається на {needed} мм нижче торця, а інструмент виступає з оправки на {reach}: оправка вдарить у деталь",
+        "the tip goes {needed} mm below the face and the tool stands {reach} out of its holder: the holder would hit the part",
+    ),
+    (
+        "audit-flute-short",
+        "робоча довжина {reach} < {needed} мм: глибина, вістря і перебіг",
+        "flutes of {reach} < {needed} mm: depth, point and overrun",
+    ),
+    // Clamps.
+    (
+        "audit-clamp-standard",
+        "{standard} не стандарт притискача {designation}: той за {known}",
+        "{standard} is not the standard of the clamp {designation}: it is of {known}",
+    ),
+    (
+        "audit-clamp-screw",
+        "гвинт {screw} не той, що в притискача {designation}: у нього {known}",
+        "{screw} is not the screw of the clamp {designation}: it has {known}",
+    ),
 ];

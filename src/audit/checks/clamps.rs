@@ -1,0 +1,103 @@
+//! The clamp: whether its standard and its screw are those of its designation, and whether the screw bears the force.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::RowRef;
+use crate::knowledge::units::Unit;
+use crate::note::{Because, Note, Severity};
+use crate::units::round_to;
+
+use super::super::context::Context;
+use super::super::finding::{Finding, Section};
+use super::super::graph::Graph;
+use super::super::near::{Likeness, likeness, plain};
+use super::super::quantity::{Id, Quantity as Q, Scope};
+use super::super::stated::{Clamping, Text};
+
+pub(super) fn check<'a>(
+    context: &Context<'a>,
+    graph: &Graph<'a>,
+    findings: &mut Vec<Finding>,
+) -> Result<(), KnowledgeError> {
+    let Some(clamping) = &context.stated.clamping else { return Ok(()) };
+    let known = designation(context, clamping, findings)?;
+    // A clamp whose screw is not stated has that of its designation.
+    let own = clamping.screw.as_ref().map(|screw| (screw.value.as_str(), screw));
+    let of_clamp =
+        known.zip(clamping.designation.as_ref()).and_then(|(row, name)| Some((row.text("screw").ok()?, name)));
+    match own.or(of_clamp) {
+        Some((thread, said)) => screw(context, graph, thread, said, findings),
+        None => Ok(()),
+    }
+}
+
+fn finding(severity: Severity, key: &str, note: Note, said: &Text) -> Finding {
+    Finding::new(severity, Section::Clamping, format!("clamping.{key}"), note).at(&said.place)
+}
+
+/// The clamp of a designation, with what does not belong to it. The catalog has only clamps that the source names, so
+/// that another designation is not wrong: it could not be checked.
+fn designation<'k>(
+    context: &Context<'k>,
+    clamping: &Clamping,
+    findings: &mut Vec<Finding>,
+) -> Result<Option<RowRef<'k>>, KnowledgeError> {
+    let Some(name) = &clamping.designation else { return Ok(None) };
+    let table = context.shop.knowledge.table("clamp-designations")?;
+    let same = |row: &RowRef<'_>| row.text("designation").is_ok_and(|own| plain(own) == plain(&name.value));
+    let Some(row) = table.all_rows().find(same) else {
+        let note = Note::new("audit-no-catalog").with("designation", &name.value);
+        findings.push(finding(Severity::Note, "designation", note, name));
+        return Ok(None);
+    };
+    let because = || [Because::row(row, Note::new("named"))];
+    let said =
+        [("standard", &clamping.standard, "audit-clamp-standard"), ("screw", &clamping.screw, "audit-clamp-screw")];
+    for (key, stated, code) in said {
+        let (Some(stated), right) = (stated, row.text(key)?) else { continue };
+        if likeness(&stated.value, right) != Likeness::Same {
+            let note = Note::new(code).with(key, &stated.value).with("designation", &name.value).with("known", right);
+            let finding = finding(Severity::Wrong, key, note, stated);
+            findings.push(finding.beside(&stated.value, right).resting_on(because()));
+        }
+    }
+    Ok(Some(row))
+}
+
+/// The screw bears the force on its clamp; a smaller one that would bear it too is no fault.
+fn screw(
+    context: &Context<'_>,
+    graph: &Graph<'_>,
+    thread: &str,
+    said: &Text,
+    findings: &mut Vec<Finding>,
+) -> Result<(), KnowledgeError> {
+    let table = context.shop.knowledge.table("clamp-screws")?;
+    let Some(row) = table.find("thread", thread) else {
+        let known: Vec<&str> = table.all_rows().filter_map(|row| row.text("thread").ok()).collect();
+        let note = Note::new("audit-no-screw").with("screw", thread).with("known", known.join(", "));
+        findings.push(finding(Severity::Wrong, "screw", note, said));
+        return Ok(());
+    };
+    let each = Id::new(Scope::Clamping, Q::ForcePerClamp);
+    // Where the division over the clamps is not stated, it is what the force and their number make.
+    let whole = Id::new(Scope::Clamping, Q::ClampForce);
+    let Some(force) = graph.right(each).or_else(|| graph.right(whole)) else { return Ok(()) };
+    let bears = row.number_in("force_80", Unit::Newton)?;
+    if bears + 0.5 >= force {
+        // A plan of ours takes the smallest that bears the force, unless the drawing names its screws.
+        let smallest =
+            table.all_rows().find(|row| row.number_in("force_80", Unit::Newton).is_ok_and(|most| most + 0.5 >= force));
+        let named = context.stated.part.fixture.clamps.iter().any(|clamp| clamp.screw.is_some());
+        if let Some(smallest) = smallest.filter(|smallest| context.stated.own && !named && smallest.index < row.index) {
+            let note = Note::new("audit-screw-large").with("screw", thread).with("force", round_to(force, 0));
+            let finding = finding(Severity::Doubtful, "screw", note, said);
+            findings.push(finding.beside(thread, smallest.text("thread")?));
+        }
+        return Ok(());
+    }
+    let note =
+        Note::new("audit-screw-weak").with("screw", thread).with("bears", bears).with("force", round_to(force, 0));
+    let finding = finding(Severity::Error, "screw", note, said);
+    findings.push(finding.resting_on([Because::row(row, Note::new("named"))]));
+    Ok(())
+}

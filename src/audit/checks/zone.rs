@@ -1,0 +1,233 @@
+//! The machine's working zone: the blank on the table, the holes within its travels, every tool between the part and the
+//! spindle. Motions of the program beyond the travels tells the program's own run.
+//!
+//! Only what cannot be whatever the operator sets is an error: the knee may stand at any height, and where the plan
+//! does not say how high the fixture is, the least height that the tools need under the part is reckoned with.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::RowRef;
+use crate::motion::Axis;
+use crate::note::{Because, Note, Severity};
+use crate::planner;
+use crate::units::Micrometres;
+use crate::zone::{self, Stroke};
+
+use super::super::context::Context;
+use super::super::finding::{Finding, Section};
+use super::super::graph::Graph;
+use super::super::quantity::{Id, Quantity as Q, Scope};
+use super::reach::Tips;
+
+pub(super) fn check<'a>(
+    context: &Context<'a>,
+    graph: &Graph<'a>,
+    findings: &mut Vec<Finding>,
+) -> Result<(), KnowledgeError> {
+    table(context, findings)?;
+    // Of these a plan of ours says itself.
+    if !context.stated.own {
+        travels(context, findings)?;
+    }
+    height(context, graph, findings)
+}
+
+fn about_part(severity: Severity, field: &str, note: Note) -> Finding {
+    Finding::new(severity, Section::Route, field.to_owned(), note)
+}
+
+/// A blank that stands out of the table.
+fn table(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
+    let blank = context.stated.part.blank;
+    let sides = [
+        (Axis::X, blank.length, "table-length", "part.blank.length"),
+        (Axis::Y, blank.width, "table-width", "part.blank.width"),
+    ];
+    for (axis, size, name, field) in sides {
+        // Not every record says how large its table is.
+        let Ok(row) = context.shop.machine.row(name) else { continue };
+        let Some(most) = row.numbers("value").first().copied().map(Micrometres::from_mm_rounded) else { continue };
+        if size > most {
+            let note = Note::new("audit-blank-off-table").with("axis", axis.letter()).with("size", size);
+            let note = note.with("table", most).with("over", size - most);
+            let finding = about_part(Severity::Doubtful, field, note).beside(size, format!("<= {most}"));
+            findings.push(finding.resting_on([limit(row)]));
+        }
+    }
+    Ok(())
+}
+
+fn limit(row: RowRef<'_>) -> Because {
+    Because::row(row, Note::new("audit-limit"))
+}
+
+/// What planning says of the same part: too heavy for the table, holes wider apart than it travels.
+fn travels(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
+    let (part, machine) = (&context.stated.part, &context.shop.machine);
+    let mut said = Vec::new();
+    planner::reach_of_table(part, &context.shop, &mut said);
+    for own in said {
+        let heavy = own.note.code == "too-heavy";
+        let (field, row) = match heavy {
+            true => ("part.mass", machine.row("load-mass-max")?),
+            false if own.note.params.get("axis").is_some_and(|axis| axis == "X") => {
+                ("part.holes", machine.row("travel-x")?)
+            }
+            false => ("part.holes", machine.row("travel-y")?),
+        };
+        let mut finding = about_part(own.severity, field, own.note).resting_on([limit(row)]);
+        if !heavy {
+            finding.reasons = turned(context);
+        }
+        findings.push(finding);
+    }
+    Ok(())
+}
+
+/// The spans of the holes with the part turned by a quarter, where both are then within the travels.
+fn turned(context: &Context<'_>) -> Vec<Note> {
+    let machine = &context.shop.machine;
+    let other = |axis| if axis == Axis::X { Axis::Y } else { Axis::X };
+    let spans: Vec<(Axis, Micrometres)> =
+        zone::spans(&context.stated.part).map(|(axis, low, high)| (other(axis), high - low)).collect();
+    if spans.iter().any(|(axis, span)| *span > machine.travel(*axis)) {
+        return Vec::new();
+    }
+    let note = |(axis, span): &(Axis, Micrometres)| {
+        let note = Note::new("audit-zone-turned").with("axis", axis.letter()).with("span", *span);
+        note.with("travel", machine.travel(*axis))
+    };
+    spans.iter().map(note).collect()
+}
+
+/// A tool of the plan over the part.
+#[derive(Clone, Copy)]
+struct Reach {
+    /// Its place in the list of tools.
+    tool: usize,
+    /// The row in which it goes deepest.
+    row: usize,
+    /// How far below its face it goes there.
+    tip: Micrometres,
+    stroke: Stroke,
+}
+
+/// Every tool passes over the part, and comes down to the bottom of its deepest hole.
+fn height(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
+    let part = &context.stated.part;
+    let tips = Tips::read(context)?;
+    let mut deepest = Vec::new();
+    for (tool, own) in context.stated.tools.iter().enumerate() {
+        let rows = context.stated.rows_of_tool(own.number);
+        let row = rows.filter_map(|(at, _)| Some((at, tips.of(context, at)?))).max_by_key(|(_, tip)| *tip);
+        deepest.extend(row.map(|(row, tip)| (tool, row, tip)));
+    }
+    let below = |tip: Micrometres| (tip - part.blank.thickness).max(Micrometres::ZERO);
+    let needed = deepest.iter().map(|(.., tip)| below(*tip)).max().unwrap_or_default();
+    let fixture = part.fixture.height.unwrap_or(needed);
+    for (tool, row, tip) in deepest.iter().filter(|(.., tip)| below(*tip) > fixture) {
+        let note = Note::new("no-room-under-part").with("below", below(*tip)).with("height", fixture);
+        let own = &context.stated.rows[*row];
+        let field = format!("route.{}.depth", own.number);
+        let place = own.figures.get(&Q::Depth).map_or(&own.place, |figure| &figure.place);
+        let mut finding = Finding::new(grave(context), Section::Route, field, note).at(place);
+        finding.subject = context.subject(Scope::Row(*row));
+        finding.subject.tool = Some(context.stated.tools[*tool].number);
+        findings.push(finding);
+    }
+    let face = fixture + part.blank.thickness;
+    let reaches = |of: &dyn Fn(Id) -> Option<f64>| -> Vec<Reach> {
+        let one = |(tool, row, tip): &(usize, usize, Micrometres)| {
+            let length = Micrometres::from_mm_rounded(of(Id::new(Scope::Tool(*tool), Q::Assembly))?);
+            let stroke = Stroke { length, highest: face + tips.approach, lowest: face - *tip };
+            Some(Reach { tool: *tool, row: *row, tip: *tip, stroke })
+        };
+        deepest.iter().filter_map(one).collect()
+    };
+    let zone = Zone { context, approach: tips.approach, fixture };
+    let stated = zone.beyond(&reaches(&|id| graph.written(id)))?;
+    let right = zone.beyond(&reaches(&|id| graph.right(id)))?;
+    for (tool, mut finding) in stated {
+        // Lengths that are slips themselves, and would do if they were right.
+        if !right.iter().any(|(other, _)| *other == tool) {
+            let lengths = deepest.iter().map(|(tool, ..)| Id::new(Scope::Tool(*tool), Q::Assembly));
+            let off = lengths.filter(|id| graph.written(*id) != graph.right(*id));
+            finding.follows_from = off.map(|id| context.field(id)).collect();
+        }
+        findings.push(finding);
+    }
+    if context.shop.machine.nose_to_table.is_none() && !context.stated.own && !deepest.is_empty() {
+        let note = Note::new("audit-zone-unknown");
+        findings.push(Finding::new(Severity::Note, Section::Lengths, "tools".to_owned(), note));
+    }
+    Ok(())
+}
+
+/// How grave it is that a tool has no room. What planning itself lets through is told when its program is made.
+fn grave(context: &Context<'_>) -> Severity {
+    if context.stated.own { Severity::Doubtful } else { Severity::Error }
+}
+
+struct Zone<'c, 'a> {
+    context: &'c Context<'a>,
+    approach: Micrometres,
+    /// Height of what the part lies on.
+    fixture: Micrometres,
+}
+
+impl Zone<'_, '_> {
+    /// Tools that have no room wherever the knee stands, each with what is to be said of it.
+    fn beyond(&self, reaches: &[Reach]) -> Result<Vec<(usize, Finding)>, KnowledgeError> {
+        let machine = &self.context.shop.machine;
+        let mut found = Vec::new();
+        let most = machine.nose_to_table.map(|(_, most)| most);
+        for one in reaches {
+            let needed = one.stroke.passes_from();
+            let Some(most) = most.filter(|most| needed > *most) else { continue };
+            let note = Note::new("audit-zone-over").with("length", one.stroke.length).with("approach", self.approach);
+            let note = note.with("thickness", self.context.stated.part.blank.thickness).with("fixture", self.fixture);
+            let fits = (most - one.stroke.highest).max(Micrometres::ZERO);
+            let note = note.with("needed", needed).with("most", most).with("fits", fits);
+            let finding = self.finding(one, note, format!("<= {fits}"));
+            found.push((one.tool, finding.resting_on([limit(machine.row("nose-to-table-max")?)])));
+        }
+        let least = machine.nose_to_table.map(|(least, _)| least);
+        let strokes: Vec<Stroke> = reaches.iter().map(|one| one.stroke).collect();
+        let longest = reaches.iter().max_by_key(|one| one.stroke.passes_from());
+        let (Some(nose), Some(longest)) = (zone::lowest_nose(&strokes, least), longest) else { return Ok(found) };
+        let held = least.filter(|_| nose > longest.stroke.passes_from());
+        for one in reaches {
+            let way = one.stroke.way(nose);
+            let told = found.iter().any(|(tool, _)| *tool == longest.tool || *tool == one.tool);
+            if way <= machine.travel_z || told {
+                continue;
+            }
+            let fits = one.stroke.length + way - machine.travel_z;
+            let note = match held {
+                Some(least) => Note::new("audit-zone-low").with("least", least).with("lowest", one.stroke.lowest),
+                None => {
+                    let other = self.context.stated.tools.get(longest.tool).map_or(0, |tool| tool.number);
+                    let note = Note::new("audit-zone-under").with("other", other).with("approach", self.approach);
+                    note.with("longest", longest.stroke.length).with("depth", one.tip)
+                }
+            };
+            let note = note.with("length", one.stroke.length).with("way", way).with("travel", machine.travel_z);
+            let finding = self.finding(one, note.with("fits", fits), format!(">= {fits}"));
+            found.push((one.tool, finding.resting_on([limit(machine.row("travel-z")?)])));
+        }
+        Ok(found)
+    }
+
+    fn finding(&self, one: &Reach, note: Note, right: String) -> Finding {
+        let context = self.context;
+        let tool = &context.stated.tools[one.tool];
+        let field = context.field(Id::new(Scope::Tool(one.tool), Q::Assembly));
+        let figure = tool.figures.get(&Q::Assembly);
+        let place = figure.map_or(&tool.place, |figure| &figure.place);
+        let mut finding = Finding::new(grave(context), Section::Lengths, field, note).at(place);
+        finding.subject = context.subject(Scope::Row(one.row));
+        finding.subject.tool = Some(tool.number);
+        finding.quantity = Some(Q::Assembly);
+        let stated = figure.map_or_else(|| one.stroke.length.to_string(), |figure| figure.text.clone());
+        finding.beside(stated, right)
+    }
+}

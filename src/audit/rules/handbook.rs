@@ -1,0 +1,278 @@
+//! What the handbook's formulas make of the feed, depth of cut, diameter and tool life of a plan by hand: its speed,
+//! force, torque and power, and the tool life that they are given for. How far a stated figure may be off, and how grave
+//! it is beyond, says the rule `audit-formula`.
+
+use crate::cutting::factors;
+use crate::cutting::handbook::{self, Handbook};
+use crate::cutting::laws::{LoadLaw, SpeedLaw};
+use crate::cutting::{self, Cut};
+use crate::error::{KnowledgeError, Refusal};
+use crate::knowledge::Input;
+use crate::knowledge::units::Unit;
+use crate::note::{Because, Note, Severity};
+use crate::plan::CuttingMethod;
+use crate::units::{Decimal, Micrometres, MillimetresPerRev, RevsPerMinute, round_to};
+
+use super::super::context::Context;
+use super::super::figures::{nature, shown};
+use super::super::graph::{Formula, Graph, Judged, Rule};
+use super::super::quantity::{Id, Quantity as Q, Scope};
+use super::{formula, given};
+
+const LIFE: Rule = Rule {
+    id: "tool-life",
+    formula: "T",
+    source: ("Косилова/Мещеряков, т. 2, табл. 30", "Kosilova/Meshcheryakov vol. 2 table 30 (facts 1.3)"),
+};
+const SPEED: Rule = Rule {
+    id: "handbook-speed",
+    formula: "V = Cv·D^q·Kv/(T^m·t^x·S^y)",
+    source: (
+        "Косилова/Мещеряков, т. 2, табл. 28, 29",
+        "Kosilova/Meshcheryakov vol. 2 tables 28, 29 (facts 1.1, 1.2, 1.5)",
+    ),
+};
+const FORCE: Rule = Rule {
+    id: "handbook-force",
+    formula: "P = 10·Cp·D^q·t^x·S^y·Kp",
+    source: ("Косилова/Мещеряков, т. 2, табл. 32", "Kosilova/Meshcheryakov vol. 2 table 32 (facts 1.4, 1.5)"),
+};
+const TORQUE: Rule = Rule {
+    id: "handbook-torque",
+    formula: "M = 10·Cm·D^q·t^x·S^y·Kp",
+    source: ("Косилова/Мещеряков, т. 2, табл. 32", "Kosilova/Meshcheryakov vol. 2 table 32 (facts 1.4, 1.5)"),
+};
+const POWER: Rule = Rule {
+    id: "handbook-power",
+    formula: "N = M·n/9750",
+    source: (
+        "Косилова/Мещеряков, т. 2, табл. 32; посібник, додаток Г, п. 8",
+        "Kosilova/Meshcheryakov vol. 2 table 32 (facts 1.4, 1.5); textbook, Appendix Г item 8",
+    ),
+};
+
+pub(super) const RULES: &[Rule] = &[LIFE, SPEED, FORCE, TORQUE, POWER];
+
+pub(super) fn add_all<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), KnowledgeError> {
+    // The figures of a plan of ours are these formulas, and `by-tables` has them all.
+    if context.stated.own {
+        return Ok(());
+    }
+    for at in 0..context.stated.conditions.len() {
+        one(context, graph, at)?;
+    }
+    Ok(())
+}
+
+fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result<(), KnowledgeError> {
+    let stated = context.stated;
+    let id = move |quantity| Id::new(Scope::Conditions(at), quantity);
+    // By cards only a tool life is held against the handbook.
+    if stated.method != CuttingMethod::Formula && stated.figure(id(Q::ToolLife)).is_none() {
+        return Ok(());
+    }
+    let Some(cut) = cut(context, at)? else { return Ok(()) };
+    // Which row holds depends on the feed.
+    let feed = stated.figure(id(stated.conditions[at].feed())).map(|figure| MillimetresPerRev(figure.value));
+    let formulas = match feed.filter(|feed| feed.0 > 0.0) {
+        Some(feed) => Refusal::split(handbook::formulas(&cut, feed, &context.shop))?.ok().flatten(),
+        None => None,
+    };
+    let mut by_table = None;
+    if let Ok(Some((life, because))) = Refusal::split(handbook::tool_life(&cut, &context.shop))? {
+        let at_step = formulas.as_ref().is_some_and(|own| is_at_step(context, at, own.speed, cut.diameter, life));
+        by_table = Some(life).filter(|_| at_step);
+        let table = Because::table(context.shop.knowledge.table("audit-formula")?, Note::new("audit-limit"));
+        let mut own = given(&LIFE, id(Q::ToolLife), life, because.into_iter().chain([table]));
+        own.judge = Some(Box::new(move |value, _| match at_step {
+            true => None,
+            false => judged(context, Q::ToolLife, value, life),
+        }));
+        graph.add(own);
+    }
+    if let Some(formulas) = formulas.filter(|_| stated.method == CuttingMethod::Formula) {
+        speed(context, graph, at, &formulas, by_table)?;
+        loads(context, graph, at, &formulas)?;
+    }
+    Ok(())
+}
+
+/// Whether the tool life stated is that at the spindle speed stated, not the one that the speed is computed with.
+fn is_at_step(context: &Context<'_>, at: usize, law: SpeedLaw, diameter: Micrometres, life: f64) -> bool {
+    let figure = |quantity| context.stated.figure(Id::new(Scope::Conditions(at), quantity));
+    let (Some(own), Some(rpm), Some(speed)) = (figure(Q::ToolLife), figure(Q::Rpm), figure(Q::Speed)) else {
+        return false;
+    };
+    let at_step = law.life_at(life, speed.value, cutting::speed_at(RevsPerMinute(rpm.value), diameter).0);
+    let slack = context.auditor.tolerances().of(Q::ToolLife, own, at_step);
+    (own.value - at_step).abs() <= slack
+}
+
+/// What is cut under conditions, as far as the formulas ask; nothing where the cutter is not known.
+fn cut<'a>(context: &'a Context<'a>, at: usize) -> Result<Option<Cut<'a>>, KnowledgeError> {
+    let stated = context.stated;
+    let conditions = &stated.conditions[at];
+    let Some(first) = conditions.rows.first().copied().filter(|_| !conditions.rounds) else { return Ok(None) };
+    let row = &stated.rows[first];
+    let cutter = stated.tool_of(row).and_then(|tool| context.cutter(tool));
+    let (Some(cutter), Some(hole)) = (cutter.filter(|_| !row.elsewhere), context.hole(row)) else { return Ok(None) };
+    let figure = |id: Id| stated.figure(id).map(|figure| Micrometres::from_mm_rounded(figure.value));
+    let reference = context.reference(first);
+    let diameter = figure(Id::new(Scope::Conditions(at), Q::Diameter))
+        .or_else(|| figure(Id::new(Scope::Row(first), Q::Diameter)))
+        .or_else(|| reference.map(|own| own.diameter_mm));
+    let depth = figure(Id::new(Scope::Row(first), Q::Depth))
+        .or_else(|| reference.map(|own| own.depth_mm - own.start_mm))
+        .unwrap_or(hole.depth);
+    // What is typed may be anything; the tables end long before a metre.
+    let sensible = |own: &Micrometres| (Micrometres::new(1)..=Micrometres::from_mm(1000)).contains(own);
+    let Some(diameter) = diameter.filter(sensible).filter(|_| sensible(&depth)) else { return Ok(None) };
+    Ok(Some(Cut {
+        operation: row.operation.value,
+        diameter,
+        feed_diameter: None,
+        from: Micrometres::ZERO,
+        passes: 1,
+        depth,
+        travel: depth,
+        tool_material: &cutter.head.material,
+        nose_radius: None,
+        roughness: None,
+        reamer_follows: false,
+        blind: !hole.through,
+        surface: factors::surface_of(hole.skin, &context.shop)?,
+        it: None,
+        pitch: None,
+        cutter: None,
+    }))
+}
+
+/// V = Cv·D^q·Kv/(T^m·t^x·S^y), with the factors that the plan states, else with those of the tables; T as stated, or
+/// `by_table` where the plan states the life of another speed.
+fn speed<'a>(
+    context: &'a Context<'a>,
+    graph: &mut Graph<'a>,
+    at: usize,
+    formulas: &Handbook,
+    by_table: Option<f64>,
+) -> Result<(), KnowledgeError> {
+    let conditions = &context.stated.conditions[at];
+    let id = |quantity| Id::new(Scope::Conditions(at), quantity);
+    let law = formulas.speed;
+    let mut inputs = vec![id(conditions.feed()), id(Q::DepthOfCut), id(Q::Diameter)];
+    let life = by_table.map_or_else(|| "{3}".to_owned(), shown);
+    inputs.extend(by_table.is_none().then_some(id(Q::ToolLife)));
+    let first = inputs.len();
+    let named = conditions.factors.get(&Q::FactorSpeed).map(Vec::as_slice).unwrap_or_default();
+    // A factor without a figure may be anything.
+    if named.iter().any(|factor| factor.value.is_none()) {
+        return Ok(());
+    }
+    inputs.extend((0..named.len()).map(|index| Id { index, ..id(Q::FactorSpeed) }));
+    let kv = if named.is_empty() { formulas.speed_factor } else { 1.0 };
+    let mut numbers = format!("{}·{}", shown(law.cv), power("{2}", law.q));
+    if named.is_empty() {
+        numbers.push_str(&format!("·{}", shown(kv)));
+    }
+    (0..named.len()).for_each(|index| numbers.push_str(&format!("·{{{}}}", first + index)));
+    let below = [power(&life, law.m), power("{1}", law.x), power("{0}", law.y)];
+    let below: Vec<String> = below.into_iter().filter(|one| !one.is_empty()).collect();
+    numbers.push_str(&format!("/({})", below.join("·")));
+    let compute = move |values: &[f64]| {
+        let [feed, depth_of_cut, diameter, more @ ..] = values else { return None };
+        let (life, factors) = match by_table {
+            Some(life) => (life, more),
+            None => more.split_first().map(|(life, factors)| (*life, factors))?,
+        };
+        Some(law.at(*diameter, *depth_of_cut, *feed, life) * kv * factors.iter().product::<f64>())
+    };
+    let own = formula(&SPEED, id(Q::Speed), inputs, &numbers, compute);
+    let because = if named.is_empty() { formulas.speed_because.len() } else { 1 };
+    add(context, graph, own, compute, formulas.speed_because.iter().take(because))
+}
+
+/// P, M and N by table 32, at the feed that is taken.
+fn loads<'a>(
+    context: &'a Context<'a>,
+    graph: &mut Graph<'a>,
+    at: usize,
+    formulas: &Handbook,
+) -> Result<(), KnowledgeError> {
+    let conditions = &context.stated.conditions[at];
+    let id = |quantity| Id::new(Scope::Conditions(at), quantity);
+    let Some((torque, thrust)) = formulas.loads else { return Ok(()) };
+    // A factor of a load may be meant as a divisor, as the cards have it: then nothing can be said.
+    let factors = [Q::FactorForce, Q::FactorPower];
+    if factors.iter().any(|own| conditions.factors.get(own).is_some_and(|named| !named.is_empty())) {
+        return Ok(());
+    }
+    let kp = formulas.load_factor;
+    let inputs = vec![id(conditions.feed()), id(Q::DepthOfCut), id(Q::Diameter)];
+    let load =
+        move |law: LoadLaw| move |values: &[f64]| Some(law.at(*values.get(2)?, *values.get(1)?, *values.first()?) * kp);
+    let because = || formulas.loads_because.iter();
+    for (rule, quantity, law) in [(&FORCE, Q::Force, thrust), (&TORQUE, Q::Torque, torque)] {
+        let own = formula(rule, id(quantity), inputs.clone(), &numbers(&law, kp), load(law));
+        add(context, graph, own, load(law), because())?;
+    }
+    // Where the torque is stated the power follows from it.
+    if context.stated.figure(id(Q::Torque)).is_none() {
+        let numbers = format!("{}·{{3}}/9750", numbers(&torque, kp));
+        let power = move |values: &[f64]| Some(load(torque)(values)? * values.get(3)? / 9750.0);
+        let inputs = inputs.into_iter().chain([id(Q::Rpm)]).collect();
+        add(context, graph, formula(&POWER, id(Q::Power), inputs, &numbers, power), power, because())?;
+    }
+    Ok(())
+}
+
+/// Takes on a formula that is judged by `audit-formula`, with the rows behind it; `compute` is its own.
+fn add<'a, 'b>(
+    context: &'a Context<'a>,
+    graph: &mut Graph<'a>,
+    mut own: Formula<'a>,
+    compute: impl Fn(&[f64]) -> Option<f64> + 'a,
+    because: impl Iterator<Item = &'b Because>,
+) -> Result<(), KnowledgeError> {
+    let table = context.shop.knowledge.table("audit-formula")?;
+    own.because.extend(because.cloned());
+    own.because.push(Because::table(table, Note::new("audit-limit")));
+    let quantity = own.output.quantity;
+    own.judge = Some(Box::new(move |value, inputs| judged(context, quantity, value, compute(inputs)?)));
+    graph.add(own);
+    Ok(())
+}
+
+/// How a stated figure stands to what the handbook gives, by the rule `audit-formula`.
+fn judged(context: &Context<'_>, quantity: Q, value: f64, by_formula: f64) -> Judged {
+    let share = value / by_formula * 100.0;
+    let rule = context.shop.knowledge.table("audit-formula").ok()?;
+    let of_formula = Decimal::from_f64_rounded(share.clamp(0.0, 1e6));
+    let inputs = [("quantity", Input::Text(quantity.key())), ("of_formula", Input::Number(of_formula, Unit::Percent))];
+    let severity = Severity::from_name(rule.decide(&inputs).ok()?.winner()?.text("severity").ok()?)?;
+    let nature = nature(value, by_formula);
+    let code = match quantity {
+        // A slip of the comma or of the sign is told as what it is.
+        _ if severity == Severity::Wrong && nature != "audit-figure" => nature,
+        Q::ToolLife => "audit-tool-life",
+        _ => "audit-by-formula",
+    };
+    Some((severity, Note::new(code).with("share", round_to(share, 0)).with("value", shown(by_formula))))
+}
+
+/// The formula of a load with `{0}` for the feed, `{1}` for the depth of cut and `{2}` for the diameter.
+fn numbers(law: &LoadLaw, kp: f64) -> String {
+    let powers = [power("{2}", law.q), power("{1}", law.x), power("{0}", law.y)];
+    let powers: Vec<String> = powers.into_iter().filter(|one| !one.is_empty()).collect();
+    format!("{}·{}·{}", shown(law.factor), powers.join("·"), shown(kp))
+}
+
+/// A power as it is printed; nothing where the exponent is 0.
+fn power(base: &str, exponent: f64) -> String {
+    if exponent == 0.0 {
+        String::new()
+    } else if exponent == 1.0 {
+        base.to_owned()
+    } else {
+        format!("{base}^{}", shown(exponent))
+    }
+}

@@ -1,0 +1,79 @@
+//! What the handbook's formulas make of feed, depth of cut, diameter and tool life that somebody else chose.
+
+use crate::error::{Refusal, Tried};
+use crate::note::{Because, Note};
+use crate::plan::Operation;
+use crate::shop::Shop;
+use crate::units::MillimetresPerRev;
+
+use super::laws::{self, LoadLaw, SpeedLaw};
+use super::{Cut, drilling, factors};
+
+/// The formulas of one transition, with the corrections for its material, surface and depth.
+#[derive(Clone, Debug)]
+pub struct Handbook {
+    /// The law of the speed, without corrections.
+    pub speed: SpeedLaw,
+    /// Kv = Kmv·Kpv·Klv.
+    pub speed_factor: f64,
+    /// The rows behind the speed.
+    pub speed_because: Vec<Because>,
+    /// The laws of torque and thrust, without Kp; absent where no row is known.
+    pub loads: Option<(LoadLaw, LoadLaw)>,
+    /// Kp.
+    pub load_factor: f64,
+    /// The rows behind the loads.
+    pub loads_because: Vec<Because>,
+}
+
+/// The operation by which the tables of speed and tool life know a transition; nothing for those that they do not have
+/// (boring, milling, tapping, and tools that borrow the figures of others).
+pub fn operation_of(operation: Operation) -> Option<&'static str> {
+    match operation {
+        Operation::CentreDrill | Operation::Drill | Operation::DrillOut | Operation::CoreDrill => {
+            Some(drilling::table_operation(operation))
+        }
+        Operation::RoughReam | Operation::FinishReam => Some("ream"),
+        _ => None,
+    }
+}
+
+/// The tool life for which the handbook gives speeds, min, by the table `tool-life`; nothing where the transition has none.
+///
+/// # Errors
+/// The tables have no figure for this material or diameter, or the knowledge cannot answer at all.
+pub fn tool_life(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Option<(f64, Vec<Because>)>> {
+    operation_of(cut.operation).map(|operation| factors::tool_life(operation, cut, shop)).transpose()
+}
+
+/// The formulas of a cut at a feed; nothing for transitions that they do not cover. Reamers have no loads here: theirs
+/// need the number of teeth.
+///
+/// # Errors
+/// As of [`tool_life`].
+pub fn formulas(cut: &Cut<'_>, feed: MillimetresPerRev, shop: &Shop<'_>) -> Tried<Option<Handbook>> {
+    let Some(operation) = operation_of(cut.operation) else { return Ok(None) };
+    let reams = operation == "ream";
+    let (speed, figures) = laws::speed(operation, cut.tool_material, feed, shop)?;
+    let note = Note::new("speed-coefficients").with("cv", speed.cv).with("q", speed.q).with("x", speed.x);
+    let mut speed_because = figures.because(note.with("y", speed.y).with("m", speed.m));
+    let corrections = match reams {
+        true if figures.own() => vec![factors::material_speed("drilling", cut.tool_material, shop)?],
+        true => Vec::new(),
+        false => drilling::speed_corrections(cut, figures.own(), shop)?,
+    };
+    let speed_factor = corrections.iter().map(|(factor, _)| factor).product();
+    speed_because.extend(corrections.into_iter().map(|(_, reason)| reason));
+
+    let (mut loads, mut load_factor, mut loads_because) = (None, 1.0, Vec::new());
+    if !reams && let Ok((torque, thrust, figures)) = Refusal::split(laws::loads(operation, cut.tool_material, shop))? {
+        loads = Some((torque, thrust));
+        loads_because = figures.because(Note::new("load-coefficients"));
+        if figures.own() {
+            let (factor, reason) = factors::material_force("drilling", cut.tool_material, shop)?;
+            load_factor = factor;
+            loads_because.push(reason);
+        }
+    }
+    Ok(Some(Handbook { speed, speed_factor, speed_because, loads, load_factor, loads_because }))
+}

@@ -1,0 +1,100 @@
+//! The handbook's power laws of drills, core drills and reamers, as their rows give them.
+
+use crate::error::{KnowledgeError, Tried};
+use crate::knowledge::{Input, RowRef};
+use crate::shop::Shop;
+use crate::units::MillimetresPerRev;
+
+use super::figures::{self, Figures, number};
+
+/// V = Cv·D^q / (T^m·t^x·s^y), m/min (Косилова/Мещеряков т.2, tables 28 and 29; facts 1.1, 1.2).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpeedLaw {
+    /// Cv.
+    pub cv: f64,
+    /// Exponent of the diameter.
+    pub q: f64,
+    /// Exponent of the depth of cut; 0 in drilling.
+    pub x: f64,
+    /// Exponent of the feed.
+    pub y: f64,
+    /// Exponent of the tool life.
+    pub m: f64,
+}
+
+impl SpeedLaw {
+    fn of(row: RowRef<'_>) -> Result<Self, KnowledgeError> {
+        let [cv, q, x, y, m] = ["cv", "q", "x", "y", "m"].map(|name| number(row, name));
+        Ok(Self { cv: cv?, q: q?, x: x?, y: y?, m: m? })
+    }
+
+    /// The speed, m/min: diameter and depth of cut in mm, feed in mm/rev, tool life in min.
+    pub fn at(&self, diameter: f64, depth_of_cut: f64, feed: f64, life: f64) -> f64 {
+        self.cv * libm::pow(diameter, self.q)
+            / (libm::pow(life, self.m) * libm::pow(depth_of_cut, self.x) * libm::pow(feed, self.y))
+    }
+
+    /// The tool life at another speed than the one that gives `life`, min: T·(V/V1)^(1/m).
+    pub fn life_at(&self, life: f64, speed: f64, other: f64) -> f64 {
+        life * libm::pow(speed / other, 1.0 / self.m)
+    }
+}
+
+/// 10·C·D^q·t^x·s^y: torque in N·m with Cm, thrust in N with Cp (table 32; facts 1.4).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LoadLaw {
+    /// 10·Cm or 10·Cp.
+    pub factor: f64,
+    /// Exponent of the diameter.
+    pub q: f64,
+    /// Exponent of the depth of cut.
+    pub x: f64,
+    /// Exponent of the feed.
+    pub y: f64,
+}
+
+impl LoadLaw {
+    fn of(row: RowRef<'_>, columns: [&str; 4]) -> Result<Self, KnowledgeError> {
+        let [c, q, x, y] = columns.map(|name| number(row, name));
+        Ok(Self { factor: 10.0 * c?, q: q?, x: x?, y: y? })
+    }
+
+    /// The load, N or N·m: diameter and depth of cut in mm, feed in mm/rev.
+    pub fn at(&self, diameter: f64, depth_of_cut: f64, feed: f64) -> f64 {
+        self.without_feed(diameter, depth_of_cut) * libm::pow(feed, self.y)
+    }
+
+    /// What the feed's power is multiplied by.
+    pub(super) fn without_feed(&self, diameter: f64, depth_of_cut: f64) -> f64 {
+        self.factor * libm::pow(diameter, self.q) * libm::pow(depth_of_cut, self.x)
+    }
+}
+
+/// The law of the speed with its row; `operation` is one of the table's.
+pub(super) fn speed<'k>(
+    operation: &str,
+    tool_material: &str,
+    feed: MillimetresPerRev,
+    shop: &Shop<'k>,
+) -> Tried<(SpeedLaw, Figures<'k>)> {
+    let inputs = [
+        ("operation", Input::Text(operation)),
+        ("tool_material", Input::Text(tool_material)),
+        ("feed", figures::feed_input(feed)),
+    ];
+    let figures = figures::ask("cutting-speed", &inputs, shop)?;
+    Ok((SpeedLaw::of(figures.row)?, figures))
+}
+
+/// The laws of torque and thrust with their row.
+pub(super) fn loads<'k>(
+    operation: &str,
+    tool_material: &str,
+    shop: &Shop<'k>,
+) -> Tried<(LoadLaw, LoadLaw, Figures<'k>)> {
+    let inputs = [("operation", Input::Text(operation)), ("tool_material", Input::Text(tool_material))];
+    let figures = figures::ask("torque-and-thrust", &inputs, shop)?;
+    let torque = LoadLaw::of(figures.row, ["cm", "qm", "xm", "ym"])?;
+    let thrust = LoadLaw::of(figures.row, ["cp", "qp", "xp", "yp"])?;
+    Ok((torque, thrust, figures))
+}

@@ -1,0 +1,81 @@
+//! The machine's working zone: what a part and its tools ask of it. Planning, jobs and audits reckon with the same.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::{Input, Knowledge, RowRef};
+use crate::motion::Axis;
+use crate::part::{Entry, Part};
+use crate::units::Micrometres;
+
+/// A tool between the height at which it passes over the part and its lowest point; heights of its tip over the table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stroke {
+    /// From the spindle's nose to its tip.
+    pub length: Micrometres,
+    /// Where it passes over the part.
+    pub highest: Micrometres,
+    /// Where it has done its work.
+    pub lowest: Micrometres,
+}
+
+impl Stroke {
+    /// From the table to the spindle's nose with the quill up: the least at which the tool passes over the part.
+    pub fn passes_from(&self) -> Micrometres {
+        self.highest + self.length
+    }
+
+    /// How far the quill comes down to the tool's lowest point, where its nose stands so high when it is up.
+    pub fn way(&self, nose: Micrometres) -> Micrometres {
+        nose - self.lowest - self.length
+    }
+}
+
+/// How low the spindle's nose may stand over the table with the quill up: as low as the tool that needs most lets it, but
+/// not below the least of the machine; nothing without tools.
+pub fn lowest_nose(strokes: &[Stroke], least: Option<Micrometres>) -> Option<Micrometres> {
+    let needed = strokes.iter().map(Stroke::passes_from).max()?;
+    Some(least.map_or(needed, |least| least.max(needed)))
+}
+
+/// The axes of the table, each with the least and the greatest coordinate of the holes; none where there is no hole.
+pub fn spans(part: &Part) -> impl Iterator<Item = (Axis, Micrometres, Micrometres)> {
+    let points = || part.holes.iter().flat_map(|hole| &hole.at);
+    let x = points().map(|point| point.x).min().zip(points().map(|point| point.x).max());
+    let y = points().map(|point| point.y).min().zip(points().map(|point| point.y).max());
+    [(Axis::X, x), (Axis::Y, y)].into_iter().filter_map(|(axis, span)| span.map(|(low, high)| (axis, low, high)))
+}
+
+/// The row of the rule `approach` for a part: how far before the metal the feed begins (`approach`), and how far a tool
+/// comes out of a hole (`overrun`); textbook 1.4, l. 413-418.
+///
+/// # Errors
+/// The rule has no row.
+pub fn approach<'k>(part: &Part, through: bool, knowledge: &'k Knowledge) -> Result<RowRef<'k>, KnowledgeError> {
+    let rule = knowledge.table("approach")?;
+    let entry = if part.entry == Entry::Rough { "rough" } else { "machined" };
+    let answer = rule.decide(&[("entry", Input::Text(entry)), ("through", Input::Bool(through))])?;
+    answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, entry))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn stroke(length: i64, highest: i64, lowest: i64) -> Stroke {
+        let [length, highest, lowest] = [length, highest, lowest].map(Micrometres::from_mm);
+        Stroke { length, highest, lowest }
+    }
+
+    #[test]
+    fn the_nose_stands_as_low_as_the_longest_tool_lets_it() {
+        // A part of 40 mm on supports of 60: tools of 215 and 155 mm pass 3 mm over it and go 6 mm below it.
+        let long = stroke(215, 103, 54);
+        let short = stroke(155, 103, 54);
+        let nose = lowest_nose(&[short, long], Some(Micrometres::from_mm(250))).unwrap();
+        assert_eq!(nose, Micrometres::from_mm(318));
+        assert_eq!(short.way(nose), Micrometres::from_mm(318 - 54 - 155));
+        // Where the machine holds it higher, it is farther down to the bottom.
+        let nose = lowest_nose(&[short, long], Some(Micrometres::from_mm(400))).unwrap();
+        assert_eq!(short.way(nose), Micrometres::from_mm(400 - 54 - 155));
+        assert_eq!(lowest_nose(&[], None), None);
+    }
+}
