@@ -25,8 +25,25 @@ fn table_operation(operation: Operation) -> &'static str {
 /// - V = Cv·D^q / (T^m·t^x·s^y)·Kv, m/min, with Kv = Kmv·Klv·Kpv; drilling has no t term (x = 0);
 /// - M = 10·Cm·D^q·t^x·s^y·Kp, N·m; P = 10·Cp·D^q·t^x·s^y·Kp, N;
 /// - D, t in mm, s in mm/rev, T in min.
-pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
-    by_tables(cut, feed::tabulated(cut, shop)?, shop)
+pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft> {
+    by_tables(cut, feed::tabulated(cut, shop)?.or(in_table(cut, taken, shop)?), shop)
+}
+
+/// A feed as the tables would have it: the cards raise theirs by a factor of the material afterwards.
+fn in_table(
+    cut: &Cut<'_>,
+    taken: Option<MillimetresPerRev>,
+    shop: &Shop<'_>,
+) -> Result<Option<MillimetresPerRev>, KnowledgeError> {
+    match taken {
+        Some(feed) if by_card(cut, shop) => Ok(Some(MillimetresPerRev(feed.0 / card::feed_factor(shop)?))),
+        taken => Ok(taken),
+    }
+}
+
+/// Whether the normative cards are asked: they know nothing of core drills.
+fn by_card(cut: &Cut<'_>, shop: &Shop<'_>) -> bool {
+    shop.method == CuttingMethod::Card && cut.operation != Operation::CoreDrill
 }
 
 /// The same for a feed found elsewhere: the tools that have no coefficients of their own take this way.
@@ -42,23 +59,26 @@ pub(super) fn by_tables(cut: &Cut<'_>, feed: Feed, shop: &Shop<'_>) -> Tried<Dra
     }
     let scaled = |law: PowerLaw| PowerLaw { factor: law.factor * force, ..law };
     let loads = Loads { torque: base.loads.torque.map(scaled), thrust: base.loads.thrust.map(scaled) };
-    if shop.method == CuttingMethod::Card && cut.operation != Operation::CoreDrill {
-        return Ok(card::draft(cut, feed.feed, &base, loads, because, shop)?);
-    }
-    // A row that stands in is that of its own reference material; the factor of ours would not fit it.
+    let card = by_card(cut, shop);
     let mut corrections = Vec::new();
-    if base.own_speed {
+    // A row that stands in is that of its own reference material; the factor of ours would not fit it. The cards have
+    // a material factor of their own.
+    if base.own_speed && !card {
         corrections.push(factors::material_speed("drilling", cut.tool_material, shop)?);
     }
     corrections.push(factors::surface(cut.surface, shop)?);
     if cut.operation == Operation::Drill {
         corrections.push(factors::by_depth("depth-speed-factor", cut, shop)?);
     }
-    let mut speed = base.speed;
-    for (factor, reason) in corrections {
-        speed *= factor;
+    let mut factor = 1.0;
+    for (correction, reason) in corrections {
+        factor *= correction;
         because.push(reason);
     }
+    if card {
+        return Ok(card::draft(cut, feed.feed, &base, (loads, factor), because, shop)?);
+    }
+    let speed = base.speed * factor;
     Ok(Draft {
         feed: feed.feed,
         speed: MetresPerMinute(speed),
@@ -112,7 +132,7 @@ fn base(cut: &Cut<'_>, feed: MillimetresPerRev, shop: &Shop<'_>) -> Tried<Base> 
         let row = figures.row;
         let law = |c: &str, q: &str, x: &str, y: &str| -> Result<PowerLaw, KnowledgeError> {
             let factor = 10.0 * number(row, c)? * libm::pow(d, number(row, q)?) * libm::pow(t, number(row, x)?);
-            Ok(PowerLaw { factor, exponent: number(row, y)? })
+            Ok(PowerLaw::of_feed(factor, number(row, y)?))
         };
         loads.torque = Some(law("cm", "qm", "xm", "ym")?);
         loads.thrust = Some(law("cp", "qp", "xp", "yp")?);
