@@ -320,3 +320,55 @@ fn the_strength_of_a_drill_is_that_of_its_own_diameter() {
         assert_eq!(found.limited_by == "drill-strength", feed < 0.1, "Ø{tool}");
     }
 }
+
+/// Over all drills, core drills and boring cuts of all materials: what is driven stays inside thrust, torque and power of
+/// the machine (9806 N, 615 N·m, 7.5 kW; the printed figures are rounded), and each kind of limit occurs.
+#[test]
+fn whatever_limits_the_feed_the_machine_bears_what_is_driven() {
+    let mut limits = std::collections::BTreeSet::new();
+    for material in ["steel-45", "steel-40hn", "cast-iron-sch20", "aluminium-d16", "stainless-12h18n10t"] {
+        for diameter in (2..=60).map(f64::from) {
+            for (operation, from, tool_material) in [
+                (Operation::Drill, 0.0, "HSS"),
+                (Operation::DrillOut, diameter / 2.0, "HSS"),
+                (Operation::CoreDrill, diameter - 1.0, "HSS"),
+                (Operation::RoughBore, diameter - 8.0, "carbide"),
+            ] {
+                if from < 0.0 || (from < 1.0 && operation != Operation::Drill) {
+                    continue;
+                }
+                let cut = Cut { tool_material, depth: mm(diameter), ..cut(operation, from, diameter) };
+                let Ok(found) = cutting::conditions(&cut, &shop(material)) else { continue };
+                let what = format!("{material} {operation:?} Ø{diameter}: {}", found.limited_by);
+                assert!(found.axial_force_n.is_none_or(|force| force.0 <= 9806.5), "{what}");
+                assert!(found.torque_n_m.is_none_or(|torque| torque.0 <= 615.001), "{what}");
+                assert!(found.power_kw.is_none_or(|power| power.0 <= 7.5001), "{what}");
+                assert!(found.tool_life_min.0 > 0.0 && found.feed_mm_per_rev.0 > 0.0, "{what}");
+                limits.insert(found.limited_by);
+            }
+        }
+    }
+    for limit in ["cutting-speed", "drill-strength", "thrust", "spindle-power", "spindle-speed-max"] {
+        assert!(limits.contains(limit), "{limit} limits nothing: {limits:?}");
+    }
+}
+
+/// Ø60 rough bored from 48 with carbide, t = 6, s = 0.3: V = 420/(60^0.2·6^0.15·0.3^0.2)·0.9·1.25
+/// = 420/(2.2679·1.3083·0.7860)·1.125 = 202.6 m/min; n = 1075: 1000, 188.5 m/min.
+///
+/// - M = 10·300·6·188.5^-0.15·0.8459·0.03·s^0.75 = 18000·0.45573·0.8459·0.03·s^0.75 = 208.2·s^0.75 N·m: 84.4 at 0.3,
+///   and 7.5 kW are 9750·7.5/1000 = 73.13. So s = (73.13/208.2)^(1/0.75) = 0.2479, 247.9 mm/min;
+/// - at 800 the whole 0.3 goes through, but that is 240 mm/min only: 1000 stays;
+/// - power asks for less speed, not for more: the speed stays, and the tool lives longer: at 0.2479 the formula has
+///   210.5 m/min, T = 60·(210.5/188.5)^5 = 104 min.
+#[test]
+fn where_power_holds_the_feed_the_speed_is_not_raised_and_the_life_is_told() {
+    let found = conditions(&Cut { tool_material: "carbide", ..cut(Operation::RoughBore, 48.0, 60.0) }, "steel-45");
+    assert_eq!(found.limited_by, "spindle-power");
+    near(found.spindle_rpm.0, 1000.0);
+    near(found.feed_mm_per_rev.0, 0.2479);
+    near(found.power_kw.unwrap().0, 7.5);
+    near(found.computed_speed_m_per_min.0, 210.5);
+    assert!((found.tool_life_min.0 - 104.0).abs() <= 1.0, "{}", found.tool_life_min.0);
+    assert!(codes(&found).contains(&"life-for-feed"), "{:?}", codes(&found));
+}
