@@ -1,6 +1,7 @@
-//! Clamping: the force that holds the part against the largest torque, and the screw that gives it.
+//! Clamping: the force that holds the part against the torque that asks most of it, and the screw that gives it.
 
 use crate::error::KnowledgeError;
+use crate::knowledge::RowRef;
 use crate::knowledge::units::Unit;
 use crate::note::{Because, Note};
 use crate::part::{Part, Point};
@@ -13,13 +14,15 @@ use crate::units::{Micrometres, NewtonMetres, Newtons};
 /// d is the distance from the hole to the nearest clamp; k and f are rows of `clamping`. The force is
 /// divided over the clamps, and the screw is the smallest of `clamp-screws` that bears it at 80 MPa.
 ///
+/// Clamps that do not suffice are given with their figures too, and with the inequality that fails.
+///
 /// # Errors
 /// The knowledge cannot answer.
 pub fn clamping(
     part: &Part,
     holes: &[HolePlan],
     shop: &Shop<'_>,
-) -> Result<Option<Result<Clamping, Note>>, KnowledgeError> {
+) -> Result<Option<(Clamping, Vec<Note>)>, KnowledgeError> {
     let table = shop.knowledge.table("clamping")?;
     let constant = |name: &str| -> Result<(f64, Because), KnowledgeError> {
         let row = table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
@@ -53,22 +56,20 @@ pub fn clamping(
     let Some((force, torque, hole, distance)) = worst else { return Ok(None) };
     let each = Newtons(force / clamps.len().max(1) as f64);
     let screws = shop.knowledge.table("clamp-screws")?;
-    let strong =
-        |row: &crate::knowledge::RowRef<'_>| row.number_in("force_80", Unit::Newton).is_ok_and(|most| most >= each.0);
-    let Some(screw) = screws.all_rows().find(strong) else {
-        return Ok(Some(Err(Note::new("no-screw").with("force", each.rounded(0).0).with("clamps", clamps.len()))));
-    };
+    let bears = |row: RowRef<'_>| row.number_in("force_80", Unit::Newton);
+    let strong = screws.all_rows().find(|row| bears(*row).is_ok_and(|most| most >= each.0));
+    let mut faults = Vec::new();
+    if strong.is_none() {
+        faults.push(Note::new("no-screw").with("force", each.rounded(0).0).with("clamps", clamps.len()));
+    }
+    // Where none of the table bears the force, its last and strongest is shown.
+    let screw = strong.or_else(|| screws.all_rows().last()).ok_or_else(|| KnowledgeError::no_row(screws, "a screw"))?;
     // A drawing that names its screws keeps them; the plan then says which screw would do.
     let named = part.fixture.clamps.iter().find_map(|clamp| clamp.screw.clone());
     let name = screw.text("thread")?.to_owned();
-    let shown = match &named {
-        Some(own) => screws.find("thread", own).unwrap_or(screw),
-        None => screw,
-    };
-    let note = Note::new("screw")
-        .with("needed", &name)
-        .with("taken", shown.text("thread")?)
-        .with("bears", shown.number_in("force_80", Unit::Newton)?);
+    let shown = named.and_then(|own| screws.find("thread", &own)).unwrap_or(screw);
+    let most = Newtons(bears(shown)?);
+    let note = Note::new("screw").with("needed", &name).with("taken", shown.text("thread")?).with("bears", most.0);
     let clamping = Clamping {
         torque_n_m: torque,
         hole: hole.to_owned(),
@@ -76,25 +77,25 @@ pub fn clamping(
         force_n: Newtons(force).rounded(0),
         force_per_clamp_n: each.rounded(0),
         screw: shown.text("thread")?.to_owned(),
+        screw_bears_n: most,
         clamps,
         proposed,
         safe_distance_mm: shown.length("safe_distance")?,
         because: vec![safety, friction, Because::row(shown, note)],
     };
-    let weak = shown.number_in("force_80", Unit::Newton)? < each.0;
     if let Some((name, distance, needed)) = blocked(part, &clamping.clamps, inset) {
         let note = Note::new("clamp-near-hole").with("distance", distance).with("needed", needed).with("hole", name);
-        return Ok(Some(Err(note)));
+        faults.push(note);
     }
-    if weak {
+    if strong.is_some() && most.0 < each.0 {
         let note = Note::new("screw-too-weak")
             .with("screw", &clamping.screw)
-            .with("bears", shown.number_in("force_80", Unit::Newton)?)
+            .with("bears", most.0)
             .with("force", clamping.force_per_clamp_n.0)
             .with("needed", name);
-        return Ok(Some(Err(note)));
+        faults.push(note);
     }
-    Ok(Some(Ok(clamping)))
+    Ok(Some((clamping, faults)))
 }
 
 /// A hole so near a clamp that the tool would run into it: the clamp's half width is the inset.

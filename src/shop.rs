@@ -1,7 +1,7 @@
 //! What planning stands in: the knowledge, the machine and the material of one part.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::Knowledge;
+use crate::knowledge::{Knowledge, RowRef};
 use crate::machine::Machine;
 use crate::material::Material;
 use crate::part::Part;
@@ -27,9 +27,16 @@ impl<'k> Shop<'k> {
     /// # Errors
     /// The table does not name it.
     pub fn share(&self, name: &str) -> Result<f64, KnowledgeError> {
+        Ok(self.default_row(name)?.number_in("value", Unit::None)?)
+    }
+
+    /// A row of the conventions in `hole-defaults`, for those who cite it.
+    ///
+    /// # Errors
+    /// The table does not name it.
+    pub fn default_row(&self, name: &str) -> Result<RowRef<'k>, KnowledgeError> {
         let table = self.knowledge.table("hole-defaults")?;
-        let row = table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
-        Ok(row.number_in("value", Unit::None)?)
+        table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))
     }
 
     /// A roughness of the conventions in `hole-defaults`, whose names end in `-ra-um`.
@@ -45,9 +52,7 @@ impl<'k> Shop<'k> {
     /// # Errors
     /// The table does not name it.
     pub fn convention(&self, name: &str) -> Result<Micrometres, KnowledgeError> {
-        let table = self.knowledge.table("hole-defaults")?;
-        let row = table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
-        Ok(Micrometres::from_mm_rounded(row.number_in("value", Unit::None)?))
+        Ok(Micrometres::from_mm_rounded(self.share(name)?))
     }
 
     /// The same shop as if its machine bore any load and any tool: for what is done on another machine, whose

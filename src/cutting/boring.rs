@@ -14,16 +14,19 @@ use super::{Cut, Draft, Loads, Motion, PowerLaw, factors};
 /// Turning formulas, speed × 0.9 for internal work (Косилова/Мещеряков т.2; facts 1.8).
 ///
 /// - V = Cv / (T^m·t^x·s^y)·Kmv·Kpv·0.9;
-/// - Pz = 10·Cp·t^x·s^y·V^n·Kp, N; the torque is Pz·D/2.
-pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
-    let (feed, reason) = feed(cut, shop)?;
+/// - Pz = 10·Cp·t^x·s^y·V^n·Kp, N, with V the speed that is driven; the torque is Pz·D/2.
+pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft> {
+    let (tabulated, reason) = feed(cut, shop)?;
+    let feed = taken.unwrap_or(tabulated);
     let mut because = vec![reason];
     let parameters = shop.knowledge.table("boring-parameters")?;
     let parameter = |name: &str| parameters.find("name", name).ok_or_else(|| KnowledgeError::no_row(parameters, name));
     let life_row = parameter("tool-life")?;
     let life = life_row.number_in("time", Unit::Minute)?;
-    let internal = number(parameter("internal-factor")?, "factor")?;
+    let internal_row = parameter("internal-factor")?;
+    let internal = number(internal_row, "factor")?;
     because.push(Because::row(life_row, Note::new("tool-life").with("minutes", life)));
+    because.push(Because::row(internal_row, Note::new("internal-factor").with("factor", internal)));
     let t = cut.depth_of_cut();
 
     let figures = figures::ask("boring-speed", &[("feed", feed_input(feed))], shop)?;
@@ -47,15 +50,18 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
         Refusal::split(figures::ask("boring-force", &[("tool_material", Input::Text(cut.tool_material))], shop))?
     {
         let row = figures.row;
-        let mut force =
-            10.0 * number(row, "cp")? * libm::pow(t, number(row, "x")?) * libm::pow(speed, number(row, "n")?);
+        let mut force = 10.0 * number(row, "cp")? * libm::pow(t, number(row, "x")?);
         if figures.own() {
             let (factor, reason) = factors::material_force("turning", cut.tool_material, shop)?;
             force *= factor;
             because.push(reason);
         }
         because.extend(figures.because(Note::new("load-coefficients")));
-        loads.torque = Some(PowerLaw { factor: force * cut.diameter.to_mm() / 2000.0, exponent: number(row, "y")? });
+        loads.torque = Some(PowerLaw {
+            factor: force * cut.diameter.to_mm() / 2000.0,
+            exponent: number(row, "y")?,
+            of_speed: number(row, "n")?,
+        });
     }
     Ok(Draft {
         feed,

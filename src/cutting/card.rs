@@ -16,12 +16,13 @@ use super::drilling::Base;
 use super::{Cut, Draft, Loads, Motion, PowerLaw, power_of, rpm_at};
 
 /// Conditions by the card: its point for steel, then the worked example's factors of the material group;
-/// `loads` are those of the formula for the material at hand.
+/// `loads` are those of the formula for the material at hand. `part` is what the skin of the
+/// blank makes of the speed by the handbook's table: the card's own factor, Kvw, is known only where it is 1.
 pub(super) fn draft(
     cut: &Cut<'_>,
     feed: MillimetresPerRev,
     base: &Base,
-    loads: Loads,
+    (loads, part): (Loads, f64),
     mut because: Vec<Because>,
     shop: &Shop<'_>,
 ) -> Result<Draft, KnowledgeError> {
@@ -38,10 +39,11 @@ pub(super) fn draft(
         if cut.operation == Operation::DrillOut { (1.0, 1.0) } else { (calibrated("thrust")?, calibrated("power")?) };
     let thrust = base.loads.thrust.map(|law| PowerLaw { factor: law.factor * thrust_factor, ..law });
     let rpm = rpm_at(speed, cut.diameter);
-    let power = base.loads.torque.map(|law| Kilowatts(power_of(NewtonMetres(law.at(feed)), rpm).0 * power_factor));
+    let power =
+        base.loads.torque.map(|law| Kilowatts(power_of(NewtonMetres(law.at(feed, speed)), rpm).0 * power_factor));
     because.extend(known_point(cut, feed, shop)?);
     let (product, material) = corrections(shop, &mut because)?;
-    let force = thrust.map(|law| Newtons(law.at(feed)));
+    let force = thrust.map(|law| Newtons(law.at(feed, speed)));
     let card = CardPoint {
         feed_mm_per_rev: feed.rounded(3),
         speed_m_per_min: speed.rounded(2),
@@ -54,7 +56,7 @@ pub(super) fn draft(
     // machine and the clamps must bear is the formula's load at the feed really taken.
     Ok(Draft {
         feed: MillimetresPerRev(feed.0 * material),
-        speed: MetresPerMinute(speed.0 * product),
+        speed: MetresPerMinute(speed.0 * product * part),
         tool_life: base.tool_life,
         life_exponent: base.life_exponent,
         coolant: base.coolant,
@@ -83,6 +85,11 @@ fn known_point(cut: &Cut<'_>, feed: MillimetresPerRev, shop: &Shop<'_>) -> Resul
         }
     }
     Ok(None)
+}
+
+/// The factor by which the worked example raises the card's feed.
+pub(super) fn feed_factor(shop: &Shop<'_>) -> Result<f64, KnowledgeError> {
+    Ok(corrections(shop, &mut Vec::new())?.1)
 }
 
 /// The product of the worked example's factors, and its material factor alone; 1 for other groups.

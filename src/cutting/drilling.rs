@@ -1,6 +1,6 @@
 //! Drilling, drilling out, core drilling and centring.
 
-use crate::error::{Refusal, Tried};
+use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Because, Note};
 use crate::plan::{CuttingMethod, Operation};
 use crate::shop::Shop;
@@ -26,8 +26,25 @@ pub(super) fn table_operation(operation: Operation) -> &'static str {
 /// - V = Cv·D^q / (T^m·t^x·s^y)·Kv, m/min, with Kv = Kmv·Klv·Kpv; drilling has no t term (x = 0);
 /// - M = 10·Cm·D^q·t^x·s^y·Kp, N·m; P = 10·Cp·D^q·t^x·s^y·Kp, N;
 /// - D, t in mm, s in mm/rev, T in min.
-pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
-    by_tables(cut, feed::tabulated(cut, shop)?, shop)
+pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft> {
+    by_tables(cut, feed::tabulated(cut, shop)?.or(in_table(cut, taken, shop)?), shop)
+}
+
+/// A feed as the tables would have it: the cards raise theirs by a factor of the material afterwards.
+fn in_table(
+    cut: &Cut<'_>,
+    taken: Option<MillimetresPerRev>,
+    shop: &Shop<'_>,
+) -> Result<Option<MillimetresPerRev>, KnowledgeError> {
+    match taken {
+        Some(feed) if by_card(cut, shop) => Ok(Some(MillimetresPerRev(feed.0 / card::feed_factor(shop)?))),
+        taken => Ok(taken),
+    }
+}
+
+/// Whether the normative cards are asked: they know nothing of core drills.
+fn by_card(cut: &Cut<'_>, shop: &Shop<'_>) -> bool {
+    shop.method == CuttingMethod::Card && cut.operation != Operation::CoreDrill
 }
 
 /// The same for a feed found elsewhere: the tools that have no coefficients of their own take this way.
@@ -43,14 +60,17 @@ pub(super) fn by_tables(cut: &Cut<'_>, feed: Feed, shop: &Shop<'_>) -> Tried<Dra
     }
     let scaled = |law: PowerLaw| PowerLaw { factor: law.factor * force, ..law };
     let loads = Loads { torque: base.loads.torque.map(scaled), thrust: base.loads.thrust.map(scaled) };
-    if shop.method == CuttingMethod::Card && cut.operation != Operation::CoreDrill {
-        return Ok(card::draft(cut, feed.feed, &base, loads, because, shop)?);
-    }
-    let mut speed = base.speed;
-    for (factor, reason) in speed_corrections(cut, base.own_speed, shop)? {
-        speed *= factor;
+    let card = by_card(cut, shop);
+    let mut factor = 1.0;
+    // The cards have a material factor of their own.
+    for (correction, reason) in speed_corrections(cut, base.own_speed && !card, shop)? {
+        factor *= correction;
         because.push(reason);
     }
+    if card {
+        return Ok(card::draft(cut, feed.feed, &base, (loads, factor), because, shop)?);
+    }
+    let speed = base.speed * factor;
     Ok(Draft {
         feed: feed.feed,
         speed: MetresPerMinute(speed),
@@ -110,7 +130,7 @@ fn base(cut: &Cut<'_>, feed: MillimetresPerRev, shop: &Shop<'_>) -> Tried<Base> 
     let mut own_loads = true;
     // Without a row of loads the transition is still cut; its forces are left out and not guessed.
     if let Ok((torque, thrust, figures)) = Refusal::split(laws::loads(operation, cut.tool_material, shop))? {
-        let of_feed = |law: LoadLaw| PowerLaw { factor: law.without_feed(d, t), exponent: law.y };
+        let of_feed = |law: LoadLaw| PowerLaw::of_feed(law.without_feed(d, t), law.y);
         loads = Loads { torque: Some(of_feed(torque)), thrust: Some(of_feed(thrust)) };
         own_loads = figures.own();
         because.extend(figures.because(Note::new("load-coefficients")));

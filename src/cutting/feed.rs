@@ -3,7 +3,7 @@
 use crate::error::{KnowledgeError, Tried};
 use crate::knowledge::{Input, Knowledge, RowRef};
 use crate::note::{Because, Note};
-use crate::plan::{CuttingMethod, Operation};
+use crate::plan::Operation;
 use crate::shop::Shop;
 use crate::units::{Micrometres, MillimetresPerRev, Unit};
 
@@ -13,6 +13,13 @@ use super::{Cut, factors, figures};
 pub(super) struct Feed {
     pub feed: MillimetresPerRev,
     pub because: Vec<Because>,
+}
+
+impl Feed {
+    /// The same with the feed taken in place of the tabulated one.
+    pub fn or(self, taken: Option<MillimetresPerRev>) -> Self {
+        Self { feed: taken.unwrap_or(self.feed), ..self }
+    }
 }
 
 /// The tabulated feed of a drill, core drill or reamer with its corrections.
@@ -37,9 +44,8 @@ pub(super) fn tabulated(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Feed> {
     }
     let mut because = figures.because(note);
     because.push(Because::row(choice, Note::new("feed-choice")));
-    // The cards give the feed of the point itself; their corrections follow in `card`.
-    let by_formula = shop.method == CuttingMethod::Formula;
-    if by_formula && matches!(cut.operation, Operation::Drill | Operation::DrillOut) {
+    // The cards give the feed of the point itself, too; their factor of the material follows in `card`.
+    if matches!(cut.operation, Operation::Drill | Operation::DrillOut) {
         let (factor, reason) = factors::by_depth("depth-feed-factor", cut, shop)?;
         feed *= factor;
         because.push(reason);

@@ -32,12 +32,14 @@ pub(crate) struct Figures<'k> {
     pub row: RowRef<'k>,
     /// Why another group's or tool material's row stands in; empty for the material's own.
     pub stand_in: Vec<Because>,
+    /// Whether the row is of the material's own group, whatever tool material it is of.
+    own_group: bool,
 }
 
 impl Figures<'_> {
-    /// Whether the row is the material's own, so that the material's factor applies to it.
+    /// Whether the row is of the material's own group, so that the material's factor applies to it.
     pub fn own(&self) -> bool {
-        self.stand_in.is_empty()
+        self.own_group
     }
 
     /// The reasons: the row, and the stand-in rule where one was needed.
@@ -50,27 +52,32 @@ impl Figures<'_> {
 pub(crate) fn ask<'k>(id: &str, others: &[(&str, Input<'_>)], shop: &impl Asking<'k>) -> Tried<Figures<'k>> {
     let table = shop.knowledge().table(id)?;
     if let Some(row) = decide(table, others, shop.material().group)? {
-        return Ok(Figures { row, stand_in: Vec::new() });
+        return Ok(Figures { row, stand_in: Vec::new(), own_group: true });
     }
     if let Some((group, because)) = stand_in(id, shop)?
         && let Some(row) = decide(table, others, group)?
     {
-        return Ok(Figures { row, stand_in: vec![because] });
+        return Ok(Figures { row, stand_in: vec![because], own_group: false });
     }
     Err(missing(table, shop))
 }
 
 /// The row of a table for the shop's material and a tool material; where it has none for that tool, the row
-/// of the tool material that the rule `stand-in-tool-material` names.
-pub(crate) fn ask_of_tool<'k>(id: &str, tool_material: &str, shop: &impl Asking<'k>) -> Tried<Figures<'k>> {
+/// of the tool material that the rule `stand-in-tool-material` names. With the tool material whose row it is: the
+/// material's factor is of that one too.
+pub(crate) fn ask_of_tool<'t, 'k: 't>(
+    id: &str,
+    tool_material: &'t str,
+    shop: &impl Asking<'k>,
+) -> Tried<(Figures<'k>, &'t str)> {
     let refusal = match ask(id, &[("tool_material", Input::Text(tool_material))], shop) {
         Err(Refusal::Not(note)) => note,
-        found => return found,
+        found => return Ok((found?, tool_material)),
     };
     let (instead, because) = stand_in_tool_material(id, tool_material, shop)?.ok_or(Refusal::Not(refusal))?;
     let mut figures = ask(id, &[("tool_material", Input::Text(instead))], shop)?;
     figures.stand_in.push(because);
-    Ok(figures)
+    Ok((figures, instead))
 }
 
 /// The tool material whose figures stand in for another in a table, by the rule.

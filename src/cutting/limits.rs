@@ -8,7 +8,7 @@ use crate::plan::Operation;
 use crate::shop::Shop;
 use crate::units::{Decimal, MetresPerMinute, MillimetresPerRev, RevsPerMinute, round_to};
 
-use super::{Cut, Draft, PowerLaw, rpm_at};
+use super::{Cut, Draft, PowerLaw, rpm_at, speed_at};
 
 /// Conditions within the machine's limits.
 pub(super) struct Held {
@@ -51,19 +51,79 @@ pub(super) fn practice(draft: &mut Draft, cut: &Cut<'_>, shop: &Shop<'_>) -> Res
     Ok(true)
 }
 
-/// Chooses the spindle step and holds the feed inside drill strength, thrust, torque, power and feed range.
-pub(super) fn hold(draft: &Draft, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Held> {
-    if draft.motion.synchronous {
-        return synchronous(draft, shop);
+/// The feed that the loads let through, when it is less than was asked.
+pub(super) struct Borne {
+    pub feed: MillimetresPerRev,
+    /// What lets no more through.
+    pub name: &'static str,
+    pub because: Vec<Because>,
+}
+
+/// A load this much beyond its limit is at it: the limit was turned into a feed and back.
+const SLACK: f64 = 1e-9;
+
+/// Holds a feed inside drill strength, thrust and torque at a spindle step; nothing where they bear it.
+pub(super) fn borne(
+    draft: &Draft,
+    asked: MillimetresPerRev,
+    cut: &Cut<'_>,
+    rpm: RevsPerMinute,
+    shop: &Shop<'_>,
+) -> Tried<Option<Borne>> {
+    let (machine, loads) = (&shop.machine, draft.loads);
+    let speed = speed_at(rpm, draft.motion.turned);
+    let bounds = [
+        drill_strength(draft, cut, shop)?,
+        Some(Bound { law: loads.thrust, limit: machine.thrust.0, name: "thrust", row: machine.row("thrust-z-max")? }),
+        Some(Bound {
+            law: loads.torque,
+            limit: machine.spindle_torque.0,
+            name: "spindle-torque",
+            row: machine.row("spindle-torque-max")?,
+        }),
+    ];
+    Ok(within(&bounds, asked, speed))
+}
+
+/// The feed that stays inside every bound, where the one asked does not.
+fn within(bounds: &[Option<Bound<'_>>], asked: MillimetresPerRev, speed: MetresPerMinute) -> Option<Borne> {
+    let mut borne: Option<Borne> = None;
+    for bound in bounds.iter().flatten() {
+        let before = borne.as_ref().map_or(asked, |borne| borne.feed);
+        if let Some(law) = bound.law
+            && law.at(before, speed) > bound.limit * (1.0 + SLACK)
+        {
+            let feed = law.feed_at(bound.limit, speed);
+            let note = Note::new("feed-reduced")
+                .with("by", bound.name)
+                .with("from", round_to(before.0, 3))
+                .with("to", round_to(feed.0, 3))
+                .with("limit", round_to(bound.limit, 1));
+            let mut because = borne.map_or_else(Vec::new, |borne| borne.because);
+            because.push(Because::row(bound.row, note));
+            borne = Some(Borne { feed, name: bound.name, because });
+        }
     }
-    let wanted = rpm_at(draft.speed, draft.motion.turned);
-    let (rpm, limited_by, reason) = spindle_step(wanted, shop)?;
+    borne
+}
+
+/// The spindle step of a draft's speed, what limits it, and why.
+pub(super) fn step_of(draft: &Draft, shop: &Shop<'_>) -> Result<(RevsPerMinute, String, Because), KnowledgeError> {
+    spindle_step(rpm_at(draft.speed, draft.motion.turned), shop)
+}
+
+/// Chooses the spindle step and holds the feed inside the loads, power and feed range; `limited` names the load that
+/// has cut the feed back already.
+pub(super) fn hold(draft: &Draft, limited: Option<&str>, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Held> {
+    let (rpm, limited_by, reason) = step_of(draft, shop)?;
+    let limited_by = limited.map_or(limited_by, str::to_owned);
     let mut best = at_step(draft, cut, rpm, (limited_by, vec![reason]), shop)?;
     // Where power limits, a slower step lets more feed through: the quickest of them is taken.
     for step in shop.machine.spindle_steps.iter().rev().filter(|step| step.0 < rpm.0) {
         if best.limited_by != "spindle-power" {
             break;
         }
+        let wanted = rpm_at(draft.speed, draft.motion.turned);
         let note = Note::new("spindle-step-below").with("computed", round_to(wanted.0, 1)).with("step", step.0);
         let reason = Because::row(shop.machine.row("spindle-speeds")?, note);
         let slower = at_step(draft, cut, *step, ("spindle-power".to_owned(), vec![reason]), shop)?;
@@ -89,30 +149,18 @@ fn at_step(
 ) -> Tried<Held> {
     let machine = &shop.machine;
     let mut feed = draft.feed;
-    let torque_of_power = 9750.0 * machine.spindle_power.0 / rpm.0;
-    let loads = draft.loads;
-    let of_machine = |law, limit, name, quantity| -> Result<Bound<'_>, KnowledgeError> {
-        Ok(Bound { law, limit, name, row: machine.row(quantity)? })
+    let power = Bound {
+        law: draft.loads.torque,
+        limit: 9750.0 * machine.spindle_power.0 / rpm.0,
+        name: "spindle-power",
+        row: machine.row("spindle-power")?,
     };
-    let bounds = [
-        drill_strength(draft, cut, shop)?,
-        Some(of_machine(loads.thrust, machine.thrust.0, "thrust", "thrust-z-max")?),
-        Some(of_machine(loads.torque, machine.spindle_torque.0, "spindle-torque", "spindle-torque-max")?),
-        Some(of_machine(loads.torque, torque_of_power, "spindle-power", "spindle-power")?),
-    ];
-    for bound in bounds.into_iter().flatten() {
-        if let Some(law) = bound.law
-            && law.at(feed) > bound.limit
-        {
-            let before = feed;
-            feed = law.feed_at(bound.limit);
-            bound.name.clone_into(&mut limited_by);
-            let note = Note::new("feed-reduced")
-                .with("by", bound.name)
-                .with("from", round_to(before.0, 3))
-                .with("to", round_to(feed.0, 3))
-                .with("limit", round_to(bound.limit, 1));
-            because.push(Because::row(bound.row, note));
+    for held in [borne(draft, feed, cut, rpm, shop)?, within(&[Some(power)], feed, speed_at(rpm, draft.motion.turned))]
+    {
+        if let Some(borne) = held.filter(|borne| borne.feed.0 < feed.0) {
+            feed = borne.feed;
+            borne.name.clone_into(&mut limited_by);
+            because.extend(borne.because);
         }
     }
     for (outside, limit, name) in [
@@ -132,17 +180,19 @@ fn at_step(
 /// limits the feed).
 ///
 /// Permissible torque Mp = k·d³·τ/1000, N·m, with the polar section modulus k·d³ of the fluted section, mm³,
-/// and the permissible shear stress τ, MPa (table `drill-strength`).
+/// and the permissible shear stress τ, MPa (table `drill-strength`); d is the tool's own diameter, which for a spot is
+/// not that of the cut.
 fn drill_strength<'k>(draft: &Draft, cut: &Cut<'_>, shop: &Shop<'k>) -> Result<Option<Bound<'k>>, KnowledgeError> {
     if !matches!(cut.operation, Operation::CentreDrill | Operation::Drill | Operation::DrillOut) {
         return Ok(None);
     }
     let table = shop.knowledge.table("drill-strength")?;
     let Some(row) = table.find("tool_material", cut.tool_material) else { return Ok(None) };
-    if cut.diameter >= row.length("below_diameter")? {
+    let tool = cut.tool_diameter.unwrap_or(cut.diameter);
+    if tool >= row.length("below_diameter")? {
         return Ok(None);
     }
-    let d = cut.diameter.to_mm();
+    let d = tool.to_mm();
     let modulus = row.number_in("modulus_factor", Unit::None)? * d * d * d;
     let limit = modulus * row.number_in("shear_stress", Unit::Megapascal)? / 1000.0;
     Ok(Some(Bound { law: draft.loads.torque, limit, name: "drill-strength", row }))
@@ -152,10 +202,10 @@ fn drill_strength<'k>(draft: &Draft, cut: &Cut<'_>, shop: &Shop<'k>) -> Result<O
 ///
 /// The fastest step not above the computed speed at which power and feed rate suffice; the torque of a tap
 /// does not depend on speed, and where it is beyond the spindle the tap is refused.
-fn synchronous(draft: &Draft, shop: &Shop<'_>) -> Tried<Held> {
+pub(super) fn synchronous(draft: &Draft, shop: &Shop<'_>) -> Tried<Held> {
     let machine = &shop.machine;
     let wanted = rpm_at(draft.speed, draft.motion.turned);
-    let torque = draft.loads.torque.map_or(0.0, |law| law.at(draft.feed));
+    let torque = draft.loads.torque.map_or(0.0, |law| law.at(draft.feed, draft.speed));
     if torque > machine.spindle_torque.0 {
         let note = Note::new("torque-beyond-spindle")
             .with("torque", round_to(torque, 1))

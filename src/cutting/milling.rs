@@ -17,14 +17,14 @@ const MILL: &str = "end";
 /// Conditions of milling a hole round (Косилова/Мещеряков т.2; facts 1.9).
 ///
 /// - V = Cv·D^q / (T^m·t^x·sz^y·B^u·z^p)·Kv, m/min, with Kv = Kmv·Kpv;
-/// - Pz = 10·Cp·t^x·sz^y·B^u·z / (D^q·n^w)·Kmp, N; the torque is Pz·D/2000, N·m. No thrust is known;
+/// - Pz = 10·Cp·t^x·sz^y·B^u·z / (D^q·n^w)·Kmp, N, with n the step that is driven; the torque is Pz·D/2000, N·m. No thrust is known;
 /// - D is the mill's diameter, t the radial depth of one pass, B the axial depth of one level, all in mm;
 ///   sz in mm/tooth, T in min, z the number of teeth.
 ///
 /// sz is meant where the teeth meet the wall. The mill's centre goes round a smaller circle than the wall,
 /// so its feed is smaller too: s = sz·z·(d1 - D)/d1, mm/rev, with d1 the diameter that the first and
 /// narrowest pass leaves; all passes are made with it.
-pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
+pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft> {
     let whole = |mill: &CutterShape| {
         mill.teeth > 0 && mill.diameter > Micrometres::ZERO && mill.cutting_length > Micrometres::ZERO
     };
@@ -35,8 +35,11 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
     }
     let (rounds, reason) = rounds(cut, mill, shop)?;
     let mut because = vec![reason];
-    let (tooth_feed, reasons) = feed_per_tooth(cut, mill, shop)?;
+    let (tabulated, reasons) = feed_per_tooth(cut, mill, shop)?;
     because.extend(reasons);
+    // Centre feed per revolution over feed per tooth at the wall.
+    let ratio = f64::from(mill.teeth) * rounds.centre_share;
+    let tooth_feed = taken.map_or(tabulated, |feed| feed.0 / ratio);
     let (life, reasons) = tool_life(cut, mill, shop)?;
     because.extend(reasons);
 
@@ -64,16 +67,16 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
         because.push(reason);
     }
 
-    // Centre feed per revolution over feed per tooth at the wall.
-    let ratio = z * rounds.centre_share;
     let mut loads = Loads::default();
     // Without a row of forces the pass is still cut; its torque is left out and not guessed.
     if let Ok(figures) = Refusal::split(figures::ask("milling-force", &[mill_input, tool], shop))? {
         let row = figures.row;
-        let rpm = super::rpm_at(MetresPerMinute(speed), mill.diameter);
+        let w = number(row, "w")?;
+        // n^w as (n/V)^w·V^w, for the speed that is driven.
+        let turns = super::rpm_at(MetresPerMinute(1.0), mill.diameter);
         let mut force =
             10.0 * number(row, "cp")? * libm::pow(t, number(row, "x")?) * libm::pow(b, number(row, "u")?) * z
-                / (libm::pow(d, number(row, "q")?) * libm::pow(rpm.0, number(row, "w")?));
+                / (libm::pow(d, number(row, "q")?) * libm::pow(turns.0, w));
         if figures.own() {
             let (factor, reason) = factors::material_force("milling", cut.tool_material, shop)?;
             force *= factor;
@@ -81,7 +84,8 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
         }
         because.extend(figures.because(Note::new("milling-load-coefficients")));
         let exponent = number(row, "y")?;
-        loads.torque = Some(PowerLaw { factor: force * d / 2000.0 / libm::pow(ratio, exponent), exponent });
+        let factor = force * d / 2000.0 / libm::pow(ratio, exponent);
+        loads.torque = Some(PowerLaw { factor, exponent, of_speed: -w });
     }
     Ok(Draft {
         feed: MillimetresPerRev(tooth_feed * ratio),

@@ -15,6 +15,7 @@ pub mod laws;
 mod limits;
 mod milling;
 mod reaming;
+mod settle;
 mod tapping;
 
 use crate::error::Tried;
@@ -28,6 +29,8 @@ use crate::units::{
 
 pub use limits::spindle_step;
 
+use settle::Settled;
+
 /// What is cut.
 #[derive(Clone, Copy, Debug)]
 pub struct Cut<'a> {
@@ -37,6 +40,9 @@ pub struct Cut<'a> {
     pub diameter: Micrometres,
     /// The narrow diameter of a step drill, which bears less feed than the wide one; absent for other tools.
     pub feed_diameter: Option<Micrometres>,
+    /// The diameter of the tool where it must bear the torque, when it is not that of the cut: of a spotting drill
+    /// its own, of a step drill its narrow part.
+    pub tool_diameter: Option<Micrometres>,
     /// The diameter before it; zero in solid metal.
     pub from: Micrometres,
     /// Passes of the tool; milling adds to them what the mill's diameter asks for.
@@ -131,21 +137,29 @@ struct Loads {
     thrust: Option<PowerLaw>,
 }
 
-/// `factor · s^exponent`.
+/// `factor · s^exponent · V^of_speed`: s in mm/rev, V in m/min, the speed that is driven.
 #[derive(Clone, Copy, Debug)]
 struct PowerLaw {
     factor: f64,
     exponent: f64,
+    /// 0 where the load does not depend on the speed.
+    of_speed: f64,
 }
 
 impl PowerLaw {
-    fn at(self, feed: MillimetresPerRev) -> f64 {
-        self.factor * libm::pow(feed.0, self.exponent)
+    /// A load that does not depend on the speed.
+    const fn of_feed(factor: f64, exponent: f64) -> Self {
+        Self { factor, exponent, of_speed: 0.0 }
+    }
+
+    fn at(self, feed: MillimetresPerRev, speed: MetresPerMinute) -> f64 {
+        self.factor * libm::pow(feed.0, self.exponent) * libm::pow(speed.0, self.of_speed)
     }
 
     /// The feed at which the load reaches a limit.
-    fn feed_at(self, limit: f64) -> MillimetresPerRev {
-        MillimetresPerRev(libm::pow(limit / self.factor, 1.0 / self.exponent))
+    fn feed_at(self, limit: f64, speed: MetresPerMinute) -> MillimetresPerRev {
+        let factor = self.factor * libm::pow(speed.0, self.of_speed);
+        MillimetresPerRev(libm::pow(limit / factor, 1.0 / self.exponent))
     }
 }
 
@@ -154,25 +168,13 @@ impl PowerLaw {
 /// # Errors
 /// A table has no figure for this material, or the knowledge cannot answer at all.
 pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Conditions> {
-    let draft = match cut.operation {
-        Operation::CentreDrill | Operation::Drill | Operation::DrillOut | Operation::CoreDrill => {
-            drilling::draft(cut, shop)
-        }
-        Operation::Counterbore | Operation::Countersink | Operation::Chamfer => countersinking::draft(cut, shop),
-        Operation::RoughReam | Operation::FinishReam => reaming::draft(cut, shop),
-        Operation::RoughBore | Operation::SemiFinishBore | Operation::FinishBore => boring::draft(cut, shop),
-        Operation::Mill => milling::draft(cut, shop),
-        Operation::Tap => tapping::draft(cut, shop),
-    };
-    let mut draft = draft.map_err(|refusal| refusal.with("operation", cut.operation.name()))?;
-    // The life belongs to the formula's speed, whatever practice makes of it.
-    let formula_speed = draft.speed;
-    let practice = limits::practice(&mut draft, cut, shop)?;
-    let held = limits::hold(&draft, cut, shop).map_err(|refusal| refusal.with("operation", cut.operation.name()))?;
-    let feed_rate = MillimetresPerMinute(held.feed.0 * held.rpm.0);
-    let torque = draft.loads.torque.map(|law| NewtonMetres(law.at(held.feed)));
-    let power = torque.map(|torque| power_of(torque, held.rpm));
+    let Settled { draft, formula_speed, practice, held } =
+        settle::settle(cut, shop).map_err(|refusal| refusal.with("operation", cut.operation.name()))?;
     let speed = speed_at(held.rpm, draft.motion.turned);
+    let feed_rate = MillimetresPerMinute(held.feed.0 * held.rpm.0);
+    let torque = draft.loads.torque.map(|law| NewtonMetres(law.at(held.feed, speed)));
+    let power = torque.map(|torque| power_of(torque, held.rpm));
+    // The life belongs to the formula's speed, whatever practice makes of it.
     let tool_life = Minutes(draft.tool_life.0 * libm::pow(formula_speed.0 / speed.0, 1.0 / draft.life_exponent));
     let mut because = draft.because;
     because.extend(held.because);
@@ -183,7 +185,7 @@ pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Conditions> {
         spindle_rpm: held.rpm,
         // A tap's feed rate is pitch times speed to the last digit, or the thread is torn.
         feed_mm_per_min: feed_rate.rounded(if draft.motion.synchronous { 3 } else { 1 }),
-        axial_force_n: draft.loads.thrust.map(|law| Newtons(law.at(held.feed)).rounded(0)),
+        axial_force_n: draft.loads.thrust.map(|law| Newtons(law.at(held.feed, speed)).rounded(0)),
         torque_n_m: torque.map(|torque| torque.rounded(3)),
         power_kw: power.map(|power| power.rounded(4)),
         machine_time_min: Minutes(draft.motion.path / feed_rate.0).rounded(3),
@@ -199,6 +201,21 @@ pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Conditions> {
         card: draft.card,
         because,
     })
+}
+
+/// What the formulas give for a feed: for that of the tables, or for the one `taken` in its place.
+fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft> {
+    match cut.operation {
+        Operation::CentreDrill | Operation::Drill | Operation::DrillOut | Operation::CoreDrill => {
+            drilling::draft(cut, taken, shop)
+        }
+        Operation::Counterbore | Operation::Countersink | Operation::Chamfer => countersinking::draft(cut, taken, shop),
+        Operation::RoughReam | Operation::FinishReam => reaming::draft(cut, taken, shop),
+        Operation::RoughBore | Operation::SemiFinishBore | Operation::FinishBore => boring::draft(cut, taken, shop),
+        Operation::Mill => milling::draft(cut, taken, shop),
+        // The pitch leaves no other feed.
+        Operation::Tap => tapping::draft(cut, shop),
+    }
 }
 
 /// Spindle speed n = 1000·V/(π·D), 1/min (textbook Appendix Г item 7; V in m/min, D in mm).

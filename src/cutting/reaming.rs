@@ -16,8 +16,8 @@ use super::{Cut, Draft, Loads, Motion, PowerLaw, factors, feed, laws};
 /// - V = Cv·D^q / (T^m·t^x·s^y)·Kv, m/min;
 /// - M = Cp·t^x·sz^y·D·z/200·Kp, N·m, with Cp, x, y of turning (table `boring-force`), sz = s/z in mm/tooth;
 /// - D, t in mm, s in mm/rev, T in min, z the number of teeth.
-pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
-    let Feed { feed, mut because } = corrected_feed(cut, shop)?;
+pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft> {
+    let Feed { feed, mut because } = corrected_feed(cut, shop)?.or(taken);
     let (tool_life, life) = factors::tool_life("ream", cut, shop)?;
     because.extend(life);
     let (law, figures) = laws::speed("ream", cut.tool_material, feed, shop)?;
@@ -86,7 +86,7 @@ fn corrected_feed(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Feed> {
 
 /// The torque as a power law of the feed; absent where no row of forces is known, for it is not guessed.
 fn torque(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<(Option<PowerLaw>, Vec<Because>)> {
-    let Ok(figures) = figures::ask_of_tool("boring-force", cut.tool_material, shop) else {
+    let Ok((figures, of_tool)) = figures::ask_of_tool("boring-force", cut.tool_material, shop) else {
         return Ok((None, Vec::new()));
     };
     let row = figures.row;
@@ -107,9 +107,9 @@ fn torque(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<(Option<PowerLaw>, Vec<Becaus
         number(row, "cp")? * libm::pow(cut.depth_of_cut(), number(row, "x")?) * cut.diameter.to_mm() * teeth
             / (200.0 * libm::pow(teeth, exponent));
     if figures.own() {
-        let material = factors::material_force("turning", cut.tool_material, shop)?;
+        let material = factors::material_force("turning", of_tool, shop)?;
         factor *= material.0;
         because.push(material.1);
     }
-    Ok((Some(PowerLaw { factor, exponent }), because))
+    Ok((Some(PowerLaw::of_feed(factor, exponent)), because))
 }

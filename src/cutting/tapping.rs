@@ -51,7 +51,7 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
         }
         because.extend(figures.because(Note::new("tapping-load-coefficients")));
         // The feed is the pitch, so the power law of the feed is that of the pitch.
-        loads.torque = Some(PowerLaw { factor, exponent: number(row, "y")? });
+        loads.torque = Some(PowerLaw::of_feed(factor, number(row, "y")?));
     }
     let along = Motion::along_axis(cut);
     Ok(Draft {

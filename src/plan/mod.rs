@@ -183,7 +183,7 @@ pub struct Transition {
     pub diameter_mm: Micrometres,
     /// The diameter before it, mm; zero in solid metal.
     pub from_diameter_mm: Micrometres,
-    /// Passes of the same tool.
+    /// How often the tool is fed into the hole; how often a mill goes round in it is in `conditions.rounds`.
     pub passes: u32,
     /// Working travel of one pass: approach, depth, point and overrun, mm.
     pub travel_mm: Micrometres,
@@ -353,7 +353,7 @@ pub struct Link {
 /// How the part is clamped.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Clamping {
-    /// The largest torque, N·m.
+    /// The largest torque of the hole below, N·m; another hole, farther from its clamp, may have a larger one.
     pub torque_n_m: NewtonMetres,
     /// The group of holes and the distance that need the largest force.
     pub hole: String,
@@ -365,6 +365,8 @@ pub struct Clamping {
     pub force_per_clamp_n: Newtons,
     /// The screw.
     pub screw: String,
+    /// What the screw bears at 80 MPa, N; below the force on each clamp it is too weak, and a finding says so.
+    pub screw_bears_n: Newtons,
     /// Where the clamps press.
     pub clamps: Vec<Point>,
     /// Whether the clamps are the program's proposal.

@@ -179,8 +179,34 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let mut because = step.because.clone();
         let (approach, _, reason) = self.travels(step.place.through);
         because.push(reason.clone());
+        because.extend(self.conventions(&step)?);
         let Outfit { tool, travel, conditions } = outfit;
         Ok(Fitted { step, tool: Some(tool), travel, approach: *approach, conditions, because })
+    }
+
+    /// The conventions that the lengths of a step rest on.
+    fn conventions(&self, step: &Step) -> Result<Vec<Because>, KnowledgeError> {
+        let mut because = Vec::new();
+        let mut cite = |name: &str, note: Note| -> Result<(), KnowledgeError> {
+            because.push(Because::row(self.shop.default_row(name)?, note));
+            Ok(())
+        };
+        let main = step.place.feature == Feature::Bore && step.place.step.is_none();
+        match step.operation {
+            Operation::Tap => cite("tap-lead-pitches", Note::new("tap-lead").with("lead", self.lead(step)))?,
+            Operation::Mill => {
+                let floor = step.from == step.diameter;
+                let name = if floor { "floor-clearance-mm" } else { "mill-clearance-mm" };
+                let clearance = if floor { self.floor_clearance } else { self.clearance };
+                cite(name, Note::new("mill-clearance").with("clearance", clearance))?;
+            }
+            Operation::Drill | Operation::DrillOut if main && self.hole.thread.is_some() && !step.place.through => {
+                let note = Note::new("thread-runout").with("runout", step.place.depth - self.hole.depth);
+                cite("thread-runout-pitches", note)?;
+            }
+            _ => {}
+        }
+        Ok(because)
     }
 
     fn outfit(&self, step: &Step, follows: Option<Operation>, last: bool) -> Tried<Outfit> {
@@ -240,6 +266,12 @@ impl<'p, 'k> Fitting<'p, 'k> {
         };
         let conditions = cutting::conditions(&cut, shop)?;
         let mut because = vec![cutter.order.clone(), cutter.because.clone()];
+        // A reamer or core drill of the catalogs, wider than asked, is ground down.
+        let grinds = step.operation.is_reaming() || step.operation == Operation::CoreDrill;
+        if grinds && cutter.diameter > step.nominal {
+            let note = Note::new("ground-within").with("limit", self.grind_limit);
+            because.push(Because::row(self.shop.default_row("cutter-grind-limit-mm")?, note));
+        }
         because.extend(assembly.because.clone());
         let tool = FittedTool {
             designation: cutter.designation.to_owned(),
@@ -292,6 +324,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             pitch: step.pitch,
             it: step.asks.map(|(it, _)| it),
             feed_diameter: step.also.map(|_| step.diameter),
+            tool_diameter: step.also.map(|_| step.diameter),
         }
     }
 

@@ -1,6 +1,6 @@
 //! The tools of the whole part: one centre drill, numbers in the order of work, length corrections.
 
-use crate::error::KnowledgeError;
+use crate::error::{KnowledgeError, Refusal};
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Finding, Note, Severity};
 use crate::part::{Face, Part};
@@ -10,7 +10,7 @@ use crate::tooling::{self, CutterNeed};
 use crate::units::{Micrometres, round_to};
 
 use super::Draft;
-use super::fit::{Fitted, FittedTool};
+use super::fit::{Fitted, FittedTool, Fitting};
 
 /// Chooses the centring tool for all holes it serves: the smallest drill of A.14 that makes every
 /// chamfer, or is wider than every first drill.
@@ -61,7 +61,15 @@ pub(super) fn choose_centre_drill(
             continue;
         };
         match &fitted {
-            Ok(tool) => centre.tool = Some(tool.clone()),
+            Ok(tool) => {
+                // What a spot lets through is a matter of the tool that makes it.
+                let fitting = Fitting::new(hole, &[], part, shop)?;
+                match Refusal::split(fitting.spotting(&centre.step, centre.travel, tool.diameter))? {
+                    Ok(conditions) => centre.conditions = conditions,
+                    Err(note) => findings.push(Finding::of_hole(Severity::Error, &hole.name, note)),
+                }
+                centre.tool = Some(tool.clone());
+            }
             Err(why) => {
                 for note in why {
                     findings.push(Finding::of_hole(Severity::Error, &hole.name, note.clone()));

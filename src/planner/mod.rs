@@ -19,7 +19,7 @@ mod whole;
 
 use crate::error::{KnowledgeError, Refusal};
 use crate::knowledge::Knowledge;
-use crate::note::{Because, Finding, Note, Severity};
+use crate::note::{Because, Finding, Note, Severity, doubtful_row};
 use crate::part::{Face, Hole, Part};
 use crate::plan::{Clamping, CuttingMethod, Operation, Plan, Route};
 use crate::shop::Shop;
@@ -72,18 +72,16 @@ pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result
 
     let clamping = match setup::clamping(part, &holes, &shop)? {
         None => None,
-        Some(Ok(clamping)) => {
+        Some((clamping, faults)) => {
             findings.extend(start_point(part, &clamping, &shop));
+            findings.extend(faults.into_iter().map(|note| Finding::of_part(Severity::Error, note)));
             Some(clamping)
-        }
-        Some(Err(note)) => {
-            findings.push(Finding::of_part(Severity::Error, note));
-            None
         }
     };
     let (visits, time) = sequence::sequence(part, &holes, &shop.machine, None);
     let visiting = sequence::visiting::visiting(part, &holes, &shop, &mut findings)?;
     reach_of_table(part, &shop, &mut findings);
+    findings.extend(doubtful_row(shop.material.row));
     let mut plan = Plan {
         part: part.clone(),
         cutting: method,
@@ -247,7 +245,7 @@ fn unconfirmed(plan: &mut Plan) {
     let mut found: Vec<Finding> = Vec::new();
     let mut look = |because: &[Because], hole: Option<&str>| {
         for reason in because {
-            if reason.note.code == "card-point-forces-differ" {
+            if matches!(reason.note.code.as_str(), "card-point-forces-differ" | "card-without-depth") {
                 let hole = hole.map(str::to_owned);
                 found.push(Finding { severity: Severity::Doubtful, hole, note: reason.note.clone() });
             }

@@ -250,17 +250,27 @@ fn clamping(plan: &Plan, lang: Lang) -> String {
     let points: Vec<String> =
         clamping.clamps.iter().map(|point| format!("[{}; {}]", mm(point.x, lang), mm(point.y, lang))).collect();
     let proposed = if clamping.proposed { lang.pick(" (запропоновано)", " (proposed)") } else { "" };
+    let (bears, each) = (clamping.screw_bears_n.0, clamping.force_per_clamp_n.0);
+    let weak = if bears < each {
+        let (bears, each) = (number(bears, 0, lang), number(each, 0, lang));
+        match lang {
+            Lang::Uk => format!(" (заслабкий: витримує {bears} < {each} Н)"),
+            Lang::En => format!(" (too weak: bears {bears} < {each} N)"),
+        }
+    } else {
+        String::new()
+    };
     let lines = match lang {
         Lang::Uk => [
             format!(
-                "Найбільший момент {} Н·м, отвір {}, до прихоплювача {} мм: W = k·M/(f·d) = {} Н",
-                number(clamping.torque_n_m.0, 2, lang),
+                "Найбільшої сили потребує отвір {}: M = {} Н·м, до прихоплювача {} мм, W = k·M/(f·d) = {} Н",
                 clamping.hole,
+                number(clamping.torque_n_m.0, 2, lang),
                 number(clamping.distance_mm.to_mm(), 1, lang),
                 number(clamping.force_n.0, 0, lang)
             ),
             format!(
-                "Прихоплювачі {}{proposed}: по {} Н, гвинт {}{}, вихідна точка не ближче {} мм",
+                "Прихоплювачі {}{proposed}: по {} Н, гвинт {}{}{weak}, вихідна точка не ближче {} мм",
                 points.join(", "),
                 number(clamping.force_per_clamp_n.0, 0, lang),
                 clamping.screw,
@@ -270,14 +280,14 @@ fn clamping(plan: &Plan, lang: Lang) -> String {
         ],
         Lang::En => [
             format!(
-                "Largest torque {} N·m, hole {}, {} mm from its clamp: W = k·M/(f·d) = {} N",
-                number(clamping.torque_n_m.0, 2, lang),
+                "Hole {} needs the largest force: M = {} N·m, {} mm from its clamp, W = k·M/(f·d) = {} N",
                 clamping.hole,
+                number(clamping.torque_n_m.0, 2, lang),
                 number(clamping.distance_mm.to_mm(), 1, lang),
                 number(clamping.force_n.0, 0, lang)
             ),
             format!(
-                "Clamps {}{proposed}: {} N each, screw {}{}, start point at least {} mm away",
+                "Clamps {}{proposed}: {} N each, screw {}{}{weak}, start point at least {} mm away",
                 points.join(", "),
                 number(clamping.force_per_clamp_n.0, 0, lang),
                 clamping.screw,

@@ -106,7 +106,13 @@ pub fn write(
                     let note = Note::new("reaches-again").with("it", it).with("roughness", roughness);
                     Some((it, roughness, Because::table(shop.knowledge.table("next-transition")?, note)))
                 }
-                _ => by_itself(operation, shop)?,
+                // What prepares the next transition makes nothing worse than the transitions before it left.
+                Some((_, it, roughness)) => by_itself(operation, shop)?.map(|(own, rough, because)| {
+                    let (it, roughness) = (it.min(own), roughness.min(rough));
+                    let note = Note::new("reaches-no-worse").with("it", it).with("roughness", roughness);
+                    (it, roughness, Because { note, ..because })
+                }),
+                None => by_itself(operation, shop)?,
             };
         }
         if operation == Operation::Tap {

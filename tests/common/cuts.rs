@@ -23,5 +23,6 @@ pub fn plain_cut(operation: Operation, from: Micrometres, diameter: Micrometres)
         pitch: None,
         cutter: None,
         feed_diameter: None,
+        tool_diameter: None,
     }
 }

@@ -131,6 +131,7 @@ fn cut<'a>(context: &'a Context<'a>, at: usize) -> Result<Option<Cut<'a>>, Knowl
         operation: row.operation.value,
         diameter,
         feed_diameter: None,
+        tool_diameter: None,
         from: Micrometres::ZERO,
         passes: 1,
         depth,

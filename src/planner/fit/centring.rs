@@ -6,7 +6,7 @@ use crate::knowledge::units::Unit;
 use crate::knowledge::{Input, Knowledge, RowRef};
 use crate::note::{Because, Note};
 use crate::part::Face;
-use crate::plan::Feature;
+use crate::plan::{Conditions, Feature};
 use crate::route::bores::Edge;
 use crate::route::{Place, Step};
 use crate::units::Micrometres;
@@ -70,11 +70,17 @@ impl<'k> Fitting<'_, 'k> {
         let travel = self.travels(false).0 + depth;
         let place = Place { depth, through: false, ..step.place };
         let step = Step { diameter: spot, nominal: spot, place, ..step };
-        let cut = Cut { depth, travel, ..self.cut(&step, None, "HSS", travel) };
-        let conditions = cutting::conditions(&cut, self.shop)?;
+        // Until the tool is chosen for the whole part it is the widest of the catalogs.
+        let conditions = self.spotting(&step, travel, self.widest_spot)?;
         let mut because = step.because.clone();
         because.push(Because::row(row, note));
         Ok(Fitted { step, tool: None, travel, approach: self.travels(false).0, conditions, because })
+    }
+
+    /// The conditions of centring with a drill of that diameter.
+    pub fn spotting(&self, step: &Step, travel: Micrometres, tool: Micrometres) -> Tried<Conditions> {
+        let cut = Cut { tool_diameter: Some(tool), ..self.cut(step, None, "HSS", travel) };
+        cutting::conditions(&cut, self.shop)
     }
 }
 

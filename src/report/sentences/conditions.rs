@@ -38,6 +38,32 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "подачу зменшено з {from} до {to} мм/об: {by}, межа {limit}",
         "feed reduced from {from} to {to} mm/rev: {by}, limit {limit}",
     ),
+    (
+        "speed-for-feed",
+        "швидкість узято для подачі {feed} мм/об: {speed} м/хв замість {before}",
+        "the speed is that for a feed of {feed} mm/rev: {speed} m/min in place of {before}",
+    ),
+    (
+        "life-for-feed",
+        "для подачі {feed} мм/об формула дає {speed} м/хв: стійкість порахована від неї",
+        "for a feed of {feed} mm/rev the formula gives {speed} m/min: the tool life is reckoned from it",
+    ),
+    (
+        "tap-lead",
+        "забірна частина мітчика {lead} мм проходить далі за повну різьбу",
+        "the tap's lead, {lead} mm, goes beyond the full thread",
+    ),
+    (
+        "thread-runout",
+        "під глуху різьбу свердлять на {runout} мм глибше",
+        "the hole under a blind thread is drilled {runout} mm deeper",
+    ),
+    (
+        "mill-clearance",
+        "фреза менша за отвір, у який входить, щонайменше на {clearance} мм",
+        "the mill is at least {clearance} mm smaller than the hole it enters",
+    ),
+    ("ground-within", "перешліфовується щонайбільше на {limit} мм", "ground down by {limit} mm at most"),
     ("feed-held", "подачу обмежено {limit} мм/хв", "feed held at {limit} mm/min"),
     (
         "no-feed",
@@ -133,6 +159,11 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "card-corrections",
         "поправки прикладу: швидкість × {product}, матеріал {material}",
         "the example's factors: speed × {product}, material {material}",
+    ),
+    (
+        "card-without-depth",
+        "глибина {ratio} діаметра: коефіцієнт {factor} ({table}) не враховано, поправки карт на глибину невідомі",
+        "{ratio} diameters deep: the factor {factor} of {table} is left out, the cards' own for depth are not known",
     ),
     (
         "card-other-material",

@@ -75,6 +75,11 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "готує наступний перехід: сам по собі квалітет {it}, {roughness}",
         "prepares the next transition: by itself grade {it}, {roughness}",
     ),
+    (
+        "reaches-no-worse",
+        "готує наступний перехід і не погіршує зробленого: квалітет {it}, {roughness}",
+        "prepares the next transition and makes nothing worse: grade {it}, {roughness}",
+    ),
     ("reaches-thread", "різь: {roughness}", "thread: {roughness}"),
     (
         "drills-too-short",

@@ -13,14 +13,14 @@ use crate::turning::schemes::rates;
 use crate::turning::shaft;
 use crate::turning::tooling::TurningTool;
 use crate::turning::transitions::Feeds;
-use crate::units::{Micrometres, MillimetresPerMinute};
+use crate::units::{Micrometres, MillimetresPerMinute, MillimetresPerRev};
 
 use super::tools::Bench;
 
 /// The depth of the passes over a zone.
 #[derive(Clone, Debug, Serialize)]
 pub struct Depth {
-    /// The limiting depth t_lim, mm.
+    /// The limiting depth t_lim, mm: the most that one pass may take. What the passes take is t_p of each work.
     pub limiting_depth_mm: Half,
     /// Whether the file gives it.
     pub given: bool,
@@ -94,20 +94,24 @@ pub fn depth(
 /// The most passes that a stock is divided into before the search for a depth gives up.
 const MOST_PASSES: i64 = 60;
 
-/// The limit, and the depth that goes with its feed. The feed depends on the depth, so the stock is divided into one, two,
-/// three… passes until there is a feed for their depth and tool and lathe bear it.
+/// The limit: the most that one pass may take at the feed of the passes.
+///
+/// The feed depends on the depth, so the stock is divided into one, two, three… passes until there is a feed for their
+/// depth and tool and lathe bear it. What they bear at that feed is the limit, as far as the table has that feed: deeper
+/// passes have another. The number of passes that found it is the fewest that it allows.
 fn limit(cut: &Cut<'_, '_>, stock: Half) -> Result<(LimitingDepth, Half), Refusal> {
     let mut first: Option<Result<LimitingDepth, Refusal>> = None;
     for passes in 1..=MOST_PASSES {
         let depth = stock.part(passes);
-        let found =
-            rough_feed(cut, depth.rounded_up()).and_then(|feed| limiting_depth(cut, feed.feed, Speed::WithinPower));
+        let whole = depth.rounded_up();
+        let found = rough_feed(cut, whole).and_then(|feed| bearable(cut, feed.feed, depth));
         match found {
             Err(Refusal::Knowledge(error)) => return Err(Refusal::Knowledge(error)),
             Ok(found) if found.depth_mm.is_some_and(|limit| Half::of(limit) >= depth) => {
-                // Beyond the depth of this feed another one would hold, but for the whole stock there is no other.
-                let limit = found.depth_mm.map_or(depth, Half::of);
-                return Ok((found, if passes == 1 { limit } else { depth }));
+                let limit = found.depth_mm.unwrap_or(whole);
+                // One pass takes the whole stock: no deeper one is asked for.
+                let limit = if passes == 1 { limit } else { of_one_feed(cut, found.feed_mm_per_rev, whole, limit)? };
+                return Ok((found, Half::of(limit).max(depth)));
             }
             other => {
                 first.get_or_insert(other);
@@ -119,6 +123,34 @@ fn limit(cut: &Cut<'_, '_>, stock: Half) -> Result<(LimitingDepth, Half), Refusa
         Some(Err(refusal)) => Err(refusal),
         None => Err(Refusal::Not(Note::new("no-limiting-depth"))),
     }
+}
+
+/// What tool and lathe bear at a feed: at the speed of the tool life where that suffices for a depth, else at the slower one
+/// that the power of the spindle asks for. A pass more is quicker than all of them at a slower spindle.
+fn bearable(cut: &Cut<'_, '_>, feed: MillimetresPerRev, depth: Half) -> Result<LimitingDepth, Refusal> {
+    let quick = limiting_depth(cut, feed, Speed::ForToolLife)?;
+    if quick.depth_mm.is_some_and(|limit| Half::of(limit) >= depth) {
+        return Ok(quick);
+    }
+    limiting_depth(cut, feed, Speed::WithinPower)
+}
+
+/// The largest depth up to a limit that still has the feed of a smaller one, in tenths of a millimetre from the limit
+/// down.
+fn of_one_feed(
+    cut: &Cut<'_, '_>,
+    feed: MillimetresPerRev,
+    depth: Micrometres,
+    limit: Micrometres,
+) -> Result<Micrometres, Refusal> {
+    let mut deepest = limit;
+    while deepest > depth {
+        match Refusal::split(rough_feed(cut, deepest))? {
+            Ok(found) if found.feed == feed => return Ok(deepest),
+            _ => deepest = deepest - Micrometres::new(100),
+        }
+    }
+    Ok(depth)
 }
 
 /// What is cut, through the skin that the rule `turning-skin` says the blank has, with the row that says it; none without a

@@ -278,6 +278,7 @@ fn clear(
 ) -> Result<Work, KnowledgeError> {
     let knowledge = bench.knowledge;
     let levels = levels(&stock, limit, zone.feed);
+    let task = Task { diameter: begins_at(&levels, &stock).unwrap_or(task.diameter), ..task };
     let pace = depth::pace(task, levels.depth, bench, findings)?;
     let settings =
         Settings { depth: levels.depth, approach: pace.approach_mm, retract: pace.retract_mm, feeds: pace.feeds };
@@ -335,6 +336,17 @@ fn levels(stock: &Stock, limit: Half, feed: Feed) -> Split {
             Split::of(&stock.rough.inside_out(top), &stock.blank.inside_out(top), limit).inside_out(top)
         }
     }
+}
+
+/// The largest diameter that a work cuts, when it is worked along: outside its highest top, in a bore its deepest wall.
+/// What the works before it have taken off is not there any more.
+fn begins_at(levels: &Split, stock: &Stock) -> Option<Micrometres> {
+    let worked = levels.sections.iter().filter(|section| !section.stands.is_empty());
+    let radius = match stock.rough.side {
+        Side::Outer => worked.map(|section| section.top).max(),
+        Side::Inner => worked.flat_map(|section| &section.stands).map(|stand| stand.deepest).max(),
+    };
+    radius.map(Half::diameter)
 }
 
 /// The scheme that the file asks for, or that of the rule: a face is always turned across.

@@ -1,4 +1,5 @@
-//! Proof: every row can be told apart, lies inside the domain, and every input is bounded.
+//! Proof: every row can be told apart, lies inside the domain, every input is bounded, and a row that says of itself
+//! that nothing confirms it bears the mark.
 
 use std::collections::BTreeMap;
 
@@ -11,9 +12,28 @@ pub(super) fn check(table: &Table, findings: &mut Vec<Diagnostic>) {
     if table.rows.is_empty() {
         findings.push(Diagnostic::error("no-rows", format!("{}: table {} has no rows", table.file, table.id), None));
     }
+    marks(table, findings);
     match table.kind {
         Kind::Decision => decision(table, findings),
         Kind::Catalog => keys(table, findings),
+    }
+}
+
+/// A reason with these words is no confirmation.
+const NOTHING: &str = "nothing at hand confirms";
+
+/// A row whose reason says that nothing confirms it, without the mark that plans show to their reader.
+fn marks(table: &Table, findings: &mut Vec<Diagnostic>) {
+    for (row, content) in table.rows.iter().enumerate() {
+        let admits = content.reason.as_deref().is_some_and(|reason| reason.contains(NOTHING));
+        if admits && content.unconfirmed.is_none() {
+            let message =
+                format!("table {}, row {}: its reason says `{NOTHING}`, and it has no mark", table.id, row + 1);
+            findings.push(
+                Diagnostic::error("no-mark", message, row_place(table, row))
+                    .help("say in `unconfirmed` what is not confirmed, or in the reason what confirms it"),
+            );
+        }
     }
 }
 

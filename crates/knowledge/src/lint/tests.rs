@@ -157,6 +157,19 @@ fn every_planted_defect_is_found_at_its_line() {
             &[("duplicate-key", 13), ("dangling-reference", 0)],
         ),
         (rule, "scheme: \"01\", source: seed", "scheme: \"01\"", &[("no-source", 13), ("dangling-reference", 0)]),
+        // A row that nothing confirms, without its mark.
+        (
+            rule,
+            "scheme: \"01\", source: seed",
+            "scheme: \"01\", source: reconstructed, reason: \"memory; nothing at hand confirms it\"",
+            &[("no-mark", 13)],
+        ),
+        (
+            rule,
+            "scheme: \"01\", source: seed",
+            "scheme: \"01\", source: reconstructed, reason: \"nothing at hand confirms it\", unconfirmed: \"memory\"",
+            &[],
+        ),
         ("rules/rule.test.yaml", "scheme: \"01\"", "scheme: \"02\"", &[("failed-example", 3)]),
         ("rules/rule.test.yaml", "expect: none", "expect: {scheme: \"03\"}", &[("failed-example", 4)]),
         // Laws.

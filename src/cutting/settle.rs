@@ -1,0 +1,95 @@
+//! Feed and speed settled with each other: a feed that a load cuts back is cut at the speed that belongs to it.
+
+use crate::error::Tried;
+use crate::note::{Because, Note};
+use crate::shop::Shop;
+use crate::units::{MetresPerMinute, MillimetresPerRev, round_to};
+
+use super::limits::{self, Borne, Held};
+use super::{Cut, Draft};
+
+/// The most rounds of cutting the feed back. Loads that do not depend on the speed settle in one; those that do
+/// (boring, V^-0.15) grow smaller with the higher speed of a smaller feed.
+const ROUNDS: usize = 8;
+
+/// Conditions for the feed that is taken.
+pub(super) struct Settled {
+    pub draft: Draft,
+    /// The speed of the formula for the feed taken, before practice and the spindle's steps.
+    pub formula_speed: MetresPerMinute,
+    /// Whether practice holds the speed.
+    pub practice: bool,
+    pub held: Held,
+}
+
+/// The feed of the tables, or less where drill strength, thrust or torque ask for less; the speed that the formula
+/// has for it, V ~ 1/s^y, so that the tool lives as long as planned; its spindle step.
+///
+/// Where power or the feed rate holds the feed, the speed is not raised again: both ask for less of it. The tool
+/// life is then that of the feed and speed taken.
+///
+/// It ends: from round to round the feed only falls.
+pub(super) fn settle(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Settled> {
+    let mut found = at(cut, None, shop)?;
+    if found.draft.motion.synchronous {
+        let held = limits::synchronous(&found.draft, shop)?;
+        return Ok(found.held(held));
+    }
+    let (mut limited_by, mut because) = (None, Vec::new());
+    for _ in 0..ROUNDS {
+        let (rpm, ..) = limits::step_of(&found.draft, shop)?;
+        let Some(Borne { feed, name, because: reasons }) =
+            limits::borne(&found.draft, found.draft.feed, cut, rpm, shop)?
+        else {
+            break;
+        };
+        let before = found.formula_speed;
+        found = at(cut, Some(feed), shop)?;
+        limited_by = Some(name);
+        because.extend(reasons);
+        because.push(told("speed-for-feed", feed, &found, Some(before), shop)?);
+    }
+    let mut held = limits::hold(&found.draft, limited_by, cut, shop)?;
+    because.append(&mut held.because);
+    if held.feed != found.draft.feed {
+        found = at(cut, Some(held.feed), shop)?;
+        because.push(told("life-for-feed", held.feed, &found, None, shop)?);
+    }
+    Ok(found.held(Held { because, ..held }))
+}
+
+/// Conditions of a feed, before the machine is asked.
+struct Found {
+    draft: Draft,
+    formula_speed: MetresPerMinute,
+    practice: bool,
+}
+
+impl Found {
+    fn held(self, held: Held) -> Settled {
+        Settled { draft: self.draft, formula_speed: self.formula_speed, practice: self.practice, held }
+    }
+}
+
+fn at(cut: &Cut<'_>, feed: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Found> {
+    let mut draft = super::draft(cut, feed, shop)?;
+    let formula_speed = draft.speed;
+    let practice = limits::practice(&mut draft, cut, shop)?;
+    Ok(Found { draft, formula_speed, practice })
+}
+
+/// That the figures are those of the feed taken, which is not that of the tables.
+fn told(
+    code: &str,
+    feed: MillimetresPerRev,
+    found: &Found,
+    before: Option<MetresPerMinute>,
+    shop: &Shop<'_>,
+) -> Tried<Because> {
+    let note = Note::new(code).with("feed", round_to(feed.0, 3)).with("speed", round_to(found.formula_speed.0, 2));
+    let note = match before {
+        Some(before) => note.with("before", round_to(before.0, 2)),
+        None => note,
+    };
+    Ok(Because::table(shop.knowledge.table("feed-choice")?, note))
+}
