@@ -17,6 +17,7 @@ mod allowance;
 mod boring;
 
 use allowance::allowance;
+pub use allowance::{Range, range};
 
 /// What a route is turned into steps with.
 #[derive(Clone, Copy, Debug)]

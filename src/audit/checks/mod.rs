@@ -1,19 +1,26 @@
 //! Choices held against the tables: one file per kind, one line each in the list.
 
+mod allowances;
 mod cutters;
+mod depths;
 mod designations;
+mod holders;
 mod limits;
 mod loads;
 mod missing;
+mod openings;
 mod ours;
 mod program;
 mod route;
+mod scheme;
+mod threads;
 
 use crate::error::KnowledgeError;
 
 use super::context::Context;
 use super::finding::Finding;
 use super::graph::Graph;
+use super::roots;
 
 /// A kind of check; it adds what it finds.
 type Check = for<'a> fn(&Context<'a>, &Graph<'a>, &mut Vec<Finding>) -> Result<(), KnowledgeError>;
@@ -21,7 +28,13 @@ type Check = for<'a> fn(&Context<'a>, &Graph<'a>, &mut Vec<Finding>) -> Result<(
 /// Every check, in the order of a report.
 const CHECKS: &[Check] = &[
     route::check,
+    scheme::check,
+    openings::check,
+    threads::check,
+    depths::check,
+    allowances::check,
     cutters::check,
+    holders::check,
     designations::check,
     limits::check,
     loads::check,
@@ -36,5 +49,7 @@ pub(super) fn all<'a>(
     graph: &Graph<'a>,
     findings: &mut Vec<Finding>,
 ) -> Result<(), KnowledgeError> {
-    CHECKS.iter().try_for_each(|check| check(context, graph, findings))
+    CHECKS.iter().try_for_each(|check| check(context, graph, findings))?;
+    roots::settle(findings);
+    Ok(())
 }
