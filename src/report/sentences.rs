@@ -78,9 +78,11 @@ pub fn remedy(note: &Note, lang: Lang) -> Option<&'static str> {
 fn shown(name: &str, value: &str, lang: Lang) -> String {
     match name {
         "operation" | "instead" => super::operation_noun(value, lang).to_owned(),
-        "transitions" => value.split(", ").map(|name| super::operation_noun(name, lang)).collect::<Vec<_>>().join(", "),
+        "transitions" | "better" => {
+            value.split(", ").map(|name| super::operation_noun(name, lang)).collect::<Vec<_>>().join(", ")
+        }
         "kind" | "method" | "variant" | "direction" | "rival" => term(value, lang).to_owned(),
-        "take" | "by" | "name" | "shank" | "bound" => term(value, lang).to_owned(),
+        "take" | "by" | "name" | "shank" | "bound" | "feature" => term(value, lang).to_owned(),
         "stages" => value.split(" + ").map(|stage| term(stage, lang)).collect::<Vec<_>>().join(" + "),
         "scheme" | "same" | "first" => scheme_name(value, lang),
         // A decimal number as people write it; designations and table names are none.
@@ -98,7 +100,7 @@ pub fn scheme_name(scheme: &str, lang: Lang) -> String {
 /// A word that stands in a table as an id.
 pub fn term(id: &str, lang: Lang) -> &str {
     let terms = TERMS.iter().chain(schemes::TERMS).chain(turning_tools::TERMS).chain(zones::TERMS);
-    let terms = terms.chain(operation::TERMS);
+    let terms = terms.chain(operation::TERMS).chain(audit_routes::TERMS);
     terms.into_iter().find(|(known, ..)| *known == id).map_or(id, |(_, uk, en)| lang.pick(uk, en))
 }
 

@@ -89,6 +89,21 @@ pub fn transitions(scheme: &str, shop: &Shop<'_>) -> Result<Option<Vec<Operation
     }))
 }
 
+/// A scheme with the centring in front: its twin of the table `centred-twin`, else `04 + centre`.
+///
+/// # Errors
+/// The knowledge cannot answer.
+pub fn centred(scheme: &str, shop: &Shop<'_>) -> Result<String, KnowledgeError> {
+    if transitions(scheme, shop)?.is_some_and(|own| own.first() == Some(&Operation::CentreDrill)) {
+        return Ok(scheme.to_owned());
+    }
+    let twin = shop.knowledge.table("centred-twin")?.find("scheme", scheme);
+    Ok(match twin {
+        Some(twin) => twin.text("centred")?.to_owned(),
+        None => format!("{scheme} + centre"),
+    })
+}
+
 /// The row of the rule `two-pass-drilling` that asks for two drills where one stands alone; nothing where one will do.
 ///
 /// # Errors

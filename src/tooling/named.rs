@@ -61,7 +61,8 @@ fn of_other_size(row: RowRef<'_>, need: &CutterNeed<'_>) -> Note {
         && let (Some(low), Some(high)) = (row.length_if_any("diameter_min"), row.length_if_any("diameter_max"))
     {
         if low <= need.diameter && need.diameter <= high {
-            return Note::new("bar-of-other-stage").with("stage", row.text("stage").unwrap_or_default());
+            let rough = row.text("stage") == Ok("rough");
+            return Note::new(if rough { "bar-of-other-stage-rough" } else { "bar-of-other-stage-finish" });
         }
         return Note::new("bar-of-other-range").with("low", low).with("high", high).with("needed", need.diameter);
     }

@@ -15,6 +15,7 @@ use super::super::figures::beside;
 use super::super::finding::{Finding, Section};
 use super::super::graph::{Graph, Status};
 use super::super::quantity::{Id, Quantity as Q, Scope};
+use super::super::roots;
 use super::super::stated::Row;
 
 pub(super) fn check<'a>(
@@ -40,39 +41,76 @@ fn backwards(
     rows: &[(usize, &Row)],
     findings: &mut Vec<Finding>,
 ) -> Result<(), KnowledgeError> {
-    let left = |at: usize| {
-        let id = Id::new(Scope::Row(at), Q::Diameter);
-        // A slip that a formula explains is judged as it should be.
-        let slip = graph.verdict(id).is_some_and(|verdict| verdict.status != Status::Fine);
-        let value = if slip { graph.right(id) } else { graph.stated_or_right(id) };
-        value.map(Micrometres::from_mm_rounded)
-    };
-    let Some(mut after) = rows.last().and_then(|(at, _)| left(*at)) else { return Ok(()) };
+    let mut left = Vec::with_capacity(rows.len());
+    for (at, _) in rows {
+        let Some(diameter) = leaves(graph, *at) else { return Ok(()) };
+        left.push(diameter);
+    }
+    // Rows out of order the route tells; their stocks are none.
+    if !left.is_sorted() {
+        return Ok(());
+    }
+    let Some(mut after) = left.last().map(|last| finished(context, hole, *last)) else { return Ok(()) };
+    // What the next row permits this one to leave.
+    let mut window = (after, after);
     for index in (0..rows.len()).rev() {
         let (at, row) = rows[index];
-        let previous = index.checked_sub(1).and_then(|before| rows.get(before)).copied();
-        let start = || hole.state.diameter();
-        let Some(before) = previous.map_or_else(start, |(at, _)| left(at)) else { return Ok(()) };
-        let operation = row.operation.value;
-        let Some(range) = range(operation, hole.diameter.nominal, &context.shop)? else {
-            after = before;
+        let previous = index.checked_sub(1).map(|before| (rows[before], left[before]));
+        let Some(before) = previous.map(|(_, left)| left).or(hole.state.diameter()) else { return Ok(()) };
+        let Some(range) = range(row.operation.value, hole.diameter.nominal, &context.shop)? else {
+            (after, window) = (before, (before, before));
             continue;
         };
-        let (smallest, largest) = (after - permitted(row, &range), after - range.low);
+        let high = permitted(row, &range);
+        let (smallest, largest) = (after - high, after - range.low);
         // What rough boring finds in the blank, or after a slimmer bar, may be as little as it is.
-        let first = operation == Operation::RoughBore
-            && previous.is_none_or(|(_, other)| other.operation.value == Operation::RoughBore);
+        let first = row.operation.value == Operation::RoughBore
+            && previous.is_none_or(|((_, other), _)| other.operation.value == Operation::RoughBore);
         let too_little = before > largest && !first;
-        // That the hole is not opened at all the route says.
-        if before >= after || !(too_little || before < smallest) {
-            after = before;
+        // What it finds by the figures as they stand: what only a correction of the next row would upset is not told.
+        let stock = left[index] - before;
+        let fine = stock <= high && (stock >= range.low || first);
+        if fine || !too_little && before >= smallest {
+            (after, window) = (before, (smallest, largest));
             continue;
         }
-        let right = if too_little { largest } else { smallest };
-        findings.push(finding(context, (at, row), previous, (before, after, right), &range));
-        after = right;
+        let of_row = (at, row);
+        // Its own diameter may be the slip, where another would suit both what it finds and the row after it.
+        let own = (window.0.max(before + range.low), window.1.min(before + high));
+        if own.0 <= own.1 {
+            let right = after.max(own.0).min(own.1);
+            findings.push(finding(context, of_row, Some(of_row), (stock, right), &range));
+            (after, window) = (before, (right - high, right - range.low));
+            continue;
+        }
+        let nearest = if too_little { largest } else { smallest };
+        // Where the row says what it finds, and that would do, it was the figure of the row before that was misprinted.
+        let said = row.figures.get(&Q::From).map(|from| Micrometres::from_mm_rounded(from.value));
+        let right = said.filter(|said| (smallest..=largest).contains(said)).unwrap_or(nearest);
+        let before_it = previous.map(|(row, _)| row);
+        if said == Some(right) {
+            roots::retract(findings, &context.field(Id::new(Scope::Row(at), Q::From)), "diameter-before");
+        }
+        findings.push(finding(context, of_row, before_it, (stock, right), &range));
+        (after, window) = (right, (smallest, largest));
     }
     Ok(())
+}
+
+/// The diameter that a row leaves; a slip that a formula explains is judged as it should be.
+fn leaves(graph: &Graph<'_>, at: usize) -> Option<Micrometres> {
+    let id = Id::new(Scope::Row(at), Q::Diameter);
+    let slip = graph.verdict(id).is_some_and(|verdict| verdict.status != Status::Fine);
+    let value = if slip { graph.right(id) } else { graph.stated_or_right(id) };
+    value.map(Micrometres::from_mm_rounded)
+}
+
+/// What the last row is to leave: that it is not what the drawing asks for, the route says.
+fn finished(context: &Context<'_>, hole: &Hole, last: Micrometres) -> Micrometres {
+    let reference = context.plan.holes.iter().find(|plan| plan.name == hole.name);
+    let elsewhere = reference.and_then(|plan| plan.route.as_ref()).is_some_and(|route| route.finish_elsewhere);
+    let right = (hole.diameter.smallest()..=hole.diameter.largest()).contains(&last);
+    if right || elsewhere || hole.thread.is_some() { last } else { hole.diameter.nominal }
 }
 
 /// The most that a row may find: so much in each of its passes.
@@ -81,38 +119,36 @@ fn permitted(row: &Row, range: &Range<'_>) -> Micrometres {
     Micrometres::new(range.high.micrometres() * passes)
 }
 
-/// What is said at the diameter that leaves the wrong stock: `before`, of which `right` is the nearest that would do.
+/// What is said at the diameter that is to blame: of `row` itself, or of the row before it. The row finds that stock;
+/// `right` is the nearest diameter that would do.
 fn finding(
     context: &Context<'_>,
     (at, row): (usize, &Row),
-    previous: Option<(usize, &Row)>,
-    (before, after, right): (Micrometres, Micrometres, Micrometres),
+    blamed: Option<(usize, &Row)>,
+    (stock, right): (Micrometres, Micrometres),
     range: &Range<'_>,
 ) -> Finding {
     let high = permitted(row, range);
     let note = Note::new("audit-allowance")
         .with("operation", row.operation.value.name())
         .with("row", row.number)
-        .with("stock", after - before)
+        .with("stock", stock)
         .with("low", range.low)
-        .with("high", high)
-        .with("least", after - high)
-        .with("most", after - range.low);
+        .with("high", high);
     // The least stock of core drilling is ours, the text gives only the most.
-    let ours = range.least_is_ours && before > after - range.low;
+    let ours = range.least_is_ours && stock < range.low;
     let severity = if ours { Severity::Doubtful } else { Severity::Wrong };
-    let (blamed, quantity) = match previous {
-        Some(previous) if previous.1.figures.contains_key(&Q::Diameter) => (previous, Q::Diameter),
-        _ if row.figures.contains_key(&Q::From) => ((at, row), Q::From),
-        _ => ((at, row), Q::Diameter),
+    let stated = |(_, row): &(usize, &Row)| row.figures.contains_key(&Q::Diameter);
+    let (blamed, quantity) = match blamed.filter(stated) {
+        Some(blamed) => (blamed, Q::Diameter),
+        None => ((at, row), Q::From),
     };
     let id = Id::new(Scope::Row(blamed.0), quantity);
     let because = Because::row(range.row, Note::new("named"));
     let finding = Finding::new(severity, Section::Route, context.field(id), note).at(&blamed.1.place);
     let finding = finding.about(context.subject(id.scope)).resting_on([because]);
     match blamed.1.figures.get(&quantity) {
-        // Its own diameter is not what should be another.
-        Some(figure) if quantity == Q::From || blamed.0 != at => beside(finding, figure, right, quantity),
-        _ => finding,
+        Some(figure) => beside(finding, figure, right, quantity),
+        None => finding,
     }
 }

@@ -4,6 +4,7 @@ use crate::error::KnowledgeError;
 use crate::note::{Because, Note, Severity};
 use crate::part::Hole;
 use crate::plan::Operation;
+use crate::route::diameters::range;
 use crate::tooling::CutterNeed;
 use crate::tooling::named;
 use crate::units::Micrometres;
@@ -44,7 +45,7 @@ pub(super) fn check<'a>(
             let of_size = why.code.starts_with("tool-of-other-") || why.code.starts_with("bar-of-other-");
             let mut unsuited = finding(Severity::Error, why);
             if of_size {
-                unsuited.follows_from = diameter(context, graph, at, row, hole, findings);
+                unsuited.follows_from = diameter(context, graph, at, row, hole, findings)?;
             }
             findings.push(unsuited);
         } else if let Some(why) = named::of_other_bottom(&cutter, hole.through).filter(|_| row.of_main_cylinder()) {
@@ -64,7 +65,7 @@ fn diameter(
     row: &Row,
     hole: &Hole,
     findings: &mut Vec<Finding>,
-) -> Vec<String> {
+) -> Result<Vec<String>, KnowledgeError> {
     let id = Id::new(Scope::Row(at), Q::Diameter);
     let field = context.field(id);
     // A diameter that a check found wrong, as that of an opening.
@@ -75,29 +76,34 @@ fn diameter(
             && one.rule.starts_with("audit-opening")
     });
     if told {
-        return vec![field];
+        return Ok(vec![field]);
     }
     let roots = roots::of_figure(graph, id);
-    if roots == [id] && backed(context, at, row, hole) {
+    if roots == [id] && backed(context, at, row, hole)? {
         roots::retract(findings, &field, "diameter-of-tool");
-        return Vec::new();
+        return Ok(Vec::new());
     }
-    roots.into_iter().map(|root| context.field(root)).collect()
+    Ok(roots.into_iter().map(|root| context.field(root)).collect())
 }
 
 /// Whether something else than its tool says that a row's diameter is right: the drawing, our plan of the same
-/// transition, or the row that opens the hole further.
-fn backed(context: &Context<'_>, at: usize, row: &Row, hole: &Hole) -> bool {
-    let Some(own) = row.figures.get(&Q::Diameter) else { return false };
+/// transition, or what the next row finds.
+fn backed(context: &Context<'_>, at: usize, row: &Row, hole: &Hole) -> Result<bool, KnowledgeError> {
+    let Some(own) = row.figures.get(&Q::Diameter) else { return Ok(false) };
     let value = Micrometres::from_mm_rounded(own.value);
-    let mut after =
-        context.stated.rows_of_hole(&hole.name).filter(|(other, row)| *other > at && row.opens_main_cylinder());
-    let next = after.next();
-    let finished = (hole.diameter.smallest()..=hole.diameter.largest()).contains(&value);
-    let from = next.and_then(|(_, row)| row.figures.get(&Q::From));
-    context.reference(at).is_some()
-        || next.is_none() && finished
-        || from.is_some_and(|from| Micrometres::from_mm_rounded(from.value) == value)
+    if context.reference(at).is_some() {
+        return Ok(true);
+    }
+    let opens = |row: &Row| row.opens_main_cylinder() && row.operation.value != Operation::Tap;
+    let mut after = context.stated.rows_of_hole(&hole.name).filter(|(other, row)| *other > at && opens(row));
+    let Some((_, next)) = after.next() else {
+        return Ok((hole.diameter.smallest()..=hole.diameter.largest()).contains(&value));
+    };
+    let stated = |quantity| next.figures.get(&quantity).map(|figure| Micrometres::from_mm_rounded(figure.value));
+    let stock = stated(Q::Diameter).map(|after| after - value);
+    let range = range(next.operation.value, hole.diameter.nominal, &context.shop)?;
+    let found = range.zip(stock).is_some_and(|(range, stock)| (range.low..=range.high).contains(&stock));
+    Ok(found || stated(Q::From) == Some(value))
 }
 
 /// How far a tool runs out of a through hole, by the rule `approach`.

@@ -40,7 +40,9 @@ pub(super) fn check<'a>(
             let thickness = context.stated.part.blank.thickness;
             let note = Note::new("audit-breaks-through").with("end", shown(end)).with("thickness", thickness);
             findings.retain(|finding| finding.field != field());
-            let finding = say(Severity::Error, note);
+            // The tip of a drill alone leaves a small hole.
+            let whole = figure.value >= thickness.to_mm();
+            let finding = say(if whole { Severity::Error } else { Severity::Doubtful }, note);
             findings.push(beside(finding, figure, format!("< {thickness}"), Q::Depth));
             continue;
         }
@@ -75,8 +77,11 @@ fn breaks_through(
     hole: &Hole,
     figure: &Figure,
 ) -> Option<f64> {
-    let thickness = context.stated.part.blank.thickness.to_mm();
-    if hole.through || row.operation.value == Operation::CentreDrill {
+    let thickness = context.stated.part.blank.thickness;
+    // Where the drawing leaves no room, as for the run-out of a thread, our plan comes out too.
+    let ours = context.plan.holes.iter().find(|plan| plan.name == hole.name);
+    let no_room = ours.is_some_and(|plan| plan.transitions.iter().any(|one| one.end() >= thickness));
+    if hole.through || row.operation.value == Operation::CentreDrill || no_room {
         return None;
     }
     let drills = matches!(row.operation.value, Operation::Drill | Operation::DrillOut);
@@ -85,7 +90,7 @@ fn breaks_through(
     let diameter = graph.stated_or_right(Id::new(Scope::Row(at), Q::Diameter));
     let point = angle.zip(diameter).map_or(0.0, |(angle, diameter)| cone(diameter, angle));
     let end = figure.value + point;
-    (end >= thickness).then_some(end)
+    (end >= thickness.to_mm()).then_some(end)
 }
 
 /// How deep a centring spot is, mm, by its diameter and the angle of the centring drill.

@@ -62,10 +62,11 @@ impl Group<'_, '_> {
         self.rows.iter().map(|(_, row)| *row).find(|row| row.scheme.is_some()).unwrap_or(self.first)
     }
 
-    /// Whether our route or one it was weighed against is of that scheme.
+    /// Whether our route or one it was weighed against is of that scheme; 1 of A.5 is a complex, and no scheme 01.
     fn weighed(&self, scheme: &str) -> bool {
-        same_scheme(scheme, &self.route.scheme)
-            || self.route.alternatives.iter().any(|other| same_scheme(scheme, &other.scheme))
+        let is = |own: &str, way: Way| own == scheme || way == Way::Tables && same_scheme(scheme, own);
+        is(&self.route.scheme, self.route.way)
+            || self.route.alternatives.iter().any(|other| is(&other.scheme, other.way))
     }
 
     /// Whether the tables' own cell has that scheme.
@@ -163,8 +164,9 @@ impl Group<'_, '_> {
 
     /// The transitions beside the routes that were weighed, and beside those that A.7 gives for the scheme.
     fn transitions(&self, scheme: Option<&Text>, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
-        // What edges the rows cut is judged with the edges.
-        if self.is_ours() {
+        // What edges the rows cut is judged with the edges; here only that the scheme has them so, where ours has not.
+        let merged = self.is_ours();
+        if merged && (self.context.stated.own || !self.has_edges_of(scheme)?) {
             return Ok(());
         }
         let stated = self.stated();
@@ -181,7 +183,8 @@ impl Group<'_, '_> {
         };
         let others = || self.route.alternatives.iter().enumerate();
         let can_be = |other: &Alternative| other.meets && other.time_min.is_some();
-        if let Some((rank, other)) = others().find(|(_, other)| alike(other) && can_be(other)) {
+        let ranked = others().find(|(_, other)| alike(other) && can_be(other)).filter(|_| !merged);
+        if let Some((rank, other)) = ranked {
             findings.push(finding(Severity::Doubtful, self.dominated(rank, other)));
             return Ok(());
         }
@@ -225,7 +228,12 @@ impl Group<'_, '_> {
         let of_tables = self.route.alternatives.iter().filter(|other| other.way == Way::Tables && other.meets);
         let mut schemes: Vec<&str> = of_tables.map(|other| other.scheme.as_str()).collect();
         schemes.extend(Some(self.route.scheme.as_str()).filter(|_| self.route.way == Way::Tables));
-        schemes.extend(self.asked.schemes.iter().map(String::as_str).filter(|_| !self.asked.centred));
+        let printed = |own: &String| match self.asked.centred {
+            true => asked::centred(own, &self.context.shop),
+            false => Ok(own.clone()),
+        };
+        let printed: Vec<String> = self.asked.schemes.iter().map(printed).collect::<Result<_, _>>()?;
+        schemes.extend(printed.iter().map(String::as_str));
         for own in schemes {
             if scheme.is_some_and(|scheme| !same_scheme(&scheme.value, own)) {
                 continue;
@@ -236,6 +244,15 @@ impl Group<'_, '_> {
             }
         }
         Ok(None)
+    }
+
+    /// Whether the rows cut the edges that A.7 gives for the scheme, and our plan other ones: in the stroke of another tool.
+    fn has_edges_of(&self, scheme: Option<&Text>) -> Result<bool, KnowledgeError> {
+        let edges = |list: &[Operation]| list.iter().filter(|one| one.is_of_edge()).count();
+        let Some(scheme) = scheme else { return Ok(false) };
+        let given = asked::transitions(&full(&scheme.value), &self.context.shop)?;
+        let stated = edges(&self.stated());
+        Ok(stated != edges(&self.ours) && given.is_some_and(|given| edges(&given) == stated))
     }
 
     /// A drill that the rule `two-pass-drilling` does not let stand alone.

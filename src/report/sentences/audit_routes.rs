@@ -5,18 +5,18 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
     // Schemes.
     (
         "audit-scheme-mixed",
-        "{hole}: рядок названо за схемою {stated}, а інші рядки групи за {other}",
-        "{hole}: the row names the scheme {stated}, and the other rows of the group {other}",
+        "рядок названо за схемою {stated}, а інші рядки групи за {other}",
+        "the row names the scheme {stated}, and the other rows of the group {other}",
     ),
     (
         "audit-scheme-uncentred",
-        "{hole}: {printed} дає схему {stated}, але за 1.2.1 такий отвір спершу центрують, тож {scheme} ({table})",
-        "{hole}: {printed} gives the scheme {stated}, but by section 1.2.1 such a hole is centred first, so {scheme} ({table})",
+        "{printed} дає схему {stated}, але за 1.2.1 такий отвір спершу центрують, тож {scheme} ({table})",
+        "{printed} gives the scheme {stated}, but by section 1.2.1 such a hole is centred first, so {scheme} ({table})",
     ),
     (
         "audit-route-by-scheme",
-        "{hole}: переходи {printed} для схеми {stated} слово в слово; `technolog plan` робить {scheme} ({table}) так: {better}",
-        "{hole}: the transitions of {printed} for the scheme {stated} word for word; `technolog plan` makes {scheme} ({table}): {better}",
+        "переходи {printed} для схеми {stated} слово в слово; `technolog plan` робить {scheme} ({table}) так: {better}",
+        "the transitions of {printed} for the scheme {stated} word for word; `technolog plan` makes {scheme} ({table}): {better}",
     ),
     (
         "audit-one-drill",
@@ -26,21 +26,21 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
     // Openings.
     (
         "audit-opening-not-made",
-        "{hole}: «{feature}» Ø{diameter} креслення не робить жоден перехід",
-        "{hole}: no transition makes the {feature} Ø{diameter} of the drawing",
+        "{feature} Ø{diameter} креслення не робить жоден перехід",
+        "no transition makes the {feature} Ø{diameter} of the drawing",
     ),
     (
         "audit-opening-not-centred",
-        "{hole}: «{feature}» Ø{diameter} не робить жоден перехід, а лунка Ø{spot} вужча",
-        "{hole}: no transition makes the {feature} Ø{diameter}, and the centring spot Ø{spot} is narrower",
+        "{feature} Ø{diameter} не робить жоден перехід, а лунка Ø{spot} вужча",
+        "no transition makes the {feature} Ø{diameter}, and the centring spot Ø{spot} is narrower",
     ),
     (
         "audit-opening-unasked",
-        "такого креслення цього отвору не має: {operation}",
+        "на кресленні цього отвору такого немає: {operation}",
         "the drawing of this hole has nothing of the kind: {operation}",
     ),
-    ("audit-opening-diameter", "«{feature}» за кресленням", "the {feature} of the drawing"),
-    ("audit-opening-depth", "«{feature}» за кресленням", "the {feature} of the drawing"),
+    ("audit-opening-diameter", "за кресленням: {feature}", "by the drawing: {feature}"),
+    ("audit-opening-depth", "за кресленням: {feature}", "by the drawing: {feature}"),
     // Depths.
     (
         "audit-depth-of-hole",
@@ -76,8 +76,8 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
     ),
     (
         "audit-thread-elsewhere",
-        "{hole}: різь {thread} у плані не нарізають: цей верстат не може, отже її ріжуть на іншому (рядок `operation: tap` з `elsewhere: true` скаже це явно)",
-        "{hole}: the plan does not cut the thread {thread}: this machine cannot, so it is cut on another (a row `operation: tap` with `elsewhere: true` says so)",
+        "різь {thread} у плані не нарізають: цей верстат не може, отже її ріжуть на іншому (рядок `operation: tap` з `elsewhere: true` скаже це явно)",
+        "the plan does not cut the thread {thread}: this machine cannot, so it is cut on another (a row `operation: tap` with `elsewhere: true` says so)",
     ),
     (
         "audit-cannot-tap",
@@ -87,15 +87,12 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
     // Allowances.
     (
         "audit-allowance",
-        "перехід {row} ({operation}) знаходить {stock} мм на діаметр, а можна від {low} до {high}: перед ним Ø{least}-{most}",
-        "row {row} ({operation}) finds {stock} mm on diameter, and {low} to {high} is permitted: before it Ø{least}-{most}",
+        "перехід {row} ({operation}) знаходить {stock} мм на діаметр, а за 1.2.1 від {low} до {high}",
+        "row {row} ({operation}) finds {stock} mm on diameter, and section 1.2.1 permits {low} to {high}",
     ),
     // Cutters, holders, places.
-    (
-        "bar-of-other-stage",
-        "{tool}: оправка для іншої стадії розточування ({stage})",
-        "{tool} is a bar of another stage of boring ({stage})",
-    ),
+    ("bar-of-other-stage-rough", "{tool}: оправка для чорнового розточування", "{tool} is a bar for rough boring"),
+    ("bar-of-other-stage-finish", "{tool}: оправка для чистового розточування", "{tool} is a bar for finish boring"),
     (
         "bar-of-other-range",
         "{tool} розточує Ø{low}-{high}, а перехід вимагає Ø{needed}",
@@ -137,3 +134,7 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "there is no place T{number}: the magazine has {places}",
     ),
 ];
+
+/// Words of the drawing's openings, as of `super::TERMS`.
+pub(super) const TERMS: &[(&str, &str, &str)] =
+    &[("countersink", "зенківка", "countersink"), ("chamfer", "фаска", "chamfer")];
