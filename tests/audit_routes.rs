@@ -9,11 +9,13 @@ mod common;
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use proptest::prelude::*;
 use serde::Deserialize;
-use technolog::audit::{Audit, Finding, audit, read_plan};
+use technolog::audit::{Audit, Finding, audit, by_hand, read_plan};
 use technolog::note::Severity;
+use technolog::plan::CuttingMethod;
 
-use common::KNOWLEDGE;
+use common::{KNOWLEDGE, planned, read};
 
 /// Changes of a plan, and what must be said.
 #[derive(Deserialize)]
@@ -112,4 +114,33 @@ fn every_choice_is_judged_as_the_source_has_it() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// The rules of these checks, that judge a choice and not a figure.
+const CHOICES: [&str; 9] = [
+    "audit-scheme-",
+    "audit-route-",
+    "audit-opening-",
+    "audit-thread-",
+    "audit-tap-",
+    "audit-allowance",
+    "audit-passes",
+    "audit-depth-",
+    "audit-spot-",
+];
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// Whatever the holes, the choices of our plan are right by the audit when it is written as by hand.
+    #[test]
+    fn choices_of_our_plans_by_hand_are_right(part in common::holes::part_files()) {
+        let plan = planned(&read(&part), CuttingMethod::Formula);
+        let files = |name: &str| if name == "part.yaml" { Ok(part.clone()) } else { Err("no such file".to_owned()) };
+        let stated = read_plan("plan.yaml", &by_hand(&plan, "part.yaml"), &KNOWLEDGE, &files).unwrap();
+        let audit = audit(&stated, &KNOWLEDGE).unwrap();
+        let choice = |one: &&Finding| one.severity < Severity::Note && CHOICES.iter().any(|rule| one.rule.starts_with(rule));
+        let found: Vec<String> = audit.findings.iter().filter(choice).map(with_figures).collect();
+        prop_assert!(found.is_empty(), "{found:?}\n{part}");
+    }
 }

@@ -86,7 +86,13 @@ fn backwards(
         let nearest = if too_little { largest } else { smallest };
         // Where the row says what it finds, and that would do, it was the figure of the row before that was misprinted.
         let said = row.figures.get(&Q::From).map(|from| Micrometres::from_mm_rounded(from.value));
-        let right = said.filter(|said| (smallest..=largest).contains(said)).unwrap_or(nearest);
+        let said = said.filter(|said| (smallest..=largest).contains(said));
+        if said.is_none() && !too_little && row.operation.value == Operation::RoughBore {
+            findings.push(passes(context, of_row, stock, &range));
+            (after, window) = (before, (before, before));
+            continue;
+        }
+        let right = said.unwrap_or(nearest);
         let before_it = previous.map(|(row, _)| row);
         if said == Some(right) {
             roots::retract(findings, &context.field(Id::new(Scope::Row(at), Q::From)), "diameter-before");
@@ -117,6 +123,23 @@ fn finished(context: &Context<'_>, hole: &Hole, last: Micrometres) -> Micrometre
 fn permitted(row: &Row, range: &Range<'_>) -> Micrometres {
     let passes = row.figures.get(&Q::Passes).map_or(1, |passes| passes.value.max(1.0) as i64);
     Micrometres::new(range.high.micrometres() * passes)
+}
+
+/// Rough boring takes what it must, in as many passes as the range asks: too few are wrong, none stated is doubtful.
+fn passes(context: &Context<'_>, (at, row): (usize, &Row), stock: Micrometres, range: &Range<'_>) -> Finding {
+    let most = range.high.micrometres().max(1);
+    let needed = (stock.micrometres() + most - 1) / most;
+    let figure = row.figures.get(&Q::Passes);
+    let note = Note::new("audit-passes").with("stock", stock).with("high", range.high).with("needed", needed);
+    let severity = if figure.is_some() { Severity::Wrong } else { Severity::Doubtful };
+    let field = context.field(Id::new(Scope::Row(at), Q::Passes));
+    let finding = Finding::new(severity, Section::Route, field, note).at(&row.place);
+    let finding = finding.about(context.subject(Scope::Row(at)));
+    let finding = finding.resting_on([Because::row(range.row, Note::new("named"))]);
+    match figure {
+        Some(figure) => beside(finding, figure, needed, Q::Passes),
+        None => finding,
+    }
 }
 
 /// What is said at the diameter that is to blame: of `row` itself, or of the row before it. The row finds that stock;

@@ -95,7 +95,7 @@ fn made(
         _ => row.operation.value.is_of_edge(),
     };
     let own = |row: &Row| row.step.is_none() && row.feature.is_none_or(|feature| feature == opening.feature);
-    let also = |row: &Row| row.figures.get(&Q::Also).is_some();
+    let also = |row: &Row| row.figures.contains_key(&Q::Also);
     if rows.iter().any(|(_, row)| also(row) || own(row) && cuts(row)) {
         return;
     }

@@ -105,7 +105,7 @@ impl Group<'_, '_> {
             } else if self.printed(name) && self.asked.centred {
                 findings.push(self.uncentred(row, name));
                 let of_scheme = asked::transitions(&full(name), &self.context.shop)?;
-                judged &= !of_scheme.is_some_and(|own| main(&own) == main(&self.stated())) && !self.is_ours();
+                judged &= !self.is_ours() && of_scheme.is_none_or(|own| main(&own) != main(&self.stated()));
             } else if !self.printed(name) {
                 let note = Note::new("audit-scheme-unknown").with("stated", name);
                 findings.push(self.say(Severity::Wrong, row, "scheme", note).beside(name, &self.route.scheme));

@@ -90,6 +90,11 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "перехід {row} ({operation}) знаходить {stock} мм на діаметр, а за 1.2.1 від {low} до {high}",
         "row {row} ({operation}) finds {stock} mm on diameter, and section 1.2.1 permits {low} to {high}",
     ),
+    (
+        "audit-passes",
+        "{stock} мм на діаметр за 1.2.1 (до {high} за прохід) розточують за стільки проходів: {needed}",
+        "{stock} mm on diameter are bored in {needed} passes by section 1.2.1 (up to {high} in each)",
+    ),
     // Cutters, holders, places.
     ("bar-of-other-stage-rough", "{tool}: оправка для чорнового розточування", "{tool} is a bar for rough boring"),
     ("bar-of-other-stage-finish", "{tool}: оправка для чистового розточування", "{tool} is a bar for finish boring"),
