@@ -43,7 +43,8 @@ pub(super) fn check<'a>(
         let operation = context.stated.rows_of_tool(tool.number).next().map(|(_, row)| row.operation.value);
         let operation = operation.unwrap_or(Operation::Drill);
         if let Some((family, rule)) = named::other_family(holder, &cutter, operation, shop.knowledge)? {
-            let known: Vec<&str> = family.all_rows().filter_map(|row| row.text("designation").ok()).collect();
+            let takes = family.all_rows().filter(|row| named::not_taken(*row, &cutter, &shop.machine).is_none());
+            let known: Vec<&str> = takes.filter_map(|row| row.text("designation").ok()).collect();
             let note = Note::new("holder-of-other-family").with("known", known.join(", "));
             let why = Because::row(rule, Note::new("named"));
             findings.push(say(Severity::Wrong, note).resting_on([because, why]));
