@@ -13,7 +13,7 @@ use crate::tooling::named::NamedCutter;
 use crate::units::{Micrometres, RevsPerMinute};
 
 use super::auditor::Auditor;
-use super::near::Near;
+use super::near::{Near, same_table};
 use super::quantity::{Id, Quantity, Scope};
 use super::stated::{Row, Stated};
 
@@ -46,9 +46,13 @@ impl<'a> Context<'a> {
         for tool in &stated.tools {
             let table = tool.table.as_ref().map(|table| table.value.as_str());
             let named = tool.designation.as_ref().map(|text| text.value.as_str());
-            // A table that is named decides between equal designations.
-            let of_table = |cutter: &NamedCutter<'_>| table.is_none_or(|table| cutter.row.table.id == table);
-            cutters.push(auditor.cutters.find(named, of_table));
+            // A table that is named decides between equal designations; that it is another's, its check says.
+            let of_table = |cutter: &NamedCutter<'_>| table.is_none_or(|table| same_table(&cutter.row.table.id, table));
+            let mut found = auditor.cutters.find(named, of_table);
+            if matches!(found, Near::Unknown(_)) {
+                found = auditor.cutters.find(named, |_| true);
+            }
+            cutters.push(found);
             let named = tool.holder.as_ref().map(|text| text.value.as_str());
             holders.push(auditor.holders.find(named, |_| true));
         }

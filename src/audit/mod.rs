@@ -31,6 +31,7 @@ mod near;
 mod own;
 pub mod quantity;
 mod read;
+mod roots;
 pub mod rules;
 pub mod stated;
 mod tolerance;

@@ -52,6 +52,15 @@ impl<'n, T: Clone> Names<'n, T> {
         if let Some((value, ..)) = same.find(|(value, ..)| may_be(value)) {
             return Near::Found(value.clone());
         }
+        // Spaces stand for dashes: `035 2300 1273`. Two names that differ by their dashes alone are not told apart.
+        let bare = without_dashes(&wanted);
+        let alike = |other: &&(T, &str, Vec<char>)| without_dashes(&other.2) == bare && may_be(&other.0);
+        let mut spaced = self.all.iter().filter(alike);
+        if let (Some((value, _, first)), true) = (spaced.next(), bare.len() >= 6)
+            && spaced.all(|(_, _, other)| other == first)
+        {
+            return Near::Found(value.clone());
+        }
         let mut lost: Vec<(&T, &str)> = Vec::new();
         let mut best: Option<(usize, &str)> = None;
         for (value, known, other) in self.all.iter().filter(|(value, ..)| may_be(value)) {
@@ -71,6 +80,25 @@ impl<'n, T: Clone> Names<'n, T> {
     }
 }
 
+/// Whether two names of tables are one: `А.18б` of the book is `A.18b` here.
+pub fn same_table(a: &str, b: &str) -> bool {
+    let folded = |name: &str| -> Vec<char> {
+        plain(name).into_iter().map(|letter| if letter == 'Б' { 'B' } else { letter }).collect()
+    };
+    folded(a) == folded(b)
+}
+
+/// Whether two names of schemes are one: 7 is 07.
+pub fn same_scheme(a: &str, b: &str) -> bool {
+    let bare =
+        |name: &str| -> String { plain(name).into_iter().collect::<String>().trim_start_matches('0').to_owned() };
+    bare(a) == bare(b)
+}
+
+fn without_dashes(name: &[char]) -> Vec<char> {
+    name.iter().copied().filter(|letter| *letter != '-').collect()
+}
+
 /// Whether a standard is the one meant: as written, or with a sign or two misread.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Likeness {
@@ -82,10 +110,12 @@ pub enum Likeness {
     Other,
 }
 
-/// How a written standard stands to the right one.
+/// How a written standard stands to the right one; a standard without the type that the catalog adds to it,
+/// `ГОСТ 1672-80` for `ГОСТ 1672-80, тип 2`, is the same.
 pub fn likeness(written: &str, right: &str) -> Likeness {
     let (a, b) = (plain(written), plain(right));
-    if a == b {
+    let without_type = right.split_once(',').map(|(number, _)| plain(number));
+    if a == b || without_type.as_ref() == Some(&a) {
         Likeness::Same
     } else if distance(&a, &b) <= 2 {
         Likeness::Misread
@@ -142,15 +172,24 @@ mod tests {
         let names = Names::new(names.iter().map(|name| ((), *name)));
         let look = |name: &str| names.find(Some(name), |()| true);
         assert_eq!(look("035 - 2300 – 1273"), Near::Found(()));
+        assert_eq!(look("035 2300 1273"), Near::Found(()));
         assert_eq!(look("2317-0103"), Near::Meant((), "035-2317-0103".to_owned()));
         assert_eq!(look("035-2317-0109"), Near::Unknown(Some("035-2317-0103".to_owned())));
         assert_eq!(look("191113040"), Near::Unknown(None));
     }
 
     #[test]
+    fn tables_and_schemes_are_written_in_several_ways() {
+        assert!(same_table("А.9", "A.9") && same_table("А.18б", "A.18b") && !same_table("A.9", "A.19"));
+        assert!(same_scheme("7", "07") && same_scheme("04 + centre", "4+centre") && !same_scheme("7", "70"));
+    }
+
+    #[test]
     fn a_misread_standard_is_told_from_another() {
         assert_eq!(likeness("ОСТ 2420-5-80", "ОСТ 2И20-5-80"), Likeness::Misread);
         assert_eq!(likeness("ТУ 2 – 035 – 986 – 85", "ТУ 2-035-986-85"), Likeness::Same);
+        assert_eq!(likeness("ГОСТ 1672-80", "ГОСТ 1672-80, тип 2"), Likeness::Same);
+        assert_eq!(likeness("ГОСТ 1672-80, тип 3", "ГОСТ 1672-80, тип 2"), Likeness::Misread);
         assert_eq!(likeness("ГОСТ 10902-77", "ОСТ 2И20-1-80"), Likeness::Other);
     }
 }

@@ -15,19 +15,7 @@ use super::whole::Finder;
 impl Finder<'_, '_> {
     /// The kind of auxiliary hole by which A.10 knows it; a finer main cylinder is a main hole of A.8 or A.9.
     pub fn auxiliary_kind(&self) -> Option<Kind> {
-        let main = &self.task.main;
-        if main.thread.is_some() {
-            // A.10 begins in solid metal.
-            return main.before.is_solid().then_some(Kind::Thread);
-        }
-        if main.diameter.it < self.drilled || !main.before.is_solid() || !self.hole.steps.is_empty() {
-            return None;
-        }
-        if self.hole.counterbore.is_some() {
-            return Some(Kind::Counterbore);
-        }
-        let sink = self.hole.countersink.map(|sink| sink.angle_millideg).or(self.hole.cone.map(|c| c.angle_millideg));
-        sink.map(|angle| if angle == 90_000 { Kind::Countersink90 } else { Kind::CountersinkOther })
+        Kind::of(self.hole, &self.task.main, self.drilled)
     }
 
     /// The three ways; what the tables finish on another machine is not weighed against the others.

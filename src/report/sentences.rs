@@ -10,6 +10,7 @@ use super::Lang;
 
 mod allowances;
 mod audit;
+mod audit_routes;
 mod conditions;
 mod holes;
 mod iso;
@@ -35,7 +36,7 @@ fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'s
     let all = all.chain(iso::SENTENCES).chain(jobs::SENTENCES).chain(lists::SENTENCES);
     let all = all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES);
     let all = all.chain(turning_tools::SENTENCES).chain(zones::SENTENCES).chain(workpiece::SENTENCES);
-    let all = all.chain(audit::SENTENCES);
+    let all = all.chain(audit::SENTENCES).chain(audit_routes::SENTENCES);
     all.chain(lathe_programs::SENTENCES).chain(allowances::SENTENCES).chain(operation::SENTENCES)
 }
 
@@ -83,9 +84,11 @@ pub fn remedy(note: &Note, lang: Lang) -> Option<&'static str> {
 fn shown(name: &str, value: &str, lang: Lang) -> String {
     match name {
         "operation" | "instead" => super::operation_noun(value, lang).to_owned(),
-        "transitions" => value.split(", ").map(|name| super::operation_noun(name, lang)).collect::<Vec<_>>().join(", "),
+        "transitions" | "better" => {
+            value.split(", ").map(|name| super::operation_noun(name, lang)).collect::<Vec<_>>().join(", ")
+        }
         "kind" | "method" | "variant" | "direction" | "rival" => term(value, lang).to_owned(),
-        "take" | "by" | "name" | "shank" | "bound" => term(value, lang).to_owned(),
+        "take" | "by" | "name" | "shank" | "bound" | "feature" => term(value, lang).to_owned(),
         "stages" => value.split(" + ").map(|stage| term(stage, lang)).collect::<Vec<_>>().join(" + "),
         "scheme" | "same" | "first" => scheme_name(value, lang),
         // A decimal number as people write it; designations and table names are none.
@@ -103,7 +106,7 @@ pub fn scheme_name(scheme: &str, lang: Lang) -> String {
 /// A word that stands in a table as an id.
 pub fn term(id: &str, lang: Lang) -> &str {
     let terms = terms::TERMS.iter().chain(schemes::TERMS).chain(turning_tools::TERMS).chain(zones::TERMS);
-    let terms = terms.chain(operation::TERMS);
+    let terms = terms.chain(operation::TERMS).chain(audit_routes::TERMS);
     terms.into_iter().find(|(known, ..)| *known == id).map_or(id, |(_, uk, en)| lang.pick(uk, en))
 }
 

@@ -3,12 +3,13 @@
 use crate::error::{Refusal, Tried};
 use crate::knowledge::Input;
 use crate::note::{Because, Note};
-use crate::part::ThreadKind;
+use crate::part::{Hole, ThreadKind};
 use crate::plan::{Operation, Way};
 use crate::shop::Shop;
-use crate::units::Micrometres;
+use crate::units::{ItGrade, Micrometres};
 
 use super::Candidate;
+use super::bores::Bore;
 use super::scheme::{Question, with_transitions};
 
 /// What A.10 is asked about.
@@ -25,6 +26,22 @@ pub enum Kind {
 }
 
 impl Kind {
+    /// What A.10 is asked about a hole; nothing of plain and stepped holes, of holes finer than what drilling leaves
+    /// (`drilled`), and where metal is no longer solid: A.10 begins in solid metal.
+    pub fn of(hole: &Hole, main: &Bore, drilled: ItGrade) -> Option<Self> {
+        if main.thread.is_some() {
+            return main.before.is_solid().then_some(Self::Thread);
+        }
+        if main.diameter.it < drilled || !main.before.is_solid() || !hole.steps.is_empty() {
+            return None;
+        }
+        if hole.counterbore.is_some() {
+            return Some(Self::Counterbore);
+        }
+        let sink = hole.countersink.map(|sink| sink.angle_millideg).or(hole.cone.map(|cone| cone.angle_millideg));
+        sink.map(|angle| if angle == 90_000 { Self::Countersink90 } else { Self::CountersinkOther })
+    }
+
     /// As A.10 names it.
     pub fn name(self, question: &Question<'_>) -> &'static str {
         match self {

@@ -19,6 +19,7 @@ mod finishing;
 mod two_passes;
 
 use allowance::allowance;
+pub use allowance::{Range, range};
 use two_passes::two_passes;
 
 /// What a route is turned into steps with.

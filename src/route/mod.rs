@@ -7,6 +7,7 @@
 //! rest of the hole, and [`order`] puts all of it in the order of section 1.1.2.
 
 pub mod accuracy;
+pub mod asked;
 pub mod auxiliary;
 pub mod bores;
 pub mod complex;

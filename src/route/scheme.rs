@@ -152,20 +152,16 @@ pub fn stages(
     })
 }
 
-/// The cells that the tables would be asked about a cylinder: for tests that hold the planner to the tables.
+/// The filled cell of A.8 or A.9 of a cylinder's own grade and roughness; nothing where it is empty.
 ///
 /// # Errors
 /// The knowledge cannot answer.
-pub fn own_cell(question: &Question<'_>, knowledge: &Knowledge) -> Result<Vec<String>, KnowledgeError> {
+pub(super) fn own_cell<'k>(
+    question: &Question<'_>,
+    knowledge: &'k Knowledge,
+) -> Result<Option<RowRef<'k>>, KnowledgeError> {
     let own = cells(question.bore.diameter.it, question, knowledge)?;
-    let first = own.filled.first().filter(|_| own.own_is_filled);
-    Ok(first
-        .map(|cell| cell.row.texts("schemes"))
-        .transpose()?
-        .unwrap_or_default()
-        .into_iter()
-        .map(str::to_owned)
-        .collect())
+    Ok(own.filled.first().filter(|_| own.own_is_filled).map(|cell| cell.row))
 }
 
 /// The filled cells of one grade.
@@ -332,6 +328,6 @@ pub(super) fn centre_first(bore: &Bore, shop: &Shop<'_>) -> Result<(bool, Becaus
     Ok((asked, Because::answer(&answer, note)))
 }
 
-fn operations(row: RowRef<'_>) -> Result<Option<Vec<Operation>>, KnowledgeError> {
+pub(super) fn operations(row: RowRef<'_>) -> Result<Option<Vec<Operation>>, KnowledgeError> {
     Ok(row.texts("transitions")?.into_iter().map(Operation::from_name).collect())
 }

@@ -1,7 +1,7 @@
 //! Holders: which one takes a shank, how far the cutter stands out, how long the assembly is.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::table::Shank;
+use crate::knowledge::table::{Shank, ToolHead};
 use crate::knowledge::units::{Micrometres, Unit};
 use crate::knowledge::{Input, Knowledge, RowRef};
 use crate::machine::Machine;
@@ -68,16 +68,7 @@ pub fn assemble(
         };
         return Ok(within_limits(assembly, machine));
     }
-    let rule = knowledge.table("holder-for-shank")?;
-    // End mills with a Morse shank are drawn in by a thread, drills are driven by a tang.
-    let mills = cutter.head.operations.iter().any(|operation| operation == Operation::Mill.name());
-    let drawbar = cutter.head.shank == Shank::Morse && mills;
-    let answer = rule.decide(&[
-        ("shank", Input::Text(cutter.head.shank.name())),
-        ("drawbar", Input::Bool(drawbar)),
-        ("tap", Input::Bool(need.operation == Operation::Tap)),
-    ])?;
-    let family = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, cutter.head.shank.name()))?;
+    let family = family(cutter.head, need.operation, knowledge)?;
     let table = knowledge.table(family.text("holders")?)?;
     let mut rejected = Vec::new();
     for row in table.all_rows() {
@@ -111,6 +102,24 @@ pub fn assemble(
         return Ok(within_limits(assembly, machine));
     }
     Ok(Err(rejected))
+}
+
+/// The row of the rule `holder-for-shank` that names the family of holders for a shank.
+pub(super) fn family<'k>(
+    head: &ToolHead,
+    operation: Operation,
+    knowledge: &'k Knowledge,
+) -> Result<RowRef<'k>, KnowledgeError> {
+    let rule = knowledge.table("holder-for-shank")?;
+    // End mills with a Morse shank are drawn in by a thread, drills are driven by a tang.
+    let mills = head.operations.iter().any(|operation| operation == Operation::Mill.name());
+    let drawbar = head.shank == Shank::Morse && mills;
+    let answer = rule.decide(&[
+        ("shank", Input::Text(head.shank.name())),
+        ("drawbar", Input::Bool(drawbar)),
+        ("tap", Input::Bool(operation == Operation::Tap)),
+    ])?;
+    answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, head.shank.name()))
 }
 
 fn within_limits(assembly: Assembly, machine: &Machine<'_>) -> Result<Assembly, Vec<Note>> {

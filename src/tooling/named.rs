@@ -51,10 +51,62 @@ pub fn unsuited(cutter: &NamedCutter<'_>, need: &CutterNeed<'_>, machine: &Machi
         return Some(Note::new("tool-of-other-operation").with("operation", operation).with("transitions", for_what));
     }
     if !size_fits(cutter.row, need) {
-        let own = own_diameter(cutter.row).map_or_else(|| "-".to_owned(), |own| own.to_string());
-        return Some(Note::new("tool-of-other-size").with("own", own).with("needed", need.diameter));
+        return Some(of_other_size(cutter.row, need));
     }
     refuse(cutter.row, need, machine)
+}
+
+/// What of a cutter is not of the size that is asked: what its kind is chosen by.
+fn of_other_size(row: RowRef<'_>, need: &CutterNeed<'_>) -> Note {
+    let operation = need.operation;
+    if operation.is_boring()
+        && let (Some(low), Some(high)) = (row.length_if_any("diameter_min"), row.length_if_any("diameter_max"))
+    {
+        if low <= need.diameter && need.diameter <= high {
+            let rough = row.text("stage") == Ok("rough");
+            return Note::new(if rough { "bar-of-other-stage-rough" } else { "bar-of-other-stage-finish" });
+        }
+        return Note::new("bar-of-other-range").with("low", low).with("high", high).with("needed", need.diameter);
+    }
+    if let (Some(thread), Ok(own), Operation::Tap) = (need.thread, row.text("thread"), operation) {
+        return Note::new("tap-of-other-thread").with("own", own).with("needed", thread);
+    }
+    let cone = need.angle_millideg.map(|angle| f64::from(angle) / 1000.0);
+    if let (Some(angle), Ok(own)) = (cone, row.number_in("cone_angle", Unit::Degree))
+        && (own - angle).abs() > 0.0005
+    {
+        return Note::new("tool-of-other-angle").with("own", own).with("needed", angle);
+    }
+    let own = own_diameter(row).map_or_else(|| "-".to_owned(), |own| own.to_string());
+    Note::new("tool-of-other-size").with("own", own).with("needed", need.diameter)
+}
+
+/// Whether a designation is the other design of a cutter that is made for through and for blind holes.
+pub fn of_other_bottom(cutter: &NamedCutter<'_>, through: bool) -> Option<Note> {
+    let (own, other) = if through {
+        ("designation_through", "designation_blind")
+    } else {
+        ("designation_blind", "designation_through")
+    };
+    let (right, stated) = (cutter.row.text(own).ok()?, cutter.row.text(other).ok()?);
+    let code = if through { "tool-for-blind-holes" } else { "tool-for-through-holes" };
+    (cutter.designation == stated && right != stated).then(|| Note::new(code).with("known", right))
+}
+
+/// The row of the rule `holder-for-shank` by which a cutter asks for another family of holders than this one's; nothing
+/// where it is of that family.
+///
+/// # Errors
+/// The knowledge cannot answer.
+pub fn other_family<'k>(
+    holder: RowRef<'_>,
+    cutter: &NamedCutter<'_>,
+    operation: Operation,
+    knowledge: &'k Knowledge,
+) -> Result<Option<(&'k Table, RowRef<'k>)>, KnowledgeError> {
+    let family = holder::family(cutter.head, operation, knowledge)?;
+    let Ok(id) = family.text("holders") else { return Ok(None) };
+    Ok((holder.table.id != id).then_some((knowledge.table(id)?, family)))
 }
 
 /// Why a holder does not take a cutter; nothing where it does.

@@ -72,7 +72,8 @@ fn screw(
     findings: &mut Vec<Finding>,
 ) -> Result<(), KnowledgeError> {
     let table = context.shop.knowledge.table("clamp-screws")?;
-    let Some(row) = table.find("thread", thread) else {
+    let meant = |row: &RowRef<'_>| row.text("thread").is_ok_and(|own| plain(own) == plain(thread));
+    let Some(row) = table.all_rows().find(meant) else {
         let known: Vec<&str> = table.all_rows().filter_map(|row| row.text("thread").ok()).collect();
         let note = Note::new("audit-no-screw").with("screw", thread).with("known", known.join(", "));
         findings.push(finding(Severity::Wrong, "screw", note, said));

@@ -1,9 +1,10 @@
-//! Whether a cutter suits its transition, and a holder its cutter.
+//! Whether a cutter suits its transition: its kind, diameter and reach, and the bottom of its hole.
 
 use crate::error::KnowledgeError;
 use crate::note::{Because, Note, Severity};
 use crate::part::Hole;
 use crate::plan::Operation;
+use crate::route::diameters::range;
 use crate::tooling::CutterNeed;
 use crate::tooling::named;
 use crate::units::Micrometres;
@@ -12,6 +13,7 @@ use super::super::context::Context;
 use super::super::finding::{Finding, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
+use super::super::roots;
 use super::super::stated::Row;
 use super::reach::Tips;
 
@@ -30,30 +32,79 @@ pub(super) fn check<'a>(
         if row.operation.value.is_of_edge() && context.stated.own {
             continue;
         }
-        let Some(why) = named::unsuited(&cutter, &need(context, graph, &tips, at, row, hole), machine) else {
-            continue;
+        let finding = |severity, why: Note| {
+            let field = format!("route.{}.tool", row.number);
+            let place = row.tool.as_ref().map_or(&row.place, |tool| &tool.place);
+            let note = why.with("tool", cutter.designation);
+            let mut finding = Finding::new(severity, Section::Tools, field, note).at(place);
+            finding.subject = context.subject(Scope::Row(at));
+            finding.subject.tool = Some(context.stated.tools[tool].number);
+            finding.resting_on([Because::row(cutter.row, Note::new("named"))])
         };
-        let field = format!("route.{}.tool", row.number);
-        let place = row.tool.as_ref().map_or(&row.place, |tool| &tool.place);
-        let note = why.with("tool", cutter.designation);
-        let mut finding = Finding::new(Severity::Error, Section::Tools, field, note).at(place);
-        finding.subject = context.subject(Scope::Row(at));
-        finding.subject.tool = Some(context.stated.tools[tool].number);
-        findings.push(finding.resting_on([Because::row(cutter.row, Note::new("named"))]));
-    }
-    for (at, tool) in context.stated.tools.iter().enumerate() {
-        let (Some(cutter), Some(holder)) = (context.cutter(at), context.holder(at)) else { continue };
-        if let Some(why) = named::not_taken(holder, &cutter, machine) {
-            let name = tool.holder.as_ref().map_or("", |holder| holder.value.as_str());
-            let field = format!("tools.T{}.holder.designation", tool.number);
-            let place = tool.holder.as_ref().map_or(&tool.place, |holder| &holder.place);
-            let note = why.with("holder", name).with("tool", cutter.designation);
-            let finding = Finding::new(Severity::Error, Section::Holders, field, note).at(place);
-            let because = Because::row(holder, Note::new("named"));
-            findings.push(finding.about(context.subject(Scope::Tool(at))).resting_on([because]));
+        let need = need(context, graph, &tips, at, row, hole);
+        if let Some(why) = named::unsuited(&cutter, &need, machine) {
+            let of_size = why.code.starts_with("tool-of-other-") || why.code.starts_with("bar-of-other-");
+            let mut unsuited = finding(Severity::Error, why);
+            if of_size {
+                unsuited.follows_from = diameter(context, graph, at, row, hole, findings)?;
+            }
+            findings.push(unsuited);
+        } else if let Some(why) = named::of_other_bottom(&cutter, hole.through).filter(|_| row.of_main_cylinder()) {
+            findings.push(finding(Severity::Wrong, why));
         }
     }
     Ok(())
+}
+
+/// A cutter of another size than its row: the row's diameter may be the slip, and the cutter only follows. Where the
+/// drawing or the rows around say that the diameter is right, the cutter is the slip, and what formulas said of the
+/// diameter is taken back.
+fn diameter(
+    context: &Context<'_>,
+    graph: &Graph<'_>,
+    at: usize,
+    row: &Row,
+    hole: &Hole,
+    findings: &mut Vec<Finding>,
+) -> Result<Vec<String>, KnowledgeError> {
+    let id = Id::new(Scope::Row(at), Q::Diameter);
+    let field = context.field(id);
+    // A diameter that a check found wrong, as that of an opening.
+    let told = findings.iter().any(|one| {
+        one.field == field
+            && one.follows_from.is_empty()
+            && one.severity <= Severity::Wrong
+            && one.rule.starts_with("audit-opening")
+    });
+    if told {
+        return Ok(vec![field]);
+    }
+    let roots = roots::of_figure(graph, id);
+    if roots == [id] && backed(context, at, row, hole)? {
+        roots::retract(findings, &field, "diameter-of-tool");
+        return Ok(Vec::new());
+    }
+    Ok(roots.into_iter().map(|root| context.field(root)).collect())
+}
+
+/// Whether something else than its tool says that a row's diameter is right: the drawing, our plan of the same
+/// transition, or what the next row finds.
+fn backed(context: &Context<'_>, at: usize, row: &Row, hole: &Hole) -> Result<bool, KnowledgeError> {
+    let Some(own) = row.figures.get(&Q::Diameter) else { return Ok(false) };
+    let value = Micrometres::from_mm_rounded(own.value);
+    if context.reference(at).is_some() {
+        return Ok(true);
+    }
+    let opens = |row: &Row| row.opens_main_cylinder() && row.operation.value != Operation::Tap;
+    let mut after = context.stated.rows_of_hole(&hole.name).filter(|(other, row)| *other > at && opens(row));
+    let Some((_, next)) = after.next() else {
+        return Ok((hole.diameter.smallest()..=hole.diameter.largest()).contains(&value));
+    };
+    let stated = |quantity| next.figures.get(&quantity).map(|figure| Micrometres::from_mm_rounded(figure.value));
+    let stock = stated(Q::Diameter).map(|after| after - value);
+    let range = range(next.operation.value, hole.diameter.nominal, &context.shop)?;
+    let found = range.zip(stock).is_some_and(|(range, stock)| (range.low..=range.high).contains(&stock));
+    Ok(found || stated(Q::From) == Some(value))
 }
 
 /// What the row asks of its cutter. Of a plan of ours only what stands in the row is asked, and of reach only that of

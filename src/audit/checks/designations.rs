@@ -7,7 +7,7 @@ use crate::note::{Because, Note, Severity};
 use super::super::context::Context;
 use super::super::finding::{Finding, Section};
 use super::super::graph::Graph;
-use super::super::near::{Likeness, Near, likeness, plain};
+use super::super::near::{Likeness, Near, likeness, plain, same_table};
 use super::super::quantity::Scope;
 use super::super::rules::tools::COLUMNS;
 use super::super::stated::Text;
@@ -44,12 +44,13 @@ pub(super) fn check<'a>(
                 let finding = finding.beside(&shank.value, cutter.head.shank.name());
                 findings.push(about(finding.resting_on([Because::row(row, Note::new("named"))])));
             }
-        } else if let (Some(table), Some(name)) = (&tool.table, &tool.designation) {
-            // Known, but of another table than the one stated.
-            let note = Note::new("audit-tool-table").with("table", &table.value).with("tool", &name.value);
-            if matches!(near, Near::Unknown(_)) {
-                findings
-                    .push(about(Finding::new(Severity::Wrong, Section::Tools, field("table"), note).at(&table.place)));
+            // Of equal designations the one of the table that is named was taken; this is none of it.
+            if let Some(table) = tool.table.as_ref().filter(|table| !same_table(&table.value, &row.table.id)) {
+                let note = Note::new("audit-tool-table").with("table", &table.value).with("tool", cutter.designation);
+                let note = note.with("known", &row.table.id);
+                let finding = Finding::new(Severity::Wrong, Section::Tools, field("table"), note).at(&table.place);
+                let finding = finding.beside(&table.value, &row.table.id);
+                findings.push(about(finding.resting_on([Because::row(row, Note::new("named"))])));
             }
         }
         let near = context.holder_near(at);
@@ -151,7 +152,14 @@ fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<Finding>) {
             cutter.row.length_if_any(column).is_some_and(|length| (length.to_mm() - value).abs() < 1e-6)
         })
     };
-    let Some(other) = cutter_names(context.shop.knowledge).find(fits) else { return };
+    // Another tool of the same dimensions may be of another kind: it must do what the rows ask of this one.
+    let asked: Vec<&str> =
+        context.stated.rows_of_tool(tool.number).map(|(_, row)| row.operation.value.name()).collect();
+    let does = |cutter: &NamedCutter<'_>| {
+        asked.iter().all(|asked| cutter.head.operations.iter().any(|operation| operation == asked))
+    };
+    let mut others = cutter_names(context.shop.knowledge).filter(|cutter| fits(cutter) && does(cutter));
+    let Some(other) = others.next() else { return };
     // One dimension alone may be the slip; the rows of the tool say which of the two is meant.
     let unsuited = |finding: &Finding| of_tool(finding) && finding.rule.starts_with("tool-of-other-");
     if off < 2 && !findings.iter().any(unsuited) {

@@ -2,6 +2,7 @@
 
 use crate::error::KnowledgeError;
 use crate::note::{Because, Note, Severity};
+use crate::plan::Operation;
 
 use super::super::context::Context;
 use super::super::figures::{beside, shown};
@@ -19,8 +20,8 @@ pub(super) fn check<'a>(
     series(context, graph, findings)?;
     lengths(context, findings)?;
     correctors(context, findings);
-    magazine(context, findings);
-    Ok(())
+    magazine(context, findings)?;
+    drills(context, findings)
 }
 
 /// Every figure that the machine bounds.
@@ -117,16 +118,49 @@ fn correctors(context: &Context<'_>, findings: &mut Vec<Finding>) {
     }
 }
 
-/// More tools than places.
-fn magazine(context: &Context<'_>, findings: &mut Vec<Finding>) {
-    let (tools, places) = (context.stated.tools.len(), context.shop.machine.magazine);
-    if tools > places && places > 0 {
-        let note = Note::new("audit-magazine").with("tools", tools).with("places", places);
+/// More tools than places, or a tool with a place that the magazine does not have. A plan of ours numbers what is loaded
+/// by hand on.
+fn magazine(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
+    let (tools, machine) = (&context.stated.tools, &context.shop.machine);
+    let places = machine.magazine;
+    if places == 0 {
+        return Ok(());
+    }
+    if tools.len() > places {
+        let note = Note::new("audit-magazine").with("tools", tools.len()).with("places", places);
         let finding = Finding::new(Severity::Doubtful, Section::Tools, "tools".to_owned(), note);
-        let finding = match context.stated.tools.get(places) {
+        findings.push(match tools.get(places) {
             Some(tool) => finding.at(&tool.place),
             None => finding,
-        };
-        findings.push(finding);
+        });
+        return Ok(());
     }
+    for (at, tool) in tools.iter().enumerate().filter(|(_, tool)| tool.number as usize > places) {
+        let note = Note::new("audit-no-place").with("number", tool.number).with("places", places);
+        let finding = Finding::new(Severity::Error, Section::Tools, format!("tools.T{}", tool.number), note);
+        let because = Because::row(machine.row("magazine-places")?, Note::new("audit-limit"));
+        findings.push(finding.at(&tool.place).about(context.subject(Scope::Tool(at))).resting_on([because]));
+    }
+    Ok(())
+}
+
+/// A drill beyond the machine's largest, where no catalog's drill of the row tells it.
+fn drills(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
+    let machine = &context.shop.machine;
+    for (at, row) in context.stated.rows.iter().enumerate().filter(|(_, row)| !row.elsewhere) {
+        let drills = matches!(row.operation.value, Operation::Drill | Operation::DrillOut);
+        let known = context.stated.tool_of(row).is_some_and(|tool| context.cutter(tool).is_some());
+        let most = machine.drill_max.to_mm();
+        let Some(figure) = row.figures.get(&Q::Diameter).filter(|figure| drills && !known && figure.value > most)
+        else {
+            continue;
+        };
+        let note = Note::new("audit-beyond-machine").with("limit", shown(most)).with("quantity", "drill-diameter-max");
+        let field = context.field(Id::new(Scope::Row(at), Q::Diameter));
+        let finding = Finding::new(Severity::Error, Section::Route, field, note);
+        let finding = beside(finding, figure, format!("<= {}", shown(most)), Q::Diameter);
+        let because = Because::row(machine.row("drill-diameter-max")?, Note::new("audit-limit"));
+        findings.push(finding.about(context.subject(Scope::Row(at))).resting_on([because]));
+    }
+    Ok(())
 }

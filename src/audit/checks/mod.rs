@@ -1,15 +1,21 @@
 //! Choices held against the tables: one file per kind, one line each in the list.
 
+mod allowances;
 mod clamps;
 mod cutters;
+mod depths;
 mod designations;
+mod holders;
 mod limits;
 mod loads;
 mod missing;
+mod openings;
 mod ours;
 mod program;
 mod reach;
 mod route;
+mod scheme;
+mod threads;
 mod zone;
 
 use crate::error::KnowledgeError;
@@ -17,6 +23,7 @@ use crate::error::KnowledgeError;
 use super::context::Context;
 use super::finding::Finding;
 use super::graph::Graph;
+use super::roots;
 
 /// A kind of check; it adds what it finds.
 type Check = for<'a> fn(&Context<'a>, &Graph<'a>, &mut Vec<Finding>) -> Result<(), KnowledgeError>;
@@ -24,7 +31,13 @@ type Check = for<'a> fn(&Context<'a>, &Graph<'a>, &mut Vec<Finding>) -> Result<(
 /// Every check, in the order of a report.
 const CHECKS: &[Check] = &[
     route::check,
+    scheme::check,
+    openings::check,
+    threads::check,
+    depths::check,
+    allowances::check,
     cutters::check,
+    holders::check,
     designations::check,
     limits::check,
     zone::check,
@@ -42,5 +55,7 @@ pub(super) fn all<'a>(
     graph: &Graph<'a>,
     findings: &mut Vec<Finding>,
 ) -> Result<(), KnowledgeError> {
-    CHECKS.iter().try_for_each(|check| check(context, graph, findings))
+    CHECKS.iter().try_for_each(|check| check(context, graph, findings))?;
+    roots::settle(findings);
+    Ok(())
 }

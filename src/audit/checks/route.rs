@@ -1,16 +1,19 @@
-//! The route: every hole, the order of its transitions, its scheme beside those the tables allow, the tool changes.
+//! The route: every hole, the order of its transitions and their diameters, the tool changes.
+
+use std::collections::BTreeSet;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Input;
 use crate::note::{Because, Note, Severity};
 use crate::part::Hole;
-use crate::plan::{HolePlan, Operation};
+use crate::plan::Operation;
 use crate::units::{Micrometres, round_to};
 
 use super::super::context::Context;
 use super::super::finding::{Finding, Section, Subject};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
+use super::super::roots;
 use super::super::stated::Row;
 
 pub(super) fn check<'a>(
@@ -36,15 +39,12 @@ pub(super) fn check<'a>(
         }
         order(context, &rows, findings)?;
         finished(context, graph, hole, &rows, findings);
-        if let Some(plan) = plan {
-            scheme(hole, plan, &rows, findings);
-        }
     }
     changes(context, findings);
     Ok(())
 }
 
-fn of_hole(hole: &Hole) -> Subject {
+pub(super) fn of_hole(hole: &Hole) -> Subject {
     Subject { holes: vec![hole.name.clone()], ..Subject::default() }
 }
 
@@ -90,16 +90,17 @@ fn finished(
 ) {
     let bores = |row: &Row| row.opens_main_cylinder() && row.operation.value != Operation::Tap;
     let mut before = Micrometres::ZERO;
-    let mut last = None;
+    let mut last: Option<(usize, &Row, Micrometres)> = None;
     for (at, row) in rows.iter().filter(|(_, row)| bores(row)) {
-        let id = Id::new(Scope::Row(*at), Q::Diameter);
+        let id = of_row(*at);
         let Some(diameter) = graph.stated_or_right(id) else { return };
         let diameter = Micrometres::from_mm_rounded(diameter);
         let floor = row.operation.value == Operation::Mill && diameter == before;
         if diameter <= before && !floor {
             let note = Note::new("audit-not-opened").with("diameter", diameter).with("before", before);
             let field = format!("route.{}.diameter", row.number);
-            let finding = Finding::new(Severity::Wrong, Section::Route, field, note).at(&row.place);
+            let mut finding = Finding::new(Severity::Wrong, Section::Route, field, note).at(&row.place);
+            finding.follows_from = follows(context, graph, &[Some(id), last.map(|(at, ..)| of_row(at))]);
             findings.push(finding.about(context.subject(Scope::Row(*at))));
         }
         before = diameter;
@@ -117,73 +118,20 @@ fn finished(
     {
         let note = Note::new("audit-last-diameter").with("diameter", diameter).with("hole", &hole.diameter);
         let field = format!("route.{}.diameter", row.number);
-        let finding = Finding::new(Severity::Wrong, Section::Route, field, note).at(&row.place);
+        let mut finding = Finding::new(Severity::Wrong, Section::Route, field, note).at(&row.place);
+        finding.follows_from = follows(context, graph, &[Some(of_row(at))]);
         findings.push(finding.beside(diameter, &hole.diameter).about(context.subject(Scope::Row(at))));
     }
 }
 
-/// The transitions of a hole beside the routes that the tables allow, and how they rank.
-fn scheme(hole: &Hole, plan: &HolePlan, rows: &[(usize, &Row)], findings: &mut Vec<Finding>) {
-    let Some(route) = &plan.route else { return };
-    let stated: Vec<Operation> = rows.iter().map(|(_, row)| row.operation.value).collect();
-    let ours: Vec<Operation> = plan.transitions.iter().map(|transition| transition.operation).collect();
-    let named = rows.iter().find(|(_, row)| row.scheme.is_some()).or(rows.first());
-    let Some((_, first)) = named else { return };
-    let place = first.scheme.as_ref().map_or(&first.place, |scheme| &scheme.place);
-    let field = format!("route.{}.scheme", first.number);
-    let say = |severity, note: Note| {
-        let finding = Finding::new(severity, Section::Route, field.clone(), note).at(place);
-        finding.about(of_hole(hole)).resting_on(route.because.iter().take(3).cloned())
-    };
-    let best = |note: Note| note.with("scheme", &route.scheme).with("table", &route.table);
-    if let Some(named) = &first.scheme {
-        let known = (named.value == route.scheme) || route.alternatives.iter().any(|other| other.scheme == named.value);
-        if !known {
-            let note = best(Note::new("audit-scheme-unknown").with("stated", &named.value).with("hole", &hole.name));
-            findings.push(say(Severity::Wrong, note).beside(&named.value, &route.scheme));
-            return;
-        }
-        // The scheme and the table it is said to stand in.
-        if let Some(table) = &first.table {
-            let fits = (named.value == route.scheme && table.value == route.table)
-                || route.alternatives.iter().any(|other| other.scheme == named.value && other.table == table.value);
-            if !fits {
-                let note = best(Note::new("audit-scheme-table").with("stated", &table.value).with("hole", &hole.name));
-                let mut finding = say(Severity::Wrong, note).beside(&table.value, &route.table).at(&table.place);
-                finding.field = format!("route.{}.table", first.number);
-                findings.push(finding);
-            }
-        }
-    }
-    if stated == ours {
-        return;
-    }
-    let main =
-        |list: &[Operation]| -> Vec<Operation> { list.iter().copied().filter(|one| !one.is_of_edge()).collect() };
-    let alike = |other: &crate::plan::Alternative| {
-        let made: Vec<Operation> = other.operations.iter().map(|made| made.operation).collect();
-        main(&made) == main(&stated)
-    };
-    let names = stated.iter().map(|operation| operation.name()).collect::<Vec<_>>().join(", ");
-    let found = route.alternatives.iter().enumerate().find(|(_, other)| alike(other));
-    let mut reasons = Vec::new();
-    let note = match found {
-        Some((rank, other)) if other.meets && other.time_min.is_some() => {
-            let slower = other.time_min.map_or(0.0, |time| time.0 - route.time_min.0);
-            let note = Note::new("audit-route-dominated").with("rank", rank + 2);
-            (Severity::Doubtful, note.with("slower", round_to(slower, 2)))
-        }
-        Some((_, other)) => {
-            reasons.push(other.why.clone());
-            (Severity::Wrong, Note::new("audit-route-refused"))
-        }
-        None => (Severity::Wrong, Note::new("audit-route-unknown")),
-    };
-    let ours = ours.iter().map(|operation| operation.name()).collect::<Vec<_>>().join(", ");
-    let text = best(note.1).with("hole", &hole.name).with("transitions", &names);
-    let mut finding = say(note.0, text).beside(names, ours);
-    finding.reasons = reasons;
-    findings.push(finding);
+const fn of_row(at: usize) -> Id {
+    Id::new(Scope::Row(at), Q::Diameter)
+}
+
+/// The slips that stated figures are or follow from, as fields.
+fn follows(context: &Context<'_>, graph: &Graph<'_>, figures: &[Option<Id>]) -> Vec<String> {
+    let roots = figures.iter().flatten().flat_map(|id| roots::of_figure(graph, *id));
+    roots.map(|id| context.field(id)).collect::<BTreeSet<_>>().into_iter().collect()
 }
 
 /// More tool changes than tools where each could go round all its holes.

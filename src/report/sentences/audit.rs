@@ -93,7 +93,7 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
     ),
     ("audit-designation-alien", "позначення {tool} у каталогах немає", "no catalog has {tool}"),
     ("audit-dimensions-of", "розміри не {tool}, а {known}", "the dimensions are not those of {tool} but of {known}"),
-    ("audit-tool-table", "у таблиці {table} немає {tool}", "table {table} has no {tool}"),
+    ("audit-tool-table", "{tool} стоїть у {known}, а не в {table}", "{tool} stands in {known}, not in {table}"),
     (
         "audit-standard-misprinted",
         "стандарт {standard} надруковано з помилкою: каталог цього позначення за {known}",
@@ -167,8 +167,8 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
     ),
     (
         "audit-route-dominated",
-        "{hole}: маршрут можливий, але {rank}-й за порядком, довший на {slower} хв; кращий {scheme} ({table}): {transitions}",
-        "{hole}: the route is possible but ranks {rank}, slower by {slower} min; better is {scheme} ({table}): {transitions}",
+        "{hole}: маршрут можливий, але {rank}-й за порядком, довший на {slower} хв; кращий {scheme} ({table}): {better}",
+        "{hole}: the route is possible but ranks {rank}, slower by {slower} min; better is {scheme} ({table}): {better}",
     ),
     (
         "audit-route-refused",

@@ -8,6 +8,37 @@ use crate::plan::Operation;
 use crate::shop::Shop;
 use crate::units::Micrometres;
 
+/// The stock on diameter that a transition may find.
+#[derive(Clone, Copy, Debug)]
+pub struct Range<'k> {
+    /// The least.
+    pub low: Micrometres,
+    /// The most, of one pass.
+    pub high: Micrometres,
+    /// The row of the table `allowances`.
+    pub row: RowRef<'k>,
+    /// Whether the least is a convention of ours: of core drilling the text gives only the most.
+    pub least_is_ours: bool,
+}
+
+/// The range of a transition in a hole of that nominal diameter; nothing for those that section 1.2.1 gives no stock.
+///
+/// # Errors
+/// The knowledge cannot answer.
+pub fn range<'k>(
+    operation: Operation,
+    nominal: Micrometres,
+    shop: &Shop<'k>,
+) -> Result<Option<Range<'k>>, KnowledgeError> {
+    let named = operation.is_boring() || operation.is_reaming() || operation == Operation::CoreDrill;
+    if !named {
+        return Ok(None);
+    }
+    let Allowance { low, high, row, .. } = allowance(operation, nominal, nominal, None, shop)?;
+    let least_is_ours = row.number_in("share", Unit::None).is_ok();
+    Ok(Some(Range { low, high, row, least_is_ours }))
+}
+
 /// An allowance on diameter.
 pub(super) struct Allowance<'k> {
     pub low: Micrometres,

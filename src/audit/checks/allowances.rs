@@ -1,0 +1,177 @@
+//! The stock that each finishing transition finds: by section 1.2.1, on diameter.
+//!
+//! Backwards from the finished hole, as it is planned: what a row finds is blamed on the row that left it, and that row is
+//! then judged by the diameter that would have done, so that one wrong diameter is told once.
+
+use crate::error::KnowledgeError;
+use crate::note::{Because, Note, Severity};
+use crate::part::Hole;
+use crate::plan::Operation;
+use crate::route::diameters::{Range, range};
+use crate::units::Micrometres;
+
+use super::super::context::Context;
+use super::super::figures::beside;
+use super::super::finding::{Finding, Section};
+use super::super::graph::{Graph, Status};
+use super::super::quantity::{Id, Quantity as Q, Scope};
+use super::super::roots;
+use super::super::stated::Row;
+
+pub(super) fn check<'a>(
+    context: &Context<'a>,
+    graph: &Graph<'a>,
+    findings: &mut Vec<Finding>,
+) -> Result<(), KnowledgeError> {
+    for hole in &context.stated.part.holes {
+        let rows: Vec<(usize, &Row)> = context
+            .stated
+            .rows_of_hole(&hole.name)
+            .filter(|(_, row)| row.opens_main_cylinder() && row.operation.value != Operation::Tap)
+            .collect();
+        backwards(context, graph, hole, &rows, findings)?;
+    }
+    Ok(())
+}
+
+fn backwards(
+    context: &Context<'_>,
+    graph: &Graph<'_>,
+    hole: &Hole,
+    rows: &[(usize, &Row)],
+    findings: &mut Vec<Finding>,
+) -> Result<(), KnowledgeError> {
+    let mut left = Vec::with_capacity(rows.len());
+    for (at, _) in rows {
+        let Some(diameter) = leaves(graph, *at) else { return Ok(()) };
+        left.push(diameter);
+    }
+    // Rows out of order the route tells; their stocks are none.
+    if !left.is_sorted() {
+        return Ok(());
+    }
+    let Some(mut after) = left.last().map(|last| finished(context, hole, *last)) else { return Ok(()) };
+    // What the next row permits this one to leave.
+    let mut window = (after, after);
+    for index in (0..rows.len()).rev() {
+        let (at, row) = rows[index];
+        let previous = index.checked_sub(1).map(|before| (rows[before], left[before]));
+        let Some(before) = previous.map(|(_, left)| left).or(hole.state.diameter()) else { return Ok(()) };
+        let Some(range) = range(row.operation.value, hole.diameter.nominal, &context.shop)? else {
+            (after, window) = (before, (before, before));
+            continue;
+        };
+        let high = permitted(row, &range);
+        let (smallest, largest) = (after - high, after - range.low);
+        // What rough boring finds in the blank, or after a slimmer bar, may be as little as it is.
+        let first = row.operation.value == Operation::RoughBore
+            && previous.is_none_or(|((_, other), _)| other.operation.value == Operation::RoughBore);
+        let too_little = before > largest && !first;
+        // What it finds by the figures as they stand: what only a correction of the next row would upset is not told.
+        let stock = left[index] - before;
+        let fine = stock <= high && (stock >= range.low || first);
+        if fine || !too_little && before >= smallest {
+            (after, window) = (before, (smallest, largest));
+            continue;
+        }
+        let of_row = (at, row);
+        // Its own diameter may be the slip, where another would suit both what it finds and the row after it.
+        let own = (window.0.max(before + range.low), window.1.min(before + high));
+        if own.0 <= own.1 {
+            let right = after.max(own.0).min(own.1);
+            findings.push(finding(context, of_row, Some(of_row), (stock, right), &range));
+            (after, window) = (before, (right - high, right - range.low));
+            continue;
+        }
+        let nearest = if too_little { largest } else { smallest };
+        // Where the row says what it finds, and that would do, it was the figure of the row before that was misprinted.
+        let said = row.figures.get(&Q::From).map(|from| Micrometres::from_mm_rounded(from.value));
+        let said = said.filter(|said| (smallest..=largest).contains(said));
+        if said.is_none() && !too_little && row.operation.value == Operation::RoughBore {
+            findings.push(passes(context, of_row, stock, &range));
+            (after, window) = (before, (before, before));
+            continue;
+        }
+        let right = said.unwrap_or(nearest);
+        let before_it = previous.map(|(row, _)| row);
+        if said == Some(right) {
+            roots::retract(findings, &context.field(Id::new(Scope::Row(at), Q::From)), "diameter-before");
+        }
+        findings.push(finding(context, of_row, before_it, (stock, right), &range));
+        (after, window) = (right, (smallest, largest));
+    }
+    Ok(())
+}
+
+/// The diameter that a row leaves; a slip that a formula explains is judged as it should be.
+fn leaves(graph: &Graph<'_>, at: usize) -> Option<Micrometres> {
+    let id = Id::new(Scope::Row(at), Q::Diameter);
+    let slip = graph.verdict(id).is_some_and(|verdict| verdict.status != Status::Fine);
+    let value = if slip { graph.right(id) } else { graph.stated_or_right(id) };
+    value.map(Micrometres::from_mm_rounded)
+}
+
+/// What the last row is to leave: that it is not what the drawing asks for, the route says.
+fn finished(context: &Context<'_>, hole: &Hole, last: Micrometres) -> Micrometres {
+    let reference = context.plan.holes.iter().find(|plan| plan.name == hole.name);
+    let elsewhere = reference.and_then(|plan| plan.route.as_ref()).is_some_and(|route| route.finish_elsewhere);
+    let right = (hole.diameter.smallest()..=hole.diameter.largest()).contains(&last);
+    if right || elsewhere || hole.thread.is_some() { last } else { hole.diameter.nominal }
+}
+
+/// The most that a row may find: so much in each of its passes.
+fn permitted(row: &Row, range: &Range<'_>) -> Micrometres {
+    let passes = row.figures.get(&Q::Passes).map_or(1, |passes| passes.value.max(1.0) as i64);
+    Micrometres::new(range.high.micrometres() * passes)
+}
+
+/// Rough boring takes what it must, in as many passes as the range asks: too few are wrong, none stated is doubtful.
+fn passes(context: &Context<'_>, (at, row): (usize, &Row), stock: Micrometres, range: &Range<'_>) -> Finding {
+    let most = range.high.micrometres().max(1);
+    let needed = (stock.micrometres() + most - 1) / most;
+    let figure = row.figures.get(&Q::Passes);
+    let note = Note::new("audit-passes").with("stock", stock).with("high", range.high).with("needed", needed);
+    let severity = if figure.is_some() { Severity::Wrong } else { Severity::Doubtful };
+    let field = context.field(Id::new(Scope::Row(at), Q::Passes));
+    let finding = Finding::new(severity, Section::Route, field, note).at(&row.place);
+    let finding = finding.about(context.subject(Scope::Row(at)));
+    let finding = finding.resting_on([Because::row(range.row, Note::new("named"))]);
+    match figure {
+        Some(figure) => beside(finding, figure, needed, Q::Passes),
+        None => finding,
+    }
+}
+
+/// What is said at the diameter that is to blame: of `row` itself, or of the row before it. The row finds that stock;
+/// `right` is the nearest diameter that would do.
+fn finding(
+    context: &Context<'_>,
+    (at, row): (usize, &Row),
+    blamed: Option<(usize, &Row)>,
+    (stock, right): (Micrometres, Micrometres),
+    range: &Range<'_>,
+) -> Finding {
+    let high = permitted(row, range);
+    let note = Note::new("audit-allowance")
+        .with("operation", row.operation.value.name())
+        .with("row", row.number)
+        .with("stock", stock)
+        .with("low", range.low)
+        .with("high", high);
+    // The least stock of core drilling is ours, the text gives only the most.
+    let ours = range.least_is_ours && stock < range.low;
+    let severity = if ours { Severity::Doubtful } else { Severity::Wrong };
+    let stated = |(_, row): &(usize, &Row)| row.figures.contains_key(&Q::Diameter);
+    let (blamed, quantity) = match blamed.filter(stated) {
+        Some(blamed) => (blamed, Q::Diameter),
+        None => ((at, row), Q::From),
+    };
+    let id = Id::new(Scope::Row(blamed.0), quantity);
+    let because = Because::row(range.row, Note::new("named"));
+    let finding = Finding::new(severity, Section::Route, context.field(id), note).at(&blamed.1.place);
+    let finding = finding.about(context.subject(id.scope)).resting_on([because]);
+    match blamed.1.figures.get(&quantity) {
+        Some(figure) => beside(finding, figure, right, quantity),
+        None => finding,
+    }
+}

@@ -1,0 +1,107 @@
+//! How deep the transitions of a hole go where no formula of the route says it: what follows the drill goes as deep as
+//! the hole, centring as deep as its spot is wide, and nothing goes through a part that the drawing closes.
+
+use crate::error::KnowledgeError;
+use crate::note::{Note, Severity};
+use crate::part::Hole;
+use crate::plan::Operation;
+use crate::tooling::named;
+use crate::units::Micrometres;
+
+use super::super::context::Context;
+use super::super::figures::{beside, shown};
+use super::super::finding::{Finding, Section};
+use super::super::graph::{Graph, Status};
+use super::super::quantity::{Id, Quantity as Q, Scope};
+use super::super::stated::{Figure, Row};
+
+/// A spot is as deep as half of its width: centring drills are of 90° (textbook 1.2.1, l. 272-273).
+const CENTRING_ANGLE: f64 = 90.0;
+
+pub(super) fn check<'a>(
+    context: &Context<'a>,
+    graph: &Graph<'a>,
+    findings: &mut Vec<Finding>,
+) -> Result<(), KnowledgeError> {
+    for (at, row) in context.stated.rows.iter().enumerate() {
+        let (Some(hole), Some(figure)) = (context.hole(row), row.figures.get(&Q::Depth)) else { continue };
+        if !row.of_main_cylinder() || row.operation.value.is_of_edge() {
+            continue;
+        }
+        let verdict = graph.verdict(Id::new(Scope::Row(at), Q::Depth));
+        if verdict.is_some_and(|verdict| verdict.status != Status::Fine) {
+            continue;
+        }
+        let field = || format!("route.{}.depth", row.number);
+        let say = |severity, note: Note| {
+            Finding::new(severity, Section::Route, field(), note).about(context.subject(Scope::Row(at)))
+        };
+        if let Some(end) = breaks_through(context, graph, at, row, hole, figure) {
+            let thickness = context.stated.part.blank.thickness;
+            let note = Note::new("audit-breaks-through").with("end", shown(end)).with("thickness", thickness);
+            findings.retain(|finding| finding.field != field());
+            // The tip of a drill alone leaves a small hole.
+            let whole = figure.value >= thickness.to_mm();
+            let finding = say(if whole { Severity::Error } else { Severity::Doubtful }, note);
+            findings.push(beside(finding, figure, format!("< {thickness}"), Q::Depth));
+            continue;
+        }
+        if graph.formula(Id::new(Scope::Row(at), Q::Depth)).is_some() {
+            continue;
+        }
+        if row.operation.value == Operation::CentreDrill {
+            if let Some(right) = spot(context, graph, at, row)
+                && (figure.value - right).abs() > figure.last_place / 2.0 + 1e-6
+            {
+                let finding = say(Severity::Wrong, Note::new("audit-spot-depth"));
+                findings.push(beside(finding, figure, shown(right), Q::Depth));
+            }
+            continue;
+        }
+        // The cylinders of stepped and conical holes end where the next begins, and a thread has rules of its own.
+        let plain = hole.steps.is_empty() && hole.thread.is_none() && hole.cone.is_none();
+        if plain && Micrometres::from_mm_rounded(figure.value) != hole.depth {
+            let finding = say(Severity::Wrong, Note::new("audit-depth-of-hole").with("hole", &hole.name));
+            findings.push(beside(finding, figure, hole.depth, Q::Depth));
+        }
+    }
+    Ok(())
+}
+
+/// Where the tip of a cutter leaves a part whose hole is blind, mm below its face; nothing where it stays inside.
+fn breaks_through(
+    context: &Context<'_>,
+    graph: &Graph<'_>,
+    at: usize,
+    row: &Row,
+    hole: &Hole,
+    figure: &Figure,
+) -> Option<f64> {
+    let thickness = context.stated.part.blank.thickness;
+    // Where the drawing leaves no room, as for the run-out of a thread, our plan comes out too.
+    let ours = context.plan.holes.iter().find(|plan| plan.name == hole.name);
+    let no_room = ours.is_some_and(|plan| plan.transitions.iter().any(|one| one.end() >= thickness));
+    if hole.through || row.operation.value == Operation::CentreDrill || no_room {
+        return None;
+    }
+    let drills = matches!(row.operation.value, Operation::Drill | Operation::DrillOut);
+    let angle = context.stated.tool_of(row).and_then(|tool| context.cutter(tool)).filter(|_| drills);
+    let angle = angle.and_then(|cutter| named::point_angle(&cutter));
+    let diameter = graph.stated_or_right(Id::new(Scope::Row(at), Q::Diameter));
+    let point = angle.zip(diameter).map_or(0.0, |(angle, diameter)| cone(diameter, angle));
+    let end = figure.value + point;
+    (end >= thickness.to_mm()).then_some(end)
+}
+
+/// How deep a centring spot is, mm, by its diameter and the angle of the centring drill.
+fn spot(context: &Context<'_>, graph: &Graph<'_>, at: usize, row: &Row) -> Option<f64> {
+    let diameter = graph.stated_or_right(Id::new(Scope::Row(at), Q::Diameter))?;
+    let cutter = context.stated.tool_of(row).and_then(|tool| context.cutter(tool));
+    let angle = cutter.and_then(|cutter| named::point_angle(&cutter)).unwrap_or(CENTRING_ANGLE);
+    Some(cone(diameter, angle))
+}
+
+/// (D/2)/tan φ: the height of a cone, mm, of that diameter, mm, and full angle 2φ, degrees.
+fn cone(diameter: f64, angle: f64) -> f64 {
+    diameter / 2.0 / libm::tan((angle / 2.0).to_radians())
+}

@@ -1,0 +1,194 @@
+//! What stands at the end of a hole: counterbores, countersinks, chamfers. Whether the drawing asks for what the rows cut,
+//! at its diameter and depth, and whether the rows cut what it asks for.
+
+use crate::error::KnowledgeError;
+use crate::note::{Note, Severity};
+use crate::part::Hole;
+use crate::plan::{Feature, Operation, Transition};
+use crate::route::bores;
+use crate::units::Micrometres;
+
+use super::super::context::Context;
+use super::super::figures::{beside, shown};
+use super::super::finding::{Finding, Section};
+use super::super::graph::Graph;
+use super::super::quantity::{Id, Quantity as Q, Scope};
+use super::super::roots;
+use super::super::stated::Row;
+use super::route::of_hole;
+
+/// An opening of the drawing.
+#[derive(Clone, Copy, Debug)]
+struct Opening {
+    feature: Feature,
+    diameter: Micrometres,
+    /// Absent where the drawing does not fix it: of a face.
+    depth: Option<Micrometres>,
+    /// Whether the drawing asks for it; the lead-in of a thread is ours.
+    asked: bool,
+}
+
+pub(super) fn check<'a>(
+    context: &Context<'a>,
+    graph: &Graph<'a>,
+    findings: &mut Vec<Finding>,
+) -> Result<(), KnowledgeError> {
+    for hole in &context.stated.part.holes {
+        let rows: Vec<(usize, &Row)> = context.stated.rows_of_hole(&hole.name).collect();
+        if rows.is_empty() {
+            continue;
+        }
+        let openings = openings(hole, context)?;
+        for opening in openings.iter().filter(|opening| opening.asked && ours(context, hole, opening)) {
+            made(context, graph, hole, opening, &rows, findings);
+        }
+        // What our own plans cut beside the drawing they say themselves.
+        for (at, row) in rows.iter().filter(|(_, row)| row.operation.value.is_of_edge() && row.step.is_none()) {
+            asked_for(context, graph, *at, row, &openings, findings);
+        }
+    }
+    Ok(())
+}
+
+/// What the drawing of a hole has at its entry, and what a thread needs there.
+fn openings(hole: &Hole, context: &Context<'_>) -> Result<Vec<Opening>, KnowledgeError> {
+    let task = bores::task(hole, &context.stated.part, &context.shop)?;
+    let stock = context.shop.convention("face-stock-mm")?;
+    let edges = task.edges.iter().map(|edge| Opening {
+        feature: edge.feature,
+        diameter: edge.diameter,
+        depth: Some(edge.depth(stock)).filter(|_| edge.feature != Feature::Face),
+        asked: edge.asked,
+    });
+    let counterbore = hole.counterbore.map(|counterbore| Opening {
+        feature: Feature::Counterbore,
+        diameter: counterbore.diameter,
+        depth: Some(counterbore.depth),
+        asked: true,
+    });
+    Ok(counterbore.into_iter().chain(edges).collect())
+}
+
+/// Whether our plan makes an opening: what it cannot make either is told of the part.
+fn ours(context: &Context<'_>, hole: &Hole, opening: &Opening) -> bool {
+    let Some(plan) = context.plan.holes.iter().find(|plan| plan.name == hole.name) else { return false };
+    let makes = |one: &Transition| {
+        one.feature == opening.feature
+            || one.operation == Operation::CentreDrill && one.diameter_mm >= opening.diameter
+            || one.also_diameter_mm == Some(opening.diameter)
+    };
+    plan.transitions.iter().any(makes)
+}
+
+/// Whether some row makes an opening that the drawing asks for: one of its own, a step drill, or centring as wide.
+fn made(
+    context: &Context<'_>,
+    graph: &Graph<'_>,
+    hole: &Hole,
+    opening: &Opening,
+    rows: &[(usize, &Row)],
+    findings: &mut Vec<Finding>,
+) {
+    let cuts = |row: &Row| match opening.feature {
+        Feature::Counterbore | Feature::Face => matches!(row.operation.value, Operation::Counterbore | Operation::Mill),
+        // Column 9 of A.7 serves countersinks and counterbores alike.
+        _ => row.operation.value.is_of_edge(),
+    };
+    let own = |row: &Row| row.step.is_none() && row.feature.is_none_or(|feature| feature == opening.feature);
+    let also = |row: &Row| row.figures.contains_key(&Q::Also);
+    if rows.iter().any(|(_, row)| also(row) || own(row) && cuts(row)) {
+        return;
+    }
+    let conical = !matches!(opening.feature, Feature::Counterbore | Feature::Face);
+    let centring = rows.iter().find(|(_, row)| row.operation.value == Operation::CentreDrill && conical);
+    let spot = centring.and_then(|(at, _)| graph.stated_or_right(Id::new(Scope::Row(*at), Q::Diameter)));
+    if spot.is_some_and(|spot| Micrometres::from_mm_rounded(spot) >= opening.diameter) {
+        return;
+    }
+    let note = Note::new("audit-opening-not-made")
+        .with("feature", opening.feature.name())
+        .with("diameter", opening.diameter)
+        .with("hole", &hole.name);
+    // A spot that was to be as wide, or a row that lacks.
+    let finding = match centring.zip(spot) {
+        Some(((at, row), spot)) => {
+            let note = Note { code: "audit-opening-not-centred".to_owned(), ..note.with("spot", shown(spot)) };
+            let field = format!("route.{}.diameter", row.number);
+            let finding = Finding::new(Severity::Wrong, Section::Route, field, note).at(&row.place);
+            match row.figures.get(&Q::Diameter) {
+                Some(figure) => beside(finding, figure, opening.diameter, Q::Diameter),
+                None => finding,
+            }
+            .about(context.subject(Scope::Row(*at)))
+        }
+        None => {
+            let field = format!("route.{}", hole.name);
+            let finding = Finding::new(Severity::Wrong, Section::Route, field, note).about(of_hole(hole));
+            match rows.last() {
+                Some((_, row)) => finding.at(&row.place),
+                None => finding,
+            }
+        }
+    };
+    findings.push(finding);
+}
+
+/// Whether the drawing asks for what a row cuts, and for that diameter and depth.
+fn asked_for(
+    context: &Context<'_>,
+    graph: &Graph<'_>,
+    at: usize,
+    row: &Row,
+    openings: &[Opening],
+    findings: &mut Vec<Finding>,
+) {
+    let id = |quantity| Id::new(Scope::Row(at), quantity);
+    let about = |finding: Finding| finding.about(context.subject(Scope::Row(at)));
+    let field = |key: &str| format!("route.{}.{key}", row.number);
+    let flat = row.operation.value == Operation::Counterbore;
+    let like = |opening: &&Opening| {
+        row.feature.is_none_or(|feature| feature == opening.feature)
+            // A countersink may be called by the name of column 9 of A.7.
+            && (flat || !matches!(opening.feature, Feature::Counterbore | Feature::Face))
+    };
+    let stated = row.figures.get(&Q::Diameter);
+    let away = |opening: &&Opening| {
+        stated.map_or(Micrometres::ZERO, |own| (opening.diameter - Micrometres::from_mm_rounded(own.value)).abs())
+    };
+    let Some(opening) = openings.iter().filter(like).min_by_key(away) else {
+        let note = Note::new("audit-opening-unasked").with("operation", row.operation.value.name());
+        let finding = Finding::new(Severity::Doubtful, Section::Route, field("operation"), note);
+        findings.push(about(finding.at(&row.operation.place)));
+        return;
+    };
+    if let Some(figure) = stated.filter(|_| graph.formula(id(Q::Diameter)).is_none())
+        && Micrometres::from_mm_rounded(figure.value) != opening.diameter
+    {
+        let note = Note::new("audit-opening-diameter").with("feature", opening.feature.name());
+        let finding = Finding::new(Severity::Wrong, Section::Route, field("diameter"), note);
+        findings.push(about(beside(finding, figure, opening.diameter, Q::Diameter)));
+        right_by_drawing(context, at, opening.diameter, findings);
+    }
+    if let (Some(figure), Some(depth)) = (row.figures.get(&Q::Depth), opening.depth)
+        && graph.formula(id(Q::Depth)).is_none()
+        // A cone's depth is computed: half of the last printed place is rounding.
+        && (figure.value - depth.to_mm()).abs() > figure.last_place / 2.0 + 1e-6
+    {
+        let note = Note::new("audit-opening-depth").with("feature", opening.feature.name());
+        let finding = Finding::new(Severity::Wrong, Section::Route, field("depth"), note);
+        findings.push(about(beside(finding, figure, depth, Q::Depth)));
+    }
+}
+
+/// Conditions that state the diameter of the drawing are right although the row says another.
+pub(super) fn right_by_drawing(context: &Context<'_>, row: usize, right: Micrometres, findings: &mut Vec<Finding>) {
+    for (at, conditions) in context.stated.conditions.iter().enumerate() {
+        let same = |own: f64| Micrometres::from_mm_rounded(own) == right;
+        if conditions.rows.first() == Some(&row)
+            && conditions.figures.get(&Q::Diameter).is_some_and(|own| same(own.value))
+        {
+            let field = context.field(Id::new(Scope::Conditions(at), Q::Diameter));
+            roots::retract(findings, &field, "diameter-of-row");
+        }
+    }
+}

@@ -1,0 +1,300 @@
+//! The scheme of a group of holes: whether the tables allow it, whether the rows are its transitions, and how it ranks
+//! beside the others.
+
+use crate::error::KnowledgeError;
+use crate::note::{Because, Note, Severity};
+use crate::part::Hole;
+use crate::plan::{Alternative, Operation, Route, Way};
+use crate::route::asked::{self, Asked};
+use crate::units::{Micrometres, round_to};
+
+use super::super::context::Context;
+use super::super::finding::{Finding, Section};
+use super::super::graph::Graph;
+use super::super::near::{same_scheme, same_table};
+use super::super::quantity::{Id, Quantity as Q, Scope};
+use super::super::stated::{Row, Text};
+use super::route::of_hole;
+
+pub(super) fn check<'a>(
+    context: &Context<'a>,
+    graph: &Graph<'a>,
+    findings: &mut Vec<Finding>,
+) -> Result<(), KnowledgeError> {
+    for hole in &context.stated.part.holes {
+        let rows: Vec<(usize, &Row)> = context.stated.rows_of_hole(&hole.name).collect();
+        let Some(plan) = context.plan.holes.iter().find(|plan| plan.name == hole.name) else { continue };
+        let (Some((_, first)), Some(route)) = (rows.first(), &plan.route) else { continue };
+        let ours = plan.transitions.iter().map(|transition| transition.operation).collect();
+        let asked = asked::asked(hole, &context.stated.part, &context.shop)?;
+        let group = Group { context, graph, hole, route, rows: &rows, first, ours, asked };
+        group.check(findings)?;
+    }
+    Ok(())
+}
+
+/// A group of holes with its stated rows and our route.
+struct Group<'c, 'a> {
+    context: &'c Context<'a>,
+    graph: &'c Graph<'a>,
+    hole: &'c Hole,
+    route: &'c Route,
+    rows: &'c [(usize, &'c Row)],
+    first: &'c Row,
+    /// Our transitions.
+    ours: Vec<Operation>,
+    /// What the tables say before anything is tried.
+    asked: Asked<'a>,
+}
+
+impl Group<'_, '_> {
+    fn check(&self, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
+        let scheme = self.rows.iter().find_map(|(_, row)| row.scheme.as_ref());
+        if !self.names(findings)? {
+            return Ok(());
+        }
+        self.tables(findings);
+        self.transitions(scheme, findings)
+    }
+
+    /// The row that names a scheme first; the first row where none does.
+    fn named(&self) -> &Row {
+        self.rows.iter().map(|(_, row)| *row).find(|row| row.scheme.is_some()).unwrap_or(self.first)
+    }
+
+    /// Whether our route or one it was weighed against is of that scheme; 1 of A.5 is a complex, and no scheme 01.
+    fn weighed(&self, scheme: &str) -> bool {
+        let is = |own: &str, way: Way| own == scheme || way == Way::Tables && same_scheme(scheme, own);
+        is(&self.route.scheme, self.route.way)
+            || self.route.alternatives.iter().any(|other| is(&other.scheme, other.way))
+    }
+
+    /// Whether the tables' own cell has that scheme.
+    fn printed(&self, scheme: &str) -> bool {
+        self.asked.schemes.iter().any(|own| same_scheme(scheme, own))
+    }
+
+    fn say(&self, severity: Severity, row: &Row, key: &str, note: Note) -> Finding {
+        let said = if key == "table" { &row.table } else { &row.scheme };
+        let place = said.as_ref().map_or(&row.place, |said| &said.place);
+        let note =
+            note.with("hole", &self.hole.name).with("scheme", &self.route.scheme).with("table", &self.route.table);
+        let finding = Finding::new(severity, Section::Route, format!("route.{}.{key}", row.number), note).at(place);
+        finding.about(of_hole(self.hole)).resting_on(self.route.because.iter().take(3).cloned())
+    }
+
+    /// Every scheme that a row names: whether the tables allow it, and whether it is that of the other rows. Tells
+    /// whether the transitions are still to be judged.
+    fn names(&self, findings: &mut Vec<Finding>) -> Result<bool, KnowledgeError> {
+        let mut told: Vec<&str> = Vec::new();
+        // The scheme of the group: of those that rows name the first that may be.
+        let schemes = || self.rows.iter().filter_map(|(_, row)| Some((*row, row.scheme.as_ref()?)));
+        let own = schemes().map(|(_, scheme)| &scheme.value).find(|name| self.weighed(name) || self.printed(name));
+        let mut judged = true;
+        for (row, scheme) in schemes() {
+            let name = scheme.value.as_str();
+            if told.iter().any(|known| same_scheme(known, name)) {
+                continue;
+            }
+            told.push(name);
+            if self.weighed(name) {
+                if let Some(own) = own.filter(|own| !same_scheme(own, name)) {
+                    let note = Note::new("audit-scheme-mixed").with("stated", name).with("other", own);
+                    findings.push(self.say(Severity::Wrong, row, "scheme", note).beside(name, own));
+                }
+            } else if self.printed(name) && self.asked.centred {
+                findings.push(self.uncentred(row, name));
+                let of_scheme = asked::transitions(&full(name), &self.context.shop)?;
+                judged &= !self.is_ours() && of_scheme.is_none_or(|own| main(&own) != main(&self.stated()));
+            } else if !self.printed(name) {
+                let note = Note::new("audit-scheme-unknown").with("stated", name);
+                findings.push(self.say(Severity::Wrong, row, "scheme", note).beside(name, &self.route.scheme));
+                // Of a scheme that may not be the transitions need no second word.
+                judged &= own.is_some();
+            }
+        }
+        Ok(judged)
+    }
+
+    /// The cell has the scheme, but its hole is centred first: by the text, or only by our reading of it.
+    fn uncentred(&self, row: &Row, name: &str) -> Finding {
+        let by_text = self.asked.centring.source.as_deref() == Some("seed");
+        let severity = if by_text { Severity::Wrong } else { Severity::Doubtful };
+        let printed = self.asked.row.map_or_else(String::new, |row| row.table.id.clone());
+        let note = Note::new("audit-scheme-uncentred").with("stated", name).with("printed", printed);
+        let mut finding = self.say(severity, row, "scheme", note).beside(name, &self.route.scheme);
+        finding.because.clear();
+        finding.because.extend(self.asked.row.map(|row| Because::row(row, Note::new("named"))));
+        finding.because.push(self.asked.centring.clone());
+        finding
+    }
+
+    /// Every table that a row names with its scheme.
+    fn tables(&self, findings: &mut Vec<Finding>) {
+        let mut told: Vec<(&str, &str)> = Vec::new();
+        for (_, row) in self.rows {
+            let (Some(scheme), Some(table)) = (&row.scheme, &row.table) else { continue };
+            let pair = (scheme.value.as_str(), table.value.as_str());
+            let fits = |(own, stands): (&str, &str)| same_scheme(pair.0, own) && same_table(pair.1, stands);
+            let printed = self.asked.row.is_some_and(|row| same_table(pair.1, &row.table.id)) && self.printed(pair.0);
+            let known = printed
+                || fits((&self.route.scheme, &self.route.table))
+                || self.route.alternatives.iter().any(|other| fits((&other.scheme, &other.table)));
+            if known || told.contains(&pair) || !self.weighed(pair.0) {
+                continue;
+            }
+            told.push(pair);
+            let note = Note::new("audit-scheme-table").with("stated", &table.value);
+            findings.push(self.say(Severity::Wrong, row, "table", note).beside(&table.value, &self.route.table));
+        }
+    }
+
+    /// The stated transitions, with the thread that another machine cuts where this one cannot.
+    fn stated(&self) -> Vec<Operation> {
+        let mut stated: Vec<Operation> = self.rows.iter().map(|(_, row)| row.operation.value).collect();
+        if self.hole.thread.is_some() && !self.context.shop.machine.can_tap && !stated.contains(&Operation::Tap) {
+            stated.push(Operation::Tap);
+        }
+        stated
+    }
+
+    fn is_ours(&self) -> bool {
+        main(&self.stated()) == main(&self.ours)
+    }
+
+    /// The transitions beside the routes that were weighed, and beside those that A.7 gives for the scheme.
+    fn transitions(&self, scheme: Option<&Text>, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
+        // What edges the rows cut is judged with the edges; here only that the scheme has them so, where ours has not.
+        let merged = self.is_ours();
+        if merged && (self.context.stated.own || !self.has_edges_of(scheme)?) {
+            return Ok(());
+        }
+        let stated = self.stated();
+        let row = self.named();
+        let [names, ours] = [&stated, &self.ours]
+            .map(|list| list.iter().map(|operation| operation.name()).collect::<Vec<_>>().join(", "));
+        let finding = |severity, note: Note| {
+            self.say(severity, row, "scheme", note.with("transitions", &names).with("better", &ours))
+                .beside(&names, &ours)
+        };
+        let alike = |other: &Alternative| {
+            let made: Vec<Operation> = other.operations.iter().map(|made| made.operation).collect();
+            main(&made) == main(&stated)
+        };
+        let others = || self.route.alternatives.iter().enumerate();
+        let can_be = |other: &Alternative| other.meets && other.time_min.is_some();
+        let ranked = others().find(|(_, other)| alike(other) && can_be(other)).filter(|_| !merged);
+        if let Some((rank, other)) = ranked {
+            findings.push(finding(Severity::Doubtful, self.dominated(rank, other)));
+            return Ok(());
+        }
+        if let Some(table) = self.word_for_word(&stated, scheme)? {
+            if let Some(alone) = self.drill_alone()? {
+                findings.push(alone);
+                return Ok(());
+            }
+            let own = scheme.map_or(self.route.scheme.as_str(), |scheme| scheme.value.as_str());
+            let other = others().find(|(_, other)| same_scheme(own, &other.scheme) && can_be(other));
+            let same = same_scheme(own, &self.route.scheme);
+            findings.push(match other.filter(|_| !same) {
+                Some((rank, other)) => finding(Severity::Doubtful, self.dominated(rank, other)),
+                None => {
+                    let severity = if same { Severity::Note } else { Severity::Doubtful };
+                    finding(severity, Note::new("audit-route-by-scheme").with("stated", own).with("printed", table))
+                }
+            });
+            return Ok(());
+        }
+        let refused = others().find(|(_, other)| alike(other));
+        let code = if refused.is_some() { "audit-route-refused" } else { "audit-route-unknown" };
+        let mut finding = finding(Severity::Wrong, Note::new(code));
+        finding.reasons.extend(refused.map(|(_, other)| other.why.clone()));
+        findings.push(finding);
+        Ok(())
+    }
+
+    fn dominated(&self, rank: usize, other: &Alternative) -> Note {
+        let slower = other.time_min.map_or(0.0, |time| time.0 - self.route.time_min.0);
+        Note::new("audit-route-dominated").with("rank", rank + 2).with("slower", round_to(slower, 2))
+    }
+
+    /// The table A.7, where the rows are the transitions it gives for the scheme that they name, or where they name none
+    /// for one that the tables allow. Two drills are one drilling to it.
+    fn word_for_word(
+        &self,
+        stated: &[Operation],
+        scheme: Option<&Text>,
+    ) -> Result<Option<&'static str>, KnowledgeError> {
+        let of_tables = self.route.alternatives.iter().filter(|other| other.way == Way::Tables && other.meets);
+        let mut schemes: Vec<&str> = of_tables.map(|other| other.scheme.as_str()).collect();
+        schemes.extend(Some(self.route.scheme.as_str()).filter(|_| self.route.way == Way::Tables));
+        let printed = |own: &String| match self.asked.centred {
+            true => asked::centred(own, &self.context.shop),
+            false => Ok(own.clone()),
+        };
+        let printed: Vec<String> = self.asked.schemes.iter().map(printed).collect::<Result<_, _>>()?;
+        schemes.extend(printed.iter().map(String::as_str));
+        for own in schemes {
+            if scheme.is_some_and(|scheme| !same_scheme(&scheme.value, own)) {
+                continue;
+            }
+            let given = asked::transitions(&full(own), &self.context.shop)?;
+            if given.is_some_and(|given| main(&given) == drilled_once(&main(stated))) {
+                return Ok(Some("A.7"));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Whether the rows cut the edges that A.7 gives for the scheme, and our plan other ones: in the stroke of another tool.
+    fn has_edges_of(&self, scheme: Option<&Text>) -> Result<bool, KnowledgeError> {
+        let edges = |list: &[Operation]| list.iter().filter(|one| one.is_of_edge()).count();
+        let Some(scheme) = scheme else { return Ok(false) };
+        let given = asked::transitions(&full(&scheme.value), &self.context.shop)?;
+        let stated = edges(&self.stated());
+        Ok(stated != edges(&self.ours) && given.is_some_and(|given| edges(&given) == stated))
+    }
+
+    /// A drill that the rule `two-pass-drilling` does not let stand alone.
+    fn drill_alone(&self) -> Result<Option<Finding>, KnowledgeError> {
+        if self.rows.iter().any(|(_, row)| row.operation.value == Operation::DrillOut) {
+            return Ok(None);
+        }
+        let Some((at, row)) = self.rows.iter().find(|(_, row)| row.operation.value == Operation::Drill) else {
+            return Ok(None);
+        };
+        let Some(diameter) = self.graph.stated_or_right(Id::new(Scope::Row(*at), Q::Diameter)) else { return Ok(None) };
+        let diameter = Micrometres::from_mm_rounded(diameter);
+        let Some(rule) = asked::two_drills(diameter, &self.context.shop)? else { return Ok(None) };
+        let note = Note::new("audit-one-drill").with("diameter", diameter);
+        let field = format!("route.{}.operation", row.number);
+        let finding = Finding::new(Severity::Wrong, Section::Route, field, note).at(&row.operation.place);
+        let because = Because::row(rule, Note::new("named"));
+        Ok(Some(finding.about(self.context.subject(Scope::Row(*at))).resting_on([because])))
+    }
+}
+
+/// A scheme as A.7 numbers it: two digits.
+fn full(scheme: &str) -> String {
+    if scheme.starts_with(|first: char| first.is_ascii_digit()) && !scheme.starts_with('0') && scheme.len() == 1 {
+        format!("0{scheme}")
+    } else {
+        scheme.to_owned()
+    }
+}
+
+/// The transitions but those of edges.
+fn main(list: &[Operation]) -> Vec<Operation> {
+    list.iter().copied().filter(|one| !one.is_of_edge()).collect()
+}
+
+/// With one drilling for two drills after each other.
+fn drilled_once(list: &[Operation]) -> Vec<Operation> {
+    let mut once: Vec<Operation> = Vec::new();
+    for operation in list {
+        if !(*operation == Operation::DrillOut && once.last() == Some(&Operation::Drill)) {
+            once.push(*operation);
+        }
+    }
+    once
+}

@@ -1,0 +1,136 @@
+//! Threaded holes: the drill under the thread, how deep hole and thread go, and where the thread is cut.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::RowRef;
+use crate::note::{Because, Note, Severity};
+use crate::part::{Hole, Thread};
+use crate::plan::Operation;
+use crate::units::Micrometres;
+
+use super::super::context::Context;
+use super::super::figures::beside;
+use super::super::finding::{Finding, Section};
+use super::super::graph::Graph;
+use super::super::quantity::{Id, Quantity as Q, Scope};
+use super::super::stated::{Figure, Row};
+use super::openings::right_by_drawing;
+
+pub(super) fn check<'a>(
+    context: &Context<'a>,
+    graph: &Graph<'a>,
+    findings: &mut Vec<Finding>,
+) -> Result<(), KnowledgeError> {
+    taps(context, findings)?;
+    for hole in &context.stated.part.holes {
+        let Some(thread) = &hole.thread else { continue };
+        let rows: Vec<(usize, &Row)> = context.stated.rows_of_hole(&hole.name).collect();
+        let opens = |row: &Row| row.opens_main_cylinder() && row.operation.value != Operation::Tap;
+        let Some((at, row)) = rows.iter().rev().find(|(_, row)| opens(row)) else { continue };
+        drill(context, graph, (hole, thread), (*at, row), findings);
+        if hole.steps.is_empty() {
+            for (at, row) in rows.iter().filter(|(_, row)| opens(row) || row.operation.value == Operation::Tap) {
+                depth(context, graph, (hole, thread), (*at, row), findings)?;
+            }
+        }
+        let tapped = rows.iter().any(|(_, row)| row.operation.value == Operation::Tap);
+        if !tapped && !context.shop.machine.can_tap {
+            let note = Note::new("audit-thread-elsewhere").with("thread", &thread.written).with("hole", &hole.name);
+            let finding = Finding::new(Severity::Note, Section::Route, format!("route.{}", hole.name), note);
+            findings.push(finding.at(&row.place).about(context.subject(Scope::Row(*at))));
+        }
+    }
+    Ok(())
+}
+
+/// A tap in the magazine of a machine that cannot tap.
+fn taps(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
+    let machine = &context.shop.machine;
+    if machine.can_tap {
+        return Ok(());
+    }
+    for (at, row) in context.stated.rows.iter().enumerate() {
+        let Some(tool) = row.tool.as_ref().filter(|_| row.operation.value == Operation::Tap && !row.elsewhere) else {
+            continue;
+        };
+        let note = Note::new("audit-cannot-tap").with("machine", &context.stated.part.machine);
+        let field = format!("route.{}.tool", row.number);
+        let finding = Finding::new(Severity::Error, Section::Route, field, note).at(&tool.place);
+        let because = Because::row(machine.row("can-tap")?, Note::new("audit-limit"));
+        findings.push(finding.about(context.subject(Scope::Row(at))).resting_on([because]));
+    }
+    Ok(())
+}
+
+/// The drill of a metric thread by its table.
+fn tap_drill<'a>(thread: &Thread, context: &Context<'a>) -> Option<(Micrometres, RowRef<'a>)> {
+    let tables = ["tap-drills", "tap-drills-fine"].into_iter().filter_map(|id| context.shop.knowledge.table(id).ok());
+    let row = tables.filter_map(|table| table.find("thread", &thread.id)).next()?;
+    Some((row.length_if_any("diameter")?, row))
+}
+
+/// What stands under the tap: the drill of the table, or a hole within the limits of the thread.
+fn drill(
+    context: &Context<'_>,
+    graph: &Graph<'_>,
+    (hole, thread): (&Hole, &Thread),
+    (at, row): (usize, &Row),
+    findings: &mut Vec<Finding>,
+) {
+    let Some(figure) = row.figures.get(&Q::Diameter) else { return };
+    // That it is not the diameter of its own tool the formulas say.
+    let own = Micrometres::from_mm_rounded(figure.value);
+    let found = tap_drill(thread, context);
+    let limits = hole.diameter.smallest()..=hole.diameter.largest();
+    if found.is_some_and(|(right, _)| right == own) || limits.contains(&own) {
+        return;
+    }
+    let right = found.map_or_else(|| hole.diameter.target(), |(right, _)| right);
+    let note = Note::new("audit-tap-drill")
+        .with("thread", &thread.written)
+        .with("low", hole.diameter.smallest())
+        .with("high", hole.diameter.largest());
+    let field = format!("route.{}.diameter", row.number);
+    let finding = Finding::new(Severity::Wrong, Section::Route, field, note).about(context.subject(Scope::Row(at)));
+    let finding = finding.resting_on(found.map(|(_, row)| Because::row(row, Note::new("named"))));
+    let id = Id::new(Scope::Row(at), Q::Diameter);
+    // Said once: where the tool has the right diameter the misprint is told already.
+    if graph.verdict(id).is_none_or(|verdict| verdict.status == super::super::graph::Status::Fine) {
+        findings.push(beside(finding, figure, right, Q::Diameter));
+        right_by_drawing(context, at, right, findings);
+    }
+}
+
+/// How deep a hole and its thread go.
+fn depth(
+    context: &Context<'_>,
+    graph: &Graph<'_>,
+    (hole, thread): (&Hole, &Thread),
+    (at, row): (usize, &Row),
+    findings: &mut Vec<Finding>,
+) -> Result<(), KnowledgeError> {
+    let Some(figure) = row.figures.get(&Q::Depth) else { return Ok(()) };
+    if graph.formula(Id::new(Scope::Row(at), Q::Depth)).is_some() {
+        return Ok(());
+    }
+    let stated = Micrometres::from_mm_rounded(figure.value);
+    let pitches = |name: &str| -> Result<Micrometres, KnowledgeError> {
+        Ok(Micrometres::from_mm_rounded(thread.pitch.to_mm() * context.shop.share(name)?))
+    };
+    let tap = row.operation.value == Operation::Tap;
+    let blind = !hole.through && !tap;
+    // The first teeth of a tap cut no full thread: a blind hole goes deeper by its run-out.
+    let right = if blind { hole.depth + pitches("thread-runout-pitches")? } else { hole.depth };
+    let mut say = |severity, code: &str, figure: &Figure| {
+        let note = Note::new(code).with("thread", &thread.written).with("depth", hole.depth);
+        let finding = Finding::new(severity, Section::Route, format!("route.{}.depth", row.number), note);
+        findings.push(beside(finding.about(context.subject(Scope::Row(at))), figure, right, Q::Depth));
+    };
+    if stated < hole.depth {
+        say(Severity::Wrong, "audit-thread-short", figure);
+    } else if blind && stated < hole.depth + pitches("tap-lead-pitches")? {
+        say(Severity::Doubtful, "audit-thread-runout", figure);
+    } else if !blind && stated != right && !hole.through {
+        say(Severity::Wrong, "audit-thread-deep", figure);
+    }
+    Ok(())
+}

@@ -1,0 +1,129 @@
+//! One slip, one root: what is wrong only because of another finding names that one, whoever found the two.
+
+use std::collections::BTreeSet;
+
+use crate::note::Severity;
+
+use super::finding::{Change, Finding};
+use super::graph::{Graph, Status};
+use super::quantity::Id;
+
+/// Whether a finding is a slip, or follows from one; a note is neither.
+fn grave(finding: &Finding) -> bool {
+    finding.severity < Severity::Note
+}
+
+/// What a finding that rests on a stated figure follows from: the figure itself where it is a slip, else its roots.
+pub(super) fn of_figure(graph: &Graph<'_>, id: Id) -> Vec<Id> {
+    match graph.verdict(id).map(|verdict| verdict.status) {
+        Some(Status::Root(Severity::Error | Severity::Wrong, _)) => vec![id],
+        Some(Status::Follows(roots)) => roots.into_iter().collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// Takes back what a rule says of a figure that is right after all, and what was said to follow from nothing else.
+pub(super) fn retract(findings: &mut Vec<Finding>, field: &str, rule: &str) {
+    let slip = |one: &Finding| one.field == field && one.rule == rule && one.follows_from.is_empty();
+    if !findings.iter().any(slip) {
+        return;
+    }
+    let follows = |one: &Finding| !one.follows_from.is_empty() && one.follows_from.iter().all(|root| root == field);
+    findings.retain(|one| !slip(one) && !follows(one));
+    // What follows from another slip too still does.
+    for one in findings.iter_mut() {
+        one.follows_from.retain(|root| root != field);
+    }
+}
+
+/// Traces every finding back to slips that follow from nothing, and lists at those what follows from them.
+pub(super) fn settle(findings: &mut [Finding]) {
+    let settled: Vec<BTreeSet<String>> = findings.iter().map(|one| roots(one, findings)).collect();
+    for (one, roots) in findings.iter_mut().zip(settled) {
+        let known: BTreeSet<String> = one.follows_from.iter().cloned().collect();
+        if roots.is_empty() || roots == known {
+            continue;
+        }
+        one.follows_from = roots.into_iter().collect();
+        if one.note.code == "audit-follows" {
+            one.note = one.note.clone().with("fields", one.follows_from.join(", "));
+        }
+    }
+    for at in 0..findings.len() {
+        let Some(root) = findings.get(at).filter(|one| grave(one) && !one.follows_from.is_empty()) else { continue };
+        let (Some(quantity), Some(stated), Some(right)) = (root.quantity, &root.stated, &root.right) else { continue };
+        let change = Change { field: root.field.clone(), quantity, stated: stated.clone(), right: right.clone() };
+        let fields = root.follows_from.clone();
+        // A slip that turned out to follow from another lists nothing more.
+        if let Some(one) = findings.get_mut(at) {
+            one.changes.clear();
+        }
+        for field in fields {
+            let mut slips = findings.iter_mut().filter(|one| one.field == field && one.follows_from.is_empty());
+            if let Some(slip) = slips.find(|one| grave(one))
+                && !slip.changes.iter().any(|known| known.field == change.field)
+            {
+                slip.changes.push(change.clone());
+            }
+        }
+    }
+}
+
+/// The fields at which a finding begins: those of what it follows from that follow from nothing themselves.
+fn roots(one: &Finding, all: &[Finding]) -> BTreeSet<String> {
+    let (mut found, mut seen) = (BTreeSet::new(), BTreeSet::new());
+    let mut open = one.follows_from.clone();
+    while let Some(field) = open.pop() {
+        if !seen.insert(field.clone()) {
+            continue;
+        }
+        let at = || all.iter().filter(|other| other.field == field && grave(other));
+        // A field of which nothing is said is one that a check names.
+        if at().next().is_none() || at().any(|other| other.follows_from.is_empty()) {
+            found.insert(field);
+        } else {
+            open.extend(at().flat_map(|other| other.follows_from.clone()));
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::audit::Section;
+    use crate::note::Note;
+
+    use super::*;
+
+    fn finding(field: &str, follows: &[&str]) -> Finding {
+        let finding = Finding::new(Severity::Wrong, Section::Route, field.to_owned(), Note::new("audit-figure"));
+        Finding { follows_from: follows.iter().map(|one| (*one).to_owned()).collect(), ..finding }
+    }
+
+    #[test]
+    fn what_follows_from_a_consequence_follows_from_its_root() {
+        let mut findings = [finding("a", &[]), finding("b", &["a"]), finding("c", &["b"]), finding("d", &["c", "e"])];
+        settle(&mut findings);
+        assert_eq!(findings[2].follows_from, ["a"]);
+        assert_eq!(findings[3].follows_from, ["a", "e"]);
+    }
+
+    #[test]
+    fn two_that_follow_from_each_other_stay_as_they_are() {
+        let mut findings = [finding("a", &["b"]), finding("b", &["a"])];
+        settle(&mut findings);
+        assert_eq!(findings[0].follows_from, ["b"]);
+    }
+
+    #[test]
+    fn a_slip_is_taken_back_with_what_followed_from_it_alone() {
+        let mut findings = vec![finding("a", &[]), finding("b", &["a"]), finding("c", &["a", "d"]), finding("d", &[])];
+        for one in &mut findings {
+            one.rule = "rule".to_owned();
+        }
+        retract(&mut findings, "a", "rule");
+        let left: Vec<&str> = findings.iter().map(|one| one.field.as_str()).collect();
+        assert_eq!(left, ["c", "d"]);
+        assert_eq!(findings[0].follows_from, ["d"]);
+    }
+}

@@ -1,0 +1,117 @@
+//! What the tables themselves answer for a hole: before centring is added to their schemes, and before anything is tried.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::{Input, RowRef};
+use crate::note::Because;
+use crate::part::{Hole, Part};
+use crate::plan::Operation;
+use crate::shop::Shop;
+use crate::units::Micrometres;
+
+use super::auxiliary::{self, Kind};
+use super::scheme::{self, Question};
+use super::{accuracy, bores};
+
+/// The answer of the tables.
+#[derive(Clone, Debug)]
+pub struct Asked<'k> {
+    /// The row of A.8, A.9 or A.10; absent where their cell is empty.
+    pub row: Option<RowRef<'k>>,
+    /// Its schemes as printed.
+    pub schemes: Vec<String>,
+    /// Whether the hole is centred first, by the rule `centre-first`.
+    pub centred: bool,
+    /// The row of that rule.
+    pub centring: Because,
+}
+
+/// Asks the tables for the schemes of a hole's main cylinder.
+///
+/// # Errors
+/// The knowledge cannot answer; that the drawing's tolerance cannot be read is an answer without a row.
+pub fn asked<'k>(hole: &Hole, part: &Part, shop: &Shop<'k>) -> Result<Asked<'k>, KnowledgeError> {
+    let task = bores::task(hole, part, shop)?;
+    let main = &task.main;
+    let (centred, centring) = scheme::centre_first(main, shop)?;
+    let nothing = Asked { row: None, schemes: Vec::new(), centred, centring };
+    let Ok(written) = accuracy::centre_tolerance(hole, shop) else { return Ok(nothing) };
+    // As the planner asks: an unmachined face as a tighter tolerance, and by A.6 the position of the axis.
+    let loss = accuracy::rough_face(main, part, shop)?.map_or(0.0, |(loss, _)| loss);
+    let position = part.position_tolerance.unwrap_or(written);
+    let mut question = Question {
+        bore: main,
+        centre_tolerance: Micrometres::from_mm_rounded(written.to_mm() / (1.0 + loss)),
+        drawn_tolerance: written,
+        position,
+        outer_wall: hole.outer_wall,
+        drills: &[],
+    };
+    let kind = Kind::of(hole, main, accuracy::drilled(shop)?);
+    let asked = if kind.is_some() { auxiliary::diameter(&question) } else { main.diameter.nominal };
+    let (_, elsewhere) = scheme::stages(&question, kind.map_or("plain", Kind::stage_name), asked, shop)?;
+    if elsewhere {
+        question.centre_tolerance = question.centre_tolerance.min(position);
+    }
+    let row = match kind {
+        Some(kind) => {
+            let answer = shop.knowledge.table("A.10")?.decide(&[
+                ("hole", Input::Text(kind.name(&question))),
+                ("diameter", Input::Length(auxiliary::diameter(&question))),
+                ("centre_tolerance", Input::Length(question.centre_tolerance)),
+            ])?;
+            answer.winner()
+        }
+        None => scheme::own_cell(&question, shop.knowledge)?,
+    };
+    let schemes = row.map(|row| row.texts("schemes")).transpose()?.unwrap_or_default();
+    let schemes = schemes.into_iter().map(str::to_owned).collect();
+    Ok(Asked { row, schemes, ..nothing })
+}
+
+/// The transitions of a scheme of A.7, of `04 + centre` too; nothing where A.7 has no such scheme or it names what no
+/// catalog has.
+///
+/// # Errors
+/// The knowledge cannot answer.
+pub fn transitions(scheme: &str, shop: &Shop<'_>) -> Result<Option<Vec<Operation>>, KnowledgeError> {
+    let table = shop.knowledge.table("A.7")?;
+    let (name, centred) = match scheme.strip_suffix(" + centre") {
+        Some(name) => (name, true),
+        None => (scheme, false),
+    };
+    let Some(row) = table.find("scheme", name) else { return Ok(None) };
+    let operations = scheme::operations(row)?;
+    Ok(operations.map(|mut operations| {
+        if centred && operations.first() != Some(&Operation::CentreDrill) {
+            operations.insert(0, Operation::CentreDrill);
+        }
+        operations
+    }))
+}
+
+/// A scheme with the centring in front: its twin of the table `centred-twin`, else `04 + centre`.
+///
+/// # Errors
+/// The knowledge cannot answer.
+pub fn centred(scheme: &str, shop: &Shop<'_>) -> Result<String, KnowledgeError> {
+    if transitions(scheme, shop)?.is_some_and(|own| own.first() == Some(&Operation::CentreDrill)) {
+        return Ok(scheme.to_owned());
+    }
+    let twin = shop.knowledge.table("centred-twin")?.find("scheme", scheme);
+    Ok(match twin {
+        Some(twin) => twin.text("centred")?.to_owned(),
+        None => format!("{scheme} + centre"),
+    })
+}
+
+/// The row of the rule `two-pass-drilling` that asks for two drills where one stands alone; nothing where one will do.
+///
+/// # Errors
+/// The knowledge cannot answer.
+pub fn two_drills<'k>(diameter: Micrometres, shop: &Shop<'k>) -> Result<Option<RowRef<'k>>, KnowledgeError> {
+    let rule = shop.knowledge.table("two-pass-drilling")?;
+    let answer =
+        rule.decide(&[("diameter", Input::Length(diameter)), ("first_drill_in_magazine", Input::Bool(false))])?;
+    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this drill"))?;
+    Ok((row.int("passes")? >= 2).then_some(row))
+}
