@@ -21,6 +21,7 @@ use crate::units::round_to;
 use crate::{sequence, setup, tooling};
 
 use choose::{Chooser, Weighed};
+pub(crate) use fit::way;
 use fit::{Fitted, Fitting};
 use options::{Choice, Options};
 

@@ -9,6 +9,7 @@ use super::Lang;
 
 mod allowances;
 mod audit;
+mod audit_program;
 mod iso;
 mod jobs;
 mod lathe_programs;
@@ -29,7 +30,7 @@ fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'s
     let all = all.chain(iso::SENTENCES).chain(jobs::SENTENCES).chain(lists::SENTENCES);
     let all = all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES);
     let all = all.chain(turning_tools::SENTENCES).chain(zones::SENTENCES).chain(workpiece::SENTENCES);
-    let all = all.chain(audit::SENTENCES);
+    let all = all.chain(audit::SENTENCES).chain(audit_program::SENTENCES);
     all.chain(lathe_programs::SENTENCES).chain(allowances::SENTENCES).chain(operation::SENTENCES)
 }
 
