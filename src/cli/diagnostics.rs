@@ -11,6 +11,7 @@ use technolog::knowledge::{Diagnostic, Place, Severity};
 
 use super::words::{Lang, Word};
 use technolog::report::grid::WIDTH;
+use technolog::report::mistakes::told;
 
 /// The texts that places are in, by the file name the places use.
 #[derive(Debug, Default)]
@@ -48,7 +49,7 @@ impl Texts {
 
 /// Every problem, one under the other, with an empty line between.
 pub fn render(problems: &[Diagnostic], texts: &Texts, lang: Lang) -> String {
-    let shown: Vec<String> = problems.iter().map(|problem| one(problem, texts, lang)).collect();
+    let shown: Vec<String> = problems.iter().map(|problem| one(&told(problem, lang), texts, lang)).collect();
     shown.join("\n")
 }
 
