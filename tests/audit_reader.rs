@@ -136,8 +136,7 @@ fn one_holder_is_written_once() {
 
 #[test]
 fn a_tool_without_rows_and_several_rows_for_a_clamping_are_told() {
-    for (from, to, code) in
-        [("for: [3, 4]", "for: T9", "unknown-row"), ("  for: 5\n", "  for: [4, 5]\n", "bad-value")]
+    for (from, to, code) in [("for: [3, 4]", "for: T9", "unknown-row"), ("  for: 5\n", "  for: [4, 5]\n", "bad-value")]
     {
         let text = with(from, to);
         let problems = read(&text).err().unwrap_or_else(|| panic!("{to}")).problems;

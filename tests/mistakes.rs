@@ -31,7 +31,6 @@ const NO_MISTAKES: &[&str] = &[
     "Millimetres, at most three decimal places (whole micrometres)",
     "Roughness limit in micrometres, `Ra 12.5` or `Rz 80`",
     "[Micrometres; 2]",
-    " or ",
     ", ",
     "{0} {1}",
     "{0} {1}/{2}",

@@ -47,9 +47,15 @@ impl Texts {
     }
 }
 
-/// Every problem, one under the other, with an empty line between.
+/// Every problem, one under the other, with an empty line between, in the language of the reader.
 pub fn render(problems: &[Diagnostic], texts: &Texts, lang: Lang) -> String {
-    let shown: Vec<String> = problems.iter().map(|problem| one(&told(problem, lang), texts, lang)).collect();
+    let told: Vec<Diagnostic> = problems.iter().map(|problem| told(problem, lang)).collect();
+    render_as_said(&told, texts, lang)
+}
+
+/// The same with the sentences as they are: authors of knowledge read English.
+pub fn render_as_said(problems: &[Diagnostic], texts: &Texts, lang: Lang) -> String {
+    let shown: Vec<String> = problems.iter().map(|problem| one(problem, texts, lang)).collect();
     shown.join("\n")
 }
 

@@ -253,7 +253,7 @@ impl Reader<'_> {
         let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
         let help = match crate::knowledge::diagnostic::nearest(text, names.iter().copied()) {
             Some(near) => format!("did you mean `{near}`?"),
-            None => format!("it may be {}", names.join(" or ")),
+            None => format!("it may be {}", names.join(", ")),
         };
         self.problems.error_help("bad-value", format!("`{text}` is not known here"), &node.place, help)
     }

@@ -8,7 +8,6 @@ pub(super) const SENTENCES: &[Pair] = &[
     ("a list", "список"),
     ("a mapping", "набір ключів"),
     ("nothing", "нічого"),
-    ("{0} or {1}", "{0} або {1}"),
     ("from here on it is not UTF-8 text", "звідси це не текст у UTF-8"),
     ("save the file as UTF-8", "збережіть файл у кодуванні UTF-8"),
     ("a second document in one file", "другий документ в одному файлі"),
