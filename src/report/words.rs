@@ -35,7 +35,7 @@ pub fn operation_verb(name: &str, lang: Lang) -> &str {
 /// The operation that is called so, as an instruction or as a noun, in whatever case.
 pub fn operation_named(text: &str, lang: Lang) -> Option<Operation> {
     let text = text.trim().to_lowercase();
-    let called = |[uk, en]: &[&'static str; 2]| lang.pick(*uk, *en).to_lowercase() == text;
+    let called = |[uk, en]: &[&'static str; 2]| lang.pick(uk, en).to_lowercase() == text;
     let (name, ..) = OPERATIONS.iter().find(|(_, verb, noun)| called(verb) || called(noun))?;
     Operation::from_name(name)
 }

@@ -142,13 +142,13 @@ fn of_fault(fault: &Fault, steps: &[Step], file: &Arc<str>) -> Seen {
     let finding = Finding::new(fault.severity, Section::Program, field, fault.note.clone()).at(&place);
     let main = fault.calls.first().map_or(fault.span.line, |call| call.from.line);
     let ends = steps.iter().filter(|step| step.motion == Motion::End).map(|step| step.block.line).max();
-    let changes = steps.iter().filter_map(|step| match step.motion {
+    let mut changes = steps.iter().rev().filter_map(|step| match step.motion {
         Motion::ToolChange { tool } => Some((step.block.line, tool)),
         _ => None,
     });
     // What stands behind the end of the main program is of no tool in particular.
     let own = ends.is_none_or(|end| main <= end);
-    let tool = changes.filter(|(line, _)| own && *line <= main).last().map(|(_, tool)| tool);
+    let tool = changes.find(|(line, _)| own && *line <= main).map(|(_, tool)| tool);
     Seen::new(finding, tool, fault.severity == Severity::Error)
 }
 
