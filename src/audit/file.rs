@@ -72,7 +72,7 @@ pub struct Row {
     /// Its number; else its place in the list.
     pub row: Option<u32>,
     /// What is done.
-    pub operation: Operation,
+    pub operation: OperationName,
     /// The group of holes.
     pub hole: Option<Name>,
     /// What of the hole it makes, where that is not its bore.
@@ -101,6 +101,16 @@ pub struct Row {
     pub table: Option<Name>,
 }
 
+/// An operation.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum OperationName {
+    /// By its name in tables.
+    Named(Operation),
+    /// As the report calls it in Ukrainian: `свердління`, `свердлити`.
+    Called(String),
+}
+
 /// A tool in its holder.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -127,8 +137,8 @@ pub struct Tool {
     pub shank_diameter: Option<Number>,
     /// Number of its Morse taper.
     pub morse: Option<Number>,
-    /// Its holder.
-    pub holder: Option<Holder>,
+    /// Its holder; `T1` when it is the same as the holder of T1.
+    pub holder: Option<HolderOrTool>,
     /// How far it stands out of the holder, mm.
     pub overhang: Option<Number>,
     /// The length of the holder that the assembly was computed with, mm.
@@ -143,6 +153,16 @@ pub struct Tool {
     pub reference_length: Option<Number>,
     /// How the corrector is called: `G43` or `G44`; else as the program calls it.
     pub with: Option<String>,
+}
+
+/// A holder, or the tool that has the same.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum HolderOrTool {
+    /// The tool.
+    Tool(String),
+    /// The holder.
+    Holder(Box<Holder>),
 }
 
 /// A holder.
@@ -216,9 +236,19 @@ pub struct Conditions {
 #[serde(untagged)]
 pub enum RowsOf {
     /// One.
-    One(u32),
+    One(RowOf),
     /// Several.
-    Many(Vec<u32>),
+    Many(Vec<RowOf>),
+}
+
+/// A row, or all rows of a tool.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum RowOf {
+    /// The row of that number.
+    Row(u32),
+    /// The rows of that tool: `T2`.
+    Tool(String),
 }
 
 /// Figures of a card.
@@ -254,7 +284,7 @@ pub struct Factors {
 #[serde(deny_unknown_fields)]
 pub struct Clamping {
     /// The row of the route whose torque it must hold.
-    pub r#for: Option<u32>,
+    pub r#for: Option<RowOf>,
     /// The group of holes whose largest torque it must hold, where no row is named.
     pub hole: Option<Name>,
     /// The power the torque was computed from, kW.

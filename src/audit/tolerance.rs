@@ -22,6 +22,30 @@ struct Tolerance {
     own_places: i64,
     rounded: bool,
     severity: Severity,
+    range: Range,
+    whole: bool,
+}
+
+/// Which figures of a quantity there can be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Range {
+    /// Above zero.
+    Positive,
+    /// Zero or above.
+    NotNegative,
+    /// Any.
+    Any,
+}
+
+impl Range {
+    /// Whether a figure is in it.
+    pub fn holds(self, value: f64) -> bool {
+        match self {
+            Self::Positive => value > 0.0,
+            Self::NotNegative => value >= 0.0,
+            Self::Any => true,
+        }
+    }
 }
 
 impl Tolerances {
@@ -43,6 +67,12 @@ impl Tolerances {
                     own_places: row.int("own_places")?,
                     rounded: row.flag("rounded"),
                     severity: Severity::from_name(row.text("severity")?).unwrap_or(Severity::Wrong),
+                    range: match row.text("range")? {
+                        "any" => Range::Any,
+                        "not-negative" => Range::NotNegative,
+                        _ => Range::Positive,
+                    },
+                    whole: row.flag("whole"),
                 },
             );
         }
@@ -64,6 +94,16 @@ impl Tolerances {
     /// The decimal places to which `technolog plan` rounds it.
     pub fn own_places(&self, quantity: Quantity) -> i64 {
         self.0.get(&quantity).map_or(0, |own| own.own_places)
+    }
+
+    /// Which figures there can be.
+    pub fn range(&self, quantity: Quantity) -> Range {
+        self.0.get(&quantity).map_or(Range::Any, |own| own.range)
+    }
+
+    /// Whether it is a whole number.
+    pub fn whole(&self, quantity: Quantity) -> bool {
+        self.0.get(&quantity).is_some_and(|own| own.whole)
     }
 
     /// How grave a deviation is.

@@ -11,6 +11,7 @@ use technolog::knowledge::{Diagnostic, Place, Severity};
 
 use super::words::{Lang, Word};
 use technolog::report::grid::WIDTH;
+use technolog::report::mistakes::told;
 
 /// The texts that places are in, by the file name the places use.
 #[derive(Debug, Default)]
@@ -46,8 +47,14 @@ impl Texts {
     }
 }
 
-/// Every problem, one under the other, with an empty line between.
+/// Every problem, one under the other, with an empty line between, in the language of the reader.
 pub fn render(problems: &[Diagnostic], texts: &Texts, lang: Lang) -> String {
+    let told: Vec<Diagnostic> = problems.iter().map(|problem| told(problem, lang)).collect();
+    render_as_said(&told, texts, lang)
+}
+
+/// The same with the sentences as they are: authors of knowledge read English.
+pub fn render_as_said(problems: &[Diagnostic], texts: &Texts, lang: Lang) -> String {
     let shown: Vec<String> = problems.iter().map(|problem| one(problem, texts, lang)).collect();
     shown.join("\n")
 }

@@ -23,7 +23,7 @@ pub fn run(_: &Args, context: &Context) -> Result<Outcome, CliError> {
             context.emit_json(&problems.iter().map(|it| diagnostics::Json::of(it, &texts)).collect::<Vec<_>>())?;
         }
         _ => {
-            let mut text = diagnostics::render(&problems, &texts, context.lang);
+            let mut text = diagnostics::render_as_said(&problems, &texts, context.lang);
             if !problems.is_empty() {
                 text.push('\n');
             }

@@ -2,8 +2,8 @@
 //!
 //! Plain words are a [`Word`]; sentences with something in them are functions of the same name in
 //! both languages; the help of commands and options stands in English beside them in the code and
-//! in Ukrainian in [`super::help_uk`]. The messages of the diagnostics that the knowledge room makes are
-//! English in both.
+//! in Ukrainian in [`super::help_uk`]. What is wrong with a file of a user stands in `report::mistakes`; the
+//! messages for authors of knowledge are English in both.
 
 use std::fmt::Display;
 

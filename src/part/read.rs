@@ -120,7 +120,7 @@ impl Reader<'_> {
         let message = format!("`{text}` is not known here");
         let help = match nearest(text, names.iter().copied()) {
             Some(near) => format!("did you mean `{near}`?"),
-            None => format!("it may be {}", names.join(" or ")),
+            None => format!("it may be {}", names.join(", ")),
         };
         self.problems.error_help("bad-value", message, &node.place, help)
     }

@@ -44,9 +44,11 @@ impl Reader<'_> {
         let written_end = cylinders.last()?.end;
         let inner = self.innermost(&mut cylinders, &whole)?;
         if !inner && let Some(depth) = whole.depth.filter(|depth| *depth != written_end) {
-            let what = if whole.through { "the blank is" } else { "the hole is" };
-            let deep = if whole.through { "thick" } else { "deep" };
-            let message = format!("the steps end at {written_end}, but {what} {depth} {deep}");
+            let message = if whole.through {
+                format!("the steps end at {written_end}, but the blank is {depth} thick")
+            } else {
+                format!("the steps end at {written_end}, but the hole is {depth} deep")
+            };
             let place = &cylinders.last()?.place;
             return self.problems.error_help("bad-depth", message, place, DEPTH_OR_LENGTH);
         }

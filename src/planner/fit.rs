@@ -365,6 +365,20 @@ impl<'p, 'k> Fitting<'p, 'k> {
     }
 }
 
+/// How far the tool of somebody's step goes in one pass, and how far above the metal its feed begins.
+///
+/// # Errors
+/// The knowledge cannot answer.
+pub(crate) fn way(
+    step: &Step,
+    hole: &Hole,
+    part: &Part,
+    shop: &Shop<'_>,
+) -> Result<(Micrometres, Micrometres), KnowledgeError> {
+    let fitting = Fitting::new(hole, &[], part, shop)?;
+    Ok((fitting.travel(step).0, fitting.travels(step.place.through).0))
+}
+
 /// The cylinder a step works on: a thread is that of its hole.
 fn cylinder(step: &Step) -> Feature {
     match step.place.feature {

@@ -27,6 +27,7 @@ use crate::units::round_to;
 use crate::{sequence, setup, tooling, zone};
 
 use choose::{Chooser, Weighed};
+pub(crate) use fit::way;
 use fit::{Fitted, Fitting};
 use options::{Choice, Options};
 

@@ -10,6 +10,7 @@ use super::Lang;
 
 mod allowances;
 mod audit;
+mod audit_program;
 mod audit_routes;
 mod conditions;
 mod holes;
@@ -36,7 +37,7 @@ fn sentences() -> impl Iterator<Item = &'static (&'static str, &'static str, &'s
     let all = all.chain(iso::SENTENCES).chain(jobs::SENTENCES).chain(lists::SENTENCES);
     let all = all.chain(proof::SENTENCES).chain(turning::SENTENCES).chain(schemes::SENTENCES);
     let all = all.chain(turning_tools::SENTENCES).chain(zones::SENTENCES).chain(workpiece::SENTENCES);
-    let all = all.chain(audit::SENTENCES).chain(audit_routes::SENTENCES);
+    let all = all.chain(audit::SENTENCES).chain(audit_routes::SENTENCES).chain(audit_program::SENTENCES);
     all.chain(lathe_programs::SENTENCES).chain(allowances::SENTENCES).chain(operation::SENTENCES)
 }
 

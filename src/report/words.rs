@@ -1,6 +1,7 @@
 //! Names of operations, headings and small words of the plan's page, in both languages.
 
 use super::Lang;
+use crate::plan::Operation;
 
 const OPERATIONS: &[(&str, [&str; 2], [&str; 2])] = &[
     ("centre-drill", ["Центрувати", "Centre"], ["центрування", "centring"]),
@@ -29,6 +30,14 @@ const OPERATIONS: &[(&str, [&str; 2], [&str; 2])] = &[
 /// The operation as an instruction: `Центрувати`, `Centre`.
 pub fn operation_verb(name: &str, lang: Lang) -> &str {
     OPERATIONS.iter().find(|(known, ..)| *known == name).map_or(name, |(_, [uk, en], _)| lang.pick(uk, en))
+}
+
+/// The operation that is called so, as an instruction or as a noun, in whatever case.
+pub fn operation_named(text: &str, lang: Lang) -> Option<Operation> {
+    let text = text.trim().to_lowercase();
+    let called = |[uk, en]: &[&'static str; 2]| lang.pick(uk, en).to_lowercase() == text;
+    let (name, ..) = OPERATIONS.iter().find(|(_, verb, noun)| called(verb) || called(noun))?;
+    Operation::from_name(name)
 }
 
 /// The operation as a noun: `центрування`, `centring`.

@@ -99,9 +99,13 @@ impl Reader<'_> {
 
     pub(super) fn clamping(&mut self, node: &Node, rows: &[Row], part: &Part) -> Option<Clamping> {
         let mut fields = self.problems.map(node)?;
-        let row = fields.take("for").and_then(|node| {
-            let value = self.rows_named(node, rows).first().copied()?;
-            Some(Said { value, place: node.place.clone() })
+        let row = fields.take("for").and_then(|node| match self.rows_named(node, rows).as_slice() {
+            [value] => Some(Said { value: *value, place: node.place.clone() }),
+            [] => None,
+            _ => {
+                let help = "name the one whose torque is largest";
+                self.problems.error_help("bad-value", "a part is clamped for one row", &node.place, help)
+            }
         });
         let hole = self.hole(&mut fields, part);
         let at = fields.take("at").map(|node| self.points(node)).unwrap_or_default();

@@ -5,6 +5,7 @@ use crate::knowledge::yaml::{Fields, Node};
 use super::Reader;
 use crate::audit::quantity::Quantity;
 use crate::audit::stated::{Figure, Figures};
+use crate::audit::tolerance::Range;
 
 /// The most that a figure of a plan can be, in its unit: beyond it no sum is exact.
 const MOST: f64 = 1e9;
@@ -21,9 +22,33 @@ impl Reader<'_> {
         for key in keys {
             let Some(quantity) = Quantity::of_key(&format!("{prefix}{key}")) else { continue };
             let Some(node) = fields.take(key) else { continue };
-            figures.extend(self.figure(node).map(|figure| (quantity, figure)));
+            // The clamping calls its force as the conditions call theirs; both are in one range.
+            figures
+                .extend(self.figure(node).and_then(|figure| self.possible(quantity, figure)).map(|it| (quantity, it)));
         }
         figures
+    }
+
+    /// A figure that its quantity can have, by the table `audit-tolerance`.
+    fn possible(&mut self, quantity: Quantity, figure: Figure) -> Option<Figure> {
+        let (name, text) = (quantity.name().1, &figure.text);
+        let range = self.tolerances.range(quantity);
+        let (message, help) = if !range.holds(figure.value) && figure.value < 0.0 {
+            let must = if range == Range::Positive { "it must be above zero" } else { "it must not be below zero" };
+            (
+                format!("`{text}` cannot be the {name}: {must}"),
+                "write it without a sign: only corrections may be negative",
+            )
+        } else if !range.holds(figure.value) {
+            let must = "it must be above zero";
+            (format!("`{text}` cannot be the {name}: {must}"), "leave out what is not known")
+        } else if self.tolerances.whole(quantity) && libm::trunc(figure.value) != figure.value {
+            let must = "it must be a whole number";
+            (format!("`{text}` cannot be the {name}: {must}"), "write it without decimals")
+        } else {
+            return Some(figure);
+        };
+        self.problems.error_help("out-of-range", message, &figure.place, help)
     }
 
     /// One number.
@@ -38,6 +63,8 @@ impl Reader<'_> {
         figure.filter(|figure| figure.value.abs() <= MOST).or_else(|| {
             let help = if text.contains(',') {
                 "write the decimal point of a number, not a comma"
+            } else if text.chars().any(|letter| letter.is_numeric() && !letter.is_ascii_digit()) {
+                "write it with the digits 0 to 9: these are other characters that look like them"
             } else {
                 "write a number without its unit"
             };

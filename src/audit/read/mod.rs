@@ -16,6 +16,7 @@ use crate::program::Language;
 
 use super::keys::{PLAN, PROGRAM, TIMES};
 use super::stated::{Figures, Program, Said, Stated, Text};
+use super::tolerance::Tolerances;
 
 /// Reads the files that a plan names, relative to it. An error is the reason.
 pub type Files<'a> = &'a dyn Fn(&str) -> Result<String, String>;
@@ -77,7 +78,9 @@ fn read_tree(
     knowledge: &Knowledge,
     files: Files<'_>,
 ) -> Result<Stated, Unreadable> {
-    let mut reader = Reader { knowledge, files, problems: Problems(diagnostics), texts: Vec::new(), file };
+    // Without the table every figure can be; the audit itself says that it is missing.
+    let tolerances = Tolerances::read(knowledge).unwrap_or_default();
+    let mut reader = Reader { knowledge, files, tolerances, problems: Problems(diagnostics), texts: Vec::new(), file };
     let stated = root.and_then(|root| {
         // Only `technolog plan` writes holes at the top; a part file has them too, but no tools.
         if root.get("holes").is_some() && root.get("sequence").is_some() {
@@ -100,6 +103,7 @@ fn read_tree(
 struct Reader<'a> {
     knowledge: &'a Knowledge,
     files: Files<'a>,
+    tolerances: Tolerances,
     problems: Problems,
     texts: Vec<NamedText>,
     file: &'a str,
@@ -182,7 +186,12 @@ impl Reader<'_> {
             }
             Err(why) => {
                 let message = format!("cannot read `{path}`: {why}");
-                let help = "paths are relative to the plan file";
+                let is_text = !why.to_lowercase().contains("utf-8");
+                let help = if is_text {
+                    "paths are relative to the plan file"
+                } else {
+                    "it is no text: save it as UTF-8 text"
+                };
                 self.problems.error_help("unreadable", message, &node.place, help)
             }
         }
@@ -244,7 +253,7 @@ impl Reader<'_> {
         let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
         let help = match crate::knowledge::diagnostic::nearest(text, names.iter().copied()) {
             Some(near) => format!("did you mean `{near}`?"),
-            None => format!("it may be {}", names.join(" or ")),
+            None => format!("it may be {}", names.join(", ")),
         };
         self.problems.error_help("bad-value", format!("`{text}` is not known here"), &node.place, help)
     }

@@ -4,9 +4,11 @@ use crate::knowledge::diagnostic::nearest;
 use crate::knowledge::yaml::{Fields, Node};
 use crate::part::Part;
 use crate::plan::{Feature, Operation};
+use crate::report::{Lang, operation_named};
 
 use super::Reader;
 use crate::audit::keys::ROW;
+use crate::audit::near::plain;
 use crate::audit::stated::{Row, Said, Text};
 
 impl Reader<'_> {
@@ -30,7 +32,9 @@ impl Reader<'_> {
         let mut fields = self.problems.map(node)?;
         let own = fields.take("row").and_then(|node| self.problems.scalar::<u32>(node));
         let operation = fields.need("operation", &mut self.problems).and_then(|node| {
-            let value = self.choice(node, &Operation::NAMES)?;
+            // By its name in tables, or as the report calls it: `drill`, `свердління`, `свердлити`.
+            let named = node.text().and_then(|text| operation_named(text, Lang::Uk));
+            let value = named.or_else(|| self.choice(node, &Operation::NAMES))?;
             Some(Said { value, place: node.place.clone() })
         });
         let hole = self.hole(&mut fields, part);
@@ -59,7 +63,17 @@ impl Reader<'_> {
 
     /// The group of holes that a field names.
     pub(super) fn hole(&mut self, fields: &mut Fields<'_>, part: &Part) -> Option<Text> {
-        let hole = self.text_of(fields, "hole")?;
+        let mut hole = self.text_of(fields, "hole")?;
+        // A Cyrillic letter that looks like the Latin one of the part is meant as that.
+        let alike: Vec<&str> = part
+            .holes
+            .iter()
+            .map(|known| known.name.as_str())
+            .filter(|name| plain(name) == plain(&hole.value))
+            .collect();
+        if let ([one], false) = (alike.as_slice(), alike.contains(&hole.value.as_str())) {
+            hole.value = (*one).to_owned();
+        }
         if !part.holes.iter().any(|known| known.name == hole.value) {
             let names: Vec<&str> = part.holes.iter().map(|hole| hole.name.as_str()).collect();
             let help = match nearest(&hole.value, names.iter().copied()) {
@@ -73,7 +87,7 @@ impl Reader<'_> {
     }
 
     /// `T2`, or `2`; the Cyrillic letter is typed as often.
-    fn tool_number(&mut self, node: &Node) -> Option<Said<u32>> {
+    pub(super) fn tool_number(&mut self, node: &Node) -> Option<Said<u32>> {
         let text = self.problems.text(node)?;
         match number_of_tool(text) {
             Some(value) => Some(Said { value, place: node.place.clone() }),
@@ -84,7 +98,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The rows that a key `for` names, by their numbers.
+    /// The rows that a key `for` names: by their numbers, or by their tool, `T2`.
     pub(super) fn rows_named(&mut self, node: &Node, rows: &[Row]) -> Vec<usize> {
         let list = if node.text().is_some() {
             std::slice::from_ref(node)
@@ -93,16 +107,28 @@ impl Reader<'_> {
         };
         let mut named = Vec::new();
         for node in list {
-            let Some(number) = self.problems.scalar::<u32>(node) else { continue };
-            match rows.iter().position(|row| row.number == number) {
-                Some(at) => named.push(at),
-                None => {
-                    let known: Vec<String> = rows.iter().map(|row| row.number.to_string()).collect();
-                    let message = format!("the route has no row {number}");
-                    let help = format!("its rows are {}", known.join(", "));
-                    self.problems.error_help::<()>("unknown-row", message, &node.place, help);
-                }
+            let tool = node.text().filter(|text| text.starts_with(['T', 'Т'])).and_then(number_of_tool);
+            let found: Vec<usize> = if let Some(tool) = tool {
+                let own = |row: &Row| row.tool.as_ref().is_some_and(|known| known.value == tool);
+                (0..rows.len()).filter(|at| own(&rows[*at])).collect()
+            } else {
+                let Some(number) = self.problems.scalar::<u32>(node) else { continue };
+                rows.iter().position(|row| row.number == number).into_iter().collect()
+            };
+            if found.is_empty() {
+                let known: Vec<String> = rows.iter().map(|row| row.number.to_string()).collect();
+                let (message, help) = match tool {
+                    Some(tool) => {
+                        (format!("no row of the route has the tool T{tool}"), "name rows by their numbers".into())
+                    }
+                    None => {
+                        let number = node.text().unwrap_or_default();
+                        (format!("the route has no row {number}"), format!("its rows are {}", known.join(", ")))
+                    }
+                };
+                self.problems.error_help::<()>("unknown-row", message, &node.place, help);
             }
+            named.extend(found);
         }
         named
     }

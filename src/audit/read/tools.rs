@@ -5,7 +5,8 @@ use crate::knowledge::yaml::{Node, NodeKind};
 use super::Reader;
 use super::rows::number_of_tool;
 use crate::audit::keys::{HOLDER, TOOL};
-use crate::audit::stated::{Said, Tool};
+use crate::audit::quantity::Quantity;
+use crate::audit::stated::{Figure, Said, Tool};
 
 impl Reader<'_> {
     /// Tools by their places: `T1: {…}`.
@@ -17,6 +18,8 @@ impl Reader<'_> {
             return Vec::new();
         };
         let mut tools: Vec<Tool> = Vec::new();
+        // Tools whose holder is that of another, with its number.
+        let mut shared: Vec<(u32, Said<u32>)> = Vec::new();
         for (key, node) in entries {
             let Some(number) = number_of_tool(&key.text) else {
                 let message = format!("`{}` is no tool", key.text);
@@ -30,9 +33,36 @@ impl Reader<'_> {
                 let help = "give each tool its own place";
                 let _ = self.problems.error_help::<()>("duplicate-tool", message, &key.place, help);
             }
+            let holder = node.get("holder").filter(|holder| holder.text().is_some() && !holder.is_null());
+            if let Some(same) = holder.and_then(|holder| self.tool_number(holder)) {
+                shared.push((number, same));
+            }
             tools.push(tool);
         }
+        for (number, same) in shared {
+            self.share(&mut tools, number, &same);
+        }
         tools
+    }
+
+    /// `holder: T1`: the tool has the holder that T1 has.
+    fn share(&mut self, tools: &mut [Tool], number: u32, same: &Said<u32>) {
+        let of = tools.iter().find(|tool| tool.number == same.value && tool.number != number && tool.holder.is_some());
+        let Some(of) = of.cloned() else {
+            let message = format!("T{} has no holder of its own here", same.value);
+            let help = "name a tool whose holder is written out";
+            let _ = self.problems.error_help::<()>("unknown-tool", message, &same.place, help);
+            return;
+        };
+        let Some(tool) = tools.iter_mut().find(|tool| tool.number == number) else { return };
+        let place = || same.place.clone();
+        tool.holder = of.holder.map(|text| Said { place: place(), ..text });
+        tool.holder_standard = of.holder_standard.map(|text| Said { place: place(), ..text });
+        let keys = HOLDER.iter().filter_map(|key| Quantity::of_key(&format!("holder.{key}")));
+        for quantity in keys {
+            let figure = of.figures.get(&quantity).cloned();
+            tool.figures.extend(figure.map(|figure| (quantity, Figure { place: place(), ..figure })));
+        }
     }
 
     fn tool(&mut self, node: &Node, number: u32) -> Option<Tool> {
@@ -54,6 +84,8 @@ impl Reader<'_> {
         let mut figures = self.figures(&mut fields, &keys);
         fields.finish(TOOL, &mut self.problems);
         let (mut holder, mut holder_standard) = (None, None);
+        // A text names the tool that has the same holder.
+        let holder_node = holder_node.filter(|node| node.text().is_none());
         if let Some(mut fields) = holder_node.and_then(|node| self.problems.map(node)) {
             holder = self.text_of(&mut fields, "designation");
             holder_standard = self.text_of(&mut fields, "standard");

@@ -121,8 +121,10 @@ fn cut<'a>(context: &'a Context<'a>, at: usize) -> Result<Option<Cut<'a>>, Knowl
     let diameter = figure(Id::new(Scope::Conditions(at), Q::Diameter))
         .or_else(|| figure(Id::new(Scope::Row(first), Q::Diameter)))
         .or_else(|| reference.map(|own| own.diameter_mm));
-    let depth = figure(Id::new(Scope::Row(first), Q::Depth))
-        .or_else(|| reference.map(|own| own.depth_mm - own.start_mm))
+    // How deep the hole is says the drawing; a depth that is misprinted changes no speed.
+    let depth = reference
+        .map(|own| own.depth_mm - own.start_mm)
+        .or_else(|| figure(Id::new(Scope::Row(first), Q::Depth)))
         .unwrap_or(hole.depth);
     // What is typed may be anything; the tables end long before a metre.
     let sensible = |own: &Micrometres| (Micrometres::new(1)..=Micrometres::from_mm(1000)).contains(own);

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use technolog::audit::marks::Scheme;
 use technolog::audit::{Audited, Auditor, Unread};
 use technolog::knowledge::Diagnostic;
+use technolog::report::mistakes::told;
 use technolog::{parallel, report};
 
 use super::super::progress::Progress;
@@ -71,6 +72,7 @@ fn one(path: &Path, auditor: &Auditor<'_>, scheme: Option<&Scheme>, context: &Co
         Ok(Some(stated)) => stated,
         Ok(None) => return Ok(Seen::NoPlan),
         Err(CliError::Unusable { problems, .. }) => {
+            let problems: Vec<Diagnostic> = problems.iter().map(|problem| told(problem, context.lang)).collect();
             let unread = Unread::new(&path.display().to_string(), &problems);
             return Ok(Seen::Plan(Audited::Unreadable(unread)));
         }

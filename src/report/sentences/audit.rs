@@ -207,12 +207,6 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "інструментів {tools}, а місць у магазині {places}",
         "{tools} tools, and the magazine has {places} places",
     ),
-    // The program.
-    (
-        "audit-program-not-held",
-        "програму не порівняно з планом: переходи плану не ті, за якими її можна простежити",
-        "the program was not held against the plan: its transitions are not those that it could be followed by",
-    ),
     // A plan of ours, changed.
     (
         "audit-not-ours",

@@ -1,0 +1,333 @@
+//! The stated plan as one of ours, so that a program can be held against it: what the rows, tools and conditions say, and
+//! only what they leave out from the plan that we would make.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::diagnostic::Place;
+use crate::note::Note;
+use crate::part::{Face, Hole};
+use crate::plan::{Conditions, Feature, HolderRef, HolePlan, Operation, Plan, Rounds, ToolPlan, ToolRef, Transition};
+use crate::planner;
+use crate::program::Setting;
+use crate::route::{Place as Where, Step};
+use crate::sequence;
+use crate::units::{MetresPerMinute, Micrometres, MillimetresPerMinute, MillimetresPerRev, Minutes, RevsPerMinute};
+
+use super::super::super::context::Context;
+use super::super::super::figures::nature;
+use super::super::super::graph::{Graph, Status};
+use super::super::super::quantity::{Id, Quantity as Q, Scope};
+use super::super::super::stated::Row;
+
+/// Which figures of a plan its program is held against.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Reading {
+    /// Those that are stated.
+    Stated,
+    /// Those that should be stated: what is wrong is put right.
+    Right,
+}
+
+/// Why a program cannot be held against a plan, and where that stands.
+#[derive(Debug)]
+pub(super) struct NotHeld {
+    pub note: Note,
+    pub place: Option<Place>,
+}
+
+type Held<T> = Result<T, NotHeld>;
+
+/// The stated plan as one of ours, or why it cannot be.
+///
+/// # Errors
+/// The knowledge cannot answer.
+pub(super) fn held(
+    context: &Context<'_>,
+    graph: &Graph<'_>,
+    setting: &Setting,
+    reading: Reading,
+) -> Result<Held<Plan>, KnowledgeError> {
+    let stated = context.stated;
+    if stated.rows.is_empty() {
+        return Ok(Err(NotHeld { note: Note::new("audit-program-no-route"), place: None }));
+    }
+    if let Some(row) = stated.rows.iter().find(|row| row.hole.is_none() && !row.elsewhere) {
+        return Ok(Err(lacks(row, "audit-program-row-hole")));
+    }
+    let making = Making { context, graph, setting, reading };
+    let mut plan = Plan::clone(context.plan);
+    plan.holes.clear();
+    plan.tools.clear();
+    // In the order of the part: `sequence` goes through both together.
+    for hole in &stated.part.holes {
+        let mut transitions: Vec<Transition> = Vec::new();
+        for (at, row) in stated.rows_of_hole(&hole.name) {
+            let transition = match making.transition(hole, at, transitions.last())? {
+                Ok(transition) => transition,
+                Err(why) => return Ok(Err(why)),
+            };
+            let number = transition.tool.number;
+            if !transition.elsewhere && !plan.tools.iter().any(|tool| tool.number == number) {
+                plan.tools.push(making.tool(number, row));
+            }
+            transitions.push(transition);
+        }
+        plan.holes.push(HolePlan { name: hole.name.clone(), count: hole.at.len(), route: None, transitions });
+    }
+    plan.tools.sort_by_key(|tool| tool.number);
+    let (visits, time) = sequence::sequence(&plan.part, &plan.holes, &context.shop.machine, None);
+    plan.sequence = visits;
+    plan.time = time;
+    Ok(Ok(plan))
+}
+
+fn lacks(row: &Row, code: &str) -> NotHeld {
+    let note = Note::new(code).with("row", row.number).with("operation", row.operation.value.name());
+    NotHeld { note, place: Some(row.place.clone()) }
+}
+
+struct Making<'c, 'a> {
+    context: &'c Context<'a>,
+    graph: &'c Graph<'a>,
+    setting: &'c Setting,
+    reading: Reading,
+}
+
+impl Making<'_, '_> {
+    /// A figure as the plan has it. A slip of the comma is no other value: the author meant the right one.
+    fn figure(&self, id: Id) -> Option<f64> {
+        let stated = self.context.stated.figure(id)?.value;
+        let Some(verdict) = self.graph.verdict(id) else { return Some(stated) };
+        let comma = nature(stated, verdict.right) == "audit-decimal-point";
+        match verdict.status {
+            Status::Fine => Some(stated),
+            Status::Root(_, None) if comma => Some(verdict.right),
+            _ if self.reading == Reading::Right => Some(verdict.right),
+            _ => Some(stated),
+        }
+    }
+
+    fn length(&self, row: usize, quantity: Q) -> Option<Micrometres> {
+        self.figure(Id::new(Scope::Row(row), quantity)).map(Micrometres::from_mm_rounded)
+    }
+
+    /// The transition that a row states.
+    fn transition(
+        &self,
+        hole: &Hole,
+        at: usize,
+        before: Option<&Transition>,
+    ) -> Result<Held<Transition>, KnowledgeError> {
+        let row = &self.context.stated.rows[at];
+        let operation = row.operation.value;
+        let ours = self.ours(hole, at);
+        let elsewhere = row.elsewhere || ours.is_some_and(|ours| ours.elsewhere);
+        let mut made = ours.cloned().unwrap_or_else(|| blank(row));
+        made.elsewhere = elsewhere;
+        if elsewhere {
+            return Ok(Ok(made));
+        }
+        let Some(tool) = &row.tool else { return Ok(Err(lacks(row, "audit-program-row-tool"))) };
+        made.tool.number = tool.value;
+        let bored = before.filter(|before| !before.operation.is_of_edge()).map(|before| before.diameter_mm);
+        let diameter = self.length(at, Q::Diameter).or(ours.map(|ours| ours.diameter_mm));
+        let diameter = diameter
+            .or_else(|| hole.thread_at(row.step).filter(|_| operation == Operation::Tap).map(|thread| thread.size));
+        let Some(diameter) = diameter.filter(|diameter| *diameter > Micrometres::ZERO) else {
+            return Ok(Err(lacks(row, "audit-program-row-diameter")));
+        };
+        let from = self.length(at, Q::From).or(ours.map(|ours| ours.from_diameter_mm)).or(bored).unwrap_or_default();
+        // The cone of a centring drill is of 90°: as deep as half of what it is wide.
+        let spot = ours.is_none_or(|ours| ours.diameter_mm != diameter) && operation == Operation::CentreDrill;
+        let depth = self.length(at, Q::Depth).or(spot.then(|| diameter.half())).or(ours.map(|ours| ours.depth_mm));
+        let depth = depth.or((row.of_main_cylinder() && !operation.is_of_edge()).then_some(hole.depth));
+        let Some(depth) = depth else { return Ok(Err(lacks(row, "audit-program-row-depth"))) };
+        made.also_diameter_mm = self.length(at, Q::Also).or(made.also_diameter_mm);
+        if let Some(passes) = self.figure(Id::new(Scope::Row(at), Q::Passes)) {
+            made.passes = passes.max(1.0) as u32;
+        }
+        let same = ours
+            .is_some_and(|ours| (ours.diameter_mm, ours.from_diameter_mm, ours.depth_mm) == (diameter, from, depth));
+        if !same {
+            (made.travel_mm, made.approach_mm) = self.way(hole, row, ours, [diameter, from, depth])?;
+        }
+        (made.diameter_mm, made.from_diameter_mm, made.depth_mm) = (diameter, from, depth);
+        if operation == Operation::Tap && hole.thread_at(made.step).is_none() {
+            return Ok(Err(lacks(row, "audit-program-row-thread")));
+        }
+        if operation == Operation::Mill {
+            let Some(rounds) = self.rounds(row, ours, from) else {
+                return Ok(Err(lacks(row, "audit-program-row-mill")));
+            };
+            made.conditions.rounds = Some(rounds);
+        }
+        Ok(self.conditions(at, ours.is_some(), made).ok_or_else(|| lacks(row, "audit-program-row-conditions")))
+    }
+
+    /// The transition of our plan that a row means: of the same operation and place, in their turn.
+    fn ours(&self, hole: &Hole, at: usize) -> Option<&Transition> {
+        let stated = self.context.stated;
+        let row = stated.rows.get(at)?;
+        let alike = |operation: Operation, feature: Option<Feature>, step: Option<usize>| {
+            operation == row.operation.value
+                && (row.feature.is_none() || feature.is_none() || feature == row.feature)
+                && (row.step.is_none() || step == row.step)
+        };
+        let earlier = stated.rows_of_hole(&hole.name).take_while(|(other, _)| *other < at);
+        let turn = earlier.filter(|(_, other)| alike(other.operation.value, other.feature, other.step)).count();
+        let plan = self.context.plan.holes.iter().find(|plan| plan.name == hole.name)?;
+        plan.transitions.iter().filter(|one| alike(one.operation, Some(one.feature), one.step)).nth(turn)
+    }
+
+    /// Travel and approach of a transition that leaves a diameter from another at a depth, and is not ours in all of them.
+    fn way(
+        &self,
+        hole: &Hole,
+        row: &Row,
+        ours: Option<&Transition>,
+        [diameter, from, depth]: [Micrometres; 3],
+    ) -> Result<(Micrometres, Micrometres), KnowledgeError> {
+        let step = |through: bool, [diameter, from, depth]: [Micrometres; 3]| {
+            let place = Where {
+                feature: ours.map_or(Feature::Bore, |ours| ours.feature),
+                step: row.step,
+                face: Face::Entry,
+                start: ours.map(|ours| ours.start_mm).unwrap_or_default(),
+                depth,
+                through,
+            };
+            let pitch = hole.thread_at(row.step).map(|thread| thread.pitch);
+            Step { pitch, ..Step::plain(row.operation.value, place, diameter, from) }
+        };
+        let way =
+            |through, sizes| planner::way(&step(through, sizes), hole, &self.context.stated.part, &self.context.shop);
+        let bores = row.of_main_cylinder() && !row.operation.value.is_of_edge();
+        let mut through = hole.through && bores && row.operation.value != Operation::CentreDrill;
+        if let Some(ours) = ours {
+            // Whether ours runs out at the other end says whether this one may.
+            let sizes = [ours.diameter_mm, ours.from_diameter_mm, ours.depth_mm];
+            through = way(true, sizes)?.0 == ours.travel_mm;
+        }
+        way(through, [diameter, from, depth])
+    }
+
+    /// The circles of a mill: ours with the diameters that are stated.
+    fn rounds(&self, row: &Row, ours: Option<&Transition>, from: Micrometres) -> Option<Rounds> {
+        let ours = ours.and_then(|ours| ours.conditions.rounds);
+        let tool = self.context.stated.tool_of(row);
+        let of_catalog = tool.and_then(|tool| self.context.cutter(tool)?.row.length_if_any("diameter"));
+        let stated = tool.and_then(|tool| self.figure(Id::new(Scope::Tool(tool), Q::Diameter)));
+        let mill = of_catalog.or(stated.map(Micrometres::from_mm_rounded)).or(ours.map(|ours| ours.mill_diameter_mm));
+        let from_diameter_mm =
+            if row.figures.contains_key(&Q::From) { Some(from) } else { ours.map(|ours| ours.from_diameter_mm) };
+        let passes = row.figures.get(&Q::Passes).map(|passes| passes.value.max(1.0) as u32);
+        Some(Rounds {
+            from_diameter_mm: from_diameter_mm?,
+            mill_diameter_mm: mill?,
+            passes: passes.or(ours.map(|ours| ours.passes)).unwrap_or(1),
+            levels: ours.map_or(1, |ours| ours.levels),
+        })
+    }
+
+    /// The transition with the speed and feed of its row; nothing where neither the plan nor ours has them.
+    fn conditions(&self, at: usize, ours: bool, mut made: Transition) -> Option<Transition> {
+        let figure = |quantity: fn(&super::super::super::stated::Conditions) -> Q| {
+            let conditions = self.context.stated.conditions_of(at)?;
+            let id = Id::new(Scope::Conditions(conditions), quantity(&self.context.stated.conditions[conditions]));
+            self.figure(id).filter(|value| *value > 0.0)
+        };
+        let known = |value: f64| Some(value).filter(|_| ours);
+        let own = &mut made.conditions;
+        own.spindle_rpm = RevsPerMinute(figure(|_| Q::Rpm).or(known(own.spindle_rpm.0))?);
+        let minute = figure(|_| Q::MinuteFeed);
+        let feed = figure(|own| own.feed()).or(known(own.feed_mm_per_rev.0));
+        own.feed_mm_per_rev = MillimetresPerRev(feed.or(minute.map(|minute| minute / own.spindle_rpm.0))?);
+        own.feed_mm_per_min = MillimetresPerMinute(minute.unwrap_or(own.feed_mm_per_rev.0 * own.spindle_rpm.0));
+        Some(made)
+    }
+
+    /// A tool as the plan has it; what it leaves out of a correction is what the operator has set.
+    fn tool(&self, number: u32, row: &Row) -> ToolPlan {
+        let places = u32::try_from(self.context.shop.machine.magazine).unwrap_or(u32::MAX).max(1);
+        let mut tool = ToolPlan {
+            number,
+            designation: format!("T{number}"),
+            table: String::new(),
+            diameter_mm: self.length_of(row, Q::Diameter).unwrap_or_default(),
+            holder: String::new(),
+            holder_table: String::new(),
+            overhang_mm: Micrometres::ZERO,
+            length_mm: Micrometres::ZERO,
+            links: Vec::new(),
+            mass_kg: None,
+            load: (number.max(1) - 1) / places + 1,
+            corrector: number,
+            correction_mm: Micrometres::ZERO,
+            book_correction_mm: Micrometres::ZERO,
+            because: Vec::new(),
+        };
+        let Some(at) = self.context.stated.tool_at(number) else { return tool };
+        let own = &self.context.stated.tools[at];
+        if let Some(name) = &own.designation {
+            tool.designation.clone_from(&name.value);
+        }
+        if let Some(corrector) = self.figure(Id::new(Scope::Tool(at), Q::Corrector)) {
+            tool.corrector = corrector as u32;
+        }
+        let id = |quantity| Id::new(Scope::Tool(at), quantity);
+        let length = |quantity| {
+            self.figure(id(quantity)).or_else(|| self.graph.right(id(quantity))).map(Micrometres::from_mm_rounded)
+        };
+        tool.length_mm = length(Q::Assembly).unwrap_or_default();
+        let held = length(Q::Correction).or_else(|| self.setting.correctors.get(&tool.corrector).copied());
+        let held = held.unwrap_or_default();
+        // A plan has what the corrector holds; what it adds has the other sign where it is subtracted (3.11.3).
+        tool.correction_mm = if self.context.subtracts(at) { -held } else { held };
+        tool
+    }
+
+    fn length_of(&self, row: &Row, quantity: Q) -> Option<Micrometres> {
+        row.figures.get(&quantity).map(|figure| Micrometres::from_mm_rounded(figure.value))
+    }
+}
+
+/// A transition that our plan does not have: only what its row says is known.
+fn blank(row: &Row) -> Transition {
+    Transition {
+        operation: row.operation.value,
+        feature: row.feature.unwrap_or(Feature::Bore),
+        step: row.step,
+        face: Face::Entry,
+        start_mm: Micrometres::ZERO,
+        depth_mm: Micrometres::ZERO,
+        elsewhere: false,
+        also_diameter_mm: None,
+        achieved: None,
+        diameter_mm: Micrometres::ZERO,
+        from_diameter_mm: Micrometres::ZERO,
+        passes: 1,
+        travel_mm: Micrometres::ZERO,
+        approach_mm: Micrometres::ZERO,
+        tool: ToolRef { number: 0, designation: String::new(), table: String::new(), diameter_mm: Micrometres::ZERO },
+        holder: HolderRef { designation: String::new(), table: String::new(), length_mm: Micrometres::ZERO },
+        conditions: Conditions {
+            depth_of_cut_mm: 0.0,
+            feed_mm_per_rev: MillimetresPerRev(0.0),
+            speed_m_per_min: MetresPerMinute(0.0),
+            spindle_rpm: RevsPerMinute(0.0),
+            feed_mm_per_min: MillimetresPerMinute(0.0),
+            axial_force_n: None,
+            torque_n_m: None,
+            power_kw: None,
+            machine_time_min: Minutes(0.0),
+            limited_by: String::new(),
+            tool_life_min: Minutes(0.0),
+            // Of coolant a plan by hand says nothing.
+            coolant: Some(false),
+            computed_speed_m_per_min: MetresPerMinute(0.0),
+            rounds: None,
+            card: None,
+            because: Vec::new(),
+        },
+        because: Vec::new(),
+    }
+}

@@ -1,0 +1,153 @@
+//! How grave it is that a program does otherwise than its plan says, and where it stands.
+
+use std::sync::Arc;
+
+use crate::error::KnowledgeError;
+use crate::knowledge::diagnostic::Place;
+use crate::knowledge::units::Unit;
+use crate::knowledge::yaml::{Node, parse};
+use crate::note::{Note, Severity};
+use crate::plan::{Plan, Transition};
+use crate::program::{Setting, proof};
+
+use super::super::super::context::Context;
+use super::super::super::finding::{Finding, Section};
+use super::super::super::graph::{Graph, Status};
+use super::super::super::quantity::{Id, Quantity as Q, Scope};
+use super::causes::Seen;
+use super::{field, holds};
+
+/// Correctors whose setting is not what the plan says.
+pub(super) fn setting(context: &Context<'_>, graph: &Graph<'_>, plan: &Plan, setting: &Setting, seen: &mut Vec<Seen>) {
+    let Some((file, text)) = context.stated.program.as_ref().and_then(|program| program.setting.as_ref()) else {
+        return;
+    };
+    let tree = parse(file, text).0;
+    for tool in &plan.tools {
+        let Some(at) = context.stated.tool_at(tool.number) else { continue };
+        let id = |quantity| Id::new(Scope::Tool(at), quantity);
+        let says = |quantity| context.stated.figure(id(quantity)).is_some();
+        let Some(set) = setting.correctors.get(&tool.corrector) else { continue };
+        if !says(Q::Corrector) || !says(Q::Correction) || *set == holds(context, tool) {
+            continue;
+        }
+        let note = Note::new("audit-setting-correction")
+            .with("tool", tool.number)
+            .with("corrector", tool.corrector)
+            .with("value", set)
+            .with("needed", holds(context, tool));
+        let field = format!("program.setting.correctors.{}", tool.corrector);
+        let mut finding = Finding::new(Severity::Error, Section::Program, field, note);
+        let node = tree.as_ref().and_then(|tree| tree.get("correctors")?.get(&tool.corrector.to_string()));
+        if let Some(Node { place, .. }) = node {
+            finding = finding.at(place);
+        }
+        finding = finding.beside(set, holds(context, tool));
+        // What the plan has wrong itself says nothing against the setting.
+        let wrong = graph.verdict(id(Q::Correction)).filter(|verdict| !matches!(verdict.status, Status::Fine));
+        finding.follows_from.extend(wrong.map(|verdict| context.field(verdict.id)));
+        seen.push(Seen::new(finding, Some(tool.number), false));
+    }
+}
+
+/// A deviation of the program as a finding; what is within what may be rounded is none.
+///
+/// # Errors
+/// The table `audit-program-tolerance` cannot be read.
+pub(super) fn deviation(
+    context: &Context<'_>,
+    graph: &Graph<'_>,
+    plan: &Plan,
+    said: proof::Finding,
+    own: bool,
+    file: &Arc<str>,
+    seen: &mut Vec<Seen>,
+) -> Result<(), KnowledgeError> {
+    let param = |name: &str| said.note.params.get(name).map(String::as_str);
+    let number = |name: &str| param(name).and_then(|text| text.parse::<f64>().ok());
+    let row = row(context, param("hole"), param("operation"));
+    let of_row = row.and_then(|row| Some(context.stated.rows.get(row)?.tool.as_ref()?.value));
+    let tool = param("tool").and_then(|text| text.parse().ok()).or(of_row);
+    let mut severity = said.severity;
+    let quantity = match said.code {
+        "other-speed" => Some("rpm"),
+        "other-feed" | "out-other-feed" => Some("minute_feed"),
+        _ => None,
+    };
+    if let Some((quantity, made)) = quantity.zip(number("made")) {
+        let planned = transition(plan, param("hole"), param("operation")).map(|transition| match quantity {
+            "rpm" => transition.conditions.spindle_rpm.0,
+            _ => transition.conditions.feed_mm_per_min.0,
+        });
+        let table = context.shop.knowledge.table("audit-program-tolerance")?;
+        let row = table.find("quantity", quantity).ok_or_else(|| KnowledgeError::no_row(table, quantity))?;
+        let (whole, relative) =
+            (row.number_in("whole", Unit::None)?, row.number_in("relative", Unit::Percent)? / 100.0);
+        let planned = planned.or(number("needed")).unwrap_or(made);
+        if (made - planned).abs() < whole + relative * planned {
+            return Ok(());
+        }
+        severity = severity.min(Severity::from_name(row.text("severity")?).unwrap_or(Severity::Wrong));
+    }
+    let mut place = said.block.map(|block| Place { file: file.clone(), line: block.line, column: 1, width: 1 });
+    let mut name = field(said.block);
+    let mut beside = None;
+    if said.code == "other-corrector" {
+        let at = tool.and_then(|tool| context.stated.tool_at(tool));
+        let figure = at.and_then(|at| context.stated.tools.get(at)?.figures.get(&Q::Corrector));
+        // A plan that gives no number leaves it to the operator.
+        let Some((figure, tool)) = figure.zip(tool) else { return Ok(()) };
+        severity = Severity::Error;
+        name = format!("tools.T{tool}.corrector");
+        place = Some(figure.place.clone());
+        beside = param("corrector").map(|right| (figure.text.clone(), right.to_owned()));
+    }
+    let follows_from = if own { Vec::new() } else { slips(context, graph, row, tool) };
+    let mut finding = Finding::new(severity, Section::Program, name, said.note.clone());
+    if let Some((stated, right)) = beside {
+        finding = finding.beside(stated, right);
+    }
+    let place = place.or_else(|| context.stated.program.as_ref().map(|program| program.file.place.clone()));
+    if let Some(place) = &place {
+        finding = finding.at(place);
+    }
+    finding.follows_from = follows_from;
+    seen.push(Seen::new(finding, tool, false));
+    Ok(())
+}
+
+/// The row of the plan that a deviation is about.
+fn row(context: &Context<'_>, hole: Option<&str>, operation: Option<&str>) -> Option<usize> {
+    let (hole, operation) = hole.zip(operation)?;
+    let mut rows = context.stated.rows_of_hole(hole);
+    rows.find(|(_, row)| row.operation.value.name() == operation).map(|(at, _)| at)
+}
+
+fn transition<'p>(plan: &'p Plan, hole: Option<&str>, operation: Option<&str>) -> Option<&'p Transition> {
+    let (hole, operation) = hole.zip(operation)?;
+    let hole = plan.holes.iter().find(|plan| plan.name == hole)?;
+    hole.transitions.iter().find(|one| one.operation.name() == operation)
+}
+
+/// The slips of the plan that a row or a tool has.
+fn slips(context: &Context<'_>, graph: &Graph<'_>, row: Option<usize>, tool: Option<u32>) -> Vec<String> {
+    let conditions = row.and_then(|row| context.stated.conditions_of(row));
+    let tool = tool.and_then(|tool| context.stated.tool_at(tool));
+    let about = |scope: Scope| match scope {
+        Scope::Row(at) => row == Some(at),
+        Scope::Conditions(at) => conditions == Some(at),
+        Scope::Tool(at) => tool == Some(at),
+        _ => false,
+    };
+    let mut fields: Vec<String> = Vec::new();
+    for verdict in graph.verdicts().iter().filter(|verdict| about(verdict.id.scope)) {
+        match &verdict.status {
+            Status::Fine => {}
+            Status::Root(..) => fields.push(context.field(verdict.id)),
+            Status::Follows(roots) => fields.extend(roots.iter().map(|root| context.field(*root))),
+        }
+    }
+    fields.sort();
+    fields.dedup();
+    fields
+}

@@ -1,0 +1,158 @@
+//! The program of a plan: whether the control takes it, and whether it does what the plan says.
+//!
+//! - `held` makes the stated plan one of ours, row by row;
+//! - `judged` says how grave it is that a program does otherwise, and where;
+//! - `causes` tells one fault that several checks see from several faults.
+
+mod causes;
+mod held;
+mod judged;
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use crate::error::KnowledgeError;
+use crate::job;
+use crate::knowledge::diagnostic::Place;
+use crate::motion::{Axis, Motion, Position, Step};
+use crate::note::Severity;
+use crate::plan::Plan;
+use crate::program::proof::{self, Asked, Tolerated, prove};
+use crate::program::{Fault, Language, Setting, path};
+use crate::units::Micrometres;
+
+use super::super::auditor::Run;
+use super::super::context::Context;
+use super::super::finding::{Finding, Section};
+use super::super::graph::{Graph, Status};
+use super::super::quantity::Quantity as Q;
+use causes::Seen;
+use held::{NotHeld, Reading, held};
+
+pub(super) fn check<'a>(
+    context: &Context<'a>,
+    graph: &Graph<'a>,
+    findings: &mut Vec<Finding>,
+) -> Result<(), KnowledgeError> {
+    let Some(program) = &context.stated.program else { return Ok(()) };
+    let language = Language::read(&program.control, context.shop.knowledge)?;
+    let file: Arc<str> = Arc::from(program.file.value.as_str());
+    let setting = match &program.setting {
+        // It was read once already, when the plan was.
+        Some((name, text)) => language.setting(name, text).unwrap_or_default(),
+        None => Setting::default(),
+    };
+    let as_stated = held(context, graph, &setting, Reading::Stated)?;
+    let job = as_stated.as_ref().ok().map(|plan| job::make(plan, &context.shop)).transpose()?;
+    let set = set(context, setting.clone(), as_stated.as_ref().ok().zip(job.as_ref()));
+    let run = context.auditor.run(program, &language, &context.shop.machine, &set);
+
+    let mut seen: Vec<Seen> = run.faults.iter().map(|fault| of_fault(fault, &run.steps, &file)).collect();
+    let missing = |NotHeld { note, place }: NotHeld| {
+        let finding = Finding::new(Severity::Note, Section::Program, "program".to_owned(), note);
+        finding.at(place.as_ref().unwrap_or(&program.file.place))
+    };
+    match (as_stated, job) {
+        (Ok(plan), Some(job)) => {
+            judged::setting(context, graph, &plan, &setting, &mut seen);
+            let told = proven(context, &plan, &job, &set, &run)?;
+            // What the program does as the plan should be follows from what is wrong with the plan.
+            let slips = graph.verdicts().iter().any(|verdict| !matches!(verdict.status, Status::Fine));
+            let by_right = if slips && !told.is_empty() { right(context, graph, &setting, &run)? } else { None };
+            for said in told {
+                let own = by_right.as_ref().is_none_or(|known| known.contains(&key(&said)));
+                judged::deviation(context, graph, &plan, said, own, &file, &mut seen)?;
+            }
+        }
+        (Err(why), _) => findings.push(missing(why)),
+        (Ok(_), None) => {}
+    }
+    findings.extend(causes::together(seen, context.shop.knowledge)?);
+    Ok(())
+}
+
+/// What the operator has set: what the setting leaves out is as the plan has it.
+fn set(context: &Context<'_>, mut setting: Setting, plan: Option<(&Plan, &job::Job)>) -> Setting {
+    let Some((plan, job)) = plan else { return setting };
+    for (setup, zero) in job.setups.iter().zip(&mut setting.zeros) {
+        for axis in Axis::ALL {
+            zero[axis.index()].get_or_insert(setup.zero.get(axis));
+        }
+    }
+    if setting.correctors.is_empty() {
+        setting.correctors = plan.tools.iter().map(|tool| (tool.corrector, holds(context, tool))).collect();
+    }
+    setting
+}
+
+/// What the corrector of a tool holds: what is added, with the other sign where it is subtracted.
+fn holds(context: &Context<'_>, tool: &crate::plan::ToolPlan) -> Micrometres {
+    let subtracts = context.stated.tool_at(tool.number).is_some_and(|at| context.subtracts(at));
+    if subtracts { -tool.correction_mm } else { tool.correction_mm }
+}
+
+/// Everything in which a program differs from a plan.
+fn proven(
+    context: &Context<'_>,
+    plan: &Plan,
+    job: &job::Job,
+    setting: &Setting,
+    run: &Run,
+) -> Result<Vec<proof::Finding>, KnowledgeError> {
+    let zero = |zero: &[Option<Micrometres>; 3]| {
+        Position::of(Axis::ALL.map(|axis| zero[axis.index()].unwrap_or_default() + setting.shift.get(axis)))
+    };
+    let zeros: Vec<Position> = setting.zeros.iter().take(job.setups.len()).map(zero).collect();
+    let tolerated = Tolerated::read(&plan.part, context.shop.knowledge)?;
+    // Correctors are the plan's where it says anything of them, else whatever the operator has.
+    let says = |quantity| context.stated.tools.iter().any(|tool| tool.figures.contains_key(&quantity));
+    let own_correctors = !says(Q::Corrector) && !says(Q::Correction);
+    let asked = Asked { plan, job, zeros: &zeros, start: setting.start, tolerated, own_correctors };
+    let mut told = prove(&run.steps, &asked).findings;
+    // Of coolant a plan as stated says nothing.
+    told.retain(|said| !said.code.starts_with("coolant-"));
+    Ok(told)
+}
+
+/// What tells two deviations apart, whatever the plan needs.
+type Key = (&'static str, Option<crate::motion::BlockRef>, Option<String>, Option<String>);
+
+fn key(said: &proof::Finding) -> Key {
+    let param = |name: &str| said.note.params.get(name).cloned();
+    (said.code, said.block, param("hole"), param("operation"))
+}
+
+/// In what the program differs from the plan as it should be.
+fn right(
+    context: &Context<'_>,
+    graph: &Graph<'_>,
+    setting: &Setting,
+    run: &Run,
+) -> Result<Option<BTreeSet<Key>>, KnowledgeError> {
+    let Ok(plan) = held(context, graph, setting, Reading::Right)? else { return Ok(None) };
+    let job = job::make(&plan, &context.shop)?;
+    let set = set(context, setting.clone(), Some((&plan, &job)));
+    Ok(Some(proven(context, &plan, &job, &set, run)?.iter().map(key).collect()))
+}
+
+/// A fault that the control finds, with the tool that was in the spindle.
+fn of_fault(fault: &Fault, steps: &[Step], file: &Arc<str>) -> Seen {
+    let place = Place { file: file.clone(), line: fault.span.line, column: fault.span.column, width: fault.span.width };
+    let field = fault.path().map_or_else(|| "program".to_owned(), |path| format!("program.{path}"));
+    let finding = Finding::new(fault.severity, Section::Program, field, fault.note.clone()).at(&place);
+    let main = fault.calls.first().map_or(fault.span.line, |call| call.from.line);
+    let ends = steps.iter().filter(|step| step.motion == Motion::End).map(|step| step.block.line).max();
+    let mut changes = steps.iter().rev().filter_map(|step| match step.motion {
+        Motion::ToolChange { tool } => Some((step.block.line, tool)),
+        _ => None,
+    });
+    // What stands behind the end of the main program is of no tool in particular.
+    let own = ends.is_none_or(|end| main <= end);
+    let tool = changes.find(|(line, _)| own && *line <= main).map(|(_, tool)| tool);
+    Seen::new(finding, tool, fault.severity == Severity::Error)
+}
+
+/// The way to a block of a program in the plan: `program.N1`.
+fn field(block: Option<crate::motion::BlockRef>) -> String {
+    block.map_or_else(|| "program".to_owned(), |block| format!("program.{}", path(&[], block)))
+}
