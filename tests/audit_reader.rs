@@ -40,7 +40,7 @@ fn findings(text: &str) -> Vec<String> {
 #[test]
 fn a_figure_that_cannot_be_is_a_mistake_of_the_file() {
     for (from, to, message) in [
-        ("depth: 40", "depth: -5", "`-5` cannot be the depth: it must be above zero"),
+        ("depth: 40", "depth: -5", "`-5` cannot be the depth: it must not be below zero"),
         ("count: 6", "count: -2", "`-2` cannot be the number of holes: it must be above zero"),
         ("count: 6", "count: 0", "`0` cannot be the number of holes: it must be above zero"),
         ("count: 6", "count: 2.5", "`2.5` cannot be the number of holes: it must be a whole number"),

@@ -274,9 +274,10 @@ impl Finding {
 
 impl Audit {
     pub(super) fn new(stated: &Stated, mut findings: Vec<Finding>) -> Self {
-        // Of one section the roots before what follows, the most severe first, then as the file has them.
+        // Roots before what follows from them, the most severe first, then as the report and the file have them; notes last.
         findings.sort_by_key(|finding| {
-            (finding.section, finding.severity, !finding.follows_from.is_empty(), finding.line, finding.column)
+            let (note, follows) = (finding.severity == Severity::Note, !finding.follows_from.is_empty());
+            (note, follows, finding.severity, finding.section, finding.line, finding.column)
         });
         let mut summary = Summary::default();
         for finding in &findings {

@@ -89,9 +89,13 @@ fn summary(audit: &Audit, lang: Lang) -> String {
 }
 
 /// The findings of each section that has some; an audit has them in order.
-fn by_section(audit: &Audit) -> impl Iterator<Item = (Section, &[Finding])> {
-    let chunks = audit.findings.chunk_by(|a, b| a.section == b.section);
-    chunks.filter_map(|chunk| chunk.first().map(|first| (first.section, chunk)))
+fn by_section(audit: &Audit) -> impl Iterator<Item = (Section, Vec<&Finding>)> {
+    let mut sections: Vec<Section> = audit.findings.iter().map(|finding| finding.section).collect();
+    sections.sort_unstable();
+    sections.dedup();
+    let of = |section: Section| audit.findings.iter().filter(|finding| finding.section == section).collect();
+    let whole: Vec<(Section, Vec<&Finding>)> = sections.into_iter().map(|section| (section, of(section))).collect();
+    whole.into_iter()
 }
 
 /// What is wrong, in one sentence.

@@ -4,14 +4,15 @@ use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
 use crate::knowledge::units::Unit;
 use crate::note::{Because, Note, Severity};
-use crate::units::round_to;
+use crate::units::{Micrometres, round_to};
 
 use super::super::context::Context;
+use super::super::figures::shown;
 use super::super::finding::{Finding, Section};
 use super::super::graph::Graph;
 use super::super::near::{Likeness, likeness, plain};
 use super::super::quantity::{Id, Quantity as Q, Scope};
-use super::super::stated::{Clamping, Text};
+use super::super::stated::{Clamping, Row, Text};
 
 pub(super) fn check<'a>(
     context: &Context<'a>,
@@ -19,6 +20,7 @@ pub(super) fn check<'a>(
     findings: &mut Vec<Finding>,
 ) -> Result<(), KnowledgeError> {
     let Some(clamping) = &context.stated.clamping else { return Ok(()) };
+    largest(context, graph, clamping, findings);
     let known = designation(context, clamping, findings)?;
     // A clamp whose screw is not stated has that of its designation.
     let own = clamping.screw.as_ref().map(|screw| (screw.value.as_str(), screw));
@@ -28,6 +30,45 @@ pub(super) fn check<'a>(
         Some((thread, said)) => screw(context, graph, thread, said, findings),
         None => Ok(()),
     }
+}
+
+/// Two torques that nobody would print apart, as a share.
+const SAME: f64 = 0.02;
+
+/// The clamping is computed for what needs the largest force: the largest torque, over its distance to the clamp where
+/// plan or drawing say where clamps press (5.2 item 7).
+fn largest(context: &Context<'_>, graph: &Graph<'_>, clamping: &Clamping, findings: &mut Vec<Finding>) {
+    if context.stated.own {
+        return;
+    }
+    let load = |(at, row): (usize, &Row)| {
+        let conditions = context.stated.conditions_of(at)?;
+        let torque = graph.right(Id::new(Scope::Conditions(conditions), Q::Torque))?;
+        let hole = context.hole(row)?;
+        let arm = context.distance_to_clamp(hole).map(Micrometres::to_mm);
+        Some((at, row.number, hole.name.as_str(), torque, arm))
+    };
+    let loads: Vec<_> = context.stated.rows.iter().enumerate().filter_map(load).collect();
+    let arms = loads.iter().all(|(.., arm)| arm.is_some());
+    let need =
+        |load: &&(usize, u32, &str, f64, Option<f64>)| if arms { load.3 / load.4.unwrap_or(1.0) } else { load.3 };
+    let largest = |a: &&_, b: &&_| need(a).total_cmp(&need(b));
+    let own = match (&clamping.row, &clamping.hole) {
+        (Some(row), _) => loads.iter().find(|(at, ..)| *at == row.value).map(|load| (load, "for", &row.place)),
+        (None, Some(hole)) => {
+            let of_hole = loads.iter().filter(|(_, _, name, ..)| *name == hole.value);
+            of_hole.max_by(largest).map(|load| (load, "hole", &hole.place))
+        }
+        (None, None) => None,
+    };
+    let (Some((own, key, place)), Some(most)) = (own, loads.iter().max_by(largest)) else { return };
+    if need(&most) <= need(&own) * (1.0 + SAME) {
+        return;
+    }
+    let note = Note::new("audit-clamp-not-largest").with("torque", shown(own.3)).with("row", most.1);
+    let note = note.with("other", shown(most.3));
+    let finding = Finding::new(Severity::Wrong, Section::Clamping, format!("clamping.{key}"), note).at(place);
+    findings.push(finding.beside(own.1, most.1));
 }
 
 fn finding(severity: Severity, key: &str, note: Note, said: &Text) -> Finding {

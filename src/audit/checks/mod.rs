@@ -15,6 +15,7 @@ mod program;
 mod reach;
 mod route;
 mod scheme;
+mod tables;
 mod threads;
 mod zone;
 
@@ -44,6 +45,7 @@ const CHECKS: &[Check] = &[
     reach::check,
     clamps::check,
     loads::check,
+    tables::check,
     program::check,
     ours::check,
     missing::check,

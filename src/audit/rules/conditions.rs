@@ -7,7 +7,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Input;
 use crate::knowledge::units::Unit;
 use crate::note::{Because, Note, Severity};
-use crate::plan::Operation;
+use crate::plan::{CuttingMethod, Operation};
 use crate::units::{Decimal, RevsPerMinute, round_to};
 
 use super::super::context::Context;
@@ -270,7 +270,9 @@ pub(super) fn by_tables(context: &Context<'_>) -> Result<BTreeMap<Id, f64>, Know
     let mut known = BTreeMap::new();
     for (at, conditions) in context.stated.conditions.iter().enumerate() {
         let scope = Scope::Conditions(at);
-        for (quantity, factors) in &conditions.factors {
+        // By the formulas a plan may name its factors as it likes.
+        let factors = conditions.factors.iter().filter(|_| context.stated.method == CuttingMethod::Card);
+        for (quantity, factors) in factors {
             for (index, factor) in factors.iter().enumerate() {
                 let name = factor.name.value.as_str();
                 let elsewhere = context.same_factor(at, *quantity, name);
@@ -282,7 +284,10 @@ pub(super) fn by_tables(context: &Context<'_>) -> Result<BTreeMap<Id, f64>, Know
             }
         }
         let Some(first) = conditions.rows.first() else { continue };
-        let Some(reference) = context.same_transition(*first) else { continue };
+        if let Some(spot) = context.same_transition(*first) {
+            known.insert(Id::new(Scope::Row(*first), Q::Diameter), spot.diameter_mm.to_mm());
+        }
+        let Some(reference) = context.reference(*first) else { continue };
         let own = &reference.conditions;
         let figures = [
             (Q::Feed, Some(own.feed_mm_per_rev.0)),
@@ -296,7 +301,6 @@ pub(super) fn by_tables(context: &Context<'_>) -> Result<BTreeMap<Id, f64>, Know
             (Q::CardPower, own.card.as_ref().and_then(|card| card.power_kw).map(|power| power.0)),
         ];
         known.extend(figures.into_iter().filter_map(|(quantity, value)| Some((Id::new(scope, quantity), value?))));
-        known.insert(Id::new(Scope::Row(*first), Q::Diameter), reference.diameter_mm.to_mm());
     }
     known.insert(Id::new(Scope::Times, Q::RapidTime), context.plan.time.rapid_min.0);
     Ok(known)

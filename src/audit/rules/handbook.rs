@@ -4,7 +4,7 @@
 
 use crate::cutting::factors;
 use crate::cutting::handbook::{self, Handbook};
-use crate::cutting::laws::{LoadLaw, SpeedLaw};
+use crate::cutting::laws::LoadLaw;
 use crate::cutting::{self, Cut};
 use crate::error::{KnowledgeError, Refusal};
 use crate::knowledge::Input;
@@ -80,8 +80,9 @@ fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result
     };
     let mut by_table = None;
     if let Ok(Some((life, because))) = Refusal::split(handbook::tool_life(&cut, &context.shop))? {
-        let at_step = formulas.as_ref().is_some_and(|own| is_at_step(context, at, own.speed, cut.diameter, life));
-        by_table = Some(life).filter(|_| at_step);
+        let at_step = formulas.as_ref().is_some_and(|own| is_at_step(context, at, own, cut.diameter, life));
+        let by_life = formulas.as_ref().is_some_and(|own| is_by_life(context, at, own, cut.diameter, life));
+        by_table = Some(life).filter(|_| at_step || by_life);
         let table = Because::table(context.shop.knowledge.table("audit-formula")?, Note::new("audit-limit"));
         let mut own = given(&LIFE, id(Q::ToolLife), life, because.into_iter().chain([table]));
         own.judge = Some(Box::new(move |value, _| match at_step {
@@ -98,14 +99,34 @@ fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result
 }
 
 /// Whether the tool life stated is that at the spindle speed stated, not the one that the speed is computed with.
-fn is_at_step(context: &Context<'_>, at: usize, law: SpeedLaw, diameter: Micrometres, life: f64) -> bool {
+///
+/// One of speed and life may be misprinted: the speed is taken as stated and as the law gives it.
+fn is_at_step(context: &Context<'_>, at: usize, formulas: &Handbook, diameter: Micrometres, life: f64) -> bool {
     let figure = |quantity| context.stated.figure(Id::new(Scope::Conditions(at), quantity));
     let (Some(own), Some(rpm), Some(speed)) = (figure(Q::ToolLife), figure(Q::Rpm), figure(Q::Speed)) else {
         return false;
     };
-    let at_step = law.life_at(life, speed.value, cutting::speed_at(RevsPerMinute(rpm.value), diameter).0);
-    let slack = context.auditor.tolerances().of(Q::ToolLife, own, at_step);
-    (own.value - at_step).abs() <= slack
+    let tolerances = context.auditor.tolerances();
+    let law = formulas.speed;
+    let fits = |speed: f64| {
+        let at_step = law.life_at(life, speed, cutting::speed_at(RevsPerMinute(rpm.value), diameter).0);
+        (own.value - at_step).abs() <= tolerances.of(Q::ToolLife, own, at_step)
+    };
+    fits(speed.value) || by_law(context, at, formulas, diameter, life).is_some_and(fits)
+}
+
+/// Whether the speed stated is that for the life of the table, whatever life is stated.
+fn is_by_life(context: &Context<'_>, at: usize, formulas: &Handbook, diameter: Micrometres, life: f64) -> bool {
+    let Some(speed) = context.stated.figure(Id::new(Scope::Conditions(at), Q::Speed)) else { return false };
+    let by_law = by_law(context, at, formulas, diameter, life);
+    by_law.is_some_and(|law| judged(context, Q::Speed, speed.value, law).is_none())
+}
+
+/// The speed of the law for a life, at the feed and depth of cut stated.
+fn by_law(context: &Context<'_>, at: usize, formulas: &Handbook, diameter: Micrometres, life: f64) -> Option<f64> {
+    let figure = |quantity| context.stated.figure(Id::new(Scope::Conditions(at), quantity));
+    let (feed, depth) = (figure(context.stated.conditions[at].feed())?, figure(Q::DepthOfCut)?);
+    Some(formulas.speed.at(diameter.to_mm(), depth.value, feed.value, life) * formulas.speed_factor)
 }
 
 /// What is cut under conditions, as far as the formulas ask; nothing where the cutter is not known.

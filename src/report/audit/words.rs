@@ -61,7 +61,8 @@ pub(super) fn subject(subject: &Subject, lang: Lang) -> String {
 
 /// The block of the program that a finding is about: in a program people look for that.
 pub(super) fn block(finding: &Finding) -> Option<&str> {
-    finding.field.strip_prefix("program.").filter(|_| finding.section == Section::Program)
+    let block = finding.field.strip_prefix("program.").filter(|_| finding.section == Section::Program);
+    block.filter(|block| !block.starts_with("setting."))
 }
 
 /// Whom a finding is about: `свердління A`, `T2`, else its section.

@@ -27,6 +27,12 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "{tool} має коректор {corrector}, а решта інструментів - коректор свого номера",
         "{tool} has the corrector {corrector}, and every other tool that of its own number",
     ),
+    ("audit-by-table", "{share} % від {value}, що дають таблиці", "{share} % of the {value} that the tables give"),
+    (
+        "audit-clamp-not-largest",
+        "рахували для M = {torque}, а найбільшого зусилля потребує рядок {row}: M = {other}",
+        "it was computed for M = {torque}, and the largest force is needed by row {row}: M = {other}",
+    ),
     (
         "audit-overhang",
         "за приміткою до 5.2 п. 5 виліт від {least} до {most} мм",

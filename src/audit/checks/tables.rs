@@ -1,0 +1,62 @@
+//! What a plan by hand takes from tables, beside the tables: feeds, points and factors of the cards, rapids. How far it may
+//! be off says the rule `audit-by-table`.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Input;
+use crate::knowledge::units::Unit;
+use crate::note::{Because, Note, Severity};
+use crate::units::{Decimal, round_to};
+
+use super::super::context::Context;
+use super::super::figures::{beside, shown};
+use super::super::finding::Finding;
+use super::super::graph::Graph;
+use super::super::quantity::{Id, Quantity as Q, Scope};
+use super::super::rules;
+
+pub(super) fn check<'a>(
+    context: &Context<'a>,
+    graph: &Graph<'a>,
+    findings: &mut Vec<Finding>,
+) -> Result<(), KnowledgeError> {
+    // Of a plan of ours every figure is held against our own plan.
+    if context.stated.own {
+        return Ok(());
+    }
+    let rule = context.shop.knowledge.table("audit-by-table")?;
+    for (id, table) in rules::by_tables(context)? {
+        let Some(kind) = kind(id.quantity).filter(|_| table > 0.0 && graph.formula(id).is_none()) else { continue };
+        let Some(figure) = context.stated.figure(id) else { continue };
+        let share = (figure.value / table * 100.0).clamp(0.0, 1e6);
+        let input = Input::Number(Decimal::from_f64_rounded(share), Unit::Percent);
+        let answer = rule.decide(&[("quantity", Input::Text(kind)), ("of_table", input)])?;
+        let Some(row) = answer.winner() else { continue };
+        let severity = Severity::from_name(row.text("severity")?).unwrap_or(Severity::Doubtful);
+        let note = Note::new("audit-by-table").with("share", round_to(share, 0)).with("value", shown(table));
+        let finding =
+            Finding::new(severity, Context::section(id), context.field(id), note).about(context.subject(id.scope));
+        let why = Because::answer(&answer, Note::new("audit-limit"));
+        let finding = finding.resting_on(rows(context, id).into_iter().chain([why]));
+        findings.push(beside(finding, figure, shown(table), id.quantity));
+    }
+    Ok(())
+}
+
+/// As the rule calls a quantity; nothing for what it does not judge.
+const fn kind(quantity: Q) -> Option<&'static str> {
+    match quantity {
+        Q::Feed => Some("feed"),
+        Q::CardFeed | Q::CardSpeed | Q::CardForce | Q::CardPower => Some("card"),
+        Q::FactorFeed | Q::FactorSpeed | Q::FactorForce | Q::FactorPower => Some("factor"),
+        Q::RapidTime => Some("rapid"),
+        _ => None,
+    }
+}
+
+/// The rows that the table's feed rests on.
+fn rows(context: &Context<'_>, id: Id) -> Vec<Because> {
+    let Scope::Conditions(at) = id.scope else { return Vec::new() };
+    let first = context.stated.conditions.get(at).and_then(|own| own.rows.first().copied());
+    let reference = first.filter(|_| id.quantity == Q::Feed).and_then(|row| context.same_transition(row));
+    reference.map(|own| own.conditions.because.iter().take(1).cloned().collect()).unwrap_or_default()
+}
