@@ -327,14 +327,15 @@ fn most_changes_of_a_plan_are_found_and_named_first() {
     let report = report(&parts, |ours| ("plan.json", mutants(&serde_json::to_value(ours).unwrap())));
     report.print();
     let total = report.total();
-    assert!(total.found * 100 >= total.made * 95, "less than 95 % found");
+    assert!(total.first * 100 >= total.made * 95, "less than 95 % found and named first");
 }
 
 #[test]
-fn most_changes_of_a_plan_by_hand_are_found_and_named_first() {
+fn most_changes_of_a_plan_by_hand_are_found_by_rules_and_named_first() {
     let parts = ["examples/plate.yaml", "tests/parts/reamed-iron.yaml"];
     let report = report(&parts, |ours| ("plan.yaml", by_hand_mutants(&by_hand(ours, "part.yaml"))));
     report.print();
     let total = report.total();
-    assert!(total.found * 100 >= total.made * 87, "less than 87 % found");
+    assert!(total.first * 100 >= total.made * 95, "less than 95 % found and named first");
+    assert_eq!(total.found, total.ruled, "a plan by hand is not held against ours figure by figure");
 }

@@ -22,6 +22,12 @@ pub(super) fn of_figure(graph: &Graph<'_>, id: Id) -> Vec<Id> {
     }
 }
 
+/// A field, where a slip of it is told already.
+pub(super) fn told(findings: &[Finding], field: String) -> Vec<String> {
+    let slip = |one: &Finding| one.field == field && grave(one) && one.follows_from.is_empty();
+    if findings.iter().any(slip) { vec![field] } else { Vec::new() }
+}
+
 /// Takes back what a rule says of a figure that is right after all, and what was said to follow from nothing else.
 pub(super) fn retract(findings: &mut Vec<Finding>, field: &str, rule: &str) {
     let slip = |one: &Finding| one.field == field && one.rule == rule && one.follows_from.is_empty();

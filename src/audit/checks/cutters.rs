@@ -44,9 +44,13 @@ pub(super) fn check<'a>(
         let need = need(context, graph, &tips, at, row, hole);
         if let Some(why) = named::unsuited(&cutter, &need, machine) {
             let of_size = why.code.starts_with("tool-of-other-") || why.code.starts_with("bar-of-other-");
+            let of_depth = why.code == "does-not-reach";
             let mut unsuited = finding(Severity::Error, why);
             if of_size {
                 unsuited.follows_from = diameter(context, graph, at, row, hole, findings)?;
+            }
+            if of_depth {
+                unsuited.follows_from = roots::told(findings, context.field(Id::new(Scope::Row(at), Q::Depth)));
             }
             findings.push(unsuited);
         } else if let Some(why) = named::of_other_bottom(&cutter, hole.through).filter(|_| row.of_main_cylinder()) {
@@ -92,7 +96,7 @@ fn diameter(
 fn backed(context: &Context<'_>, at: usize, row: &Row, hole: &Hole) -> Result<bool, KnowledgeError> {
     let Some(own) = row.figures.get(&Q::Diameter) else { return Ok(false) };
     let value = Micrometres::from_mm_rounded(own.value);
-    if context.reference(at).is_some() {
+    if context.reference(at).is_some_and(|own| own.diameter_mm == value) {
         return Ok(true);
     }
     let opens = |row: &Row| row.opens_main_cylinder() && row.operation.value != Operation::Tap;

@@ -12,6 +12,7 @@ use super::super::context::Context;
 use super::super::finding::{Finding, Section};
 use super::super::graph::{Graph, Status};
 use super::super::quantity::{Id, Quantity as Q, Scope};
+use super::super::roots;
 
 /// Where tips go, with what the rule `approach` adds to the depth of a hole.
 pub(super) struct Tips {
@@ -110,6 +111,8 @@ fn holder(
     let slip = graph.verdict(id).is_some_and(|verdict| verdict.status != Status::Fine);
     if slip && length(&|id| graph.right(id)).is_some_and(|right| right >= needed) {
         finding.follows_from = vec![field];
+    } else {
+        finding.follows_from = roots::told(findings, context.field(Id::new(Scope::Row(row), Q::Depth)));
     }
     findings.push(finding.resting_on(context.holder(tool).map(|row| Because::row(row, Note::new("named")))));
 }
