@@ -40,6 +40,8 @@ pub fn clamping(
         let torque = plan
             .transitions
             .iter()
+            // What is done on another machine is clamped there.
+            .filter(|transition| !transition.elsewhere)
             .filter_map(|transition| transition.conditions.torque_n_m)
             .fold(NewtonMetres(0.0), NewtonMetres::max);
         for point in &hole.at {

@@ -189,14 +189,35 @@ fn our_own_plans_of_the_examples_have_no_error() {
     }
 }
 
+/// The plan of a part by a method, written by hand and read back.
+fn by_hand(text: &str, method: CuttingMethod) -> Vec<String> {
+    let ours = planned(&read(text), method);
+    let part = |_: &str| Ok(text.to_owned());
+    let written = technolog::audit::by_hand(&ours, "part.yaml");
+    let stated = read_plan("plan.yaml", &written, &KNOWLEDGE, &part).unwrap_or_else(|why| panic!("{why:?}\n{written}"));
+    let audit = audit_beside(&stated, &ours, &KNOWLEDGE).unwrap();
+    audit.findings.iter().filter(|one| one.is_wrong()).map(|one| format!("{} {:?}", said(one), one.note)).collect()
+}
+
+#[test]
+fn our_plans_written_by_hand_have_no_error() {
+    for path in ["examples/plate", "examples/variant-2", "examples/variant-4", "tests/drawings/part"] {
+        let text = std::fs::read_to_string(root(&format!("{path}.yaml"))).unwrap();
+        let found = by_hand(&text, CuttingMethod::Formula);
+        assert!(found.is_empty(), "{path}: {found:?}");
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
-    /// Whatever the holes, what we plan is right by the audit.
+    /// Whatever the holes, what we plan is right by the audit, also as somebody would write it by hand.
     #[test]
     fn our_own_plans_have_no_error(text in common::holes::part_files()) {
         let found = own(&read(&text), CuttingMethod::Formula);
         prop_assert!(found.is_empty(), "{found:?}\n{text}");
+        let found = by_hand(&text, CuttingMethod::Formula);
+        prop_assert!(found.is_empty(), "by hand {found:?}\n{text}");
     }
 }
 

@@ -166,7 +166,7 @@ fn is_slip(text: &str, stated: f64, right: f64) -> bool {
     let off: Vec<(u8, u8)> = text.bytes().zip(printed.bytes()).filter(|(a, b)| a != b).collect();
     match off.as_slice() {
         // Of a short figure any other value is one digit off.
-        [_] => text.len() > 2,
+        [_] => text.bytes().filter(u8::is_ascii_digit).skip_while(|digit| *digit == b'0').count() > 2,
         [(a, b), (c, d)] => a == d && b == c,
         _ => false,
     }

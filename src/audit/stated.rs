@@ -249,4 +249,9 @@ impl Stated {
         let own = move |row: &&Row| row.hole.as_ref().is_some_and(|name| name.value == hole);
         self.rows.iter().enumerate().filter(move |(_, row)| own(row))
     }
+
+    /// Whether a row of a group is followed by milling: by a mill the bottom becomes flat.
+    pub fn mill_follows(&self, hole: &str, row: usize) -> bool {
+        self.rows_of_hole(hole).any(|(other, own)| other > row && own.operation.value == Operation::Mill)
+    }
 }

@@ -144,7 +144,10 @@ fn conditions(transition: &Transition) -> String {
     flow.maybe("torque", own.torque_n_m.map(|torque| torque.0));
     flow.maybe("power", own.power_kw.map(|power| power.0));
     flow.put("travel", transition.travel_mm).put("time", own.machine_time_min.0);
-    flow.put("tool_life", own.tool_life_min.0);
+    // Where something else held it back, the life is that of a lower load and not the one that speeds are given for.
+    if own.limited_by == "cutting-speed" {
+        flow.put("tool_life", own.tool_life_min.0);
+    }
     flow.0.join(", ")
 }
 

@@ -60,6 +60,9 @@ pub(super) fn check<'a>(
         }
         // The cylinders of stepped and conical holes end where the next begins, and a thread has rules of its own.
         let plain = hole.steps.is_empty() && hole.thread.is_none() && hole.cone.is_none();
+        // A mill that follows makes the flat bottom, and the drill's point stays above it.
+        let milled = context.stated.mill_follows(&hole.name, at) && !hole.through;
+        let plain = plain && !milled;
         if plain && Micrometres::from_mm_rounded(figure.value) != hole.depth {
             let finding = say(Severity::Wrong, Note::new("audit-depth-of-hole").with("hole", &hole.name));
             findings.push(beside(finding, figure, hole.depth, Q::Depth));

@@ -58,7 +58,8 @@ pub(super) fn check<'a>(
     for (at, tool) in stated.tools.iter().enumerate() {
         let mut own = Vec::new();
         own.extend(tool.designation.is_none().then_some("designation"));
-        own.extend(tool.holder.is_none().then_some("holder"));
+        // A cutter with the machine's own taper has none.
+        own.extend((tool.holder.is_none() && !context.whole(at)).then_some("holder"));
         own.extend(figures(Scope::Tool(at), &[Q::Overhang, Q::Assembly, Q::Corrector, Q::Correction]));
         if !own.is_empty() {
             tools.push(lack(format!("T{}", tool.number), Scope::Tool(at), own));

@@ -69,7 +69,8 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
         graph.add(same(&ROW, id(Q::Torque), Id::new(Scope::Conditions(at), Q::Torque)));
     }
     if let Some(hole) = &clamping.hole {
-        let of_hole = stated.rows_of_hole(&hole.value).filter_map(|(row, _)| stated.conditions_of(row));
+        let here = stated.rows_of_hole(&hole.value).filter(|(_, row)| !row.elsewhere);
+        let of_hole = here.filter_map(|(row, _)| stated.conditions_of(row));
         let torques: Vec<Id> = of_hole
             .map(|at| Id::new(Scope::Conditions(at), Q::Torque))
             .filter(|torque| stated.figure(*torque).is_some())

@@ -68,7 +68,9 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
             None => {}
         }
         let plain = hole.steps.is_empty() && hole.thread.is_none() && hole.cone.is_none();
-        if axial && plain {
+        // A mill that follows makes the flat bottom, and the drill's point stays above it.
+        let milled = stated.mill_follows(&hole.name, at) && !hole.through;
+        if axial && plain && !milled {
             graph.add(given(&DEPTH, Id::new(scope, Q::Depth), hole.depth.to_mm(), []));
         }
     }
