@@ -22,9 +22,6 @@ pub(super) const RULES: &[Rule] = &[MISPRINT];
 /// A misprint changes one figure, and few plans have more of them than that.
 const MOST: usize = 32;
 
-/// Two values that nobody would print apart, as a share.
-const SAME: f64 = 0.005;
-
 /// A figure that may have been misprinted.
 struct Suspect {
     id: Id,
@@ -120,7 +117,7 @@ fn suspect(graph: &Graph<'_>, id: Id, computed: Id, tables: &BTreeMap<Id, f64>) 
         (!breaks).then(|| mended.count())
     };
     let known = tables.get(&id).copied();
-    let same = |one: f64, other: f64| (one - other).abs() <= SAME * other.abs();
+    let same = |one: f64, other: f64| graph.within_tolerance(id, one, other);
     // What the tables give is as it should be.
     if known.is_some_and(|known| same(figure.value, known)) {
         return None;

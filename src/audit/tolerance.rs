@@ -86,6 +86,11 @@ impl Tolerances {
         own.half_places * stated.last_place / 2.0 + own.relative * value.abs() + 1e-9 * value.abs().max(1.0)
     }
 
+    /// How far a figure of a quantity may be from a value, as a share of it.
+    pub fn share(&self, quantity: Quantity) -> f64 {
+        self.0.get(&quantity).map_or(0.0, |own| own.relative)
+    }
+
     /// Whether a printed figure of this quantity may stand for a longer one.
     pub fn rounded(&self, quantity: Quantity) -> bool {
         self.0.get(&quantity).is_some_and(|own| own.rounded)

@@ -32,9 +32,6 @@ pub(super) fn check<'a>(
     }
 }
 
-/// Two torques that nobody would print apart, as a share.
-const SAME: f64 = 0.02;
-
 /// The clamping is computed for what needs the largest force: the largest torque, over its distance to the clamp where
 /// plan or drawing say where clamps press (5.2 item 7).
 fn largest(context: &Context<'_>, graph: &Graph<'_>, clamping: &Clamping, findings: &mut Vec<Finding>) {
@@ -62,7 +59,8 @@ fn largest(context: &Context<'_>, graph: &Graph<'_>, clamping: &Clamping, findin
         (None, None) => None,
     };
     let (Some((own, key, place)), Some(most)) = (own, loads.iter().max_by(largest)) else { return };
-    if need(&most) <= need(&own) * (1.0 + SAME) {
+    let share = context.auditor.tolerances().share(Q::ClampForce);
+    if need(&most) <= need(&own) * (1.0 + share) {
         return;
     }
     let note = Note::new("audit-clamp-not-largest").with("torque", shown(own.3)).with("row", most.1);

@@ -99,6 +99,12 @@ impl<'a> Graph<'a> {
         found
     }
 
+    /// Whether two values of a stated figure are nearer to each other than it may be off.
+    pub(in crate::audit) fn within_tolerance(&self, id: Id, one: f64, other: f64) -> bool {
+        let Some(figure) = self.stated.figure(id) else { return false };
+        (one - other).abs() <= self.tolerances.of(id.quantity, figure, other)
+    }
+
     /// A figure as it is printed.
     pub(in crate::audit) fn printed(&self, id: Id) -> Option<&Figure> {
         self.stated.figure(id)
