@@ -159,7 +159,7 @@ fn cut<'a, 'k>(task: Task<'a, 'k>, bench: &'a Bench<'_, 'k>) -> Result<Option<(C
     let Some(lathe) = bench.lathe else { return Ok(None) };
     let (knowledge, kind) = (bench.knowledge, bench.workpiece.blank.kind.name());
     let rule = knowledge.table("turning-skin")?;
-    let answer = rule.decide(&[("stock", Input::Text(kind))])?;
+    let answer = rule.decide(&[("stock", Input::Text(kind)), ("group", Input::Text(bench.material.group))])?;
     let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, kind))?;
     let surface = row.text("surface")?;
     let because = Because::answer(&answer, Note::new("turning-skin").with("kind", kind).with("surface", surface));
