@@ -45,7 +45,7 @@ pub fn clamping(
             .filter_map(|transition| transition.conditions.torque_n_m)
             .fold(NewtonMetres(0.0), NewtonMetres::max);
         for point in &hole.at {
-            let distance = clamps.iter().map(|clamp| clamp.distance(*point)).min().unwrap_or_default();
+            let distance = point.to_nearest(&clamps).unwrap_or_default();
             if torque.0 <= 0.0 || distance <= Micrometres::ZERO {
                 continue;
             }

@@ -208,6 +208,20 @@ fn our_plans_written_by_hand_have_no_error() {
     }
 }
 
+/// A hole stepped from both faces: the tool of the last row before the part is turned over is taken up again after it.
+#[test]
+fn a_tool_is_taken_up_anew_in_the_second_set_up() {
+    let text = "part: P\nmaterial: steel-45\nmachine: gf2171\ndatum: {x: left, y: front}\n\
+                blank: {kind: plate, length: 1000, width: 200, thickness: 40}\nholes:\n  \
+                - {name: H0, centre_tolerance: 0.5, through: true, roughness: Ra 12.5, steps: [{diameter: 10, depth: 1}, \
+                {diameter: 7, depth: 38}, {diameter: 10, depth: 39}, {diameter: 12, depth: 40}], \
+                at: [[100, 100], [40, 100]]}\n  \
+                - {name: H1, centre_tolerance: 0.5, diameter: 20H9, through: true, roughness: Rz 20, \
+                groove: {diameter: 21, width: 3, depth: 10}, at: [[300, 100], [240, 100]]}\n";
+    let found = by_hand(text, CuttingMethod::Formula);
+    assert!(found.is_empty(), "{found:?}");
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 

@@ -85,7 +85,7 @@ impl<'k> Auditor<'k> {
         let context = context::Context::new(stated, ours, self)?;
         let mut graph = graph::Graph::new(stated, &self.tolerances);
         rules::add(&context, &mut graph)?;
-        super::misprints::correct(&mut graph, &rules::by_tables(&context)?);
+        super::misprints::correct(&mut graph);
         let mut findings = figures::findings(&context, &graph);
         checks::all(&context, &graph, &mut findings)?;
         Ok(Audit::new(stated, findings))

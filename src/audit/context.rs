@@ -4,13 +4,14 @@
 use std::collections::BTreeMap;
 
 use crate::error::KnowledgeError;
-use crate::knowledge::RowRef;
 use crate::knowledge::table::Shank;
+use crate::knowledge::units::Unit;
+use crate::knowledge::{Answer, Input, RowRef};
 use crate::part::{Hole, Point};
 use crate::plan::{Plan, Transition};
 use crate::shop::Shop;
 use crate::tooling::named::NamedCutter;
-use crate::units::{Micrometres, RevsPerMinute};
+use crate::units::{Decimal, Micrometres, RevsPerMinute};
 
 use super::auditor::Auditor;
 use super::near::{Near, same_table};
@@ -129,7 +130,7 @@ impl<'a> Context<'a> {
         let stated = self.stated.clamping.as_ref().map(|clamping| clamping.at.as_slice()).unwrap_or_default();
         let drawn: Vec<Point> = self.stated.part.fixture.clamps.iter().map(|clamp| clamp.at).collect();
         let clamps = if stated.is_empty() { &drawn } else { stated };
-        let nearest = hole.at.iter().filter_map(|point| clamps.iter().map(|clamp| clamp.distance(*point)).min());
+        let nearest = hole.at.iter().filter_map(|point| point.to_nearest(clamps));
         nearest.filter(|distance| distance.micrometres() > 0).min()
     }
 
@@ -143,14 +144,16 @@ impl<'a> Context<'a> {
         })
     }
 
-    /// The tools in the order of their changes: of the rows, without changing a tool for itself.
+    /// The tools in the order of their changes: of the rows, without changing a tool for itself within a set-up.
     pub fn changes(&self) -> Vec<u32> {
         if let Some(changes) = &self.stated.changes {
             return changes.clone();
         }
-        let mut changes: Vec<u32> = self.stated.rows.iter().filter_map(|row| Some(row.tool.as_ref()?.value)).collect();
+        let rows = self.stated.rows.iter();
+        let mut changes: Vec<(u32, u32)> =
+            rows.filter_map(|row| Some((row.setup.unwrap_or(1), row.tool.as_ref()?.value))).collect();
         changes.dedup();
-        changes
+        changes.into_iter().map(|(_, tool)| tool).collect()
     }
 
     /// The steps of the machine below and above a spindle speed, 1/min, `-` where there is none; nothing where the speed is
@@ -164,6 +167,25 @@ impl<'a> Context<'a> {
         let below = steps.iter().rev().find(|step| step.0 < speed);
         let above = steps.iter().find(|step| step.0 > speed);
         Some((shown(below), shown(above)))
+    }
+
+    /// What a rule of thresholds says of a stated value that is such a share of what it is held against, per cent in the
+    /// rule's column; `quantity` where the rule tells quantities apart. The share, and the answer.
+    ///
+    /// # Errors
+    /// The rule cannot answer.
+    pub fn by_share(
+        &self,
+        rule: &str,
+        (column, share): (&str, f64),
+        quantity: Option<&str>,
+    ) -> Result<(f64, Answer<'a>), KnowledgeError> {
+        let percent = share * 100.0;
+        // The columns begin at nothing, and beyond ten thousand times nothing is told apart.
+        let within = Decimal::from_f64_rounded(percent.clamp(0.0, 1e6));
+        let mut inputs = vec![(column, Input::Number(within, Unit::Percent))];
+        inputs.extend(quantity.map(|quantity| ("quantity", Input::Text(quantity))));
+        Ok((percent, self.shop.knowledge.table(rule)?.decide(&inputs)?))
     }
 
     /// Whether the corrector of a tool is subtracted: as the plan says, else as its program calls it, else it is added.

@@ -79,6 +79,8 @@ pub struct Row {
     pub feature: Option<Feature>,
     /// The step of a stepped hole it works on, from 1 at the entry face.
     pub step: Option<u32>,
+    /// The set-up it is done in, from 1; the first unless said.
+    pub setup: Option<u32>,
     /// How many holes.
     pub count: Option<Number>,
     /// The diameter it leaves, mm; for centring that of the spot.

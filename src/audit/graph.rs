@@ -103,6 +103,8 @@ pub struct Graph<'a> {
     users: OnceCell<BTreeMap<Id, Vec<Id>>>,
     /// Figures that were misprinted, each with a figure that the author computed from the right one.
     misprinted: BTreeMap<Id, Id>,
+    /// What the tables give for figures that no formula computes.
+    tables: BTreeMap<Id, f64>,
     /// Stated figures that are known to be off, or not.
     off: RefCell<BTreeMap<Id, bool>>,
 }
@@ -120,6 +122,7 @@ impl<'a> Graph<'a> {
             taken: RefCell::default(),
             users: OnceCell::new(),
             misprinted: BTreeMap::new(),
+            tables: BTreeMap::new(),
             off: RefCell::default(),
         }
     }
@@ -132,6 +135,16 @@ impl<'a> Graph<'a> {
     /// Takes on a constant.
     pub fn constant(&mut self, id: Id, constant: Constant) {
         self.constants.insert(id, constant);
+    }
+
+    /// Takes on what the tables give for figures that no formula computes: nothing is demanded by it.
+    pub fn know(&mut self, tables: BTreeMap<Id, f64>) {
+        self.tables = tables;
+    }
+
+    /// What the tables give for figures that no formula computes.
+    pub fn tables(&self) -> &BTreeMap<Id, f64> {
+        &self.tables
     }
 
     /// The formula by which a figure is computed, if there is one whose inputs are known.

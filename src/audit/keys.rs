@@ -9,6 +9,7 @@ pub const ROW: &[&str] = &[
     "hole",
     "feature",
     "step",
+    "setup",
     "count",
     "diameter",
     "also",

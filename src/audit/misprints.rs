@@ -5,7 +5,7 @@
 //! and breaks nothing that fits. Where that leaves more than one figure, the tables decide, then the likeness of a slip of
 //! the pen; where nothing decides, the computed figure is named and nothing is guessed.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use super::figures::nature;
 use super::graph::{Formula, Graph, Rule, Status};
@@ -35,9 +35,8 @@ struct Suspect {
     slip: bool,
 }
 
-/// Finds misprinted figures one after the other and puts them right; `tables` is what the tables would give for figures that
-/// no formula computes.
-pub(super) fn correct(graph: &mut Graph<'_>, tables: &BTreeMap<Id, f64>) {
+/// Finds misprinted figures one after the other and puts them right.
+pub(super) fn correct(graph: &mut Graph<'_>) {
     for _ in 0..MOST {
         let own: Vec<Id> = graph
             .verdicts()
@@ -46,7 +45,7 @@ pub(super) fn correct(graph: &mut Graph<'_>, tables: &BTreeMap<Id, f64>) {
             .map(|verdict| verdict.id)
             .filter(|id| graph.computed_from_right(*id).is_none())
             .collect();
-        let Some((found, computed)) = own.iter().find_map(|id| Some((misprinted(graph, *id, tables)?, *id))) else {
+        let Some((found, computed)) = own.iter().find_map(|id| Some((misprinted(graph, *id)?, *id))) else {
             return;
         };
         let right = found.right;
@@ -65,9 +64,9 @@ pub(super) fn correct(graph: &mut Graph<'_>, tables: &BTreeMap<Id, f64>) {
 
 /// The figure whose misprint explains that a computed figure does not fit; nothing where it is that figure itself or
 /// where more than one may be it.
-fn misprinted(graph: &Graph<'_>, computed: Id, tables: &BTreeMap<Id, f64>) -> Option<Suspect> {
+fn misprinted(graph: &Graph<'_>, computed: Id) -> Option<Suspect> {
     let suspects: Vec<Suspect> =
-        graph.stated_inputs(computed).into_iter().filter_map(|id| suspect(graph, id, computed, tables)).collect();
+        graph.stated_inputs(computed).into_iter().filter_map(|id| suspect(graph, id, computed)).collect();
     let most = suspects.iter().map(|one| one.mends).max()?;
     let own = graph.computed_if(computed, None)?;
     // How much would fit, were the slip its own, and whether what follows from it speaks against that.
@@ -98,7 +97,7 @@ fn misprinted(graph: &Graph<'_>, computed: Id, tables: &BTreeMap<Id, f64>) -> Op
 }
 
 /// Whether the misprint of a figure explains that a computed one does not fit.
-fn suspect(graph: &Graph<'_>, id: Id, computed: Id, tables: &BTreeMap<Id, f64>) -> Option<Suspect> {
+fn suspect(graph: &Graph<'_>, id: Id, computed: Id) -> Option<Suspect> {
     // What a formula computes rightly is no misprint, and what it does not is told already.
     if graph.formula(id).is_some_and(|formula| formula.judge.is_none()) {
         return None;
@@ -116,7 +115,7 @@ fn suspect(graph: &Graph<'_>, id: Id, computed: Id, tables: &BTreeMap<Id, f64>) 
         let mended = before.iter().zip(&after).filter(|pair| matches!(pair, (Some(false), Some(true))));
         (!breaks).then(|| mended.count())
     };
-    let known = tables.get(&id).copied();
+    let known = graph.tables().get(&id).copied();
     let same = |one: f64, other: f64| graph.within_tolerance(id, one, other);
     // What the tables give is as it should be.
     if known.is_some_and(|known| same(figure.value, known)) {

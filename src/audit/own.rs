@@ -183,6 +183,7 @@ impl Own<'_> {
             hole: None,
             feature: feature.and_then(|text| serde_yaml::from_str::<Feature>(text).ok()),
             step: node.get("step").and_then(Node::text).and_then(|text| text.parse().ok()),
+            setup: None,
             elsewhere: node.get("elsewhere").and_then(Node::text) == Some("true"),
             tool: tool.filter(|tool: &Said<u32>| tool.value > 0),
             scheme: None,

@@ -84,6 +84,8 @@ pub struct Row {
     pub feature: Option<Feature>,
     /// The step of a stepped hole.
     pub step: Option<usize>,
+    /// The set-up it is done in, from 1, where the plan says so.
+    pub setup: Option<u32>,
     /// Whether it is done on another machine.
     pub elsewhere: bool,
     /// The number of its tool.

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use std::fmt::{Display, Write as _};
 
 use crate::cutting::rpm_at;
+use crate::part::Face;
 use crate::plan::{Conditions, CuttingMethod, HolePlan, Operation, Plan, ToolPlan, Transition};
 use crate::units::round_to;
 
@@ -65,6 +66,9 @@ fn row(plan: &Plan, at: usize, own: At) -> String {
         flow.put("feature", transition.feature.name());
     }
     flow.maybe("step", transition.step);
+    if transition.face == Face::Back {
+        flow.put("setup", 2);
+    }
     if transition.operation != Operation::CentreDrill && transition.operation != Operation::Tap {
         flow.put("from", transition.from_diameter_mm);
     }

@@ -135,6 +135,11 @@ impl From<Point> for [Micrometres; 2] {
 }
 
 impl Point {
+    /// Straight distance to the nearest of other points; none where there are none.
+    pub fn to_nearest(self, others: &[Self]) -> Option<Micrometres> {
+        others.iter().map(|other| self.distance(*other)).min()
+    }
+
     /// Straight distance to another point.
     pub fn distance(self, other: Self) -> Micrometres {
         Micrometres::from_mm_rounded(libm::hypot((self.x - other.x).to_mm(), (self.y - other.y).to_mm()))

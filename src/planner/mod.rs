@@ -217,7 +217,7 @@ fn route(choice: &Choice, options: &Options, weighed: Weighed) -> Route {
 /// The tool-change position against the safe distance from a clamp's screw (textbook 1.11).
 fn start_point(part: &Part, clamping: &Clamping, shop: &Shop<'_>) -> Option<Finding> {
     let start = sequence::tool_change_point(part, &shop.machine);
-    let nearest = clamping.clamps.iter().map(|clamp| clamp.distance(start)).min()?;
+    let nearest = start.to_nearest(&clamping.clamps)?;
     (nearest < clamping.safe_distance_mm).then(|| {
         let note = Note::new("start-near-clamp")
             .with("distance", round_to(nearest.to_mm(), 0))

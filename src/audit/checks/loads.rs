@@ -1,11 +1,10 @@
 //! Forces and torques beside the handbook's formulas at the feed that is taken: a part is clamped against them.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::Input;
 use crate::knowledge::units::Unit;
 use crate::note::{Because, Note, Severity};
 use crate::plan::Transition;
-use crate::units::{Decimal, round_to};
+use crate::units::round_to;
 
 use super::super::context::Context;
 use super::super::figures::shown;
@@ -39,10 +38,7 @@ pub(super) fn check<'a>(
                 continue;
             }
             let Some((figure, by_formula)) = stated.figure(id).zip(by_formula) else { continue };
-            let share = figure.value / by_formula * 100.0;
-            let rule = context.shop.knowledge.table("audit-load")?;
-            let input = Input::Number(Decimal::from_f64_rounded(share.clamp(0.0, 1e6)), Unit::Percent);
-            let answer = rule.decide(&[("of_formula", input)])?;
+            let (share, answer) = context.by_share("audit-load", ("of_formula", figure.value / by_formula), None)?;
             let Some(winner) = answer.winner() else { continue };
             let note = match winner.text("judgement")? {
                 "low" => Note::new("audit-load-low"),

@@ -2,17 +2,14 @@
 //! be off says the rule `audit-by-table`.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::Input;
-use crate::knowledge::units::Unit;
 use crate::note::{Because, Note, Severity};
-use crate::units::{Decimal, round_to};
+use crate::units::round_to;
 
 use super::super::context::Context;
 use super::super::figures::{beside, shown};
 use super::super::finding::Finding;
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
-use super::super::rules;
 
 pub(super) fn check<'a>(
     context: &Context<'a>,
@@ -23,13 +20,10 @@ pub(super) fn check<'a>(
     if context.stated.own {
         return Ok(());
     }
-    let rule = context.shop.knowledge.table("audit-by-table")?;
-    for (id, table) in rules::by_tables(context)? {
+    for (&id, &table) in graph.tables() {
         let Some(kind) = kind(id.quantity).filter(|_| table > 0.0 && graph.formula(id).is_none()) else { continue };
         let Some(figure) = context.stated.figure(id) else { continue };
-        let share = (figure.value / table * 100.0).clamp(0.0, 1e6);
-        let input = Input::Number(Decimal::from_f64_rounded(share), Unit::Percent);
-        let answer = rule.decide(&[("quantity", Input::Text(kind)), ("of_table", input)])?;
+        let (share, answer) = context.by_share("audit-by-table", ("of_table", figure.value / table), Some(kind))?;
         let Some(row) = answer.winner() else { continue };
         let severity = Severity::from_name(row.text("severity")?).unwrap_or(Severity::Doubtful);
         let note = Note::new("audit-by-table").with("share", round_to(share, 0)).with("value", shown(table));

@@ -40,6 +40,7 @@ impl Reader<'_> {
         let hole = self.hole(&mut fields, part);
         let feature = fields.take("feature").and_then(|node| self.choice(node, &Feature::NAMES));
         let step = fields.take("step").and_then(|node| self.problems.scalar::<usize>(node));
+        let setup = fields.take("setup").and_then(|node| self.problems.scalar::<u32>(node));
         let elsewhere = fields.take("elsewhere").and_then(|node| self.problems.boolean(node));
         let tool = fields.take("tool").and_then(|node| self.tool_number(node));
         let scheme = self.text_of(&mut fields, "scheme");
@@ -53,6 +54,7 @@ impl Reader<'_> {
             hole,
             feature,
             step,
+            setup,
             elsewhere: elsewhere.unwrap_or_default(),
             tool,
             scheme,

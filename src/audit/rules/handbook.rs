@@ -7,11 +7,9 @@ use crate::cutting::handbook::{self, Handbook};
 use crate::cutting::laws::LoadLaw;
 use crate::cutting::{self, Cut};
 use crate::error::{KnowledgeError, Refusal};
-use crate::knowledge::Input;
-use crate::knowledge::units::Unit;
 use crate::note::{Because, Note, Severity};
 use crate::plan::CuttingMethod;
-use crate::units::{Decimal, Micrometres, MillimetresPerRev, RevsPerMinute, round_to};
+use crate::units::{Micrometres, MillimetresPerRev, RevsPerMinute, round_to};
 
 use super::super::context::Context;
 use super::super::figures::{nature, shown};
@@ -268,11 +266,9 @@ fn add<'a, 'b>(
 
 /// How a stated figure stands to what the handbook gives, by the rule `audit-formula`.
 fn judged(context: &Context<'_>, quantity: Q, value: f64, by_formula: f64) -> Judged {
-    let share = value / by_formula * 100.0;
-    let rule = context.shop.knowledge.table("audit-formula").ok()?;
-    let of_formula = Decimal::from_f64_rounded(share.clamp(0.0, 1e6));
-    let inputs = [("quantity", Input::Text(quantity.key())), ("of_formula", Input::Number(of_formula, Unit::Percent))];
-    let severity = Severity::from_name(rule.decide(&inputs).ok()?.winner()?.text("severity").ok()?)?;
+    let share = ("of_formula", value / by_formula);
+    let (share, answer) = context.by_share("audit-formula", share, Some(quantity.key())).ok()?;
+    let severity = Severity::from_name(answer.winner()?.text("severity").ok()?)?;
     let nature = nature(value, by_formula);
     let code = match quantity {
         // A slip of the comma or of the sign is told as what it is.

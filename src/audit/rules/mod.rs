@@ -10,8 +10,6 @@ mod handbook;
 mod times;
 pub(super) mod tools;
 
-use std::collections::BTreeMap;
-
 use crate::error::KnowledgeError;
 use crate::note::Because;
 
@@ -40,21 +38,14 @@ pub fn all() -> impl Iterator<Item = &'static Rule> {
     .flatten()
 }
 
-/// Adds every formula to the graph.
+/// Adds every formula to the graph, and what the tables give for figures without one.
 ///
 /// # Errors
 /// The knowledge cannot answer.
 pub fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), KnowledgeError> {
-    FAMILIES.iter().try_for_each(|family| family(context, graph))
-}
-
-/// What the tables give for figures that no formula computes: nothing is demanded by it, but it tells which of two figures
-/// is the misprinted one.
-///
-/// # Errors
-/// The knowledge cannot answer.
-pub fn by_tables(context: &Context<'_>) -> Result<BTreeMap<Id, f64>, KnowledgeError> {
-    conditions::by_tables(context)
+    FAMILIES.iter().try_for_each(|family| family(context, graph))?;
+    graph.know(conditions::by_tables(context)?);
+    Ok(())
 }
 
 /// A formula without choice and rows; `numbers` has `{0}` … for the inputs.
