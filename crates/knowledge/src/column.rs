@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::diagnostic::Place;
 use crate::set::Set;
 use crate::units::{Decimal, ItGrade, Micrometres, Roughness, Unit};
 use crate::value::Value;
@@ -114,8 +115,10 @@ pub struct Column {
     pub list: bool,
     /// Whether a row may leave it out.
     pub optional: bool,
-    /// The values of an enum, in order.
+    /// The values of an enum, in order; those of its vocabulary first.
     pub values: Vec<String>,
+    /// The vocabulary its values are of, where the column names one.
+    pub vocabulary: Option<String>,
     /// What a cell or an input may be.
     pub domain: Option<Set>,
     /// The domain as written.
@@ -124,6 +127,9 @@ pub struct Column {
     pub default: Option<Value>,
     /// The table and column whose values these must be.
     pub refers: Option<(String, String)>,
+    /// Where it is declared; only when read from YAML.
+    #[serde(skip)]
+    pub place: Option<Place>,
 }
 
 impl Column {

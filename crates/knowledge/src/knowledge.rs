@@ -6,8 +6,12 @@ use std::path::Path;
 
 use crate::diagnostic::Diagnostic;
 use crate::lint::cases::CaseFile;
-use crate::load::table_from_text;
+use crate::load::table_with;
 use crate::table::{Table, TableError};
+use crate::vocabulary::Vocabularies;
+
+/// Where the vocabularies stand: tables that are read before all others.
+const VOCABULARIES: &str = "catalogs/vocabularies/";
 
 /// A knowledge file as text, named by its path inside the knowledge folder.
 #[derive(Clone, Copy, Debug)]
@@ -40,7 +44,9 @@ impl Knowledge {
     pub fn read_sources(files: &[SourceFile<'_>]) -> (Self, Vec<Diagnostic>) {
         let mut knowledge = Self::default();
         let mut problems = Vec::new();
-        for file in files {
+        let mut vocabularies = Vocabularies::of_code();
+        let (words, others): (Vec<_>, Vec<&SourceFile<'_>>) = files.iter().partition(|file| file.path.starts_with(VOCABULARIES));
+        for file in words.into_iter().chain(others) {
             if file.path.ends_with(".test.yaml") {
                 match CaseFile::from_text(file.path, file.text) {
                     Ok(cases) => knowledge.cases.push(cases),
@@ -48,7 +54,7 @@ impl Knowledge {
                 }
                 continue;
             }
-            match table_from_text(file.path, file.text) {
+            match table_with(file.path, file.text, &vocabularies) {
                 Ok(table) => match knowledge.tables.get(&table.id) {
                     Some(first) => problems.push(Diagnostic::error(
                         "duplicate-table",
@@ -56,6 +62,9 @@ impl Knowledge {
                         None,
                     )),
                     None => {
+                        if file.path.starts_with(VOCABULARIES) {
+                            vocabularies.add(&table);
+                        }
                         knowledge.tables.insert(table.id.clone(), table);
                     }
                 },

@@ -9,6 +9,7 @@
 
 pub mod cell;
 pub mod column;
+pub mod contract;
 pub mod diagnostic;
 pub mod knowledge;
 pub mod lint;
@@ -18,9 +19,11 @@ pub mod set;
 pub mod table;
 pub mod units;
 pub mod value;
+pub mod vocabulary;
 pub mod yaml;
 
 pub use column::{Column, ColumnType, Role};
+pub use contract::{Question, TableRow, Word};
 pub use diagnostic::{Diagnostic, Place, Severity};
 pub use knowledge::{Knowledge, SourceFile};
 pub use query::{Answer, Input, QueryError};

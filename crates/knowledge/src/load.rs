@@ -2,13 +2,15 @@
 
 use crate::cell::{TestError, parse_test};
 use crate::column::{Column, ColumnType, Label, Role};
+use crate::contract::Word;
 use crate::diagnostic::{Diagnostic, Place, Severity};
 use crate::set::Set;
 use crate::table::{
-    Cell, Correction, HitPolicy, Kind, Law, OPERATIONS, Row, Shank, Source, Table, ToolHead, Uncovered,
+    Cell, Correction, HitPolicy, Kind, Law, Row, Source, Table, ToolHead, Uncovered,
 };
 use crate::units::Unit;
 use crate::value::Value;
+use crate::vocabulary::{Operation, Shank, ToolMaterial, Vocabularies};
 use crate::yaml::{Fields, Node, NodeKind, Problems, parse};
 
 const HEAD: &[&str] = &[
@@ -28,7 +30,7 @@ const HEAD: &[&str] = &[
     "tool",
 ];
 const COLUMN: &[&str] =
-    &["name", "type", "unit", "symbol", "label", "role", "list", "optional", "values", "domain", "default", "refers"];
+    &["name", "type", "unit", "symbol", "label", "role", "list", "optional", "values", "of", "domain", "default", "refers"];
 /// The keys of a row that are not columns.
 const ROW: &[&str] = &["source", "place", "reason", "unconfirmed", "corrections", "note", "priority"];
 
@@ -37,9 +39,17 @@ const ROW: &[&str] = &["source", "place", "reason", "unconfirmed", "corrections"
 /// # Errors
 /// Every problem found, each with its place.
 pub fn table_from_text(file: &str, text: &str) -> Result<Table, Vec<Diagnostic>> {
+    table_with(file, text, &Vocabularies::of_code())
+}
+
+/// As [`table_from_text`], with the vocabularies that enum columns may name.
+///
+/// # Errors
+/// Every problem found, each with its place.
+pub fn table_with(file: &str, text: &str, vocabularies: &Vocabularies) -> Result<Table, Vec<Diagnostic>> {
     let (root, diagnostics) = parse(file, text);
     let mut problems = Problems(diagnostics);
-    let table = root.and_then(|root| Loader { file, problems: &mut problems }.table(&root));
+    let table = root.and_then(|root| Loader { file, vocabularies, problems: &mut problems }.table(&root));
     let broken = problems.0.iter().any(|problem| problem.severity == Severity::Error);
     match table {
         Some(table) if !broken => Ok(table),
@@ -49,6 +59,7 @@ pub fn table_from_text(file: &str, text: &str) -> Result<Table, Vec<Diagnostic>>
 
 struct Loader<'a> {
     file: &'a str,
+    vocabularies: &'a Vocabularies,
     problems: &'a mut Problems,
 }
 
@@ -105,6 +116,7 @@ impl Loader<'_> {
             file: self.file.to_owned(),
             columns_line: columns_node.map_or(1, |node| node.place.line),
             index: std::sync::OnceLock::new(),
+            layout: std::sync::OnceLock::new(),
         })
     }
 
@@ -157,24 +169,22 @@ impl Loader<'_> {
     fn tool(&mut self, node: &Node) -> Option<ToolHead> {
         let mut fields = self.problems.map(node)?;
         let operations = fields.need("operations", self.problems).map(|node| self.operations(node));
-        let shank = match fields.need("shank", self.problems) {
-            Some(node) => self.named(node, &Shank::NAMES),
-            None => None,
-        };
-        let material = match fields.need("material", self.problems) {
-            Some(node) => self.named(node, &[("HSS", "HSS"), ("carbide", "carbide")]),
-            None => None,
-        };
+        let shank: Option<Shank> = fields.need("shank", self.problems).and_then(|node| self.word(node));
+        let material: Option<ToolMaterial> = fields.need("material", self.problems).and_then(|node| self.word(node));
         let point_angle = fields.take("point_angle").and_then(|node| self.problems.scalar(node));
         let teeth = fields.take("teeth").and_then(|node| self.problems.scalar(node));
         fields.finish(&["operations", "shank", "material", "point_angle", "teeth"], self.problems);
-        Some(ToolHead { operations: operations?, shank: shank?, material: material?.to_owned(), point_angle, teeth })
+        Some(ToolHead { operations: operations?, shank: shank?, material: material?, point_angle, teeth })
     }
 
-    fn operations(&mut self, node: &Node) -> Vec<String> {
-        let known = OPERATIONS.map(|name| (name, name));
+    fn operations(&mut self, node: &Node) -> Vec<Operation> {
         let items = self.problems.list(node).unwrap_or_default();
-        items.iter().filter_map(|item| self.named(item, &known)).map(str::to_owned).collect()
+        items.iter().filter_map(|item| self.word(item)).collect()
+    }
+
+    fn word<W: Word>(&mut self, node: &Node) -> Option<W> {
+        let names: Vec<(&str, W)> = W::WORDS.iter().filter_map(|word| Some((*word, W::from_word(word)?))).collect();
+        self.named(node, &names)
     }
 
     fn laws(&mut self, node: &Node) -> Vec<Law> {
@@ -237,7 +247,13 @@ impl Loader<'_> {
         };
         let list = fields.take("list").and_then(|node| self.problems.boolean(node)).unwrap_or(false);
         let optional = fields.take("optional").and_then(|node| self.problems.boolean(node)).unwrap_or(false);
-        let values = fields.take("values").map(|node| self.texts(node)).unwrap_or_default();
+        let vocabulary_node = fields.take("of");
+        let vocabulary = vocabulary_node.and_then(|node| self.owned(node));
+        let mut values = match (vocabulary_node, &vocabulary) {
+            (Some(node), Some(name)) => self.vocabulary(node, name)?,
+            _ => Vec::new(),
+        };
+        values.extend(fields.take("values").map(|node| self.texts(node)).unwrap_or_default());
         let domain_node = fields.take("domain");
         let default_node = fields.take("default");
         let refers = fields.take("refers").and_then(|node| self.refers(node));
@@ -247,7 +263,7 @@ impl Loader<'_> {
         let (name, ty, role) = (name?, ty?, role?);
         let unit = self.unit(unit_node, ty, &name, place)?;
         if (ty == ColumnType::Enum) == values.is_empty() {
-            let message = format!("the column `{name}`: `values` belong to an enum, and an enum needs them");
+            let message = format!("the column `{name}`: `values` belong to an enum, and an enum needs them, or `of` a vocabulary");
             return self.problems.error("bad-value", message, place);
         }
         if ty == ColumnType::Text && role == Role::Input {
@@ -264,10 +280,12 @@ impl Loader<'_> {
             list,
             optional,
             values,
+            vocabulary,
             domain: None,
             domain_text: None,
             default: None,
             refers,
+            place: Some(place.clone()),
         };
         if let Some(node) = domain_node {
             let (domain, text) = self.domain(node, &column)?;
@@ -282,6 +300,20 @@ impl Loader<'_> {
             }
         }
         Some(column)
+    }
+
+    /// The words of a vocabulary.
+    fn vocabulary(&mut self, node: &Node, name: &str) -> Option<Vec<String>> {
+        if let Some(words) = self.vocabularies.words(name) {
+            return Some(words.to_vec());
+        }
+        let known: Vec<&str> = self.vocabularies.names().collect();
+        self.problems.error_help(
+            "unknown-vocabulary",
+            format!("there is no vocabulary `{name}`"),
+            &node.place,
+            format!("the vocabularies are {}", known.join(", ")),
+        )
     }
 
     fn unit(&mut self, node: Option<&Node>, ty: ColumnType, name: &str, place: &Place) -> Option<Unit> {

@@ -6,11 +6,13 @@ use std::sync::OnceLock;
 use serde::{Deserialize, Serialize};
 
 use crate::column::{Column, Label, Role};
+use crate::contract::TableRow;
 use crate::diagnostic::Place;
 use crate::query::Index;
 use crate::set::Set;
 use crate::units::{Decimal, ItGrade, Micrometres, Roughness, Unit};
 use crate::value::Value;
+use crate::vocabulary::{Operation, Shank, ToolMaterial};
 
 /// A catalog says what a source says; a decision table says which row applies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -150,58 +152,15 @@ impl Law {
     }
 }
 
-/// How the cutters of a tool table are held.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Shank {
-    /// A cylindrical shank.
-    Cylindrical,
-    /// A Morse taper.
-    Morse,
-    /// A bore, on an arbor.
-    Shell,
-    /// The machine's own taper: the tool is its own holder.
-    Taper,
-}
-
-impl Shank {
-    /// Every kind with its name in a table file.
-    pub const NAMES: [(&'static str, Self); 4] =
-        [("cylindrical", Self::Cylindrical), ("morse", Self::Morse), ("shell", Self::Shell), ("taper", Self::Taper)];
-
-    /// Its name in a table file.
-    pub fn name(self) -> &'static str {
-        Self::NAMES.iter().find(|(_, shank)| *shank == self).map_or("", |(name, _)| name)
-    }
-}
-
-/// The transitions of hole machining, as tables name them (ISO 5419, ISO 13399).
-pub const OPERATIONS: [&str; 14] = [
-    "centre-drill",
-    "drill",
-    "drill-out",
-    "core-drill",
-    "rough-bore",
-    "semi-finish-bore",
-    "finish-bore",
-    "mill",
-    "counterbore",
-    "countersink",
-    "chamfer",
-    "rough-ream",
-    "finish-ream",
-    "tap",
-];
-
 /// What a table of cutters says of all its rows.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ToolHead {
     /// The transitions these cutters make.
-    pub operations: Vec<String>,
+    pub operations: Vec<Operation>,
     /// How they are held.
     pub shank: Shank,
-    /// Tool material: `HSS` or `carbide`.
-    pub material: String,
+    /// Tool material.
+    pub material: ToolMaterial,
     /// Point angle 2φ, degrees.
     pub point_angle: Option<Decimal>,
     /// Number of teeth, where one number holds for all.
@@ -246,6 +205,9 @@ pub struct Table {
     /// The compiled form of its tests.
     #[serde(skip)]
     pub(crate) index: OnceLock<Index>,
+    /// Where the fields of its row type stand among its columns, with the name of that type.
+    #[serde(skip)]
+    pub(crate) layout: OnceLock<(&'static str, Vec<Option<usize>>)>,
 }
 
 impl Table {
@@ -262,6 +224,11 @@ impl Table {
     /// The columns that are not inputs, with their positions.
     pub fn outputs(&self) -> impl Iterator<Item = (usize, &Column)> {
         self.columns.iter().enumerate().filter(|(_, column)| column.role != Role::Input)
+    }
+
+    /// Every row, read as its row type.
+    pub fn rows<'t, R: TableRow<'t>>(&'t self) -> impl Iterator<Item = Result<R, TableError>> {
+        self.all_rows().map(R::read)
     }
 
     /// A row by its position.
@@ -328,7 +295,7 @@ impl<'t> RowRef<'t> {
         self.row().place.as_deref().unwrap_or(&self.table.place)
     }
 
-    fn problem(self, problem: String) -> TableError {
+    pub(crate) fn problem(self, problem: String) -> TableError {
         TableError {
             table: self.table.id.clone(),
             file: format!("{}:{}", self.table.file, self.row().line),

@@ -5,6 +5,7 @@
 //! fault, that input as a witness.
 
 pub mod cases;
+pub mod contracts;
 mod coverage;
 mod laws;
 mod names;

@@ -3,6 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::Decimal;
+
 macro_rules! quantities {
     ($($(#[$doc:meta])* $name:ident),* $(,)?) => {$(
         $(#[$doc])*
@@ -60,7 +62,21 @@ quantities! {
     Minutes,
     /// Time, s.
     Seconds,
+    /// Feed per tooth, mm.
+    MillimetresPerTooth,
+    /// Mass, kg.
+    Kilograms,
+    /// A share in hundredths.
+    Percent,
 }
+
+/// Brinell hardness, exactly as a table or a part has it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Default)]
+pub struct Brinell(pub Decimal);
+
+/// Stress or strength, MPa, exactly as a table or a part has it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Default)]
+pub struct Megapascals(pub Decimal);
 
 /// The one rounding of printed figures: to so many decimal places, half away from zero.
 pub fn round_to(value: f64, places: u32) -> f64 {

@@ -1,0 +1,216 @@
+//! Proof: every table is what the code that reads it takes it for.
+//!
+//! Run by the build, by `--knowledge` and by `lint`, so that a column renamed, retyped or put into another unit stops
+//! there and never changes a plan.
+
+use crate::column::{Column, ColumnType, Role};
+use crate::contract::{Asked, Contract, Holds, Which};
+use crate::diagnostic::{Diagnostic, Place, nearest};
+use crate::knowledge::Knowledge;
+use crate::table::{Cell, Table};
+use crate::units::Unit;
+
+/// Every table against the contracts of the code; the tables that are asked and absent too.
+pub fn check(knowledge: &Knowledge, contracts: &[&Contract]) -> Vec<Diagnostic> {
+    let mut findings = Vec::new();
+    for contract in contracts {
+        for id in contract.required().filter(|id| knowledge.table(id).is_err()) {
+            let message = format!("there is no table {id}, which {} reads", contract.row);
+            findings.push(Diagnostic::error("absent-table", message, None).help("add its file, or restore it"));
+        }
+        let tables: Vec<&Table> = knowledge.tables().filter(|table| contract.is_of(table)).collect();
+        if let (Which::Prefix(prefix, _), true) = (contract.which, tables.is_empty()) {
+            let message = format!("there is no table {prefix}…, which {} reads", contract.row);
+            findings.push(Diagnostic::error("absent-table", message, None).help("add at least one"));
+        }
+        for table in tables {
+            hold(table, contract, &mut findings);
+        }
+    }
+    findings
+}
+
+/// The tables of a knowledge base that no contract is of, by id: nobody reads them.
+pub fn unread<'k>(knowledge: &'k Knowledge, contracts: &[&Contract]) -> Vec<&'k str> {
+    let asked = |table: &Table| contracts.iter().any(|contract| contract.is_of(table));
+    knowledge.tables().filter(|table| !asked(table)).map(|table| table.id.as_str()).collect()
+}
+
+/// How many of the tables that are asked for by name are there, and how many are asked for.
+pub fn present(knowledge: &Knowledge, contracts: &[&Contract]) -> (usize, usize) {
+    let ids: Vec<&str> = contracts.iter().flat_map(|contract| contract.required()).collect();
+    (ids.iter().filter(|id| knowledge.table(id).is_ok()).count(), ids.len())
+}
+
+impl Contract {
+    /// The tables that must be there.
+    fn required(&self) -> impl Iterator<Item = &'static str> {
+        let ids: Vec<&'static str> = match self.which {
+            Which::One(id) => vec![id],
+            Which::Each(ids) => ids.to_vec(),
+            Which::Prefix(..) | Which::Tools => Vec::new(),
+        };
+        ids.into_iter()
+    }
+
+    /// Whether it is the contract of that table.
+    pub fn is_of(&self, table: &Table) -> bool {
+        match self.which {
+            Which::One(id) => table.id == id,
+            Which::Each(ids) => ids.contains(&table.id.as_str()),
+            Which::Prefix(prefix, but) => table.id.starts_with(prefix) && table.id != but,
+            Which::Tools => table.tool.is_some(),
+        }
+    }
+
+    /// Whether its tables may lack a column that their rows may leave out.
+    const fn is_of_family(&self) -> bool {
+        !matches!(self.which, Which::One(_))
+    }
+}
+
+fn hold(table: &Table, contract: &Contract, findings: &mut Vec<Diagnostic>) {
+    let asked = || contract.inputs.iter().chain(contract.fields);
+    for (asked, input) in
+        contract.inputs.iter().map(|asked| (asked, true)).chain(contract.fields.iter().map(|asked| (asked, false)))
+    {
+        let Some(column) = table.columns.iter().find(|column| column.name == asked.name) else {
+            if !(contract.is_of_family() && asked.shape.optional) {
+                findings.push(missing(table, contract, asked.name));
+            }
+            continue;
+        };
+        let faults = if input { input_faults(column, asked) } else { field_faults(table, column, asked) };
+        for fault in faults {
+            let message = format!("table {}, column `{}`: {} {fault}", table.id, column.name, contract.row);
+            findings.push(Diagnostic::error("broken-contract", message, place(table, column)));
+        }
+    }
+    for name in contract.shown.iter().filter(|name| table.column_index(name).is_none()) {
+        if !contract.is_of_family() {
+            findings.push(missing(table, contract, name));
+        }
+    }
+    for column in &table.columns {
+        let known = asked().any(|asked| asked.name == column.name) || contract.shown.contains(&column.name.as_str());
+        if !known {
+            let message = format!("table {}: nobody reads the column `{}`", table.id, column.name);
+            let names: Vec<&str> = asked().map(|asked| asked.name).chain(contract.shown.iter().copied()).collect();
+            let help = match nearest(&column.name, names.iter().copied()) {
+                Some(near) => format!("{} reads `{near}`", contract.row),
+                None => format!("{} reads {}; put what is for people into `note`", contract.row, names.join(", ")),
+            };
+            findings.push(Diagnostic::error("unread-column", message, place(table, column)).help(help));
+        }
+    }
+    if let Some(name) = contract.complete {
+        complete(table, contract, name, findings);
+    }
+}
+
+fn place(table: &Table, column: &Column) -> Option<Place> {
+    column.place.clone().or_else(|| Some(super::rows::head_place(table)))
+}
+
+fn missing(table: &Table, contract: &Contract, name: &str) -> Diagnostic {
+    let message = format!("table {}: the column `{name}` is missing, which {} reads", table.id, contract.row);
+    let known = contract.inputs.iter().chain(contract.fields).map(|asked| asked.name).chain(contract.shown.iter().copied());
+    let known: Vec<&str> = known.collect();
+    let unread = table.columns.iter().map(|column| column.name.as_str()).filter(|column| !known.contains(column));
+    let finding = Diagnostic::error("missing-column", message, super::rows::head_place(table));
+    match nearest(name, unread) {
+        Some(near) => finding.help(format!("is it the column `{near}`?")),
+        None => finding.help("add the column"),
+    }
+}
+
+fn input_faults(column: &Column, asked: &Asked) -> Vec<String> {
+    let mut faults = Vec::new();
+    if column.role != Role::Input {
+        faults.push("gives it as an input, which it is not".to_owned());
+    }
+    if asked.shape.optional && column.default.is_none() {
+        faults.push("may leave it out, so that it needs a `default`".to_owned());
+    }
+    faults.extend(type_fault(column, asked.shape.holds));
+    faults
+}
+
+fn field_faults(table: &Table, column: &Column, asked: &Asked) -> Vec<String> {
+    let mut faults = Vec::new();
+    if column.role == Role::Input {
+        faults.push("reads it, and it is an input".to_owned());
+        return faults;
+    }
+    if column.list != asked.shape.list {
+        faults.push(if column.list { "reads one value, not a list" } else { "reads a list" }.to_owned());
+    }
+    if column.optional && !asked.shape.optional {
+        faults.push("needs it in every row, so that it cannot be `optional`".to_owned());
+    }
+    faults.extend(type_fault(column, asked.shape.holds));
+    // A free text that must be a word is one in every row, or the row could not be read.
+    if let (Holds::Word(words), ColumnType::Text) = (asked.shape.holds, column.ty) {
+        faults.extend(texts(table, column).filter(|text| !words.contains(&text.as_str())).map(|text| unknown(&text, words)));
+    }
+    faults
+}
+
+fn unknown(text: &str, words: &[&str]) -> String {
+    match nearest(text, words.iter().copied()) {
+        Some(near) => format!("does not know `{text}`; is it `{near}`?"),
+        None => format!("does not know `{text}`; it knows {}", words.join(", ")),
+    }
+}
+
+fn type_fault(column: &Column, holds: Holds) -> Option<String> {
+    let is = |expected: bool, what: &str| (!expected).then(|| format!("takes {what}, not {}", type_of(column)));
+    match holds {
+        Holds::Anything => None,
+        Holds::Text => is(matches!(column.ty, ColumnType::Text | ColumnType::Enum), "a text"),
+        Holds::Word(words) if column.ty == ColumnType::Enum => {
+            column.values.iter().find(|value| !words.contains(&value.as_str())).map(|value| unknown(value, words))
+        }
+        Holds::Word(_) => is(column.ty == ColumnType::Text && column.role != Role::Input, "a word"),
+        Holds::Bool => is(column.ty == ColumnType::Bool, "true or false"),
+        Holds::Int => is(column.ty == ColumnType::Int, "a whole number"),
+        Holds::Number(unit) => {
+            let number = matches!(column.ty, ColumnType::Number | ColumnType::Angle) && column.unit == unit;
+            is(number, &format!("a number in `{unit}`"))
+        }
+        Holds::Length => is(column.ty == ColumnType::Length, "a length"),
+        Holds::Grade => is(column.ty == ColumnType::It, "a tolerance grade"),
+        Holds::Roughness => is(column.ty == ColumnType::Roughness, "a roughness"),
+    }
+}
+
+fn type_of(column: &Column) -> String {
+    match column.unit {
+        Unit::None => format!("a column of type {}", column.ty.name()),
+        unit => format!("a column of type {} in `{unit}`", column.ty.name()),
+    }
+}
+
+fn texts(table: &Table, column: &Column) -> impl Iterator<Item = String> {
+    let index = table.column_index(&column.name);
+    let cells = table.rows.iter().filter_map(move |row| row.cells.get(index?));
+    cells
+        .filter_map(|cell| match cell {
+            Cell::Value(value) => Some(value.items()),
+            _ => None,
+        })
+        .flatten()
+        .map(ToString::to_string)
+}
+
+/// Each word of a column's type has a row.
+fn complete(table: &Table, contract: &Contract, name: &str, findings: &mut Vec<Diagnostic>) {
+    let Some(asked) = contract.fields.iter().find(|asked| asked.name == name) else { return };
+    let Holds::Word(words) = asked.shape.holds else { return };
+    let Some(column) = table.columns.iter().find(|column| column.name == name) else { return };
+    let listed: Vec<String> = texts(table, column).collect();
+    for word in words.iter().filter(|word| !listed.iter().any(|text| text == *word)) {
+        let message = format!("table {}: there is no row `{word}`, which {} reads", table.id, contract.row);
+        findings.push(Diagnostic::error("missing-row", message, place(table, column)).help("add the row, or restore it"));
+    }
+}

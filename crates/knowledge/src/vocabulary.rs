@@ -1,0 +1,123 @@
+//! Words that many tables share, each stated once.
+//!
+//! What code must know word by word is an enum here; what it only passes from table to table is a table in
+//! `catalogs/vocabularies`. An enum column of any table says `of: NAME` in place of repeating the words.
+
+use std::collections::BTreeMap;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::contract::Word;
+use crate::table::Table;
+
+crate::vocabulary! {
+    /// A transition of hole machining.
+    #[derive(Serialize, Deserialize, JsonSchema)]
+    #[serde(rename_all = "kebab-case")]
+    #[allow(missing_docs, reason = "the names are the field's own (ISO 5419, ISO 13399)")]
+    pub enum Operation {
+        CentreDrill = "centre-drill",
+        Drill = "drill",
+        DrillOut = "drill-out",
+        CoreDrill = "core-drill",
+        RoughBore = "rough-bore",
+        SemiFinishBore = "semi-finish-bore",
+        FinishBore = "finish-bore",
+        Mill = "mill",
+        Counterbore = "counterbore",
+        Countersink = "countersink",
+        Chamfer = "chamfer",
+        RoughReam = "rough-ream",
+        FinishReam = "finish-ream",
+        Tap = "tap",
+    }
+
+    /// How the cutters of a tool table are held.
+    #[derive(Serialize, Deserialize)]
+    #[serde(rename_all = "lowercase")]
+    pub enum Shank {
+        /// A cylindrical shank.
+        Cylindrical = "cylindrical",
+        /// A Morse taper.
+        Morse = "morse",
+        /// A bore, on an arbor.
+        Shell = "shell",
+        /// The machine's own taper: the tool is its own holder.
+        Taper = "taper",
+    }
+
+    /// What the edges of a cutter are of.
+    #[derive(Serialize, Deserialize)]
+    pub enum ToolMaterial {
+        /// High-speed steel.
+        #[serde(rename = "HSS")]
+        HighSpeedSteel = "HSS",
+        /// Sintered carbide.
+        #[serde(rename = "carbide")]
+        Carbide = "carbide",
+    }
+}
+
+impl Operation {
+    /// Its name in tables and plans.
+    pub fn name(self) -> &'static str {
+        self.word()
+    }
+
+    /// The operation of that name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::from_word(name)
+    }
+
+    /// Whether it is done with a boring bar.
+    pub const fn is_boring(self) -> bool {
+        matches!(self, Self::RoughBore | Self::SemiFinishBore | Self::FinishBore)
+    }
+
+    /// Whether it is done with a reamer.
+    pub const fn is_reaming(self) -> bool {
+        matches!(self, Self::RoughReam | Self::FinishReam)
+    }
+
+    /// Whether it works on the edge of a hole and leaves its cylinder as it is.
+    pub const fn is_of_edge(self) -> bool {
+        matches!(self, Self::Chamfer | Self::Countersink | Self::Counterbore)
+    }
+}
+
+/// Vocabularies by name: those of code, and those of `catalogs/vocabularies`.
+#[derive(Clone, Debug)]
+pub struct Vocabularies(BTreeMap<String, Vec<String>>);
+
+impl Vocabularies {
+    /// The vocabularies that are enums.
+    pub fn of_code() -> Self {
+        let of = |name: &str, words: &[&str]| (name.to_owned(), words.iter().map(ToString::to_string).collect());
+        Self(BTreeMap::from([
+            of("operations", Operation::WORDS),
+            of("shanks", Shank::WORDS),
+            of("tool-materials", ToolMaterial::WORDS),
+        ]))
+    }
+
+    /// With the words of a table: the texts of its column `word`.
+    pub fn add(&mut self, table: &Table) {
+        let column = table.column_index("word");
+        let words = table.rows.iter().filter_map(|row| match &row.cells[column?] {
+            crate::table::Cell::Value(value) => value.as_text().map(str::to_owned),
+            _ => None,
+        });
+        self.0.insert(table.id.clone(), words.collect());
+    }
+
+    /// The words of a vocabulary.
+    pub fn words(&self, name: &str) -> Option<&[String]> {
+        self.0.get(name).map(Vec::as_slice)
+    }
+
+    /// Every name.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.0.keys().map(String::as_str)
+    }
+}
