@@ -1,5 +1,6 @@
 //! `technolog`: a knowledge base and rule engine for machining process planning.
 //!
+//! This library is the front of the house: it shows the rooms of `crates/` under one name each and has nothing of its own.
 //! The way of the data, once, left to right:
 //! `part.yaml → part → route → tooling → cutting → setup → sequence → Plan → (program | report | audit)`.
 //!
@@ -15,29 +16,12 @@
 //!
 //! Architecture invariant: nothing in this library reads a file, prints or asks the time.
 
-pub use technolog_knowledge as knowledge;
-pub use technolog_knowledge::units;
-
-pub mod audit;
-pub mod cutting;
-pub mod error;
-pub mod job;
-pub mod machine;
-pub mod material;
-mod memo;
-pub mod motion;
-pub mod note;
-pub mod parallel;
-pub mod part;
-pub mod plan;
-pub mod planner;
-pub mod program;
-pub mod report;
-pub mod route;
-pub mod sequence;
-pub mod setup;
-pub mod shipped;
-pub mod shop;
-pub mod tooling;
-pub mod turning;
-pub mod zone;
+pub use technolog_audit as audit;
+pub use technolog_core::{error, machine, material, motion, note, parallel, part, plan, shop, zone};
+pub use technolog_cutting as cutting;
+pub use technolog_holes::{planner, route, sequence, setup, tooling};
+pub use technolog_knowledge::{self as knowledge, units};
+pub use technolog_nc::{job, program};
+pub use technolog_pages as report;
+pub use technolog_shipped as shipped;
+pub use technolog_turning as turning;

@@ -18,11 +18,11 @@ use common::KNOWLEDGE;
 const ROOMS: [&str; 7] = [
     "crates/knowledge/src/yaml.rs",
     "crates/knowledge/src/units",
-    "src/part",
-    "src/audit/read",
-    "src/audit/marks/read.rs",
-    "src/audit/own.rs",
-    "src/program/setting.rs",
+    "crates/core/src/part",
+    "crates/audit/src/read",
+    "crates/audit/src/marks/read.rs",
+    "crates/audit/src/own.rs",
+    "crates/nc/src/program/setting.rs",
 ];
 
 /// Texts in those rooms that are no sentences about a mistake: formats of files and values, schema descriptions, what
@@ -113,7 +113,7 @@ fn every_sentence_of_the_readers_is_in_both_languages() {
     found.retain(|text| !text.starts_with('^') && !NO_MISTAKES.contains(&text.as_str()));
     let known = |text: &str| mistakes::is_known(text) || mistakes::said(text, Lang::Uk) != text;
     let missing: Vec<String> = found.into_iter().filter(|text| !known(text)).collect();
-    assert!(missing.is_empty(), "without a Ukrainian sentence in src/report/mistakes:\n{}", missing.join("\n"));
+    assert!(missing.is_empty(), "without a Ukrainian sentence in crates/pages/src/mistakes:\n{}", missing.join("\n"));
 }
 
 /// A text without what it quotes of the file.

@@ -9,7 +9,9 @@ use std::process::{Command, Output};
 use serde_json::Value;
 use technolog::machine::Rapid;
 use technolog::plan::CuttingMethod;
+use technolog::report::{Lang, remedy, sentence};
 use technolog::sequence::bound::{lower_bound, rounds};
+use technolog::sequence::list::read_list;
 use technolog::sequence::metric::Metric;
 use technolog::sequence::tour::{Effort, Space, nearest_rule, path};
 use technolog::units::MillimetresPerMinute;
@@ -162,4 +164,47 @@ fn the_bound_is_close_under_the_path_on_drilling_patterns() {
             assert!(found as f64 <= bound as f64 * 1.02, "{name} {metric:?}: {found}, at least {bound}");
         }
     }
+}
+
+/// What is wrong with a list and where; every slip has its words in both languages.
+fn codes_of_list(text: &str) -> Vec<String> {
+    let problems = read_list("list", text).unwrap_err();
+    problems
+        .iter()
+        .map(|problem| {
+            let at = problem.place.as_ref().map_or(String::new(), |at| format!(" {}:{}", at.line, at.column));
+            for lang in [Lang::Uk, Lang::En] {
+                assert!(remedy(&problem.note, lang).is_some(), "{problem:?}");
+                assert!(!sentence(&problem.note, lang).contains(['{', '}']), "{problem:?}");
+            }
+            format!("{}{at}", problem.code)
+        })
+        .collect()
+}
+
+#[test]
+fn every_slip_is_told_at_once_with_its_place() {
+    assert_eq!(
+        codes_of_list("x,y\n1,two\n3\n1e9,4\n"),
+        ["not-a-number 2:3", "not-a-point 3:1", "coordinate-too-large 4:1"]
+    );
+    assert_eq!(codes_of_list(""), ["no-points 1:1"]);
+    assert_eq!(codes_of_list("x,y\n"), ["no-points 1:1"]);
+    assert_eq!(codes_of_list("1,2,3\n"), ["not-a-point 1:1"]);
+    assert_eq!(codes_of_list("nan,inf\n"), ["coordinate-too-large 1:1", "coordinate-too-large 1:5"]);
+    assert_eq!(
+        codes_of_list("NAME: x\nDIMENSION: 2\nEDGE_WEIGHT_TYPE: GEO\nNODE_COORD_SECTION\n1 2\nb 3 4\n"),
+        ["distance-kind 3:19", "not-a-node 5:1", "not-a-node-number 6:1"]
+    );
+    assert_eq!(
+        codes_of_list("DIMENSION: 3\nEDGE_WEIGHT_TYPE: EUC_2D\nNODE_COORD_SECTION\n1 2 3\n1 2 3\n"),
+        ["node-twice 5:1"]
+    );
+    assert_eq!(
+        codes_of_list("DIMENSION: 3\nEDGE_WEIGHT_TYPE: EUC_2D\nNODE_COORD_SECTION\n1 2 3\n2 2 3\n"),
+        ["dimension 1:12"]
+    );
+    assert_eq!(codes_of_list("NODE_COORD_SECTION\n1 2 3\n"), ["distance-kind-missing 1:1"]);
+    assert_eq!(codes_of_list("x;y\n1,5;2\n1,5,2\n"), ["not-a-point 3:1"], "a decimal comma needs another separator");
+    assert_eq!(codes_of_list("1.000,5;2\n\"1,5\";\"two\"\n"), ["not-a-number 1:1", "not-a-number 2:8"]);
 }

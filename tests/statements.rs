@@ -112,7 +112,7 @@ fn what_keeps_a_statement_is_there() {
             } else if row.kept_by.contains(&format!("table `{name}`")) {
                 there(format!("catalogs/cutting/{name}.yaml"))
             } else {
-                there(format!("src/turning/{name}.rs")) || there(format!("src/turning/{name}/mod.rs"))
+                there(format!("crates/turning/src/{name}.rs")) || there(format!("crates/turning/src/{name}/mod.rs"))
             };
             assert!(found, "{}: {name} is not there", row.number);
         }

@@ -1,0 +1,127 @@
+//! What the figures of a plan would be if one of them had another value: by that a misprinted figure is told from those that
+//! were computed from what it should have been.
+
+use std::cell::OnceCell;
+use std::collections::BTreeSet;
+
+use super::super::quantity::Id;
+use super::super::stated::Figure;
+use super::{Formula, Graph};
+
+impl<'a> Graph<'a> {
+    /// The same if one figure of the plan had another value.
+    pub(super) fn written_if(&self, id: Id, other: Option<(Id, f64)>) -> Option<f64> {
+        if let Some((_, value)) = other.filter(|(one, _)| *one == id) {
+            return Some(value);
+        }
+        if let Some(figure) = self.stated.figure(id) {
+            return Some(figure.value);
+        }
+        let right = self.right(id);
+        if self.constants.contains_key(&id) || !self.open.borrow_mut().insert(id) {
+            return right;
+        }
+        let value = self.formula(id).and_then(|formula| {
+            let inputs: Option<Vec<f64>> = formula.inputs.iter().map(|input| self.written_if(*input, other)).collect();
+            (formula.compute)(&inputs?).filter(|value| value.is_finite())
+        });
+        self.open.borrow_mut().remove(&id);
+        value.or(right)
+    }
+
+    /// What the formula of a stated figure makes of the plan as written, if one of its figures had another value.
+    pub(crate) fn computed_if(&self, id: Id, other: Option<(Id, f64)>) -> Option<f64> {
+        let formula = self.formula(id)?;
+        let inputs: Option<Vec<f64>> = formula.inputs.iter().map(|input| self.written_if(*input, other)).collect();
+        (formula.compute)(&inputs?).filter(|value| value.is_finite())
+    }
+
+    /// Whether a stated figure would fit its formula if one figure of the plan, maybe itself, had another value; nothing
+    /// where no formula computes it.
+    pub(crate) fn fits_if(&self, id: Id, other: Option<(Id, f64)>) -> Option<bool> {
+        let formula = self.formula(id)?;
+        let mut figure = self.stated.figure(id)?.clone();
+        if let Some((_, value)) = other.filter(|(one, _)| *one == id) {
+            figure.value = value;
+        }
+        let inputs: Option<Vec<f64>> = formula.inputs.iter().map(|input| self.written_if(*input, other)).collect();
+        let inputs = inputs?;
+        if let Some(judge) = &formula.judge {
+            return Some(judge(figure.value, &inputs).is_none());
+        }
+        // Each value in use of each constant.
+        let mut mixtures = vec![inputs];
+        for (at, input) in formula.inputs.iter().enumerate() {
+            let Some(constant) = self.constants.get(input) else { continue };
+            let with = |one: &Vec<f64>, value: f64| {
+                let mut other = one.clone();
+                other[at] = value;
+                other
+            };
+            mixtures = mixtures.iter().flat_map(|one| constant.values.iter().map(|value| with(one, *value))).collect();
+        }
+        Some(mixtures.iter().any(|inputs| {
+            (formula.compute)(inputs).is_some_and(|value| self.fits(id, &figure, value, self.slack(formula, inputs)))
+        }))
+    }
+
+    /// The stated figures whose formulas take a figure, directly or through figures that the plan does not state.
+    pub(crate) fn stated_users(&self, id: Id) -> BTreeSet<Id> {
+        let mut found = BTreeSet::new();
+        let (mut open, mut seen) = (vec![id], BTreeSet::new());
+        while let Some(next) = open.pop() {
+            for user in self.users().get(&next).into_iter().flatten() {
+                if self.stated.figure(*user).is_some() {
+                    found.insert(*user);
+                } else if seen.insert(*user) {
+                    open.push(*user);
+                }
+            }
+        }
+        found.remove(&id);
+        found
+    }
+
+    /// The stated figures that the formula of a figure takes, directly or through figures that the plan does not state.
+    pub(crate) fn stated_inputs(&self, id: Id) -> BTreeSet<Id> {
+        let mut found = BTreeSet::new();
+        let (mut open, mut seen) = (vec![id], BTreeSet::new());
+        while let Some(next) = open.pop() {
+            for input in self.formula(next).map(|formula| formula.inputs.as_slice()).unwrap_or_default() {
+                if self.stated.figure(*input).is_some() {
+                    found.insert(*input);
+                } else if seen.insert(*input) {
+                    open.push(*input);
+                }
+            }
+        }
+        found.remove(&id);
+        found
+    }
+
+    /// Whether two values of a stated figure are nearer to each other than it may be off.
+    pub(crate) fn within_tolerance(&self, id: Id, one: f64, other: f64) -> bool {
+        let Some(figure) = self.stated.figure(id) else { return false };
+        (one - other).abs() <= self.tolerances.of(id.quantity, figure, other)
+    }
+
+    /// A figure as it is printed.
+    pub(crate) fn printed(&self, id: Id) -> Option<&Figure> {
+        self.stated.figure(id)
+    }
+
+    /// What was computed from the right value of a misprinted figure.
+    pub(crate) fn computed_from_right(&self, misprinted: Id) -> Option<Id> {
+        self.misprinted.get(&misprinted).copied()
+    }
+
+    /// Takes what a misprinted figure should have been, and what was computed from that; everything is judged anew by it.
+    pub(crate) fn correct(&mut self, formula: Formula<'a>, computed: Id) {
+        self.misprinted.insert(formula.output, computed);
+        self.formulas.insert(formula.output, vec![formula]);
+        self.right.borrow_mut().clear();
+        self.taken.borrow_mut().clear();
+        self.off.borrow_mut().clear();
+        self.users = OnceCell::new();
+    }
+}

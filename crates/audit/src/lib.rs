@@ -1,0 +1,76 @@
+//! The audit: anybody's plan held against the knowledge.
+//!
+//! ```text
+//! plan.yaml → read → Stated ┐                ┌ rules  → graph → verdicts ┐
+//! plan.json → own  → Stated ┴ context (tools, ┤                           ├ findings
+//!                             our own plan)   └ checks ───────────────────┘
+//! ```
+//!
+//! - [`stated`] is a plan as written, every figure with its place and its printed text;
+//! - [`rules`] compute figures from others, `graph` says where a deviation begins and what follows from it;
+//! - [`checks`] hold choices against the tables: designations, cutters, holders, routes, limits, the program;
+//! - [`Auditor`] keeps what many audits share;
+//! - what may be rounded how stands in the table `audit-tolerance`.
+//!
+//! Architecture invariant: an audit invents nothing. What a plan does not state is listed as missing, and what had to be
+//! taken from the tables instead is named in the finding that rests on it.
+
+mod against;
+mod auditor;
+pub mod checks;
+mod context;
+mod figures;
+pub mod file;
+mod finding;
+mod graph;
+mod keys;
+mod many;
+pub mod marks;
+mod misprints;
+mod near;
+mod own;
+pub mod quantity;
+mod read;
+mod roots;
+pub mod rules;
+pub mod stated;
+mod tolerance;
+mod write;
+
+// This room and those below, under one name each in the whole program.
+use crate as audit;
+use technolog_core::{error, machine, memo, motion, note, part, plan, shop, zone};
+use technolog_cutting as cutting;
+use technolog_holes::{planner, route, sequence, tooling};
+use technolog_knowledge::{self as knowledge, units};
+use technolog_nc::{job, program};
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+use crate::plan::Plan;
+
+pub use against::{Comparison, Cost, Difference};
+pub use auditor::Auditor;
+pub use file::schema;
+pub use finding::{Audit, Change, Counts, Finding, Lack, Section, Shown, Subject, Summary};
+pub use graph::Rule;
+pub use many::{Audited, Mistake, Unread, total};
+pub use read::{NamedText, Unreadable, read_if_plan, read_plan};
+use stated::Stated;
+pub use write::by_hand;
+
+/// Holds one plan against the knowledge; many are audited faster by one [`Auditor`].
+///
+/// # Errors
+/// The knowledge cannot answer. What is wrong with the plan is a finding.
+pub fn audit(stated: &Stated, knowledge: &Knowledge) -> Result<Audit, KnowledgeError> {
+    Auditor::new(knowledge)?.audit(stated)
+}
+
+/// The same beside our own plan of the same part by the same method, where it was made already.
+///
+/// # Errors
+/// As of [`audit`].
+pub fn audit_beside(stated: &Stated, ours: &Plan, knowledge: &Knowledge) -> Result<Audit, KnowledgeError> {
+    Auditor::new(knowledge)?.audit_beside(stated, ours)
+}

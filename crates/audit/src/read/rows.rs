@@ -1,0 +1,143 @@
+//! The route.
+
+use crate::knowledge::diagnostic::nearest;
+use crate::knowledge::yaml::{Fields, Node};
+use crate::part::Part;
+use crate::plan::{Feature, Operation};
+use technolog_core::lang::Lang;
+use technolog_core::words::operation_named;
+
+use super::Reader;
+use crate::audit::keys::ROW;
+use crate::audit::near::plain;
+use crate::audit::stated::{Row, Said, Text};
+
+impl Reader<'_> {
+    pub(super) fn rows(&mut self, node: &Node, part: &Part) -> Vec<Row> {
+        let items = self.problems.list(node).unwrap_or_default();
+        let mut rows: Vec<Row> = Vec::new();
+        for (at, node) in items.iter().enumerate() {
+            let number = u32::try_from(at + 1).unwrap_or(u32::MAX);
+            let Some(row) = self.row(node, number, part) else { continue };
+            if let Some(known) = rows.iter().find(|known| known.number == row.number) {
+                let message = format!("two rows of the number {}", row.number);
+                let help = format!("the other stands at line {}", known.place.line);
+                self.problems.error_help::<()>("duplicate-row", message, &row.place, help);
+            }
+            rows.push(row);
+        }
+        rows
+    }
+
+    fn row(&mut self, node: &Node, number: u32, part: &Part) -> Option<Row> {
+        let mut fields = self.problems.map(node)?;
+        let own = fields.take("row").and_then(|node| self.problems.scalar::<u32>(node));
+        let operation = fields.need("operation", &mut self.problems).and_then(|node| {
+            // By its name in tables, or as the report calls it: `drill`, `свердління`, `свердлити`.
+            let named = node.text().and_then(|text| operation_named(text, Lang::Uk));
+            let value = named.or_else(|| self.choice(node, &Operation::NAMES))?;
+            Some(Said { value, place: node.place.clone() })
+        });
+        let hole = self.hole(&mut fields, part);
+        let feature = fields.take("feature").and_then(|node| self.choice(node, &Feature::NAMES));
+        let step = fields.take("step").and_then(|node| self.problems.scalar::<usize>(node));
+        let setup = fields.take("setup").and_then(|node| self.problems.scalar::<u32>(node));
+        let elsewhere = fields.take("elsewhere").and_then(|node| self.problems.boolean(node));
+        let tool = fields.take("tool").and_then(|node| self.tool_number(node));
+        let scheme = self.text_of(&mut fields, "scheme");
+        let table = self.text_of(&mut fields, "table");
+        let figures = self.figures(&mut fields, ROW);
+        fields.finish(ROW, &mut self.problems);
+        Some(Row {
+            number: own.unwrap_or(number),
+            place: node.place.clone(),
+            operation: operation?,
+            hole,
+            feature,
+            step,
+            setup,
+            elsewhere: elsewhere.unwrap_or_default(),
+            tool,
+            scheme,
+            table,
+            figures,
+        })
+    }
+
+    /// The group of holes that a field names.
+    pub(super) fn hole(&mut self, fields: &mut Fields<'_>, part: &Part) -> Option<Text> {
+        let mut hole = self.text_of(fields, "hole")?;
+        // A Cyrillic letter that looks like the Latin one of the part is meant as that.
+        let alike: Vec<&str> = part
+            .holes
+            .iter()
+            .map(|known| known.name.as_str())
+            .filter(|name| plain(name) == plain(&hole.value))
+            .collect();
+        if let ([one], false) = (alike.as_slice(), alike.contains(&hole.value.as_str())) {
+            hole.value = (*one).to_owned();
+        }
+        if !part.holes.iter().any(|known| known.name == hole.value) {
+            let names: Vec<&str> = part.holes.iter().map(|hole| hole.name.as_str()).collect();
+            let help = match nearest(&hole.value, names.iter().copied()) {
+                Some(near) => format!("did you mean `{near}`?"),
+                None => format!("the part has {}", names.join(", ")),
+            };
+            let message = format!("the part has no group of holes `{}`", hole.value);
+            self.problems.error_help::<()>("unknown-hole", message, &hole.place, help);
+        }
+        Some(hole)
+    }
+
+    /// `T2`, or `2`; the Cyrillic letter is typed as often.
+    pub(super) fn tool_number(&mut self, node: &Node) -> Option<Said<u32>> {
+        let text = self.problems.text(node)?;
+        match number_of_tool(text) {
+            Some(value) => Some(Said { value, place: node.place.clone() }),
+            None => {
+                let message = format!("`{text}` is no tool");
+                self.problems.error_help("bad-value", message, &node.place, "name it by its place: T1, T2, …")
+            }
+        }
+    }
+
+    /// The rows that a key `for` names: by their numbers, or by their tool, `T2`.
+    pub(super) fn rows_named(&mut self, node: &Node, rows: &[Row]) -> Vec<usize> {
+        let list = if node.text().is_some() {
+            std::slice::from_ref(node)
+        } else {
+            self.problems.list(node).unwrap_or_default()
+        };
+        let mut named = Vec::new();
+        for node in list {
+            let tool = node.text().filter(|text| text.starts_with(['T', 'Т'])).and_then(number_of_tool);
+            let found: Vec<usize> = if let Some(tool) = tool {
+                let own = |row: &Row| row.tool.as_ref().is_some_and(|known| known.value == tool);
+                (0..rows.len()).filter(|at| own(&rows[*at])).collect()
+            } else {
+                let Some(number) = self.problems.scalar::<u32>(node) else { continue };
+                rows.iter().position(|row| row.number == number).into_iter().collect()
+            };
+            if found.is_empty() {
+                let known: Vec<String> = rows.iter().map(|row| row.number.to_string()).collect();
+                let (message, help) = match tool {
+                    Some(tool) => {
+                        (format!("no row of the route has the tool T{tool}"), "name rows by their numbers".into())
+                    }
+                    None => {
+                        let number = node.text().unwrap_or_default();
+                        (format!("the route has no row {number}"), format!("its rows are {}", known.join(", ")))
+                    }
+                };
+                self.problems.error_help::<()>("unknown-row", message, &node.place, help);
+            }
+            named.extend(found);
+        }
+        named
+    }
+}
+
+/// The number of a tool: `T2`, `Т2`, `2`.
+pub(super) fn number_of_tool(text: &str) -> Option<u32> {
+    text.strip_prefix(['T', 'Т']).unwrap_or(text).parse().ok().filter(|number| *number > 0)
+}

@@ -1,0 +1,210 @@
+//! Dimensions of tools and holders by their catalogs, lengths of assemblies, corrections.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::units::Unit;
+use crate::note::{Because, Note, Severity};
+use crate::plan::Operation;
+use crate::tooling::named;
+use crate::units::Micrometres;
+
+use super::super::context::Context;
+use super::super::figures::nature;
+use super::super::graph::{Graph, Judge, Rule};
+use super::super::quantity::{Id, Quantity as Q, Scope};
+use super::{formula, given, largest, same};
+
+const DIMENSION: Rule = Rule {
+    id: "tool-dimension",
+    formula: "",
+    source: ("каталог за позначенням інструмента", "the catalog of the tool's designation"),
+};
+const HOLDER: Rule = Rule {
+    id: "holder-dimension",
+    formula: "",
+    source: ("каталог за позначенням допоміжного інструмента", "the catalog of the holder's designation"),
+};
+const OVERHANG: Rule = Rule {
+    id: "overhang",
+    formula: "lв",
+    source: ("посібник 5.2, примітка до п. 5 (рядки 4614-4618)", "textbook 5.2 item 5, note (l. 4614-4618)"),
+};
+const HOLDER_USED: Rule = Rule {
+    id: "one-holder-length",
+    formula: "lопр",
+    source: (
+        "в одного допоміжного інструмента одна довжина: додаток Г, п. 6 і 9",
+        "one holder has one length: items 6 and 9 of Appendix Г",
+    ),
+};
+const ASSEMBLY: Rule = Rule {
+    id: "assembly-length",
+    formula: "Lк = lв + lопр",
+    source: ("посібник, додаток Г, п. 9 (рядки 10270-10285)", "textbook, Appendix Г item 9 (l. 10270-10285)"),
+};
+const REFERENCE: Rule = Rule {
+    id: "reference-tool",
+    formula: "Lет = max Lк",
+    source: ("посібник 4.2.1.3; додаток Г, п. 9", "textbook 4.2.1.3, Appendix Г item 9"),
+};
+const PLUS: Rule = Rule {
+    id: "correction",
+    formula: "K = Lк − Lет",
+    source: ("посібник 3.11.3: G43 додає коректор; 4.2.1.4", "textbook 3.11.3: G43 adds the corrector; 4.2.1.4"),
+};
+const MINUS: Rule = Rule {
+    id: "correction-g44",
+    formula: "K = Lет − Lк",
+    source: ("посібник 3.11.3: G44 віднімає коректор", "textbook 3.11.3: G44 subtracts it"),
+};
+const BOOK: Rule = Rule {
+    id: "book-correction",
+    formula: "K = Lет − Lк",
+    source: ("посібник, додаток Г, п. 9", "textbook, Appendix Г item 9"),
+};
+
+pub(super) const RULES: &[Rule] = &[DIMENSION, HOLDER, OVERHANG, HOLDER_USED, ASSEMBLY, REFERENCE, PLUS, MINUS, BOOK];
+
+/// Columns of the cutters' catalogs.
+pub(crate) const COLUMNS: [(&str, Q); 5] = [
+    ("diameter", Q::Diameter),
+    ("length", Q::Length),
+    ("flute_length", Q::FluteLength),
+    ("projection", Q::Projection),
+    ("shank_diameter", Q::ShankDiameter),
+];
+
+/// Columns of the holders' catalogs.
+const HOLDER_COLUMNS: [(&str, Q); 3] =
+    [("length", Q::HolderLength), ("clamp_min", Q::ClampMin), ("clamp_max", Q::ClampMax)];
+
+pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), KnowledgeError> {
+    let stated = context.stated;
+    for (at, tool) in stated.tools.iter().enumerate() {
+        let scope = Scope::Tool(at);
+        let id = |quantity| Id::new(scope, quantity);
+        let operation = stated.rows_of_tool(tool.number).next().map(|(_, row)| row.operation.value);
+        if let Some(cutter) = context.cutter(at) {
+            let row = cutter.row;
+            let because = || [Because::row(row, Note::new("named"))];
+            for (column, quantity) in COLUMNS {
+                let Some(length) = row.length_if_any(column) else { continue };
+                // A core drill or a reamer may be ground, a bar set, to the size that the row makes.
+                let set = quantity == Q::Diameter
+                    && !matches!(operation, Some(Operation::Drill | Operation::DrillOut | Operation::CentreDrill));
+                if set && stated.own {
+                    continue;
+                }
+                let mut dimension = given(&DIMENSION, id(quantity), length.to_mm(), because());
+                dimension.judge = set.then(|| ground(context, tool.number, length));
+                graph.add(dimension);
+            }
+            if let Ok(morse) = row.int("morse") {
+                graph.add(given(&DIMENSION, id(Q::Morse), morse as f64, because()));
+            }
+            let angle = row.number_in("point_angle", Unit::Degree).ok().or_else(|| named::point_angle(&cutter));
+            if let Some(angle) = angle {
+                graph.add(given(&DIMENSION, id(Q::PointAngle), angle, because()));
+            }
+            if let Some(operation) = operation {
+                overhang(context, graph, at, &cutter, operation)?;
+            }
+        }
+        if let Some(holder) = context.holder(at) {
+            let because = || [Because::row(holder, Note::new("named"))];
+            for (column, quantity) in HOLDER_COLUMNS {
+                if let Some(length) = holder.length_if_any(column) {
+                    graph.add(given(&HOLDER, id(quantity), length.to_mm(), because()));
+                }
+            }
+            if let Ok(morse) = holder.int("morse") {
+                graph.add(given(&HOLDER, id(Q::HolderMorse), morse as f64, because()));
+            }
+        }
+        graph.add(same(&HOLDER_USED, id(Q::HolderUsed), id(Q::HolderLength)));
+        let (overhang, holder) = (id(Q::Overhang), id(Q::HolderUsed));
+        // A cutter with the machine's own taper stands out whole.
+        if context.whole(at) {
+            graph.add(same(&ASSEMBLY, id(Q::Assembly), overhang));
+        } else {
+            let sum = formula(&ASSEMBLY, id(Q::Assembly), vec![overhang, holder], "{0}+{1}", |values| {
+                Some(values.iter().sum())
+            });
+            graph.add(sum);
+        }
+        corrections(context, graph, at);
+    }
+    Ok(())
+}
+
+/// A size other than the catalog's may stand where the tool is ground down to what its row makes.
+fn ground<'a>(context: &'a Context<'a>, tool: u32, catalog: Micrometres) -> Judge<'a> {
+    let limit = context.shop.convention("cutter-grind-limit-mm").unwrap_or_default();
+    Box::new(move |value, _| {
+        let stated = Micrometres::from_mm_rounded(value);
+        if stated == catalog {
+            return None;
+        }
+        let mut rows = context.stated.rows_of_tool(tool);
+        let made = rows.any(|(_, row)| row.figures.get(&Q::Diameter).is_some_and(|own| own.value == value));
+        let grindable = made && stated < catalog && catalog - stated <= limit;
+        let note = Note::new("audit-ground").with("own", catalog).with("size", stated);
+        Some(if grindable { (Severity::Note, note) } else { (Severity::Wrong, Note::new("audit-figure")) })
+    })
+}
+
+fn overhang<'a>(
+    context: &'a Context<'a>,
+    graph: &mut Graph<'a>,
+    at: usize,
+    cutter: &named::NamedCutter<'a>,
+    operation: Operation,
+) -> Result<(), KnowledgeError> {
+    let (least, most, because) = named::overhang(cutter, operation, context.shop.knowledge)?;
+    let (least, most) = (least.to_mm(), most.to_mm());
+    let mut formula = given(&OVERHANG, Id::new(Scope::Tool(at), Q::Overhang), most, [because]);
+    formula.judge = Some(Box::new(move |value, _| {
+        let within = (least - 1e-6..=most + 1e-6).contains(&value);
+        let note = Note::new("audit-overhang").with("least", least).with("most", most);
+        (!within).then_some((Severity::Wrong, note))
+    }));
+    graph.add(formula);
+    Ok(())
+}
+
+/// Corrections against the reference tool: the one stated, else the longest.
+fn corrections<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) {
+    let stated = context.stated;
+    let id = |quantity| Id::new(Scope::Tool(at), quantity);
+    let lengths: Vec<Id> = (0..stated.tools.len()).map(|tool| Id::new(Scope::Tool(tool), Q::Assembly)).collect();
+    // Any tool may be the reference tool; the longest is the usual one.
+    let mut reference = largest(&REFERENCE, id(Q::LongestAssembly), lengths);
+    reference.judge = Some(Box::new(move |value, inputs| {
+        let known = inputs.iter().any(|length| (length - value).abs() < 1e-6);
+        (!known).then(|| (Severity::Wrong, Note::new("audit-no-such-reference")))
+    }));
+    graph.add(reference);
+    let inputs = vec![id(Q::Assembly), id(Q::LongestAssembly)];
+    let difference = |values: &[f64]| Some(values.first()? - values.get(1)?);
+    let reverse = move |values: &[f64]| difference(values).map(|value| -value);
+    let mut correction = if context.subtracts(at) {
+        formula(&MINUS, id(Q::Correction), inputs.clone(), "{1}−{0}", reverse)
+    } else {
+        formula(&PLUS, id(Q::Correction), inputs.clone(), "{0}−{1}", difference)
+    };
+    // Where neither plan nor program says G43 or G44, the sign may be that of either.
+    if context.correction_word(at).is_none() && !stated.own {
+        correction.judge = Some(Box::new(move |value, inputs| {
+            let plus = difference(inputs)?;
+            let near = |right: f64| (value - right).abs() < 1e-6;
+            if near(plus) {
+                None
+            } else if near(-plus) {
+                Some((Severity::Doubtful, Note::new("audit-sign-by-g44")))
+            } else {
+                Some((Severity::Error, Note::new(nature(value, if value * plus < 0.0 { -plus } else { plus }))))
+            }
+        }));
+    }
+    graph.add(correction);
+    graph.add(formula(&BOOK, id(Q::BookCorrection), inputs, "{1}−{0}", reverse));
+}

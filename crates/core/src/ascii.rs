@@ -1,0 +1,55 @@
+//! Names in the letters that every control shows.
+
+/// A name as a remark: Ukrainian in Latin letters (the table of 2010), without what a control cannot show or what would
+/// end the remark.
+pub fn ascii(text: &str) -> String {
+    const LATIN: [(char, &str); 34] = [
+        ('а', "a"),
+        ('б', "b"),
+        ('в', "v"),
+        ('г', "h"),
+        ('ґ', "g"),
+        ('д', "d"),
+        ('е', "e"),
+        ('є', "ie"),
+        ('ж', "zh"),
+        ('з', "z"),
+        ('и', "y"),
+        ('і', "i"),
+        ('ї', "i"),
+        ('й', "i"),
+        ('к', "k"),
+        ('л', "l"),
+        ('м', "m"),
+        ('н', "n"),
+        ('о', "o"),
+        ('п', "p"),
+        ('р', "r"),
+        ('с', "s"),
+        ('т', "t"),
+        ('у', "u"),
+        ('ф', "f"),
+        ('х', "kh"),
+        ('ц', "ts"),
+        ('ч', "ch"),
+        ('ш', "sh"),
+        ('щ', "shch"),
+        ('ь', ""),
+        ('ю', "iu"),
+        ('я', "ia"),
+        ('ø', "D"),
+    ];
+    let mut latin = String::with_capacity(text.len());
+    // The name of the standards is written so in other languages.
+    for letter in text.replace("ГОСТ", "GOST").chars() {
+        let small = letter.to_lowercase().next().unwrap_or(letter);
+        match LATIN.iter().find(|(known, _)| *known == small) {
+            Some((_, written)) if letter == small => latin.push_str(written),
+            Some((_, written)) => latin.push_str(&written.to_uppercase()),
+            None if matches!(letter, '(' | ')' | '%' | ';') => latin.push(' '),
+            None if letter.is_ascii() && !letter.is_ascii_control() => latin.push(letter),
+            None => latin.push('?'),
+        }
+    }
+    latin
+}

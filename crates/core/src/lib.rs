@@ -1,0 +1,28 @@
+//! What every room speaks of, and nothing that plans.
+//!
+//! - [`part`] is what is to be made, [`shop`] what it is made with ([`machine`], [`material`], [`zone`]);
+//! - [`plan`] is the result of planning, a value; [`motion`] is what programs do;
+//! - [`note`] and [`error`] are sentences as data; [`lang`] and [`words`] the few words that are read as well as written;
+//! - [`memo`] and [`parallel`] are for many parts at once.
+//!
+//! Architecture invariant: nothing here chooses a tool, a figure or an order.
+
+pub mod ascii;
+pub mod error;
+pub mod lang;
+pub mod machine;
+pub mod material;
+pub mod memo;
+pub mod motion;
+pub mod note;
+pub mod parallel;
+pub mod part;
+pub mod plan;
+pub mod shop;
+pub mod words;
+pub mod zone;
+
+// So that paths are the same here as in every room above.
+use technolog_knowledge::{self as knowledge, units};
+#[cfg(test)]
+use technolog_shipped as shipped;

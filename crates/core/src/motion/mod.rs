@@ -1,0 +1,259 @@
+//! The canonical motions: what planning makes, controls print, interpreters emit, drawings, traces and times consume.
+//!
+//! A [`Step`] is one thing the machine does and where its axes stand after it. Whoever wants the steps is a [`Sink`];
+//! two sinks stand here, [`trace::Trace`] (a text) and [`time::Clock`] (a sum of times). The numbering of steps is the
+//! sink's own affair: the same steps may go to several.
+//!
+//! Architecture invariant: a motion knows no language of a control and no reason of a plan.
+
+pub mod geometry;
+pub mod time;
+pub mod trace;
+
+use serde::Serialize;
+
+pub use crate::machine::Axis;
+use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute};
+
+/// A position of the axes, or a distance along them, in machine coordinates: mm from the machine zero, exact.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+pub struct Position {
+    /// Along X.
+    pub x: Micrometres,
+    /// Along Y.
+    pub y: Micrometres,
+    /// Along Z.
+    pub z: Micrometres,
+}
+
+impl Position {
+    /// From three lengths.
+    pub const fn of([x, y, z]: [Micrometres; 3]) -> Self {
+        Self { x, y, z }
+    }
+
+    /// Along one axis.
+    pub const fn get(self, axis: Axis) -> Micrometres {
+        match axis {
+            Axis::X => self.x,
+            Axis::Y => self.y,
+            Axis::Z => self.z,
+        }
+    }
+
+    /// The same but for one axis.
+    #[must_use]
+    pub const fn with(mut self, axis: Axis, value: Micrometres) -> Self {
+        match axis {
+            Axis::X => self.x = value,
+            Axis::Y => self.y = value,
+            Axis::Z => self.z = value,
+        }
+        self
+    }
+}
+
+/// A plane of circles and radius correction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum Plane {
+    /// X to Y, seen from plus Z.
+    #[serde(rename = "XY")]
+    Xy,
+    /// Z to X, seen from plus Y.
+    #[serde(rename = "ZX")]
+    Zx,
+    /// Y to Z, seen from plus X.
+    #[serde(rename = "YZ")]
+    Yz,
+}
+
+impl Plane {
+    /// Its first and second axis and the one across it: always a right-handed three.
+    pub const fn axes(self) -> [Axis; 3] {
+        match self {
+            Self::Xy => [Axis::X, Axis::Y, Axis::Z],
+            Self::Zx => [Axis::Z, Axis::X, Axis::Y],
+            Self::Yz => [Axis::Y, Axis::Z, Axis::X],
+        }
+    }
+
+    /// Its name.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Xy => "XY",
+            Self::Zx => "ZX",
+            Self::Yz => "YZ",
+        }
+    }
+}
+
+/// The sense of an arc, seen from the plus end of the axis across its plane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Sense {
+    /// As the hands of a clock.
+    Clockwise,
+    /// Against them.
+    Counterclockwise,
+}
+
+impl Sense {
+    /// The other one.
+    #[must_use]
+    pub const fn other(self) -> Self {
+        match self {
+            Self::Clockwise => Self::Counterclockwise,
+            Self::Counterclockwise => Self::Clockwise,
+        }
+    }
+}
+
+/// What the spindle does, seen from the spindle towards the tool.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Turning {
+    /// It stands.
+    Stopped,
+    /// As the hands of a clock: a right-hand drill cuts.
+    Clockwise,
+    /// Against them.
+    Counterclockwise,
+}
+
+/// On which side of its path a tool is kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Side {
+    /// On the path itself.
+    Off,
+    /// To the left, looking the way it goes.
+    Left,
+    /// To the right.
+    Right,
+}
+
+/// One thing that a machine does.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "motion", rename_all = "kebab-case")]
+pub enum Motion {
+    /// Every axis at the machine's rapid rate, each by itself: the path is no straight line in general.
+    Rapid,
+    /// A straight line at a feed.
+    Feed {
+        /// The feed along the line.
+        feed_mm_per_min: MillimetresPerMinute,
+    },
+    /// An arc in a plane, with a motion across it a helix.
+    Arc {
+        /// Its plane.
+        plane: Plane,
+        /// Its sense.
+        sense: Sense,
+        /// Its centre along the plane's first and second axis, machine coordinates.
+        centre: [Micrometres; 2],
+        /// Whole turns beside the arc itself; a full circle is an arc with none.
+        turns: u32,
+        /// The feed along the path.
+        feed_mm_per_min: MillimetresPerMinute,
+    },
+    /// The axes wait.
+    Dwell {
+        /// How long, s.
+        seconds: f64,
+    },
+    /// The spindle starts, stops or changes its speed.
+    Spindle {
+        /// What it does now.
+        turning: Turning,
+        /// Its speed; of a stopped spindle the one it would start with.
+        speed_rpm: RevsPerMinute,
+    },
+    /// The coolant is switched.
+    Coolant {
+        /// Whether it flows now.
+        on: bool,
+    },
+    /// A tool comes into the spindle.
+    ToolChange {
+        /// Its number.
+        tool: u32,
+    },
+    /// A length correction begins, changes or, with 0, ends; the axis moves by steps of its own.
+    LengthCorrection {
+        /// The axis.
+        axis: Axis,
+        /// The number of the corrector.
+        corrector: u32,
+        /// What is added to the axis.
+        value: Micrometres,
+    },
+    /// A radius correction begins, changes or ends.
+    RadiusCorrection {
+        /// The side.
+        side: Side,
+        /// The number of the corrector.
+        corrector: u32,
+        /// The distance to the path.
+        value: Micrometres,
+    },
+    /// A function of the machine that has no motion of its own here.
+    Auxiliary {
+        /// As it is written.
+        word: String,
+    },
+    /// The program stops until the operator starts it again.
+    Stop {
+        /// Only where the operator asked for such stops.
+        optional: bool,
+    },
+    /// The program ends.
+    End,
+}
+
+/// The block of a program that a step comes from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+pub struct BlockRef {
+    /// Its line in the file, from 1.
+    pub line: u32,
+    /// Its own number, where it has one.
+    #[serde(rename = "block")]
+    pub number: Option<u32>,
+}
+
+/// A motion, where the axes stand after it, and where it was asked for.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Step {
+    /// What is done.
+    #[serde(flatten)]
+    pub motion: Motion,
+    /// Where the axes stand then, machine coordinates, corrections included.
+    pub at: Position,
+    /// The block that asked for it.
+    #[serde(flatten)]
+    pub block: BlockRef,
+}
+
+/// Whoever wants the steps.
+pub trait Sink {
+    /// One more step has been made.
+    fn take(&mut self, step: &Step);
+}
+
+impl Sink for Vec<Step> {
+    fn take(&mut self, step: &Step) {
+        self.push(step.clone());
+    }
+}
+
+impl<A: Sink, B: Sink> Sink for (A, B) {
+    fn take(&mut self, step: &Step) {
+        self.0.take(step);
+        self.1.take(step);
+    }
+}
+
+impl<S: Sink + ?Sized> Sink for &mut S {
+    fn take(&mut self, step: &Step) {
+        (**self).take(step);
+    }
+}

@@ -1,0 +1,390 @@
+//! The part file as its author writes it: the source of docs/part.schema.json, which editors use for
+//! completion and hints.
+//!
+//! These types say which keys there are, what they hold and in which units. [`super::read_part`] reads
+//! the file itself, because it says where every mistake stands; tests hold the two together.
+
+pub mod hole;
+
+use schemars::{JsonSchema, Schema, schema_for};
+use serde::Deserialize;
+
+use super::{BlankKind, Entry};
+use hole::Hole;
+
+/// The JSON Schema of a part file.
+pub fn schema() -> Schema {
+    schema_for!(PartFile)
+}
+
+/// A part to be planned by `technolog plan`. All lengths are in mm with a decimal point and at most
+/// three decimal places.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PartFile {
+    /// Name of the part.
+    pub part: Name,
+    /// Material: an id of `technolog table materials` (`steel-45`) or another name of it (`Сталь 45`, `C45`).
+    pub material: Name,
+    /// What the part is made from.
+    pub blank: Blank,
+    /// The machine's id: `gf2171`.
+    pub machine: String,
+    /// Where the zeros of X, Y and Z lie; else in the middle of the top face.
+    pub datum: Option<Datum>,
+    /// The face that the tools enter; `machined` unless said.
+    pub entry: Option<Entry>,
+    /// How the part is held.
+    pub fixture: Option<Fixture>,
+    /// Permitted position error Δ0 of table A.6, mm; else the centre tolerance of each group.
+    pub position_tolerance: Option<Size>,
+    /// Mass of the blank, kg.
+    pub mass: Option<Mass>,
+    /// The groups of equal holes.
+    #[schemars(length(min = 1))]
+    pub holes: Vec<Hole>,
+}
+
+/// The blank, with the hole axes along Z.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Blank {
+    /// Its kind.
+    pub kind: BlankKind,
+    /// Along X, mm.
+    pub length: Size,
+    /// Along Y, mm.
+    pub width: Size,
+    /// Along Z, mm.
+    pub thickness: Size,
+}
+
+/// Where the part's zeros lie: a side by its word, or the zero's distance from the left, front or
+/// bottom side, mm.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Datum {
+    /// Zero of X: `left`, `centre` (unless said), `right`, or its distance from the left side, mm.
+    pub x: Option<ZeroX>,
+    /// Zero of Y: `front`, `centre` (unless said), `back`, or its distance from the front side, mm.
+    pub y: Option<ZeroY>,
+    /// Zero of Z: `top` (unless said), `middle`, `bottom`, or its distance from the bottom, mm.
+    pub z: Option<ZeroZ>,
+}
+
+/// Zero of X.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum ZeroX {
+    /// By a side's word.
+    Side(SideX),
+    /// By its distance from the left side, mm.
+    Distance(Coordinate),
+}
+
+/// Zero of Y.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum ZeroY {
+    /// By a side's word.
+    Side(SideY),
+    /// By its distance from the front side, mm.
+    Distance(Coordinate),
+}
+
+/// Zero of Z.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum ZeroZ {
+    /// By a side's word.
+    Side(SideZ),
+    /// By its distance from the bottom, mm.
+    Distance(Coordinate),
+}
+
+/// Sides along X.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[allow(missing_docs)] // the words of the format
+pub enum SideX {
+    Left,
+    Centre,
+    Right,
+}
+
+/// Sides along Y.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[allow(missing_docs)] // the words of the format
+pub enum SideY {
+    Front,
+    Centre,
+    Back,
+}
+
+/// Sides along Z.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[allow(missing_docs)] // the words of the format
+pub enum SideZ {
+    Bottom,
+    Middle,
+    Top,
+}
+
+/// How the part is held.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Fixture {
+    /// Height of the fixture under the part, mm.
+    pub height: Option<Size>,
+    /// The clamps; without them a symmetric pair is proposed.
+    pub clamps: Option<Vec<Clamp>>,
+}
+
+/// A clamp.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Clamp {
+    /// Where it presses, `[X, Y]`, mm: on the blank, and not on a hole.
+    pub at: [Coordinate; 2],
+    /// Its screw, M6 to M24: `M10`; else the smallest that bears the force.
+    #[schemars(regex(pattern = r"^[MМ][0-9]+$"))]
+    pub screw: Option<String>,
+}
+
+/// A text; a bare number is one too (`45`).
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Name {
+    /// As text.
+    Text(#[schemars(length(min = 1))] String),
+    /// As number.
+    Number(f64),
+}
+
+/// A length above zero, mm.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(transparent)]
+#[schemars(extend("exclusiveMinimum" = 0))]
+pub struct Size(pub f64);
+
+/// A coordinate or deviation, mm.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(transparent)]
+pub struct Coordinate(pub f64);
+
+/// The full angle of a cone, between 0 and 180 degrees.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(transparent)]
+#[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 180))]
+pub struct Angle(pub f64);
+
+/// A direction in the plane of the top face, degrees counter-clockwise from +X.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(transparent)]
+pub struct Direction(pub f64);
+
+/// A mass above zero, kg.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(transparent)]
+#[schemars(extend("exclusiveMinimum" = 0))]
+pub struct Mass(pub f64);
+
+#[cfg(test)]
+mod tests {
+    use std::path::PathBuf;
+
+    use super::super::keys;
+    use super::*;
+    use crate::knowledge::Knowledge;
+    use crate::shipped;
+
+    /// Every key of the format.
+    const FULL: &str = r"
+part: Плита
+material: 45
+blank: {kind: plate, length: 500, width: 300, thickness: 40.5}
+machine: gf2171
+datum: {x: left, y: 150, z: top}
+entry: rough
+fixture: {height: 60, clamps: [{at: [250, -130], screw: М10}, {at: [250, 130]}]}
+position_tolerance: 0.1
+mass: 46.5
+holes:
+  - name: A
+    diameter: 6.8
+    depth: 20
+    through: false
+    bottom: flat
+    roughness: Rz 80
+    centre_tolerance: IT12
+    chamfer: 1
+    skin: true
+    at: [[50, 0], [100, 0]]
+    thread: M8-6H
+    counterbore: {diameter: 15, depth: 9}
+    countersink: {diameter: 17, angle: 90}
+    face: {diameter: 24}
+    groove: {diameter: 9, width: 2, depth: 12}
+    state: pre-machined
+    state_diameter: 5
+    outer_wall: true
+  - name: 2
+    diameter: 20Н12
+    through: true
+    roughness: Ra 12.5
+    centre_tolerance: 0.46
+    pattern: {line: {start: [150, 0], count: 3, step: 30.5, angle: 30}}
+    cone: {diameter: 20.6, taper: 0.02}
+    face: 24
+  - {name: C, diameter: 12.5, through: true, roughness: Ra 12.5, centre_tolerance: 0.46, at: [[400, 0]], state: solid}
+  - name: D
+    through: true
+    centre_tolerance: 0.46
+    steps:
+      - {diameter: 12, depth: 5, roughness: Ra 6.3, bottom: free, chamfer: 0.5}
+      - {thread: M8, length: 10}
+      - {diameter: 20H9, roughness: Ra 2.5}
+    pattern: {grid: {start: [50, 50], columns: 2, rows: 2, step: [30, 40], angle: 0}}
+  - name: E
+    diameter: {nominal: 6, upper: 0.15, lower: 0}
+    depth: 20
+    roughness: Ra 12.5
+    centre_tolerance: 0.46
+    pattern: {circle: {centre: [400, 80], diameter: 60, count: 6, start_angle: 15}}
+    cone: {diameter: 8, angle: 60}
+";
+
+    fn root(path: &str) -> PathBuf {
+        PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..").join(path)
+    }
+
+    fn knowledge() -> Knowledge {
+        shipped::knowledge().unwrap()
+    }
+
+    fn keys(pointer: &str) -> Vec<String> {
+        let schema = serde_json::to_value(schema()).unwrap();
+        let properties = schema.pointer(pointer).unwrap_or_else(|| panic!("{pointer}"));
+        let mut keys: Vec<String> = properties["properties"].as_object().unwrap().keys().cloned().collect();
+        keys.sort();
+        keys
+    }
+
+    #[test]
+    fn the_schema_in_docs_is_the_generated_one() {
+        let path = root("docs/part.schema.json");
+        let generated = serde_json::to_string_pretty(&schema()).unwrap() + "\n";
+        if std::env::var_os("UPDATE_SCHEMA").is_some() {
+            std::fs::write(&path, &generated).unwrap();
+        }
+        let kept = std::fs::read_to_string(&path).unwrap_or_default();
+        assert!(kept == generated, "docs/part.schema.json is old: run `UPDATE_SCHEMA=1 cargo test schema`");
+    }
+
+    #[test]
+    fn the_schema_has_the_keys_that_the_reader_knows() {
+        for (pointer, known) in [
+            ("", keys::PART),
+            ("/$defs/Blank", keys::BLANK),
+            ("/$defs/Datum", keys::DATUM),
+            ("/$defs/Fixture", keys::FIXTURE),
+            ("/$defs/Clamp", keys::CLAMP),
+            ("/$defs/Hole", keys::HOLE),
+            ("/$defs/Limits", keys::DIAMETER),
+            ("/$defs/Counterbore", keys::COUNTERBORE),
+            ("/$defs/Countersink", keys::COUNTERSINK),
+            ("/$defs/Pattern", keys::PATTERN),
+            ("/$defs/Grid", keys::GRID),
+            ("/$defs/Line", keys::LINE),
+            ("/$defs/Circle", keys::CIRCLE),
+            ("/$defs/Cone", keys::CONE),
+            ("/$defs/FaceKeys", keys::FACE),
+            ("/$defs/Groove", keys::GROOVE),
+            ("/$defs/Step", keys::STEP),
+        ] {
+            let mut known: Vec<String> = known.iter().map(|&key| key.to_owned()).collect();
+            known.sort();
+            assert_eq!(keys(pointer), known, "{pointer}");
+        }
+    }
+
+    #[test]
+    fn every_object_of_the_schema_is_closed_and_every_key_described() {
+        let schema = serde_json::to_value(schema()).unwrap();
+        let objects = schema["$defs"].as_object().unwrap().iter().map(|(name, object)| (name.as_str(), object));
+        for (name, object) in objects.chain([("PartFile", &schema)]).filter(|(_, object)| object["type"] == "object") {
+            assert_eq!(object["additionalProperties"], false, "{name}");
+            for (key, property) in object["properties"].as_object().unwrap() {
+                assert!(property["description"].is_string(), "{name}.{key}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_examples_fit_the_schema_types_and_the_reader() {
+        let knowledge = knowledge();
+        let mut seen = 0;
+        for entry in std::fs::read_dir(root("examples")).unwrap() {
+            let path = entry.unwrap().path();
+            // The folder holds shafts, plans and programs too.
+            if path.extension().is_none_or(|extension| extension != "yaml") {
+                continue;
+            }
+            let text = std::fs::read_to_string(&path).unwrap();
+            if !text.contains("\npart:") {
+                continue;
+            }
+            serde_yaml::from_str::<PartFile>(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+            super::super::read_part("example", &text, &knowledge).unwrap();
+            seen += 1;
+        }
+        assert!(seen > 0);
+    }
+
+    #[test]
+    fn a_part_with_every_key_fits_the_schema_types_and_the_reader() {
+        let part = super::super::read_part("full", FULL, &knowledge()).unwrap();
+        assert_eq!(part.material, "steel-45");
+        assert_eq!(part.holes.iter().map(|hole| hole.at.len()).collect::<Vec<_>>(), [2, 3, 1, 4, 6]);
+        serde_yaml::from_str::<PartFile>(FULL).unwrap();
+        let used = |keys: &[&str]| keys.iter().all(|key| FULL.contains(&format!("{key}:")));
+        assert!([keys::PART, keys::HOLE, keys::STEP, keys::GRID, keys::CIRCLE, keys::CONE].into_iter().all(used));
+    }
+
+    #[test]
+    fn the_schema_types_and_the_reader_refuse_the_same_forms() {
+        let knowledge = knowledge();
+        for (from, to) in [
+            ("mass:", "masse:"),
+            ("thickness:", "thick:"),
+            ("kind: plate", "kind: bar"),
+            ("x: left", "x: top"),
+            ("entry: rough", "entry: raw"),
+            ("height: 60", "hight: 60"),
+            ("at: [250, 130]", "at: [250, 130, 0]"),
+            ("lower: 0", "low: 0"),
+            ("bottom: flat", "bottom: round"),
+            ("through: false", "through: no"),
+            ("depth: 9", "deep: 9"),
+            ("angle: 90", "angel: 90"),
+            ("width: 2", "wide: 2"),
+            ("taper: 0.02", "tapper: 0.02"),
+            ("length: 10", "lenght: 10"),
+            ("columns: 2", "colums: 2"),
+            ("columns: 2", "columns: 2.5"),
+            ("start_angle: 15", "angle: 15"),
+            ("face: 24", "face: {}"),
+            ("state: pre-machined", "state: forged"),
+            ("line:", "row:"),
+            ("step: 30.5", "step: [1, 2]"),
+            ("at: [[50, 0], [100, 0]]", "at: [50, 0]"),
+        ] {
+            let text = FULL.replacen(from, to, 1);
+            assert_ne!(text, FULL, "{from}");
+            assert!(serde_yaml::from_str::<PartFile>(&text).is_err(), "{to}");
+            assert!(super::super::read_part("full", &text, &knowledge).is_err(), "{to}");
+        }
+    }
+}

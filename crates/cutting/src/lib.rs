@@ -1,0 +1,238 @@
+//! Cutting conditions: feed, speed, spindle step, forces, time, held by the machine's limits.
+//!
+//! Every formula is a named function with its source; every coefficient is a catalog row, and the rows
+//! used stand in the result's `because`.
+
+mod boring;
+mod card;
+mod countersinking;
+mod drilling;
+pub mod factors;
+mod feed;
+pub mod figures;
+pub mod handbook;
+pub mod laws;
+mod limits;
+mod milling;
+mod reaming;
+mod settle;
+mod tapping;
+
+// The rooms below, under one name each in the whole program.
+use technolog_core::{error, material, note, plan, shop};
+use technolog_knowledge::{self as knowledge, units};
+
+use crate::error::Tried;
+use crate::note::Because;
+use crate::plan::{Conditions, Operation};
+use crate::shop::Shop;
+use crate::units::{
+    ItGrade, Kilowatts, MetresPerMinute, Micrometres, MillimetresPerMinute, MillimetresPerRev, Minutes, NewtonMetres,
+    Newtons, RevsPerMinute, Roughness,
+};
+
+pub use limits::spindle_step;
+
+use settle::Settled;
+
+/// What is cut.
+#[derive(Clone, Copy, Debug)]
+pub struct Cut<'a> {
+    /// The transition.
+    pub operation: Operation,
+    /// The diameter it leaves; for centring that of the spot, for a cone its widest, for a thread its nominal.
+    pub diameter: Micrometres,
+    /// The narrow diameter of a step drill, which bears less feed than the wide one; absent for other tools.
+    pub feed_diameter: Option<Micrometres>,
+    /// The diameter of the tool where it must bear the torque, when it is not that of the cut: of a spotting drill
+    /// its own, of a step drill its narrow part.
+    pub tool_diameter: Option<Micrometres>,
+    /// The diameter before it; zero in solid metal.
+    pub from: Micrometres,
+    /// Passes of the tool; milling adds to them what the mill's diameter asks for.
+    pub passes: u32,
+    /// Depth of the hole.
+    pub depth: Micrometres,
+    /// Working travel of one pass.
+    pub travel: Micrometres,
+    /// `HSS` or `carbide`.
+    pub tool_material: &'a str,
+    /// Nose radius of a boring bar's insert.
+    pub nose_radius: Option<Micrometres>,
+    /// The roughness this transition must leave, when it is the last.
+    pub roughness: Option<Roughness>,
+    /// Whether a reamer follows.
+    pub reamer_follows: bool,
+    /// Whether the hole is blind.
+    pub blind: bool,
+    /// The surface of the blank: a value of the table `skin-factor`.
+    pub surface: &'a str,
+    /// The grade of the hole's tolerance; a final reaming pass is fed by it.
+    pub it: Option<ItGrade>,
+    /// Pitch of the thread, for tapping.
+    pub pitch: Option<Micrometres>,
+    /// The mill, for milling.
+    pub cutter: Option<CutterShape>,
+}
+
+/// What the conditions of milling need of a mill.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CutterShape {
+    /// Its own diameter, not that of the hole.
+    pub diameter: Micrometres,
+    /// Teeth, z.
+    pub teeth: u32,
+    /// Length of its cutting edges along the axis.
+    pub cutting_length: Micrometres,
+}
+
+impl Cut<'_> {
+    /// Depth of cut of one pass, mm.
+    fn depth_of_cut(&self) -> f64 {
+        (self.diameter - self.from).to_mm() / 2.0 / f64::from(self.passes.max(1))
+    }
+}
+
+/// Conditions on the way: what a formula yields, before and after the machine's limits.
+#[derive(Clone, Debug)]
+struct Draft {
+    feed: MillimetresPerRev,
+    speed: MetresPerMinute,
+    tool_life: Minutes,
+    /// m of V ~ 1/T^m, to turn another speed back into a tool life.
+    life_exponent: f64,
+    coolant: Option<bool>,
+    loads: Loads,
+    motion: Motion,
+    because: Vec<Because>,
+    card: Option<crate::plan::CardPoint>,
+    rounds: Option<crate::plan::Rounds>,
+}
+
+/// How the tool moves: what the spindle turns, how deep it cuts and how far it is fed.
+#[derive(Clone, Copy, Debug)]
+struct Motion {
+    /// The diameter at which the cutting speed is meant: the hole's, or the mill's own.
+    turned: Micrometres,
+    /// Depth of cut of one pass, mm.
+    depth_of_cut: f64,
+    /// Length of all moves at the working feed, mm.
+    path: f64,
+    /// Whether the feed per revolution is bound to the spindle, as by a thread's pitch.
+    synchronous: bool,
+}
+
+impl Motion {
+    /// A tool of the hole's diameter fed along its axis, as often as there are passes.
+    fn along_axis(cut: &Cut<'_>) -> Self {
+        Self {
+            turned: cut.diameter,
+            depth_of_cut: cut.depth_of_cut(),
+            path: cut.travel.to_mm() * f64::from(cut.passes.max(1)),
+            synchronous: false,
+        }
+    }
+}
+
+/// Torque and thrust as power laws of the feed, so that a limit can be turned back into a feed.
+#[derive(Clone, Copy, Debug, Default)]
+struct Loads {
+    torque: Option<PowerLaw>,
+    thrust: Option<PowerLaw>,
+}
+
+/// `factor · s^exponent · V^of_speed`: s in mm/rev, V in m/min, the speed that is driven.
+#[derive(Clone, Copy, Debug)]
+struct PowerLaw {
+    factor: f64,
+    exponent: f64,
+    /// 0 where the load does not depend on the speed.
+    of_speed: f64,
+}
+
+impl PowerLaw {
+    /// A load that does not depend on the speed.
+    const fn of_feed(factor: f64, exponent: f64) -> Self {
+        Self { factor, exponent, of_speed: 0.0 }
+    }
+
+    fn at(self, feed: MillimetresPerRev, speed: MetresPerMinute) -> f64 {
+        self.factor * libm::pow(feed.0, self.exponent) * libm::pow(speed.0, self.of_speed)
+    }
+
+    /// The feed at which the load reaches a limit.
+    fn feed_at(self, limit: f64, speed: MetresPerMinute) -> MillimetresPerRev {
+        let factor = self.factor * libm::pow(speed.0, self.of_speed);
+        MillimetresPerRev(libm::pow(limit / factor, 1.0 / self.exponent))
+    }
+}
+
+/// Conditions of a cut on the machine at hand.
+///
+/// # Errors
+/// A table has no figure for this material, or the knowledge cannot answer at all.
+pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Conditions> {
+    let Settled { draft, formula_speed, practice, held } =
+        settle::settle(cut, shop).map_err(|refusal| refusal.with("operation", cut.operation.name()))?;
+    let speed = speed_at(held.rpm, draft.motion.turned);
+    let feed_rate = MillimetresPerMinute(held.feed.0 * held.rpm.0);
+    let torque = draft.loads.torque.map(|law| NewtonMetres(law.at(held.feed, speed)));
+    let power = torque.map(|torque| power_of(torque, held.rpm));
+    // The life belongs to the formula's speed, whatever practice makes of it.
+    let tool_life = Minutes(draft.tool_life.0 * libm::pow(formula_speed.0 / speed.0, 1.0 / draft.life_exponent));
+    let mut because = draft.because;
+    because.extend(held.because);
+    Ok(Conditions {
+        depth_of_cut_mm: crate::units::round_to(draft.motion.depth_of_cut, 3),
+        feed_mm_per_rev: held.feed.rounded(3),
+        speed_m_per_min: speed.rounded(2),
+        spindle_rpm: held.rpm,
+        // A tap's feed rate is pitch times speed to the last digit, or the thread is torn.
+        feed_mm_per_min: feed_rate.rounded(if draft.motion.synchronous { 3 } else { 1 }),
+        axial_force_n: draft.loads.thrust.map(|law| Newtons(law.at(held.feed, speed)).rounded(0)),
+        torque_n_m: torque.map(|torque| torque.rounded(3)),
+        power_kw: power.map(|power| power.rounded(4)),
+        machine_time_min: Minutes(draft.motion.path / feed_rate.0).rounded(3),
+        limited_by: if practice && held.limited_by == "cutting-speed" {
+            "practice-speed".to_owned()
+        } else {
+            held.limited_by
+        },
+        tool_life_min: tool_life.rounded(0),
+        coolant: draft.coolant,
+        computed_speed_m_per_min: formula_speed.rounded(2),
+        rounds: draft.rounds,
+        card: draft.card,
+        because,
+    })
+}
+
+/// What the formulas give for a feed: for that of the tables, or for the one `taken` in its place.
+fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft> {
+    match cut.operation {
+        Operation::CentreDrill | Operation::Drill | Operation::DrillOut | Operation::CoreDrill => {
+            drilling::draft(cut, taken, shop)
+        }
+        Operation::Counterbore | Operation::Countersink | Operation::Chamfer => countersinking::draft(cut, taken, shop),
+        Operation::RoughReam | Operation::FinishReam => reaming::draft(cut, taken, shop),
+        Operation::RoughBore | Operation::SemiFinishBore | Operation::FinishBore => boring::draft(cut, taken, shop),
+        Operation::Mill => milling::draft(cut, taken, shop),
+        // The pitch leaves no other feed.
+        Operation::Tap => tapping::draft(cut, shop),
+    }
+}
+
+/// Spindle speed n = 1000·V/(π·D), 1/min (textbook Appendix Г item 7; V in m/min, D in mm).
+pub fn rpm_at(speed: MetresPerMinute, diameter: Micrometres) -> RevsPerMinute {
+    RevsPerMinute(1000.0 * speed.0 / (std::f64::consts::PI * diameter.to_mm()))
+}
+
+/// Cutting speed V = π·D·n/1000, m/min.
+pub fn speed_at(rpm: RevsPerMinute, diameter: Micrometres) -> MetresPerMinute {
+    MetresPerMinute(std::f64::consts::PI * diameter.to_mm() * rpm.0 / 1000.0)
+}
+
+/// Cutting power N = M·n/9750, kW (textbook Appendix Г item 8; M in N·m).
+pub fn power_of(torque: NewtonMetres, rpm: RevsPerMinute) -> Kilowatts {
+    Kilowatts(torque.0 * rpm.0 / 9750.0)
+}

@@ -1,0 +1,422 @@
+//! Gives the steps of one hole their cutters, holders and conditions, or says why one cannot have them.
+
+mod centring;
+mod reach;
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
+use crate::cutting::{self, Cut};
+use crate::error::{KnowledgeError, Refusal, Tried};
+use crate::knowledge::Input;
+use crate::note::{Because, Note};
+use crate::part::{Hole, Part};
+use crate::plan::{Conditions, Feature, Operation};
+use crate::route::bores::Edge;
+use crate::route::{Place, Step};
+use crate::shop::Shop;
+use crate::tooling::{self, Assembly, CutterNeed};
+use crate::units::{ItGrade, Micrometres, Roughness, round_to};
+
+use centring::widest_spot;
+use reach::point_angle;
+
+/// A step with what it is done with.
+#[derive(Clone, Debug)]
+pub(super) struct Fitted {
+    pub step: Step,
+    /// Absent for centring until the whole part is known.
+    pub tool: Option<FittedTool>,
+    pub travel: Micrometres,
+    pub approach: Micrometres,
+    pub conditions: Conditions,
+    pub because: Vec<Because>,
+}
+
+/// A cutter in its holder, in plain data.
+#[derive(Clone, Debug)]
+pub(super) struct FittedTool {
+    pub designation: String,
+    pub table: String,
+    pub diameter: Micrometres,
+    /// The size it is ground or set to; distinguishes two tools of one designation.
+    pub size: Micrometres,
+    pub assembly: Assembly,
+    pub because: Vec<Because>,
+}
+
+/// The cutter, conditions and travel of a step, without its own reasons.
+#[derive(Clone, Debug)]
+struct Outfit {
+    tool: FittedTool,
+    travel: Micrometres,
+    conditions: Conditions,
+}
+
+/// What the outfit of a step depends on; the routes of one hole share most of their steps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Key {
+    operation: Operation,
+    place: Place,
+    diameter: Micrometres,
+    nominal: Micrometres,
+    from: Micrometres,
+    passes: u32,
+    pitch: Option<Micrometres>,
+    also: Option<Micrometres>,
+    angle: Option<u32>,
+    within: Option<Micrometres>,
+    elsewhere: bool,
+    asks: Option<(ItGrade, Roughness)>,
+    eased: bool,
+    last: bool,
+}
+
+/// What every step of a hole shares.
+pub(super) struct Fitting<'p, 'k> {
+    hole: &'p Hole,
+    edges: &'p [Edge],
+    shop: &'p Shop<'k>,
+    /// Approach and overrun of a blind and of a through cut.
+    travels: [(Micrometres, Micrometres, Because); 2],
+    /// The widest spot a centring drill of the catalogs makes.
+    pub(super) widest_spot: Micrometres,
+    /// Point angles, degrees.
+    drill_point: f64,
+    core_drill_point: f64,
+    surface: &'k str,
+    lead: &'k str,
+    clearance: Micrometres,
+    floor_clearance: Micrometres,
+    grind_limit: Micrometres,
+    /// Lead of a tap, pitches.
+    tap_lead: f64,
+    known: RefCell<BTreeMap<Key, Result<Outfit, Note>>>,
+}
+
+impl<'p, 'k> Fitting<'p, 'k> {
+    /// Approach, overrun, surface and reamer lead by their rules.
+    pub fn new(hole: &'p Hole, edges: &'p [Edge], part: &'p Part, shop: &'p Shop<'k>) -> Result<Self, KnowledgeError> {
+        let knowledge = shop.knowledge;
+        let travel = |through: bool| -> Result<(Micrometres, Micrometres, Because), KnowledgeError> {
+            let row = crate::zone::approach(part, through, knowledge)?;
+            let (approach, overrun) = (row.length("approach")?, row.length("overrun")?);
+            let note = Note::new("travel").with("approach", approach).with("overrun", overrun);
+            Ok((approach, overrun, Because::row(row, note)))
+        };
+        let travels = [travel(false)?, travel(true)?];
+
+        let rule = knowledge.table("reamer-lead")?;
+        let answer = rule.decide(&[("material_group", Input::Text(shop.material.group))])?;
+        let lead = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, shop.material.group))?;
+        Ok(Self {
+            hole,
+            edges,
+            shop,
+            travels,
+            widest_spot: widest_spot(knowledge)?,
+            drill_point: point_angle(knowledge, Operation::Drill),
+            core_drill_point: point_angle(knowledge, Operation::CoreDrill),
+            surface: cutting::factors::surface_of(hole.skin, shop)?,
+            lead: lead.text("lead")?,
+            clearance: shop.convention("mill-clearance-mm")?,
+            floor_clearance: shop.convention("floor-clearance-mm")?,
+            grind_limit: shop.convention("cutter-grind-limit-mm")?,
+            tap_lead: shop.share("tap-lead-pitches")?,
+            known: RefCell::new(BTreeMap::new()),
+        })
+    }
+
+    /// Fits every step of a hole in their order; the first that cannot be fitted says why.
+    pub fn fit(&self, steps: Vec<Step>, finish_elsewhere: bool) -> Tried<Vec<Fitted>> {
+        let drill = steps.iter().find(|step| step.operation == Operation::Drill).map(|step| step.diameter);
+        let mut fitted = Vec::with_capacity(steps.len());
+        for index in 0..steps.len() {
+            let step = &steps[index];
+            // What follows on the same cylinder.
+            let own = (cylinder(step), step.place.step);
+            let follows = steps[index + 1..].iter().find(|next| (cylinder(next), next.place.step) == own);
+            let follows = follows.map(|step| step.operation);
+            let step = step.clone();
+            fitted.push(if step.operation == Operation::CentreDrill {
+                self.centre(step, drill.unwrap_or(self.hole.diameter.nominal))?
+            } else {
+                let last = follows.is_none_or(|next| next == Operation::Tap) && !finish_elsewhere;
+                self.one(step, follows, last)?
+            });
+        }
+        Ok(fitted)
+    }
+
+    /// One step that is not centring.
+    pub fn one(&self, step: Step, follows: Option<Operation>, last: bool) -> Tried<Fitted> {
+        let key = Key {
+            operation: step.operation,
+            place: step.place,
+            diameter: step.diameter,
+            nominal: step.nominal,
+            from: step.from,
+            passes: step.passes,
+            pitch: step.pitch,
+            also: step.also,
+            angle: step.angle_millideg,
+            within: step.within,
+            elsewhere: step.elsewhere,
+            asks: step.asks,
+            eased: follows.is_some_and(eases),
+            last,
+        };
+        let known = self.known.borrow().get(&key).cloned();
+        let outfit = match known {
+            Some(outfit) => outfit,
+            None => {
+                let outfit = Refusal::split(self.outfit(&step, follows, last))?;
+                self.known.borrow_mut().insert(key, outfit.clone());
+                outfit
+            }
+        };
+        let outfit = outfit.map_err(Refusal::Not)?;
+        let mut because = step.because.clone();
+        let (approach, _, reason) = self.travels(step.place.through);
+        because.push(reason.clone());
+        because.extend(self.conventions(&step)?);
+        let Outfit { tool, travel, conditions } = outfit;
+        Ok(Fitted { step, tool: Some(tool), travel, approach: *approach, conditions, because })
+    }
+
+    /// The conventions that the lengths of a step rest on.
+    fn conventions(&self, step: &Step) -> Result<Vec<Because>, KnowledgeError> {
+        let mut because = Vec::new();
+        let mut cite = |name: &str, note: Note| -> Result<(), KnowledgeError> {
+            because.push(Because::row(self.shop.default_row(name)?, note));
+            Ok(())
+        };
+        let main = step.place.feature == Feature::Bore && step.place.step.is_none();
+        match step.operation {
+            Operation::Tap => cite("tap-lead-pitches", Note::new("tap-lead").with("lead", self.lead(step)))?,
+            Operation::Mill => {
+                let floor = step.from == step.diameter;
+                let name = if floor { "floor-clearance-mm" } else { "mill-clearance-mm" };
+                let clearance = if floor { self.floor_clearance } else { self.clearance };
+                cite(name, Note::new("mill-clearance").with("clearance", clearance))?;
+            }
+            Operation::Drill | Operation::DrillOut if main && self.hole.thread.is_some() && !step.place.through => {
+                let note = Note::new("thread-runout").with("runout", step.place.depth - self.hole.depth);
+                cite("thread-runout-pitches", note)?;
+            }
+            _ => {}
+        }
+        Ok(because)
+    }
+
+    fn outfit(&self, step: &Step, follows: Option<Operation>, last: bool) -> Tried<Outfit> {
+        // Another machine has other limits, which are not known here.
+        let other = step.elsewhere.then(|| self.shop.without_limits());
+        let shop = other.as_ref().unwrap_or(self.shop);
+        let (travel, reach) = self.travel(step);
+        // How far a tap of that machine would reach is not known here either.
+        let reach = if step.elsewhere { Micrometres::ZERO } else { reach };
+        if step.operation == Operation::Mill {
+            self.round_enough(step)?;
+        }
+        let need = CutterNeed {
+            operation: step.operation,
+            diameter: step.diameter,
+            nominal: step.nominal,
+            enters: step.from,
+            reach,
+            through: step.place.through,
+            lead: self.lead,
+            thread: self.hole.thread_at(step.place.step).map(|thread| thread.id.as_str()),
+            angle_millideg: step.angle_millideg,
+            within: step.within,
+            below: self.step_above(step),
+            clearance: if step.from == step.diameter { self.floor_clearance } else { self.clearance },
+            grind_limit: self.grind_limit,
+        };
+        let found = match step.also {
+            Some(wide) => {
+                let pilot = reach - self.opening_depth();
+                let opening = if self.flat_opening().is_some() { Operation::Counterbore } else { Operation::Chamfer };
+                tooling::find_step_drill(&need, wide, pilot, opening, shop.knowledge, &shop.machine)?
+            }
+            None => tooling::find_tool(&need, shop.knowledge, &shop.machine)?,
+        };
+        let (cutter, assembly) = found.map_err(|why| Refusal::Not(first_of(why, step.operation)))?;
+        // A step drill goes on until its wide part is as deep as the opening.
+        let travel = match (step.also, cutter.row.length("step_length")) {
+            (Some(_), Ok(pilot)) => self.travels(step.place.through).0 + self.opening_depth() + pilot,
+            _ => travel,
+        };
+        let nose_radius = cutter.row.length("nose_radius").ok();
+        // The surface asked for is left by a last single pass; passes before it, and stock for another
+        // machine, need no finish feed.
+        let roughness = step.asks.filter(|_| last && step.passes == 1).map(|(_, roughness)| roughness);
+        let cut = Cut {
+            nose_radius,
+            roughness,
+            cutter: cutter_shape(&cutter),
+            ..self.cut(step, follows, &cutter.head.material, travel)
+        };
+        // On a floor the mill cuts as far as its own radius.
+        let cut = if step.operation == Operation::Mill && step.from == step.diameter {
+            Cut { from: (step.diameter - cutter.diameter).max(cutter.diameter + Micrometres::new(1)), ..cut }
+        } else {
+            cut
+        };
+        let conditions = cutting::conditions(&cut, shop)?;
+        let mut because = vec![cutter.order.clone(), cutter.because.clone()];
+        // A reamer or core drill of the catalogs, wider than asked, is ground down.
+        let grinds = step.operation.is_reaming() || step.operation == Operation::CoreDrill;
+        if grinds && cutter.diameter > step.nominal {
+            let note = Note::new("ground-within").with("limit", self.grind_limit);
+            because.push(Because::row(self.shop.default_row("cutter-grind-limit-mm")?, note));
+        }
+        because.extend(assembly.because.clone());
+        let tool = FittedTool {
+            designation: cutter.designation.to_owned(),
+            table: cutter.row.table.id.clone(),
+            diameter: cutter.diameter,
+            size: if fixed_size(step.operation) { cutter.diameter } else { step.diameter },
+            assembly,
+            because,
+        };
+        Ok(Outfit { tool, travel, conditions })
+    }
+
+    /// A milled cylinder is as round as the machine makes it, which may take a share of the tolerance.
+    fn round_enough(&self, step: &Step) -> Tried<()> {
+        let Some(roundness) = self.shop.machine.roundness else { return Ok(()) };
+        let tolerance = match step.place.step {
+            Some(number) => self.hole.steps.get(number - 1).map(|step| (&step.diameter.upper, &step.diameter.lower)),
+            None if step.place.feature == Feature::Bore => Some((&self.hole.diameter.upper, &self.hole.diameter.lower)),
+            None => None,
+        };
+        let target = match step.place.step {
+            Some(number) => self.hole.steps.get(number - 1).map(|step| step.diameter.target()),
+            None => Some(self.hole.diameter.target()),
+        };
+        let Some((upper, lower)) = tolerance.filter(|_| target == Some(step.diameter)) else { return Ok(()) };
+        let share = self.shop.share("milled-roundness-share")?;
+        let most = Micrometres::from_mm_rounded((*upper - *lower).to_mm() * share);
+        if roundness > most {
+            let note = Note::new("milled-not-round").with("roundness", roundness).with("most", most);
+            return Err(Refusal::Not(note.with("diameter", step.diameter)));
+        }
+        Ok(())
+    }
+
+    fn cut<'c>(&'c self, step: &Step, follows: Option<Operation>, material: &'c str, travel: Micrometres) -> Cut<'c> {
+        Cut {
+            operation: step.operation,
+            diameter: step.also.unwrap_or(step.diameter),
+            from: step.from,
+            passes: step.passes,
+            depth: step.place.depth - step.place.start,
+            travel,
+            tool_material: material,
+            nose_radius: None,
+            roughness: None,
+            reamer_follows: follows.is_some_and(eases),
+            blind: !step.place.through,
+            surface: self.surface,
+            cutter: None,
+            pitch: step.pitch,
+            it: step.asks.map(|(it, _)| it),
+            feed_diameter: step.also.map(|_| step.diameter),
+            tool_diameter: step.also.map(|_| step.diameter),
+        }
+    }
+
+    /// Says what the second drill costs in time and saves in thrust against one drill of full size.
+    pub fn compare_with_one_drill(&self, fitted: &mut [Fitted]) -> Result<(), KnowledgeError> {
+        let Some(second) = fitted
+            .iter()
+            .position(|one| one.step.operation == Operation::DrillOut && one.step.place.feature == Feature::Bore)
+        else {
+            return Ok(());
+        };
+        let single = Step {
+            operation: Operation::Drill,
+            from: Micrometres::ZERO,
+            because: Vec::new(),
+            ..fitted[second].step.clone()
+        };
+        let (travel, _) = self.travel(&single);
+        let follows = fitted.get(second + 1).map(|one| one.step.operation);
+        let cut = self.cut(&single, follows, "HSS", travel);
+        let Ok(one) = cutting::conditions(&cut, self.shop) else { return Ok(()) };
+        let pair = &fitted[second.saturating_sub(1)..=second];
+        let time: f64 = pair.iter().map(|step| step.conditions.machine_time_min.0).sum();
+        let thrust = pair
+            .iter()
+            .filter_map(|step| step.conditions.axial_force_n)
+            .fold(0.0, |most: f64, force| most.max(force.0));
+        let table = self.shop.knowledge.table("two-pass-drilling")?;
+        let note = Note::new("two-passes-cost")
+            .with("time", format!("{:+.3}", time - one.machine_time_min.0))
+            .with("thrust", round_to(thrust, 0))
+            .with(
+                "one-thrust",
+                one.axial_force_n.map_or_else(|| "-".to_owned(), |force| round_to(force.0, 0).to_string()),
+            );
+        fitted[second].because.push(Because::table(table, note));
+        Ok(())
+    }
+}
+
+/// How far the tool of somebody's step goes in one pass, and how far above the metal its feed begins.
+///
+/// # Errors
+/// The knowledge cannot answer.
+pub fn way(
+    step: &Step,
+    hole: &Hole,
+    part: &Part,
+    shop: &Shop<'_>,
+) -> Result<(Micrometres, Micrometres), KnowledgeError> {
+    let fitting = Fitting::new(hole, &[], part, shop)?;
+    Ok((fitting.travel(step).0, fitting.travels(step.place.through).0))
+}
+
+/// The cylinder a step works on: a thread is that of its hole.
+fn cylinder(step: &Step) -> Feature {
+    match step.place.feature {
+        Feature::Thread if step.place.step.is_none() => Feature::Bore,
+        Feature::Thread => Feature::Step,
+        feature => feature,
+    }
+}
+
+/// Whether the tool is the same whatever diameter it leaves: a mill goes round, a cone is cut as wide as the
+/// tool is driven in.
+const fn fixed_size(operation: Operation) -> bool {
+    matches!(
+        operation,
+        Operation::Mill | Operation::Chamfer | Operation::Countersink | Operation::CentreDrill | Operation::Tap
+    )
+}
+
+/// Whether a drill before this transition is fed at half (table `feed-factor`): accurate finishing or tapping.
+const fn eases(next: Operation) -> bool {
+    next.is_reaming() || matches!(next, Operation::Tap)
+}
+
+/// The shape of an end mill, where the row has teeth.
+fn cutter_shape(cutter: &tooling::Cutter<'_>) -> Option<cutting::CutterShape> {
+    let teeth = u32::try_from(cutter.row.int("teeth").ok()?).ok()?;
+    let cutting_length = cutter.row.length("cutting_length").ok()?;
+    Some(cutting::CutterShape { diameter: cutter.diameter, teeth, cutting_length })
+}
+
+/// One reason stands for all, how many there were is said with it: the first that is about the cutter and
+/// not about a holder that takes other shanks.
+fn first_of(why: Vec<Note>, operation: Operation) -> Note {
+    const MISMATCHES: [&str; 5] =
+        ["shank-outside-clamp", "other-morse", "other-bore", "other-taper", "thread-outside-chuck"];
+    let count = why.len();
+    let telling = why.iter().position(|note| !MISMATCHES.contains(&note.code.as_str())).unwrap_or_default();
+    let first = why.into_iter().nth(telling).unwrap_or_else(|| Note::new("no-cutter"));
+    let first = if first.params.contains_key("operation") { first } else { first.with("operation", operation.name()) };
+    if count > 1 { first.with("more", count - 1) } else { first }
+}

@@ -1,0 +1,281 @@
+//! The planner: the one place where a later stage's refusal makes an earlier one try the next alternative.
+//!
+//! Holes are planned from the smallest up, because a drill of a smaller hole may be the first drill of a
+//! larger one. For each hole the candidates of the three ways ([`crate::route`]) are turned into steps with
+//! tools and conditions, or refused with a reason (`options`); the routes of all holes are chosen together,
+//! so that they share their tools (`choose`). Then the tools of the whole part are put together (`magazine`).
+//!
+//! - `options`: the routes of a group; `ways`: how they are found, tried and filed;
+//! - `whole`: a whole hole by one candidate; `step_drill`: hole and opening by one drill;
+//! - `fit`: cutter, holder and conditions of each step, with `fit/centring` and `fit/reach`.
+
+mod choose;
+mod fit;
+mod magazine;
+mod options;
+mod step_drill;
+mod ways;
+mod whole;
+
+use crate::error::{KnowledgeError, Refusal};
+use crate::knowledge::Knowledge;
+use crate::note::{Because, Finding, Note, Severity, doubtful_row};
+use crate::part::{Face, Hole, Part};
+use crate::plan::{Clamping, CuttingMethod, Operation, Plan, Route};
+use crate::shop::Shop;
+use crate::units::round_to;
+use crate::{sequence, setup, tooling, zone};
+
+use choose::{Chooser, Weighed};
+pub use fit::way;
+use fit::{Fitted, Fitting};
+use options::{Choice, Options};
+
+/// A group of holes on the way: its route and fitted steps, when one was accepted.
+struct Draft {
+    route: Option<Route>,
+    steps: Vec<Fitted>,
+}
+
+/// Plans a part.
+///
+/// # Errors
+/// The knowledge base lacks something planning asks of it. A hole that cannot be made is a finding of
+/// the plan, not an error.
+pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result<Plan, KnowledgeError> {
+    let shop = Shop::new(part, method, knowledge)?;
+    let mut findings = Vec::new();
+    let drills = tooling::drill_sizes(knowledge, &shop.machine)?;
+    let mut order: Vec<usize> = (0..part.holes.len()).collect();
+    // By what a group is, not by what it is called: names only tell equal groups apart.
+    order.sort_by_cached_key(|&index| {
+        let hole = &part.holes[index];
+        let (it, roughness) = (hole.diameter.it, hole.roughness);
+        let mut points = hole.at.clone();
+        points.sort_unstable();
+        (hole.diameter.nominal, it, roughness, hole.depth, points, &hole.name)
+    });
+    let mut chooser = Chooser::new(part, &shop);
+    for &index in &order {
+        let hole = &part.holes[index];
+        match Refusal::split(options::options(hole, part, &chooser.drills(), &drills, &shop))? {
+            Ok(options) => chooser.add(index, options),
+            Err(note) => findings.push(Finding::of_hole(Severity::Error, &hole.name, note)),
+        }
+    }
+    chooser.settle(&order);
+    let mut drafts = Vec::with_capacity(part.holes.len());
+    for (index, hole) in part.holes.iter().enumerate() {
+        drafts.push(draft(index, hole, part, &mut chooser, &shop, &mut findings)?);
+    }
+    magazine::choose_centre_drill(part, &mut drafts, &shop, &mut findings)?;
+    let (holes, tools) = magazine::number_tools(part, drafts, &shop, &mut findings);
+
+    let clamping = match setup::clamping(part, &holes, &shop)? {
+        None => None,
+        Some((clamping, faults)) => {
+            findings.extend(start_point(part, &clamping, &shop));
+            findings.extend(faults.into_iter().map(|note| Finding::of_part(Severity::Error, note)));
+            Some(clamping)
+        }
+    };
+    let (visits, time) = sequence::sequence(part, &holes, &shop.machine, None);
+    let visiting = sequence::visiting::visiting(part, &holes, &shop, &mut findings)?;
+    reach_of_table(part, &shop, &mut findings);
+    findings.extend(doubtful_row(shop.material.row));
+    let mut plan = Plan {
+        part: part.clone(),
+        cutting: method,
+        holes,
+        tools,
+        clamping,
+        sequence: visits,
+        visiting,
+        time,
+        findings,
+    };
+    unconfirmed(&mut plan);
+    plan.findings.sort_by(|a, b| {
+        let key = |finding: &Finding| {
+            let row = finding.note.params.get("row").and_then(|row| row.parse::<usize>().ok());
+            (
+                finding.severity,
+                finding.hole.clone(),
+                finding.note.code.clone(),
+                finding.note.params.get("table").cloned(),
+                row,
+            )
+        };
+        key(a).cmp(&key(b)).then_with(|| a.note.cmp(&b.note))
+    });
+    plan.findings.dedup();
+    Ok(plan)
+}
+
+/// A group's draft: the chosen route with what it was weighed against, and what there is to say of it.
+fn draft(
+    index: usize,
+    hole: &Hole,
+    part: &Part,
+    chooser: &mut Chooser<'_, '_>,
+    shop: &Shop<'_>,
+    findings: &mut Vec<Finding>,
+) -> Result<Draft, KnowledgeError> {
+    let mut report = |severity, note| findings.push(Finding::of_hole(severity, &hole.name, note));
+    let weighed = chooser.weighed(index);
+    let chosen = chooser.chosen[index];
+    let Some(options) = &chooser.options[index] else { return Ok(Draft { route: None, steps: Vec::new() }) };
+    for note in &options.impossible {
+        report(Severity::Error, note.clone());
+    }
+    for note in &options.doubtful {
+        report(Severity::Doubtful, note.clone());
+    }
+    for note in &options.remarks {
+        report(Severity::Note, note.clone());
+    }
+    let (Some(weighed), Some(choice)) = (weighed, chosen.and_then(|chosen| options.choices.get(chosen))) else {
+        report(
+            Severity::Error,
+            Note::new("no-route").with("diameter", &hole.diameter).with("tried", options.refused.len()),
+        );
+        for (note, schemes) in by_reason(options) {
+            let note = if schemes.is_empty() { note } else { note.with("scheme", schemes.join(", ")) };
+            report(Severity::Error, note);
+        }
+        return Ok(Draft { route: None, steps: Vec::new() });
+    };
+    let steps = choice.steps.clone();
+    if choice.candidate.finish_elsewhere {
+        report(Severity::Note, Note::new("finish-elsewhere").with("scheme", &choice.candidate.scheme));
+    }
+    if options.not_bored {
+        report(Severity::Doubtful, Note::new("not-bored"));
+    }
+    for missed in &choice.misses {
+        report(Severity::Wrong, missed.clone().with("scheme", &choice.candidate.scheme));
+    }
+    if steps.iter().any(|fitted| fitted.step.operation.is_boring() && fitted.step.passes > 1) {
+        report(Severity::Note, Note::new("bar-set-by-hand"));
+    }
+    for why in steps.iter().flat_map(|fitted| &fitted.because) {
+        match why.note.code.as_str() {
+            "step-finished-elsewhere" => report(Severity::Note, why.note.clone()),
+            "promised" => {
+                let note = Note { code: "promised-finer".to_owned(), ..why.note.clone() };
+                report(Severity::Doubtful, note.with("table", &choice.candidate.table));
+            }
+            _ => {}
+        }
+    }
+    if let Some(tap) = steps.iter().find(|fitted| fitted.step.elsewhere && fitted.step.operation == Operation::Tap) {
+        let thread = hole.thread_at(tap.step.place.step).map_or("", |thread| thread.written.as_str());
+        report(Severity::Note, Note::new("tap-elsewhere").with("thread", thread).with("machine", &part.machine));
+    }
+    if steps.iter().any(|fitted| fitted.step.place.face == Face::Back) {
+        report(Severity::Note, Note::new("second-setup"));
+    }
+    let fitting = Fitting::new(hole, &[], part, shop)?;
+    for note in fitting.beyond(&steps, part.blank.thickness) {
+        report(Severity::Error, note);
+    }
+    Ok(Draft { route: Some(route(choice, options, weighed)), steps })
+}
+
+/// Why the routes of a group were refused: each reason once, with the schemes it kept out.
+fn by_reason(options: &Options) -> Vec<(Note, Vec<String>)> {
+    let mut reasons: Vec<(Note, Vec<String>)> = Vec::new();
+    for other in &options.refused {
+        let scheme = (!other.scheme.is_empty()).then(|| other.scheme.clone());
+        match reasons.iter_mut().find(|(note, _)| *note == other.why) {
+            Some((_, schemes)) => schemes.extend(scheme.filter(|scheme| !schemes.contains(scheme))),
+            None => reasons.push((other.why.clone(), scheme.into_iter().collect())),
+        }
+    }
+    reasons
+}
+
+fn route(choice: &Choice, options: &Options, weighed: Weighed) -> Route {
+    let candidate = &choice.candidate;
+    let mut because: Vec<Because> = options.stages.iter().cloned().collect();
+    because.extend(candidate.because.clone());
+    Route {
+        way: candidate.way,
+        table: candidate.table.clone(),
+        scheme: candidate.scheme.clone(),
+        finish_elsewhere: candidate.finish_elsewhere,
+        meets: choice.meets(),
+        centre_tolerance_mm: options.centre_tolerance,
+        time_min: weighed.time,
+        cost: weighed.cost,
+        margin_min: weighed.margin,
+        alternatives: weighed.alternatives,
+        because,
+    }
+}
+
+/// The tool-change position against the safe distance from a clamp's screw (textbook 1.11).
+fn start_point(part: &Part, clamping: &Clamping, shop: &Shop<'_>) -> Option<Finding> {
+    let start = sequence::tool_change_point(part, &shop.machine);
+    let nearest = start.to_nearest(&clamping.clamps)?;
+    (nearest < clamping.safe_distance_mm).then(|| {
+        let note = Note::new("start-near-clamp")
+            .with("distance", round_to(nearest.to_mm(), 0))
+            .with("needed", clamping.safe_distance_mm);
+        Finding::of_part(Severity::Note, note)
+    })
+}
+
+/// The blank must be light enough for the table, and the holes must lie within its travel.
+pub fn reach_of_table(part: &Part, shop: &Shop<'_>, findings: &mut Vec<Finding>) {
+    if let Some(mass) = part.mass_kg.filter(|mass| *mass > shop.machine.load_max_kg) {
+        let note = Note::new("too-heavy").with("mass", mass).with("limit", shop.machine.load_max_kg);
+        findings.push(Finding::of_part(Severity::Error, note));
+    }
+    for (axis, low, high) in zone::spans(part) {
+        let travel = shop.machine.travel(axis);
+        if high - low > travel {
+            let note = Note::new("beyond-travel").with("axis", axis.letter()).with("span", high - low);
+            findings.push(Finding::of_part(Severity::Error, note.with("travel", travel)));
+        }
+    }
+}
+
+/// Every row the plan rests on that is not fully trusted, once each, and what a card could not give.
+fn unconfirmed(plan: &mut Plan) {
+    let mut found: Vec<Finding> = Vec::new();
+    let mut look = |because: &[Because], hole: Option<&str>| {
+        for reason in because {
+            if matches!(reason.note.code.as_str(), "card-point-forces-differ" | "card-without-depth") {
+                let hole = hole.map(str::to_owned);
+                found.push(Finding { severity: Severity::Doubtful, hole, note: reason.note.clone() });
+            }
+            let Some(note) = reason.doubt() else { continue };
+            match found.iter_mut().find(|finding| finding.note == note) {
+                // Said of several groups, it is said of the part.
+                Some(known) if known.hole.as_deref() != hole => known.hole = None,
+                Some(_) => {}
+                None => found.push(Finding { severity: Severity::Doubtful, hole: hole.map(str::to_owned), note }),
+            }
+        }
+    };
+    for hole in &plan.holes {
+        if let Some(route) = &hole.route {
+            look(&route.because, Some(&hole.name));
+        }
+        for transition in &hole.transitions {
+            look(&transition.because, Some(&hole.name));
+            look(&transition.conditions.because, Some(&hole.name));
+        }
+    }
+    for tool in &plan.tools {
+        look(&tool.because, None);
+    }
+    for visiting in &plan.visiting {
+        look(&visiting.because, Some(&visiting.hole));
+    }
+    if let Some(clamping) = &plan.clamping {
+        look(&clamping.because, None);
+    }
+    plan.findings.extend(found);
+}

@@ -1,0 +1,12 @@
+//! NC programs: [`job`] is a plan as work of a machine, [`program`] the languages of controls, written and read back.
+//!
+//! Architecture invariant: nothing here plans. A job is made of a plan by whoever planned it.
+
+pub mod job;
+pub mod program;
+
+// The rooms below, under one name each in the whole program.
+use technolog_core::{error, machine, motion, note, part, plan, shop, zone};
+use technolog_knowledge::{self as knowledge, units};
+#[cfg(test)]
+use technolog_shipped as shipped;

@@ -1,0 +1,157 @@
+//! A job as a program in ISO 6983, in the dialects of LinuxCNC and Fanuc.
+//!
+//! The main program has for each tool its change, the spindle, the approach, its cycles and points. Subprograms are the
+//! withdrawal to the tool change, the contours of mills, and points that several tools go over. Positions are absolute.
+//!
+//! - `dialect` what the two write differently;
+//! - `tool` one tool from its change to its withdrawal.
+
+mod dialect;
+mod tool;
+
+use std::collections::BTreeMap;
+
+use crate::job::{Job, Pause};
+use crate::program::block::Block;
+use crate::program::iso::control::Kind;
+use crate::program::written::{Form, Line, Role, WorkRef, Written};
+use technolog_core::ascii::ascii;
+
+use dialect::Numbered;
+
+/// Blocks of a subprogram that are to be called, with the number they got.
+type Subprograms = Vec<(Vec<Block>, Option<WorkRef>)>;
+
+/// The first subprogram has this number.
+const FIRST_SUBPROGRAM: u32 = 101;
+
+/// The program as it grows.
+struct Sheet {
+    form: Form,
+    dialect: Kind,
+    main: Vec<(Piece, Role, Option<WorkRef>, Option<usize>)>,
+    subprograms: Subprograms,
+}
+
+/// A line of the main program.
+#[derive(Clone, Debug)]
+enum Piece {
+    Block(Block),
+    /// A block with a remark behind it.
+    Remarked(Block, String),
+    /// The call of a subprogram.
+    Call(u32),
+}
+
+/// The program of a job.
+pub fn write(job: &Job, dialect: Kind, form: Form) -> Written {
+    let mut sheet = Sheet { form, dialect, main: Vec::new(), subprograms: Vec::new() };
+    let axis = |value| sheet.dialect.length(form.grid(value));
+    let up = Block::new().g(90).g(80).g(49);
+    let withdrawal = vec![
+        up,
+        Block::new().g(53).g(0).word('Z', axis(job.change_at.z)),
+        Block::new().m(5),
+        Block::new().m(9),
+        Block::new().g(53).g(0).word('X', axis(job.change_at.x)).word('Y', axis(job.change_at.y)),
+    ];
+    let away = sheet.subprogram(withdrawal, None);
+    for block in dialect.beginning() {
+        sheet.put(block, Role::Frame, None, None);
+    }
+    sheet.call(away, Role::Withdrawal, None, None);
+    let shared = tool::shared_points(job, form, dialect);
+    let mut in_spindle = None;
+    for (setup_index, setup) in job.setups.iter().enumerate() {
+        for (work_index, work) in setup.works.iter().enumerate() {
+            let work_ref = WorkRef { setup: setup_index, work: work_index };
+            let place = Some(work_ref);
+            for pause in &work.pauses {
+                sheet.main.push((
+                    Piece::Remarked(Block::new().m(0), remark(*pause, &work.designation)),
+                    Role::Pause,
+                    place,
+                    None,
+                ));
+                if matches!(pause, Pause::LoadTool { .. }) {
+                    in_spindle = None;
+                }
+            }
+            if in_spindle != Some(work.place) {
+                let change = Block::new().word('T', work.place).m(6);
+                let name = ascii(&work.designation);
+                sheet.main.push((Piece::Remarked(change, name), Role::ToolChange, place, None));
+                in_spindle = Some(work.place);
+            }
+            sheet.one_tool(work, work_ref, &shared);
+            sheet.call(away, Role::Withdrawal, place, None);
+        }
+    }
+    sheet.put(Block::new().m(30), Role::End, None, None);
+    sheet.finish(&ascii(&job.part))
+}
+
+/// What the operator does, in the letters that every control shows.
+fn remark(pause: Pause, designation: &str) -> String {
+    match pause {
+        Pause::LoadTool { tool, place } => format!("LOAD TOOL {tool} INTO PLACE {place}: {}", ascii(designation)),
+        Pause::TurnOver => "TURN THE PART OVER ABOUT Y".to_owned(),
+        Pause::SetBar { diameter_mm } => format!("SET THE BAR TO D{diameter_mm}"),
+    }
+}
+
+impl Sheet {
+    fn put(&mut self, block: Block, role: Role, work: Option<WorkRef>, cycle: Option<usize>) {
+        self.main.push((Piece::Block(block), role, work, cycle));
+    }
+
+    fn call(&mut self, number: u32, role: Role, work: Option<WorkRef>, cycle: Option<usize>) {
+        self.main.push((Piece::Call(number), role, work, cycle));
+    }
+
+    /// The number of blocks as a subprogram; equal ones are one.
+    fn subprogram(&mut self, blocks: Vec<Block>, work: Option<WorkRef>) -> u32 {
+        let known = self.subprograms.iter().position(|(known, _)| *known == blocks);
+        let index = known.unwrap_or_else(|| {
+            self.subprograms.push((blocks, work));
+            self.subprograms.len() - 1
+        });
+        FIRST_SUBPROGRAM + u32::try_from(index).unwrap_or_default()
+    }
+
+    fn finish(self, part: &str) -> Written {
+        let Self { form, dialect, main, subprograms } = self;
+        let plain = |text: String, role| Line { text, role, work: None, cycle: None };
+        let mut before = Vec::new();
+        let mut after = Vec::new();
+        // LinuxCNC wants a subprogram before its call, Fanuc behind the main program.
+        let place = if dialect == Kind::LinuxCnc { &mut before } else { &mut after };
+        for (number, (blocks, work)) in (FIRST_SUBPROGRAM..).zip(&subprograms) {
+            let line = |text: String, role| Line { text, role, work: *work, cycle: None };
+            place.push(line(dialect.subprogram_begins(number), Role::Frame));
+            for (block, index) in blocks.iter().zip(1..) {
+                place.push(line(Numbered(index, block.text()).to_string(), Role::Cycle));
+            }
+            place.push(line(dialect.subprogram_ends(number), Role::End));
+        }
+        let mut lines = vec![plain("%".to_owned(), Role::Frame)];
+        lines.extend(dialect.head(part).into_iter().map(|text| plain(text, Role::Frame)));
+        lines.append(&mut before);
+        let step = if main.len() * form.number_step as usize > 9999 { 1 } else { form.number_step as usize };
+        let numbers = (1..).map(|index: usize| index * step.max(1) % 10_000);
+        for ((piece, role, work, cycle), number) in main.into_iter().zip(numbers) {
+            let text = match piece {
+                Piece::Block(block) => Numbered(number, block.text()).to_string(),
+                Piece::Remarked(block, remark) => format!("{} ({remark})", Numbered(number, block.text())),
+                Piece::Call(called) => dialect.call(number, called),
+            };
+            lines.push(Line { text, role, work, cycle });
+        }
+        lines.append(&mut after);
+        lines.push(plain("%".to_owned(), Role::Frame));
+        Written { lines }
+    }
+}
+
+/// How often each list of points occurs.
+type Shared = BTreeMap<Vec<Block>, usize>;

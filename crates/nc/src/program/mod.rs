@@ -1,0 +1,177 @@
+//! Programs of controls, written and read back. There are two rooms: [`control_2c42_65`], and [`iso`] for LinuxCNC and
+//! Fanuc, which differ in their tables. [`Language`] is whichever of them a program is written for; [`proof`] holds what a
+//! program does against a job.
+//!
+//! An interpreter reads the text of a program and makes the steps of [`crate::motion`] of it. A writer is the same way
+//! backwards. What an interpreter has to say about a program are [`Fault`]s: data, without a language. What the operator
+//! sets before a run stands in [`setting`].
+
+mod block;
+pub mod control_2c42_65;
+pub mod iso;
+mod limits;
+pub mod proof;
+pub mod setting;
+pub mod written;
+
+use serde::Serialize;
+
+pub use setting::Setting;
+
+use crate::error::KnowledgeError;
+use crate::job::Job;
+use crate::knowledge::diagnostic::Diagnostic;
+use crate::knowledge::{Knowledge, Table};
+use crate::machine::Machine;
+use crate::motion::{BlockRef, Sink};
+use crate::note::{Note, Severity};
+use written::{Form, Written};
+
+/// The language of a control, read from its tables.
+#[derive(Clone, Debug)]
+pub enum Language {
+    /// 2С42-65.
+    Control2c42(control_2c42_65::Control),
+    /// LinuxCNC and Fanuc.
+    Iso(iso::Control),
+}
+
+impl Language {
+    /// The controls, as a user names them.
+    pub const NAMES: [&str; 3] = ["2c42-65", "linuxcnc", "fanuc"];
+
+    /// Reads the language of a control.
+    ///
+    /// # Errors
+    /// There is no such control, or a table of it is missing or lacks what is asked of it.
+    pub fn read(control: &str, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
+        match control {
+            "2c42-65" => control_2c42_65::Control::read(knowledge).map(Self::Control2c42),
+            other => iso::Control::read(other, knowledge).map(Self::Iso),
+        }
+    }
+
+    /// Reads a setting of this control.
+    ///
+    /// # Errors
+    /// Every mistake of the file, each with its place and what to do.
+    pub fn setting(&self, file: &str, text: &str) -> Result<Setting, Vec<Diagnostic>> {
+        let limits = match self {
+            Self::Control2c42(control) => control.setting(),
+            Self::Iso(control) => control.setting(),
+        };
+        setting::read_setting(file, text, limits)
+    }
+
+    /// The program of a job.
+    pub fn write(&self, job: &Job, form: Form) -> Written {
+        match self {
+            Self::Control2c42(_) => control_2c42_65::write(job, form),
+            Self::Iso(control) => iso::write(job, control.kind, form),
+        }
+    }
+
+    /// Checks a program: its text, then its run. The steps of the run go to the sink; what is wrong comes back, by place.
+    pub fn check<S: Sink>(&self, text: &str, machine: &Machine<'_>, setting: &Setting, sink: &mut S) -> Vec<Fault> {
+        match self {
+            Self::Control2c42(control) => control_2c42_65::check(text, control, machine, setting, sink),
+            Self::Iso(control) => iso::check(text, control, machine, setting, sink),
+        }
+    }
+}
+
+/// A stretch of one line of a program. Line and column count from one, in characters.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+pub struct Span {
+    /// Line, from 1.
+    pub line: u32,
+    /// Column, from 1.
+    pub column: u32,
+    /// Characters, at least 1.
+    pub width: u32,
+}
+
+/// A call of a subprogram, on the way to a block.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Call {
+    /// The block that calls.
+    #[serde(flatten)]
+    pub from: BlockRef,
+    /// The number of the subprogram.
+    pub program: u8,
+}
+
+/// The way to a block through the calls: `N5 → :02 N1`. A block without number is named by its line, `(12)`.
+pub fn path(calls: &[Call], block: BlockRef) -> String {
+    let name =
+        |block: BlockRef| block.number.map_or_else(|| format!("({})", block.line), |number| format!("N{number}"));
+    let mut path = String::new();
+    for call in calls {
+        path.push_str(&format!("{} → :{:02} ", name(call.from), call.program));
+    }
+    path + &name(block)
+}
+
+/// Something about a program that its reader must know.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Fault {
+    /// The stable id of the rule that is broken; the note has it too.
+    #[serde(skip)]
+    pub code: &'static str,
+    /// How grave: a program with an error is not carried out as written.
+    pub severity: Severity,
+    /// The rule: a section of the control's description, or of this project's reading of it.
+    pub rule: &'static str,
+    /// The number of the block, where it has one.
+    pub block: Option<u32>,
+    /// The calls by which the run came there for the first time, the outermost first; none in the main program.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub calls: Vec<Call>,
+    /// Where it stands.
+    #[serde(flatten)]
+    pub span: Span,
+    /// What is wrong.
+    #[serde(flatten)]
+    pub note: Note,
+}
+
+impl Fault {
+    /// The way to its block, where it is known: the number, behind the calls that led there.
+    pub fn path(&self) -> Option<String> {
+        let block = BlockRef { line: self.span.line, number: self.block };
+        (self.block.is_some() || !self.calls.is_empty()).then(|| path(&self.calls, block))
+    }
+
+    /// Whether the program is not carried out as written.
+    pub fn is_error(&self) -> bool {
+        self.severity == Severity::Error
+    }
+
+    /// A breach of a rule of a list. A code that is not listed is an error without a section; tests keep it from happening.
+    fn of(rules: &[Rule], code: &'static str, span: Span, block: Option<u32>) -> Self {
+        let rule = rules.iter().find(|(known, ..)| *known == code);
+        let (severity, rule) = rule.map_or((Severity::Error, ""), |(_, severity, section)| (*severity, *section));
+        Self { code, severity, rule, block, calls: Vec::new(), span, note: Note::new(code) }
+    }
+
+    /// With one more figure.
+    #[must_use]
+    fn with(mut self, name: &str, value: impl ToString) -> Self {
+        self.note = self.note.with(name, value);
+        self
+    }
+}
+
+/// A rule that programs are held against: its code, how grave a breach is, and the section that says so.
+type Rule = (&'static str, Severity, &'static str);
+
+/// The figures of a record of a control, by its name.
+fn figures(record: &Table, name: &str) -> Result<Vec<f64>, KnowledgeError> {
+    let row = record.find("name", name).ok_or_else(|| KnowledgeError::no_row(record, name))?;
+    Ok(row.numbers("value"))
+}
+
+/// The letter that a cell of a control's tables holds.
+fn letter(text: &str) -> char {
+    text.chars().next().unwrap_or_default()
+}

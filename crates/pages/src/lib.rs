@@ -1,0 +1,27 @@
+//! Reports: functions of a plan. They decide nothing.
+
+pub mod audit;
+pub mod backplot;
+mod canvas;
+pub mod cycles;
+pub mod encoding;
+pub mod grid;
+pub mod mistakes;
+pub mod sentences;
+pub mod svg;
+mod transitions;
+pub mod turning;
+mod why;
+
+pub mod sheet;
+
+pub use sentences::{remedy, sentence};
+pub use technolog_core::lang::Lang;
+pub use technolog_core::words::{operation_named, operation_noun, operation_verb};
+pub use why::explain;
+
+// This room and those below, under one name each in the whole program; `audit` and `turning` are rooms of pages here.
+use crate as report;
+use technolog_core::{error, machine, material, motion, note, part, plan};
+use technolog_knowledge::{self as knowledge, units};
+use technolog_nc::{job, program};

@@ -1,0 +1,92 @@
+//! The map of the variants over length to diameter: a table and a plot.
+
+use super::super::canvas::{Anchor, At, Canvas, Pen};
+use super::super::grid;
+use super::super::sentences::term;
+use super::{Lang, figure};
+use technolog_turning::passes::map::{Ratio, settled};
+use technolog_turning::passes::pass::Kind;
+use technolog_turning::shaft::Shaft;
+
+const NAMES: [&str; 3] = ["longitudinal", "transverse", "per-step"];
+const COLOURS: [&str; 3] = ["#0072b2", "#d55e00", "#009e73"];
+/// What is more above the optimum is drawn at the edge, per cent.
+const SHOWN: f64 = 60.0;
+const WIDTH: f64 = 760.0;
+const HEIGHT: f64 = 420.0;
+const LEFT: f64 = 64.0;
+const TOP: f64 = 64.0;
+
+fn title(shaft: &Shaft, lang: Lang) -> String {
+    let text = lang.pick(
+        "{name}: наскільки варіанти довші за оптимум, якщо вал розтягнути",
+        "{name}: how far the variants are above the optimum as the shaft is stretched",
+    );
+    text.replace("{name}", &shaft.shaft)
+}
+
+/// The map as a table.
+pub fn map_page(shaft: &Shaft, map: &[Ratio], lang: Lang) -> String {
+    let above = lang.pick("{}, % понад оптимум", "{}, % above the optimum");
+    let mut head = vec![lang.pick("L/D", "L/D").to_owned(), lang.pick("L, мм", "L, mm").to_owned()];
+    head.extend(NAMES.map(|name| above.replace("{}", term(name, lang))));
+    head.push(lang.pick("Найкращий із трьох", "Best of the three").to_owned());
+    let mut rows = Vec::new();
+    for ratio in map {
+        let mut row = vec![figure(ratio.length_to_diameter, lang), figure(ratio.length_mm, lang)];
+        row.extend(ratio.above_optimum_percent.map(|percent| figure(percent, lang)));
+        row.push(term(ratio.winner, lang).to_owned());
+        rows.push(row);
+    }
+    let mut page = grid::paragraph(&title(shaft, lang), 0);
+    page.push_str(&grid::table(&head, &rows, 2));
+    let Some((kind, ratio)) = settled(map) else { return page };
+    let line = match kind {
+        Kind::Longitudinal => lang.pick(
+            "Від L/D = {} самі поздовжні проходи не гірші за самі поперечні.",
+            "From L/D = {} on longitudinal passes alone are no worse than transverse ones alone.",
+        ),
+        Kind::Transverse => lang.pick(
+            "Від L/D = {} самі поперечні проходи кращі за самі поздовжні.",
+            "From L/D = {} on transverse passes alone are better than longitudinal ones alone.",
+        ),
+    };
+    let line = line.replace("{}", &figure(ratio, lang));
+    page.push_str(&grid::paragraph(&line, 0));
+    page
+}
+
+/// The map as a plot: length to diameter along, on a scale of powers, per cent above the optimum up.
+pub fn map_drawing(shaft: &Shaft, map: &[Ratio], lang: Lang) -> String {
+    let mut canvas = Canvas::default();
+    let place = |ratio: f64, percent: f64| -> At {
+        let along = (libm::log10(ratio) + 1.0) / 2.0;
+        (LEFT + along * (WIDTH - LEFT - 24.0), TOP + (1.0 - percent.min(SHOWN) / SHOWN) * (HEIGHT - TOP - 50.0))
+    };
+    canvas.text((LEFT, 22.0), 14.0, Anchor::Start, &title(shaft, lang));
+    let grey = Pen::solid("#ccc", 0.6);
+    for percent in [0.0, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0] {
+        let (from, to) = (place(0.1, percent), place(10.0, percent));
+        canvas.line(&[from, to], grey);
+        canvas.text((from.0 - 26.0, from.1 + 4.0), 11.0, Anchor::Middle, &format!("{percent} %"));
+    }
+    for ratio in [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0] {
+        let (low, high) = (place(ratio, 0.0), place(ratio, SHOWN));
+        canvas.line(&[low, high], grey);
+        canvas.text((low.0, low.1 + 18.0), 11.0, Anchor::Middle, &figure(ratio, lang));
+    }
+    canvas.text((WIDTH / 2.0, HEIGHT - 12.0), 12.0, Anchor::Middle, "L/D");
+    for (index, (name, colour)) in NAMES.into_iter().zip(COLOURS).enumerate() {
+        let points: Vec<At> =
+            map.iter().map(|one| place(one.length_to_diameter, one.above_optimum_percent[index])).collect();
+        let pen = Pen::solid(colour, 2.0);
+        canvas.line(&points, pen);
+        for &point in &points {
+            canvas.circle(point, 2.5, colour, None);
+        }
+        let left = LEFT + index as f64 * 170.0;
+        canvas.line(&[(left, 44.0), (left + 22.0, 44.0)], pen);
+        canvas.text((left + 28.0, 48.0), 12.0, Anchor::Start, term(name, lang));
+    }
+    canvas.page(WIDTH, HEIGHT)
+}

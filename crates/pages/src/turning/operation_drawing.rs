@@ -1,0 +1,215 @@
+//! A turning operation drawn: for each side of a set-up the allowances with the zones, then the taken way over each zone.
+
+use super::super::canvas::{Anchor, Canvas, Pen};
+use super::super::sentences::term;
+use super::view::{View, pen_of};
+use super::{Lang, figure};
+use crate::units::round_to;
+use technolog_turning::contour::{Contour, Piece, Side};
+use technolog_turning::length::Half;
+use technolog_turning::operation::work::{Work, ZoneWork};
+use technolog_turning::operation::{Operation, SetUpWork, SideWork};
+use technolog_turning::point::Point;
+use technolog_turning::transitions::Transition;
+use technolog_turning::way::Purpose;
+
+const WIDE: f64 = 1100.0;
+const TALL: f64 = 460.0;
+const MARGIN: f64 = 40.0;
+const TITLE: f64 = 30.0;
+const STEEL: &str = "#d9d9d9";
+/// Allowances 1, 2 and 3.
+const ALLOWANCES: [(&str, &str, &str); 3] = [
+    ("#f3ead2", "1: чорновий", "1: rough"),
+    ("#cc79a7", "2: додаткові елементи", "2: additional elements"),
+    ("#8fd3b6", "3: чистовий", "3: finish"),
+];
+
+/// The whole drawing, with the way that is taken over each zone, or with those of all schemes.
+pub fn operation_drawing(operation: &Operation, all: bool, lang: Lang) -> String {
+    let mut canvas = Canvas::default();
+    let mut top = 0.0;
+    for set_up in &operation.set_ups {
+        for side in &set_up.sides {
+            top = layers(&mut canvas, set_up, side, top, lang);
+            for zone in &side.zones {
+                for work in &zone.works {
+                    for transition in work.transitions.iter().filter(|one| all || work.taken == Some(one.scheme)) {
+                        top = way(&mut canvas, (set_up, side, zone), work, transition, top, lang);
+                    }
+                }
+            }
+        }
+    }
+    canvas.page(WIDE, top.max(TITLE) + MARGIN)
+}
+
+/// The corners of what contours and the axis take.
+fn corners(contours: &[&Contour], axis: bool) -> (Point, Point) {
+    let points: Vec<Point> =
+        contours.iter().flat_map(|one| one.pieces.iter().flat_map(|piece| piece.extremes())).collect();
+    let least = |of: fn(&Point) -> Half| points.iter().map(of).min().unwrap_or_default();
+    let most = |of: fn(&Point) -> Half| points.iter().map(of).max().unwrap_or_default();
+    let low = if axis { Half::ZERO } else { least(|point| point.radius) };
+    (
+        Point { radius: low, z: least(|point| point.z) },
+        Point { radius: most(|point| point.radius), z: most(|point| point.z) },
+    )
+}
+
+/// The part with its three allowances and the zones of area 1; tells where it ends.
+fn layers(canvas: &mut Canvas, set_up: &SetUpWork, side: &SideWork, top: f64, lang: Lang) -> f64 {
+    let layers = &side.layers;
+    let (near, far) = corners(&[&layers.blank, &layers.rough, &layers.part], true);
+    let room = (WIDE - 2.0 * MARGIN, TALL);
+    let view = View::within(near, far, MARGIN, top + TITLE + MARGIN, room.0, room.1);
+    let tall = view.long(far.radius);
+    let title =
+        lang.pick("Установ {number}, {side}: припуски та зони", "Set-up {number}, {side}: allowances and zones");
+    let title =
+        title.replace("{number}", &set_up.set_up.number.to_string()).replace("{side}", term(side.side.name(), lang));
+    canvas.text((MARGIN, top + TITLE - 8.0), 15.0, Anchor::Start, &title);
+    view.area(canvas, solid(&layers.part, far.radius), STEEL);
+    let areas = [&layers.areas.rough_main, &layers.areas.additional, &layers.areas.finish];
+    for (area, (fill, ..)) in areas.iter().zip(ALLOWANCES) {
+        view.area(canvas, area.boundary.iter().copied(), fill);
+    }
+    let pens = [
+        (&layers.blank, Pen::dashed("#666666", 1.2)),
+        (&layers.rough, Pen::solid("#0072b2", 1.2)),
+        (&layers.main, Pen::dashed("#d55e00", 0.8)),
+        (&layers.part, Pen::solid("#333333", 1.4)),
+    ];
+    for (contour, pen) in pens {
+        view.line(canvas, contour.pieces.iter().copied(), pen);
+    }
+    axis(canvas, &view, near, far);
+    for zone in &side.zones {
+        let one = &zone.zone;
+        let middle = |a: Half, b: Half| Half::new(i64::midpoint(a.halves(), b.halves()));
+        let at =
+            view.at(Point { radius: middle(one.least_radius, one.greatest_radius), z: middle(one.from_z, one.to_z) });
+        for edge in [one.from_z, one.to_z] {
+            let line = [Point { radius: one.least_radius, z: edge }, Point { radius: one.greatest_radius, z: edge }];
+            view.line(canvas, [Piece::line(line[0], line[1])], Pen::dashed("#009e73", 0.9));
+        }
+        let at = (at.0, top + TITLE + MARGIN - 8.0 + f64::from(u8::from(side.side == Side::Inner)) * (tall + 24.0));
+        canvas.circle(at, 10.0, "white", Some(Pen::solid("#009e73", 1.2)));
+        canvas.text((at.0, at.1 + 4.0), 12.0, Anchor::Middle, &one.number.to_string());
+    }
+    let bottom = top + TITLE + MARGIN + tall + 46.0;
+    let mut left = MARGIN;
+    for (fill, uk, en) in ALLOWANCES {
+        canvas.rectangle((left, bottom - 14.0), (left + 18.0, bottom - 2.0), fill, Some(Pen::solid("#666", 0.5)));
+        canvas.text((left + 24.0, bottom - 3.0), 12.0, Anchor::Start, lang.pick(uk, en));
+        left += 210.0;
+    }
+    bottom + 14.0
+}
+
+/// The section of the part: from an outer contour down to the axis, of a bore up to a radius.
+fn solid(part: &Contour, far: Half) -> Vec<Piece> {
+    let (Some(start), Some(end)) = (part.start(), part.end()) else { return Vec::new() };
+    let base = if part.side == Side::Outer { Half::ZERO } else { far };
+    let (low, back) = (Point { radius: base, z: end.z }, Point { radius: base, z: start.z });
+    let mut pieces = part.pieces.clone();
+    pieces.extend([Piece::line(end, low), Piece::line(low, back), Piece::line(back, start)]);
+    pieces
+}
+
+fn axis(canvas: &mut Canvas, view: &View, near: Point, far: Point) {
+    let (right, left) =
+        (view.at(Point { radius: Half::ZERO, z: near.z }), view.at(Point { radius: Half::ZERO, z: far.z }));
+    canvas.line(&[(left.0 - 14.0, left.1), (right.0 + 14.0, right.1)], Pen::dashed("#333", 0.8));
+}
+
+/// The way over a zone, as large as it goes; tells where it ends.
+fn way(
+    canvas: &mut Canvas,
+    (set_up, side, zone): (&SetUpWork, &SideWork, &ZoneWork),
+    work: &Work,
+    transition: &Transition,
+    top: f64,
+    lang: Lang,
+) -> f64 {
+    let stock = &work.stock;
+    let points = transition.way.pieces().map(|(piece, _)| piece).collect::<Vec<_>>();
+    let moves = Contour { side: side.side, pieces: points };
+    let (near, far) = corners(&[&stock.blank, &stock.rough, &moves], false);
+    let view = View::within(near, far, MARGIN, top + TITLE + MARGIN, WIDE - 2.0 * MARGIN, TALL);
+    let tall = view.long(far.radius - near.radius);
+    let title = lang.pick(
+        "Установ {number}, {side}, зона {zone}: {scheme}, t_p = {depth} мм; різання {cutting} мм, {time} хв",
+        "Set-up {number}, {side}, zone {zone}: {scheme}, t_p = {depth} mm; cutting {cutting} mm, {time} min",
+    );
+    let title = title
+        .replace("{number}", &set_up.set_up.number.to_string())
+        .replace("{side}", term(side.side.name(), lang))
+        .replace("{zone}", &zone.zone.number.to_string())
+        .replace("{scheme}", term(transition.scheme.name(), lang))
+        .replace("{depth}", &figure(work.levels.depth, lang))
+        .replace("{cutting}", &figure(round_to(transition.measures.cutting_mm, 1), lang))
+        .replace("{time}", &figure(round_to(transition.measures.time_min.0, 3), lang));
+    canvas.text((MARGIN, top + TITLE - 8.0), 15.0, Anchor::Start, &title);
+    let between = technolog_turning::allowances::areas::between(&stock.blank, &stock.rough);
+    view.area(canvas, between.boundary, ALLOWANCES[0].0);
+    let base = if side.side == Side::Outer { near.radius } else { far.radius };
+    view.area(canvas, footing(&stock.rough, base), STEEL);
+    for section in &work.levels.sections {
+        for (index, level) in section.horizontals.iter().enumerate() {
+            let line = Piece::line(Point { radius: *level, z: section.from }, Point { radius: *level, z: section.to });
+            view.line(canvas, [line], Pen::solid("#bbbbbb", 0.5));
+            let at = view.at(Point { radius: *level, z: section.to });
+            canvas.text((at.0 - 12.0, at.1 + 4.0), 10.0, Anchor::Middle, &(index + 1).to_string());
+        }
+    }
+    view.line(canvas, stock.rough.pieces.iter().copied(), Pen::solid("#333333", 1.3));
+    view.way(canvas, &transition.way);
+    numbers(canvas, &view, transition);
+    let bottom = top + TITLE + MARGIN + tall + 46.0;
+    legend(canvas, transition, bottom, lang);
+    bottom + 14.0
+}
+
+/// The metal under a stretch of the rough contour, down to a radius.
+fn footing(rough: &Contour, base: Half) -> Vec<Piece> {
+    let (Some(start), Some(end)) = (rough.start(), rough.end()) else { return Vec::new() };
+    let (low, back) = (Point { radius: base, z: end.z }, Point { radius: base, z: start.z });
+    let mut pieces = rough.pieces.clone();
+    pieces.extend([Piece::line(end, low), Piece::line(low, back), Piece::line(back, start)]);
+    pieces
+}
+
+/// The names of support points, each place once.
+fn numbers(canvas: &mut Canvas, view: &View, transition: &Transition) {
+    let mut put: Vec<&str> = Vec::new();
+    for point in &transition.points {
+        if put.contains(&point.name.as_str()) {
+            continue;
+        }
+        put.push(&point.name);
+        let (x, y) = view.at(Point { radius: Half::radius_of(point.diameter_mm), z: Half::ZERO - point.z_mm });
+        canvas.circle((x, y), 1.8, "#333333", None);
+        canvas.text((x + 5.0, y - 4.0), 10.0, Anchor::Start, &point.name);
+    }
+}
+
+fn legend(canvas: &mut Canvas, transition: &Transition, bottom: f64, lang: Lang) {
+    let mut left = MARGIN;
+    let purposes = [
+        (Purpose::Rapid, "прискорений хід", "rapid"),
+        (Purpose::Cut, "робочий хід", "working pass"),
+        (Purpose::Infeed, "врізання", "infeed"),
+        (Purpose::PickUp, "підбір", "pick-up"),
+        (Purpose::SemiFinish, "напівчистовий хід", "semi-finishing pass"),
+        (Purpose::Finish, "чистовий хід", "finishing pass"),
+        (Purpose::Return, "на подачі без металу", "at feed, no metal"),
+    ];
+    for (purpose, uk, en) in purposes {
+        if transition.way.moves.iter().any(|one| one.purpose == purpose) {
+            canvas.line(&[(left, bottom - 7.0), (left + 34.0, bottom - 7.0)], pen_of(purpose));
+            canvas.text((left + 40.0, bottom - 3.0), 12.0, Anchor::Start, lang.pick(uk, en));
+            left += 180.0;
+        }
+    }
+}

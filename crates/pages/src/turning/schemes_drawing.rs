@@ -1,0 +1,110 @@
+//! The tool path of each scheme on the half section: feeds solid, rapids dashed, points with their names (the lecture's
+//! figures 12.7 to 12.10, for any shaft).
+
+use super::super::canvas::{Anchor, At, Canvas, Pen};
+use super::super::sentences::term;
+use super::drawing::{MARGIN, PANEL, TALL, TITLE, part};
+use super::{Lang, figure};
+use crate::units::round_to;
+use technolog_turning::length::Half;
+use technolog_turning::passes::Sequences;
+use technolog_turning::point::Point;
+use technolog_turning::schemes::path::Motion;
+use technolog_turning::schemes::{SchemeTold, Schemes};
+
+const STOCK: &str = "#f3ead2";
+const FEED: Pen = Pen::solid("#009e73", 1.3);
+const RAPID: Pen = Pen::dashed("#cc79a7", 0.9);
+/// Height of the names of points.
+const NAME: f64 = 9.0;
+
+/// One panel for each scheme, two in a row, from a height on; tells where they end.
+pub(super) fn panels(canvas: &mut Canvas, found: &Sequences, schemes: &Schemes, top: f64, lang: Lang) -> f64 {
+    let shaft = &found.shaft;
+    let (length, radius) = (shaft.blank.length.to_mm(), shaft.blank.diameter.to_mm() / 2.0);
+    let approach = schemes.splitting.rates.approach.to_mm();
+    // Home lies off the corner of the blank by the approach.
+    let scale = ((PANEL - 2.0 * MARGIN) / (length + approach)).min(TALL / (radius + approach));
+    let height = TITLE + (radius + approach) * scale + 2.0 * MARGIN;
+    for (index, scheme) in schemes.schemes.iter().enumerate() {
+        let (left, top) = ((index % 2) as f64 * PANEL, top + (index / 2) as f64 * height);
+        let right = left + (PANEL + (length - approach) * scale) / 2.0;
+        let place = move |point: Point| -> At {
+            let down = radius + approach - point.radius.to_mm();
+            (right - point.z.to_mm() * scale, top + TITLE + MARGIN + down * scale)
+        };
+        let title = lang.pick(
+            "{name}: різання {cutting} мм, холості {idle} мм, {time} хв",
+            "{name}: cutting {cutting} mm, idle {idle} mm, {time} min",
+        );
+        let title = title
+            .replace("{name}", term(scheme.name, lang))
+            .replace("{cutting}", &figure(scheme.measures.cutting_mm, lang))
+            .replace("{idle}", &figure(round_to(scheme.measures.idle_mm, 1), lang))
+            .replace("{time}", &figure(round_to(scheme.measures.time_min.0, 3), lang));
+        canvas.text((left + MARGIN, top + TITLE - 8.0), 14.0, Anchor::Start, &title);
+        stock(canvas, schemes, &place);
+        part(canvas, found, lang, &place);
+        way(canvas, scheme, &place);
+    }
+    let bottom = top + schemes.schemes.len().div_ceil(2) as f64 * height;
+    if schemes.schemes.is_empty() {
+        return bottom;
+    }
+    legend(canvas, bottom, lang);
+    bottom + 26.0
+}
+
+fn legend(canvas: &mut Canvas, top: f64, lang: Lang) {
+    let mut left = MARGIN;
+    let kinds = [(FEED, lang.pick("робоча подача", "working feed")), (RAPID, lang.pick("прискорений хід", "rapid"))];
+    for (pen, name) in kinds {
+        canvas.line(&[(left, top + 6.0), (left + 40.0, top + 6.0)], pen);
+        canvas.text((left + 46.0, top + 10.0), 12.0, Anchor::Start, name);
+        left += 184.0;
+    }
+}
+
+/// The stock with its horizontals.
+fn stock(canvas: &mut Canvas, schemes: &Schemes, place: &impl Fn(Point) -> At) {
+    for section in &schemes.levels.sections {
+        for cylinder in &section.cylinders {
+            let at = |radius: Half, z: Half| place(Point { radius, z });
+            let (near, far) = (at(section.blank, cylinder.from), at(cylinder.radius, cylinder.to));
+            canvas.rectangle(near, far, STOCK, Some(Pen::solid("#666", 0.5)));
+            for level in 1..=schemes.levels.full(section, cylinder) {
+                let radius = schemes.levels.horizontal(section, level);
+                canvas.line(&[at(radius, cylinder.from), at(radius, cylinder.to)], Pen::solid("#999", 0.5));
+            }
+        }
+    }
+}
+
+/// The path with its points. A name stands where it covers no other, and is left out where it would everywhere.
+fn way(canvas: &mut Canvas, scheme: &SchemeTold, place: &impl Fn(Point) -> At) {
+    for (before, vertex) in scheme.path.iter().zip(scheme.path.iter().skip(1)) {
+        let (from, to) = (place(before.at), place(vertex.at));
+        let pen = if vertex.motion == Motion::Rapid { RAPID } else { FEED };
+        canvas.line(&[from, to], pen);
+        if vertex.motion != Motion::Rapid {
+            canvas.head(from, to, pen);
+        }
+    }
+    let mut named: Vec<(At, &str)> = Vec::new();
+    for (vertex, told) in scheme.path.iter().zip(&scheme.points) {
+        if named.iter().any(|(_, name)| *name == told.name) {
+            continue;
+        }
+        let (x, y) = place(vertex.at);
+        canvas.circle((x, y), 1.6, "#333", None);
+        let sides = [(7.0, -3.0), (-7.0, -3.0), (7.0, 10.0), (-7.0, 10.0), (0.0, -8.0), (0.0, 14.0)];
+        let free = sides
+            .into_iter()
+            .map(|(dx, dy)| (x + dx, y + dy))
+            .find(|(x, y)| named.iter().all(|((ox, oy), _)| (x - ox).abs() > 1.3 * NAME || (y - oy).abs() > NAME));
+        if let Some(at) = free {
+            canvas.text(at, NAME, Anchor::Middle, &told.name);
+            named.push((at, &told.name));
+        }
+    }
+}

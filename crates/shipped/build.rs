@@ -1,0 +1,39 @@
+//! Reads, checks and compiles the knowledge base while the program is built, so that start-up costs
+//! no parsing. A fault in a table stops the build with its file, line and column.
+
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+use technolog_knowledge::{Knowledge, SourceFile};
+
+fn main() -> Result<(), String> {
+    println!("cargo::rerun-if-changed=build.rs");
+    let package = PathBuf::from(env::var("CARGO_MANIFEST_DIR").map_err(|error| error.to_string())?);
+    let root = package.ancestors().nth(2).ok_or("crates/shipped does not stand in the root of the project")?;
+    for folder in ["catalogs", "rules"] {
+        println!("cargo::rerun-if-changed={}", root.join(folder).display());
+    }
+    let out = PathBuf::from(env::var("OUT_DIR").map_err(|error| error.to_string())?);
+    let files = Knowledge::read_folder(root).map_err(|problems| listed(&problems))?;
+    let sources: Vec<SourceFile<'_>> = files.iter().map(|(path, text)| SourceFile { path, text }).collect();
+    let knowledge = Knowledge::from_sources(&sources).map_err(|problems| listed(&problems))?;
+    write(&out.join("knowledge.bin"), &knowledge.to_bytes()?)?;
+
+    // `lint` wants the places of every cell, so it reads the same files again from here.
+    let mut list = String::from("&[\n");
+    for (path, _) in &files {
+        let full = root.join(path);
+        list.push_str(&format!("    SourceFile {{ path: {path:?}, text: include_str!({full:?}) }},\n"));
+    }
+    list.push(']');
+    write(&out.join("sources.rs"), list.as_bytes())
+}
+
+fn listed(problems: &[technolog_knowledge::Diagnostic]) -> String {
+    let lines: Vec<String> = problems.iter().map(ToString::to_string).collect();
+    format!("the knowledge base has {} faults:\n{}", lines.len(), lines.join("\n"))
+}
+
+fn write(path: &Path, bytes: &[u8]) -> Result<(), String> {
+    fs::write(path, bytes).map_err(|error| format!("{}: {error}", path.display()))
+}

@@ -1,0 +1,217 @@
+//! Cutting conditions of a transition at a depth that is given, held by the lathe.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::error::{Refusal, Tried};
+use crate::note::{Because, Finding, Note};
+use crate::turning::tooling::Spindle;
+use crate::units::{
+    Kilowatts, MetresPerMinute, Micrometres, MillimetresPerMinute, MillimetresPerRev, Minutes, NewtonMetres, Newtons,
+    RevsPerMinute, Roughness, round_to,
+};
+use technolog_cutting::{rpm_at, speed_at};
+
+use super::bounds::{self, Bound, Check, Forces, Load, Missing};
+use super::feed::{finish_feed, rough_feed};
+use super::laws::{self, Component};
+use super::limit::positive;
+use super::{Cut, Direction};
+
+/// Feed, speed and loads of a transition.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct TurningConditions {
+    /// The tool.
+    pub tool: String,
+    /// The lathe's id.
+    pub lathe: String,
+    /// Depth of cut, mm; of a grooving tool the width of its blade.
+    pub depth_mm: Micrometres,
+    /// Feed.
+    pub feed_mm_per_rev: MillimetresPerRev,
+    /// The speed of the tool's life.
+    pub computed_speed_m_per_min: MetresPerMinute,
+    /// The speed at the spindle's step.
+    pub speed_m_per_min: MetresPerMinute,
+    /// The spindle's speed.
+    pub spindle_rpm: RevsPerMinute,
+    /// The feed rate.
+    pub feed_mm_per_min: MillimetresPerMinute,
+    /// Tool life at the spindle's step: T·(V/Vstep)^(1/m).
+    pub tool_life_min: Minutes,
+    /// Pz; absent where no figures are known.
+    pub main_force_n: Option<Newtons>,
+    /// Py, across the feed, in grooving against it; absent where no figures are known.
+    pub radial_force_n: Option<Newtons>,
+    /// Px, against the feed; absent where no figures are known, and in grooving.
+    pub axial_force_n: Option<Newtons>,
+    /// Torque at the largest diameter; absent where no figures are known.
+    pub torque_n_m: Option<NewtonMetres>,
+    /// Cutting power; absent where no figures are known.
+    pub power_kw: Option<Kilowatts>,
+    /// What held them back: `tool-life`, `spindle-speed-max`, `spindle-speed-min`, `spindle-power`, `feed-max` or
+    /// `feed-min`.
+    pub limited_by: String,
+    /// The bounds that these conditions still pass: the depth is too large, take less.
+    pub exceeded: Vec<Bound>,
+    /// The bounds that could not be reckoned.
+    pub missing: Vec<Missing>,
+    /// The rows behind the figures.
+    pub because: Vec<Because>,
+}
+
+impl TurningConditions {
+    /// What a reader of the conditions must know: every bound that is missing.
+    pub fn findings(&self) -> Vec<Finding> {
+        self.missing.iter().map(Missing::finding).collect()
+    }
+}
+
+/// Conditions of a cut at a depth; with a roughness the feed is that of finishing, and never above that of roughing.
+///
+/// The speed is that of the tool's life, on the spindle's step below it. Where the power of the spindle does not do, it
+/// turns slower, down to the speed at which it does. Feed rates beyond the axis are held at its ends. A grooving tool
+/// cuts its own width, whatever depth is given.
+///
+/// # Errors
+/// No feed or speed is known for this; the roughness is finer than the tables or than the lathe holds; a depth that is
+/// not above zero; threads; a broken table.
+pub fn conditions(cut: &Cut<'_, '_>, depth: Micrometres, roughness: Option<Roughness>) -> Tried<TurningConditions> {
+    let depth = match (cut.tool.plunges(), cut.tool.width) {
+        (true, Some(width)) => width,
+        (true, None) => return Err(Refusal::Not(cut.tool.lacks("width"))),
+        (false, _) => depth,
+    };
+    if depth <= Micrometres::ZERO {
+        return Err(Refusal::Not(Note::new("nothing-to-cut").with("quantity", "depth").with("is", depth)));
+    }
+    let (mut feed, mut because) = feed_of(cut, depth, roughness)?;
+    positive(cut, feed)?;
+    let law = cut.named(laws::speed(cut, feed))?;
+    because.extend(law.because.iter().cloned());
+    let computed = law.at(depth.to_mm());
+    let forces = Forces::of(cut, feed)?;
+    let (checks, missing) = bounds::checks(cut, &forces)?;
+    let wanted = rpm_at(computed, cut.diameter);
+    let (mut rpm, mut limited_by) = first_speed(cut, wanted);
+    if let Some(check) = checks.iter().find(|check| check.bound == Bound::SpindlePower)
+        && let Some(slower) = within_power(cut, check, &forces, depth, rpm)
+    {
+        because.extend(check.because.iter().cloned());
+        (rpm, limited_by) = (slower, "spindle-power");
+    }
+    let (least, most) = match cut.direction {
+        Direction::Longitudinal => cut.lathe.feed_z,
+        Direction::Transverse => cut.lathe.feed_x,
+    };
+    let rate = feed.0 * rpm.0;
+    for (outside, held, name) in [(rate > most.0, most, "feed-max"), (rate < least.0, least, "feed-min")] {
+        if outside {
+            feed = MillimetresPerRev(held.0 / rpm.0);
+            limited_by = name;
+            let axis = if cut.direction == Direction::Longitudinal { "z" } else { "x" };
+            let row = cut.lathe.row(&format!("{name}-{axis}"))?;
+            because.push(Because::row(row, Note::new("feed-held").with("limit", held.0)));
+        }
+    }
+    // The feed may have been held: the loads are those of the feed that is left.
+    let forces = Forces::of(cut, feed)?;
+    because.extend(forces.because());
+    let speed = speed_at(rpm, cut.diameter);
+    let exceeded = |check: &&Check| {
+        // The speed has already given way to the power; what is left over by rounding is no excess.
+        check.load(cut, &forces, depth, speed).is_some_and(|load| !load.rounded().within(check.capacity.rounded()))
+    };
+    let main = forces.at(Component::Main, depth, speed);
+    let force = |component| forces.at(component, depth, speed).map(|force| force.rounded(0));
+    let life = law.life.0 * libm::pow(computed.0 / speed.0, 1.0 / law.life_exponent);
+    Ok(TurningConditions {
+        tool: cut.tool.designation.to_owned(),
+        lathe: cut.lathe.id().to_owned(),
+        depth_mm: depth,
+        feed_mm_per_rev: feed.rounded(4),
+        computed_speed_m_per_min: computed.rounded(2),
+        speed_m_per_min: speed.rounded(2),
+        spindle_rpm: rpm.rounded(2),
+        feed_mm_per_min: MillimetresPerMinute(feed.0 * rpm.0).rounded(1),
+        tool_life_min: Minutes(life).rounded(0),
+        main_force_n: force(Component::Main),
+        radial_force_n: force(Component::Radial),
+        axial_force_n: force(Component::Axial),
+        torque_n_m: main.map(|main| bounds::torque(main, cut.diameter).rounded(1)),
+        power_kw: main.map(|main| bounds::power(main, speed).rounded(2)),
+        limited_by: limited_by.to_owned(),
+        exceeded: checks.iter().filter(exceeded).map(|check| check.bound).collect(),
+        missing,
+        because,
+    })
+}
+
+/// The feed of finishing where a roughness is asked, and never above that of roughing where the tables have one.
+fn feed_of(
+    cut: &Cut<'_, '_>,
+    depth: Micrometres,
+    roughness: Option<Roughness>,
+) -> Tried<(MillimetresPerRev, Vec<Because>)> {
+    let Some(roughness) = roughness else {
+        let rough = rough_feed(cut, depth)?;
+        return Ok((rough.feed, rough.because));
+    };
+    if let Some(best) = cut.lathe.best_roughness
+        && roughness < best
+    {
+        let note = Note::new("too-fine-for-lathe").with("lathe", cut.lathe.id());
+        return Err(Refusal::Not(note.with("roughness", roughness).with("best", best)));
+    }
+    let finish = finish_feed(cut, roughness)?;
+    match Refusal::split(rough_feed(cut, depth))? {
+        Ok(rough) if rough.feed.0 < finish.feed.0 => Ok((rough.feed, rough.because)),
+        _ => Ok((finish.feed, finish.because)),
+    }
+}
+
+/// The spindle's speed for a wanted one, and what held it.
+fn first_speed(cut: &Cut<'_, '_>, wanted: RevsPerMinute) -> (RevsPerMinute, &'static str) {
+    let (slowest, fastest) = cut.lathe.spindle.ends();
+    let limited_by = if wanted.0 > fastest.0 {
+        "spindle-speed-max"
+    } else if wanted.0 < slowest.0 {
+        "spindle-speed-min"
+    } else {
+        "tool-life"
+    };
+    (cut.lathe.spindle.at_most(wanted), limited_by)
+}
+
+/// The fastest speed below one at which the power does; nothing where it does already.
+///
+/// N = Pz·V/60000 with Pz ~ V^n, so of a stepless spindle V' = V·(N'/N)^(1/(1+n)).
+pub(super) fn within_power(
+    cut: &Cut<'_, '_>,
+    check: &Check,
+    forces: &Forces,
+    depth: Micrometres,
+    rpm: RevsPerMinute,
+) -> Option<RevsPerMinute> {
+    let fits = |rpm: RevsPerMinute| {
+        let load = check.load(cut, forces, depth, speed_at(rpm, cut.diameter));
+        load.is_none_or(|load| load.within(check.capacity))
+    };
+    if fits(rpm) {
+        return None;
+    }
+    Some(match &cut.lathe.spindle {
+        Spindle::Steps(steps) => {
+            let below = steps.iter().rev().filter(|step| step.0 < rpm.0).find(|step| fits(**step));
+            below.or_else(|| steps.first()).copied().unwrap_or(rpm)
+        }
+        Spindle::Range { min, .. } => {
+            let now = check.load(cut, forces, depth, speed_at(rpm, cut.diameter))?;
+            let (Load::PowerKw(now), Load::PowerKw(most)) = (now, check.capacity) else { return None };
+            let exponent = forces.main.as_ref().map_or(0.0, |law| law.speed_exponent());
+            let slower = rpm.0 * libm::pow(most.0 / now.0, 1.0 / (1.0 + exponent));
+            // A tenth of a revolution down, as a program writes it.
+            RevsPerMinute((round_to(slower, 1) - 0.1).max(min.0))
+        }
+    })
+}

@@ -1,0 +1,191 @@
+//! The limiting depth of cut: the largest within everything that tool and lathe bear (lecture 12.4, l. 614-626).
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::error::{Refusal, Tried};
+use crate::note::{Because, Finding, Note};
+use crate::units::{MetresPerMinute, Micrometres, MillimetresPerRev, RevsPerMinute};
+use technolog_cutting::{rpm_at, speed_at};
+
+use super::bounds::{self, Bound, Check, Forces, Load, Missing};
+use super::conditions::within_power;
+use super::laws::{self, SpeedLaw};
+use super::{Cut, Speed};
+
+/// The limiting depth of cut, and every bound that it was held against.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct LimitingDepth {
+    /// The tool.
+    pub tool: String,
+    /// The lathe's id.
+    pub lathe: String,
+    /// The material's id.
+    pub material: String,
+    /// The diameter it was reckoned at, mm.
+    pub diameter_mm: Micrometres,
+    /// The feed it was reckoned with.
+    pub feed_mm_per_rev: MillimetresPerRev,
+    /// The largest depth, mm, in whole steps of `turning-limits`; absent where not even one step is allowed.
+    pub depth_mm: Option<Micrometres>,
+    /// The bound that allows the least; of equals the first of the list.
+    pub decided_by: Bound,
+    /// The cutting speed at that depth (at one step, where none is allowed).
+    pub speed_m_per_min: MetresPerMinute,
+    /// The spindle speed at that depth.
+    pub spindle_rpm: RevsPerMinute,
+    /// Every bound that could be reckoned.
+    pub bounds: Vec<BoundTold>,
+    /// The bounds that could not, and why: the depth is told without them.
+    pub missing: Vec<Missing>,
+    /// The rows behind speed and forces.
+    pub because: Vec<Because>,
+}
+
+/// A bound of the depth of cut.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct BoundTold {
+    /// Which.
+    pub bound: Bound,
+    /// The largest depth that it alone allows, mm; absent where not even one step.
+    pub depth_mm: Option<Micrometres>,
+    /// The load at the limiting depth (at one step, where none is allowed).
+    pub load: Load,
+    /// What tool or lathe bears.
+    pub capacity: Load,
+    /// The rows of the capacity.
+    pub because: Vec<Because>,
+}
+
+impl LimitingDepth {
+    /// What a reader of the depth must know: every bound that is missing.
+    pub fn findings(&self) -> Vec<Finding> {
+        self.missing.iter().map(Missing::finding).collect()
+    }
+}
+
+/// How fast the spindle turns at a depth.
+struct Turns<'c, 'a, 'k> {
+    cut: &'c Cut<'a, 'k>,
+    speed: Speed,
+    law: Option<SpeedLaw>,
+    forces: &'c Forces,
+    /// The bound of power, where it can be reckoned.
+    power: Option<&'c Check>,
+}
+
+impl<'c, 'a, 'k> Turns<'c, 'a, 'k> {
+    fn new(
+        cut: &'c Cut<'a, 'k>,
+        speed: Speed,
+        feed: MillimetresPerRev,
+        forces: &'c Forces,
+        checks: &'c [Check],
+    ) -> Tried<Self> {
+        let power = checks.iter().find(|check| check.bound == Bound::SpindlePower);
+        let law = if matches!(speed, Speed::ForToolLife | Speed::WithinPower) {
+            Some(cut.named(laws::speed(cut, feed))?)
+        } else {
+            None
+        };
+        Ok(Self { cut, speed, law, forces, power })
+    }
+
+    /// Spindle speed and cutting speed at a depth, on a step that the spindle has; a spindle speed that is given is
+    /// taken as it is.
+    fn at(&self, depth: Micrometres) -> (RevsPerMinute, MetresPerMinute) {
+        let spindle = &self.cut.lathe.spindle;
+        let rpm = match (self.speed, &self.law) {
+            (Speed::Spindle(rpm), _) => rpm,
+            (Speed::Surface(speed), _) => spindle.at_most(rpm_at(speed, self.cut.diameter)),
+            (_, Some(law)) => spindle.at_most(rpm_at(law.at(depth.to_mm()), self.cut.diameter)),
+            (_, None) => spindle.ends().0,
+        };
+        let slower = self.power.filter(|_| self.speed == Speed::WithinPower);
+        let slower = slower.and_then(|check| within_power(self.cut, check, self.forces, depth, rpm));
+        let rpm = slower.unwrap_or(rpm);
+        (rpm, speed_at(rpm, self.cut.diameter))
+    }
+}
+
+/// The limiting depth of cut (lecture 12.4, l. 614-626: tool strength, feed drive, torque, tool life and others).
+///
+/// Depths are tried upwards in the steps of `turning-limits`. At each the speed is that of the tool's life there, on a
+/// step of the spindle, and from it follow forces, torque and power; so t and V(t) are always of one cut. A bound's
+/// depth is the last before the first that passes it: on a spindle with steps a deeper cut may run a step slower and
+/// need less power again, but smaller depths must hold as well, for levels are seldom full. The limiting depth is the
+/// least of all bounds, so every depth up to it is allowed, rounded down to the step.
+///
+/// # Errors
+/// A grooving tool (its depth of cut is its width) or a threading tool; a diameter or feed that is not above zero; no
+/// figures for the speed of the tool's life; no load that can be reckoned, so that the depth is not known; a broken
+/// table.
+pub fn limiting_depth(cut: &Cut<'_, '_>, feed: MillimetresPerRev, speed: Speed) -> Tried<LimitingDepth> {
+    if cut.tool.plunges() || cut.tool.pitch.is_some() {
+        return Err(Refusal::Not(Note::new("tool-has-no-depth").with("tool", cut.tool.designation)));
+    }
+    positive(cut, feed)?;
+    let forces = Forces::of(cut, feed)?;
+    let (checks, missing) = bounds::checks(cut, &forces)?;
+    // An edge that is long enough says nothing of what shank and spindle bear.
+    if !checks.iter().any(Check::is_of_loads) {
+        let why = Note::new("limit-not-known");
+        return Err(Refusal::Not(missing.first().map_or_else(|| why.clone(), |missing| missing.told(why.clone()))));
+    }
+    let turns = Turns::new(cut, speed, feed, &forces, &checks)?;
+    let (step, of_step) = bounds::constant_length(cut, "depth-step")?;
+    let (last, _) = bounds::constant_length(cut, "depth-max")?;
+    let depth_at = |steps: i64| Micrometres::new(step.micrometres().saturating_mul(steps));
+    let steps = last.micrometres() / step.micrometres().max(1);
+    let allowed = |check: &Check| -> i64 {
+        (1..=steps).take_while(|&steps| holds(check, cut, &forces, depth_at(steps), &turns)).last().unwrap_or(0)
+    };
+    let found: Vec<i64> = checks.iter().map(allowed).collect();
+    let least = found.iter().copied().min().unwrap_or(0);
+    let decided_by = checks.iter().zip(&found).find(|(_, steps)| **steps == least).map(|(check, _)| check.bound);
+    let told_at = depth_at(least.max(1));
+    let (rpm, velocity) = turns.at(told_at);
+    let told = |(check, steps): (&Check, &i64)| {
+        let load = check.load(cut, &forces, told_at, velocity)?;
+        Some(BoundTold {
+            bound: check.bound,
+            depth_mm: (*steps > 0).then(|| depth_at(*steps)),
+            load: load.rounded(),
+            capacity: check.capacity.rounded(),
+            because: check.because.clone(),
+        })
+    };
+    let mut because: Vec<Because> = turns.law.iter().flat_map(|law| law.because.clone()).collect();
+    because.extend(forces.because());
+    because.push(of_step);
+    Ok(LimitingDepth {
+        tool: cut.tool.designation.to_owned(),
+        lathe: cut.lathe.id().to_owned(),
+        material: cut.material.row.text("id")?.to_owned(),
+        diameter_mm: cut.diameter,
+        feed_mm_per_rev: feed.rounded(4),
+        depth_mm: (least > 0).then(|| depth_at(least)),
+        decided_by: decided_by.unwrap_or(Bound::Handbook),
+        speed_m_per_min: velocity.rounded(2),
+        spindle_rpm: rpm.rounded(2),
+        bounds: checks.iter().zip(&found).filter_map(told).collect(),
+        missing,
+        because,
+    })
+}
+
+fn holds(check: &Check, cut: &Cut<'_, '_>, forces: &Forces, depth: Micrometres, turns: &Turns<'_, '_, '_>) -> bool {
+    let (_, speed) = turns.at(depth);
+    check.load(cut, forces, depth, speed).is_some_and(|load| load.within(check.capacity))
+}
+
+/// A diameter and a feed that can be reckoned with.
+pub(super) fn positive(cut: &Cut<'_, '_>, feed: MillimetresPerRev) -> Tried<()> {
+    if cut.diameter <= Micrometres::ZERO {
+        return Err(Refusal::Not(Note::new("nothing-to-cut").with("quantity", "diameter").with("is", cut.diameter)));
+    }
+    if !(feed.0 > 0.0 && feed.0 <= 10.0) {
+        return Err(Refusal::Not(Note::new("nothing-to-cut").with("quantity", "feed").with("is", feed.0)));
+    }
+    Ok(())
+}

@@ -1,0 +1,109 @@
+//! Programs for lathes: a way as single moves, or a rough contour as the roughing cycle of a control.
+//!
+//! - [`Control`] is the language of a control, read from tables lathe-…; [`plain()`] and [`cycle()`] write;
+//! - [`setting`] is what a program is told beside its way: tool, spindle, feeds, coolant;
+//! - `words` are the words of a control, `sheet` the lines of a program with their modes;
+//! - [`cycle`](mod@cycle) is a task of roughing and its profile, `call` the call of a cycle with its fields;
+//! - `linuxcnc`, `sinumerik` put a cycle into the form of their control; [`refused`] is why something is not written.
+//!
+//! docs/turning-programs.md has the fields with their sources, how arcs were settled, and how to add a control.
+
+mod call;
+pub mod cycle;
+mod linuxcnc;
+mod plain;
+pub mod refused;
+pub mod setting;
+mod sheet;
+mod sinumerik;
+mod words;
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+use crate::turning::contour::Contour;
+use crate::turning::point::Point;
+use technolog_core::ascii::ascii;
+
+use call::Cycles;
+pub use cycle::{Allowance, CycleProgram, Direction, ProgramFile, Roughing};
+pub use plain::plain;
+pub use refused::NotWritten;
+pub use setting::{Feeds, Setting, Speed};
+use words::Words;
+
+/// Puts the cycle of a task into the form of a control.
+type CycleWriter = fn(&Control, &Cycles, &cycle::Task<'_>, &Setting) -> Result<CycleProgram, NotWritten>;
+
+/// The controls of lathes that have a form for a cycle: one line and one file each.
+const WRITERS: [(&str, CycleWriter); 2] = [("linuxcnc", linuxcnc::write), ("sinumerik", sinumerik::write)];
+
+/// The language of a lathe's control, as far as it is known.
+#[derive(Clone, Debug)]
+pub struct Control {
+    /// Its name: `linuxcnc`, `sinumerik`, `nc-201`.
+    pub name: String,
+    /// None where no program is written for it.
+    words: Option<Words>,
+    /// None where its roughing cycle is not written.
+    cycles: Option<(Cycles, CycleWriter)>,
+    /// What is known by name alone.
+    known_words: Vec<String>,
+}
+
+impl Control {
+    /// The controls, as a user names them.
+    pub const NAMES: [&str; 3] = ["linuxcnc", "sinumerik", "nc-201"];
+
+    /// Reads the language of a control. One of which little is known can be read, and then refuses to write.
+    ///
+    /// # Errors
+    /// There is no such control, or a table of it lacks what is asked of it.
+    pub fn read(name: &str, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
+        let table = knowledge.table("lathe-controls")?;
+        let row = table.find("control", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
+        let words = if row.flag("plain") { Some(Words::read(name, row.text("comment")?, knowledge)?) } else { None };
+        let writer = WRITERS.iter().find(|(known, _)| *known == name).map(|(_, writer)| *writer);
+        let cycles = match writer {
+            Some(writer) if row.flag("cycles") => Some((Cycles::read(name, knowledge)?, writer)),
+            _ => None,
+        };
+        let known_words = row.texts("known_words").unwrap_or_default().into_iter().map(str::to_owned).collect();
+        Ok(Self { name: name.to_owned(), words, cycles, known_words })
+    }
+
+    fn words(&self) -> Result<&Words, NotWritten> {
+        self.words.as_ref().ok_or_else(|| self.not_documented())
+    }
+
+    fn not_documented(&self) -> NotWritten {
+        NotWritten::NotDocumented { control: self.name.clone(), words: self.known_words.clone() }
+    }
+}
+
+/// The stock over a rough contour as the roughing cycle of a control. `corner` is the corner of the blank before the
+/// contour: the radius of its surface (of a bore: of the hole that is there) and the Z of its free face.
+///
+/// # Errors
+/// Why it cannot be written.
+pub fn cycle(
+    control: &Control,
+    rough: &Contour,
+    corner: Point,
+    roughing: Roughing,
+    setting: &Setting,
+) -> Result<CycleProgram, NotWritten> {
+    let Some((cycles, writer)) = &control.cycles else { return Err(control.not_documented()) };
+    setting.check()?;
+    let task = cycle::Task::new(rough, corner, roughing)?;
+    writer(control, cycles, &task, setting)
+}
+
+/// The name of a part as the name of a file on a control: at most 14 Latin letters, digits and underscores, two letters
+/// first.
+fn file_name(name: &str) -> String {
+    let latin = ascii(name).to_uppercase();
+    let kept = latin.chars().map(|letter| if letter.is_ascii_alphanumeric() { letter } else { '_' });
+    let kept: String = kept.take(14).collect();
+    let begins = kept.chars().take(2).filter(char::is_ascii_alphabetic).count() == 2;
+    if begins { kept } else { format!("PT_{kept}").chars().take(14).collect() }
+}

@@ -1,0 +1,71 @@
+//! A way as a program of single moves: G0, G1, G2, G3.
+
+use crate::turning::contour::Curve;
+use crate::turning::way::Way;
+use technolog_core::ascii::ascii;
+
+use super::Control;
+use super::refused::{NotWritten, check_arc};
+use super::setting::{Setting, Speed};
+use super::sheet::{Pace, Sheet, number};
+use super::words::Use;
+
+/// The program of a way on a control.
+///
+/// # Errors
+/// Why it cannot be written.
+pub fn plain(control: &Control, way: &Way, setting: &Setting) -> Result<String, NotWritten> {
+    let words = control.words()?;
+    setting.check()?;
+    if way.moves.is_empty() {
+        return Err(NotWritten::EmptyWay);
+    }
+    for (number, (piece, purpose)) in (1..).zip(way.pieces()) {
+        check_arc(piece, number)?;
+        if setting.feeds.of(purpose).is_none() && piece.curve != Curve::Line {
+            return Err(NotWritten::RapidArc { piece: number });
+        }
+    }
+    let mut sheet = Sheet::new(words);
+    begin(&mut sheet, control, setting)?;
+    sheet.rapid(way.from);
+    for (piece, purpose) in way.pieces() {
+        sheet.go(piece, setting.feeds.of(purpose).map_or(Pace::Rapid, Pace::Feed));
+    }
+    end(&mut sheet);
+    Ok(sheet.finish())
+}
+
+/// What every program begins with: the modes, the tool, the spindle, the coolant.
+pub(super) fn begin(sheet: &mut Sheet<'_>, control: &Control, setting: &Setting) -> Result<(), NotWritten> {
+    let words = control.words()?;
+    sheet.comment(&ascii(&setting.name));
+    sheet.put(&[
+        Use::Plane,
+        Use::Millimetres,
+        Use::Diameters,
+        Use::RadiusCorrectionOff,
+        Use::Absolute,
+        Use::FeedPerRevolution,
+    ]);
+    sheet.put(&[Use::System, Use::ExactPath]);
+    sheet.line(&words.filled(Use::Tool, &[("tool", setting.tool.to_string())]));
+    let spindle = match setting.speed {
+        Speed::Cutting { speed, limit } => {
+            words.filled(Use::CuttingSpeed, &[("speed", number(speed.0, 1)), ("limit", number(limit.0, 1))])
+        }
+        Speed::Spindle(speed) => words.filled(Use::SpindleSpeed, &[("speed", number(speed.0, 1))]),
+    };
+    sheet.line(&spindle);
+    if setting.coolant {
+        sheet.put(&[Use::CoolantOn]);
+    }
+    Ok(())
+}
+
+/// What every program ends with; the coolant is stopped even where this program did not start it.
+pub(super) fn end(sheet: &mut Sheet<'_>) {
+    sheet.put(&[Use::SpindleStop]);
+    sheet.put(&[Use::CoolantOff]);
+    sheet.put(&[Use::End]);
+}

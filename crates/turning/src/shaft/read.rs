@@ -1,0 +1,165 @@
+//! The shaft file: YAML to [`Shaft`], collecting every mistake.
+
+use crate::knowledge::Knowledge;
+use crate::knowledge::yaml::{Fields, Node};
+use crate::turning::reading::{Mistake, Placed, Reader};
+use crate::units::{Micrometres, MillimetresPerMinute};
+
+use super::check;
+use super::keys::{BLANK, RATES, ROUGHING, SHAFT, STEP};
+use super::shape::{self, Shape};
+use super::{Blank, BlankKind, Division, Holding, Moves, Rates, Roughing, Shaft, Step};
+
+/// The approach where the file gives rates and no approach, mm: our choice; the lecture names δ without a figure.
+const APPROACH: Micrometres = Micrometres::from_mm(2);
+/// The retract where the file gives rates and no retract: 0.5 mm (lecture 12.4).
+const RETRACT: Micrometres = Micrometres::new(500);
+
+/// Reads a shaft file.
+///
+/// # Errors
+/// Every mistake of the file, each with its place, in the order of the file.
+pub fn read_shaft(file: &str, text: &str, knowledge: &Knowledge) -> Result<Shaft, Vec<Mistake>> {
+    let (mut reader, root) = Reader::open(file, text, knowledge);
+    let shaft = root.and_then(|root| reader.shaft(&root));
+    reader.close(shaft)
+}
+
+/// A step as far as it could be read.
+pub(crate) struct PlacedStep {
+    pub(crate) diameter: Option<Placed<Micrometres>>,
+    pub(crate) length: Option<Placed<Micrometres>>,
+}
+
+/// A blank as far as it could be read.
+#[derive(Default)]
+struct PlacedBlank {
+    kind: Option<BlankKind>,
+    diameter: Option<Placed<Micrometres>>,
+    length: Option<Placed<Micrometres>>,
+    shape: Option<Shape>,
+}
+
+impl Reader<'_> {
+    fn shaft(&mut self, root: &Node) -> Option<Shaft> {
+        let mut fields = self.problems.map(root)?;
+        let name = fields.need("shaft", &mut self.problems).and_then(|node| self.name(node));
+        let material = fields.need("material", &mut self.problems).and_then(|node| self.material(node));
+        let blank_node = fields.need("blank", &mut self.problems);
+        let holding = match fields.take("holding") {
+            Some(node) => self.choice(node, &[("chuck", Holding::Chuck), ("centres", Holding::Centres)]),
+            None => Some(Holding::default()),
+        };
+        let steps_node = fields.need("steps", &mut self.problems);
+        let roughing_node = fields.need("roughing", &mut self.problems);
+        let rates_node = fields.take("rates");
+        fields.finish(SHAFT, &mut self.problems);
+
+        let PlacedBlank { kind, diameter, length, shape } =
+            blank_node.map(|node| self.stepped_blank(node)).unwrap_or_default();
+        let steps = steps_node.map(|node| self.steps(node)).unwrap_or_default();
+        let roughing = roughing_node.and_then(|node| self.depths(node));
+        let rates = match rates_node {
+            Some(node) => self.rates(node).map(Some),
+            None => Some(None),
+        };
+        check::steps(&steps, diameter.as_ref(), length.as_ref(), self);
+        if let Some(shape) = &shape {
+            shape::check(shape, kind, &steps, diameter.as_ref(), length.as_ref(), self);
+        }
+        let whole = |step: PlacedStep| Some(Step { diameter: step.diameter?.0, length: step.length?.0 });
+        let shaft = Shaft {
+            shaft: name?,
+            material: material?,
+            blank: Blank { kind: kind?, diameter: diameter?.0, length: length?.0 },
+            blank_steps: shape.map_or(Some(Vec::new()), |shape| shape.steps.into_iter().map(whole).collect())?,
+            holding: holding?,
+            steps: steps.into_iter().map(whole).collect::<Option<_>>()?,
+            roughing: roughing?,
+            rates: rates?,
+        };
+        if let Some(node) = roughing_node.filter(|_| self.meant.is_empty()) {
+            check::grid(&shaft, &node.place, self);
+        }
+        Some(shaft)
+    }
+
+    fn stepped_blank(&mut self, node: &Node) -> PlacedBlank {
+        let Some(mut fields) = self.problems.map(node) else { return PlacedBlank::default() };
+        let kinds = [BlankKind::Bar, BlankKind::Forging, BlankKind::Casting].map(|kind| (kind.name(), kind));
+        let kind = fields.need("kind", &mut self.problems).and_then(|node| match node.text() {
+            // A tube has a bore, for which the short form has no words.
+            Some("tube") => self.fault("tube-with-steps", &[], &node.place),
+            _ => self.choice(node, &kinds),
+        });
+        let diameter = self.need(&mut fields, "diameter");
+        let length = self.need(&mut fields, "length");
+        let shape = fields.take("steps").map(|node| Shape { steps: self.steps(node), place: node.place.clone() });
+        fields.finish(BLANK, &mut self.problems);
+        PlacedBlank { kind, diameter, length, shape }
+    }
+
+    pub(crate) fn steps(&mut self, node: &Node) -> Vec<PlacedStep> {
+        let Some(nodes) = self.problems.list(node) else { return Vec::new() };
+        if nodes.is_empty() {
+            self.fault::<()>("no-steps", &[], &node.place);
+        }
+        let mut steps = Vec::new();
+        for node in nodes {
+            let Some(mut fields) = self.problems.map(node) else { continue };
+            let diameter = self.need(&mut fields, "diameter");
+            let length = self.need(&mut fields, "length");
+            fields.finish(STEP, &mut self.problems);
+            steps.push(PlacedStep { diameter, length });
+        }
+        steps
+    }
+
+    fn depths(&mut self, node: &Node) -> Option<Roughing> {
+        let mut fields = self.problems.map(node)?;
+        let longitudinal = self.need(&mut fields, "longitudinal_depth");
+        let transverse = self.need(&mut fields, "transverse_depth");
+        let division = match fields.take("division") {
+            Some(node) => self.choice(node, &[("full", Division::Full), ("equal", Division::Equal)]),
+            None => Some(Division::default()),
+        };
+        let moves = match fields.take("moves") {
+            Some(node) => self.choice(node, &[("basic", Moves::Basic), ("rich", Moves::Rich)]),
+            None => Some(Moves::default()),
+        };
+        fields.finish(ROUGHING, &mut self.problems);
+        Some(Roughing {
+            longitudinal_depth: longitudinal?.0,
+            transverse_depth: transverse?.0,
+            division: division?,
+            moves: moves?,
+        })
+    }
+
+    fn rates(&mut self, node: &Node) -> Option<Rates> {
+        let mut fields = self.problems.map(node)?;
+        let rates = self.rates_of(&mut fields);
+        fields.finish(RATES, &mut self.problems);
+        rates
+    }
+
+    /// The rates that every form of the file knows.
+    pub(crate) fn rates_of(&mut self, fields: &mut Fields<'_>) -> Option<Rates> {
+        let longitudinal = self.need(fields, "longitudinal_feed");
+        let transverse = self.need(fields, "transverse_feed");
+        let rapid = self.need(fields, "rapid");
+        let mut optional = |key: &str, default: Micrometres, reader: &mut Self| match fields.take(key) {
+            None => Some(default),
+            Some(node) => reader.length(Some(node), key).map(|(length, _)| length),
+        };
+        let approach = optional("approach", APPROACH, self);
+        let retract = optional("retract", RETRACT, self);
+        Some(Rates {
+            longitudinal_feed: MillimetresPerMinute(longitudinal?.0.to_mm()),
+            transverse_feed: MillimetresPerMinute(transverse?.0.to_mm()),
+            rapid: MillimetresPerMinute(rapid?.0.to_mm()),
+            approach: approach?,
+            retract: retract?,
+        })
+    }
+}
