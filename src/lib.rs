@@ -24,4 +24,5 @@ pub use technolog_knowledge::{self as knowledge, units};
 pub use technolog_nc::{job, program};
 pub use technolog_pages as report;
 pub use technolog_shipped as shipped;
+pub use technolog_tables as tables;
 pub use technolog_turning as turning;

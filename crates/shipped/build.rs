@@ -16,7 +16,7 @@ fn main() -> Result<(), String> {
     let out = PathBuf::from(env::var("OUT_DIR").map_err(|error| error.to_string())?);
     let files = Knowledge::read_folder(root).map_err(|problems| listed(&problems))?;
     let sources: Vec<SourceFile<'_>> = files.iter().map(|(path, text)| SourceFile { path, text }).collect();
-    let knowledge = Knowledge::from_sources(&sources).map_err(|problems| listed(&problems))?;
+    let knowledge = technolog_tables::load(&sources).map_err(|problems| listed(&problems))?;
     write(&out.join("knowledge.bin"), &knowledge.to_bytes()?)?;
 
     // `lint` wants the places of every cell, so it reads the same files again from here.

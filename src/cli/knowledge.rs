@@ -10,11 +10,26 @@ use technolog::shipped;
 use super::diagnostics::Texts;
 use super::{CliError, Context, words};
 
-/// The tables that can be used.
+/// The tables to plan with: each is what the code that asks it takes it for.
+///
+/// # Errors
+/// A file cannot be read, says something that no table can say, or breaks the contract with the code that reads it.
+pub fn load(context: &Context) -> Result<Knowledge, CliError> {
+    loaded(context, technolog::tables::load)
+}
+
+/// The tables to look into: a folder may hold a few tables of its own, which nobody plans with.
 ///
 /// # Errors
 /// A file cannot be read, or says something that no table can say.
-pub fn load(context: &Context) -> Result<Knowledge, CliError> {
+pub fn load_to_read(context: &Context) -> Result<Knowledge, CliError> {
+    loaded(context, Knowledge::from_sources)
+}
+
+fn loaded(
+    context: &Context,
+    read_tables: impl Fn(&[SourceFile<'_>]) -> Result<Knowledge, Vec<Diagnostic>>,
+) -> Result<Knowledge, CliError> {
     let Some(folder) = &context.knowledge else {
         return shipped::knowledge().map_err(|error| {
             let message = words::broken_build(context.lang, error);
@@ -22,7 +37,7 @@ pub fn load(context: &Context) -> Result<Knowledge, CliError> {
         });
     };
     let texts = read(folder)?;
-    Knowledge::from_sources(&sources(&texts)).map_err(|problems| CliError::Unusable { problems, texts })
+    read_tables(&sources(&texts)).map_err(|problems| CliError::Unusable { problems, texts })
 }
 
 /// The texts of the tables, with the places that `lint` wants.

@@ -1,6 +1,7 @@
 //! `technolog lint`: proves the knowledge base.
 
 use technolog::knowledge::{Diagnostic, Knowledge, Severity, lint};
+use technolog::tables;
 
 use super::{CliError, Context, Format, Outcome, diagnostics, knowledge, words};
 
@@ -18,6 +19,9 @@ pub fn run(_: &Args, context: &Context) -> Result<Outcome, CliError> {
     let (knowledge, mut problems) = Knowledge::read_sources(&knowledge::sources(&texts));
     let unusable = problems.iter().any(is_error);
     problems.extend(lint::lint(&knowledge));
+    if tables::is_to_plan_with(&knowledge) {
+        problems.extend(tables::check(&knowledge));
+    }
     match format {
         Format::Json => {
             context.emit_json(&problems.iter().map(|it| diagnostics::Json::of(it, &texts)).collect::<Vec<_>>())?;

@@ -29,7 +29,7 @@ pub struct Args {
 /// The question does not fit the table; every slip in it is told at once.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let format = context.format("lookup", &[Format::Text, Format::Json])?;
-    let knowledge = knowledge::load(context)?;
+    let knowledge = knowledge::load_to_read(context)?;
     let table = knowledge::table(&knowledge, &args.table, context)?;
     let question = Question::read(table, args, context)?;
     match table.kind {

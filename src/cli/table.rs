@@ -20,7 +20,7 @@ pub struct Args {
 /// There is no such table, or the answer cannot be written.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let format = context.format("table", &[Format::Text, Format::Json, Format::Csv])?;
-    let knowledge = knowledge::load(context)?;
+    let knowledge = knowledge::load_to_read(context)?;
     let Some(id) = &args.table else {
         let mut tables: Vec<&Table> = knowledge.tables().collect();
         tables.sort_by_key(|table| knowledge::natural(&table.id));

@@ -4,8 +4,8 @@
 use std::collections::BTreeMap;
 
 use crate::error::KnowledgeError;
-use crate::knowledge::table::Shank;
 use crate::knowledge::units::Unit;
+use crate::knowledge::vocabulary::Shank;
 use crate::knowledge::{Answer, Input, RowRef};
 use crate::part::{Hole, Point};
 use crate::plan::{Plan, Transition};

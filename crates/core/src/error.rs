@@ -2,37 +2,9 @@
 //!
 //! A hole that cannot be made is not such an error; it is a finding of the plan.
 
-use crate::knowledge::{QueryError, TableError};
 use crate::note::Note;
 
-/// The knowledge base cannot answer.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum KnowledgeError {
-    /// A question does not fit its table.
-    #[error(transparent)]
-    Query(#[from] QueryError),
-    /// A table lacks a column or row.
-    #[error(transparent)]
-    Table(#[from] TableError),
-}
-
-impl KnowledgeError {
-    /// A table does not hold what is asked of it, for that reason.
-    pub fn lacks(table: &str, why: &str) -> Self {
-        let table = table.to_owned();
-        Self::Table(TableError { table, file: String::new(), row: String::new(), problem: why.to_owned() })
-    }
-
-    /// A table has no row where it must have one.
-    pub fn no_row(table: &crate::knowledge::Table, wanted: &str) -> Self {
-        Self::Table(TableError {
-            table: table.id.clone(),
-            file: table.file.clone(),
-            row: String::new(),
-            problem: format!("there is no row for {wanted}; add it or run `technolog lint`"),
-        })
-    }
-}
+pub use crate::knowledge::KnowledgeError;
 
 /// Why a stage does not go on: the knowledge cannot answer, or it answers that this cannot be done.
 ///

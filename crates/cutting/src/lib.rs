@@ -21,6 +21,8 @@ mod tapping;
 // The rooms below, under one name each in the whole program.
 use technolog_core::{error, material, note, plan, shop};
 use technolog_knowledge::{self as knowledge, units};
+#[allow(unused_imports, reason = "until its reads are typed")]
+use technolog_tables as tables;
 
 use crate::error::Tried;
 use crate::note::Because;

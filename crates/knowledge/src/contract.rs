@@ -8,9 +8,9 @@
 use crate::query::Input;
 use crate::table::{Cell, RowRef, Table, TableError};
 use crate::units::{
-    Brinell, Decimal, Degrees, ItGrade, Kilograms, Kilowatts, Megapascals, MetresPerMinute, Micrometres,
-    MillimetresPerMinute, MillimetresPerRev, MillimetresPerTooth, Minutes, NewtonMetres, Newtons, Percent,
-    RevsPerMinute, Roughness, Seconds, Unit,
+    Brinell, Decimal, Degrees, ItGrade, Kilograms, Kilowatts, Megapascals, MetresPerMinute, Micrometres, Microns,
+    MillimetresPerMinute, MillimetresPerRev, MillimetresPerSecondSquared, MillimetresPerTooth, Minutes, NewtonMetres,
+    Newtons, Percent, RevsPerMinute, Roughness, Seconds, Unit,
 };
 use crate::value::Value;
 
@@ -257,6 +257,8 @@ decimals! {
     Degrees: Degree;
     Kilograms: Kilogram;
     Percent: Percent;
+    Microns: Micrometre;
+    MillimetresPerSecondSquared: MillimetrePerSecondSquared;
 }
 
 /// One column that a row type asks for.
@@ -275,10 +277,20 @@ pub enum Which {
     One(&'static str),
     /// Tables of one shape; all of them must be there. A column that a row may leave out may be left out of a table.
     Each(&'static [&'static str]),
-    /// Every table whose id begins so, but the one that is named; at least one must be there. Columns as of `Each`.
-    Prefix(&'static str, &'static str),
+    /// Every table that obeys the law `record` of that schema; at least one must be there. Columns as of `Each`.
+    Record(&'static str),
     /// Every table of cutters, which has a `tool` head. Columns as of `Each`.
     Tools,
+}
+
+impl Which {
+    /// The id of the one table; empty of several.
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::One(id) => id,
+            Self::Each(_) | Self::Record(_) | Self::Tools => "",
+        }
+    }
 }
 
 /// What code asks of a table: made by [`crate::rows!`].
@@ -390,11 +402,21 @@ macro_rules! vocabulary {
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
         $vis enum $name { $($(#[$doc])* $variant),* }
 
+        impl $name {
+            /// Every word with its variant.
+            pub const NAMES: &'static [(&'static str, Self)] = &[$(($word, Self::$variant)),*];
+
+            /// The word, in tables, plans and files.
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$variant => $word),* }
+            }
+        }
+
         impl $crate::contract::Word for $name {
             const WORDS: &'static [&'static str] = &[$($word),*];
 
             fn word(self) -> &'static str {
-                match self { $(Self::$variant => $word),* }
+                self.name()
             }
 
             fn from_word(word: &str) -> Option<Self> {
@@ -433,7 +455,7 @@ macro_rules! vocabulary {
 macro_rules! rows {
     ($(
         $(#[$meta:meta])*
-        $vis:vis struct $name:ident of $which:ident($($table:expr),*) $(complete $complete:ident)?
+        $vis:vis struct $name:ident of $which:ident $(($table:expr))? $(complete $complete:ident)?
         $(asked by $question:ident $(<$life:lifetime>)? { $($input:ident $(as $in_column:literal)? : $in_type:ty),* $(,)? })?
         { $($field:ident $(as $column:literal)? : $type:ty),* $(,)? }
         $(shown { $($shown:tt),* $(,)? })?
@@ -449,7 +471,7 @@ macro_rules! rows {
         impl<'t> $crate::contract::TableRow<'t> for $name<'t> {
             const CONTRACT: &'static $crate::contract::Contract = &$crate::contract::Contract {
                 row: stringify!($name),
-                which: $crate::contract::Which::$which($($table),*),
+                which: $crate::contract::Which::$which $(($table))?,
                 inputs: &[$($($crate::contract::Asked {
                     name: $crate::column!($input $($in_column)?),
                     shape: <$in_type as $crate::contract::AsInput>::SHAPE,
@@ -469,8 +491,12 @@ macro_rules! rows {
             }
         }
 
-        $($crate::question! { $vis $name $question $(<$life>)? { $($input $(as $in_column)? : $in_type),* } $($table)* })?
-    )*};
+        $($crate::question! { $vis $name $question $(<$life>)? { $($input $(as $in_column)? : $in_type),* } })?
+    )*
+        /// The contract of every row type of this room.
+        pub const CONTRACTS: &[&$crate::contract::Contract] =
+            &[$(<$name<'static> as $crate::contract::TableRow<'static>>::CONTRACT),*];
+    };
 }
 
 /// The question of a decision table; a part of [`crate::rows!`].
@@ -479,7 +505,7 @@ macro_rules! rows {
 macro_rules! question {
     ($vis:vis $name:ident $question:ident $(<$life:lifetime>)? {
         $($input:ident $(as $column:literal)? : $type:ty),*
-    } $table:expr) => {
+    }) => {
         /// A question to the table of
         #[doc = concat!("[`", stringify!($name), "`].")]
         #[derive(Clone, Copy, Debug)]
@@ -487,7 +513,7 @@ macro_rules! question {
 
         impl $(<$life>)? $crate::contract::Question for $question $(<$life>)? {
             type Row<'k> = $name<'k>;
-            const TABLE: &'static str = $table;
+            const TABLE: &'static str = <$name<'static> as $crate::contract::TableRow<'static>>::CONTRACT.which.id();
 
             fn inputs(&self) -> Vec<(&'static str, $crate::Input<'_>)> {
                 let given = [$(($crate::column!($input $($column)?), $crate::contract::AsInput::as_input(&self.$input)),)*];

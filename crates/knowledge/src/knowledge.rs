@@ -45,7 +45,8 @@ impl Knowledge {
         let mut knowledge = Self::default();
         let mut problems = Vec::new();
         let mut vocabularies = Vocabularies::of_code();
-        let (words, others): (Vec<_>, Vec<&SourceFile<'_>>) = files.iter().partition(|file| file.path.starts_with(VOCABULARIES));
+        let (words, others): (Vec<_>, Vec<&SourceFile<'_>>) =
+            files.iter().partition(|file| file.path.starts_with(VOCABULARIES));
         for file in words.into_iter().chain(others) {
             if file.path.ends_with(".test.yaml") {
                 match CaseFile::from_text(file.path, file.text) {

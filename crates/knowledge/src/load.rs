@@ -5,9 +5,7 @@ use crate::column::{Column, ColumnType, Label, Role};
 use crate::contract::Word;
 use crate::diagnostic::{Diagnostic, Place, Severity};
 use crate::set::Set;
-use crate::table::{
-    Cell, Correction, HitPolicy, Kind, Law, Row, Source, Table, ToolHead, Uncovered,
-};
+use crate::table::{Cell, Correction, HitPolicy, Kind, Law, Row, Source, Table, ToolHead, Uncovered};
 use crate::units::Unit;
 use crate::value::Value;
 use crate::vocabulary::{Operation, Shank, ToolMaterial, Vocabularies};
@@ -29,8 +27,10 @@ const HEAD: &[&str] = &[
     "laws",
     "tool",
 ];
-const COLUMN: &[&str] =
-    &["name", "type", "unit", "symbol", "label", "role", "list", "optional", "values", "of", "domain", "default", "refers"];
+const COLUMN: &[&str] = &[
+    "name", "type", "unit", "symbol", "label", "role", "list", "optional", "values", "of", "domain", "default",
+    "refers",
+];
 /// The keys of a row that are not columns.
 const ROW: &[&str] = &["source", "place", "reason", "unconfirmed", "corrections", "note", "priority"];
 
@@ -263,7 +263,9 @@ impl Loader<'_> {
         let (name, ty, role) = (name?, ty?, role?);
         let unit = self.unit(unit_node, ty, &name, place)?;
         if (ty == ColumnType::Enum) == values.is_empty() {
-            let message = format!("the column `{name}`: `values` belong to an enum, and an enum needs them, or `of` a vocabulary");
+            let message = format!(
+                "the column `{name}`: `values` belong to an enum, and an enum needs them, or `of` a vocabulary"
+            );
             return self.problems.error("bad-value", message, place);
         }
         if ty == ColumnType::Text && role == Role::Input {

@@ -6,10 +6,14 @@
 //! arithmetic: the very same call serves planning, `lookup` and `explain`.
 
 use std::fmt;
+use std::marker::PhantomData;
 
 use crate::column::{Column, ColumnType};
+use crate::contract::{Question, TableRow};
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
 use crate::set::Set;
-use crate::table::{Cell, HitPolicy, Kind, RowRef, Table};
+use crate::table::{Cell, HitPolicy, Kind, RowRef, Table, TableError};
 use crate::units::{Decimal, ItGrade, Micrometres, Roughness, Unit};
 use crate::value::Value;
 
@@ -415,6 +419,94 @@ impl<'t> Answer<'t> {
     /// The inputs as they were understood, defaults included.
     pub fn inputs(&self) -> impl Iterator<Item = (&'t str, String)> + '_ {
         self.table.inputs().zip(&self.ranks).map(|((_, column), &rank)| (column.name.as_str(), column.show_rank(rank)))
+    }
+}
+
+/// The answer of a table whose rows are read as `R`.
+#[derive(Debug, Clone)]
+pub struct Asked<'t, R> {
+    /// The answer itself, for those who cite what was passed over.
+    pub answer: Answer<'t>,
+    rows: PhantomData<R>,
+}
+
+impl<'t, R: TableRow<'t>> Asked<'t, R> {
+    /// The row that applies, if there is one; the first of several under `collect`.
+    ///
+    /// # Errors
+    /// The row is not what its contract says; never of a table that was checked.
+    pub fn winner(&self) -> Result<Option<R>, TableError> {
+        self.answer.winner().map(R::read).transpose()
+    }
+
+    /// Every row that applies.
+    ///
+    /// # Errors
+    /// As [`Self::winner`].
+    pub fn winners(&self) -> Result<Vec<R>, TableError> {
+        self.answer.winners().map(R::read).collect()
+    }
+
+    /// The row that must apply; `wanted` says for what, in the message of its absence.
+    ///
+    /// # Errors
+    /// No row applies.
+    pub fn need(&self, wanted: &str) -> Result<R, KnowledgeError> {
+        self.winner()?.ok_or_else(|| KnowledgeError::no_row(self.answer.table(), wanted))
+    }
+}
+
+impl Table {
+    /// As [`Self::decide`], with a typed question; for a table that is named by another table.
+    ///
+    /// # Errors
+    /// As [`Self::decide`].
+    pub fn ask<'t, Q: Question>(&'t self, question: &Q) -> Result<Asked<'t, Q::Row<'t>>, QueryError> {
+        Ok(Asked { answer: self.decide(&question.inputs())?, rows: PhantomData })
+    }
+}
+
+impl Knowledge {
+    /// Asks the table of a question.
+    ///
+    /// # Errors
+    /// There is no such table, or the question does not fit it; see [`Table::decide`].
+    pub fn ask<'k, Q: Question>(&'k self, question: &Q) -> Result<Asked<'k, Q::Row<'k>>, KnowledgeError> {
+        Ok(self.table(Q::TABLE)?.ask(question)?)
+    }
+
+    /// The one table of a row type.
+    ///
+    /// # Errors
+    /// There is no such table.
+    pub fn table_of<'k, R: TableRow<'k>>(&'k self) -> Result<&'k Table, TableError> {
+        self.table(R::CONTRACT.which.id())
+    }
+
+    /// Every row of the one table of a row type.
+    ///
+    /// # Errors
+    /// There is no such table, or a row is not what its contract says; the latter never of tables that were checked.
+    pub fn rows<'k, R: TableRow<'k>>(&'k self) -> Result<Vec<R>, TableError> {
+        self.table_of::<R>()?.rows().collect()
+    }
+
+    /// The first row of which `is` holds; nothing where there is none.
+    ///
+    /// # Errors
+    /// As [`Self::rows`].
+    pub fn find<'k, R: TableRow<'k>>(&'k self, is: impl Fn(&R) -> bool) -> Result<Option<R>, TableError> {
+        let found = self.table_of::<R>()?.rows().find(|row: &Result<R, _>| row.as_ref().map_or(true, &is));
+        found.transpose()
+    }
+
+    /// The first row of which `is` holds, where there must be one; `wanted` names it in the message.
+    ///
+    /// # Errors
+    /// As [`Self::rows`], and that no row is the wanted one.
+    pub fn need<'k, R: TableRow<'k>>(&'k self, wanted: &str, is: impl Fn(&R) -> bool) -> Result<R, KnowledgeError> {
+        let table = self.table_of::<R>()?;
+        self.find(is)?.ok_or_else(|| KnowledgeError::no_row(table, wanted))
     }
 }
 

@@ -60,11 +60,6 @@ crate::vocabulary! {
 }
 
 impl Operation {
-    /// Its name in tables and plans.
-    pub fn name(self) -> &'static str {
-        self.word()
-    }
-
     /// The operation of that name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::from_word(name)

@@ -42,3 +42,5 @@ use technolog_core::{error, material, note};
 use technolog_knowledge::{self as knowledge, units};
 #[cfg(test)]
 use technolog_shipped as shipped;
+#[allow(unused_imports, reason = "until its reads are typed")]
+use technolog_tables as tables;

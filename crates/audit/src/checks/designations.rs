@@ -156,7 +156,7 @@ fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<Finding>) {
     let asked: Vec<&str> =
         context.stated.rows_of_tool(tool.number).map(|(_, row)| row.operation.value.name()).collect();
     let does = |cutter: &NamedCutter<'_>| {
-        asked.iter().all(|asked| cutter.head.operations.iter().any(|operation| operation == asked))
+        asked.iter().all(|asked| cutter.head.operations.iter().any(|operation| operation.name() == *asked))
     };
     let mut others = cutter_names(context.shop.knowledge).filter(|cutter| fits(cutter) && does(cutter));
     let Some(other) = others.next() else { return };

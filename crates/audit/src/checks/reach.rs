@@ -1,7 +1,7 @@
 //! How far a tool goes below the face it enters, and whether it stands out of its holder so far.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::table::Shank;
+use crate::knowledge::vocabulary::Shank;
 use crate::note::{Because, Note, Severity};
 use crate::plan::Operation;
 use crate::tooling::named;

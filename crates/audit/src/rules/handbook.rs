@@ -157,7 +157,7 @@ fn cut<'a>(context: &'a Context<'a>, at: usize) -> Result<Option<Cut<'a>>, Knowl
         passes: 1,
         depth,
         travel: depth,
-        tool_material: &cutter.head.material,
+        tool_material: cutter.head.material.name(),
         nose_radius: None,
         roughness: None,
         reamer_follows: false,

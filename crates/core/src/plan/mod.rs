@@ -16,74 +16,9 @@ use crate::units::{
 mod order;
 mod route;
 
+pub use crate::knowledge::vocabulary::Operation;
 pub use order::{Mixture, Stop, Times, Visit, Visiting, VisitingMethod};
 pub use route::{Achieved, Alternative, Feature, Made, Route, Way};
-
-/// A transition of hole machining.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-#[allow(missing_docs)] // the names are the field's own (ISO 5419, ISO 13399)
-pub enum Operation {
-    CentreDrill,
-    Drill,
-    DrillOut,
-    CoreDrill,
-    RoughBore,
-    SemiFinishBore,
-    FinishBore,
-    Mill,
-    Counterbore,
-    Countersink,
-    Chamfer,
-    RoughReam,
-    FinishReam,
-    Tap,
-}
-
-impl Operation {
-    /// Every operation with its name in tables and plans.
-    pub const NAMES: [(&'static str, Self); 14] = [
-        ("centre-drill", Self::CentreDrill),
-        ("drill", Self::Drill),
-        ("drill-out", Self::DrillOut),
-        ("core-drill", Self::CoreDrill),
-        ("rough-bore", Self::RoughBore),
-        ("semi-finish-bore", Self::SemiFinishBore),
-        ("finish-bore", Self::FinishBore),
-        ("mill", Self::Mill),
-        ("counterbore", Self::Counterbore),
-        ("countersink", Self::Countersink),
-        ("chamfer", Self::Chamfer),
-        ("rough-ream", Self::RoughReam),
-        ("finish-ream", Self::FinishReam),
-        ("tap", Self::Tap),
-    ];
-
-    /// Its name in tables and plans.
-    pub fn name(self) -> &'static str {
-        Self::NAMES.iter().find(|(_, operation)| *operation == self).map_or("", |(name, _)| name)
-    }
-
-    /// The operation of that name.
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::NAMES.iter().find(|(known, _)| *known == name).map(|(_, operation)| *operation)
-    }
-
-    /// Whether it is done with a boring bar.
-    pub const fn is_boring(self) -> bool {
-        matches!(self, Self::RoughBore | Self::SemiFinishBore | Self::FinishBore)
-    }
-
-    /// Whether it is done with a reamer.
-    pub const fn is_reaming(self) -> bool {
-        matches!(self, Self::RoughReam | Self::FinishReam)
-    }
-
-    /// Whether it works on the edge of a hole and leaves its cylinder as it is.
-    pub const fn is_of_edge(self) -> bool {
-        matches!(self, Self::Chamfer | Self::Countersink | Self::Counterbore)
-    }
-}
 
 /// How cutting conditions are found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
@@ -375,15 +310,4 @@ pub struct Clamping {
     pub safe_distance_mm: Micrometres,
     /// Why.
     pub because: Vec<Because>,
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Operation;
-    use crate::knowledge::table::OPERATIONS;
-
-    #[test]
-    fn the_plan_and_the_tool_tables_name_the_same_operations() {
-        assert_eq!(Operation::NAMES.map(|(name, _)| name), OPERATIONS);
-    }
 }

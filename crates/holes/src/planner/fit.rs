@@ -256,7 +256,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             nose_radius,
             roughness,
             cutter: cutter_shape(&cutter),
-            ..self.cut(step, follows, &cutter.head.material, travel)
+            ..self.cut(step, follows, cutter.head.material.name(), travel)
         };
         // On a floor the mill cuts as far as its own radius.
         let cut = if step.operation == Operation::Mill && step.from == step.diameter {

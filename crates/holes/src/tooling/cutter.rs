@@ -105,7 +105,7 @@ pub(super) fn cutters<'k>(
     let (mut cutters, mut rejected) = (Vec::new(), Vec::new());
     for table in tables {
         let Some(head) = &table.tool else { continue };
-        if !head.operations.iter().any(|operation| operation == need.operation.name()) {
+        if !head.operations.contains(&need.operation) {
             continue;
         }
         for candidate in fitting(table, need, ground) {
@@ -153,7 +153,7 @@ pub(super) fn step_drills<'k>(
     for table in knowledge.tables().filter(|table| table.column_index("step_diameter").is_some()) {
         let Some(head) = &table.tool else { continue };
         // A flat step for screw heads, or a cone for the chamfer of a thread.
-        if !head.operations.iter().any(|operation| operation == opening.name()) {
+        if !head.operations.contains(&opening) {
             continue;
         }
         for row in table.all_rows() {

@@ -1,8 +1,9 @@
 //! Holders: which one takes a shank, how far the cutter stands out, how long the assembly is.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::table::{Shank, ToolHead};
+use crate::knowledge::table::ToolHead;
 use crate::knowledge::units::{Micrometres, Unit};
+use crate::knowledge::vocabulary::Shank;
 use crate::knowledge::{Input, Knowledge, RowRef};
 use crate::machine::Machine;
 use crate::note::{Because, Note};
@@ -112,7 +113,7 @@ pub(super) fn family<'k>(
 ) -> Result<RowRef<'k>, KnowledgeError> {
     let rule = knowledge.table("holder-for-shank")?;
     // End mills with a Morse shank are drawn in by a thread, drills are driven by a tang.
-    let mills = head.operations.iter().any(|operation| operation == Operation::Mill.name());
+    let mills = head.operations.contains(&Operation::Mill);
     let drawbar = head.shank == Shank::Morse && mills;
     let answer = rule.decide(&[
         ("shank", Input::Text(head.shank.name())),

@@ -1,8 +1,9 @@
 //! Cutters and holders that somebody else chose, by their designations: whether they exist, suit and fit.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::table::{Shank, ToolHead};
+use crate::knowledge::table::ToolHead;
 use crate::knowledge::units::{Micrometres, Unit};
+use crate::knowledge::vocabulary::Shank;
 use crate::knowledge::{Knowledge, RowRef, Table};
 use crate::machine::Machine;
 use crate::note::{Because, Note};
@@ -46,8 +47,8 @@ fn designations(table: &Table) -> impl Iterator<Item = (RowRef<'_>, &str)> {
 /// Why a cutter does not do what is asked of it; nothing where it does.
 pub fn unsuited(cutter: &NamedCutter<'_>, need: &CutterNeed<'_>, machine: &Machine<'_>) -> Option<Note> {
     let operation = need.operation.name();
-    if !cutter.head.operations.iter().any(|known| known == operation) {
-        let for_what = cutter.head.operations.join(", ");
+    if !cutter.head.operations.iter().any(|known| known.name() == operation) {
+        let for_what = cutter.head.operations.iter().map(|known| known.name()).collect::<Vec<_>>().join(", ");
         return Some(Note::new("tool-of-other-operation").with("operation", operation).with("transitions", for_what));
     }
     if !size_fits(cutter.row, need) {

@@ -146,7 +146,7 @@ pub struct DrillSize {
 pub fn drill_sizes(knowledge: &Knowledge, machine: &Machine<'_>) -> Result<Vec<DrillSize>, KnowledgeError> {
     let mut diameters: Vec<Micrometres> = knowledge
         .tables()
-        .filter(|table| table.tool.as_ref().is_some_and(|head| head.operations.iter().any(|name| name == "drill")))
+        .filter(|table| table.tool.as_ref().is_some_and(|head| head.operations.contains(&Operation::Drill)))
         .flat_map(Table::all_rows)
         .filter_map(own_diameter)
         .filter(|diameter| *diameter <= machine.drill_max)

@@ -19,8 +19,8 @@ pub fn check(knowledge: &Knowledge, contracts: &[&Contract]) -> Vec<Diagnostic> 
             findings.push(Diagnostic::error("absent-table", message, None).help("add its file, or restore it"));
         }
         let tables: Vec<&Table> = knowledge.tables().filter(|table| contract.is_of(table)).collect();
-        if let (Which::Prefix(prefix, _), true) = (contract.which, tables.is_empty()) {
-            let message = format!("there is no table {prefix}…, which {} reads", contract.row);
+        if let (Which::Record(schema), true) = (contract.which, tables.is_empty()) {
+            let message = format!("no table obeys the law `record` of {schema}, as {} reads it", contract.row);
             findings.push(Diagnostic::error("absent-table", message, None).help("add at least one"));
         }
         for table in tables {
@@ -48,7 +48,7 @@ impl Contract {
         let ids: Vec<&'static str> = match self.which {
             Which::One(id) => vec![id],
             Which::Each(ids) => ids.to_vec(),
-            Which::Prefix(..) | Which::Tools => Vec::new(),
+            Which::Record(_) | Which::Tools => Vec::new(),
         };
         ids.into_iter()
     }
@@ -58,7 +58,9 @@ impl Contract {
         match self.which {
             Which::One(id) => table.id == id,
             Which::Each(ids) => ids.contains(&table.id.as_str()),
-            Which::Prefix(prefix, but) => table.id.starts_with(prefix) && table.id != but,
+            Which::Record(schema) => {
+                table.laws.iter().any(|law| law.name == "record" && law.get("schema") == Some(schema))
+            }
             Which::Tools => table.tool.is_some(),
         }
     }
@@ -114,7 +116,8 @@ fn place(table: &Table, column: &Column) -> Option<Place> {
 
 fn missing(table: &Table, contract: &Contract, name: &str) -> Diagnostic {
     let message = format!("table {}: the column `{name}` is missing, which {} reads", table.id, contract.row);
-    let known = contract.inputs.iter().chain(contract.fields).map(|asked| asked.name).chain(contract.shown.iter().copied());
+    let known =
+        contract.inputs.iter().chain(contract.fields).map(|asked| asked.name).chain(contract.shown.iter().copied());
     let known: Vec<&str> = known.collect();
     let unread = table.columns.iter().map(|column| column.name.as_str()).filter(|column| !known.contains(column));
     let finding = Diagnostic::error("missing-column", message, super::rows::head_place(table));
@@ -151,7 +154,9 @@ fn field_faults(table: &Table, column: &Column, asked: &Asked) -> Vec<String> {
     faults.extend(type_fault(column, asked.shape.holds));
     // A free text that must be a word is one in every row, or the row could not be read.
     if let (Holds::Word(words), ColumnType::Text) = (asked.shape.holds, column.ty) {
-        faults.extend(texts(table, column).filter(|text| !words.contains(&text.as_str())).map(|text| unknown(&text, words)));
+        faults.extend(
+            texts(table, column).filter(|text| !words.contains(&text.as_str())).map(|text| unknown(&text, words)),
+        );
     }
     faults
 }
@@ -211,6 +216,7 @@ fn complete(table: &Table, contract: &Contract, name: &str, findings: &mut Vec<D
     let listed: Vec<String> = texts(table, column).collect();
     for word in words.iter().filter(|word| !listed.iter().any(|text| text == *word)) {
         let message = format!("table {}: there is no row `{word}`, which {} reads", table.id, contract.row);
-        findings.push(Diagnostic::error("missing-row", message, place(table, column)).help("add the row, or restore it"));
+        findings
+            .push(Diagnostic::error("missing-row", message, place(table, column)).help("add the row, or restore it"));
     }
 }

@@ -15,9 +15,9 @@ pub use decimal::Decimal;
 pub use grade::ItGrade;
 pub use length::Micrometres;
 pub use quantity::{
-    Brinell, Degrees, Kilograms, Kilowatts, Megapascals, MetresPerMinute, MillimetresPerMinute, MillimetresPerRev,
-    MillimetresPerSecondSquared, MillimetresPerTooth, Minutes, NewtonMetres, Newtons, Percent, RevsPerMinute, Seconds,
-    round_to,
+    Brinell, Degrees, Kilograms, Kilowatts, Megapascals, MetresPerMinute, Microns, MillimetresPerMinute,
+    MillimetresPerRev, MillimetresPerSecondSquared, MillimetresPerTooth, Minutes, NewtonMetres, Newtons, Percent,
+    RevsPerMinute, Seconds, round_to,
 };
 pub use roughness::Roughness;
 pub use unit::Unit;

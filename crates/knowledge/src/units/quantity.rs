@@ -68,6 +68,8 @@ quantities! {
     Kilograms,
     /// A share in hundredths.
     Percent,
+    /// A height of roughness or depth of a layer, µm.
+    Microns,
 }
 
 /// Brinell hardness, exactly as a table or a part has it.

@@ -91,7 +91,7 @@ pub(super) fn point_angle(knowledge: &Knowledge, operation: Operation) -> f64 {
     knowledge
         .tables()
         .filter_map(|table| table.tool.as_ref())
-        .filter(|head| head.operations.iter().any(|name| name == operation.name()))
+        .filter(|head| head.operations.contains(&operation))
         .filter_map(|head| head.point_angle)
         .min()
         .map_or(180.0, Decimal::to_f64)

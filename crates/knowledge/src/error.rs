@@ -1,0 +1,33 @@
+//! What the knowledge base cannot answer: a question or a table is wrong, which is no fault of a part.
+
+use crate::query::QueryError;
+use crate::table::{Table, TableError};
+
+/// The knowledge base cannot answer.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum KnowledgeError {
+    /// A question does not fit its table.
+    #[error(transparent)]
+    Query(#[from] QueryError),
+    /// A table lacks a column or row.
+    #[error(transparent)]
+    Table(#[from] TableError),
+}
+
+impl KnowledgeError {
+    /// A table does not hold what is asked of it, for that reason.
+    pub fn lacks(table: &str, why: &str) -> Self {
+        let table = table.to_owned();
+        Self::Table(TableError { table, file: String::new(), row: String::new(), problem: why.to_owned() })
+    }
+
+    /// A table has no row where it must have one.
+    pub fn no_row(table: &Table, wanted: &str) -> Self {
+        Self::Table(TableError {
+            table: table.id.clone(),
+            file: table.file.clone(),
+            row: String::new(),
+            problem: format!("there is no row for {wanted}; add it or run `technolog lint`"),
+        })
+    }
+}

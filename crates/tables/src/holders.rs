@@ -1,0 +1,22 @@
+//! Row types: holders.
+
+use technolog_knowledge::rows;
+use technolog_knowledge::units::{Kilograms, Micrometres};
+
+rows! {
+    /// A holder of cutters.
+    pub struct HolderRow of Each(&["holders-collet-chucks", "holders-morse-drawbar-sleeves", "holders-morse-sleeves", "holders-shell-arbors", "holders-tap-chucks"]) {
+        designation: &'t str,
+        taper: i64,
+        clamp_min: Option<Micrometres>,
+        clamp_max: Option<Micrometres>,
+        length: Micrometres,
+        max_diameter: Option<Micrometres>,
+        mass: Option<Kilograms>,
+        morse: Option<i64>,
+        bore: Option<Micrometres>,
+        thread_min: Option<Micrometres>,
+        thread_max: Option<Micrometres>,
+        synchronous: Option<bool>,
+    }
+}

@@ -1,0 +1,64 @@
+//! What the code reads in the tables: one row type per table, and the contract that comes of it.
+//!
+//! A crate of its own below all that plan, because the build script holds the shipped tables against the same contracts
+//! ([`check`]) as `--knowledge` and `lint` do. A room stands here for each folder of `catalogs/`, and one for `rules/`.
+//!
+//! Architecture invariant: no other crate names a column.
+
+#![allow(missing_docs, reason = "a field is the column of its name; what it means and its unit stand in the table")]
+
+pub mod audit;
+pub mod controls;
+pub mod cutting;
+pub mod holders;
+pub mod holes;
+pub mod lathes;
+pub mod machines;
+pub mod materials;
+pub mod rules;
+pub mod standards;
+pub mod tools;
+
+use technolog_knowledge::contract::Contract;
+use technolog_knowledge::lint::contracts;
+use technolog_knowledge::{Diagnostic, Knowledge, SourceFile};
+
+/// The contract of every table.
+pub fn all() -> Vec<&'static Contract> {
+    [
+        audit::CONTRACTS,
+        controls::CONTRACTS,
+        cutting::CONTRACTS,
+        holders::CONTRACTS,
+        holes::CONTRACTS,
+        lathes::CONTRACTS,
+        machines::CONTRACTS,
+        materials::CONTRACTS,
+        rules::CONTRACTS,
+        standards::CONTRACTS,
+        tools::CONTRACTS,
+    ]
+    .concat()
+}
+
+/// Holds every table against what the code reads in it.
+pub fn check(knowledge: &Knowledge) -> Vec<Diagnostic> {
+    contracts::check(knowledge, &all())
+}
+
+/// Whether a folder is one to plan with, and not a few tables of somebody's own: it has at least half of the tables that
+/// are asked by name.
+pub fn is_to_plan_with(knowledge: &Knowledge) -> bool {
+    let (there, asked) = contracts::present(knowledge, &all());
+    2 * there >= asked
+}
+
+/// Reads tables that are to be planned with: each is what the code takes it for.
+///
+/// # Errors
+/// Every problem of every file, then every broken contract.
+pub fn load(files: &[SourceFile<'_>]) -> Result<Knowledge, Vec<Diagnostic>> {
+    let knowledge = Knowledge::from_sources(files)?;
+    let problems = check(&knowledge);
+    if problems.is_empty() { Ok(knowledge) } else { Err(problems) }
+}
