@@ -72,7 +72,7 @@ pub fn audit(stated: &Stated, knowledge: &Knowledge) -> Result<Audit, KnowledgeE
 /// The same beside our own plan of the same part by the same method, where it was made already.
 ///
 /// # Errors
-/// As of [`audit`].
+/// As of [`audit()`].
 pub fn audit_beside(stated: &Stated, ours: &Plan, knowledge: &Knowledge) -> Result<Audit, KnowledgeError> {
     Auditor::new(knowledge)?.audit_beside(stated, ours)
 }

@@ -1,4 +1,5 @@
-//! Sentences as data: a code and its parameters. The words stand in one place, [`crate::report::sentences`].
+//! Sentences as data: a code and its parameters. The words stand in one place, `sentences` of the
+//! crate `pages`.
 
 use std::collections::BTreeMap;
 

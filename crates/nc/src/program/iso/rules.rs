@@ -1,5 +1,5 @@
 //! Every rule a program is held against: its stable code, how grave a breach is, and the section of
-//! docs/control-linuxcnc.md and docs/control-fanuc.md that tells it. The words stand in `report/sentences`.
+//! docs/control-linuxcnc.md and docs/control-fanuc.md that tells it. The words stand in `sentences` of the crate `pages`.
 
 use crate::note::Severity;
 use crate::program::{Fault, Rule, Span};
