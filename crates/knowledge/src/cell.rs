@@ -157,6 +157,8 @@ mod tests {
             domain_text: None,
             default: None,
             refers: None,
+            vocabulary: None,
+            place: None,
         }
     }
 

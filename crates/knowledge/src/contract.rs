@@ -455,14 +455,14 @@ macro_rules! vocabulary {
 macro_rules! rows {
     ($(
         $(#[$meta:meta])*
-        $vis:vis struct $name:ident of $which:ident $(($table:expr))? $(complete $complete:ident)?
+        pub struct $name:ident of $which:ident $(($table:expr))? $(complete $complete:ident)?
         $(asked by $question:ident $(<$life:lifetime>)? { $($input:ident $(as $in_column:literal)? : $in_type:ty),* $(,)? })?
         { $($field:ident $(as $column:literal)? : $type:ty),* $(,)? }
         $(shown { $($shown:tt),* $(,)? })?
     )*) => {$(
         $(#[$meta])*
         #[derive(Clone, Debug)]
-        $vis struct $name<'t> {
+        pub struct $name<'t> {
             /// The row itself, for those who cite it.
             pub row: $crate::RowRef<'t>,
             $(pub $field: $type,)*
@@ -491,7 +491,7 @@ macro_rules! rows {
             }
         }
 
-        $($crate::question! { $vis $name $question $(<$life>)? { $($input $(as $in_column)? : $in_type),* } })?
+        $($crate::question! { $name $question $(<$life>)? { $($input $(as $in_column)? : $in_type),* } })?
     )*
         /// The contract of every row type of this room.
         pub const CONTRACTS: &[&$crate::contract::Contract] =
@@ -503,13 +503,13 @@ macro_rules! rows {
 #[doc(hidden)]
 #[macro_export]
 macro_rules! question {
-    ($vis:vis $name:ident $question:ident $(<$life:lifetime>)? {
+    ($name:ident $question:ident $(<$life:lifetime>)? {
         $($input:ident $(as $column:literal)? : $type:ty),*
     }) => {
         /// A question to the table of
         #[doc = concat!("[`", stringify!($name), "`].")]
         #[derive(Clone, Copy, Debug)]
-        $vis struct $question $(<$life>)? { $(pub $input: $type,)* }
+        pub struct $question $(<$life>)? { $(pub $input: $type,)* }
 
         impl $(<$life>)? $crate::contract::Question for $question $(<$life>)? {
             type Row<'k> = $name<'k>;

@@ -18,6 +18,7 @@ pub mod materials;
 pub mod rules;
 pub mod standards;
 pub mod tools;
+pub mod vocabularies;
 
 use technolog_knowledge::contract::Contract;
 use technolog_knowledge::lint::contracts;
@@ -37,6 +38,7 @@ pub fn all() -> Vec<&'static Contract> {
         rules::CONTRACTS,
         standards::CONTRACTS,
         tools::CONTRACTS,
+        vocabularies::CONTRACTS,
     ]
     .concat()
 }

@@ -1,0 +1,10 @@
+//! Row types: the words that many tables share.
+
+use technolog_knowledge::rows;
+
+rows! {
+    /// A word of a vocabulary. What reads it is the loader of tables: enum columns name the vocabulary.
+    pub struct VocabularyWord of Each(&["material-groups", "steel-classes", "alloy-classes"]) {
+        word: &'t str,
+    } shown { name_uk, name_en }
+}
