@@ -76,3 +76,6 @@ pub fn documentation<'k>(knowledge: &'k Knowledge) -> Vec<(&'k str, Vec<&'k str>
     let listed = knowledge.tables().map(|table| (table.id.as_str(), columns(table)));
     listed.filter(|(_, columns)| !columns.is_empty()).collect()
 }
+
+#[cfg(test)]
+mod tests;
