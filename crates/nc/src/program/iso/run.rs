@@ -123,9 +123,7 @@ impl<S: Sink> Run<'_, S> {
         self.state = state;
         match (after, &block.label) {
             (After::End, _) => Way::Out,
-            (After::Return(span), _) if depth == 0 => {
-                self.running.nowhere_to_return(span, block.number)
-            }
+            (After::Return(span), _) if depth == 0 => self.running.nowhere_to_return(span, block.number),
             (After::Return(_), _) | (_, Some(Label::EndSub(_) | Label::Return(_))) => Way::Back,
             (After::Next, _) => self.call(block, words, depth),
         }
