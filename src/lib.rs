@@ -32,6 +32,7 @@ pub mod part;
 pub mod plan;
 pub mod planner;
 pub mod program;
+pub mod reason;
 pub mod report;
 pub mod route;
 pub mod sequence;

@@ -6,6 +6,7 @@ use crate::knowledge::{Input, QueryError, RowRef};
 use crate::material::Material;
 use crate::note::{Because, Note};
 use crate::plan::CuttingMethod;
+use crate::reason::Uncut;
 use crate::shop::Shop;
 
 use super::Cut;
@@ -18,7 +19,7 @@ pub(crate) type Factor = (f64, Because);
 ///
 /// Steel: Kg·(750/σB)^nv, in milling with the class's own nv where it has one. Grey iron (190/HB)^nv, malleable iron (150/HB)^nv. Copper and aluminium
 /// alloys: a figure of their class. (Косилова/Мещеряков т.2, facts 1.5.)
-pub(crate) fn material_speed<'k>(process: &str, tool_material: &str, shop: &impl Asking<'k>) -> Tried<Factor> {
+pub(crate) fn material_speed<'k>(process: &str, tool_material: &str, shop: &impl Asking<'k>) -> Tried<Factor, Uncut> {
     let table = shop.knowledge().table("speed-material-exponent")?;
     let (row, stand_in) = match table.decide(&material_inputs(process, tool_material, shop.material()))?.winner() {
         Some(row) => (row, None),
@@ -51,7 +52,7 @@ pub(crate) fn material_speed<'k>(process: &str, tool_material: &str, shop: &impl
 }
 
 /// Kmp: how the material moves forces. Steel (σB/750)^n, grey iron (HB/190)^n, malleable (HB/150)^n.
-pub(crate) fn material_force<'k>(process: &str, tool_material: &str, shop: &impl Asking<'k>) -> Tried<Factor> {
+pub(crate) fn material_force<'k>(process: &str, tool_material: &str, shop: &impl Asking<'k>) -> Tried<Factor, Uncut> {
     let table = shop.knowledge().table("force-material-exponent")?;
     let answer = table.decide(&material_inputs(process, tool_material, shop.material()))?;
     let Some(row) = answer.winner() else { return factor_of_one(&table.id, shop) };
@@ -80,7 +81,7 @@ fn material_inputs<'a>(
 }
 
 /// The class of the steel, with its Kg; for carbide by the rule `stand-in-tool-material`.
-fn steel_class<'k>(tool_material: &str, shop: &impl Asking<'k>) -> Tried<RowRef<'k>> {
+fn steel_class<'k>(tool_material: &str, shop: &impl Asking<'k>) -> Tried<RowRef<'k>, Uncut> {
     let table = shop.knowledge().table("speed-steel-class")?;
     let ask = |tool: &str| -> Result<Option<RowRef<'k>>, KnowledgeError> {
         let class = ("steel_class", Input::Text(shop.material().steel_class));
@@ -94,14 +95,14 @@ fn steel_class<'k>(tool_material: &str, shop: &impl Asking<'k>) -> Tried<RowRef<
 }
 
 /// No exponent or factor is known: 1, where the rule `stand-in-material` says so.
-fn factor_of_one<'k>(id: &str, shop: &impl Asking<'k>) -> Tried<Factor> {
+fn factor_of_one<'k>(id: &str, shop: &impl Asking<'k>) -> Tried<Factor, Uncut> {
     match figures::stand_in(id, shop)? {
         Some((_, because)) => Ok((1.0, because)),
         None => Err(missing(shop.knowledge().table(id)?, shop)),
     }
 }
 
-fn alloy<'k>(id: &str, shop: &impl Asking<'k>) -> Tried<Factor> {
+fn alloy<'k>(id: &str, shop: &impl Asking<'k>) -> Tried<Factor, Uncut> {
     let table = shop.knowledge().table(id)?;
     let known =
         table.inputs().any(|(_, column)| column.values.iter().any(|value| value == shop.material().alloy_class));
@@ -118,7 +119,7 @@ fn alloy<'k>(id: &str, shop: &impl Asking<'k>) -> Tried<Factor> {
 ///
 /// The cards have their own factors of depth, which are not at hand; the worked example takes 1 at 3.5 diameters, where
 /// the handbook does not. By the card method the factor is therefore 1, and the reason tells which one was left out.
-pub(crate) fn by_depth(id: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Factor> {
+pub(crate) fn by_depth(id: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Factor, Uncut> {
     let table = shop.knowledge().table(id)?;
     let ratio = cut.depth.to_mm() / cut.diameter.to_mm();
     let mut inputs = vec![("depth_ratio", plain(ratio))];
@@ -134,8 +135,7 @@ pub(crate) fn by_depth(id: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Factor
         None => {
             let beyond = shop.knowledge().table("depth-beyond")?;
             let answer = beyond.decide(&[("of_table", Input::Text(id)), ("depth_ratio", plain(ratio))])?;
-            let note = Note::new("too-deep").with("table", id).with("ratio", round_to(ratio, 2));
-            answer.winner().ok_or(Refusal::Not(note))?
+            answer.winner().ok_or_else(|| Refusal::Not(Uncut::TooDeep { table: id.to_owned(), ratio }))?
         }
     };
     let factor = number(row, "factor")?;
@@ -147,7 +147,7 @@ pub(crate) fn by_depth(id: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Factor
 }
 
 /// Tool life by the handbook's table, by `tool-life-beyond` where that has no cell, or by a stand-in.
-pub(crate) fn tool_life(operation: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<(f64, Vec<Because>)> {
+pub(crate) fn tool_life(operation: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<(f64, Vec<Because>), Uncut> {
     let others = [
         ("operation", Input::Text(operation)),
         ("tool_material", Input::Text(cut.tool_material)),
@@ -171,7 +171,7 @@ pub(crate) fn surface_of<'k>(skin: bool, shop: &Shop<'k>) -> Result<&'k str, Kno
 }
 
 /// Kpv: the skin of the blank.
-pub(crate) fn surface<'k>(surface: &str, shop: &impl Asking<'k>) -> Tried<Factor> {
+pub(crate) fn surface<'k>(surface: &str, shop: &impl Asking<'k>) -> Tried<Factor, Uncut> {
     let table = shop.knowledge().table("skin-factor")?;
     let answer = table.decide(&[("surface", Input::Text(surface))])?;
     let row = answer.winner().ok_or_else(|| missing(table, shop))?;
