@@ -12,7 +12,7 @@ use crate::reason::Reason;
 use crate::route::bores::{self, Bore, Task};
 use crate::route::diameters::{self, Sizes};
 use crate::route::scheme::Question;
-use crate::route::{Candidate, Step, accuracy, openings, order};
+use crate::route::{Candidate, Remark, Step, accuracy, openings, order};
 use crate::shop::Shop;
 use crate::units::{ItGrade, Micrometres, Minutes};
 
@@ -245,6 +245,7 @@ impl Finder<'_, '_> {
                     if candidate.finish_elsewhere
                         && let Some(last) = steps.last_mut()
                     {
+                        last.remarks.push(Remark::FinishedElsewhere(bore.diameter.clone()));
                         let note = Note::new("step-finished-elsewhere").with("diameter", &bore.diameter);
                         last.because.push(Because::table(self.shop.knowledge.table("A.8")?, note));
                     }
