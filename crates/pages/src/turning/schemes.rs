@@ -59,7 +59,7 @@ fn levels(found: &Schemes, lang: Lang) -> String {
             figure(one.stock_mm, lang),
             one.passes.to_string(),
             figure(one.mean_depth_mm, lang),
-            term(&zone.zone, lang).to_owned(),
+            term(zone.zone.name(), lang).to_owned(),
             schemes(&zone.schemes),
         ]);
     }
@@ -72,7 +72,7 @@ fn levels(found: &Schemes, lang: Lang) -> String {
     }
     if let Some(whole) = found.zones.get(cylinders.len()) {
         let line = lang.pick("Уся зона: {zone}; {schemes}.", "The whole zone: {zone}; {schemes}.");
-        let line = line.replace("{zone}", term(&whole.zone, lang)).replace("{schemes}", &schemes(&whole.schemes));
+        let line = line.replace("{zone}", term(whole.zone.name(), lang)).replace("{schemes}", &schemes(&whole.schemes));
         page.push_str(&grid::paragraph(&line, 0));
     }
     page
