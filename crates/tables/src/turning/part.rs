@@ -5,6 +5,8 @@ use serde::{Deserialize, Serialize};
 use technolog_knowledge::units::{Degrees, Micrometres, Microns};
 use technolog_knowledge::{rows, vocabulary};
 
+use crate::cutting::Surface;
+
 vocabulary! {
     /// What a surface is, by how the drawing names it (lecture, fig. 12.1). Whether it is a main or an additional element of the
     /// contour is not said here: that follows from the tool.
@@ -301,6 +303,6 @@ rows! {
         stock: StockKind,
         group: &'t str,
     } {
-        surface: &'t str,
+        surface: Surface,
     }
 }
