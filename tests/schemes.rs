@@ -15,7 +15,7 @@ use technolog::turning::levels::Levels;
 use technolog::turning::point::Point;
 use technolog::turning::schemes::find;
 use technolog::turning::schemes::path::{Motion, Role, Vertex};
-use technolog::turning::schemes::removal::Scheme;
+use technolog::turning::schemes::removal::{self, Scheme};
 use technolog::turning::schemes::told::{measure, points};
 use technolog::turning::shaft::{BlankKind, Division, Shaft, Step, read_shaft};
 use technolog::units::Micrometres;
@@ -29,7 +29,7 @@ fn mm(value: f64) -> Half {
 }
 
 fn path(scheme: Scheme, levels: &Levels) -> Vec<Vertex> {
-    scheme.path(levels, mm(2.0), mm(0.5))
+    removal::path(scheme, levels, mm(2.0), mm(0.5))
 }
 
 fn example(name: &str) -> Shaft {
@@ -268,7 +268,7 @@ impl Stock {
 fn carry_out(shaft: &Shaft) {
     let levels = Levels::of(shaft);
     assert!(levels.depth <= levels.limit, "{:?}", levels.depth);
-    for scheme in Scheme::ALL {
+    for &(_, scheme) in Scheme::NAMES {
         let mut stock = Stock::of(shaft);
         let all = stock.area();
         let path = path(scheme, &levels);

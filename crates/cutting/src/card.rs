@@ -6,42 +6,78 @@
 //! one point only; the formula's are kept there, being the safe side, and the plan says so.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::units::Unit;
 use crate::note::{Because, Note};
 use crate::plan::{CardPoint, Operation};
 use crate::shop::Shop;
-use crate::units::{Kilowatts, MetresPerMinute, MillimetresPerRev, NewtonMetres, Newtons};
+use crate::tables::cutting::{CardCalibration, CardCorrections, CardFactor, CardPoints, CardRatio};
+use crate::units::{Kilowatts, MetresPerMinute, MillimetresPerRev, NewtonMetres, Newtons, round_to};
 
 use super::drilling::Base;
 use super::{Cut, Draft, Loads, Motion, PowerLaw, power_of, rpm_at};
+
+/// What the cards cannot give, so that a plan by them rests on something else there.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs)] // the figures have the names of those of the sentences
+pub enum CardDoubt {
+    /// At a known point of drilling out the card's forces, N and kW, are not those of the formula that are taken.
+    ForcesDiffer { speed: f64, thrust: f64, power: f64 },
+    /// The card's own factors of depth are not at hand; the handbook's would be this one, at so many diameters.
+    WithoutDepth { table: String, ratio: f64, factor: f64 },
+}
+
+impl CardDoubt {
+    /// The sentence.
+    pub fn note(&self) -> Note {
+        match self {
+            Self::ForcesDiffer { speed, thrust, power } => point("card-point-forces-differ", [*speed, *thrust, *power]),
+            Self::WithoutDepth { table, ratio, factor } => Note::new("card-without-depth")
+                .with("table", table)
+                .with("ratio", round_to(*ratio, 2))
+                .with("factor", factor),
+        }
+    }
+}
+
+/// What a point of the card prints: speed, thrust and power.
+fn point(code: &str, [speed, thrust, power]: [f64; 3]) -> Note {
+    Note::new(code).with("speed", speed).with("thrust", thrust).with("power", power)
+}
 
 /// Conditions by the card: its point for steel, then the worked example's factors of the material group;
 /// `loads` are those of the formula for the material at hand. `part` is what the skin of the
 /// blank makes of the speed by the handbook's table: the card's own factor, Kvw, is known only where it is 1.
 pub(super) fn draft(
-    cut: &Cut<'_>,
+    cut: &Cut,
     feed: MillimetresPerRev,
     base: &Base,
     (loads, part): (Loads, f64),
-    mut because: Vec<Because>,
+    (mut because, mut doubts): (Vec<Because>, Vec<CardDoubt>),
     shop: &Shop<'_>,
 ) -> Result<Draft, KnowledgeError> {
-    let calibration = shop.knowledge.table("card-calibration")?;
-    let mut calibrated = |name: &str| -> Result<f64, KnowledgeError> {
-        let row = calibration.find("name", name).ok_or_else(|| KnowledgeError::no_row(calibration, name))?;
-        let factor = row.number_in("factor", Unit::None)?;
-        because.push(Because::row(row, Note::new("card-calibration").with("name", name).with("factor", factor)));
-        Ok(factor)
+    let mut calibrated = |ratio: CardRatio| -> Result<f64, KnowledgeError> {
+        let row = shop.knowledge.need(ratio.name(), |row: &CardCalibration<'_>| row.name == ratio)?;
+        let note = Note::new("card-calibration").with("name", ratio.name()).with("factor", row.factor);
+        because.push(Because::row(row.row, note));
+        Ok(row.factor)
     };
-    let speed = MetresPerMinute(base.speed * calibrated("speed")?);
+    let speed = MetresPerMinute(base.speed * calibrated(CardRatio::Speed)?);
     // Drilling-out forces of the card are not those of the formula; nothing is calibrated on one point.
-    let (thrust_factor, power_factor) =
-        if cut.operation == Operation::DrillOut { (1.0, 1.0) } else { (calibrated("thrust")?, calibrated("power")?) };
+    let (thrust_factor, power_factor) = match cut.operation {
+        Operation::DrillOut => (1.0, 1.0),
+        _ => (calibrated(CardRatio::Thrust)?, calibrated(CardRatio::Power)?),
+    };
     let thrust = base.loads.thrust.map(|law| PowerLaw { factor: law.factor * thrust_factor, ..law });
     let rpm = rpm_at(speed, cut.diameter);
     let power =
         base.loads.torque.map(|law| Kilowatts(power_of(NewtonMetres(law.at(feed, speed)), rpm).0 * power_factor));
-    because.extend(known_point(cut, feed, shop)?);
+    if let Some(CardPoints { row, speed, thrust, power, .. }) = known_point(cut, feed, shop)? {
+        let (speed, thrust, power) = (speed.0, thrust.0, power.0);
+        let doubt = CardDoubt::ForcesDiffer { speed, thrust, power };
+        let differs = cut.operation == Operation::DrillOut;
+        let note = if differs { doubt.note() } else { point("card-point", [speed, thrust, power]) };
+        because.push(Because::row(row, note));
+        doubts.extend(differs.then_some(doubt));
+    }
     let (product, material) = corrections(shop, &mut because)?;
     let force = thrust.map(|law| Newtons(law.at(feed, speed)));
     let card = CardPoint {
@@ -63,28 +99,22 @@ pub(super) fn draft(
         loads,
         motion: Motion::along_axis(cut),
         because,
+        doubts,
         card: Some(card),
         rounds: None,
     })
 }
 
 /// The printed point of the card, where this cut is one of the three, with what it prints.
-fn known_point(cut: &Cut<'_>, feed: MillimetresPerRev, shop: &Shop<'_>) -> Result<Option<Because>, KnowledgeError> {
-    let points = shop.knowledge.table("card-points")?;
-    for row in points.all_rows() {
-        let same = row.text("operation")? == cut.operation.name()
-            && row.length("diameter")? == cut.diameter
-            && (row.number_in("feed", Unit::MillimetrePerRev)? - feed.0).abs() < 0.0005;
-        if same {
-            let code = if cut.operation == Operation::DrillOut { "card-point-forces-differ" } else { "card-point" };
-            let note = Note::new(code)
-                .with("speed", row.number_in("speed", Unit::MetrePerMinute)?)
-                .with("thrust", row.number_in("thrust", Unit::Newton)?)
-                .with("power", row.number_in("power", Unit::Kilowatt)?);
-            return Ok(Some(Because::row(row, note)));
-        }
-    }
-    Ok(None)
+fn known_point<'k>(
+    cut: &Cut,
+    feed: MillimetresPerRev,
+    shop: &Shop<'k>,
+) -> Result<Option<CardPoints<'k>>, KnowledgeError> {
+    let same = |point: &CardPoints<'_>| {
+        point.operation == cut.operation && point.diameter == cut.diameter && (point.feed.0 - feed.0).abs() < 0.0005
+    };
+    Ok(shop.knowledge.find(same)?)
 }
 
 /// The factor by which the worked example raises the card's feed.
@@ -94,23 +124,23 @@ pub(super) fn feed_factor(shop: &Shop<'_>) -> Result<f64, KnowledgeError> {
 
 /// The product of the worked example's factors, and its material factor alone; 1 for other groups.
 fn corrections(shop: &Shop<'_>, because: &mut Vec<Because>) -> Result<(f64, f64), KnowledgeError> {
-    let table = shop.knowledge.table("card-corrections")?;
+    let table = shop.knowledge.table_of::<CardCorrections<'_>>()?;
     let (mut product, mut material) = (1.0, 1.0);
     let mut first = None;
-    for row in table.all_rows() {
-        if row.text("material_group")? != shop.material.group {
+    for row in table.rows::<CardCorrections<'_>>() {
+        let row = row?;
+        if row.material_group != shop.material.group {
             continue;
         }
-        let factor = row.number_in("factor", Unit::None)?;
-        product *= factor;
-        if row.text("name")? == "material" {
-            material = factor;
+        product *= row.factor;
+        if row.name == CardFactor::Material {
+            material = row.factor;
         }
-        first.get_or_insert(row);
+        first.get_or_insert(row.row);
     }
     because.push(match first {
         Some(row) => {
-            let product = crate::units::round_to(product, 3);
+            let product = round_to(product, 3);
             Because::row(row, Note::new("card-corrections").with("product", product).with("material", material))
         }
         None => {

@@ -1,12 +1,15 @@
 //! What the machine lets through: spindle step, feed range, thrust, torque, power.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::knowledge::units::Unit;
-use crate::knowledge::{Input, RowRef};
+use crate::knowledge::RowRef;
+use crate::knowledge::units::Percent;
 use crate::note::{Because, Note};
-use crate::plan::Operation;
+use crate::plan::{Limit, Operation};
+use crate::reason::Uncut;
 use crate::shop::Shop;
-use crate::units::{Decimal, MetresPerMinute, MillimetresPerRev, RevsPerMinute, round_to};
+use crate::tables::cutting::DrillStrength;
+use crate::tables::rules::{Neighbour, PracticeSpeedFor, SpindleStepFor};
+use crate::units::{MetresPerMinute, MillimetresPerRev, NewtonMetres, RevsPerMinute, round_to};
 
 use super::{Cut, Draft, PowerLaw, rpm_at, speed_at};
 
@@ -14,7 +17,9 @@ use super::{Cut, Draft, PowerLaw, rpm_at, speed_at};
 pub(super) struct Held {
     pub feed: MillimetresPerRev,
     pub rpm: RevsPerMinute,
-    pub limited_by: String,
+    pub limited_by: Limit,
+    /// Whether a load or the power has cut the feed back at this step.
+    pub reduced: bool,
     pub because: Vec<Because>,
 }
 
@@ -22,32 +27,27 @@ pub(super) struct Held {
 struct Bound<'k> {
     law: Option<PowerLaw>,
     limit: f64,
-    name: &'static str,
+    kind: Limit,
     row: RowRef<'k>,
 }
 
 /// Holds the speed of drills, mills and taps of high-speed steel to what shops drive, by the rule
 /// `practice-speed`; whether it was held.
-pub(super) fn practice(draft: &mut Draft, cut: &Cut<'_>, shop: &Shop<'_>) -> Result<bool, KnowledgeError> {
+pub(super) fn practice(draft: &mut Draft, cut: &Cut, shop: &Shop<'_>) -> Result<bool, KnowledgeError> {
     let drills =
         matches!(cut.operation, Operation::CentreDrill | Operation::Drill | Operation::DrillOut | Operation::CoreDrill);
     if !drills && !matches!(cut.operation, Operation::Mill | Operation::Tap) {
         return Ok(false);
     }
-    let rule = shop.knowledge.table("practice-speed")?;
-    let answer = rule.decide(&[
-        ("operation", Input::Text(cut.operation.name())),
-        ("tool_material", Input::Text(cut.tool_material)),
-        ("material_group", Input::Text(shop.material.group)),
-    ])?;
-    let Some(row) = answer.winner() else { return Ok(false) };
-    let limit = row.number_in("limit", Unit::MetrePerMinute)?;
-    if draft.speed.0 <= limit {
+    let &Cut { operation, tool_material, .. } = cut;
+    let question = PracticeSpeedFor { operation, tool_material, material_group: shop.material.group };
+    let Some(rule) = shop.knowledge.ask(&question)?.winner()? else { return Ok(false) };
+    if draft.speed.0 <= rule.limit.0 {
         return Ok(false);
     }
-    let note = Note::new("practice-speed").with("formula", round_to(draft.speed.0, 1)).with("limit", limit);
-    draft.because.push(Because::row(row, note));
-    draft.speed = MetresPerMinute(limit);
+    let note = Note::new("practice-speed").with("formula", round_to(draft.speed.0, 1)).with("limit", rule.limit.0);
+    draft.because.push(Because::row(rule.row, note));
+    draft.speed = rule.limit;
     Ok(true)
 }
 
@@ -55,7 +55,7 @@ pub(super) fn practice(draft: &mut Draft, cut: &Cut<'_>, shop: &Shop<'_>) -> Res
 pub(super) struct Borne {
     pub feed: MillimetresPerRev,
     /// What lets no more through.
-    pub name: &'static str,
+    pub limit: Limit,
     pub because: Vec<Because>,
 }
 
@@ -66,19 +66,24 @@ const SLACK: f64 = 1e-9;
 pub(super) fn borne(
     draft: &Draft,
     asked: MillimetresPerRev,
-    cut: &Cut<'_>,
+    cut: &Cut,
     rpm: RevsPerMinute,
     shop: &Shop<'_>,
-) -> Tried<Option<Borne>> {
+) -> Tried<Option<Borne>, Uncut> {
     let (machine, loads) = (&shop.machine, draft.loads);
     let speed = speed_at(rpm, draft.motion.turned);
     let bounds = [
         drill_strength(draft, cut, shop)?,
-        Some(Bound { law: loads.thrust, limit: machine.thrust.0, name: "thrust", row: machine.row("thrust-z-max")? }),
+        Some(Bound {
+            law: loads.thrust,
+            limit: machine.thrust.0,
+            kind: Limit::Thrust,
+            row: machine.row("thrust-z-max")?,
+        }),
         Some(Bound {
             law: loads.torque,
             limit: machine.spindle_torque.0,
-            name: "spindle-torque",
+            kind: Limit::SpindleTorque,
             row: machine.row("spindle-torque-max")?,
         }),
     ];
@@ -95,44 +100,42 @@ fn within(bounds: &[Option<Bound<'_>>], asked: MillimetresPerRev, speed: MetresP
         {
             let feed = law.feed_at(bound.limit, speed);
             let note = Note::new("feed-reduced")
-                .with("by", bound.name)
+                .with("by", bound.kind.name())
                 .with("from", round_to(before.0, 3))
                 .with("to", round_to(feed.0, 3))
                 .with("limit", round_to(bound.limit, 1));
             let mut because = borne.map_or_else(Vec::new, |borne| borne.because);
             because.push(Because::row(bound.row, note));
-            borne = Some(Borne { feed, name: bound.name, because });
+            borne = Some(Borne { feed, limit: bound.kind, because });
         }
     }
     borne
 }
 
 /// The spindle step of a draft's speed, what limits it, and why.
-pub(super) fn step_of(draft: &Draft, shop: &Shop<'_>) -> Result<(RevsPerMinute, String, Because), KnowledgeError> {
+pub(super) fn step_of(draft: &Draft, shop: &Shop<'_>) -> Result<(RevsPerMinute, Limit, Because), KnowledgeError> {
     spindle_step(rpm_at(draft.speed, draft.motion.turned), shop)
 }
 
 /// Chooses the spindle step and holds the feed inside the loads, power and feed range; `limited` names the load that
 /// has cut the feed back already.
-pub(super) fn hold(draft: &Draft, limited: Option<&str>, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Held> {
+pub(super) fn hold(draft: &Draft, limited: Option<Limit>, cut: &Cut, shop: &Shop<'_>) -> Tried<Held, Uncut> {
     let (rpm, limited_by, reason) = step_of(draft, shop)?;
-    let limited_by = limited.map_or(limited_by, str::to_owned);
-    let mut best = at_step(draft, cut, rpm, (limited_by, vec![reason]), shop)?;
+    let mut best = at_step(draft, cut, rpm, (limited.unwrap_or(limited_by), vec![reason]), shop)?;
     // Where power limits, a slower step lets more feed through: the quickest of them is taken.
     for step in shop.machine.spindle_steps.iter().rev().filter(|step| step.0 < rpm.0) {
-        if best.limited_by != "spindle-power" {
+        if best.limited_by != Limit::SpindlePower {
             break;
         }
         let wanted = rpm_at(draft.speed, draft.motion.turned);
         let note = Note::new("spindle-step-below").with("computed", round_to(wanted.0, 1)).with("step", step.0);
         let reason = Because::row(shop.machine.row("spindle-speeds")?, note);
-        let slower = at_step(draft, cut, *step, ("spindle-power".to_owned(), vec![reason]), shop)?;
+        let slower = at_step(draft, cut, *step, (Limit::SpindlePower, vec![reason]), shop)?;
         if slower.feed.0 * slower.rpm.0 <= best.feed.0 * best.rpm.0 {
             break;
         }
-        let still = slower.because.iter().any(|reason| reason.note.code == "feed-reduced");
         best = slower;
-        if !still {
+        if !best.reduced {
             break;
         }
     }
@@ -142,38 +145,39 @@ pub(super) fn hold(draft: &Draft, limited: Option<&str>, cut: &Cut<'_>, shop: &S
 /// The feed at one spindle step.
 fn at_step(
     draft: &Draft,
-    cut: &Cut<'_>,
+    cut: &Cut,
     rpm: RevsPerMinute,
-    (mut limited_by, mut because): (String, Vec<Because>),
+    (mut limited_by, mut because): (Limit, Vec<Because>),
     shop: &Shop<'_>,
-) -> Tried<Held> {
+) -> Tried<Held, Uncut> {
     let machine = &shop.machine;
-    let mut feed = draft.feed;
+    let (mut feed, mut reduced) = (draft.feed, false);
     let power = Bound {
         law: draft.loads.torque,
         limit: 9750.0 * machine.spindle_power.0 / rpm.0,
-        name: "spindle-power",
+        kind: Limit::SpindlePower,
         row: machine.row("spindle-power")?,
     };
     for held in [borne(draft, feed, cut, rpm, shop)?, within(&[Some(power)], feed, speed_at(rpm, draft.motion.turned))]
     {
         if let Some(borne) = held.filter(|borne| borne.feed.0 < feed.0) {
             feed = borne.feed;
-            borne.name.clone_into(&mut limited_by);
+            (limited_by, reduced) = (borne.limit, true);
             because.extend(borne.because);
         }
     }
-    for (outside, limit, name) in [
-        (feed.0 * rpm.0 > machine.feed_max.0, machine.feed_max, "feed-max"),
-        (feed.0 * rpm.0 < machine.feed_min.0, machine.feed_min, "feed-min"),
+    for (outside, limit, kind) in [
+        (feed.0 * rpm.0 > machine.feed_max.0, machine.feed_max, Limit::FeedMax),
+        (feed.0 * rpm.0 < machine.feed_min.0, machine.feed_min, Limit::FeedMin),
     ] {
         if outside {
             feed = MillimetresPerRev(limit.0 / rpm.0);
-            name.clone_into(&mut limited_by);
-            because.push(Because::row(machine.row(name)?, Note::new("feed-held").with("limit", limit.0)));
+            limited_by = kind;
+            // A limit of the feed has the name of its row.
+            because.push(Because::row(machine.row(kind.name())?, Note::new("feed-held").with("limit", limit.0)));
         }
     }
-    Ok(Held { feed, rpm, limited_by, because })
+    Ok(Held { feed, rpm, limited_by, reduced, because })
 }
 
 /// What a thin drill bears by itself (textbook 1.2.1, l. 223-226: below 10 mm the drill's own strength
@@ -182,59 +186,53 @@ fn at_step(
 /// Permissible torque Mp = k·d³·τ/1000, N·m, with the polar section modulus k·d³ of the fluted section, mm³,
 /// and the permissible shear stress τ, MPa (table `drill-strength`); d is the tool's own diameter, which for a spot is
 /// not that of the cut.
-fn drill_strength<'k>(draft: &Draft, cut: &Cut<'_>, shop: &Shop<'k>) -> Result<Option<Bound<'k>>, KnowledgeError> {
+fn drill_strength<'k>(draft: &Draft, cut: &Cut, shop: &Shop<'k>) -> Result<Option<Bound<'k>>, KnowledgeError> {
     if !matches!(cut.operation, Operation::CentreDrill | Operation::Drill | Operation::DrillOut) {
         return Ok(None);
     }
-    let table = shop.knowledge.table("drill-strength")?;
-    let Some(row) = table.find("tool_material", cut.tool_material) else { return Ok(None) };
+    let of_tool = |row: &DrillStrength<'_>| row.tool_material == cut.tool_material;
+    let Some(strength) = shop.knowledge.find(of_tool)? else { return Ok(None) };
     let tool = cut.tool_diameter.unwrap_or(cut.diameter);
-    if tool >= row.length("below_diameter")? {
+    if tool >= strength.below_diameter {
         return Ok(None);
     }
     let d = tool.to_mm();
-    let modulus = row.number_in("modulus_factor", Unit::None)? * d * d * d;
-    let limit = modulus * row.number_in("shear_stress", Unit::Megapascal)? / 1000.0;
-    Ok(Some(Bound { law: draft.loads.torque, limit, name: "drill-strength", row }))
+    let limit = strength.modulus_factor * d * d * d * strength.shear_stress.0.to_f64() / 1000.0;
+    Ok(Some(Bound { law: draft.loads.torque, limit, kind: Limit::DrillStrength, row: strength.row }))
 }
 
 /// Holds a tap: its feed is its pitch and cannot give way, so the spindle does.
 ///
 /// The fastest step not above the computed speed at which power and feed rate suffice; the torque of a tap
 /// does not depend on speed, and where it is beyond the spindle the tap is refused.
-pub(super) fn synchronous(draft: &Draft, shop: &Shop<'_>) -> Tried<Held> {
+pub(super) fn synchronous(draft: &Draft, shop: &Shop<'_>) -> Tried<Held, Uncut> {
     let machine = &shop.machine;
     let wanted = rpm_at(draft.speed, draft.motion.turned);
     let torque = draft.loads.torque.map_or(0.0, |law| law.at(draft.feed, draft.speed));
     if torque > machine.spindle_torque.0 {
-        let note = Note::new("torque-beyond-spindle")
-            .with("torque", round_to(torque, 1))
-            .with("limit", machine.spindle_torque.0);
-        return Err(Refusal::Not(note));
+        let (torque, limit) = (NewtonMetres(torque), machine.spindle_torque);
+        return Err(Refusal::Not(Uncut::TorqueBeyondSpindle { torque, limit }));
     }
-    let mut limited_by = "cutting-speed";
+    let mut limited_by = Limit::CuttingSpeed;
     for step in machine.spindle_steps.iter().rev().filter(|step| step.0 <= wanted.0) {
         if torque * step.0 / 9750.0 > machine.spindle_power.0 {
-            limited_by = "spindle-power";
+            limited_by = Limit::SpindlePower;
         } else if draft.feed.0 * step.0 > machine.feed_max.0 {
-            limited_by = "feed-max";
+            limited_by = Limit::FeedMax;
         } else {
             let note = Note::new("spindle-step-below").with("computed", round_to(wanted.0, 1)).with("step", step.0);
             let because = vec![Because::row(machine.row("spindle-speeds")?, note)];
-            return Ok(Held { feed: draft.feed, rpm: *step, limited_by: limited_by.to_owned(), because });
+            return Ok(Held { feed: draft.feed, rpm: *step, limited_by, reduced: false, because });
         }
     }
-    Err(Refusal::Not(Note::new("no-step-below").with("computed", round_to(wanted.0, 1))))
+    Err(Refusal::Not(Uncut::NoStepBelow { computed: wanted }))
 }
 
 /// The step of the machine's series for a computed speed, by the rule `spindle-step`; what limits it, and why.
 ///
 /// # Errors
 /// The rule or the machine's series cannot answer.
-pub fn spindle_step(
-    wanted: RevsPerMinute,
-    shop: &Shop<'_>,
-) -> Result<(RevsPerMinute, String, Because), KnowledgeError> {
+pub fn spindle_step(wanted: RevsPerMinute, shop: &Shop<'_>) -> Result<(RevsPerMinute, Limit, Because), KnowledgeError> {
     let steps = &shop.machine.spindle_steps;
     let below = steps.iter().rev().find(|step| step.0 <= wanted.0);
     let above = steps.iter().find(|step| step.0 >= wanted.0);
@@ -245,20 +243,21 @@ pub fn spindle_step(
     match (below, above) {
         (Some(below), Some(above)) => {
             let excess = (above.0 / wanted.0 - 1.0) * 100.0;
-            let rule = shop.knowledge.table("spindle-step")?;
-            let answer = rule.decide(&[("excess", Input::Number(Decimal::from_f64_rounded(excess), Unit::Percent))])?;
-            let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this excess"))?;
-            let step = if row.text("take")? == "above" { *above } else { *below };
+            let asked = shop.knowledge.ask(&SpindleStepFor { excess: Percent(excess) })?;
+            let step = match asked.need("this excess")?.take {
+                Neighbour::Above => *above,
+                Neighbour::Below => *below,
+            };
             let note = Note::new("spindle-step")
                 .with("computed", round_to(wanted.0, 1))
                 .with("below", below.0)
                 .with("above", above.0)
                 .with("excess", round_to(excess, 1))
                 .with("step", step.0);
-            Ok((step, "cutting-speed".to_owned(), Because::answer(&answer, note)))
+            Ok((step, Limit::CuttingSpeed, Because::answer(&asked.answer, note)))
         }
-        (Some(below), None) => Ok((*below, "spindle-speed-max".to_owned(), series("spindle-fastest", *below)?)),
-        (None, Some(above)) => Ok((*above, "spindle-speed-min".to_owned(), series("spindle-slowest", *above)?)),
+        (Some(below), None) => Ok((*below, Limit::SpindleSpeedMax, series("spindle-fastest", *below)?)),
+        (None, Some(above)) => Ok((*above, Limit::SpindleSpeedMin, series("spindle-slowest", *above)?)),
         (None, None) => Err(KnowledgeError::no_row(shop.machine.table, "spindle-speeds")),
     }
 }

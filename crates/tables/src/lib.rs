@@ -18,6 +18,7 @@ pub mod materials;
 pub mod rules;
 pub mod standards;
 pub mod tools;
+pub mod turning;
 pub mod vocabularies;
 
 use technolog_knowledge::contract::Contract;
@@ -38,6 +39,9 @@ pub fn all() -> Vec<&'static Contract> {
         rules::CONTRACTS,
         standards::CONTRACTS,
         tools::CONTRACTS,
+        turning::part::CONTRACTS,
+        turning::passes::CONTRACTS,
+        turning::tools::CONTRACTS,
         vocabularies::CONTRACTS,
     ]
     .concat()

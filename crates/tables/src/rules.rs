@@ -1,10 +1,34 @@
 //! Row types: rules.
 
-use technolog_knowledge::rows;
-use technolog_knowledge::units::{
-    Degrees, ItGrade, MetresPerMinute, Micrometres, MillimetresPerMinute, Minutes, Percent, Roughness,
-};
-use technolog_knowledge::vocabulary::{Operation, Shank, ToolMaterial};
+use technolog_knowledge::units::{ItGrade, MetresPerMinute, Micrometres, Minutes, Percent, Roughness};
+use technolog_knowledge::vocabulary::{CuttingMethod, Operation, Shank, ToolMaterial};
+use technolog_knowledge::{rows, vocabulary};
+
+use crate::cutting::{Coefficients, FeedMultiple, ReamingCondition, Surface};
+
+vocabulary! {
+    /// The tables of feeds.
+    pub enum FeedTable {
+        /// Of drills.
+        Drilling = "drilling-feed",
+        /// Of core drills.
+        CoreDrilling = "core-drilling-feed",
+        /// Of reamers.
+        Reaming = "reaming-feed",
+        /// Of boring bars, which is asked in a way of its own.
+        Boring = "boring-feed",
+        /// Of what widens the mouth of a hole.
+        Counterboring = "counterboring-feed",
+    }
+
+    /// Which of two neighbours is taken.
+    pub enum Neighbour {
+        /// The one above.
+        Above = "above",
+        /// The one below.
+        Below = "below",
+    }
+}
 
 rows! {
     /// The allowance that a transition removes.
@@ -52,15 +76,6 @@ rows! {
         excess: Percent,
     } {
         severity: &'t str,
-    }
-
-    /// The drill before a solid blank is bored.
-    pub struct BoreDrill of One("bore-drill") asked by BoreDrillFor {
-        diameter: Micrometres,
-    } {
-        drilled: bool,
-        least_stock: Option<Micrometres>,
-        step: Option<Micrometres>,
     }
 
     /// Whether the position of the axis asks for boring.
@@ -129,12 +144,12 @@ rows! {
     }
 
     /// Where the feed comes from.
-    pub struct FeedChoice of One("feed-choice") asked by FeedChoiceFor<'t> {
+    pub struct FeedChoice of One("feed-choice") asked by FeedChoiceFor {
         operation: Operation,
-        method: &'t str,
+        method: CuttingMethod,
     } {
-        feed_table: &'t str,
-        multiple: &'t str,
+        feed_table: FeedTable,
+        multiple: FeedMultiple,
     }
 
     /// Which holder takes a shank.
@@ -180,14 +195,6 @@ rows! {
         own: Option<&'t str>,
     }
 
-    /// Direction of the roughing passes in turning.
-    pub struct PassDirection of One("pass-direction") asked by PassDirectionFor<'t> {
-        blank_shape: &'t str,
-        holding: &'t str,
-    } {
-        direction: &'t str,
-    }
-
     /// The highest speed that shop practice allows.
     pub struct PracticeSpeed of One("practice-speed") asked by PracticeSpeedFor<'t> {
         operation: Operation,
@@ -211,14 +218,7 @@ rows! {
         it: Option<ItGrade>,
         roughness: Option<Roughness>,
     } {
-        conditions: Vec<&'t str>,
-    }
-
-    /// Schemes that remove the rough stock of stepped shafts.
-    pub struct RemovalScheme of One("removal-scheme") asked by RemovalSchemeFor<'t> {
-        scheme: &'t str,
-    } {
-        preference: i64,
+        conditions: Vec<ReamingCondition>,
     }
 
     /// Drilling into an unmachined face.
@@ -233,7 +233,7 @@ rows! {
     pub struct SpindleStep of One("spindle-step") asked by SpindleStepFor {
         excess: Percent,
     } {
-        take: &'t str,
+        take: Neighbour,
     }
 
     /// Whose figures stand in where a material has none.
@@ -267,11 +267,11 @@ rows! {
     }
 
     /// Surface of the blank, for the speed factor.
-    pub struct Surface of One("surface") asked by SurfaceFor<'t> {
+    pub struct BlankSurface of One("surface") asked by SurfaceFor<'t> {
         skin: bool,
         material_group: &'t str,
     } {
-        surface: &'t str,
+        surface: Surface,
     }
 
     /// Which table of schemes a hole is looked up in.
@@ -295,7 +295,7 @@ rows! {
 
     /// Tool life where the handbook's table is empty.
     pub struct ToolLifeBeyond of One("tool-life-beyond") asked by ToolLifeBeyondFor<'t> {
-        operation: &'t str,
+        operation: Coefficients,
         material_group: &'t str,
         tool_material: ToolMaterial,
         diameter: Micrometres,
@@ -317,100 +317,6 @@ rows! {
         face: Option<bool>,
     } {
         rank: i64,
-    }
-
-    /// Preparing a blank for an NC lathe.
-    pub struct TurningBlankPreparation of One("turning-blank-preparation") asked by TurningBlankPreparationFor<'t> {
-        stock: &'t str,
-        holding: &'t str,
-        heat_treatment: &'t str,
-    } {
-        action: &'t str,
-        contradicts: bool,
-    }
-
-    /// The blank of a turned part: for how many parts, and how exact its length.
-    pub struct TurningBlank of One("turning-blank") asked by TurningBlankFor<'t> {
-        stock: &'t str,
-        diameter: Micrometres,
-    } {
-        parts: &'t str,
-        length_deviation: Micrometres,
-    }
-
-    /// Main or additional element of a contour, and by what tool.
-    pub struct TurningElement of One("turning-element") asked by TurningElementFor<'t> {
-        kind: &'t str,
-        ground: &'t str,
-        valley_fall: Degrees,
-        floor_reached: bool,
-    } {
-        element: &'t str,
-        tool: &'t str,
-    }
-
-    /// What is finished elsewhere than on the lathe.
-    pub struct TurningFinishElsewhere of One("turning-finish-elsewhere") asked by TurningFinishElsewhereFor<'t> {
-        surface: &'t str,
-        grade_held: bool,
-        roughness_held: bool,
-    } {
-        operation: &'t str,
-    }
-
-    /// Least length of a cylinder for the jaws of a chuck.
-    pub struct TurningHold of One("turning-hold") asked by TurningHoldFor {
-        diameter: Micrometres,
-    } {
-        least_length: Micrometres,
-    }
-
-    /// Rates and distances of turning motions where the shaft file says nothing.
-    pub struct TurningMotion of One("turning-motion") asked by TurningMotionFor<'t> {
-        quantity: &'t str,
-    } {
-        rate: Option<MillimetresPerMinute>,
-        distance: Option<Micrometres>,
-    }
-
-    /// Scheme of the roughing passes for a zone.
-    pub struct TurningScheme of One("turning-scheme") asked by TurningSchemeFor<'t> {
-        zone: &'t str,
-        parts: &'t str,
-        contour: &'t str,
-        against_stop: bool,
-        blank_shape: &'t str,
-    } {
-        schemes: Vec<&'t str>,
-        also: Option<Vec<&'t str>>,
-        parts_worked: &'t str,
-        return_way: &'t str,
-    }
-
-    /// Surface of a turned blank, for the speed factor.
-    pub struct TurningSkin of One("turning-skin") asked by TurningSkinFor<'t> {
-        stock: &'t str,
-        group: &'t str,
-    } {
-        surface: &'t str,
-    }
-
-    /// Which of the turning tools that fit.
-    pub struct TurningToolOrder of One("turning-tool-order") asked by TurningToolOrderFor<'t> {
-        kind: &'t str,
-    } {
-        prefer: Vec<&'t str>,
-    }
-
-    /// Zones of turning: what bounds them.
-    pub struct TurningZone of One("turning-zone") asked by TurningZoneFor<'t> {
-        parts: &'t str,
-        face_ahead: bool,
-        face_behind: bool,
-    } {
-        zone: &'t str,
-        limits_main_angle: bool,
-        limits_auxiliary_angle: bool,
     }
 
     /// Whether to drill in two passes.

@@ -3,6 +3,7 @@
 use crate::cutting::{self, Cut};
 use crate::error::{KnowledgeError, Tried};
 use crate::knowledge::units::Unit;
+use crate::knowledge::vocabulary::ToolMaterial;
 use crate::knowledge::{Input, Knowledge, RowRef};
 use crate::note::{Because, Note};
 use crate::part::Face;
@@ -46,7 +47,8 @@ impl<'k> Fitting<'_, 'k> {
 
     /// Centring: the spot by the rule `centre-spot`; its tool is chosen for the whole part.
     pub(super) fn centre(&self, step: Step, drill: Micrometres) -> Tried<Fitted> {
-        let (row, spot, note) = match self.edge_by_centring()? {
+        let edge = self.edge_by_centring()?;
+        let (row, spot, note) = match edge {
             Some(edge) => (self.spot_rule(true)?, edge.diameter, Note::new("spot-by-chamfer")),
             None => {
                 // Where no centring drill is wide enough for the chamfer, the spot is that of a hole without one.
@@ -74,12 +76,13 @@ impl<'k> Fitting<'_, 'k> {
         let conditions = self.spotting(&step, travel, self.widest_spot)?;
         let mut because = step.because.clone();
         because.push(Because::row(row, note));
-        Ok(Fitted { step, tool: None, travel, approach: self.travels(false).0, conditions, because })
+        let (approach, doubts, makes_edge) = (self.travels(false).0, Vec::new(), edge.is_some());
+        Ok(Fitted { step, tool: None, travel, approach, conditions, doubts, makes_edge, because })
     }
 
     /// The conditions of centring with a drill of that diameter.
     pub fn spotting(&self, step: &Step, travel: Micrometres, tool: Micrometres) -> Tried<Conditions> {
-        let cut = Cut { tool_diameter: Some(tool), ..self.cut(step, None, "HSS", travel) };
+        let cut = Cut { tool_diameter: Some(tool), ..self.cut(step, None, ToolMaterial::HighSpeedSteel, travel) };
         cutting::conditions(&cut, self.shop)
     }
 }
