@@ -131,9 +131,21 @@ pub struct Fault {
     /// Where it stands.
     #[serde(flatten)]
     pub span: Span,
+    /// What it is about, where that tells it from others of its code.
+    #[serde(skip)]
+    pub subject: Option<Subject>,
     /// What is wrong.
     #[serde(flatten)]
     pub note: Note,
+}
+
+/// What a fault is about.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Subject {
+    /// A tool, by its number.
+    Tool(usize),
+    /// A function, such as `G77`.
+    Function(String),
 }
 
 impl Fault {
@@ -152,7 +164,14 @@ impl Fault {
     fn of(rules: &[Rule], code: &'static str, span: Span, block: Option<u32>) -> Self {
         let rule = rules.iter().find(|(known, ..)| *known == code);
         let (severity, rule) = rule.map_or((Severity::Error, ""), |(_, severity, section)| (*severity, *section));
-        Self { code, severity, rule, block, calls: Vec::new(), span, note: Note::new(code) }
+        Self { code, severity, rule, block, calls: Vec::new(), span, subject: None, note: Note::new(code) }
+    }
+
+    /// About that.
+    #[must_use]
+    fn about(mut self, subject: Subject) -> Self {
+        self.subject = Some(subject);
+        self
     }
 
     /// With one more figure.
