@@ -1,6 +1,7 @@
 //! Counterboring, countersinking and chamfering.
 
 use crate::error::Tried;
+use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::units::MillimetresPerRev;
 
@@ -16,7 +17,7 @@ use super::{Cut, Draft, drilling, feed, figures};
 /// - V = Cv·D^q / (T^m·t^x·s^y)·Kv, m/min;
 /// - M = 10·Cm·D^q·t^x·s^y·Kp, N·m; P = 10·Cp·D^q·t^x·s^y·Kp, N;
 /// - t = (D - d)/2, mm: for a cone that of its full depth, where the load is largest.
-pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft> {
+pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
     let (instead, reason) = figures::stand_in_operation(cut.operation, shop)?;
     let Feed { feed, mut because } = feed::tabulated(cut, shop)?.or(taken);
     because.push(reason);

@@ -3,6 +3,7 @@
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Because, Note};
 use crate::plan::{CuttingMethod, Operation};
+use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::units::{MetresPerMinute, MillimetresPerRev, Minutes};
 
@@ -26,7 +27,7 @@ pub(super) fn table_operation(operation: Operation) -> &'static str {
 /// - V = Cv·D^q / (T^m·t^x·s^y)·Kv, m/min, with Kv = Kmv·Klv·Kpv; drilling has no t term (x = 0);
 /// - M = 10·Cm·D^q·t^x·s^y·Kp, N·m; P = 10·Cp·D^q·t^x·s^y·Kp, N;
 /// - D, t in mm, s in mm/rev, T in min.
-pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft> {
+pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
     by_tables(cut, feed::tabulated(cut, shop)?.or(in_table(cut, taken, shop)?), shop)
 }
 
@@ -48,7 +49,7 @@ fn by_card(cut: &Cut<'_>, shop: &Shop<'_>) -> bool {
 }
 
 /// The same for a feed found elsewhere: the tools that have no coefficients of their own take this way.
-pub(super) fn by_tables(cut: &Cut<'_>, feed: Feed, shop: &Shop<'_>) -> Tried<Draft> {
+pub(super) fn by_tables(cut: &Cut<'_>, feed: Feed, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
     let mut because = feed.because;
     let base = base(cut, feed.feed, shop)?;
     because.extend(base.because.clone());
@@ -86,7 +87,7 @@ pub(super) fn by_tables(cut: &Cut<'_>, feed: Feed, shop: &Shop<'_>) -> Tried<Dra
 }
 
 /// Kv = Kmv·Kpv·Klv. A row that stands in is that of its own reference material; the factor of ours would not fit it.
-pub(super) fn speed_corrections(cut: &Cut<'_>, own_row: bool, shop: &Shop<'_>) -> Tried<Vec<Factor>> {
+pub(super) fn speed_corrections(cut: &Cut<'_>, own_row: bool, shop: &Shop<'_>) -> Tried<Vec<Factor>, Uncut> {
     let mut corrections = Vec::new();
     if own_row {
         corrections.push(factors::material_speed("drilling", cut.tool_material, shop)?);
@@ -116,7 +117,7 @@ pub(super) struct Base {
     pub because: Vec<Because>,
 }
 
-fn base(cut: &Cut<'_>, feed: MillimetresPerRev, shop: &Shop<'_>) -> Tried<Base> {
+fn base(cut: &Cut<'_>, feed: MillimetresPerRev, shop: &Shop<'_>) -> Tried<Base, Uncut> {
     let operation = table_operation(cut.operation);
     let (d, t) = (cut.diameter.to_mm(), cut.depth_of_cut());
 

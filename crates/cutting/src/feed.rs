@@ -4,6 +4,7 @@ use crate::error::{KnowledgeError, Tried};
 use crate::knowledge::{Input, Knowledge, RowRef};
 use crate::note::{Because, Note};
 use crate::plan::Operation;
+use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::units::{Micrometres, MillimetresPerRev, Unit};
 
@@ -23,7 +24,7 @@ impl Feed {
 }
 
 /// The tabulated feed of a drill, core drill or reamer with its corrections.
-pub(super) fn tabulated(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Feed> {
+pub(super) fn tabulated(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Feed, Uncut> {
     let knowledge = shop.knowledge;
     let rule = knowledge.table("feed-choice")?;
     let choice =

@@ -3,6 +3,7 @@
 use crate::error::{Refusal, Tried};
 use crate::note::{Because, Note};
 use crate::plan::Operation;
+use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::units::MillimetresPerRev;
 
@@ -42,7 +43,7 @@ pub fn operation_of(operation: Operation) -> Option<&'static str> {
 ///
 /// # Errors
 /// The tables have no figure for this material or diameter, or the knowledge cannot answer at all.
-pub fn tool_life(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Option<(f64, Vec<Because>)>> {
+pub fn tool_life(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Option<(f64, Vec<Because>)>, Uncut> {
     operation_of(cut.operation).map(|operation| factors::tool_life(operation, cut, shop)).transpose()
 }
 
@@ -51,7 +52,7 @@ pub fn tool_life(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Option<(f64, Vec<Becau
 ///
 /// # Errors
 /// As of [`tool_life`].
-pub fn formulas(cut: &Cut<'_>, feed: MillimetresPerRev, shop: &Shop<'_>) -> Tried<Option<Handbook>> {
+pub fn formulas(cut: &Cut<'_>, feed: MillimetresPerRev, shop: &Shop<'_>) -> Tried<Option<Handbook>, Uncut> {
     let Some(operation) = operation_of(cut.operation) else { return Ok(None) };
     let reams = operation == "ream";
     let (speed, figures) = laws::speed(operation, cut.tool_material, feed, shop)?;

@@ -27,6 +27,7 @@ use technolog_tables as tables;
 use crate::error::Tried;
 use crate::note::Because;
 use crate::plan::{Conditions, Operation};
+use crate::reason::{Reason, Uncut};
 use crate::shop::Shop;
 use crate::units::{
     ItGrade, Kilowatts, MetresPerMinute, Micrometres, MillimetresPerMinute, MillimetresPerRev, Minutes, NewtonMetres,
@@ -174,8 +175,9 @@ impl PowerLaw {
 /// # Errors
 /// A table has no figure for this material, or the knowledge cannot answer at all.
 pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Conditions> {
+    let operation = cut.operation;
     let Settled { draft, formula_speed, practice, held } =
-        settle::settle(cut, shop).map_err(|refusal| refusal.with("operation", cut.operation.name()))?;
+        settle::settle(cut, shop).map_err(|refusal| refusal.map(|why| Reason::NoConditions { operation, why }))?;
     let speed = speed_at(held.rpm, draft.motion.turned);
     let feed_rate = MillimetresPerMinute(held.feed.0 * held.rpm.0);
     let torque = draft.loads.torque.map(|law| NewtonMetres(law.at(held.feed, speed)));
@@ -210,7 +212,7 @@ pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Conditions> {
 }
 
 /// What the formulas give for a feed: for that of the tables, or for the one `taken` in its place.
-fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft> {
+fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
     match cut.operation {
         Operation::CentreDrill | Operation::Drill | Operation::DrillOut | Operation::CoreDrill => {
             drilling::draft(cut, taken, shop)

@@ -5,8 +5,9 @@ use crate::knowledge::units::Unit;
 use crate::knowledge::{Input, RowRef};
 use crate::note::{Because, Note};
 use crate::plan::Operation;
+use crate::reason::Uncut;
 use crate::shop::Shop;
-use crate::units::{Decimal, MetresPerMinute, MillimetresPerRev, RevsPerMinute, round_to};
+use crate::units::{Decimal, MetresPerMinute, MillimetresPerRev, NewtonMetres, RevsPerMinute, round_to};
 
 use super::{Cut, Draft, PowerLaw, rpm_at, speed_at};
 
@@ -69,7 +70,7 @@ pub(super) fn borne(
     cut: &Cut<'_>,
     rpm: RevsPerMinute,
     shop: &Shop<'_>,
-) -> Tried<Option<Borne>> {
+) -> Tried<Option<Borne>, Uncut> {
     let (machine, loads) = (&shop.machine, draft.loads);
     let speed = speed_at(rpm, draft.motion.turned);
     let bounds = [
@@ -114,7 +115,7 @@ pub(super) fn step_of(draft: &Draft, shop: &Shop<'_>) -> Result<(RevsPerMinute, 
 
 /// Chooses the spindle step and holds the feed inside the loads, power and feed range; `limited` names the load that
 /// has cut the feed back already.
-pub(super) fn hold(draft: &Draft, limited: Option<&str>, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Held> {
+pub(super) fn hold(draft: &Draft, limited: Option<&str>, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Held, Uncut> {
     let (rpm, limited_by, reason) = step_of(draft, shop)?;
     let limited_by = limited.map_or(limited_by, str::to_owned);
     let mut best = at_step(draft, cut, rpm, (limited_by, vec![reason]), shop)?;
@@ -146,7 +147,7 @@ fn at_step(
     rpm: RevsPerMinute,
     (mut limited_by, mut because): (String, Vec<Because>),
     shop: &Shop<'_>,
-) -> Tried<Held> {
+) -> Tried<Held, Uncut> {
     let machine = &shop.machine;
     let mut feed = draft.feed;
     let power = Bound {
@@ -202,15 +203,13 @@ fn drill_strength<'k>(draft: &Draft, cut: &Cut<'_>, shop: &Shop<'k>) -> Result<O
 ///
 /// The fastest step not above the computed speed at which power and feed rate suffice; the torque of a tap
 /// does not depend on speed, and where it is beyond the spindle the tap is refused.
-pub(super) fn synchronous(draft: &Draft, shop: &Shop<'_>) -> Tried<Held> {
+pub(super) fn synchronous(draft: &Draft, shop: &Shop<'_>) -> Tried<Held, Uncut> {
     let machine = &shop.machine;
     let wanted = rpm_at(draft.speed, draft.motion.turned);
     let torque = draft.loads.torque.map_or(0.0, |law| law.at(draft.feed, draft.speed));
     if torque > machine.spindle_torque.0 {
-        let note = Note::new("torque-beyond-spindle")
-            .with("torque", round_to(torque, 1))
-            .with("limit", machine.spindle_torque.0);
-        return Err(Refusal::Not(note));
+        let (torque, limit) = (NewtonMetres(torque), machine.spindle_torque);
+        return Err(Refusal::Not(Uncut::TorqueBeyondSpindle { torque, limit }));
     }
     let mut limited_by = "cutting-speed";
     for step in machine.spindle_steps.iter().rev().filter(|step| step.0 <= wanted.0) {
@@ -224,7 +223,7 @@ pub(super) fn synchronous(draft: &Draft, shop: &Shop<'_>) -> Tried<Held> {
             return Ok(Held { feed: draft.feed, rpm: *step, limited_by: limited_by.to_owned(), because });
         }
     }
-    Err(Refusal::Not(Note::new("no-step-below").with("computed", round_to(wanted.0, 1))))
+    Err(Refusal::Not(Uncut::NoStepBelow { computed: wanted }))
 }
 
 /// The step of the machine's series for a computed speed, by the rule `spindle-step`; what limits it, and why.

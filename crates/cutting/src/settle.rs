@@ -2,6 +2,7 @@
 
 use crate::error::Tried;
 use crate::note::{Because, Note};
+use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::units::{MetresPerMinute, MillimetresPerRev, round_to};
 
@@ -29,7 +30,7 @@ pub(super) struct Settled {
 /// life is then that of the feed and speed taken.
 ///
 /// It ends: from round to round the feed only falls.
-pub(super) fn settle(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Settled> {
+pub(super) fn settle(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Settled, Uncut> {
     let mut found = at(cut, None, shop)?;
     if found.draft.motion.synchronous {
         let held = limits::synchronous(&found.draft, shop)?;
@@ -71,7 +72,7 @@ impl Found {
     }
 }
 
-fn at(cut: &Cut<'_>, feed: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Found> {
+fn at(cut: &Cut<'_>, feed: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Found, Uncut> {
     let mut draft = super::draft(cut, feed, shop)?;
     let formula_speed = draft.speed;
     let practice = limits::practice(&mut draft, cut, shop)?;
@@ -85,7 +86,7 @@ fn told(
     found: &Found,
     before: Option<MetresPerMinute>,
     shop: &Shop<'_>,
-) -> Tried<Because> {
+) -> Tried<Because, Uncut> {
     let note = Note::new(code).with("feed", round_to(feed.0, 3)).with("speed", round_to(found.formula_speed.0, 2));
     let note = match before {
         Some(before) => note.with("before", round_to(before.0, 2)),

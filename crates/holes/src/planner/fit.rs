@@ -12,6 +12,7 @@ use crate::knowledge::Input;
 use crate::note::{Because, Note};
 use crate::part::{Hole, Part};
 use crate::plan::{Conditions, Feature, Operation};
+use crate::reason::{Reason, Unfit};
 use crate::route::bores::Edge;
 use crate::route::{Place, Step};
 use crate::shop::Shop;
@@ -91,7 +92,7 @@ pub(super) struct Fitting<'p, 'k> {
     grind_limit: Micrometres,
     /// Lead of a tap, pitches.
     tap_lead: f64,
-    known: RefCell<BTreeMap<Key, Result<Outfit, Note>>>,
+    known: RefCell<BTreeMap<Key, Result<Outfit, Reason>>>,
 }
 
 impl<'p, 'k> Fitting<'p, 'k> {
@@ -242,7 +243,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             }
             None => tooling::find_tool(&need, shop.knowledge, &shop.machine)?,
         };
-        let (cutter, assembly) = found.map_err(|why| Refusal::Not(first_of(why, step.operation)))?;
+        let (cutter, assembly) = found.map_err(|why| Refusal::Not(no_tool(why, step.operation)))?;
         // A step drill goes on until its wide part is as deep as the opening.
         let travel = match (step.also, cutter.row.length("step_length")) {
             (Some(_), Ok(pilot)) => self.travels(step.place.through).0 + self.opening_depth() + pilot,
@@ -300,8 +301,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let share = self.shop.share("milled-roundness-share")?;
         let most = Micrometres::from_mm_rounded((*upper - *lower).to_mm() * share);
         if roundness > most {
-            let note = Note::new("milled-not-round").with("roundness", roundness).with("most", most);
-            return Err(Refusal::Not(note.with("diameter", step.diameter)));
+            return Err(Refusal::Not(Reason::MilledNotRound { roundness, most, diameter: step.diameter }));
         }
         Ok(())
     }
@@ -411,12 +411,8 @@ fn cutter_shape(cutter: &tooling::Cutter<'_>) -> Option<cutting::CutterShape> {
 
 /// One reason stands for all, how many there were is said with it: the first that is about the cutter and
 /// not about a holder that takes other shanks.
-fn first_of(why: Vec<Note>, operation: Operation) -> Note {
-    const MISMATCHES: [&str; 5] =
-        ["shank-outside-clamp", "other-morse", "other-bore", "other-taper", "thread-outside-chuck"];
-    let count = why.len();
-    let telling = why.iter().position(|note| !MISMATCHES.contains(&note.code.as_str())).unwrap_or_default();
-    let first = why.into_iter().nth(telling).unwrap_or_else(|| Note::new("no-cutter"));
-    let first = if first.params.contains_key("operation") { first } else { first.with("operation", operation.name()) };
-    if count > 1 { first.with("more", count - 1) } else { first }
+fn no_tool(why: Vec<Unfit>, operation: Operation) -> Reason {
+    let more = why.len().saturating_sub(1);
+    let telling = why.iter().position(|one| !one.is_of_other_holder()).unwrap_or_default();
+    Reason::NoTool { operation, first: why.into_iter().nth(telling).map(Box::new), more }
 }

@@ -66,14 +66,12 @@ pub(super) fn choose_centre_drill(
                 let fitting = Fitting::new(hole, &[], part, shop)?;
                 match Refusal::split(fitting.spotting(&centre.step, centre.travel, tool.diameter))? {
                     Ok(conditions) => centre.conditions = conditions,
-                    Err(note) => findings.push(Finding::of_hole(Severity::Error, &hole.name, note)),
+                    Err(why) => findings.push(Finding::of_hole(Severity::Error, &hole.name, why.note())),
                 }
                 centre.tool = Some(tool.clone());
             }
             Err(why) => {
-                for note in why {
-                    findings.push(Finding::of_hole(Severity::Error, &hole.name, note.clone()));
-                }
+                findings.extend(why.iter().map(|one| Finding::of_hole(Severity::Error, &hole.name, one.note())));
                 draft.route = None;
                 draft.steps.clear();
             }

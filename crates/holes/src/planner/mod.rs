@@ -60,7 +60,7 @@ pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result
         let hole = &part.holes[index];
         match Refusal::split(options::options(hole, part, &chooser.drills(), &drills, &shop))? {
             Ok(options) => chooser.add(index, options),
-            Err(note) => findings.push(Finding::of_hole(Severity::Error, &hole.name, note)),
+            Err(why) => findings.push(Finding::of_hole(Severity::Error, &hole.name, why.note())),
         }
     }
     chooser.settle(&order);
@@ -187,9 +187,10 @@ fn by_reason(options: &Options) -> Vec<(Note, Vec<String>)> {
     let mut reasons: Vec<(Note, Vec<String>)> = Vec::new();
     for other in &options.refused {
         let scheme = (!other.scheme.is_empty()).then(|| other.scheme.clone());
-        match reasons.iter_mut().find(|(note, _)| *note == other.why) {
+        let why = other.why.note();
+        match reasons.iter_mut().find(|(note, _)| *note == why) {
             Some((_, schemes)) => schemes.extend(scheme.filter(|scheme| !schemes.contains(scheme))),
-            None => reasons.push((other.why.clone(), scheme.into_iter().collect())),
+            None => reasons.push((why, scheme.into_iter().collect())),
         }
     }
     reasons

@@ -182,11 +182,6 @@ impl<'k> Lathe<'k> {
         self.table.find("name", name).ok_or_else(|| KnowledgeError::no_row(self.table, name))
     }
 
-    /// The sentence that its record lacks a figure.
-    pub fn lacks(&self, quantity: &str) -> Note {
-        Note::new("lathe-lacks").with("lathe", self.id()).with("quantity", quantity)
-    }
-
     /// Why a part does not go in: a diameter over the carriage, or a length between the centres; nothing where it does.
     pub fn refuses_part(&self, diameter: Micrometres, length: Micrometres) -> Option<Note> {
         let refusal = |quantity: &str, is: Micrometres, most: Micrometres| {

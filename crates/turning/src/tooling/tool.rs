@@ -5,7 +5,6 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::KnowledgeError;
 use crate::knowledge::{Knowledge, RowRef, TableError};
-use crate::note::Note;
 use crate::units::{Decimal, Micrometres, Unit};
 
 /// The tables of tools, in the order in which they are asked.
@@ -165,11 +164,6 @@ impl<'k> TurningTool<'k> {
     /// Whether it is fed straight into the metal, so that the width of its blade is the depth of cut.
     pub const fn plunges(&self) -> bool {
         matches!(self.kind, ToolKind::Grooving | ToolKind::FaceGrooving)
-    }
-
-    /// The sentence that its row lacks a figure.
-    pub fn lacks(&self, quantity: &str) -> Note {
-        Note::new("turning-tool-lacks").with("tool", self.designation).with("quantity", quantity)
     }
 
     /// The shape of its insert by ISO 1832, the first letter.
