@@ -1,22 +1,30 @@
 //! `technolog lint`: proves the knowledge base.
 
 use technolog::knowledge::{Diagnostic, Knowledge, Severity, lint};
+use technolog::report::grid;
 use technolog::tables;
 
 use super::{CliError, Context, Format, Outcome, diagnostics, knowledge, words};
 
 /// Prove the knowledge base: gaps, contradictions, dead rows, references, laws, examples
 #[derive(Debug, clap::Args)]
-pub struct Args {}
+pub struct Args {
+    /// List what is for people only: columns and tables that steer nothing
+    #[arg(long)]
+    documentation: bool,
+}
 
 /// Shows every load problem and every finding.
 ///
 /// # Errors
 /// A file could not be used; what was found in it and in the others is shown all the same.
-pub fn run(_: &Args, context: &Context) -> Result<Outcome, CliError> {
+pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let format = context.format("lint", &[Format::Text, Format::Json])?;
     let texts = knowledge::texts(context)?;
     let (knowledge, mut problems) = Knowledge::read_sources(&knowledge::sources(&texts));
+    if args.documentation {
+        return documentation(&knowledge, format, context);
+    }
     let unusable = problems.iter().any(is_error);
     problems.extend(lint::lint(&knowledge));
     if tables::is_to_plan_with(&knowledge) {
@@ -42,6 +50,20 @@ pub fn run(_: &Args, context: &Context) -> Result<Outcome, CliError> {
     } else {
         Ok(Outcome::Done)
     }
+}
+
+/// A table a line, with its columns that no code reads.
+fn documentation(knowledge: &Knowledge, format: Format, context: &Context) -> Result<Outcome, CliError> {
+    let listed = tables::documentation(knowledge);
+    if format == Format::Json {
+        let rows = listed.iter().map(|(table, columns)| serde_json::json!({"table": table, "columns": columns}));
+        context.emit_json(&rows.collect::<Vec<_>>())?;
+    } else {
+        let rows: Vec<Vec<String>> =
+            listed.iter().map(|(table, columns)| vec![(*table).to_owned(), columns.join(", ")]).collect();
+        context.emit(&grid::columns(&rows, 0))?;
+    }
+    Ok(Outcome::Done)
 }
 
 fn is_error(problem: &Diagnostic) -> bool {

@@ -110,6 +110,11 @@ impl Knowledge {
         self.tables.values()
     }
 
+    /// Every table, given away.
+    pub fn into_tables(self) -> impl Iterator<Item = Table> {
+        self.tables.into_values()
+    }
+
     /// The compiled form that the program embeds.
     ///
     /// # Errors

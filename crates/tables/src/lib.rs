@@ -22,7 +22,7 @@ pub mod vocabularies;
 
 use technolog_knowledge::contract::Contract;
 use technolog_knowledge::lint::contracts;
-use technolog_knowledge::{Diagnostic, Knowledge, SourceFile};
+use technolog_knowledge::{Diagnostic, Knowledge, SourceFile, Table};
 
 /// The contract of every table.
 pub fn all() -> Vec<&'static Contract> {
@@ -64,3 +64,18 @@ pub fn load(files: &[SourceFile<'_>]) -> Result<Knowledge, Vec<Diagnostic>> {
     let problems = check(&knowledge);
     if problems.is_empty() { Ok(knowledge) } else { Err(problems) }
 }
+
+/// What is for people only, by table: columns that steer nothing, and for a table that nobody reads all of them.
+pub fn documentation<'k>(knowledge: &'k Knowledge) -> Vec<(&'k str, Vec<&'k str>)> {
+    let contracts = all();
+    let columns = |table: &'k Table| -> Vec<&'k str> {
+        let contract = contracts.iter().find(|contract| contract.is_of(table));
+        let is_shown = |name: &&str| contract.is_none_or(|contract| contract.shown.contains(name));
+        table.columns.iter().map(|column| column.name.as_str()).filter(is_shown).collect()
+    };
+    let listed = knowledge.tables().map(|table| (table.id.as_str(), columns(table)));
+    listed.filter(|(_, columns)| !columns.is_empty()).collect()
+}
+
+#[cfg(test)]
+mod tests;

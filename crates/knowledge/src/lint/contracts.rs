@@ -24,7 +24,7 @@ pub fn check(knowledge: &Knowledge, contracts: &[&Contract]) -> Vec<Diagnostic> 
             findings.push(Diagnostic::error("absent-table", message, None).help("add at least one"));
         }
         for table in tables {
-            hold(table, contract, &mut findings);
+            findings.extend(hold(table, contract));
         }
     }
     findings
@@ -71,7 +71,9 @@ impl Contract {
     }
 }
 
-fn hold(table: &Table, contract: &Contract, findings: &mut Vec<Diagnostic>) {
+/// One table against its contract.
+pub fn hold(table: &Table, contract: &Contract) -> Vec<Diagnostic> {
+    let mut findings = Vec::new();
     let asked = || contract.inputs.iter().chain(contract.fields);
     for (asked, input) in
         contract.inputs.iter().map(|asked| (asked, true)).chain(contract.fields.iter().map(|asked| (asked, false)))
@@ -106,8 +108,9 @@ fn hold(table: &Table, contract: &Contract, findings: &mut Vec<Diagnostic>) {
         }
     }
     if let Some(name) = contract.complete {
-        complete(table, contract, name, findings);
+        complete(table, contract, name, &mut findings);
     }
+    findings
 }
 
 fn place(table: &Table, column: &Column) -> Option<Place> {

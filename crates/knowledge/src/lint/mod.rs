@@ -13,6 +13,7 @@ mod overlap;
 mod references;
 mod region;
 mod rows;
+mod vocabularies;
 
 use crate::diagnostic::Diagnostic;
 use crate::knowledge::Knowledge;
@@ -28,6 +29,7 @@ pub fn lint(knowledge: &Knowledge) -> Vec<Diagnostic> {
         laws::check(table, knowledge, &mut findings);
     }
     names::check(knowledge, &mut findings);
+    vocabularies::check(knowledge, &mut findings);
     cases::check(knowledge, &mut findings);
     findings.sort_by(|a, b| a.place.cmp(&b.place).then_with(|| a.message.cmp(&b.message)));
     findings

@@ -1,0 +1,96 @@
+//! That no column of a table which the code reads can be renamed, retyped or taken away without being found.
+
+use technolog_knowledge::contract::Contract;
+use technolog_knowledge::knowledge::Knowledge;
+use technolog_knowledge::lint::contracts::hold;
+use technolog_knowledge::units::Unit;
+use technolog_knowledge::{ColumnType, Table};
+use technolog_shipped::SOURCES;
+
+use super::{all, check};
+
+fn shipped() -> Knowledge {
+    Knowledge::from_sources(SOURCES).unwrap()
+}
+
+/// Every shipped table with the contract of the code that reads it.
+fn asked() -> Vec<(Table, &'static Contract)> {
+    let contracts = all();
+    let own = shipped().into_tables();
+    own.filter_map(|table| {
+        let contract = contracts.iter().find(|contract| contract.is_of(&table))?;
+        Some((table, *contract))
+    })
+    .collect()
+}
+
+#[test]
+fn the_shipped_tables_are_what_the_code_reads() {
+    assert_eq!(check(&shipped()), []);
+}
+
+#[test]
+fn every_table_has_one_contract() {
+    let contracts = all();
+    for table in shipped().tables() {
+        let of: Vec<&str> =
+            contracts.iter().filter(|contract| contract.is_of(table)).map(|contract| contract.row).collect();
+        assert_eq!(of.len(), 1, "table {}: {of:?}", table.id);
+    }
+}
+
+#[test]
+fn every_renamed_column_is_found() {
+    let mut renamed = 0;
+    for (mut table, contract) in asked() {
+        for index in 0..table.columns.len() {
+            let name = std::mem::replace(&mut table.columns[index].name, "renamed_column".to_owned());
+            let findings = hold(&table, contract);
+            let found = |code: &str, about: &str| {
+                findings.iter().any(|finding| finding.code == code && finding.message.contains(&format!("`{about}`")))
+            };
+            assert!(found("unread-column", "renamed_column"), "{}: {name} renamed", table.id);
+            table.columns[index].name = name;
+            renamed += 1;
+        }
+    }
+    assert!(renamed > 1000, "only {renamed} columns");
+}
+
+#[test]
+fn a_renamed_column_of_a_table_by_itself_is_missed_too() {
+    for (mut table, contract) in asked().into_iter().filter(|(table, contract)| contract.which.id() == table.id) {
+        for index in 0..table.columns.len() {
+            let name = std::mem::replace(&mut table.columns[index].name, "renamed_column".to_owned());
+            let findings = hold(&table, contract);
+            let missed = findings
+                .iter()
+                .any(|finding| finding.code == "missing-column" && finding.message.contains(&format!("`{name}`")));
+            assert!(missed, "{}: {name} renamed: {findings:?}", table.id);
+            table.columns[index].name = name;
+        }
+    }
+}
+
+#[test]
+fn every_column_of_another_type_or_unit_is_found_where_it_is_read() {
+    for (mut table, contract) in asked() {
+        for index in 0..table.columns.len() {
+            let name = table.columns[index].name.clone();
+            let read = contract.inputs.iter().chain(contract.fields).any(|asked| asked.name == name);
+            if !read {
+                continue;
+            }
+            let (ty, unit) = (table.columns[index].ty, table.columns[index].unit);
+            let other = if ty == ColumnType::Bool { ColumnType::Int } else { ColumnType::Bool };
+            table.columns[index].ty = other;
+            assert_ne!(hold(&table, contract), [], "{}: {name} as {}", table.id, other.name());
+            table.columns[index].ty = ty;
+            if matches!(ty, ColumnType::Number) {
+                table.columns[index].unit = if unit == Unit::Kilogram { Unit::Newton } else { Unit::Kilogram };
+                assert_ne!(hold(&table, contract), [], "{}: {name} in another unit", table.id);
+                table.columns[index].unit = unit;
+            }
+        }
+    }
+}
