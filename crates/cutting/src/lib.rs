@@ -19,7 +19,7 @@ mod settle;
 mod tapping;
 
 // The rooms below, under one name each in the whole program.
-use technolog_core::{error, material, note, plan, shop};
+use technolog_core::{error, material, note, plan, reason, shop};
 use technolog_knowledge::{self as knowledge, units};
 #[allow(unused_imports, reason = "until its reads are typed")]
 use technolog_tables as tables;
