@@ -7,6 +7,7 @@ use crate::note::{Because, Note};
 use crate::plan::Operation;
 use crate::reason::Uncut;
 use crate::shop::Shop;
+use crate::tables::machines::MachineQuantity;
 use crate::units::{Decimal, MetresPerMinute, MillimetresPerRev, NewtonMetres, RevsPerMinute, round_to};
 
 use super::{Cut, Draft, PowerLaw, rpm_at, speed_at};
@@ -75,12 +76,17 @@ pub(super) fn borne(
     let speed = speed_at(rpm, draft.motion.turned);
     let bounds = [
         drill_strength(draft, cut, shop)?,
-        Some(Bound { law: loads.thrust, limit: machine.thrust.0, name: "thrust", row: machine.row("thrust-z-max")? }),
+        Some(Bound {
+            law: loads.thrust,
+            limit: machine.thrust.0,
+            name: "thrust",
+            row: machine.row(MachineQuantity::ThrustZMax)?,
+        }),
         Some(Bound {
             law: loads.torque,
             limit: machine.spindle_torque.0,
             name: "spindle-torque",
-            row: machine.row("spindle-torque-max")?,
+            row: machine.row(MachineQuantity::SpindleTorqueMax)?,
         }),
     ];
     Ok(within(&bounds, asked, speed))
@@ -126,7 +132,7 @@ pub(super) fn hold(draft: &Draft, limited: Option<&str>, cut: &Cut<'_>, shop: &S
         }
         let wanted = rpm_at(draft.speed, draft.motion.turned);
         let note = Note::new("spindle-step-below").with("computed", round_to(wanted.0, 1)).with("step", step.0);
-        let reason = Because::row(shop.machine.row("spindle-speeds")?, note);
+        let reason = Because::row(shop.machine.row(MachineQuantity::SpindleSpeeds)?, note);
         let slower = at_step(draft, cut, *step, ("spindle-power".to_owned(), vec![reason]), shop)?;
         if slower.feed.0 * slower.rpm.0 <= best.feed.0 * best.rpm.0 {
             break;
@@ -154,7 +160,7 @@ fn at_step(
         law: draft.loads.torque,
         limit: 9750.0 * machine.spindle_power.0 / rpm.0,
         name: "spindle-power",
-        row: machine.row("spindle-power")?,
+        row: machine.row(MachineQuantity::SpindlePower)?,
     };
     for held in [borne(draft, feed, cut, rpm, shop)?, within(&[Some(power)], feed, speed_at(rpm, draft.motion.turned))]
     {
@@ -164,14 +170,14 @@ fn at_step(
             because.extend(borne.because);
         }
     }
-    for (outside, limit, name) in [
-        (feed.0 * rpm.0 > machine.feed_max.0, machine.feed_max, "feed-max"),
-        (feed.0 * rpm.0 < machine.feed_min.0, machine.feed_min, "feed-min"),
+    for (outside, limit, quantity) in [
+        (feed.0 * rpm.0 > machine.feed_max.0, machine.feed_max, MachineQuantity::FeedMax),
+        (feed.0 * rpm.0 < machine.feed_min.0, machine.feed_min, MachineQuantity::FeedMin),
     ] {
         if outside {
             feed = MillimetresPerRev(limit.0 / rpm.0);
-            name.clone_into(&mut limited_by);
-            because.push(Because::row(machine.row(name)?, Note::new("feed-held").with("limit", limit.0)));
+            quantity.name().clone_into(&mut limited_by);
+            because.push(Because::row(machine.row(quantity)?, Note::new("feed-held").with("limit", limit.0)));
         }
     }
     Ok(Held { feed, rpm, limited_by, because })
@@ -219,7 +225,7 @@ pub(super) fn synchronous(draft: &Draft, shop: &Shop<'_>) -> Tried<Held, Uncut> 
             limited_by = "feed-max";
         } else {
             let note = Note::new("spindle-step-below").with("computed", round_to(wanted.0, 1)).with("step", step.0);
-            let because = vec![Because::row(machine.row("spindle-speeds")?, note)];
+            let because = vec![Because::row(machine.row(MachineQuantity::SpindleSpeeds)?, note)];
             return Ok(Held { feed: draft.feed, rpm: *step, limited_by: limited_by.to_owned(), because });
         }
     }
@@ -239,7 +245,7 @@ pub fn spindle_step(
     let above = steps.iter().find(|step| step.0 >= wanted.0);
     let series = |code: &str, step: RevsPerMinute| -> Result<Because, KnowledgeError> {
         let note = Note::new(code).with("computed", round_to(wanted.0, 1)).with("step", step.0);
-        Ok(Because::row(shop.machine.row("spindle-speeds")?, note))
+        Ok(Because::row(shop.machine.row(MachineQuantity::SpindleSpeeds)?, note))
     };
     match (below, above) {
         (Some(below), Some(above)) => {

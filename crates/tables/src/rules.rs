@@ -1,10 +1,123 @@
 //! Row types: rules.
 
-use technolog_knowledge::rows;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 use technolog_knowledge::units::{
-    Degrees, ItGrade, MetresPerMinute, Micrometres, MillimetresPerMinute, Minutes, Percent, Roughness,
+    Decimal, Degrees, ItGrade, MetresPerMinute, Micrometres, MillimetresPerMinute, Minutes, Percent, Roughness,
 };
 use technolog_knowledge::vocabulary::{Operation, Shank, ToolMaterial};
+use technolog_knowledge::{rows, vocabulary};
+
+use crate::holes::DrillingWay;
+
+vocabulary! {
+    /// The state of the entry face.
+    #[derive(Default, Serialize, Deserialize, JsonSchema)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum Entry {
+        /// Machined beforehand.
+        #[default]
+        Machined = "machined",
+        /// As cast, forged or rolled.
+        Rough = "rough",
+    }
+
+    /// What stands where a hole is to be.
+    pub enum BlankState {
+        Solid = "solid",
+        WithHole = "cast-or-pre-machined",
+    }
+
+    /// Whether the position of the axis asks for boring.
+    pub enum BoringAsked {
+        Asked = "asked",
+        NotAsked = "not-asked",
+    }
+
+    /// What the centring spot is as wide as.
+    pub enum Spot {
+        Chamfer = "chamfer",
+        ShareOfDrill = "share-of-drill",
+    }
+
+    /// What stands for an empty cell of A.8 or A.9.
+    pub enum CellTaken {
+        Own = "own-cell",
+        FinerRoughness = "finer-roughness",
+        FinerGrade = "finer-grade",
+        Nothing = "nothing",
+    }
+
+    /// What opens a large hole.
+    pub enum MillInstead {
+        Same = "same",
+        Mill = "mill",
+    }
+
+    /// What stands in where no boring bar enters.
+    pub enum BoringInstead {
+        Same = "same",
+        CoreDrill = "core-drill",
+        Nothing = "nothing",
+    }
+
+    /// What was done to a hole last, or what the blank has there.
+    pub enum HoleState {
+        Solid = "solid",
+        Centred = "centred",
+        Drilled = "drilled",
+        CoreDrilled = "core-drilled",
+        RoughBored = "rough-bored",
+        BoredOnce = "bored-once",
+        BoredTwice = "bored-twice",
+        Milled = "milled",
+        Counterbored = "counterbored",
+        ReamedAfterDrill = "reamed-after-drill",
+        ReamedAfterCoreDrill = "reamed-after-core-drill",
+        ReamedAfterBoring = "reamed-after-boring",
+        ReamedAfterTwoBorings = "reamed-after-two-borings",
+        CastHole = "cast-hole",
+        PreMachinedHole = "pre-machined-hole",
+        OwnCylinder = "own-cylinder",
+        Finished = "finished",
+    }
+
+    /// Lead angle of a reamer.
+    pub enum Lead {
+        Deg5 = "5deg",
+        Deg15 = "15deg",
+    }
+
+    /// The grade that a table of schemes is asked with.
+    pub enum GradeAsked {
+        Own = "own",
+        It13 = "13",
+    }
+
+    /// The column of centre tolerances that a table of schemes is asked with.
+    pub enum CentreColumn {
+        Own = "own",
+        UpTo03 = "0.05-0.3",
+    }
+
+    /// How the holes of a group are visited (textbook 1.3.1).
+    #[derive(Serialize, Deserialize, JsonSchema)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum VisitingMethod {
+        /// Each tool goes round all holes.
+        Parallel = "parallel",
+        /// Each hole is made with all tools before the next.
+        Sequential = "sequential",
+        /// The first transitions in parallel, the finishing ones one after the other at each hole.
+        FirstParallelFinishSequential = "first-parallel-finish-sequential",
+    }
+
+    /// Which of two schemes.
+    pub enum SchemeTaken {
+        First = "first",
+        Second = "second",
+    }
+}
 
 rows! {
     /// The allowance that a transition removes.
@@ -16,8 +129,8 @@ rows! {
     }
 
     /// Approach and overrun.
-    pub struct Approach of One("approach") asked by ApproachFor<'t> {
-        entry: &'t str,
+    pub struct Approach of One("approach") asked by ApproachFor {
+        entry: Entry,
         through: bool,
     } {
         approach: Micrometres,
@@ -68,15 +181,15 @@ rows! {
         position: Micrometres,
         bar_enters: bool,
     } {
-        boring: &'t str,
+        boring: BoringAsked,
     }
 
     /// Whether to centre before drilling.
-    pub struct CentreFirst of One("centre-first") asked by CentreFirstFor<'t> {
-        state: Option<&'t str>,
+    pub struct CentreFirst of One("centre-first") asked by CentreFirstFor {
+        state: BlankState,
         it: ItGrade,
         diameter: Micrometres,
-        depth_ratio: f64,
+        depth_ratio: Decimal,
     } {
         centre: bool,
     }
@@ -86,7 +199,7 @@ rows! {
         chamfer: bool,
         diameter: Micrometres,
     } {
-        spot: &'t str,
+        spot: Spot,
         share: Option<f64>,
     }
 
@@ -125,7 +238,7 @@ rows! {
         finer_roughness: bool,
         finer_grade: bool,
     } {
-        take: &'t str,
+        take: CellTaken,
     }
 
     /// Where the feed comes from.
@@ -140,8 +253,8 @@ rows! {
     /// Which holder takes a shank.
     pub struct HolderForShank of One("holder-for-shank") asked by HolderForShankFor {
         shank: Shank,
-        drawbar: Option<bool>,
-        tap: Option<bool>,
+        drawbar: bool,
+        tap: bool,
     } {
         holders: Option<&'t str>,
     }
@@ -165,16 +278,16 @@ rows! {
         contouring: bool,
         diameter: Micrometres,
     } {
-        instead: &'t str,
+        instead: MillInstead,
     }
 
     /// Which transitions may follow a state of the hole.
-    pub struct NextTransition of One("next-transition") asked by NextTransitionFor<'t> {
-        after: &'t str,
+    pub struct NextTransition of One("next-transition") asked by NextTransitionFor {
+        after: HoleState,
         diameter: Micrometres,
     } {
         operation: Operation,
-        leaves: &'t str,
+        leaves: HoleState,
         a1: Option<i64>,
         a2: Option<&'t str>,
         own: Option<&'t str>,
@@ -201,7 +314,7 @@ rows! {
     pub struct ReamerLead of One("reamer-lead") asked by ReamerLeadFor<'t> {
         material_group: &'t str,
     } {
-        lead: &'t str,
+        lead: Lead,
     }
 
     /// Which factors on the reaming feed apply.
@@ -222,11 +335,11 @@ rows! {
     }
 
     /// Drilling into an unmachined face.
-    pub struct RoughFace of One("rough-face") asked by RoughFaceFor<'t> {
-        entry: &'t str,
-        state: &'t str,
+    pub struct RoughFace of One("rough-face") asked by RoughFaceFor {
+        entry: Entry,
+        state: BlankState,
     } {
-        loses: Option<&'t str>,
+        loses: Option<DrillingWay>,
     }
 
     /// The step of the spindle series for a computed speed.
@@ -280,8 +393,8 @@ rows! {
         centre_tolerance: Micrometres,
     } {
         scheme_table: &'t str,
-        grade: &'t str,
-        centre_column: &'t str,
+        grade: GradeAsked,
+        centre_column: CentreColumn,
         finish_elsewhere: bool,
     }
 
@@ -290,7 +403,7 @@ rows! {
         operation: Operation,
         bar_enters: bool,
     } {
-        operation_instead: &'t str,
+        operation_instead: BoringInstead,
     }
 
     /// Tool life where the handbook's table is empty.
@@ -314,7 +427,7 @@ rows! {
     /// Order of the transitions of one step.
     pub struct TransitionOrder of One("transition-order") asked by TransitionOrderFor {
         operation: Operation,
-        face: Option<bool>,
+        face: bool,
     } {
         rank: i64,
     }
@@ -422,12 +535,12 @@ rows! {
     }
 
     /// The method of visiting the holes of a group.
-    pub struct VisitingMethod of One("visiting-method") asked by VisitingMethodFor {
+    pub struct MethodOfVisiting of One("visiting-method") asked by MethodOfVisitingFor {
         it: ItGrade,
         centre_tolerance: Micrometres,
         k_t: f64,
     } {
-        method: &'t str,
+        method: VisitingMethod,
     }
 
     /// Which of the two schemes of a cell.
@@ -436,6 +549,6 @@ rows! {
         drill_of_that_diameter: bool,
         position: Micrometres,
     } {
-        take: &'t str,
+        take: SchemeTaken,
     }
 }

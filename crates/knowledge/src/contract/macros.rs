@@ -124,6 +124,16 @@ macro_rules! question {
         #[derive(Clone, Copy, Debug)]
         pub struct $question $(<$life>)? { $(pub $input: $type,)* }
 
+        impl $(<$life>)? $question $(<$life>)? {
+            $(
+                /// The column of that input, for those who ask what it may be.
+                pub fn $input(table: &$crate::Table) -> Option<&$crate::Column> {
+                    let name = $crate::column!($input $($column)?);
+                    table.columns.iter().find(|column| column.name == name)
+                }
+            )*
+        }
+
         impl $(<$life>)? $crate::contract::Question for $question $(<$life>)? {
             type Row<'k> = $name<'k>;
             const TABLE: &'static str = <$name<'static> as $crate::contract::TableRow<'static>>::CONTRACT.which.id();
