@@ -17,7 +17,7 @@
 //! Architecture invariant: nothing in this library reads a file, prints or asks the time.
 
 pub use technolog_audit as audit;
-pub use technolog_core::{error, machine, material, motion, note, parallel, part, plan, shop, zone};
+pub use technolog_core::{error, machine, material, motion, note, parallel, part, plan, reason, shop, zone};
 pub use technolog_cutting as cutting;
 pub use technolog_holes::{planner, route, sequence, setup, tooling};
 pub use technolog_knowledge::{self as knowledge, units};

@@ -39,7 +39,7 @@ mod write;
 
 // This room and those below, under one name each in the whole program.
 use crate as audit;
-use technolog_core::{error, machine, memo, motion, note, part, plan, shop, zone};
+use technolog_core::{error, machine, memo, motion, note, part, plan, reason, shop, zone};
 use technolog_cutting as cutting;
 use technolog_holes::{planner, route, sequence, tooling};
 use technolog_knowledge::{self as knowledge, units};

@@ -18,6 +18,7 @@ pub mod note;
 pub mod parallel;
 pub mod part;
 pub mod plan;
+pub mod reason;
 pub mod shop;
 pub mod words;
 pub mod zone;

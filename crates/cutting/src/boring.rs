@@ -4,6 +4,7 @@ use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::units::Unit;
 use crate::knowledge::{Input, Table};
 use crate::note::{Because, Note};
+use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::units::{MetresPerMinute, Micrometres, MillimetresPerRev, Minutes, Roughness};
 
@@ -15,7 +16,7 @@ use super::{Cut, Draft, Loads, Motion, PowerLaw, factors};
 ///
 /// - V = Cv / (T^m·t^x·s^y)·Kmv·Kpv·0.9;
 /// - Pz = 10·Cp·t^x·s^y·V^n·Kp, N, with V the speed that is driven; the torque is Pz·D/2.
-pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft> {
+pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
     let (tabulated, reason) = feed(cut, shop)?;
     let feed = taken.unwrap_or(tabulated);
     let mut because = vec![reason];
@@ -72,6 +73,7 @@ pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop
         loads,
         motion: Motion::along_axis(cut),
         because,
+        doubts: Vec::new(),
         card: None,
         rounds: None,
     })
@@ -79,7 +81,7 @@ pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop
 
 /// The feed of a boring pass by the rule-bearing table `boring-feed`: roughing by its own figure, the
 /// last pass by the roughness it must leave and the nose radius (table `boring-finish-feed`).
-fn feed(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<(MillimetresPerRev, Because)> {
+fn feed(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<(MillimetresPerRev, Because), Uncut> {
     let stages = shop.knowledge.table("boring-feed")?;
     let answer = stages.decide(&[("operation", Input::Text(cut.operation.name()))])?;
     let stage = answer.winner().ok_or_else(|| KnowledgeError::no_row(stages, cut.operation.name()))?;
@@ -87,8 +89,7 @@ fn feed(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<(MillimetresPerRev, Because)> {
     let by_stage = (MillimetresPerRev(plain), Because::row(stage, Note::new("boring-feed").with("feed", plain)));
     let (Some(limit), Some(nose)) = (cut.roughness, cut.nose_radius) else { return Ok(by_stage) };
     let finish = shop.knowledge.table("boring-finish-feed")?;
-    let column = nearest_column(finish, limit)
-        .ok_or_else(|| Refusal::Not(Note::new("too-fine-to-bore").with("roughness", limit)))?;
+    let column = nearest_column(finish, limit).ok_or(Refusal::Not(Uncut::TooFineToBore { roughness: limit }))?;
     if column < limit && column_is_coarsest(finish, column) {
         // A coarser surface than the table goes to is no reason to feed faster than the stage does.
         return Ok(by_stage);

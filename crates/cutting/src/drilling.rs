@@ -3,10 +3,12 @@
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Because, Note};
 use crate::plan::{CuttingMethod, Operation};
+use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::units::{MetresPerMinute, MillimetresPerRev, Minutes};
 
-use super::factors::Factor;
+use super::card::CardDoubt;
+use super::factors::{ByDepth, Factor};
 use super::feed::{self, Feed};
 use super::figures::coolant;
 use super::laws::{self, LoadLaw, SpeedLaw};
@@ -26,7 +28,7 @@ pub(super) fn table_operation(operation: Operation) -> &'static str {
 /// - V = Cv·D^q / (T^m·t^x·s^y)·Kv, m/min, with Kv = Kmv·Klv·Kpv; drilling has no t term (x = 0);
 /// - M = 10·Cm·D^q·t^x·s^y·Kp, N·m; P = 10·Cp·D^q·t^x·s^y·Kp, N;
 /// - D, t in mm, s in mm/rev, T in min.
-pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft> {
+pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
     by_tables(cut, feed::tabulated(cut, shop)?.or(in_table(cut, taken, shop)?), shop)
 }
 
@@ -48,9 +50,9 @@ fn by_card(cut: &Cut<'_>, shop: &Shop<'_>) -> bool {
 }
 
 /// The same for a feed found elsewhere: the tools that have no coefficients of their own take this way.
-pub(super) fn by_tables(cut: &Cut<'_>, feed: Feed, shop: &Shop<'_>) -> Tried<Draft> {
-    let mut because = feed.because;
-    let base = base(cut, feed.feed, shop)?;
+pub(super) fn by_tables(cut: &Cut<'_>, feed: Feed, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
+    let Feed { feed, mut because, mut doubts } = feed;
+    let base = base(cut, feed, shop)?;
     because.extend(base.because.clone());
     let mut force = 1.0;
     if base.own_loads {
@@ -63,16 +65,18 @@ pub(super) fn by_tables(cut: &Cut<'_>, feed: Feed, shop: &Shop<'_>) -> Tried<Dra
     let card = by_card(cut, shop);
     let mut factor = 1.0;
     // The cards have a material factor of their own.
-    for (correction, reason) in speed_corrections(cut, base.own_speed && !card, shop)? {
+    let (corrections, left_out) = speed_corrections(cut, base.own_speed && !card, shop)?;
+    doubts.extend(left_out);
+    for (correction, reason) in corrections {
         factor *= correction;
         because.push(reason);
     }
     if card {
-        return Ok(card::draft(cut, feed.feed, &base, (loads, factor), because, shop)?);
+        return Ok(card::draft(cut, feed, &base, (loads, factor), (because, doubts), shop)?);
     }
     let speed = base.speed * factor;
     Ok(Draft {
-        feed: feed.feed,
+        feed,
         speed: MetresPerMinute(speed),
         tool_life: base.tool_life,
         life_exponent: base.life_exponent,
@@ -80,22 +84,29 @@ pub(super) fn by_tables(cut: &Cut<'_>, feed: Feed, shop: &Shop<'_>) -> Tried<Dra
         loads,
         motion: Motion::along_axis(cut),
         because,
+        doubts,
         card: None,
         rounds: None,
     })
 }
 
-/// Kv = Kmv·Kpv·Klv. A row that stands in is that of its own reference material; the factor of ours would not fit it.
-pub(super) fn speed_corrections(cut: &Cut<'_>, own_row: bool, shop: &Shop<'_>) -> Tried<Vec<Factor>> {
-    let mut corrections = Vec::new();
+/// Kv = Kmv·Kpv·Klv, and what the cards leave out of it. A row that stands in is that of its own reference material; the factor of ours would not fit it.
+pub(super) fn speed_corrections(
+    cut: &Cut<'_>,
+    own_row: bool,
+    shop: &Shop<'_>,
+) -> Tried<(Vec<Factor>, Option<CardDoubt>), Uncut> {
+    let (mut corrections, mut doubt) = (Vec::new(), None);
     if own_row {
         corrections.push(factors::material_speed("drilling", cut.tool_material, shop)?);
     }
     corrections.push(factors::surface(cut.surface, shop)?);
     if cut.operation == Operation::Drill {
-        corrections.push(factors::by_depth("depth-speed-factor", cut, shop)?);
+        let ByDepth { factor, left_out } = factors::by_depth("depth-speed-factor", cut, shop)?;
+        corrections.push(factor);
+        doubt = left_out;
     }
-    Ok(corrections)
+    Ok((corrections, doubt))
 }
 
 /// Speed and loads before any correction: for steel at σB = 750 MPa.
@@ -116,7 +127,7 @@ pub(super) struct Base {
     pub because: Vec<Because>,
 }
 
-fn base(cut: &Cut<'_>, feed: MillimetresPerRev, shop: &Shop<'_>) -> Tried<Base> {
+fn base(cut: &Cut<'_>, feed: MillimetresPerRev, shop: &Shop<'_>) -> Tried<Base, Uncut> {
     let operation = table_operation(cut.operation);
     let (d, t) = (cut.diameter.to_mm(), cut.depth_of_cut());
 

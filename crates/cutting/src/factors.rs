@@ -6,9 +6,11 @@ use crate::knowledge::{Input, QueryError, RowRef};
 use crate::material::Material;
 use crate::note::{Because, Note};
 use crate::plan::CuttingMethod;
+use crate::reason::Uncut;
 use crate::shop::Shop;
 
 use super::Cut;
+use super::card::CardDoubt;
 use super::figures::{self, Asking, missing, number, plain};
 
 /// A factor and the row behind it.
@@ -21,7 +23,7 @@ pub type Factor = (f64, Because);
 ///
 /// # Errors
 /// A table has no figure for this material, or the knowledge cannot answer.
-pub fn material_speed<'k>(process: &str, tool_material: &str, shop: &impl Asking<'k>) -> Tried<Factor> {
+pub fn material_speed<'k>(process: &str, tool_material: &str, shop: &impl Asking<'k>) -> Tried<Factor, Uncut> {
     let table = shop.knowledge().table("speed-material-exponent")?;
     let (row, stand_in) = match table.decide(&material_inputs(process, tool_material, shop.material()))?.winner() {
         Some(row) => (row, None),
@@ -57,7 +59,7 @@ pub fn material_speed<'k>(process: &str, tool_material: &str, shop: &impl Asking
 ///
 /// # Errors
 /// As of [`material_speed`].
-pub fn material_force<'k>(process: &str, tool_material: &str, shop: &impl Asking<'k>) -> Tried<Factor> {
+pub fn material_force<'k>(process: &str, tool_material: &str, shop: &impl Asking<'k>) -> Tried<Factor, Uncut> {
     let table = shop.knowledge().table("force-material-exponent")?;
     let answer = table.decide(&material_inputs(process, tool_material, shop.material()))?;
     let Some(row) = answer.winner() else { return factor_of_one(&table.id, shop) };
@@ -86,7 +88,7 @@ fn material_inputs<'a>(
 }
 
 /// The class of the steel, with its Kg; for carbide by the rule `stand-in-tool-material`.
-fn steel_class<'k>(tool_material: &str, shop: &impl Asking<'k>) -> Tried<RowRef<'k>> {
+fn steel_class<'k>(tool_material: &str, shop: &impl Asking<'k>) -> Tried<RowRef<'k>, Uncut> {
     let table = shop.knowledge().table("speed-steel-class")?;
     let ask = |tool: &str| -> Result<Option<RowRef<'k>>, KnowledgeError> {
         let class = ("steel_class", Input::Text(shop.material().steel_class));
@@ -100,14 +102,14 @@ fn steel_class<'k>(tool_material: &str, shop: &impl Asking<'k>) -> Tried<RowRef<
 }
 
 /// No exponent or factor is known: 1, where the rule `stand-in-material` says so.
-fn factor_of_one<'k>(id: &str, shop: &impl Asking<'k>) -> Tried<Factor> {
+fn factor_of_one<'k>(id: &str, shop: &impl Asking<'k>) -> Tried<Factor, Uncut> {
     match figures::stand_in(id, shop)? {
         Some((_, because)) => Ok((1.0, because)),
         None => Err(missing(shop.knowledge().table(id)?, shop)),
     }
 }
 
-fn alloy<'k>(id: &str, shop: &impl Asking<'k>) -> Tried<Factor> {
+fn alloy<'k>(id: &str, shop: &impl Asking<'k>) -> Tried<Factor, Uncut> {
     let table = shop.knowledge().table(id)?;
     let known =
         table.inputs().any(|(_, column)| column.values.iter().any(|value| value == shop.material().alloy_class));
@@ -120,11 +122,18 @@ fn alloy<'k>(id: &str, shop: &impl Asking<'k>) -> Tried<Factor> {
     Ok((factor, Because::row(row, shown(id, factor))))
 }
 
+/// A factor by the depth of the hole.
+pub(super) struct ByDepth {
+    pub factor: Factor,
+    /// The factor of the handbook that the cards leave out.
+    pub left_out: Option<CardDoubt>,
+}
+
 /// Klv or Kls: how the depth of the hole, in diameters, moves speed or feed.
 ///
 /// The cards have their own factors of depth, which are not at hand; the worked example takes 1 at 3.5 diameters, where
 /// the handbook does not. By the card method the factor is therefore 1, and the reason tells which one was left out.
-pub(crate) fn by_depth(id: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Factor> {
+pub(super) fn by_depth(id: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<ByDepth, Uncut> {
     let table = shop.knowledge().table(id)?;
     let ratio = cut.depth.to_mm() / cut.diameter.to_mm();
     let mut inputs = vec![("depth_ratio", plain(ratio))];
@@ -140,20 +149,19 @@ pub(crate) fn by_depth(id: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Factor
         None => {
             let beyond = shop.knowledge().table("depth-beyond")?;
             let answer = beyond.decide(&[("of_table", Input::Text(id)), ("depth_ratio", plain(ratio))])?;
-            let note = Note::new("too-deep").with("table", id).with("ratio", round_to(ratio, 2));
-            answer.winner().ok_or(Refusal::Not(note))?
+            answer.winner().ok_or_else(|| Refusal::Not(Uncut::TooDeep { table: id.to_owned(), ratio }))?
         }
     };
     let factor = number(row, "factor")?;
     if shop.method == CuttingMethod::Card && factor < 1.0 {
-        let note = Note::new("card-without-depth").with("table", id).with("ratio", round_to(ratio, 2));
-        return Ok((1.0, Because::row(row, note.with("factor", factor))));
+        let doubt = CardDoubt::WithoutDepth { table: id.to_owned(), ratio, factor };
+        return Ok(ByDepth { factor: (1.0, Because::row(row, doubt.note())), left_out: Some(doubt) });
     }
-    Ok((factor, Because::row(row, shown(id, factor))))
+    Ok(ByDepth { factor: (factor, Because::row(row, shown(id, factor))), left_out: None })
 }
 
 /// Tool life by the handbook's table, by `tool-life-beyond` where that has no cell, or by a stand-in.
-pub(crate) fn tool_life(operation: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<(f64, Vec<Because>)> {
+pub(crate) fn tool_life(operation: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<(f64, Vec<Because>), Uncut> {
     let others = [
         ("operation", Input::Text(operation)),
         ("tool_material", Input::Text(cut.tool_material)),
@@ -183,7 +191,7 @@ pub fn surface_of<'k>(skin: bool, shop: &Shop<'k>) -> Result<&'k str, KnowledgeE
 ///
 /// # Errors
 /// The table has no such surface, or the knowledge cannot answer.
-pub fn surface<'k>(surface: &str, shop: &impl Asking<'k>) -> Tried<Factor> {
+pub fn surface<'k>(surface: &str, shop: &impl Asking<'k>) -> Tried<Factor, Uncut> {
     let table = shop.knowledge().table("skin-factor")?;
     let answer = table.decide(&[("surface", Input::Text(surface))])?;
     let row = answer.winner().ok_or_else(|| missing(table, shop))?;

@@ -7,6 +7,7 @@ use crate::knowledge::{Input, Knowledge, QueryError, RowRef, Table, Value};
 use crate::material::Material;
 use crate::note::{Because, Note};
 use crate::plan::Operation;
+use crate::reason::Uncut;
 use crate::shop::Shop;
 
 /// Who asks the cutting tables: a shop that drills, or a cut on a lathe.
@@ -53,7 +54,7 @@ impl Figures<'_> {
 ///
 /// # Errors
 /// The table has no figure for the material, or the knowledge cannot answer.
-pub fn ask<'k>(id: &str, others: &[(&str, Input<'_>)], shop: &impl Asking<'k>) -> Tried<Figures<'k>> {
+pub fn ask<'k>(id: &str, others: &[(&str, Input<'_>)], shop: &impl Asking<'k>) -> Tried<Figures<'k>, Uncut> {
     let table = shop.knowledge().table(id)?;
     if let Some(row) = decide(table, others, shop.material().group)? {
         return Ok(Figures { row, stand_in: Vec::new(), own_group: true });
@@ -73,9 +74,9 @@ pub(crate) fn ask_of_tool<'t, 'k: 't>(
     id: &str,
     tool_material: &'t str,
     shop: &impl Asking<'k>,
-) -> Tried<(Figures<'k>, &'t str)> {
+) -> Tried<(Figures<'k>, &'t str), Uncut> {
     let refusal = match ask(id, &[("tool_material", Input::Text(tool_material))], shop) {
-        Err(Refusal::Not(note)) => note,
+        Err(Refusal::Not(why)) => why,
         found => return Ok((found?, tool_material)),
     };
     let (instead, because) = stand_in_tool_material(id, tool_material, shop)?.ok_or(Refusal::Not(refusal))?;
@@ -114,7 +115,10 @@ pub(crate) fn stand_in<'k>(id: &str, shop: &impl Asking<'k>) -> Result<Option<(&
 }
 
 /// The transition whose figures stand in for one that has none, by the rule `stand-in-operation`.
-pub(crate) fn stand_in_operation<'k>(operation: Operation, shop: &impl Asking<'k>) -> Tried<(Operation, Because)> {
+pub(crate) fn stand_in_operation<'k>(
+    operation: Operation,
+    shop: &impl Asking<'k>,
+) -> Tried<(Operation, Because), Uncut> {
     let rule = shop.knowledge().table("stand-in-operation")?;
     let answer = rule.decide(&[("operation", Input::Text(operation.name()))])?;
     let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, operation.name()))?;
@@ -139,8 +143,9 @@ fn decide<'k>(
 }
 
 /// A table has no figure for this material, and nothing stands in.
-pub fn missing<'k>(table: &Table, shop: &impl Asking<'k>) -> Refusal {
-    Refusal::Not(Note::new("no-figure").with("table", &table.id).with("material", shop.material().designation()))
+pub fn missing<'k>(table: &Table, shop: &impl Asking<'k>) -> Refusal<Uncut> {
+    let material = shop.material().designation().to_owned();
+    Refusal::Not(Uncut::NoFigure { table: table.id.clone(), material })
 }
 
 /// A plain number of a row.

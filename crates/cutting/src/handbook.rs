@@ -3,6 +3,7 @@
 use crate::error::{Refusal, Tried};
 use crate::note::{Because, Note};
 use crate::plan::Operation;
+use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::units::MillimetresPerRev;
 
@@ -42,7 +43,7 @@ pub fn operation_of(operation: Operation) -> Option<&'static str> {
 ///
 /// # Errors
 /// The tables have no figure for this material or diameter, or the knowledge cannot answer at all.
-pub fn tool_life(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Option<(f64, Vec<Because>)>> {
+pub fn tool_life(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Option<(f64, Vec<Because>)>, Uncut> {
     operation_of(cut.operation).map(|operation| factors::tool_life(operation, cut, shop)).transpose()
 }
 
@@ -51,7 +52,7 @@ pub fn tool_life(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Option<(f64, Vec<Becau
 ///
 /// # Errors
 /// As of [`tool_life`].
-pub fn formulas(cut: &Cut<'_>, feed: MillimetresPerRev, shop: &Shop<'_>) -> Tried<Option<Handbook>> {
+pub fn formulas(cut: &Cut<'_>, feed: MillimetresPerRev, shop: &Shop<'_>) -> Tried<Option<Handbook>, Uncut> {
     let Some(operation) = operation_of(cut.operation) else { return Ok(None) };
     let reams = operation == "ream";
     let (speed, figures) = laws::speed(operation, cut.tool_material, feed, shop)?;
@@ -60,7 +61,7 @@ pub fn formulas(cut: &Cut<'_>, feed: MillimetresPerRev, shop: &Shop<'_>) -> Trie
     let corrections = match reams {
         true if figures.own() => vec![factors::material_speed("drilling", cut.tool_material, shop)?],
         true => Vec::new(),
-        false => drilling::speed_corrections(cut, figures.own(), shop)?,
+        false => drilling::speed_corrections(cut, figures.own(), shop)?.0,
     };
     let speed_factor = corrections.iter().map(|(factor, _)| factor).product();
     speed_because.extend(corrections.into_iter().map(|(_, reason)| reason));

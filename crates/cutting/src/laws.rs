@@ -2,6 +2,7 @@
 
 use crate::error::{KnowledgeError, Tried};
 use crate::knowledge::{Input, RowRef};
+use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::units::MillimetresPerRev;
 
@@ -76,7 +77,7 @@ pub(super) fn speed<'k>(
     tool_material: &str,
     feed: MillimetresPerRev,
     shop: &Shop<'k>,
-) -> Tried<(SpeedLaw, Figures<'k>)> {
+) -> Tried<(SpeedLaw, Figures<'k>), Uncut> {
     let inputs = [
         ("operation", Input::Text(operation)),
         ("tool_material", Input::Text(tool_material)),
@@ -91,7 +92,7 @@ pub(super) fn loads<'k>(
     operation: &str,
     tool_material: &str,
     shop: &Shop<'k>,
-) -> Tried<(LoadLaw, LoadLaw, Figures<'k>)> {
+) -> Tried<(LoadLaw, LoadLaw, Figures<'k>), Uncut> {
     let inputs = [("operation", Input::Text(operation)), ("tool_material", Input::Text(tool_material))];
     let figures = figures::ask("torque-and-thrust", &inputs, shop)?;
     let torque = LoadLaw::of(figures.row, ["cm", "qm", "xm", "ym"])?;

@@ -19,20 +19,22 @@ mod settle;
 mod tapping;
 
 // The rooms below, under one name each in the whole program.
-use technolog_core::{error, material, note, plan, shop};
+use technolog_core::{error, material, note, plan, reason, shop};
 use technolog_knowledge::{self as knowledge, units};
 #[allow(unused_imports, reason = "until its reads are typed")]
 use technolog_tables as tables;
 
 use crate::error::Tried;
 use crate::note::Because;
-use crate::plan::{Conditions, Operation};
+use crate::plan::{Conditions, Limit, Operation};
+use crate::reason::{Reason, Uncut};
 use crate::shop::Shop;
 use crate::units::{
     ItGrade, Kilowatts, MetresPerMinute, Micrometres, MillimetresPerMinute, MillimetresPerRev, Minutes, NewtonMetres,
     Newtons, RevsPerMinute, Roughness,
 };
 
+pub use card::CardDoubt;
 pub use limits::spindle_step;
 
 use settle::Settled;
@@ -107,6 +109,8 @@ struct Draft {
     loads: Loads,
     motion: Motion,
     because: Vec<Because>,
+    /// What the cards could not give.
+    doubts: Vec<CardDoubt>,
     card: Option<crate::plan::CardPoint>,
     rounds: Option<crate::plan::Rounds>,
 }
@@ -174,8 +178,17 @@ impl PowerLaw {
 /// # Errors
 /// A table has no figure for this material, or the knowledge cannot answer at all.
 pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Conditions> {
+    Ok(with_doubts(cut, shop)?.0)
+}
+
+/// The same, and what the cards could not give for it.
+///
+/// # Errors
+/// As of [`conditions`].
+pub fn with_doubts(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDoubt>)> {
+    let operation = cut.operation;
     let Settled { draft, formula_speed, practice, held } =
-        settle::settle(cut, shop).map_err(|refusal| refusal.with("operation", cut.operation.name()))?;
+        settle::settle(cut, shop).map_err(|refusal| refusal.map(|why| Reason::NoConditions { operation, why }))?;
     let speed = speed_at(held.rpm, draft.motion.turned);
     let feed_rate = MillimetresPerMinute(held.feed.0 * held.rpm.0);
     let torque = draft.loads.torque.map(|law| NewtonMetres(law.at(held.feed, speed)));
@@ -184,7 +197,7 @@ pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Conditions> {
     let tool_life = Minutes(draft.tool_life.0 * libm::pow(formula_speed.0 / speed.0, 1.0 / draft.life_exponent));
     let mut because = draft.because;
     because.extend(held.because);
-    Ok(Conditions {
+    let found = Conditions {
         depth_of_cut_mm: crate::units::round_to(draft.motion.depth_of_cut, 3),
         feed_mm_per_rev: held.feed.rounded(3),
         speed_m_per_min: speed.rounded(2),
@@ -195,10 +208,9 @@ pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Conditions> {
         torque_n_m: torque.map(|torque| torque.rounded(3)),
         power_kw: power.map(|power| power.rounded(4)),
         machine_time_min: Minutes(draft.motion.path / feed_rate.0).rounded(3),
-        limited_by: if practice && held.limited_by == "cutting-speed" {
-            "practice-speed".to_owned()
-        } else {
-            held.limited_by
+        limited_by: match held.limited_by {
+            Limit::CuttingSpeed if practice => Limit::PracticeSpeed,
+            limit => limit,
         },
         tool_life_min: tool_life.rounded(0),
         coolant: draft.coolant,
@@ -206,11 +218,12 @@ pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Conditions> {
         rounds: draft.rounds,
         card: draft.card,
         because,
-    })
+    };
+    Ok((found, draft.doubts))
 }
 
 /// What the formulas give for a feed: for that of the tables, or for the one `taken` in its place.
-fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft> {
+fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
     match cut.operation {
         Operation::CentreDrill | Operation::Drill | Operation::DrillOut | Operation::CoreDrill => {
             drilling::draft(cut, taken, shop)

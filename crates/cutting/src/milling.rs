@@ -5,6 +5,7 @@ use crate::knowledge::units::Unit;
 use crate::knowledge::{Input, RowRef};
 use crate::note::{Because, Note};
 use crate::plan;
+use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::units::{Decimal, MetresPerMinute, Micrometres, MillimetresPerRev, Minutes, round_to};
 
@@ -24,14 +25,13 @@ const MILL: &str = "end";
 /// sz is meant where the teeth meet the wall. The mill's centre goes round a smaller circle than the wall,
 /// so its feed is smaller too: s = sz·z·(d1 - D)/d1, mm/rev, with d1 the diameter that the first and
 /// narrowest pass leaves; all passes are made with it.
-pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft> {
+pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
     let whole = |mill: &CutterShape| {
         mill.teeth > 0 && mill.diameter > Micrometres::ZERO && mill.cutting_length > Micrometres::ZERO
     };
-    let mill = cut.cutter.filter(whole).ok_or_else(|| Refusal::Not(Note::new("no-cutter-shape")))?;
+    let mill = cut.cutter.filter(whole).ok_or(Refusal::Not(Uncut::NoCutterShape))?;
     if mill.diameter >= cut.from {
-        let note = Note::new("mill-does-not-enter").with("diameter", mill.diameter).with("hole", cut.from);
-        return Err(Refusal::Not(note));
+        return Err(Refusal::Not(Uncut::MillDoesNotEnter { diameter: mill.diameter, hole: cut.from }));
     }
     let (rounds, reason) = rounds(cut, mill, shop)?;
     let mut because = vec![reason];
@@ -96,6 +96,7 @@ pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop
         loads,
         motion: Motion { turned: mill.diameter, depth_of_cut: t, path: rounds.path, synchronous: false },
         because,
+        doubts: Vec::new(),
         card: None,
         rounds: Some(rounds.planned),
     })
@@ -159,7 +160,7 @@ fn parts(length: f64, longest: f64) -> u32 {
 
 /// sz by the mill's diameter (table `end-mill-feed`); of the last pass less, for the roughness it must
 /// leave (table `milling-finish-feed`).
-fn feed_per_tooth(cut: &Cut<'_>, mill: CutterShape, shop: &Shop<'_>) -> Tried<(f64, Vec<Because>)> {
+fn feed_per_tooth(cut: &Cut<'_>, mill: CutterShape, shop: &Shop<'_>) -> Tried<(f64, Vec<Because>), Uncut> {
     let figures = figures::ask("end-mill-feed", &[("diameter", Input::Length(mill.diameter))], shop)?;
     let mut feed = figures.row.number_in("feed_per_tooth", Unit::MillimetrePerTooth)?;
     let mut because = figures.because(Note::new("feed-per-tooth").with("feed", feed));
@@ -176,7 +177,7 @@ fn feed_per_tooth(cut: &Cut<'_>, mill: CutterShape, shop: &Shop<'_>) -> Tried<(f
 }
 
 /// T of an end mill (table `milling-tool-life`), beyond it by `tool-life-beyond`.
-fn tool_life(cut: &Cut<'_>, mill: CutterShape, shop: &Shop<'_>) -> Tried<(f64, Vec<Because>)> {
+fn tool_life(cut: &Cut<'_>, mill: CutterShape, shop: &Shop<'_>) -> Tried<(f64, Vec<Because>), Uncut> {
     let table = shop.knowledge.table("milling-tool-life")?;
     let diameter = ("diameter", Input::Length(mill.diameter));
     let answer = table.decide(&[("mill", Input::Text(MILL)), diameter])?;

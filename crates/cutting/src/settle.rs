@@ -2,6 +2,7 @@
 
 use crate::error::Tried;
 use crate::note::{Because, Note};
+use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::units::{MetresPerMinute, MillimetresPerRev, round_to};
 
@@ -29,7 +30,7 @@ pub(super) struct Settled {
 /// life is then that of the feed and speed taken.
 ///
 /// It ends: from round to round the feed only falls.
-pub(super) fn settle(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Settled> {
+pub(super) fn settle(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Settled, Uncut> {
     let mut found = at(cut, None, shop)?;
     if found.draft.motion.synchronous {
         let held = limits::synchronous(&found.draft, shop)?;
@@ -38,14 +39,14 @@ pub(super) fn settle(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Settled> {
     let (mut limited_by, mut because) = (None, Vec::new());
     for _ in 0..ROUNDS {
         let (rpm, ..) = limits::step_of(&found.draft, shop)?;
-        let Some(Borne { feed, name, because: reasons }) =
+        let Some(Borne { feed, limit, because: reasons }) =
             limits::borne(&found.draft, found.draft.feed, cut, rpm, shop)?
         else {
             break;
         };
         let before = found.formula_speed;
         found = at(cut, Some(feed), shop)?;
-        limited_by = Some(name);
+        limited_by = Some(limit);
         because.extend(reasons);
         because.push(told("speed-for-feed", feed, &found, Some(before), shop)?);
     }
@@ -71,7 +72,7 @@ impl Found {
     }
 }
 
-fn at(cut: &Cut<'_>, feed: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Found> {
+fn at(cut: &Cut<'_>, feed: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Found, Uncut> {
     let mut draft = super::draft(cut, feed, shop)?;
     let formula_speed = draft.speed;
     let practice = limits::practice(&mut draft, cut, shop)?;
@@ -85,7 +86,7 @@ fn told(
     found: &Found,
     before: Option<MetresPerMinute>,
     shop: &Shop<'_>,
-) -> Tried<Because> {
+) -> Tried<Because, Uncut> {
     let note = Note::new(code).with("feed", round_to(feed.0, 3)).with("speed", round_to(found.formula_speed.0, 2));
     let note = match before {
         Some(before) => note.with("before", round_to(before.0, 2)),

@@ -4,6 +4,7 @@ use crate::error::{Refusal, Tried};
 use crate::knowledge::Input;
 use crate::knowledge::units::Unit;
 use crate::note::{Because, Note};
+use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::units::{MetresPerMinute, MillimetresPerRev, Minutes};
 
@@ -19,8 +20,8 @@ use super::{Cut, Draft, Loads, Motion, PowerLaw, factors};
 ///
 /// In, the spindle reversed, and out again at the same feed rate: the path is twice the travel. Kmv and Kp
 /// are those of drilling, as the rule `stand-in-operation` says.
-pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
-    let pitch = cut.pitch.ok_or_else(|| Refusal::Not(Note::new("no-pitch")))?;
+pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
+    let pitch = cut.pitch.ok_or(Refusal::Not(Uncut::NoPitch))?;
     let (d, p) = (cut.diameter.to_mm(), pitch.to_mm());
     let tool = ("tool_material", Input::Text(cut.tool_material));
     let figures = figures::ask("tapping-speed", &[tool], shop)?;
@@ -63,6 +64,7 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft> {
         loads,
         motion: Motion { path: 2.0 * along.path, synchronous: true, ..along },
         because,
+        doubts: Vec::new(),
         card: None,
         rounds: None,
     })

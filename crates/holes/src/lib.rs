@@ -11,7 +11,7 @@ pub mod setup;
 pub mod tooling;
 
 // The rooms below, under one name each in the whole program.
-use technolog_core::{error, machine, note, part, plan, shop, zone};
+use technolog_core::{error, machine, note, part, plan, reason, shop, zone};
 use technolog_cutting as cutting;
 use technolog_knowledge::{self as knowledge, units};
 #[allow(unused_imports, reason = "until its reads are typed")]

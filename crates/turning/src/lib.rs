@@ -38,7 +38,7 @@ pub mod zones;
 
 // This room and those below, under one name each in the whole program.
 use crate as turning;
-use technolog_core::{error, material, note};
+use technolog_core::{error, material, note, reason};
 use technolog_knowledge::{self as knowledge, units};
 #[cfg(test)]
 use technolog_shipped as shipped;

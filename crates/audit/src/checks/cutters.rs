@@ -4,6 +4,7 @@ use crate::error::KnowledgeError;
 use crate::note::{Because, Note, Severity};
 use crate::part::Hole;
 use crate::plan::Operation;
+use crate::reason::{OfOther, Unfit};
 use crate::route::diameters::range;
 use crate::tooling::CutterNeed;
 use crate::tooling::named;
@@ -43,13 +44,11 @@ pub(super) fn check<'a>(
         };
         let need = need(context, graph, &tips, at, row, hole);
         if let Some(why) = named::unsuited(&cutter, &need, machine) {
-            let of_size = why.code.starts_with("tool-of-other-") || why.code.starts_with("bar-of-other-");
-            let of_depth = why.code == "does-not-reach";
-            let mut unsuited = finding(Severity::Error, why);
-            if of_size {
+            let mut unsuited = finding(Severity::Error, why.note());
+            if matches!(&why, Unfit::OfOther(other) if !matches!(other, OfOther::Thread { .. })) {
                 unsuited.follows_from = diameter(context, graph, at, row, hole, findings)?;
             }
-            if of_depth {
+            if why.is_of_reach() {
                 unsuited.follows_from = roots::told(findings, context.field(Id::new(Scope::Row(at), Q::Depth)));
             }
             findings.push(unsuited);

@@ -37,7 +37,7 @@ pub(super) fn check<'a>(
         let Some(holder) = context.holder(at) else { continue };
         let because = Because::row(holder, Note::new("named"));
         if let Some(why) = named::not_taken(holder, &cutter, &shop.machine) {
-            findings.push(say(Severity::Error, why).resting_on([because]));
+            findings.push(say(Severity::Error, why.note()).resting_on([because]));
             continue;
         }
         let operation = context.stated.rows_of_tool(tool.number).next().map(|(_, row)| row.operation.value);

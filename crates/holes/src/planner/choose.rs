@@ -18,7 +18,7 @@ use crate::shop::Shop;
 use crate::units::{Micrometres, Minutes, round_to};
 
 use super::fit::Fitted;
-use super::options::{Choice, Options};
+use super::options::{Choice, Options, Refused};
 
 /// The most rounds of reconsidering; each must make the whole part better, so it ends by itself.
 const ROUNDS: usize = 8;
@@ -313,7 +313,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
             .first()
             .and_then(|runner_up| runner_up.time_min)
             .map(|runner_up| Minutes(runner_up.0 - time.0).rounded(3));
-        alternatives.extend(options.refused.iter().cloned());
+        alternatives.extend(options.refused.iter().map(Refused::told));
         let cost = self.shop.machine.minute_rate.map(|rate| round_to(time.0 * rate, 2));
         Some(Weighed { time: time.rounded(3), cost, margin, alternatives })
     }

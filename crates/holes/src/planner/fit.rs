@@ -6,12 +6,13 @@ mod reach;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-use crate::cutting::{self, Cut};
+use crate::cutting::{self, CardDoubt, Cut};
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::Input;
 use crate::note::{Because, Note};
 use crate::part::{Hole, Part};
 use crate::plan::{Conditions, Feature, Operation};
+use crate::reason::{Reason, Unfit};
 use crate::route::bores::Edge;
 use crate::route::{Place, Step};
 use crate::shop::Shop;
@@ -30,6 +31,10 @@ pub(super) struct Fitted {
     pub travel: Micrometres,
     pub approach: Micrometres,
     pub conditions: Conditions,
+    /// What the cards could not give for them.
+    pub doubts: Vec<CardDoubt>,
+    /// Whether it is a spot that makes an edge of the hole too.
+    pub makes_edge: bool,
     pub because: Vec<Because>,
 }
 
@@ -51,6 +56,7 @@ struct Outfit {
     tool: FittedTool,
     travel: Micrometres,
     conditions: Conditions,
+    doubts: Vec<CardDoubt>,
 }
 
 /// What the outfit of a step depends on; the routes of one hole share most of their steps.
@@ -91,7 +97,7 @@ pub(super) struct Fitting<'p, 'k> {
     grind_limit: Micrometres,
     /// Lead of a tap, pitches.
     tap_lead: f64,
-    known: RefCell<BTreeMap<Key, Result<Outfit, Note>>>,
+    known: RefCell<BTreeMap<Key, Result<Outfit, Reason>>>,
 }
 
 impl<'p, 'k> Fitting<'p, 'k> {
@@ -180,8 +186,9 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let (approach, _, reason) = self.travels(step.place.through);
         because.push(reason.clone());
         because.extend(self.conventions(&step)?);
-        let Outfit { tool, travel, conditions } = outfit;
-        Ok(Fitted { step, tool: Some(tool), travel, approach: *approach, conditions, because })
+        let Outfit { tool, travel, conditions, doubts } = outfit;
+        let (tool, approach) = (Some(tool), *approach);
+        Ok(Fitted { step, tool, travel, approach, conditions, doubts, makes_edge: false, because })
     }
 
     /// The conventions that the lengths of a step rest on.
@@ -242,7 +249,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             }
             None => tooling::find_tool(&need, shop.knowledge, &shop.machine)?,
         };
-        let (cutter, assembly) = found.map_err(|why| Refusal::Not(first_of(why, step.operation)))?;
+        let (cutter, assembly) = found.map_err(|why| Refusal::Not(no_tool(why, step.operation)))?;
         // A step drill goes on until its wide part is as deep as the opening.
         let travel = match (step.also, cutter.row.length("step_length")) {
             (Some(_), Ok(pilot)) => self.travels(step.place.through).0 + self.opening_depth() + pilot,
@@ -264,7 +271,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         } else {
             cut
         };
-        let conditions = cutting::conditions(&cut, shop)?;
+        let (conditions, doubts) = cutting::with_doubts(&cut, shop)?;
         let mut because = vec![cutter.order.clone(), cutter.because.clone()];
         // A reamer or core drill of the catalogs, wider than asked, is ground down.
         let grinds = step.operation.is_reaming() || step.operation == Operation::CoreDrill;
@@ -281,7 +288,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             assembly,
             because,
         };
-        Ok(Outfit { tool, travel, conditions })
+        Ok(Outfit { tool, travel, conditions, doubts })
     }
 
     /// A milled cylinder is as round as the machine makes it, which may take a share of the tolerance.
@@ -300,8 +307,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let share = self.shop.share("milled-roundness-share")?;
         let most = Micrometres::from_mm_rounded((*upper - *lower).to_mm() * share);
         if roundness > most {
-            let note = Note::new("milled-not-round").with("roundness", roundness).with("most", most);
-            return Err(Refusal::Not(note.with("diameter", step.diameter)));
+            return Err(Refusal::Not(Reason::MilledNotRound { roundness, most, diameter: step.diameter }));
         }
         Ok(())
     }
@@ -411,12 +417,8 @@ fn cutter_shape(cutter: &tooling::Cutter<'_>) -> Option<cutting::CutterShape> {
 
 /// One reason stands for all, how many there were is said with it: the first that is about the cutter and
 /// not about a holder that takes other shanks.
-fn first_of(why: Vec<Note>, operation: Operation) -> Note {
-    const MISMATCHES: [&str; 5] =
-        ["shank-outside-clamp", "other-morse", "other-bore", "other-taper", "thread-outside-chuck"];
-    let count = why.len();
-    let telling = why.iter().position(|note| !MISMATCHES.contains(&note.code.as_str())).unwrap_or_default();
-    let first = why.into_iter().nth(telling).unwrap_or_else(|| Note::new("no-cutter"));
-    let first = if first.params.contains_key("operation") { first } else { first.with("operation", operation.name()) };
-    if count > 1 { first.with("more", count - 1) } else { first }
+fn no_tool(why: Vec<Unfit>, operation: Operation) -> Reason {
+    let more = why.len().saturating_sub(1);
+    let telling = why.iter().position(|one| !one.is_of_other_holder()).unwrap_or_default();
+    Reason::NoTool { operation, first: why.into_iter().nth(telling).map(Box::new), more }
 }

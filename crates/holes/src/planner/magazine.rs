@@ -28,11 +28,10 @@ pub(super) fn choose_centre_drill(
         };
         let spot = centre.step.diameter;
         let first = draft.steps.iter().find(|one| one.step.operation == Operation::Drill).map(|one| one.step.diameter);
-        let makes_chamfer = centre.because.iter().any(|reason| reason.note.code == "spot-by-chamfer");
         let (own, why) = match first {
             // Wider than the first drill, so that the drill enters on the cone and not on its rim.
-            Some(drill) if !makes_chamfer && drill < widest => (drill + Micrometres::new(1), format!("> Ø{drill}")),
-            Some(_) if !makes_chamfer => (widest, format!("Ø{widest}")),
+            Some(drill) if !centre.makes_edge && drill < widest => (drill + Micrometres::new(1), format!("> Ø{drill}")),
+            Some(_) if !centre.makes_edge => (widest, format!("Ø{widest}")),
             _ => (spot, format!(">= Ø{spot}")),
         };
         if own > needed {
@@ -66,14 +65,12 @@ pub(super) fn choose_centre_drill(
                 let fitting = Fitting::new(hole, &[], part, shop)?;
                 match Refusal::split(fitting.spotting(&centre.step, centre.travel, tool.diameter))? {
                     Ok(conditions) => centre.conditions = conditions,
-                    Err(note) => findings.push(Finding::of_hole(Severity::Error, &hole.name, note)),
+                    Err(why) => findings.push(Finding::of_hole(Severity::Error, &hole.name, why.note())),
                 }
                 centre.tool = Some(tool.clone());
             }
             Err(why) => {
-                for note in why {
-                    findings.push(Finding::of_hole(Severity::Error, &hole.name, note.clone()));
-                }
+                findings.extend(why.iter().map(|one| Finding::of_hole(Severity::Error, &hole.name, one.note())));
                 draft.route = None;
                 draft.steps.clear();
             }

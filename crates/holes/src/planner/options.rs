@@ -7,7 +7,8 @@ use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::Input;
 use crate::note::{Because, Note};
 use crate::part::{Hole, Part};
-use crate::plan::{Alternative, Made, Operation, Way};
+use crate::plan::{Alternative, Made, Way};
+use crate::reason::Reason;
 use crate::route::auxiliary::{self, Kind};
 use crate::route::bores;
 use crate::route::diameters::Sizes;
@@ -43,13 +44,43 @@ impl Choice {
     }
 }
 
+/// A route that cannot be carried out, or is barred by a rule, and why.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Refused {
+    pub way: Way,
+    pub table: String,
+    /// Empty where a way has no scheme at all.
+    pub scheme: String,
+    /// What it would do, where that is known.
+    pub operations: Vec<Made>,
+    /// Whether it would hold grade, roughness and position.
+    pub meets: bool,
+    pub why: Reason,
+}
+
+impl Refused {
+    /// As plans tell it.
+    pub fn told(&self) -> Alternative {
+        Alternative {
+            way: self.way,
+            table: self.table.clone(),
+            scheme: self.scheme.clone(),
+            operations: self.operations.clone(),
+            time_min: None,
+            new_tools: None,
+            meets: self.meets,
+            why: self.why.note(),
+        }
+    }
+}
+
 /// The routes of a group.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Options {
     /// What can be carried out.
     pub choices: Vec<Choice>,
     /// What cannot, or is barred by a rule, with the reason.
-    pub refused: Vec<Alternative>,
+    pub refused: Vec<Refused>,
     /// The tolerance on centre distances the tables were asked with.
     pub centre_tolerance: Micrometres,
     /// The row of A.6, or that it has none.
@@ -143,19 +174,13 @@ pub(super) fn options(
     for (edge, step) in task.edges.iter().zip(&finder.edges) {
         if let (Err(why), true) = (step, Some(*edge) != finder.centred_edge) {
             let list = if edge.asked { &mut options.impossible } else { &mut options.remarks };
-            list.push(why.clone());
+            list.push(why.note());
         }
     }
     finder.every_way(kind, &mut options)?;
     if options.choices.is_empty() && main.flat {
         // Where no mill levels the floor the hole is planned with the drill's cone, and the plan says why.
-        let telling =
-            ["no-mill-enters", "mill-does-not-enter", "does-not-reach", "too-shallow-for-flat", "milled-not-round"];
-        let of_mill = |note: &&Note| {
-            telling.contains(&note.code.as_str())
-                && note.params.get("operation").is_none_or(|name| name == Operation::Mill.name())
-        };
-        let why = options.refused.iter().map(|other| &other.why).find(of_mill).cloned();
+        let why = options.refused.iter().map(|other| &other.why).find(|why| why.is_of_milled_floor()).map(Reason::note);
         finder.level_floor = false;
         let refused = std::mem::take(&mut options.refused);
         finder.every_way(kind, &mut options)?;
@@ -167,9 +192,9 @@ pub(super) fn options(
     if options.choices.is_empty()
         && let Some(short) = too_short(&options.refused, all_drills, &drills)
     {
-        let note = Note::new("drills-too-short").with("diameter", short.diameter).with("reach", short.reach);
-        let note = note.with("needed", fitting.drill_reach(&main.place, short.diameter));
-        options.refused.push(none(Way::Search, "next-transition", note));
+        let needed = fitting.drill_reach(&main.place, short.diameter);
+        let why = Reason::DrillsTooShort { diameter: short.diameter, reach: short.reach, needed };
+        options.refused.push(none(Way::Search, "next-transition", why));
     }
     finder.boring_stands_back(&mut options)?;
     if let Some((_, because)) = rough_face {
@@ -196,11 +221,12 @@ impl Finder<'_, '_> {
         }
         let (back, kept): (Vec<Choice>, Vec<Choice>) = options.choices.drain(..).partition(stands_back);
         options.choices = kept;
-        let code = if asked { "position-asks-boring" } else { "boring-not-asked" };
+        let position = self.question.position;
+        let why = if asked { Reason::BoringAsked { position } } else { Reason::BoringNotAsked { position } };
         for choice in back {
-            let why = Note::new(code).with("position", self.question.position);
             let operations = Options::operations(&choice);
-            options.refused.push(Alternative { operations, meets: choice.meets(), ..refused(&choice.candidate, why) });
+            let refused = refused(&choice.candidate, why.clone());
+            options.refused.push(Refused { operations, meets: choice.meets(), ..refused });
         }
         Ok(())
     }
@@ -225,10 +251,10 @@ impl Finder<'_, '_> {
 }
 
 /// The largest drill of a size that a route lacked and the catalogs have, but too short.
-fn too_short(refused: &[Alternative], all: &[DrillSize], reaching: &[Micrometres]) -> Option<DrillSize> {
-    let lacked = refused.iter().filter(|other| other.why.code == "no-drill-in-allowance").find_map(|other| {
-        let bound = |name: &str| other.why.params.get(name)?.parse::<Micrometres>().ok();
-        Some(bound("low")?..=bound("high")?)
+fn too_short(refused: &[Refused], all: &[DrillSize], reaching: &[Micrometres]) -> Option<DrillSize> {
+    let lacked = refused.iter().find_map(|other| match other.why {
+        Reason::NoDrillInAllowance { low, high, .. } => Some(low..=high),
+        _ => None,
     })?;
     let sizes = all.iter().rev();
     sizes.copied().find(|size| lacked.contains(&size.diameter) && !reaching.contains(&size.diameter))

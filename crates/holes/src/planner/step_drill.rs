@@ -1,9 +1,9 @@
 //! One step drill for a hole and its opening at once, where it may.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::note::Note;
 use crate::part::Face;
 use crate::plan::{Feature, Operation};
+use crate::reason::Reason;
 use crate::route::bores::Bore;
 use crate::route::{Candidate, Step};
 use crate::units::Micrometres;
@@ -32,20 +32,20 @@ impl Finder<'_, '_> {
     /// Lets the drill make the opening too; which one, or why no step drill does.
     pub fn join(&self, steps: &mut [Step], centring_makes_edge: bool) -> Tried<Option<Feature>> {
         let Some(drill) = steps.iter_mut().find(|step| step.operation == Operation::Drill) else {
-            return Err(Refusal::Not(Note::new("no-step-drill")));
+            return Err(Refusal::Not(Reason::NothingToStep));
         };
         let (feature, wide) = match self.drilled_opening() {
             Some(bore) => (bore.place.feature, Some(bore.diameter.nominal)),
-            None if centring_makes_edge => return Err(Refusal::Not(Note::new("chamfered-by-centring"))),
+            None if centring_makes_edge => return Err(Refusal::Not(Reason::ChamferedByCentring)),
             None => {
                 let chamfer = self.task.edges.iter().find(|edge| edge.feature == Feature::Chamfer);
                 let chamfer = chamfer.map(|edge| edge.diameter).unwrap_or_default();
                 (Feature::Chamfer, self.chamfering_drill(drill.diameter, chamfer)?)
             }
         };
-        let none = || Note::new("no-step-drill").with("narrow", drill.diameter).with("wide", wide.unwrap_or_default());
         if wide.is_none() {
-            return Err(Refusal::Not(none()));
+            let (narrow, wide) = (drill.diameter, Micrometres::ZERO);
+            return Err(Refusal::Not(Reason::NoStepDrill { narrow, wide }));
         }
         drill.also = wide;
         Ok(Some(feature))

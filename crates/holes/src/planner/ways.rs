@@ -2,14 +2,15 @@
 
 use crate::error::{KnowledgeError, Refusal};
 use crate::note::{Because, Note};
-use crate::plan::{Alternative, Feature, Operation, Way};
+use crate::plan::{Feature, Operation, Way};
+use crate::reason::Reason;
 use crate::route::auxiliary::{self, Kind};
 use crate::route::scheme;
 use crate::route::{Candidate, Step, complex, search};
 use crate::units::{Micrometres, Minutes};
 
 use super::fit::Fitted;
-use super::options::{Choice, Options};
+use super::options::{Choice, Options, Refused};
 use super::whole::Finder;
 
 impl Finder<'_, '_> {
@@ -72,10 +73,10 @@ impl Finder<'_, '_> {
                 Err(why) => options.refused.push(none(Way::Tables, "A.8", why)),
             }
         }
-        let mut taken = None;
+        let mut taken: Option<String> = None;
         for candidate in found.into_iter().flatten() {
             if let Some(first) = &taken {
-                let later = refused(&candidate, Note::new("ranked-later").with("first", first));
+                let later = refused(&candidate, Reason::RankedLater { first: first.clone() });
                 let own = *first == format!("{} {}", candidate.table, candidate.scheme);
                 if !own && !options.refused.contains(&later) {
                     options.refused.push(later);
@@ -159,8 +160,8 @@ impl Finder<'_, '_> {
             options.choices.push(choice);
             return;
         };
-        let why = Note::new("same-as").with("table", &twin.candidate.table);
-        let same = refused(&choice.candidate, why.with("same", &twin.candidate.scheme));
+        let (table, scheme) = (twin.candidate.table.clone(), twin.candidate.scheme.clone());
+        let same = refused(&choice.candidate, Reason::SameAs { table, scheme });
         let itself = (same.way, &same.table, &same.scheme)
             == (twin.candidate.way, &twin.candidate.table, &twin.candidate.scheme);
         if !itself && !options.refused.contains(&same) {
@@ -220,20 +221,11 @@ fn same(a: &Choice, b: &Choice) -> bool {
     a.candidate.finish_elsewhere == b.candidate.finish_elsewhere && shown(a) == shown(b)
 }
 
-pub(super) fn refused(candidate: &Candidate, why: Note) -> Alternative {
-    Alternative { scheme: candidate.scheme.clone(), ..none(candidate.way, &candidate.table, why) }
+pub(super) fn refused(candidate: &Candidate, why: Reason) -> Refused {
+    Refused { scheme: candidate.scheme.clone(), ..none(candidate.way, &candidate.table, why) }
 }
 
 /// A way that has no candidate at all.
-pub(super) fn none(way: Way, table: &str, why: Note) -> Alternative {
-    Alternative {
-        way,
-        table: table.to_owned(),
-        scheme: String::new(),
-        operations: Vec::new(),
-        time_min: None,
-        new_tools: None,
-        meets: false,
-        why,
-    }
+pub(super) fn none(way: Way, table: &str, why: Reason) -> Refused {
+    Refused { way, table: table.to_owned(), scheme: String::new(), operations: Vec::new(), meets: false, why }
 }

@@ -8,17 +8,18 @@ use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Because, Note};
 use crate::part::{Face, Hole};
 use crate::plan::{Feature, Operation};
+use crate::reason::Reason;
 use crate::route::bores::{self, Bore, Task};
 use crate::route::diameters::{self, Sizes};
 use crate::route::scheme::Question;
-use crate::route::{Candidate, Step, accuracy, openings, order};
+use crate::route::{Candidate, Remark, Step, accuracy, openings, order};
 use crate::shop::Shop;
 use crate::units::{ItGrade, Micrometres, Minutes};
 
 use super::fit::{Fitted, Fitting};
 
 /// The steps that open a wider cylinder, or why nothing does.
-type Opened = Result<Vec<Step>, Note>;
+type Opened = Result<Vec<Step>, Reason>;
 
 /// What the routes of one group are found with.
 pub(super) struct Finder<'a, 'k> {
@@ -33,7 +34,7 @@ pub(super) struct Finder<'a, 'k> {
     pub opened: RefCell<BTreeMap<(usize, Micrometres), Opened>>,
     pub hops: Minutes,
     /// The step that cuts each edge, or why none does.
-    pub edges: Vec<Result<Step, Note>>,
+    pub edges: Vec<Result<Step, Reason>>,
     /// The finest grade that drilling holds, by A.1.
     pub drilled: ItGrade,
     /// Whether a flat floor is made, where one is asked; not where no mill can.
@@ -103,7 +104,7 @@ impl Finder<'_, '_> {
                 }
             }
         }
-        Err(Refusal::Not(first_why.unwrap_or_else(|| Note::new("no-route").with("tried", 0))))
+        Err(Refusal::Not(first_why.unwrap_or(Reason::NoRoute)))
     }
 
     /// Adds openings, edges and the floor to the steps of the main cylinder, in the order of section 1.1.2,
@@ -199,8 +200,7 @@ impl Finder<'_, '_> {
         for step in steps[..=last].iter_mut().filter(|step| pointed(step)) {
             let stop = depth - self.fitting.lead(step);
             if stop <= Micrometres::ZERO {
-                let note = Note::new("too-shallow-for-flat").with("depth", depth).with("diameter", step.diameter);
-                return Err(Refusal::Not(note));
+                return Err(Refusal::Not(Reason::TooShallowForFlat { depth, diameter: step.diameter }));
             }
             step.place.depth = stop;
         }
@@ -245,6 +245,7 @@ impl Finder<'_, '_> {
                     if candidate.finish_elsewhere
                         && let Some(last) = steps.last_mut()
                     {
+                        last.remarks.push(Remark::FinishedElsewhere(bore.diameter.clone()));
                         let note = Note::new("step-finished-elsewhere").with("diameter", &bore.diameter);
                         last.because.push(Because::table(self.shop.knowledge.table("A.8")?, note));
                     }
@@ -270,12 +271,12 @@ impl Finder<'_, '_> {
                         break;
                     }
                     // The search comes last, and its reason says what no way could do.
-                    Err(note) => why = Some(note),
+                    Err(found) => why = Some(found),
                 }
             }
         }
-        let none = || Note::new("no-opening").with("diameter", bore.diameter.nominal).with("start", start);
-        best.map(|(_, steps)| steps).ok_or_else(|| Refusal::Not(why.unwrap_or_else(none)))
+        let none = Reason::NoOpening { diameter: bore.diameter.nominal, start };
+        best.map(|(_, steps)| steps).ok_or_else(|| Refusal::Not(why.unwrap_or(none)))
     }
 }
 
@@ -285,7 +286,7 @@ pub(super) fn edges(
     task: &Task,
     fitting: &Fitting<'_, '_>,
     shop: &Shop<'_>,
-) -> Result<Vec<Result<Step, Note>>, KnowledgeError> {
+) -> Result<Vec<Result<Step, Reason>>, KnowledgeError> {
     let mut steps = Vec::with_capacity(task.edges.len());
     for edge in &task.edges {
         let cut = |operation: Option<Operation>| -> Tried<Step> {

@@ -5,11 +5,12 @@ use crate::knowledge::{Answer, Input, RowRef};
 use crate::note::{Because, Note};
 use crate::part::{BlankHole, CentreTolerance, Entry, Hole, Part};
 use crate::plan::{Achieved, Operation};
+use crate::reason::Reason;
 use crate::shop::Shop;
 use crate::units::{ItGrade, Micrometres, Roughness, Unit};
 
 use super::bores::{Before, Bore};
-use super::{Promise, Step};
+use super::{Promise, Remark, Step};
 
 /// The state a cylinder is in before anything is done to it, as the rule `next-transition` names it.
 pub(super) fn start(bore: &Bore) -> &'static str {
@@ -129,7 +130,8 @@ pub fn write(
             step.because.push(because);
         }
         if let (Some(promise), true) = (promise, Some(index) == last) {
-            if let (Some(own), true) = (it, it.is_some_and(|own| own > promise.it)) {
+            if let Some(own) = it.filter(|own| *own > promise.it) {
+                step.remarks.push(Remark::Promised { it: promise.it, own });
                 let note = Note::new("promised").with("it", promise.it).with("own", own);
                 step.because.push(Because::table(shop.knowledge.table("A.1")?, note));
             }
@@ -261,15 +263,13 @@ pub fn rough_face(bore: &Bore, part: &Part, shop: &Shop<'_>) -> Result<Option<(f
 ///
 /// # Errors
 /// The grade has no distance, or stands at one outside the table.
-pub fn centre_tolerance(hole: &Hole, shop: &Shop<'_>) -> Result<Micrometres, Note> {
+pub fn centre_tolerance(hole: &Hole, shop: &Shop<'_>) -> Result<Micrometres, Reason> {
     match hole.centre_tolerance {
         CentreTolerance::Width(width) => Ok(width),
         CentreTolerance::Grade { it } => {
-            let distance =
-                hole.smallest_centre_distance().ok_or_else(|| Note::new("grade-without-distance").with("it", it))?;
-            crate::part::tolerance_width(it, distance, shop.knowledge).map_err(|why| {
-                Note::new("grade-outside-table").with("it", it).with("distance", distance).with("why", why)
-            })
+            let distance = hole.smallest_centre_distance().ok_or(Reason::GradeWithoutDistance { it })?;
+            let width = crate::part::tolerance_width(it, distance, shop.knowledge);
+            width.map_err(|why| Reason::GradeOutsideTable { it, distance, why })
         }
     }
 }

@@ -5,6 +5,7 @@ use crate::knowledge::Input;
 use crate::note::{Because, Note};
 use crate::part::{Hole, ThreadKind};
 use crate::plan::{Operation, Way};
+use crate::reason::Reason;
 use crate::shop::Shop;
 use crate::units::{ItGrade, Micrometres};
 
@@ -84,8 +85,8 @@ pub fn candidates(question: &Question<'_>, kind: Kind, shop: &Shop<'_>) -> Tried
         ("centre_tolerance", Input::Length(question.centre_tolerance)),
     ])?;
     let Some(row) = answer.winner() else {
-        let note = Note::new("no-auxiliary-scheme").with("kind", name).with("diameter", diameter);
-        return Err(Refusal::Not(note.with("centre", question.centre_tolerance)));
+        let centre = question.centre_tolerance;
+        return Err(Refusal::Not(Reason::NoAuxiliaryScheme { kind: name, diameter, centre }));
     };
     let starred = row.texts("if_drill_differs").unwrap_or_default();
     let drill = super::diameters::final_drill(&question.bore.diameter, question.drills).is_some();

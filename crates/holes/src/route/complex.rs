@@ -4,6 +4,7 @@ use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::{Input, QueryError};
 use crate::note::{Because, Note};
 use crate::plan::{Operation, Way};
+use crate::reason::Reason;
 use crate::shop::Shop;
 use crate::units::Micrometres;
 
@@ -44,23 +45,22 @@ fn kind(question: &Question<'_>, openings: Openings) -> Option<(&'static str, Mi
 /// The knowledge cannot answer, or A.4 has no complex for it.
 pub fn candidates(question: &Question<'_>, openings: Openings, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
     let table = shop.knowledge.table("A.4")?;
-    let refuse = |code: &str| {
-        let note =
-            Note::new(code).with("it", question.bore.diameter.it).with("diameter", question.bore.diameter.nominal);
-        Refusal::Not(note.with("centre", question.centre_tolerance))
+    let (it, nominal, centre) = (question.bore.diameter.it, question.bore.diameter.nominal, question.centre_tolerance);
+    let Some((kind, diameter)) = kind(question, openings) else {
+        return Err(Refusal::Not(Reason::NoComplexGroup { it, diameter: nominal, centre }));
     };
-    let Some((kind, diameter)) = kind(question, openings) else { return Err(refuse("no-complex-group")) };
+    let no_complex = || Refusal::Not(Reason::NoComplex { it, diameter: nominal, centre });
     let answer = match table.decide(&[
         ("hole", Input::Text(kind)),
         ("diameter", Input::Length(diameter)),
-        ("centre_tolerance", Input::Length(question.centre_tolerance)),
+        ("centre_tolerance", Input::Length(centre)),
     ]) {
-        Err(QueryError::OutOfDomain { .. }) => return Err(refuse("no-complex")),
+        Err(QueryError::OutOfDomain { .. }) => return Err(no_complex()),
         answer => answer?,
     };
-    let Some(row) = answer.winner() else { return Err(refuse("no-complex")) };
+    let Some(row) = answer.winner() else { return Err(no_complex()) };
     let complexes = shop.knowledge.table("A.5")?;
-    let (centre, centring) = centre_first(question.bore, shop)?;
+    let (centred, centring) = centre_first(question.bore, shop)?;
     let mut found = Vec::new();
     for number in row.texts("complex")? {
         let own = complexes.all_rows().find(|row| row.int("complex").is_ok_and(|own| own.to_string() == number));
@@ -74,7 +74,7 @@ pub fn candidates(question: &Question<'_>, openings: Openings, shop: &Shop<'_>) 
         let note = Note::new("complex").with("complex", number).with("kind", kind);
         let mut because = vec![Because::answer(&answer, note), centring.clone()];
         let mut scheme = number.to_owned();
-        if centre && transitions.first() != Some(&Operation::CentreDrill) {
+        if centred && transitions.first() != Some(&Operation::CentreDrill) {
             transitions.insert(0, Operation::CentreDrill);
             scheme.push_str(" + centre");
         }

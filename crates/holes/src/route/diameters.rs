@@ -7,6 +7,7 @@ use crate::knowledge::Input;
 use crate::note::{Because, Note};
 use crate::part::{ThreadKind, ToleratedDiameter};
 use crate::plan::Operation;
+use crate::reason::Reason;
 use crate::shop::Shop;
 use crate::units::Micrometres;
 
@@ -166,7 +167,7 @@ impl Backwards<'_, '_> {
             | Operation::SemiFinishBore
             | Operation::FinishBore => vec![this.finishing()?],
             Operation::Countersink | Operation::Chamfer => {
-                return Err(Refusal::Not(Note::new("not-planned").with("operation", operation.name())));
+                return Err(Refusal::Not(Reason::NotPlanned { operation }));
             }
         };
         if let Some(first) = steps.first_mut() {
@@ -181,11 +182,10 @@ impl Backwards<'_, '_> {
 
     /// The diameter the cylinder is opened from.
     fn start(self) -> Tried<Micrometres> {
-        let refuse = || Refusal::Not(Note::new("no-hole-to-open").with("operation", self.operation.name()));
-        let start = self.sizes.start.ok_or_else(refuse)?;
-        if start >= self.after {
-            let note = Note::new("opened-already").with("diameter", self.after).with("start", start);
-            return Err(Refusal::Not(note.with("operation", self.operation.name())));
+        let Self { operation, after: diameter, .. } = self;
+        let start = self.sizes.start.ok_or(Refusal::Not(Reason::NoHoleToOpen { operation }))?;
+        if start >= diameter {
+            return Err(Refusal::Not(Reason::OpenedAlready { operation, diameter, start }));
         }
         let least = match self.operation {
             Operation::DrillOut => Some("least-stock-drill-out-mm"),
@@ -194,11 +194,9 @@ impl Backwards<'_, '_> {
         };
         if let Some(least) = least {
             let least = self.shop.convention(least)?;
-            let stock = self.after - start;
+            let stock = diameter - start;
             if stock < least {
-                let note = Note::new("stock-too-small").with("operation", self.operation.name());
-                let note = note.with("diameter", self.after).with("start", start);
-                return Err(Refusal::Not(note.with("stock", stock).with("least", least)));
+                return Err(Refusal::Not(Reason::StockTooSmall { operation, diameter, start, stock, least }));
             }
         }
         Ok(start)
@@ -214,10 +212,8 @@ impl Backwards<'_, '_> {
         let largest = self.after - self.shop.convention("mill-clearance-mm")?;
         let start = self.sizes.start.unwrap_or_default();
         let drill = self.sizes.drills.iter().rev().copied().find(|drill| *drill <= largest && *drill > start);
-        drill.ok_or_else(|| {
-            let note = Note::new("no-drill-before").with("operation", self.operation.name());
-            Refusal::Not(note.with("diameter", self.after).with("largest", largest))
-        })
+        let (operation, diameter) = (self.operation, self.after);
+        drill.ok_or(Refusal::Not(Reason::NoDrillBefore { operation, diameter, largest }))
     }
 
     /// What stands in where no boring bar enters, by the rule `too-small-to-bore`.
@@ -231,19 +227,18 @@ impl Backwards<'_, '_> {
         let answer =
             rule.decide(&[("operation", Input::Text(operation.name())), ("bar_enters", Input::Bool(enters))])?;
         let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, operation.name()))?;
-        let note = |code: &str| {
-            Note::new(code)
-                .with("operation", operation.name())
-                .with("diameter", after)
-                .with("smallest", self.sizes.smallest_bore)
-        };
+        let smallest = self.sizes.smallest_bore;
         let instead = row.text("operation_instead")?;
         match (instead, Operation::from_name(instead)) {
             ("same", _) => Ok((operation, None)),
             (_, Some(other)) => {
-                Ok((other, Some(Because::row(row, note("bored-by-stand-in").with("instead", other.name())))))
+                let note = Note::new("bored-by-stand-in")
+                    .with("operation", operation.name())
+                    .with("diameter", after)
+                    .with("smallest", smallest);
+                Ok((other, Some(Because::row(row, note.with("instead", other.name())))))
             }
-            _ => Err(Refusal::Not(note("too-small-to-bore"))),
+            _ => Err(Refusal::Not(Reason::TooSmallToBore { operation, diameter: after, smallest })),
         }
     }
 
@@ -270,21 +265,20 @@ impl Backwards<'_, '_> {
         Ok(Step::plain(Operation::Drill, self.bore.place, diameter, Micrometres::ZERO))
     }
 
-    fn no_drill(self) -> Note {
-        let below = self.sizes.drills.iter().rev().find(|drill| **drill < self.after);
-        let above = self.sizes.drills.iter().find(|drill| **drill > self.after);
-        let show = |size: Option<&Micrometres>| size.map_or_else(|| "-".to_owned(), |size| format!("Ø{size}"));
-        let most = self.shop.machine.drill_max;
-        if self.after > most {
-            return Note::new("no-drill-so-large").with("diameter", self.after).with("limit", most);
+    fn no_drill(self) -> Reason {
+        let (diameter, limit) = (self.after, self.shop.machine.drill_max);
+        if diameter > limit {
+            return Reason::NoDrillSoLarge { diameter, limit };
         }
-        Note::new("no-drill").with("diameter", self.after).with("below", show(below)).with("above", show(above))
+        let below = self.sizes.drills.iter().rev().copied().find(|drill| *drill < diameter);
+        let above = self.sizes.drills.iter().copied().find(|drill| *drill > diameter);
+        Reason::NoDrill { diameter, below, above }
     }
 
     /// Tapping: the hole under the thread must be there.
     fn tap(self) -> Tried<Step> {
         let thread = self.bore.thread.as_ref();
-        let thread = thread.ok_or_else(|| Refusal::Not(Note::new("no-thread-to-tap")))?;
+        let thread = thread.ok_or(Refusal::Not(Reason::NoThreadToTap))?;
         let step = self.step(self.bore.diameter.target());
         // A conical tap goes to its main plane, however deep the hole.
         let length = match thread.kind {

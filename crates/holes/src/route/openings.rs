@@ -4,6 +4,7 @@ use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::Input;
 use crate::note::{Because, Note};
 use crate::plan::{Feature, Operation};
+use crate::reason::Reason;
 use crate::shop::Shop;
 use crate::units::Micrometres;
 
@@ -73,14 +74,12 @@ pub(super) fn counterbores(diameter: Micrometres, shop: &Shop<'_>) -> Result<Vec
 }
 
 /// No cutter leaves this shoulder flat: the nearest counterbores of the catalogs.
-fn no_flat_opening(bore: &Bore, shop: &Shop<'_>) -> Result<Note, KnowledgeError> {
-    let asked = bore.diameter.nominal;
-    let sizes = counterbores(asked, shop)?;
-    let show = |size: Option<Micrometres>| size.map_or_else(|| "-".to_owned(), |size| format!("Ø{size}"));
-    Ok(Note::new("no-flat-opening")
-        .with("diameter", asked)
-        .with("below", show(sizes.iter().copied().filter(|size| *size < asked).max()))
-        .with("above", show(sizes.iter().copied().filter(|size| *size > asked).min())))
+fn no_flat_opening(bore: &Bore, shop: &Shop<'_>) -> Result<Reason, KnowledgeError> {
+    let diameter = bore.diameter.nominal;
+    let sizes = counterbores(diameter, shop)?;
+    let below = sizes.iter().copied().filter(|size| *size < diameter).max();
+    let above = sizes.into_iter().filter(|size| *size > diameter).min();
+    Ok(Reason::NoFlatOpening { diameter, below, above })
 }
 
 /// The step that cuts an edge: a chamfer, a countersink, a cone or a face. `around` is the diameter of the

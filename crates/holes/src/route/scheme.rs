@@ -7,6 +7,7 @@ use crate::knowledge::{Answer, Input, Knowledge, QueryError, RowRef};
 use crate::note::{Because, Note};
 use crate::part::BlankHole;
 use crate::plan::{Operation, Way};
+use crate::reason::Reason;
 use crate::shop::Shop;
 use crate::units::{Decimal, ItGrade, Micrometres, Roughness};
 
@@ -82,13 +83,12 @@ pub fn candidates(question: &Question<'_>, shop: &Shop<'_>) -> Tried<Vec<Candida
     ])?;
     let decision = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this cell"))?;
     if decision.text("take")? == "nothing" {
-        return Err(Refusal::Not(
-            Note::new("no-scheme")
-                .with("it", bore.diameter.it)
-                .with("roughness", bore.roughness)
-                .with("centre", question.centre_tolerance)
-                .with("columns", columns_of(&own.table_columns)),
-        ));
+        return Err(Refusal::Not(Reason::NoScheme {
+            it: bore.diameter.it,
+            roughness: bore.roughness,
+            centre: question.centre_tolerance,
+            columns: own.table_columns,
+        }));
     }
     let taken = Because::answer(&answer, Note::new("cell").with("take", decision.text("take")?));
 
@@ -228,10 +228,6 @@ fn ask<'k>(
         ("state", Input::Text(question.state())),
         ("outer_wall", Input::Bool(question.outer_wall)),
     ])
-}
-
-fn columns_of(columns: &[Roughness]) -> String {
-    columns.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
 }
 
 /// The schemes of a cell in the order of the rule `which-of-two-schemes`.

@@ -18,6 +18,7 @@ use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::{Input, RowRef, Table};
 use crate::note::{Because, Note};
 use crate::plan::{Operation, Way};
+use crate::reason::Reason;
 use crate::shop::Shop;
 use crate::units::{Micrometres, Minutes};
 
@@ -105,10 +106,12 @@ pub fn candidates(bore: &Bore, sizes: &Sizes<'_>, cost: &Cost<'_>, shop: &Shop<'
 }
 
 /// The reason nearest to the end of the route that speaks of a tool or a stock, not of the search itself.
-fn telling(failed: Vec<Note>, bore: &Bore) -> Note {
-    let own = |note: &Note| matches!(note.code.as_str(), "state-unreachable" | "bored-by-another" | "no-hole-to-open");
-    let no_path = || Note::new("no-path").with("it", bore.diameter.it).with("roughness", bore.roughness);
-    failed.into_iter().find(|note| !own(note)).unwrap_or_else(no_path)
+fn telling(failed: Vec<Reason>, bore: &Bore) -> Reason {
+    let own = |why: &Reason| {
+        matches!(why, Reason::Unreachable { .. } | Reason::BoredByAnother { .. } | Reason::NoHoleToOpen { .. })
+    };
+    let no_path = || Reason::NoPath { it: bore.diameter.it, roughness: bore.roughness };
+    failed.into_iter().find(|why| !own(why)).unwrap_or_else(no_path)
 }
 
 /// Whether transitions leave a flat shoulder: what comes first is cut flat over its whole width, by a
@@ -150,7 +153,7 @@ struct Graph<'a, 'k> {
     states: DiGraph<State, Edge>,
     known: BTreeMap<(String, Micrometres), NodeIndex>,
     start: Option<NodeIndex>,
-    failed: Vec<Note>,
+    failed: Vec<Reason>,
     rule: &'k Table,
     centre: bool,
     bore: &'a Bore,
@@ -231,7 +234,7 @@ impl<'a, 'k> Graph<'a, 'k> {
             let made = steps.and_then(|steps| {
                 // What a stand-in does is another transition's edge.
                 if steps.iter().any(|step| step.operation != operation) {
-                    return Err(Refusal::Not(Note::new("bored-by-another").with("operation", operation.name())));
+                    return Err(Refusal::Not(Reason::BoredByAnother { operation }));
                 }
                 let before = steps.first().map_or(after, |first| first.from);
                 (self.cost)(steps).map(|minutes| (before, minutes))
@@ -266,7 +269,7 @@ impl<'a, 'k> Graph<'a, 'k> {
         }
         let entered = self.states.edges_directed(node, Direction::Incoming).next().map(|edge| edge.id());
         if entered.is_none() {
-            self.failed.push(Note::new("state-unreachable").with("state", name).with("diameter", diameter));
+            self.failed.push(Reason::Unreachable { state: name.to_owned(), diameter });
         }
         Ok(node)
     }

@@ -9,6 +9,7 @@ use crate::knowledge::{Input, Knowledge, RowRef, Table};
 use crate::machine::Machine;
 use crate::note::{Because, Note};
 use crate::plan::Operation;
+use crate::reason::{CutterFault, NoSize, Unfit};
 
 use super::reach::refuse;
 use super::sizes::{fitting, nothing_of_size, own_diameter};
@@ -92,7 +93,7 @@ pub(super) fn cutters<'k>(
     need: &CutterNeed<'_>,
     knowledge: &'k Knowledge,
     machine: &Machine<'_>,
-) -> Result<(Vec<Cutter<'k>>, Vec<Note>), KnowledgeError> {
+) -> Result<(Vec<Cutter<'k>>, Vec<Unfit>), KnowledgeError> {
     let rule = knowledge.table("tool-tables")?;
     let answer =
         rule.decide(&[("operation", Input::Text(need.operation.name())), ("diameter", Input::Length(need.nominal))])?;
@@ -133,7 +134,7 @@ pub(super) fn cutters<'k>(
         }
     }
     if cutters.is_empty() && rejected.is_empty() {
-        rejected.push(nothing_of_size(need, row, knowledge));
+        rejected.push(Unfit::NoSize(nothing_of_size(need, row, knowledge)));
     }
     Ok((cutters, rejected))
 }
@@ -148,7 +149,7 @@ pub(super) fn step_drills<'k>(
     pilot: Micrometres,
     opening: Operation,
     knowledge: &'k Knowledge,
-) -> Result<(Vec<Cutter<'k>>, Vec<Note>), KnowledgeError> {
+) -> Result<(Vec<Cutter<'k>>, Vec<Unfit>), KnowledgeError> {
     let (mut cutters, mut rejected) = (Vec::new(), Vec::new());
     for table in knowledge.tables().filter(|table| table.column_index("step_diameter").is_some()) {
         let Some(head) = &table.tool else { continue };
@@ -163,8 +164,8 @@ pub(super) fn step_drills<'k>(
             let designation = designation(row, need)?;
             let length = row.length("step_length")?;
             if length < pilot {
-                let note = Note::new("does-not-reach").with("tool", designation).with("table", &table.id);
-                rejected.push(note.with("reach", length).with("needed", pilot));
+                let fault = CutterFault::DoesNotReach { reach: length, needed: pilot };
+                rejected.push(Unfit::Cutter { tool: designation.to_owned(), table: table.id.clone(), fault });
                 continue;
             }
             let note = Note::new("step-drill").with("narrow", need.diameter).with("wide", wide);
@@ -179,7 +180,7 @@ pub(super) fn step_drills<'k>(
         }
     }
     if cutters.is_empty() && rejected.is_empty() {
-        rejected.push(Note::new("no-step-drill").with("narrow", need.diameter).with("wide", wide));
+        rejected.push(Unfit::NoSize(NoSize::NoStepDrill { narrow: need.diameter, wide }));
     }
     Ok((cutters, rejected))
 }

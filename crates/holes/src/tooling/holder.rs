@@ -8,7 +8,7 @@ use crate::knowledge::{Input, Knowledge, RowRef};
 use crate::machine::Machine;
 use crate::note::{Because, Note};
 use crate::plan::{Link, Operation};
-use crate::units::round_to;
+use crate::reason::{HolderFault, Unfit};
 
 use super::{Cutter, CutterNeed};
 
@@ -42,7 +42,7 @@ pub fn assemble(
     need: &CutterNeed<'_>,
     knowledge: &Knowledge,
     machine: &Machine<'_>,
-) -> Result<Result<Assembly, Vec<Note>>, KnowledgeError> {
+) -> Result<Result<Assembly, Vec<Unfit>>, KnowledgeError> {
     let (overhang, overhang_because) = overhang(cutter, need, knowledge)?;
     let taper = Link {
         kind: "taper-7-24".to_owned(),
@@ -67,7 +67,7 @@ pub fn assemble(
             mass_kg: cutter.row.number_in("mass", Unit::Kilogram).ok(),
             because: vec![overhang_because],
         };
-        return Ok(within_limits(assembly, machine));
+        return Ok(within_limits(assembly, cutter, machine));
     }
     let family = family(cutter.head, need.operation, knowledge)?;
     let table = knowledge.table(family.text("holders")?)?;
@@ -76,10 +76,11 @@ pub fn assemble(
         let designation = row.text("designation")?;
         let length = row.length("length")?;
         let why = refuse(row, cutter, machine).or_else(|| too_short(row, cutter, length, overhang, need));
-        if let Some(why) = why {
-            rejected.push(why.with("holder", designation));
+        if let Some(fault) = why {
+            rejected.push((designation, fault));
             continue;
         }
+        let over = rejected.iter().map(|(holder, fault)| fault.note().with("holder", holder)).collect();
         let note = Note::new("holder").with("shank", cutter.head.shank.name());
         let assembly = Assembly {
             holder: designation.to_owned(),
@@ -98,11 +99,11 @@ pub fn assemble(
                 tip,
             ],
             mass_kg: row.number_in("mass", Unit::Kilogram).ok().map(|holder| holder + bar_mass(cutter)),
-            because: vec![Because::row(row, note).over(rejected), overhang_because],
+            because: vec![Because::row(row, note).over(over), overhang_because],
         };
-        return Ok(within_limits(assembly, machine));
+        return Ok(within_limits(assembly, cutter, machine));
     }
-    Ok(Err(rejected))
+    Ok(Err(rejected.into_iter().map(|(holder, fault)| unfit(cutter, holder, fault)).collect()))
 }
 
 /// The row of the rule `holder-for-shank` that names the family of holders for a shank.
@@ -123,22 +124,18 @@ pub(super) fn family<'k>(
     answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, head.shank.name()))
 }
 
-fn within_limits(assembly: Assembly, machine: &Machine<'_>) -> Result<Assembly, Vec<Note>> {
+fn unfit(cutter: &Cutter<'_>, holder: &str, fault: HolderFault) -> Unfit {
+    Unfit::Holder { tool: cutter.designation.to_owned(), holder: holder.to_owned(), fault }
+}
+
+fn within_limits(assembly: Assembly, cutter: &Cutter<'_>, machine: &Machine<'_>) -> Result<Assembly, Vec<Unfit>> {
     if assembly.length > machine.overhang_max {
-        return Err(vec![
-            Note::new("assembly-too-long")
-                .with("holder", &assembly.holder)
-                .with("length", assembly.length)
-                .with("limit", machine.overhang_max),
-        ]);
+        let fault = HolderFault::TooLong { length: assembly.length, limit: machine.overhang_max };
+        return Err(vec![unfit(cutter, &assembly.holder, fault)]);
     }
     if let Some(mass) = assembly.mass_kg.filter(|mass| *mass > machine.tool_mass_max_kg) {
-        return Err(vec![
-            Note::new("assembly-too-heavy")
-                .with("holder", &assembly.holder)
-                .with("mass", round_to(mass, 1))
-                .with("limit", machine.tool_mass_max_kg),
-        ]);
+        let fault = HolderFault::TooHeavy { mass, limit: machine.tool_mass_max_kg };
+        return Err(vec![unfit(cutter, &assembly.holder, fault)]);
     }
     Ok(assembly)
 }
@@ -153,32 +150,30 @@ fn bar_mass(cutter: &Cutter<'_>) -> f64 {
 }
 
 /// Why a holder does not take the cutter.
-pub(super) fn refuse(row: RowRef<'_>, cutter: &Cutter<'_>, machine: &Machine<'_>) -> Option<Note> {
+pub(super) fn refuse(row: RowRef<'_>, cutter: &Cutter<'_>, machine: &Machine<'_>) -> Option<HolderFault> {
     if let Ok(taper) = row.int("taper")
         && taper != machine.taper
     {
-        return Some(Note::new("other-taper").with("own", taper).with("spindle", machine.taper));
+        return Some(HolderFault::OtherTaper { own: taper, spindle: machine.taper });
     }
     match cutter.head.shank {
         Shank::Cylindrical if row.table.column_index("thread_min").is_some() => {
             let (low, high) = (row.length_if_any("thread_min")?, row.length_if_any("thread_max")?);
             let thread = cutter.diameter;
-            (thread < low || thread > high)
-                .then(|| Note::new("thread-outside-chuck").with("thread", thread).with("low", low).with("high", high))
+            (thread < low || thread > high).then_some(HolderFault::ThreadOutsideChuck { thread, low, high })
         }
         Shank::Cylindrical => {
             let shank = cutter.row.length("shank_diameter").unwrap_or(cutter.diameter);
             let (low, high) = (row.length_if_any("clamp_min")?, row.length_if_any("clamp_max")?);
-            (shank < low || shank > high)
-                .then(|| Note::new("shank-outside-clamp").with("shank", shank).with("low", low).with("high", high))
+            (shank < low || shank > high).then_some(HolderFault::ShankOutsideClamp { shank, low, high })
         }
         Shank::Morse => {
             let (own, taken) = (cutter.row.int("morse").ok()?, row.int("morse").ok()?);
-            (own != taken).then(|| Note::new("other-morse").with("own", own).with("taken", taken))
+            (own != taken).then_some(HolderFault::OtherMorse { own, taken })
         }
         Shank::Shell => {
             let (own, taken) = (cutter.row.length_if_any("bore")?, row.length_if_any("bore")?);
-            (own != taken).then(|| Note::new("other-bore").with("own", own).with("taken", taken))
+            (own != taken).then_some(HolderFault::OtherBore { own, taken })
         }
         Shank::Taper => None,
     }
@@ -191,15 +186,15 @@ fn too_short(
     length: Micrometres,
     overhang: Micrometres,
     need: &CutterNeed<'_>,
-) -> Option<Note> {
+) -> Option<HolderFault> {
     let shell = cutter.head.shank == Shank::Shell;
     // A shell cutter is followed into the hole by its arbor; any other cutter must reach by itself.
     let reach = if shell { length + overhang } else { overhang };
     if reach < need.reach {
-        return Some(Note::new("stands-out-too-little").with("reach", reach).with("needed", need.reach));
+        return Some(HolderFault::StandsOutTooLittle { reach, needed: need.reach });
     }
     let thick = row.length_if_any("max_diameter").filter(|thick| shell && *thick >= need.diameter);
-    thick.map(|thick| Note::new("arbor-does-not-enter").with("arbor", thick).with("hole", need.diameter))
+    thick.map(|arbor| HolderFault::ArborDoesNotEnter { arbor, hole: need.diameter })
 }
 
 /// How far the cutter stands out.

@@ -13,8 +13,8 @@ mod sizes;
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::machine::Machine;
-use crate::note::{Because, Note};
 use crate::plan::Operation;
+use crate::reason::Unfit;
 use crate::units::Micrometres;
 
 pub use cutter::{Cutter, CutterNeed};
@@ -29,7 +29,7 @@ pub fn find_tool<'k>(
     need: &CutterNeed<'_>,
     knowledge: &'k Knowledge,
     machine: &Machine<'_>,
-) -> Result<Result<(Cutter<'k>, Assembly), Vec<Note>>, KnowledgeError> {
+) -> Result<Result<(Cutter<'k>, Assembly), Vec<Unfit>>, KnowledgeError> {
     let (cutters, rejected) = cutter::cutters(need, knowledge, machine)?;
     first_that_fits(cutters, rejected, need, knowledge, machine)
 }
@@ -46,25 +46,25 @@ pub fn find_step_drill<'k>(
     opening: Operation,
     knowledge: &'k Knowledge,
     machine: &Machine<'_>,
-) -> Result<Result<(Cutter<'k>, Assembly), Vec<Note>>, KnowledgeError> {
+) -> Result<Result<(Cutter<'k>, Assembly), Vec<Unfit>>, KnowledgeError> {
     let (cutters, rejected) = cutter::step_drills(need, wide, pilot, opening, knowledge)?;
     first_that_fits(cutters, rejected, need, knowledge, machine)
 }
 
 fn first_that_fits<'k>(
     cutters: Vec<Cutter<'k>>,
-    mut rejected: Vec<Note>,
+    mut rejected: Vec<Unfit>,
     need: &CutterNeed<'_>,
     knowledge: &'k Knowledge,
     machine: &Machine<'_>,
-) -> Result<Result<(Cutter<'k>, Assembly), Vec<Note>>, KnowledgeError> {
+) -> Result<Result<(Cutter<'k>, Assembly), Vec<Unfit>>, KnowledgeError> {
     for cutter in cutters {
         match holder::assemble(&cutter, need, knowledge, machine)? {
             Ok(assembly) => {
-                let because = Because { rejected, ..cutter.because.clone() };
+                let because = cutter.because.clone().over(rejected.iter().map(Unfit::note).collect());
                 return Ok(Ok((Cutter { because, ..cutter }, assembly)));
             }
-            Err(why) => rejected.extend(why.into_iter().map(|note| note.with("tool", cutter.designation))),
+            Err(why) => rejected.extend(why),
         }
     }
     Ok(Err(rejected))

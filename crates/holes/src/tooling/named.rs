@@ -8,6 +8,7 @@ use crate::knowledge::{Knowledge, RowRef, Table};
 use crate::machine::Machine;
 use crate::note::{Because, Note};
 use crate::plan::Operation;
+use crate::reason::{HolderFault, OfOther, Unfit};
 
 use super::cutter::{Cutter, CutterNeed};
 use super::holder;
@@ -45,41 +46,39 @@ fn designations(table: &Table) -> impl Iterator<Item = (RowRef<'_>, &str)> {
 }
 
 /// Why a cutter does not do what is asked of it; nothing where it does.
-pub fn unsuited(cutter: &NamedCutter<'_>, need: &CutterNeed<'_>, machine: &Machine<'_>) -> Option<Note> {
-    let operation = need.operation.name();
-    if !cutter.head.operations.iter().any(|known| known.name() == operation) {
-        let for_what = cutter.head.operations.iter().map(|known| known.name()).collect::<Vec<_>>().join(", ");
-        return Some(Note::new("tool-of-other-operation").with("operation", operation).with("transitions", for_what));
+pub fn unsuited(cutter: &NamedCutter<'_>, need: &CutterNeed<'_>, machine: &Machine<'_>) -> Option<Unfit> {
+    let operation = need.operation;
+    if !cutter.head.operations.contains(&operation) {
+        let transitions = cutter.head.operations.iter().map(|known| known.name()).collect::<Vec<_>>().join(", ");
+        return Some(Unfit::OfOther(OfOther::Operation { operation, transitions }));
     }
     if !size_fits(cutter.row, need) {
-        return Some(of_other_size(cutter.row, need));
+        return Some(Unfit::OfOther(of_other_size(cutter.row, need)));
     }
     refuse(cutter.row, need, machine)
 }
 
 /// What of a cutter is not of the size that is asked: what its kind is chosen by.
-fn of_other_size(row: RowRef<'_>, need: &CutterNeed<'_>) -> Note {
+fn of_other_size(row: RowRef<'_>, need: &CutterNeed<'_>) -> OfOther {
     let operation = need.operation;
     if operation.is_boring()
         && let (Some(low), Some(high)) = (row.length_if_any("diameter_min"), row.length_if_any("diameter_max"))
     {
         if low <= need.diameter && need.diameter <= high {
-            let rough = row.text("stage") == Ok("rough");
-            return Note::new(if rough { "bar-of-other-stage-rough" } else { "bar-of-other-stage-finish" });
+            return OfOther::Stage { rough: row.text("stage") == Ok("rough") };
         }
-        return Note::new("bar-of-other-range").with("low", low).with("high", high).with("needed", need.diameter);
+        return OfOther::Range { low, high, needed: need.diameter };
     }
     if let (Some(thread), Ok(own), Operation::Tap) = (need.thread, row.text("thread"), operation) {
-        return Note::new("tap-of-other-thread").with("own", own).with("needed", thread);
+        return OfOther::Thread { own: own.to_owned(), needed: thread.to_owned() };
     }
     let cone = need.angle_millideg.map(|angle| f64::from(angle) / 1000.0);
-    if let (Some(angle), Ok(own)) = (cone, row.number_in("cone_angle", Unit::Degree))
-        && (own - angle).abs() > 0.0005
+    if let (Some(needed), Ok(own)) = (cone, row.number_in("cone_angle", Unit::Degree))
+        && (own - needed).abs() > 0.0005
     {
-        return Note::new("tool-of-other-angle").with("own", own).with("needed", angle);
+        return OfOther::Angle { own, needed };
     }
-    let own = own_diameter(row).map_or_else(|| "-".to_owned(), |own| own.to_string());
-    Note::new("tool-of-other-size").with("own", own).with("needed", need.diameter)
+    OfOther::Size { own: own_diameter(row), needed: need.diameter }
 }
 
 /// Whether a designation is the other design of a cutter that is made for through and for blind holes.
@@ -111,7 +110,7 @@ pub fn other_family<'k>(
 }
 
 /// Why a holder does not take a cutter; nothing where it does.
-pub fn not_taken(holder: RowRef<'_>, cutter: &NamedCutter<'_>, machine: &Machine<'_>) -> Option<Note> {
+pub fn not_taken(holder: RowRef<'_>, cutter: &NamedCutter<'_>, machine: &Machine<'_>) -> Option<HolderFault> {
     // What a family of holders is chosen by stands in its columns.
     let takes = match cutter.head.shank {
         Shank::Cylindrical => "clamp_min",
@@ -121,7 +120,7 @@ pub fn not_taken(holder: RowRef<'_>, cutter: &NamedCutter<'_>, machine: &Machine
     };
     let tap_chuck = cutter.head.shank == Shank::Cylindrical && holder.table.column_index("thread_min").is_some();
     if holder.table.column_index(takes).is_none() && !tap_chuck {
-        return Some(Note::new("holder-of-other-shank").with("shank", cutter.head.shank.name()));
+        return Some(HolderFault::OtherShank { shank: cutter.head.shank.name() });
     }
     holder::refuse(holder, &as_cutter(cutter), machine)
 }

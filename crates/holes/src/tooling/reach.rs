@@ -3,42 +3,46 @@
 use crate::knowledge::RowRef;
 use crate::knowledge::units::Micrometres;
 use crate::machine::Machine;
-use crate::note::Note;
 use crate::plan::Operation;
+use crate::reason::{CutterFault, Unfit};
 
 use super::cutter::CutterNeed;
 use super::sizes::own_diameter;
 
 /// Why a row of the right size cannot be used.
-pub(super) fn refuse(row: RowRef<'_>, need: &CutterNeed<'_>, machine: &Machine<'_>) -> Option<Note> {
-    let name = row.table.result.first().and_then(|column| row.text(column).ok()).unwrap_or_default();
-    let note = |code: &str| Note::new(code).with("tool", name).with("table", &row.table.id);
+pub(super) fn refuse(row: RowRef<'_>, need: &CutterNeed<'_>, machine: &Machine<'_>) -> Option<Unfit> {
+    let fault = fault(row, need, machine)?;
+    let tool = row.table.result.first().and_then(|column| row.text(column).ok()).unwrap_or_default();
+    Some(Unfit::Cutter { tool: tool.to_owned(), table: row.table.id.clone(), fault })
+}
+
+fn fault(row: RowRef<'_>, need: &CutterNeed<'_>, machine: &Machine<'_>) -> Option<CutterFault> {
     if matches!(need.operation, Operation::Drill | Operation::DrillOut) && need.diameter > machine.drill_max {
-        return Some(note("drill-too-large").with("diameter", need.diameter).with("limit", machine.drill_max));
+        return Some(CutterFault::DrillTooLarge { diameter: need.diameter, limit: machine.drill_max });
     }
     if need.operation == Operation::Mill
-        && let Some(own) = own_diameter(row).filter(|own| *own > machine.end_mill_max)
+        && let Some(diameter) = own_diameter(row).filter(|own| *own > machine.end_mill_max)
     {
-        return Some(note("mill-too-large").with("diameter", own).with("limit", machine.end_mill_max));
+        return Some(CutterFault::MillTooLarge { diameter, limit: machine.end_mill_max });
     }
-    if let Some(own) = own_diameter(row).filter(|own| *own > machine.tool_diameter_max) {
-        return Some(note("tool-too-wide").with("diameter", own).with("limit", machine.tool_diameter_max));
+    if let Some(diameter) = own_diameter(row).filter(|own| *own > machine.tool_diameter_max) {
+        return Some(CutterFault::TooWide { diameter, limit: machine.tool_diameter_max });
     }
-    if let (Some(own), Some(within)) = (own_diameter(row), need.within)
-        && own >= within
+    if let (Some(diameter), Some(within)) = (own_diameter(row), need.within)
+        && diameter >= within
     {
-        return Some(note("does-not-pass").with("diameter", own).with("within", within));
+        return Some(CutterFault::DoesNotPass { diameter, within });
     }
     if need.operation == Operation::Counterbore
         && let Some(pilot) = row.length_if_any("pilot_bore").filter(|pilot| *pilot > need.enters)
     {
-        return Some(note("pilot-wider-than-hole").with("pilot", pilot).with("hole", need.enters));
+        return Some(CutterFault::PilotWider { pilot, hole: need.enters });
     }
     if need.operation.is_boring()
         && let Ok(bar) = row.length("bar_diameter")
         && bar >= need.enters
     {
-        return Some(note("bar-does-not-enter").with("bar", bar).with("hole", need.enters));
+        return Some(CutterFault::BarDoesNotEnter { bar, hole: need.enters });
     }
     if matches!(need.operation, Operation::CentreDrill | Operation::Countersink | Operation::Chamfer) {
         return None;
@@ -51,7 +55,7 @@ pub(super) fn refuse(row: RowRef<'_>, need: &CutterNeed<'_>, machine: &Machine<'
         Some((start, around)) if passes(around) => need.reach - start,
         _ => need.reach,
     };
-    (reach < needed).then(|| note("does-not-reach").with("reach", reach).with("needed", needed))
+    (reach < needed).then_some(CutterFault::DoesNotReach { reach, needed })
 }
 
 /// How deep a reamer goes: to the end of its neck, which is all that stands out of the holder.

@@ -1,11 +1,11 @@
 //! Which rows of a table are of the size that is asked, and what sizes there are where none is.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::units::{Decimal, Micrometres, Unit};
+use crate::knowledge::units::{Micrometres, Unit};
 use crate::knowledge::{Knowledge, RowRef, Table};
 use crate::machine::Machine;
-use crate::note::Note;
 use crate::plan::Operation;
+use crate::reason::NoSize;
 
 use super::cutter::{CutterNeed, cutters, tables_of};
 use super::reach::reach_of;
@@ -69,15 +69,16 @@ pub(super) fn size_fits(row: RowRef<'_>, need: &CutterNeed<'_>) -> bool {
 }
 
 /// No row has that size: says so, with the nearest sizes below and above.
-pub(super) fn nothing_of_size(need: &CutterNeed<'_>, rule: RowRef<'_>, knowledge: &Knowledge) -> Note {
+pub(super) fn nothing_of_size(need: &CutterNeed<'_>, rule: RowRef<'_>, knowledge: &Knowledge) -> NoSize {
     if let Some(angle) = need.angle_millideg {
         return no_cone(need, angle, rule, knowledge);
     }
+    let tables = tables_of(rule);
     if need.operation == Operation::Mill {
-        return Note::new("no-mill-enters").with("hole", need.enters).with("clearance", need.clearance);
+        return NoSize::NoMillEnters { hole: need.enters, clearance: need.clearance };
     }
     if let Some(thread) = need.thread.filter(|_| need.operation == Operation::Tap) {
-        return Note::new("no-tap").with("thread", thread).with("tables", tables_of(rule));
+        return NoSize::NoTap { thread: thread.to_owned(), tables };
     }
     let sizes: Vec<Micrometres> = rule
         .texts("tables")
@@ -86,19 +87,13 @@ pub(super) fn nothing_of_size(need: &CutterNeed<'_>, rule: RowRef<'_>, knowledge
         .filter_map(|id| knowledge.table(id).ok())
         .flat_map(|table| table.all_rows().flat_map(sizes_of).collect::<Vec<_>>())
         .collect();
-    let below = sizes.iter().filter(|size| **size < need.nominal).max();
-    let above = sizes.iter().filter(|size| **size > need.nominal).min();
-    let show = |size: Option<&Micrometres>| size.map_or_else(|| "-".to_owned(), |size| format!("Ø{size}"));
-    Note::new("no-cutter-of-size")
-        .with("operation", need.operation.name())
-        .with("diameter", need.nominal)
-        .with("below", show(below))
-        .with("above", show(above))
-        .with("tables", tables_of(rule))
+    let below = sizes.iter().copied().filter(|size| *size < need.nominal).max();
+    let above = sizes.into_iter().filter(|size| *size > need.nominal).min();
+    NoSize::NoCutter { operation: need.operation, diameter: need.nominal, below, above, tables }
 }
 
 /// No cutter has that angle, or none of that angle is wide enough: what there is.
-fn no_cone(need: &CutterNeed<'_>, angle: u32, rule: RowRef<'_>, knowledge: &Knowledge) -> Note {
+fn no_cone(need: &CutterNeed<'_>, angle: u32, rule: RowRef<'_>, knowledge: &Knowledge) -> NoSize {
     let rows = rule
         .texts("tables")
         .unwrap_or_default()
@@ -111,18 +106,15 @@ fn no_cone(need: &CutterNeed<'_>, angle: u32, rule: RowRef<'_>, knowledge: &Know
             Some((own, own_diameter(row)?))
         })
         .collect();
-    let degrees = |angle: u32| Decimal::from_f64_rounded(f64::from(angle) / 1000.0).to_string();
     let widest = cutters.iter().filter(|(own, _)| *own == angle).map(|(_, diameter)| *diameter).max();
-    let note = |code: &str| {
-        Note::new(code).with("angle", degrees(angle)).with("diameter", need.diameter).with("tables", tables_of(rule))
-    };
+    let (diameter, tables) = (need.diameter, tables_of(rule));
     if let Some(widest) = widest {
-        return note("no-cone-so-wide").with("widest", widest).with("hole", need.enters);
+        return NoSize::NoConeSoWide { angle, diameter, widest, hole: need.enters, tables };
     }
     let mut angles: Vec<u32> = cutters.into_iter().map(|(own, _)| own).collect();
     angles.sort_unstable();
     angles.dedup();
-    note("no-cone-of-angle").with("angles", angles.into_iter().map(degrees).collect::<Vec<_>>().join(", "))
+    NoSize::NoConeOfAngle { angle, diameter, angles, tables }
 }
 
 /// The sizes a row stands for: a cutter's diameter, a boring bar's range.

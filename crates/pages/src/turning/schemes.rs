@@ -1,6 +1,7 @@
 //! The sections about levels, zones and schemes of a shaft's page.
 
 use crate::units::round_to;
+use technolog_tables::turning::passes::Scheme;
 use technolog_turning::schemes::{Schemes, Splitting};
 
 use super::super::sentences::term;
@@ -48,7 +49,7 @@ fn levels(found: &Schemes, lang: Lang) -> String {
         lang.pick("Схема ходів", "Scheme of passes"),
     ]
     .map(str::to_owned);
-    let schemes = |names: &[String]| names.iter().map(|name| term(name, lang)).collect::<Vec<_>>().join(" + ");
+    let schemes = |all: &[Scheme]| all.iter().map(|scheme| term(scheme.name(), lang)).collect::<Vec<_>>().join(" + ");
     let mut rows = Vec::new();
     for (index, (one, zone)) in cylinders.iter().zip(&found.zones).enumerate() {
         rows.push(vec![

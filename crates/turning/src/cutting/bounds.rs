@@ -13,7 +13,7 @@ use crate::turning::tooling::Shank;
 use crate::units::{Kilowatts, MetresPerMinute, Micrometres, MillimetresPerRev, NewtonMetres, Newtons};
 
 use super::laws::{self, Component, ForceLaw};
-use super::{Cut, Direction};
+use super::{Cut, Direction, Lacking};
 
 /// What bounds the depth of cut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
@@ -98,12 +98,14 @@ impl Load {
 }
 
 /// A bound that could not be reckoned, and the figure that was missing.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Missing {
     /// The bound.
     pub bound: Bound,
     /// What is missing, and where.
-    pub note: Note,
+    #[serde(rename = "note")]
+    #[schemars(with = "Note")]
+    pub why: Lacking,
 }
 
 impl Missing {
@@ -114,10 +116,8 @@ impl Missing {
 
     /// A sentence with the bound, what is missing, and of what.
     pub(super) fn told(&self, note: Note) -> Note {
-        let param = |names: [&str; 3]| names.iter().find_map(|name| self.note.params.get(*name)).cloned();
-        note.with("bound", self.bound.name())
-            .with("of", param(["lathe", "tool", "material"]).unwrap_or_default())
-            .with("what", param(["quantity", "table", "angle"]).unwrap_or_default())
+        let (of, what) = self.why.names();
+        note.with("bound", self.bound.name()).with("of", of).with("what", what)
     }
 }
 
@@ -142,9 +142,9 @@ pub(super) struct Check {
 /// The forces of a cut at a feed, each where its figures are known.
 #[derive(Clone, Debug)]
 pub(super) struct Forces {
-    pub main: Result<ForceLaw, Note>,
-    pub radial: Result<ForceLaw, Note>,
-    pub axial: Result<ForceLaw, Note>,
+    pub main: Result<ForceLaw, Lacking>,
+    pub radial: Result<ForceLaw, Lacking>,
+    pub axial: Result<ForceLaw, Lacking>,
 }
 
 impl Forces {
@@ -153,7 +153,7 @@ impl Forces {
         Ok(Self { main: law(Component::Main)?, radial: law(Component::Radial)?, axial: law(Component::Axial)? })
     }
 
-    fn law(&self, component: Component) -> &Result<ForceLaw, Note> {
+    fn law(&self, component: Component) -> &Result<ForceLaw, Lacking> {
         match component {
             Component::Main => &self.main,
             Component::Radial => &self.radial,
@@ -242,8 +242,8 @@ pub(super) fn checks(cut: &Cut<'_, '_>, forces: &Forces) -> Result<(Vec<Check>, 
         let lacking = component.and_then(|component| forces.law(component).as_ref().err());
         match (Refusal::split(check)?, lacking) {
             (Ok(check), None) => checks.push(check),
-            (Err(note), _) => missing.push(Missing { bound, note }),
-            (Ok(_), Some(note)) => missing.push(Missing { bound, note: note.clone() }),
+            (Err(why), _) => missing.push(Missing { bound, why }),
+            (Ok(_), Some(why)) => missing.push(Missing { bound, why: why.clone() }),
         }
     }
     Ok((checks, missing))
@@ -290,12 +290,12 @@ fn overhang(cut: &Cut<'_, '_>, shank: Shank) -> Result<(f64, Vec<Because>), Know
     Ok((ratio * size.to_mm(), vec![because]))
 }
 
-fn shank_of(cut: &Cut<'_, '_>) -> Tried<Shank> {
-    cut.tool.shank.ok_or_else(|| Refusal::Not(cut.tool.lacks("shank_height")))
+fn shank_of(cut: &Cut<'_, '_>) -> Tried<Shank, Lacking> {
+    cut.tool.shank.ok_or_else(|| Refusal::Not(cut.tool_lacks("shank_height")))
 }
 
 /// Bending of the shank: Pz · l ≤ σ · W, with W = B·H²/6 of a square shank and π·d³/32 of a bar, mm³.
-fn shank_strength(cut: &Cut<'_, '_>) -> Tried<Check> {
+fn shank_strength(cut: &Cut<'_, '_>) -> Tried<Check, Lacking> {
     let shank = shank_of(cut)?;
     let modulus = match shank {
         Shank::Square { height, width } => width.to_mm() * height.to_mm() * height.to_mm() / 6.0,
@@ -311,7 +311,7 @@ fn shank_strength(cut: &Cut<'_, '_>) -> Tried<Check> {
 }
 
 /// Bending of the shank: Pz ≤ 3·f·E·J / l³, with J = B·H³/12 of a square shank and π·d⁴/64 of a bar, mm⁴.
-fn shank_stiffness(cut: &Cut<'_, '_>) -> Tried<Check> {
+fn shank_stiffness(cut: &Cut<'_, '_>) -> Tried<Check, Lacking> {
     let shank = shank_of(cut)?;
     let inertia = match shank {
         Shank::Square { height, width } => {
@@ -332,8 +332,8 @@ fn shank_stiffness(cut: &Cut<'_, '_>) -> Tried<Check> {
 }
 
 /// How much of the edge may cut: t ≤ share · l · sin of the angle between edge and feed.
-fn insert_edge(cut: &Cut<'_, '_>) -> Tried<Check> {
-    let lacks = |quantity: &str| Refusal::Not(cut.tool.lacks(quantity));
+fn insert_edge(cut: &Cut<'_, '_>) -> Tried<Check, Lacking> {
+    let lacks = |quantity: &str| Refusal::Not(cut.tool_lacks(quantity));
     let edge = cut.tool.edge.ok_or_else(|| lacks("edge"))?;
     let shape = cut.tool.insert_shape().ok_or_else(|| lacks("insert"))?;
     let row = cut.knowledge.find(|row: &InsertEdgeShare<'_>| row.shape == shape)?.ok_or_else(|| lacks("insert"))?;
@@ -347,26 +347,26 @@ fn insert_edge(cut: &Cut<'_, '_>) -> Tried<Check> {
 }
 
 /// A drive of the carriage: the component of the force along it ≤ what its record gives.
-fn drive(cut: &Cut<'_, '_>, bound: Bound, component: Component, quantity: Q) -> Tried<Check> {
+fn drive(cut: &Cut<'_, '_>, bound: Bound, component: Component, quantity: Q) -> Tried<Check, Lacking> {
     let force = match quantity {
         Q::FeedForceZ => cut.lathe.feed_force_z,
         _ => cut.lathe.feed_force_x,
     };
-    let force = force.ok_or_else(|| Refusal::Not(cut.lathe.lacks(quantity)))?;
+    let force = force.ok_or_else(|| Refusal::Not(cut.lathe_lacks(quantity)))?;
     let because = vec![Because::row(cut.lathe.row(quantity)?, Note::new("lathe-limit").with("limit", force.0))];
     Ok(Check { bound, measure: Measure::Force(component), capacity: Load::ForceN(force), because })
 }
 
 /// Pz · D / 2 ≤ the torque of the spindle.
-fn spindle_torque(cut: &Cut<'_, '_>) -> Tried<Check> {
+fn spindle_torque(cut: &Cut<'_, '_>) -> Tried<Check, Lacking> {
     let quantity = Q::SpindleTorqueMax;
-    let torque = cut.lathe.torque.ok_or_else(|| Refusal::Not(cut.lathe.lacks(quantity)))?;
+    let torque = cut.lathe.torque.ok_or_else(|| Refusal::Not(cut.lathe_lacks(quantity)))?;
     let because = vec![Because::row(cut.lathe.row(quantity)?, Note::new("lathe-limit").with("limit", torque.0))];
     Ok(Check { bound: Bound::SpindleTorque, measure: Measure::Torque, capacity: Load::TorqueNM(torque), because })
 }
 
 /// Pz · V / 60000 ≤ N · η. Where the record has no η, that of `turning-limits` stands in, marked.
-fn spindle_power(cut: &Cut<'_, '_>) -> Tried<Check> {
+fn spindle_power(cut: &Cut<'_, '_>) -> Tried<Check, Lacking> {
     let (share, of_share) = match cut.lathe.efficiency {
         Some(share) => {
             let note = Note::new("lathe-limit").with("limit", share.0);
@@ -381,7 +381,7 @@ fn spindle_power(cut: &Cut<'_, '_>) -> Tried<Check> {
 }
 
 /// The depth at which the tables of feeds end.
-fn handbook(cut: &Cut<'_, '_>) -> Tried<Check> {
+fn handbook(cut: &Cut<'_, '_>) -> Tried<Check, Lacking> {
     let (depth, because) = constant_length(cut, Limit::DepthMax)?;
     let capacity = Load::DepthMm(depth);
     Ok(Check { bound: Bound::Handbook, measure: Measure::Depth, capacity, because: vec![because] })

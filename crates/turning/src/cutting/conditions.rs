@@ -17,7 +17,7 @@ use super::bounds::{self, Bound, Check, Forces, Load, Missing};
 use super::feed::{finish_feed, rough_feed};
 use super::laws::{self, Component};
 use super::limit::positive;
-use super::{Cut, Direction};
+use super::{Cut, Direction, Lack, Nothing, of_figures};
 
 /// Feed, speed and loads of a transition.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -77,18 +77,22 @@ impl TurningConditions {
 /// # Errors
 /// No feed or speed is known for this; the roughness is finer than the tables or than the lathe holds; a depth that is
 /// not above zero; threads; a broken table.
-pub fn conditions(cut: &Cut<'_, '_>, depth: Micrometres, roughness: Option<Roughness>) -> Tried<TurningConditions> {
+pub fn conditions(
+    cut: &Cut<'_, '_>,
+    depth: Micrometres,
+    roughness: Option<Roughness>,
+) -> Tried<TurningConditions, Lack> {
     let depth = match (cut.tool.plunges(), cut.tool.width) {
         (true, Some(width)) => width,
-        (true, None) => return Err(Refusal::Not(cut.tool.lacks("width"))),
+        (true, None) => return Err(Refusal::Not(Lack::Figure(cut.tool_lacks("width")))),
         (false, _) => depth,
     };
     if depth <= Micrometres::ZERO {
-        return Err(Refusal::Not(Note::new("nothing-to-cut").with("quantity", "depth").with("is", depth)));
+        return Err(Refusal::Not(Lack::NothingToCut(Nothing::Depth(depth))));
     }
     let (mut feed, mut because) = feed_of(cut, depth, roughness)?;
     positive(cut, feed)?;
-    let law = cut.named(laws::speed(cut, feed))?;
+    let law = of_figures(cut.named(laws::speed(cut, feed)))?;
     because.extend(law.because.iter().cloned());
     let computed = law.at(depth.to_mm());
     let forces = Forces::of(cut, feed)?;
@@ -152,7 +156,7 @@ fn feed_of(
     cut: &Cut<'_, '_>,
     depth: Micrometres,
     roughness: Option<Roughness>,
-) -> Tried<(MillimetresPerRev, Vec<Because>)> {
+) -> Tried<(MillimetresPerRev, Vec<Because>), Lack> {
     let Some(roughness) = roughness else {
         let rough = rough_feed(cut, depth)?;
         return Ok((rough.feed, rough.because));
@@ -160,8 +164,7 @@ fn feed_of(
     if let Some(best) = cut.lathe.best_roughness
         && roughness < best
     {
-        let note = Note::new("too-fine-for-lathe").with("lathe", cut.lathe.id());
-        return Err(Refusal::Not(note.with("roughness", roughness).with("best", best)));
+        return Err(Refusal::Not(Lack::TooFineForLathe { lathe: cut.lathe.id().to_owned(), roughness, best }));
     }
     let finish = finish_feed(cut, roughness)?;
     match Refusal::split(rough_feed(cut, depth))? {

@@ -8,7 +8,7 @@ use crate::turning::tooling::{Shank, ToolKind};
 use crate::units::{Micrometres, MillimetresPerRev, Roughness, Unit};
 use technolog_cutting::figures::{self, number};
 
-use super::Cut;
+use super::{Cut, Lack, of_tables};
 
 /// A feed and the rows it rests on.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,14 +24,11 @@ pub struct Feed {
 ///
 /// # Errors
 /// The table has no feed for the tool, the diameter or the depth; the tool's row lacks its shank; threads.
-pub fn rough_feed(cut: &Cut<'_, '_>, depth: Micrometres) -> Tried<Feed> {
-    cut.named(rough(cut, depth))
-}
-
-fn rough(cut: &Cut<'_, '_>, depth: Micrometres) -> Tried<Feed> {
+pub fn rough_feed(cut: &Cut<'_, '_>, depth: Micrometres) -> Tried<Feed, Lack> {
     let diameter = ("diameter", Input::Length(cut.diameter));
     let by_depth = ("depth", Input::Length(depth));
-    let lacks = |quantity: &str| Refusal::Not(cut.tool.lacks(quantity));
+    let process = cut.process();
+    let lacks = |quantity: &str| Refusal::Not(Lack::Figure(cut.tool_lacks(quantity).during(process)));
     let figures = match cut.tool.kind {
         ToolKind::Turning => {
             let Some(Shank::Square { height, .. }) = cut.tool.shank else { return Err(lacks("shank_height")) };
@@ -43,10 +40,11 @@ fn rough(cut: &Cut<'_, '_>, depth: Micrometres) -> Tried<Feed> {
         }
         ToolKind::Grooving | ToolKind::FaceGrooving => figures::ask("grooving-feed", &[diameter], cut),
         ToolKind::Threading => {
-            return Err(Refusal::Not(Note::new("threads-not-reckoned").with("tool", cut.tool.designation)));
+            return Err(Refusal::Not(Lack::Threads { tool: cut.tool.designation.to_owned(), process }));
         }
     };
-    let figures = figures.map_err(|refusal| refusal.with("depth", depth).with("diameter", cut.diameter))?;
+    let no_feed = |lacking| Lack::NoFeed { lacking, depth, diameter: cut.diameter };
+    let figures = cut.named(of_tables(figures)).map_err(|refusal| refusal.map(no_feed))?;
     let feed = figures.row.number_in("feed_min", Unit::MillimetrePerRev)?;
     let note = Note::new("turning-feed").with("feed", feed).with("tool", cut.tool.designation);
     Ok(Feed { feed: MillimetresPerRev(feed), because: figures.because(note) })
@@ -58,16 +56,14 @@ fn rough(cut: &Cut<'_, '_>, depth: Micrometres) -> Tried<Feed> {
 ///
 /// # Errors
 /// The roughness is finer than the table; the tool's row has no nose radius, or one below the table's; threads.
-pub fn finish_feed(cut: &Cut<'_, '_>, roughness: Roughness) -> Tried<Feed> {
-    cut.named(finish(cut, roughness))
-}
-
-fn finish(cut: &Cut<'_, '_>, roughness: Roughness) -> Tried<Feed> {
+pub fn finish_feed(cut: &Cut<'_, '_>, roughness: Roughness) -> Tried<Feed, Lack> {
+    let process = cut.process();
+    let no_nose = || Refusal::Not(Lack::Figure(cut.tool_lacks("nose_radius").during(process)));
     let rest = cut.knowledge.table("turning-finish-feed")?;
-    let nose = cut.tool.nose_radius.ok_or_else(|| Refusal::Not(cut.tool.lacks("nose_radius")))?;
-    let nose = nose_of_table(cut.knowledge, nose)?.ok_or_else(|| Refusal::Not(cut.tool.lacks("nose_radius")))?;
+    let nose = cut.tool.nose_radius.ok_or_else(no_nose)?;
+    let nose = nose_of_table(cut.knowledge, nose)?.ok_or_else(no_nose)?;
     let column = roughness_points(rest, "roughness").into_iter().filter(|column| *column <= roughness).max();
-    let column = column.ok_or_else(|| Refusal::Not(Note::new("too-fine-to-turn").with("roughness", roughness)))?;
+    let column = column.ok_or(Refusal::Not(Lack::TooFineToTurn { roughness, process }))?;
     let cell = [("roughness", Input::Roughness(column)), ("nose_radius", Input::Text(&nose))];
     let row = match rest.decide(&cell)?.winner() {
         Some(row) => row,

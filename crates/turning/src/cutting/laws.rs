@@ -7,7 +7,7 @@ use crate::units::{Decimal, MetresPerMinute, MillimetresPerRev, Minutes, Newtons
 use technolog_cutting::factors;
 use technolog_cutting::figures::{self, feed_input, number};
 
-use super::Cut;
+use super::{Cut, Lacking, Of, of_tables};
 
 /// The tables know the tools of this room by this word.
 const TOOL_MATERIAL: &str = "carbide";
@@ -82,24 +82,24 @@ impl ForceLaw {
 ///
 /// # Errors
 /// A table has no figure for this material or tool.
-pub(super) fn speed(cut: &Cut<'_, '_>, feed: MillimetresPerRev) -> Tried<SpeedLaw> {
+pub(super) fn speed(cut: &Cut<'_, '_>, feed: MillimetresPerRev) -> Tried<SpeedLaw, Lacking> {
     let parameters = cut.knowledge.table("boring-parameters")?;
     let parameter = |name: &str| parameters.find("name", name).ok_or_else(|| KnowledgeError::no_row(parameters, name));
     let life_row = parameter("tool-life")?;
     let life = life_row.number_in("time", Unit::Minute)?;
     let mut because = vec![Because::row(life_row, Note::new("tool-life").with("minutes", life))];
     let figures = if cut.tool.plunges() {
-        figures::ask("grooving-speed", &[], cut)?
+        of_tables(figures::ask("grooving-speed", &[], cut))?
     } else {
-        figures::ask("boring-speed", &[("feed", feed_input(feed))], cut)?
+        of_tables(figures::ask("boring-speed", &[("feed", feed_input(feed))], cut))?
     };
     let row = figures.row;
     because.extend(figures.because(Note::new("speed-coefficients").with("cv", number(row, "cv")?)));
     let (cv, x, y, m) = (number(row, "cv")?, number(row, "x")?, number(row, "y")?, number(row, "m")?);
     let mut factor = cv / (libm::pow(life, m) * libm::pow(feed.0, y));
-    let mut corrections = vec![factors::surface(cut.surface, cut)?];
+    let mut corrections = vec![of_tables(factors::surface(cut.surface, cut))?];
     if figures.own() {
-        corrections.push(factors::material_speed("turning", TOOL_MATERIAL, cut)?);
+        corrections.push(of_tables(factors::material_speed("turning", TOOL_MATERIAL, cut))?);
     }
     corrections.extend(grade(cut, row)?);
     if !cut.tool.plunges() {
@@ -125,15 +125,16 @@ pub(super) fn speed(cut: &Cut<'_, '_>, feed: MillimetresPerRev) -> Tried<SpeedLa
 ///
 /// # Errors
 /// A table has no figure for this material, or the tool's row has no insert to know its rake by.
-pub(super) fn force(cut: &Cut<'_, '_>, component: Component, feed: MillimetresPerRev) -> Tried<ForceLaw> {
+pub(super) fn force(cut: &Cut<'_, '_>, component: Component, feed: MillimetresPerRev) -> Tried<ForceLaw, Lacking> {
     let tool = ("tool_material", Input::Text(TOOL_MATERIAL));
     let turning = !cut.tool.plunges();
     let of_boring = turning && component == Component::Main;
     let figures = if of_boring {
-        figures::ask("boring-force", &[tool], cut)?
+        of_tables(figures::ask("boring-force", &[tool], cut))?
     } else {
-        let others = [("process", Input::Text(cut.process())), ("component", Input::Text(component.name())), tool];
-        figures::ask("turning-force", &others, cut)?
+        let others =
+            [("process", Input::Text(cut.process().name())), ("component", Input::Text(component.name())), tool];
+        of_tables(figures::ask("turning-force", &others, cut))?
     };
     let row = figures.row;
     let mut because = figures.because(Note::new("force-coefficients").with("component", component.name()));
@@ -141,7 +142,7 @@ pub(super) fn force(cut: &Cut<'_, '_>, component: Component, feed: MillimetresPe
     let mut corrections = Vec::new();
     if figures.own() {
         corrections.push(match of_boring {
-            true => factors::material_force("turning", TOOL_MATERIAL, cut)?,
+            true => of_tables(factors::material_force("turning", TOOL_MATERIAL, cut))?,
             false => material(cut, row)?,
         });
     }
@@ -169,7 +170,7 @@ fn material(cut: &Cut<'_, '_>, row: RowRef<'_>) -> Result<(f64, Because), Knowle
 
 /// Kiv: the first grade of the tool that `tool-material-factor` knows for the material, against the grade that the
 /// coefficients are for. A tool whose row names no grade, or has that very grade, needs no factor.
-fn grade(cut: &Cut<'_, '_>, coefficients: RowRef<'_>) -> Tried<Option<(f64, Because)>> {
+fn grade(cut: &Cut<'_, '_>, coefficients: RowRef<'_>) -> Tried<Option<(f64, Because)>, Lacking> {
     let reference = coefficients.text("tool_grade")?;
     if cut.tool.grades.is_empty() || cut.tool.grades.contains(&reference) {
         return Ok(None);
@@ -187,14 +188,14 @@ fn grade(cut: &Cut<'_, '_>, coefficients: RowRef<'_>) -> Tried<Option<(f64, Beca
             return Ok(Some((factor, Because::row(row, note))));
         }
     }
-    Err(figures::missing(table, cut))
+    of_tables(Err(figures::missing(table, cut)))
 }
 
 /// A factor by the angle of the edge that cuts.
-fn angle(cut: &Cut<'_, '_>, id: &str, column: &str, code: &str) -> Tried<(f64, Because)> {
+fn angle(cut: &Cut<'_, '_>, id: &str, column: &str, code: &str) -> Tried<(f64, Because), Lacking> {
     let table = cut.knowledge.table(id)?;
     let angle = cut.edge_angle();
-    let outside = || Refusal::Not(Note::new("angle-beyond-table").with("table", id).with("angle", angle));
+    let outside = || Refusal::Not(Of::Angle { table: id.to_owned(), angle }.into());
     let answer = match table.decide(&[("lead_angle", Input::Number(angle, Unit::Degree))]) {
         Err(QueryError::OutOfDomain { .. }) => return Err(outside()),
         answer => answer?,
@@ -205,10 +206,10 @@ fn angle(cut: &Cut<'_, '_>, id: &str, column: &str, code: &str) -> Tried<(f64, B
 }
 
 /// Kγp by the rake of the seat, which follows from the clearance of the insert.
-fn rake(cut: &Cut<'_, '_>, component: Component) -> Tried<(f64, Because)> {
-    let clearance = cut.tool.insert_clearance().ok_or_else(|| Refusal::Not(cut.tool.lacks("insert")))?;
+fn rake(cut: &Cut<'_, '_>, component: Component) -> Tried<(f64, Because), Lacking> {
+    let clearance = cut.tool.insert_clearance().ok_or_else(|| Refusal::Not(cut.tool_lacks("insert")))?;
     let seats = cut.knowledge.table("insert-rake")?;
-    let seat = seats.find("clearance", clearance).ok_or_else(|| Refusal::Not(cut.tool.lacks("rake")))?;
+    let seat = seats.find("clearance", clearance).ok_or_else(|| Refusal::Not(cut.tool_lacks("rake")))?;
     let angle = Decimal::from_f64_rounded(seat.number_in("rake", Unit::Degree)?);
     let table = cut.knowledge.table("turning-force-rake")?;
     let answer = table.decide(&[("rake", Input::Number(angle, Unit::Degree))])?;

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Refusal, Tried};
-use crate::note::{Because, Finding, Note};
+use crate::note::{Because, Finding};
 use crate::tables::turning::tools::Limit;
 use crate::units::{MetresPerMinute, Micrometres, MillimetresPerRev, RevsPerMinute};
 use technolog_cutting::{rpm_at, speed_at};
@@ -12,7 +12,7 @@ use technolog_cutting::{rpm_at, speed_at};
 use super::bounds::{self, Bound, Check, Forces, Load, Missing};
 use super::conditions::within_power;
 use super::laws::{self, SpeedLaw};
-use super::{Cut, Speed};
+use super::{Cut, Lack, Nothing, Speed, of_figures};
 
 /// The limiting depth of cut, and every bound that it was held against.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -82,10 +82,10 @@ impl<'c, 'a, 'k> Turns<'c, 'a, 'k> {
         feed: MillimetresPerRev,
         forces: &'c Forces,
         checks: &'c [Check],
-    ) -> Tried<Self> {
+    ) -> Tried<Self, Lack> {
         let power = checks.iter().find(|check| check.bound == Bound::SpindlePower);
         let law = if matches!(speed, Speed::ForToolLife | Speed::WithinPower) {
-            Some(cut.named(laws::speed(cut, feed))?)
+            Some(of_figures(cut.named(laws::speed(cut, feed)))?)
         } else {
             None
         };
@@ -121,17 +121,16 @@ impl<'c, 'a, 'k> Turns<'c, 'a, 'k> {
 /// A grooving tool (its depth of cut is its width) or a threading tool; a diameter or feed that is not above zero; no
 /// figures for the speed of the tool's life; no load that can be reckoned, so that the depth is not known; a broken
 /// table.
-pub fn limiting_depth(cut: &Cut<'_, '_>, feed: MillimetresPerRev, speed: Speed) -> Tried<LimitingDepth> {
+pub fn limiting_depth(cut: &Cut<'_, '_>, feed: MillimetresPerRev, speed: Speed) -> Tried<LimitingDepth, Lack> {
     if cut.tool.plunges() || cut.tool.pitch.is_some() {
-        return Err(Refusal::Not(Note::new("tool-has-no-depth").with("tool", cut.tool.designation)));
+        return Err(Refusal::Not(Lack::NoDepth { tool: cut.tool.designation.to_owned() }));
     }
     positive(cut, feed)?;
     let forces = Forces::of(cut, feed)?;
     let (checks, missing) = bounds::checks(cut, &forces)?;
     // An edge that is long enough says nothing of what shank and spindle bear.
     if !checks.iter().any(Check::is_of_loads) {
-        let why = Note::new("limit-not-known");
-        return Err(Refusal::Not(missing.first().map_or_else(|| why.clone(), |missing| missing.told(why.clone()))));
+        return Err(Refusal::Not(Lack::LimitNotKnown(missing.into_iter().next())));
     }
     let turns = Turns::new(cut, speed, feed, &forces, &checks)?;
     let (step, of_step) = bounds::constant_length(cut, Limit::DepthStep)?;
@@ -181,12 +180,12 @@ fn holds(check: &Check, cut: &Cut<'_, '_>, forces: &Forces, depth: Micrometres, 
 }
 
 /// A diameter and a feed that can be reckoned with.
-pub(super) fn positive(cut: &Cut<'_, '_>, feed: MillimetresPerRev) -> Tried<()> {
+pub(super) fn positive(cut: &Cut<'_, '_>, feed: MillimetresPerRev) -> Tried<(), Lack> {
     if cut.diameter <= Micrometres::ZERO {
-        return Err(Refusal::Not(Note::new("nothing-to-cut").with("quantity", "diameter").with("is", cut.diameter)));
+        return Err(Refusal::Not(Lack::NothingToCut(Nothing::Diameter(cut.diameter))));
     }
     if !(feed.0 > 0.0 && feed.0 <= 10.0) {
-        return Err(Refusal::Not(Note::new("nothing-to-cut").with("quantity", "feed").with("is", feed.0)));
+        return Err(Refusal::Not(Lack::NothingToCut(Nothing::Feed(feed))));
     }
     Ok(())
 }

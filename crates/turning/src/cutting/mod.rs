@@ -12,12 +12,15 @@
 mod bounds;
 mod conditions;
 mod feed;
+mod lack;
 mod laws;
 mod limit;
 
 use crate::error::Tried;
 use crate::knowledge::Knowledge;
 use crate::material::Material;
+use crate::reason::Uncut;
+use crate::tables::lathes::LatheQuantity;
 use crate::turning::tooling::{Lathe, TurningTool, Works};
 use crate::units::{Decimal, MetresPerMinute, Micrometres, RevsPerMinute};
 use technolog_cutting::figures::Asking;
@@ -25,6 +28,7 @@ use technolog_cutting::figures::Asking;
 pub use bounds::{Bound, Load, Missing};
 pub use conditions::{TurningConditions, conditions};
 pub use feed::{Feed, finish_feed, rough_feed};
+pub use lack::{Lack, Lacking, Nothing, Of, Process};
 pub use limit::{BoundTold, LimitingDepth, limiting_depth};
 
 /// What cuts what, on which lathe.
@@ -96,12 +100,32 @@ impl Cut<'_, '_> {
     }
 
     /// A refusal that names what was being done.
-    fn named<T>(&self, tried: Tried<T>) -> Tried<T> {
-        tried.map_err(|refusal| refusal.with("operation", self.process()))
+    fn named<T>(&self, tried: Tried<T, Lacking>) -> Tried<T, Lacking> {
+        tried.map_err(|refusal| refusal.map(|lacking| lacking.during(self.process())))
     }
 
     /// Which coefficients hold: those of turning, or of grooving.
-    fn process(&self) -> &'static str {
-        if self.tool.plunges() { "grooving" } else { "turning" }
+    fn process(&self) -> Process {
+        if self.tool.plunges() { Process::Grooving } else { Process::Turning }
     }
+
+    /// That the row of the tool lacks a figure.
+    fn tool_lacks(&self, quantity: &str) -> Lacking {
+        Of::Tool { tool: self.tool.designation.to_owned(), quantity: quantity.to_owned() }.into()
+    }
+
+    /// That the record of the lathe lacks a figure.
+    fn lathe_lacks(&self, quantity: LatheQuantity) -> Lacking {
+        Of::Lathe { lathe: self.lathe.id().to_owned(), quantity: quantity.name().to_owned() }.into()
+    }
+}
+
+/// What the tables of cutting conditions refuse, as something that is missing.
+fn of_tables<T>(tried: Tried<T, Uncut>) -> Tried<T, Lacking> {
+    tried.map_err(|refusal| refusal.map(|why| Of::Cutting(why).into()))
+}
+
+/// What is missing, as what keeps a cut from being reckoned.
+fn of_figures<T>(tried: Tried<T, Lacking>) -> Tried<T, Lack> {
+    tried.map_err(|refusal| refusal.map(Lack::Figure))
 }

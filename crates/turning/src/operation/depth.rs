@@ -2,11 +2,11 @@
 
 use serde::Serialize;
 
-use crate::error::{KnowledgeError, Refusal};
+use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Because, Finding, Note, Severity};
 use crate::tables::turning::part::TurningSkinFor;
 use crate::turning::cutting::{
-    Cut, Direction, LimitingDepth, Speed, TurningConditions, conditions, limiting_depth, rough_feed,
+    Cut, Direction, Lack, LimitingDepth, Speed, TurningConditions, conditions, limiting_depth, rough_feed,
 };
 use crate::turning::length::Half;
 use crate::turning::schemes::rates;
@@ -69,7 +69,7 @@ pub fn depth(
         return Ok(Some(Depth { limiting_depth_mm: Half::of(given), given: true, limit: None }));
     }
     let Some((cut, skin)) = cut(task, bench)? else {
-        findings.push(Finding::of_part(Severity::Error, Note::new("no-limiting-depth")));
+        findings.push(Finding::of_part(Severity::Error, Lack::NoLimitingDepth.note()));
         return Ok(None);
     };
     match Refusal::split(limit(&cut, task.stock))? {
@@ -84,8 +84,8 @@ pub fn depth(
             }
             Ok(Some(Depth { limiting_depth_mm: depth, given: false, limit: Some(limit) }))
         }
-        Err(note) => {
-            findings.push(Finding::of_part(Severity::Error, note));
+        Err(why) => {
+            findings.push(Finding::of_part(Severity::Error, why.note()));
             Ok(None)
         }
     }
@@ -99,8 +99,8 @@ const MOST_PASSES: i64 = 60;
 /// The feed depends on the depth, so the stock is divided into one, two, three… passes until there is a feed for their
 /// depth and tool and lathe bear it. What they bear at that feed is the limit, as far as the table has that feed: deeper
 /// passes have another. The number of passes that found it is the fewest that it allows.
-fn limit(cut: &Cut<'_, '_>, stock: Half) -> Result<(LimitingDepth, Half), Refusal> {
-    let mut first: Option<Result<LimitingDepth, Refusal>> = None;
+fn limit(cut: &Cut<'_, '_>, stock: Half) -> Tried<(LimitingDepth, Half), Lack> {
+    let mut first: Option<Tried<LimitingDepth, Lack>> = None;
     for passes in 1..=MOST_PASSES {
         let depth = stock.part(passes);
         let whole = depth.rounded_up();
@@ -121,13 +121,13 @@ fn limit(cut: &Cut<'_, '_>, stock: Half) -> Result<(LimitingDepth, Half), Refusa
     match first {
         Some(Ok(found)) => Ok((LimitingDepth { depth_mm: None, ..found }, Half::ZERO)),
         Some(Err(refusal)) => Err(refusal),
-        None => Err(Refusal::Not(Note::new("no-limiting-depth"))),
+        None => Err(Refusal::Not(Lack::NoLimitingDepth)),
     }
 }
 
 /// What tool and lathe bear at a feed: at the speed of the tool life where that suffices for a depth, else at the slower one
 /// that the power of the spindle asks for. A pass more is quicker than all of them at a slower spindle.
-fn bearable(cut: &Cut<'_, '_>, feed: MillimetresPerRev, depth: Half) -> Result<LimitingDepth, Refusal> {
+fn bearable(cut: &Cut<'_, '_>, feed: MillimetresPerRev, depth: Half) -> Tried<LimitingDepth, Lack> {
     let quick = limiting_depth(cut, feed, Speed::ForToolLife)?;
     if quick.depth_mm.is_some_and(|limit| Half::of(limit) >= depth) {
         return Ok(quick);
@@ -142,7 +142,7 @@ fn of_one_feed(
     feed: MillimetresPerRev,
     depth: Micrometres,
     limit: Micrometres,
-) -> Result<Micrometres, Refusal> {
+) -> Tried<Micrometres, Lack> {
     let mut deepest = limit;
     while deepest > depth {
         match Refusal::split(rough_feed(cut, deepest))? {
@@ -192,8 +192,8 @@ pub fn pace(
                 }
                 Some(found)
             }
-            Err(note) => {
-                findings.push(Finding::of_part(Severity::Doubtful, note));
+            Err(why) => {
+                findings.push(Finding::of_part(Severity::Doubtful, why.note()));
                 None
             }
         },

@@ -294,7 +294,7 @@ fn clear(
     for &scheme in all {
         match Refusal::split(transitions::work(&stock, &tool, &settings, scheme, &offset, knowledge))? {
             Ok(transition) => found.push(transition),
-            Err(why) => refused.push(RefusedScheme { scheme, why }),
+            Err(why) => refused.push(RefusedScheme { scheme, why: why.note() }),
         }
     }
     let wanted = wanted(zone, scheme, bench);

@@ -176,11 +176,6 @@ impl<'k> Lathe<'k> {
         row.map(|row| row.row).ok_or_else(|| KnowledgeError::no_row(self.table, quantity.name()))
     }
 
-    /// The sentence that its record lacks a figure.
-    pub fn lacks(&self, quantity: Q) -> Note {
-        Note::new("lathe-lacks").with("lathe", self.id()).with("quantity", quantity.name())
-    }
-
     /// Why a part does not go in: a diameter over the carriage, or a length between the centres; nothing where it does.
     pub fn refuses_part(&self, diameter: Micrometres, length: Micrometres) -> Option<Note> {
         let refusal = |quantity: Q, is: Micrometres, most: Micrometres| {

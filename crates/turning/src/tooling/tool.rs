@@ -2,7 +2,6 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::{Knowledge, RowRef};
-use crate::note::Note;
 use crate::tables::turning::tools::{TOOL_TABLES, TurningToolRow};
 use crate::units::{Decimal, Micrometres};
 
@@ -122,11 +121,6 @@ impl<'k> TurningTool<'k> {
     /// Whether it is fed straight into the metal, so that the width of its blade is the depth of cut.
     pub const fn plunges(&self) -> bool {
         matches!(self.kind, ToolKind::Grooving | ToolKind::FaceGrooving)
-    }
-
-    /// The sentence that its row lacks a figure.
-    pub fn lacks(&self, quantity: &str) -> Note {
-        Note::new("turning-tool-lacks").with("tool", self.designation).with("quantity", quantity)
     }
 
     /// The shape of its insert by ISO 1832, the first letter.

@@ -4,6 +4,7 @@ use crate::error::{Refusal, Tried};
 use crate::note::Note;
 use crate::turning::contour::{Contour, Curve, Piece};
 use crate::turning::length::Half;
+use crate::units::round_to;
 
 use super::ground::{Ground, clipped, radius_on};
 use super::standing::Standing;
@@ -21,6 +22,43 @@ fn rounding_degrees(piece: &Piece) -> f64 {
     ROUNDING_DEGREES.max((END_MM / chord.max(END_MM) + bent).to_degrees())
 }
 
+/// Why a scheme makes no way over a zone.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs)] // the figures have the names of those of the sentences
+pub enum Unsuited {
+    /// A contour does not hang together, or leads back.
+    NotMonotone { contour: &'static str },
+    /// The contours differ in their side or their stretch of Z.
+    ContoursDiffer,
+    /// A depth or distance that is not above zero.
+    NotPositive,
+    /// The rough contour is above its blank there; Z from the chuck.
+    RoughAboveBlank { z: Half },
+    /// A way against a stop over a contour that is not stepped.
+    StopNeedsSteps,
+    /// A flank is steeper than the tool's angle, degrees.
+    TooSteep { z: Half, angle: f64, limit: f64 },
+    /// The contour has none beside it at that distance.
+    NoEquidistant { distance: Half },
+}
+
+impl Unsuited {
+    /// The sentence.
+    pub fn note(&self) -> Note {
+        match self {
+            Self::NotMonotone { contour } => Note::new("zone-contour-not-monotone").with("contour", contour),
+            Self::ContoursDiffer => Note::new("zone-contours-differ"),
+            Self::NotPositive => Note::new("zone-settings-not-positive"),
+            Self::RoughAboveBlank { z } => Note::new("rough-above-blank").with("z", z),
+            Self::StopNeedsSteps => Note::new("stop-needs-steps"),
+            Self::TooSteep { z, angle, limit } => {
+                Note::new("flank-too-steep").with("z", z).with("angle", round_to(*angle, 2)).with("limit", limit)
+            }
+            Self::NoEquidistant { distance } => Note::new("no-equidistant").with("distance", distance),
+        }
+    }
+}
+
 /// Whether ways can be made at all.
 ///
 /// # Errors
@@ -34,29 +72,28 @@ pub fn check(
     tool: &Tool,
     settings: &Settings,
     scheme: Scheme,
-) -> Tried<()> {
-    let not = |note: Note| Err(Refusal::Not(note));
-    for (name, contour) in [("rough", &stock.rough), ("blank", &stock.blank)] {
-        if contour.pieces.is_empty() || !contour.hangs_together() || !contour.is_monotone() {
-            return not(Note::new("zone-contour-not-monotone").with("contour", name));
+) -> Tried<(), Unsuited> {
+    let not = |why: Unsuited| Err(Refusal::Not(why));
+    for (contour, own) in [("rough", &stock.rough), ("blank", &stock.blank)] {
+        if own.pieces.is_empty() || !own.hangs_together() || !own.is_monotone() {
+            return not(Unsuited::NotMonotone { contour });
         }
     }
     if stock.rough.side != stock.blank.side || !same_stretch(stock, ground, blank) {
-        return not(Note::new("zone-contours-differ"));
+        return not(Unsuited::ContoursDiffer);
     }
     if settings.depth <= Half::ZERO || settings.approach <= Half::ZERO || settings.retract <= Half::ZERO {
-        return not(Note::new("zone-settings-not-positive"));
+        return not(Unsuited::NotPositive);
     }
     if let Some(z) = above(ground, blank) {
-        return not(Note::new("rough-above-blank").with("z", Half::ZERO - z));
+        return not(Unsuited::RoughAboveBlank { z: Half::ZERO - z });
     }
     if scheme == Scheme::LoopAgainstStop && !is_roller(&stock.rough, ground) {
-        return not(Note::new("stop-needs-steps"));
+        return not(Unsuited::StopNeedsSteps);
     }
     let steep = ground.pieces.iter().find_map(|piece| too_steep(piece, tool));
     if let Some((piece, angle, limit)) = steep.filter(|_| scheme != Scheme::Descent) {
-        let note = Note::new("flank-too-steep").with("z", Half::ZERO - piece.from.z);
-        return not(note.with("angle", crate::units::round_to(angle, 2)).with("limit", limit));
+        return not(Unsuited::TooSteep { z: Half::ZERO - piece.from.z, angle, limit });
     }
     Ok(())
 }

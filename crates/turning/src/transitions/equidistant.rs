@@ -1,12 +1,12 @@
 //! Equidistant (еквідистантна; lecture l. 434-440, fig. 12.4 c).
 
 use crate::error::{Refusal, Tried};
-use crate::note::Note;
 use crate::turning::contour::Contour;
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::way::Purpose;
 
+use super::check::Unsuited;
 use super::course::{Course, Role};
 use super::ground::Ground;
 
@@ -24,14 +24,13 @@ pub type Offset<'o> = &'o dyn Fn(&Contour, Half) -> Option<Contour>;
 /// 3. From there it goes to the start of the next pass (4-5, 4-8).
 ///
 /// The depth is measured square to the contour: radially it is more on cones, and on a face the whole of it.
-pub fn work(course: &mut Course<'_>, rough: &Contour, offset: Offset<'_>) -> Tried<()> {
+pub fn work(course: &mut Course<'_>, rough: &Contour, offset: Offset<'_>) -> Tried<(), Unsuited> {
     let depth = course.settings.depth;
     let mut passes = Vec::new();
     for count in 1..=MOST {
         let distance = Half::new(depth.halves().saturating_mul(count));
         let Some(beside) = offset(rough, distance) else {
-            let note = Note::new("no-equidistant").with("distance", distance);
-            return Err(Refusal::Not(note));
+            return Err(Refusal::Not(Unsuited::NoEquidistant { distance }));
         };
         let beside = Ground::of(&beside).stretched(course.ground().from(), course.ground().to());
         if course.trimmed(&beside.pieces).is_empty() {

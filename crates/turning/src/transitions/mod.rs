@@ -45,6 +45,7 @@ use super::length::Half;
 use super::point::Point;
 use super::way::{Move, Purpose, Way};
 use super::workpiece;
+use check::Unsuited;
 use course::Course;
 use equidistant::Offset;
 use ground::Ground;
@@ -274,12 +275,12 @@ pub fn work(
     scheme: Scheme,
     offset: Offset<'_>,
     knowledge: &Knowledge,
-) -> Tried<Transition> {
+) -> Tried<Transition, Unsuited> {
     if stock.rough.side == Side::Outer {
         return outer(stock, tool, settings, scheme, offset, knowledge, None);
     }
     let Some((_, top)) = stock.rough.radii() else {
-        return Err(Refusal::Not(Note::new("zone-contour-not-monotone").with("contour", "rough")));
+        return Err(Refusal::Not(Unsuited::NotMonotone { contour: "rough" }));
     };
     let inside_out = Stock { rough: stock.rough.inside_out(top), blank: stock.blank.inside_out(top), ..*stock };
     let back = |contour: &Contour, distance: Half| Some(offset(&contour.inside_out(top), distance)?.inside_out(top));
@@ -298,7 +299,7 @@ fn outer(
     offset: Offset<'_>,
     knowledge: &Knowledge,
     ceiling: Option<Half>,
-) -> Tried<Transition> {
+) -> Tried<Transition, Unsuited> {
     let row = scheme.told(knowledge)?.row;
     let zone = Zone::of(stock, ceiling);
     check::check(stock, &zone.ground, &zone.blank, tool, settings, scheme)?;

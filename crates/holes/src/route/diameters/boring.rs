@@ -3,6 +3,7 @@
 use crate::error::{Refusal, Tried};
 use crate::note::{Because, Note};
 use crate::plan::Operation;
+use crate::reason::Reason;
 
 use super::super::Step;
 use super::{Backwards, allowance};
@@ -20,12 +21,8 @@ impl Backwards<'_, '_> {
             None => self.start()?,
             Some(Operation::Drill | Operation::DrillOut) => {
                 sizes.drills.iter().rev().copied().find(|drill| *drill <= largest).ok_or_else(|| {
-                    Refusal::Not(
-                        Note::new("no-drill-before-boring")
-                            .with("diameter", after)
-                            .with("largest", largest)
-                            .with("smallest", sizes.smallest_bore),
-                    )
+                    let smallest = sizes.smallest_bore;
+                    Refusal::Not(Reason::NoDrillBeforeBoring { diameter: after, largest, smallest })
                 })?
             }
             Some(_) => after - allowance.aim,
@@ -42,7 +39,7 @@ impl Backwards<'_, '_> {
                 .max()
                 .unwrap_or_default();
             if widest <= from {
-                return Err(Refusal::Not(Note::new("no-bar-enters").with("hole", from).with("diameter", after)));
+                return Err(Refusal::Not(Reason::NoBarEnters { hole: from, diameter: after }));
             }
             let to = widest.min(after);
             let stock = (to - from).micrometres();

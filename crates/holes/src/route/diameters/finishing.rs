@@ -3,6 +3,7 @@
 use crate::error::{Refusal, Tried};
 use crate::note::{Because, Note};
 use crate::plan::Operation;
+use crate::reason::Reason;
 use crate::units::Micrometres;
 
 use super::super::{Step, handbook, openings};
@@ -21,14 +22,14 @@ impl Backwards<'_, '_> {
         let before = if previous.is_none() {
             let start = self.start()?;
             if start < smallest || start > largest {
-                return Err(Refusal::Not(
-                    Note::new("stock-outside-allowance")
-                        .with("operation", operation.name())
-                        .with("stock", after - start)
-                        .with("low", allowance.low)
-                        .with("high", allowance.high)
-                        .with("diameter", after),
-                ));
+                let (stock, low, high) = (after - start, allowance.low, allowance.high);
+                return Err(Refusal::Not(Reason::StockOutsideAllowance {
+                    operation,
+                    stock,
+                    low,
+                    high,
+                    diameter: after,
+                }));
             }
             start
         } else if self.after_drill() {
@@ -36,21 +37,16 @@ impl Backwards<'_, '_> {
             let drills = sizes.drills.iter().copied().filter(inside);
             let nearest = drills.min_by_key(|drill| ((*drill - aim).abs(), *drill));
             nearest.ok_or_else(|| {
-                Refusal::Not(
-                    Note::new("no-drill-in-allowance")
-                        .with("operation", operation.name())
-                        .with("low", smallest)
-                        .with("high", largest)
-                        .with("diameter", after),
-                )
+                let (low, high) = (smallest, largest);
+                Refusal::Not(Reason::NoDrillInAllowance { operation, low, high, diameter: after })
             })?
         } else if previous == Some(Operation::Counterbore) {
             let inside = |size: &Micrometres| *size >= smallest && *size <= largest;
             let sizes = openings::counterbores(after, shop)?;
             let nearest = sizes.into_iter().filter(inside).min_by_key(|size| ((*size - aim).abs(), *size));
             nearest.ok_or_else(|| {
-                let note = Note::new("no-counterbore-in-allowance").with("operation", operation.name());
-                Refusal::Not(note.with("low", smallest).with("high", largest).with("diameter", after))
+                let (low, high) = (smallest, largest);
+                Refusal::Not(Reason::NoCounterboreInAllowance { operation, low, high, diameter: after })
             })?
         } else if advised == Some(aim) {
             aim

@@ -1,0 +1,234 @@
+//! Why something cannot be done, as types with their figures: planning goes by these, and only here a sentence is made of
+//! one.
+//!
+//! - [`Reason`]: why a hole, or a part of it, cannot be made by a route, and why a route is not taken;
+//! - [`Unfit`]: why a cutter or a holder does not do; [`Uncut`]: why there are no cutting conditions.
+
+mod cutting;
+mod tools;
+
+pub use cutting::Uncut;
+pub use tools::{CutterFault, HolderFault, NoSize, OfOther, Unfit};
+
+use crate::note::Note;
+use crate::plan::Operation;
+use crate::units::{ItGrade, Micrometres, Roughness};
+
+/// Why a hole, or a part of it, cannot be made by a route, or is not made by it.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs)] // the figures have the names of those of the sentences
+pub enum Reason {
+    /// A grade of centre distances, and no distance it could be of.
+    GradeWithoutDistance { it: ItGrade },
+    /// The tables have no tolerance of that grade at that distance.
+    GradeOutsideTable { it: ItGrade, distance: Micrometres, why: String },
+    /// A.8 and A.9 have no scheme, at none of their columns of roughness.
+    NoScheme { it: ItGrade, roughness: Roughness, centre: Micrometres, columns: Vec<Roughness> },
+    /// A.10 has no scheme for the kind of hole.
+    NoAuxiliaryScheme { kind: &'static str, diameter: Micrometres, centre: Micrometres },
+    /// The hole is of no group of A.4.
+    NoComplexGroup { it: ItGrade, diameter: Micrometres, centre: Micrometres },
+    /// A.4 has no complex for it.
+    NoComplex { it: ItGrade, diameter: Micrometres, centre: Micrometres },
+    /// The search found no way to the finished cylinder.
+    NoPath { it: ItGrade, roughness: Roughness },
+    /// Of the search itself: nothing leads to a state.
+    Unreachable { state: String, diameter: Micrometres },
+    /// Of the search itself: what stands in for boring is another transition.
+    BoredByAnother { operation: Operation },
+    /// There is no hole to open.
+    NoHoleToOpen { operation: Operation },
+    /// The hole is as wide already.
+    OpenedAlready { operation: Operation, diameter: Micrometres, start: Micrometres },
+    /// Less stock than a drill or mill needs.
+    StockTooSmall {
+        operation: Operation,
+        diameter: Micrometres,
+        start: Micrometres,
+        stock: Micrometres,
+        least: Micrometres,
+    },
+    /// What is there leaves a stock that the transition's allowance does not permit.
+    StockOutsideAllowance {
+        operation: Operation,
+        stock: Micrometres,
+        low: Micrometres,
+        high: Micrometres,
+        diameter: Micrometres,
+    },
+    /// No drill of the diameter; the next below and above it.
+    NoDrill { diameter: Micrometres, below: Option<Micrometres>, above: Option<Micrometres> },
+    /// The machine drives no drill so large.
+    NoDrillSoLarge { diameter: Micrometres, limit: Micrometres },
+    /// No drill, at most so large, before a mill or counterbore.
+    NoDrillBefore { operation: Operation, diameter: Micrometres, largest: Micrometres },
+    /// No drill, at most so large, before boring; the smallest hole that a bar enters.
+    NoDrillBeforeBoring { diameter: Micrometres, largest: Micrometres, smallest: Micrometres },
+    /// No drill between what the next transition's allowance permits.
+    NoDrillInAllowance { operation: Operation, low: Micrometres, high: Micrometres, diameter: Micrometres },
+    /// No counterbore between what the next transition's allowance permits.
+    NoCounterboreInAllowance { operation: Operation, low: Micrometres, high: Micrometres, diameter: Micrometres },
+    /// No boring bar enters the hole, on the way to a diameter.
+    NoBarEnters { hole: Micrometres, diameter: Micrometres },
+    /// No boring bar is so small, and nothing stands in for it.
+    TooSmallToBore { operation: Operation, diameter: Micrometres, smallest: Micrometres },
+    /// A transition that routes do not plan.
+    NotPlanned { operation: Operation },
+    /// Tapping without a thread.
+    NoThreadToTap,
+    /// No cutter leaves the shoulder flat; the next counterbores below and above it.
+    NoFlatOpening { diameter: Micrometres, below: Option<Micrometres>, above: Option<Micrometres> },
+    /// Nothing opens a wider cylinder from a diameter.
+    NoOpening { diameter: Micrometres, start: Micrometres },
+    /// No route at all.
+    NoRoute,
+    /// The drill's point does not go into a blind hole with a flat floor.
+    TooShallowForFlat { depth: Micrometres, diameter: Micrometres },
+    /// The machine does not mill round enough for the tolerance.
+    MilledNotRound { roundness: Micrometres, most: Micrometres, diameter: Micrometres },
+    /// No drill in the route that a step drill could stand for.
+    NothingToStep,
+    /// No step drill of both diameters.
+    NoStepDrill { narrow: Micrometres, wide: Micrometres },
+    /// Centring makes the chamfer that a step drill would make.
+    ChamferedByCentring,
+    /// No cutter with a holder for a transition: the reason that tells most, where there is one, and how many more there are.
+    NoTool { operation: Operation, first: Option<Box<Unfit>>, more: usize },
+    /// No conditions for a transition.
+    NoConditions { operation: Operation, why: Uncut },
+    /// The drills of a size that a route lacks are too short.
+    DrillsTooShort { diameter: Micrometres, reach: Micrometres, needed: Micrometres },
+    /// The tables rank it behind the scheme that is taken.
+    RankedLater { first: String },
+    /// It makes the same as another route.
+    SameAs { table: String, scheme: String },
+    /// The position asks for boring, and it does not bore.
+    BoringAsked { position: Micrometres },
+    /// The position does not ask for boring, and it bores.
+    BoringNotAsked { position: Micrometres },
+}
+
+impl Reason {
+    /// Whether a mill cannot make the flat floor of a hole.
+    pub fn is_of_milled_floor(&self) -> bool {
+        match self {
+            Self::TooShallowForFlat { .. } | Self::MilledNotRound { .. } => true,
+            Self::NoConditions { why, .. } => matches!(why, Uncut::MillDoesNotEnter { .. }),
+            Self::NoTool { operation: Operation::Mill, first: Some(first), .. } => {
+                matches!(**first, Unfit::NoSize(NoSize::NoMillEnters { .. })) || first.is_of_reach()
+            }
+            _ => false,
+        }
+    }
+
+    /// The sentence.
+    pub fn note(&self) -> Note {
+        let new = Note::new;
+        let done = |code: &str, operation: Operation| new(code).with("operation", operation.name());
+        match self {
+            Self::GradeWithoutDistance { it } => new("grade-without-distance").with("it", it),
+            Self::GradeOutsideTable { it, distance, why } => {
+                new("grade-outside-table").with("it", it).with("distance", distance).with("why", why)
+            }
+            Self::NoScheme { it, roughness, centre, columns } => {
+                let columns = columns.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+                new("no-scheme")
+                    .with("it", it)
+                    .with("roughness", roughness)
+                    .with("centre", centre)
+                    .with("columns", columns)
+            }
+            Self::NoAuxiliaryScheme { kind, diameter, centre } => {
+                new("no-auxiliary-scheme").with("kind", kind).with("diameter", diameter).with("centre", centre)
+            }
+            Self::NoComplexGroup { it, diameter, centre } => {
+                new("no-complex-group").with("it", it).with("diameter", diameter).with("centre", centre)
+            }
+            Self::NoComplex { it, diameter, centre } => {
+                new("no-complex").with("it", it).with("diameter", diameter).with("centre", centre)
+            }
+            Self::NoPath { it, roughness } => new("no-path").with("it", it).with("roughness", roughness),
+            Self::Unreachable { state, diameter } => {
+                new("state-unreachable").with("state", state).with("diameter", diameter)
+            }
+            Self::BoredByAnother { operation } => done("bored-by-another", *operation),
+            Self::NoHoleToOpen { operation } => done("no-hole-to-open", *operation),
+            Self::OpenedAlready { operation, diameter, start } => {
+                done("opened-already", *operation).with("diameter", diameter).with("start", start)
+            }
+            Self::StockTooSmall { operation, diameter, start, stock, least } => done("stock-too-small", *operation)
+                .with("diameter", diameter)
+                .with("start", start)
+                .with("stock", stock)
+                .with("least", least),
+            Self::StockOutsideAllowance { operation, stock, low, high, diameter } => {
+                done("stock-outside-allowance", *operation)
+                    .with("stock", stock)
+                    .with("low", low)
+                    .with("high", high)
+                    .with("diameter", diameter)
+            }
+            Self::NoDrill { diameter, below, above } => {
+                new("no-drill").with("diameter", diameter).with("below", size(*below)).with("above", size(*above))
+            }
+            Self::NoDrillSoLarge { diameter, limit } => {
+                new("no-drill-so-large").with("diameter", diameter).with("limit", limit)
+            }
+            Self::NoDrillBefore { operation, diameter, largest } => {
+                done("no-drill-before", *operation).with("diameter", diameter).with("largest", largest)
+            }
+            Self::NoDrillBeforeBoring { diameter, largest, smallest } => new("no-drill-before-boring")
+                .with("diameter", diameter)
+                .with("largest", largest)
+                .with("smallest", smallest),
+            Self::NoDrillInAllowance { operation, low, high, diameter } => {
+                done("no-drill-in-allowance", *operation).with("low", low).with("high", high).with("diameter", diameter)
+            }
+            Self::NoCounterboreInAllowance { operation, low, high, diameter } => {
+                done("no-counterbore-in-allowance", *operation)
+                    .with("low", low)
+                    .with("high", high)
+                    .with("diameter", diameter)
+            }
+            Self::NoBarEnters { hole, diameter } => new("no-bar-enters").with("hole", hole).with("diameter", diameter),
+            Self::TooSmallToBore { operation, diameter, smallest } => {
+                done("too-small-to-bore", *operation).with("diameter", diameter).with("smallest", smallest)
+            }
+            Self::NotPlanned { operation } => done("not-planned", *operation),
+            Self::NoThreadToTap => new("no-thread-to-tap"),
+            Self::NoFlatOpening { diameter, below, above } => new("no-flat-opening")
+                .with("diameter", diameter)
+                .with("below", size(*below))
+                .with("above", size(*above)),
+            Self::NoOpening { diameter, start } => new("no-opening").with("diameter", diameter).with("start", start),
+            Self::NoRoute => new("no-route").with("tried", 0),
+            Self::TooShallowForFlat { depth, diameter } => {
+                new("too-shallow-for-flat").with("depth", depth).with("diameter", diameter)
+            }
+            Self::MilledNotRound { roundness, most, diameter } => {
+                new("milled-not-round").with("roundness", roundness).with("most", most).with("diameter", diameter)
+            }
+            Self::NothingToStep => new("no-step-drill"),
+            Self::NoStepDrill { narrow, wide } => new("no-step-drill").with("narrow", narrow).with("wide", wide),
+            Self::ChamferedByCentring => new("chamfered-by-centring"),
+            Self::NoTool { operation, first, more } => {
+                let note = first.as_ref().map_or_else(|| new("no-cutter"), |first| first.note());
+                let note = note.with("operation", operation.name());
+                if *more > 0 { note.with("more", more) } else { note }
+            }
+            Self::NoConditions { operation, why } => why.note().with("operation", operation.name()),
+            Self::DrillsTooShort { diameter, reach, needed } => {
+                new("drills-too-short").with("diameter", diameter).with("reach", reach).with("needed", needed)
+            }
+            Self::RankedLater { first } => new("ranked-later").with("first", first),
+            Self::SameAs { table, scheme } => new("same-as").with("table", table).with("same", scheme),
+            Self::BoringAsked { position } => new("position-asks-boring").with("position", position),
+            Self::BoringNotAsked { position } => new("boring-not-asked").with("position", position),
+        }
+    }
+}
+
+/// The next size that there is, as sentences show it.
+fn size(size: Option<Micrometres>) -> String {
+    size.map_or_else(|| "-".to_owned(), |size| format!("Ø{size}"))
+}
