@@ -11,6 +11,7 @@ pub mod control_2c42_65;
 pub mod iso;
 mod limits;
 pub mod proof;
+mod running;
 pub mod setting;
 pub mod written;
 
