@@ -15,8 +15,9 @@ use technolog::turning::levels::Levels;
 use technolog::turning::point::Point;
 use technolog::turning::schemes::find;
 use technolog::turning::schemes::path::{Motion, Role, Vertex};
-use technolog::turning::schemes::removal::Scheme;
+use technolog::turning::schemes::removal::{self, Scheme};
 use technolog::turning::schemes::told::{measure, points};
+use technolog::turning::schemes::zones::Zone;
 use technolog::turning::shaft::{BlankKind, Division, Shaft, Step, read_shaft};
 use technolog::units::Micrometres;
 
@@ -29,7 +30,7 @@ fn mm(value: f64) -> Half {
 }
 
 fn path(scheme: Scheme, levels: &Levels) -> Vec<Vertex> {
-    scheme.path(levels, mm(2.0), mm(0.5))
+    removal::path(scheme, levels, mm(2.0), mm(0.5))
 }
 
 fn example(name: &str) -> Shaft {
@@ -162,8 +163,8 @@ fn lengths_and_time_of_a_path_are_those_of_its_motions() {
 #[test]
 fn zones_and_their_schemes_come_from_the_rules() {
     let found = find(&example("shaft-three-cylinders"), &shipped::knowledge().unwrap()).unwrap();
-    let zones: Vec<(&str, String)> =
-        found.zones.iter().map(|zone| (zone.zone.as_str(), zone.schemes.join("+"))).collect();
+    let schemes = |zone: &Zone| zone.schemes.iter().map(|scheme| scheme.name()).collect::<Vec<_>>().join("+");
+    let zones: Vec<(&str, String)> = found.zones.iter().map(|zone| (zone.zone.name(), schemes(zone))).collect();
     let of = |zone, schemes: &str| (zone, schemes.to_owned());
     let half = || of("half-open", "semi-finishing");
     assert_eq!(zones, [half(), half(), of("open", "loop"), of("combined", "loop+semi-finishing")]);
@@ -268,7 +269,7 @@ impl Stock {
 fn carry_out(shaft: &Shaft) {
     let levels = Levels::of(shaft);
     assert!(levels.depth <= levels.limit, "{:?}", levels.depth);
-    for scheme in Scheme::ALL {
+    for &(_, scheme) in Scheme::NAMES {
         let mut stock = Stock::of(shaft);
         let all = stock.area();
         let path = path(scheme, &levels);

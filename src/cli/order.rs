@@ -10,7 +10,7 @@ use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::machine::Machine;
 use technolog::part::Point;
 use technolog::plan::{CuttingMethod, Plan, Times, Visit, Visiting};
-use technolog::report::svg::{self, Panel};
+use technolog::report::order_drawing::{self, Panel};
 use technolog::report::{grid, remedy, sentence};
 use technolog::sequence::list::{Form, List, Slip, read_list};
 use technolog::sequence::metric::Metric;
@@ -107,7 +107,7 @@ fn of_part(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
                 Panel { title, path, from_change: true, closed: true }
             };
             let panels: Vec<Panel> = plan.sequence.iter().map(panel).collect();
-            context.emit(&svg::drawing(&panels, Some(&plan.part)))?;
+            context.emit(&order_drawing::drawing(&panels, Some(&plan.part)))?;
         }
         _ => context.emit(&part_text(&plan, home, context))?,
     }
@@ -274,7 +274,7 @@ fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
             let path = found.order.iter().map(|&point| points[point]).collect();
             let title = words::list_title(context.lang, answer.points, answer.length_mm);
             let panel = Panel { title, path, from_change: false, closed: args.closed };
-            context.emit(&svg::drawing(&[panel], None))?;
+            context.emit(&order_drawing::drawing(&[panel], None))?;
         }
         _ => context.emit(&list_text(&answer, context))?,
     }

@@ -69,19 +69,6 @@ pub const CONDITIONS: &[&str] = &[
     "time",
     "tool_life",
 ];
-/// What may hold conditions back, as `technolog plan` names it.
-pub const LIMITS: &[&str] = &[
-    "cutting-speed",
-    "practice-speed",
-    "drill-strength",
-    "thrust",
-    "spindle-torque",
-    "spindle-power",
-    "spindle-speed-max",
-    "spindle-speed-min",
-    "feed-max",
-    "feed-min",
-];
 /// Of the figures of a card.
 pub const CARD: &[&str] = &["feed", "speed", "force", "power"];
 /// Of the clamping.

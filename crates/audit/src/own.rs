@@ -8,7 +8,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::knowledge::yaml::{Node, NodeKind, Problems};
 use crate::part::{Part, Point};
-use crate::plan::{CuttingMethod, Feature, Operation};
+use crate::plan::{CuttingMethod, Feature, Limit, Operation};
 
 use super::quantity::Quantity;
 use super::read::number;
@@ -198,7 +198,7 @@ impl Own<'_> {
         Conditions {
             place: node.place.clone(),
             rows: vec![row],
-            limited_by: node.get("limited_by").and_then(Node::text).map(str::to_owned),
+            held: node.get("limited_by").and_then(Node::text).is_some_and(|limit| limit != Limit::CuttingSpeed.name()),
             rounds: node.get("rounds").is_some_and(|rounds| !rounds.is_null()),
             factors: BTreeMap::new(),
             figures,

@@ -152,8 +152,8 @@ pub struct Conditions {
     pub place: Place,
     /// The rows they are for, by their places in the route.
     pub rows: Vec<usize>,
-    /// What held them back, where the plan says so.
-    pub limited_by: Option<String>,
+    /// Whether the plan says that something else than the cutting speed held them back.
+    pub held: bool,
     /// Circles of a mill: the simple formulas do not hold for them.
     pub rounds: bool,
     /// The factors of feed, speed, force and power.

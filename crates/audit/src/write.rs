@@ -7,7 +7,7 @@ use std::fmt::{Display, Write as _};
 
 use crate::cutting::rpm_at;
 use crate::part::Face;
-use crate::plan::{Conditions, CuttingMethod, HolePlan, Operation, Plan, ToolPlan, Transition};
+use crate::plan::{Conditions, CuttingMethod, HolePlan, Limit, Operation, Plan, ToolPlan, Transition};
 use crate::units::round_to;
 
 /// A transition of a group of holes, by their places in the plan.
@@ -140,8 +140,8 @@ fn conditions(transition: &Transition) -> String {
         flow.put("rpm_computed", round_to(rpm_at(own.computed_speed_m_per_min, diameter).0, 1));
     }
     flow.put("rpm", own.spindle_rpm.0);
-    if own.limited_by != "cutting-speed" {
-        flow.put("limited_by", &own.limited_by);
+    if own.limited_by != Limit::CuttingSpeed {
+        flow.put("limited_by", own.limited_by.name());
     }
     flow.put("speed_taken", own.speed_m_per_min.0).put("minute_feed", own.feed_mm_per_min.0);
     flow.maybe("force", own.axial_force_n.map(|force| force.0));
@@ -149,7 +149,7 @@ fn conditions(transition: &Transition) -> String {
     flow.maybe("power", own.power_kw.map(|power| power.0));
     flow.put("travel", transition.travel_mm).put("time", own.machine_time_min.0);
     // Where something else held it back, the life is that of a lower load and not the one that speeds are given for.
-    if own.limited_by == "cutting-speed" {
+    if own.limited_by == Limit::CuttingSpeed {
         flow.put("tool_life", own.tool_life_min.0);
     }
     flow.0.join(", ")

@@ -73,6 +73,7 @@ pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop
         loads,
         motion: Motion::along_axis(cut),
         because,
+        doubts: Vec::new(),
         card: None,
         rounds: None,
     })

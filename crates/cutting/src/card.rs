@@ -6,14 +6,43 @@
 //! one point only; the formula's are kept there, being the safe side, and the plan says so.
 
 use crate::error::KnowledgeError;
+use crate::knowledge::RowRef;
 use crate::knowledge::units::Unit;
 use crate::note::{Because, Note};
 use crate::plan::{CardPoint, Operation};
 use crate::shop::Shop;
-use crate::units::{Kilowatts, MetresPerMinute, MillimetresPerRev, NewtonMetres, Newtons};
+use crate::units::{Kilowatts, MetresPerMinute, MillimetresPerRev, NewtonMetres, Newtons, round_to};
 
 use super::drilling::Base;
 use super::{Cut, Draft, Loads, Motion, PowerLaw, power_of, rpm_at};
+
+/// What the cards cannot give, so that a plan by them rests on something else there.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs)] // the figures have the names of those of the sentences
+pub enum CardDoubt {
+    /// At a known point of drilling out the card's forces, N and kW, are not those of the formula that are taken.
+    ForcesDiffer { speed: f64, thrust: f64, power: f64 },
+    /// The card's own factors of depth are not at hand; the handbook's would be this one, at so many diameters.
+    WithoutDepth { table: String, ratio: f64, factor: f64 },
+}
+
+impl CardDoubt {
+    /// The sentence.
+    pub fn note(&self) -> Note {
+        match self {
+            Self::ForcesDiffer { speed, thrust, power } => point("card-point-forces-differ", [*speed, *thrust, *power]),
+            Self::WithoutDepth { table, ratio, factor } => Note::new("card-without-depth")
+                .with("table", table)
+                .with("ratio", round_to(*ratio, 2))
+                .with("factor", factor),
+        }
+    }
+}
+
+/// What a point of the card prints: speed, thrust and power.
+fn point(code: &str, [speed, thrust, power]: [f64; 3]) -> Note {
+    Note::new(code).with("speed", speed).with("thrust", thrust).with("power", power)
+}
 
 /// Conditions by the card: its point for steel, then the worked example's factors of the material group;
 /// `loads` are those of the formula for the material at hand. `part` is what the skin of the
@@ -23,7 +52,7 @@ pub(super) fn draft(
     feed: MillimetresPerRev,
     base: &Base,
     (loads, part): (Loads, f64),
-    mut because: Vec<Because>,
+    (mut because, mut doubts): (Vec<Because>, Vec<CardDoubt>),
     shop: &Shop<'_>,
 ) -> Result<Draft, KnowledgeError> {
     let calibration = shop.knowledge.table("card-calibration")?;
@@ -41,7 +70,13 @@ pub(super) fn draft(
     let rpm = rpm_at(speed, cut.diameter);
     let power =
         base.loads.torque.map(|law| Kilowatts(power_of(NewtonMetres(law.at(feed, speed)), rpm).0 * power_factor));
-    because.extend(known_point(cut, feed, shop)?);
+    if let Some((row, printed)) = known_point(cut, feed, shop)? {
+        let [speed, thrust, power] = printed;
+        let doubt = CardDoubt::ForcesDiffer { speed, thrust, power };
+        let differs = cut.operation == Operation::DrillOut;
+        because.push(Because::row(row, if differs { doubt.note() } else { point("card-point", printed) }));
+        doubts.extend(differs.then_some(doubt));
+    }
     let (product, material) = corrections(shop, &mut because)?;
     let force = thrust.map(|law| Newtons(law.at(feed, speed)));
     let card = CardPoint {
@@ -63,25 +98,27 @@ pub(super) fn draft(
         loads,
         motion: Motion::along_axis(cut),
         because,
+        doubts,
         card: Some(card),
         rounds: None,
     })
 }
 
 /// The printed point of the card, where this cut is one of the three, with what it prints.
-fn known_point(cut: &Cut<'_>, feed: MillimetresPerRev, shop: &Shop<'_>) -> Result<Option<Because>, KnowledgeError> {
+fn known_point<'k>(
+    cut: &Cut<'_>,
+    feed: MillimetresPerRev,
+    shop: &Shop<'k>,
+) -> Result<Option<(RowRef<'k>, [f64; 3])>, KnowledgeError> {
     let points = shop.knowledge.table("card-points")?;
     for row in points.all_rows() {
         let same = row.text("operation")? == cut.operation.name()
             && row.length("diameter")? == cut.diameter
             && (row.number_in("feed", Unit::MillimetrePerRev)? - feed.0).abs() < 0.0005;
         if same {
-            let code = if cut.operation == Operation::DrillOut { "card-point-forces-differ" } else { "card-point" };
-            let note = Note::new(code)
-                .with("speed", row.number_in("speed", Unit::MetrePerMinute)?)
-                .with("thrust", row.number_in("thrust", Unit::Newton)?)
-                .with("power", row.number_in("power", Unit::Kilowatt)?);
-            return Ok(Some(Because::row(row, note)));
+            let speed = row.number_in("speed", Unit::MetrePerMinute)?;
+            let thrust = row.number_in("thrust", Unit::Newton)?;
+            return Ok(Some((row, [speed, thrust, row.number_in("power", Unit::Kilowatt)?])));
         }
     }
     Ok(None)
@@ -110,7 +147,7 @@ fn corrections(shop: &Shop<'_>, because: &mut Vec<Because>) -> Result<(f64, f64)
     }
     because.push(match first {
         Some(row) => {
-            let product = crate::units::round_to(product, 3);
+            let product = round_to(product, 3);
             Because::row(row, Note::new("card-corrections").with("product", product).with("material", material))
         }
         None => {

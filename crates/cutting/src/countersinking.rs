@@ -5,7 +5,6 @@ use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::units::MillimetresPerRev;
 
-use super::feed::Feed;
 use super::{Cut, Draft, drilling, feed, figures};
 
 /// Conditions by the coefficients of core drilling (Косилова/Мещеряков т.2, tables 29, 30, 32; facts 1.2-1.4).
@@ -19,7 +18,7 @@ use super::{Cut, Draft, drilling, feed, figures};
 /// - t = (D - d)/2, mm: for a cone that of its full depth, where the load is largest.
 pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
     let (instead, reason) = figures::stand_in_operation(cut.operation, shop)?;
-    let Feed { feed, mut because } = feed::tabulated(cut, shop)?.or(taken);
-    because.push(reason);
-    drilling::by_tables(&Cut { operation: instead, ..*cut }, Feed { feed, because }, shop)
+    let mut feed = feed::tabulated(cut, shop)?.or(taken);
+    feed.because.push(reason);
+    drilling::by_tables(&Cut { operation: instead, ..*cut }, feed, shop)
 }

@@ -7,7 +7,8 @@ use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::units::{MetresPerMinute, MillimetresPerRev, Minutes};
 
-use super::factors::Factor;
+use super::card::CardDoubt;
+use super::factors::{ByDepth, Factor};
 use super::feed::{self, Feed};
 use super::figures::coolant;
 use super::laws::{self, LoadLaw, SpeedLaw};
@@ -50,8 +51,8 @@ fn by_card(cut: &Cut<'_>, shop: &Shop<'_>) -> bool {
 
 /// The same for a feed found elsewhere: the tools that have no coefficients of their own take this way.
 pub(super) fn by_tables(cut: &Cut<'_>, feed: Feed, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
-    let mut because = feed.because;
-    let base = base(cut, feed.feed, shop)?;
+    let Feed { feed, mut because, mut doubts } = feed;
+    let base = base(cut, feed, shop)?;
     because.extend(base.because.clone());
     let mut force = 1.0;
     if base.own_loads {
@@ -64,16 +65,18 @@ pub(super) fn by_tables(cut: &Cut<'_>, feed: Feed, shop: &Shop<'_>) -> Tried<Dra
     let card = by_card(cut, shop);
     let mut factor = 1.0;
     // The cards have a material factor of their own.
-    for (correction, reason) in speed_corrections(cut, base.own_speed && !card, shop)? {
+    let (corrections, left_out) = speed_corrections(cut, base.own_speed && !card, shop)?;
+    doubts.extend(left_out);
+    for (correction, reason) in corrections {
         factor *= correction;
         because.push(reason);
     }
     if card {
-        return Ok(card::draft(cut, feed.feed, &base, (loads, factor), because, shop)?);
+        return Ok(card::draft(cut, feed, &base, (loads, factor), (because, doubts), shop)?);
     }
     let speed = base.speed * factor;
     Ok(Draft {
-        feed: feed.feed,
+        feed,
         speed: MetresPerMinute(speed),
         tool_life: base.tool_life,
         life_exponent: base.life_exponent,
@@ -81,22 +84,29 @@ pub(super) fn by_tables(cut: &Cut<'_>, feed: Feed, shop: &Shop<'_>) -> Tried<Dra
         loads,
         motion: Motion::along_axis(cut),
         because,
+        doubts,
         card: None,
         rounds: None,
     })
 }
 
-/// Kv = Kmv·Kpv·Klv. A row that stands in is that of its own reference material; the factor of ours would not fit it.
-pub(super) fn speed_corrections(cut: &Cut<'_>, own_row: bool, shop: &Shop<'_>) -> Tried<Vec<Factor>, Uncut> {
-    let mut corrections = Vec::new();
+/// Kv = Kmv·Kpv·Klv, and what the cards leave out of it. A row that stands in is that of its own reference material; the factor of ours would not fit it.
+pub(super) fn speed_corrections(
+    cut: &Cut<'_>,
+    own_row: bool,
+    shop: &Shop<'_>,
+) -> Tried<(Vec<Factor>, Option<CardDoubt>), Uncut> {
+    let (mut corrections, mut doubt) = (Vec::new(), None);
     if own_row {
         corrections.push(factors::material_speed("drilling", cut.tool_material, shop)?);
     }
     corrections.push(factors::surface(cut.surface, shop)?);
     if cut.operation == Operation::Drill {
-        corrections.push(factors::by_depth("depth-speed-factor", cut, shop)?);
+        let ByDepth { factor, left_out } = factors::by_depth("depth-speed-factor", cut, shop)?;
+        corrections.push(factor);
+        doubt = left_out;
     }
-    Ok(corrections)
+    Ok((corrections, doubt))
 }
 
 /// Speed and loads before any correction: for steel at σB = 750 MPa.

@@ -10,6 +10,7 @@ use crate::reason::Uncut;
 use crate::shop::Shop;
 
 use super::Cut;
+use super::card::CardDoubt;
 use super::figures::{self, Asking, missing, number, plain};
 
 /// A factor and the row behind it.
@@ -121,11 +122,18 @@ fn alloy<'k>(id: &str, shop: &impl Asking<'k>) -> Tried<Factor, Uncut> {
     Ok((factor, Because::row(row, shown(id, factor))))
 }
 
+/// A factor by the depth of the hole.
+pub(super) struct ByDepth {
+    pub factor: Factor,
+    /// The factor of the handbook that the cards leave out.
+    pub left_out: Option<CardDoubt>,
+}
+
 /// Klv or Kls: how the depth of the hole, in diameters, moves speed or feed.
 ///
 /// The cards have their own factors of depth, which are not at hand; the worked example takes 1 at 3.5 diameters, where
 /// the handbook does not. By the card method the factor is therefore 1, and the reason tells which one was left out.
-pub(crate) fn by_depth(id: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Factor, Uncut> {
+pub(super) fn by_depth(id: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<ByDepth, Uncut> {
     let table = shop.knowledge().table(id)?;
     let ratio = cut.depth.to_mm() / cut.diameter.to_mm();
     let mut inputs = vec![("depth_ratio", plain(ratio))];
@@ -146,10 +154,10 @@ pub(crate) fn by_depth(id: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Factor
     };
     let factor = number(row, "factor")?;
     if shop.method == CuttingMethod::Card && factor < 1.0 {
-        let note = Note::new("card-without-depth").with("table", id).with("ratio", round_to(ratio, 2));
-        return Ok((1.0, Because::row(row, note.with("factor", factor))));
+        let doubt = CardDoubt::WithoutDepth { table: id.to_owned(), ratio, factor };
+        return Ok(ByDepth { factor: (1.0, Because::row(row, doubt.note())), left_out: Some(doubt) });
     }
-    Ok((factor, Because::row(row, shown(id, factor))))
+    Ok(ByDepth { factor: (factor, Because::row(row, shown(id, factor))), left_out: None })
 }
 
 /// Tool life by the handbook's table, by `tool-life-beyond` where that has no cell, or by a stand-in.

@@ -8,12 +8,16 @@ use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::units::{Micrometres, MillimetresPerRev, Unit};
 
+use super::card::CardDoubt;
+use super::factors::ByDepth;
 use super::{Cut, factors, figures};
 
 /// A feed and the rows behind it.
 pub(super) struct Feed {
     pub feed: MillimetresPerRev,
     pub because: Vec<Because>,
+    /// What the cards leave out of it.
+    pub doubts: Vec<CardDoubt>,
 }
 
 impl Feed {
@@ -43,13 +47,14 @@ pub(super) fn tabulated(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Feed, Uncut> {
     if clamped {
         note = note.with("asked-at", diameter);
     }
-    let mut because = figures.because(note);
+    let (mut because, mut doubts) = (figures.because(note), Vec::new());
     because.push(Because::row(choice, Note::new("feed-choice")));
     // The cards give the feed of the point itself, too; their factor of the material follows in `card`.
     if matches!(cut.operation, Operation::Drill | Operation::DrillOut) {
-        let (factor, reason) = factors::by_depth("depth-feed-factor", cut, shop)?;
+        let ByDepth { factor: (factor, reason), left_out } = factors::by_depth("depth-feed-factor", cut, shop)?;
         feed *= factor;
         because.push(reason);
+        doubts.extend(left_out);
         if cut.reamer_follows {
             let table = knowledge.table("feed-factor")?;
             let condition = "before-accurate-finishing-or-tapping";
@@ -59,7 +64,7 @@ pub(super) fn tabulated(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Feed, Uncut> {
             because.push(Because::row(row, Note::new("feed-before-finishing").with("factor", factor)));
         }
     }
-    Ok(Feed { feed: MillimetresPerRev(feed), because })
+    Ok(Feed { feed: MillimetresPerRev(feed), because, doubts })
 }
 
 fn multiple(choice: RowRef<'_>, knowledge: &Knowledge) -> Result<f64, KnowledgeError> {

@@ -61,7 +61,7 @@ pub fn formulas(cut: &Cut<'_>, feed: MillimetresPerRev, shop: &Shop<'_>) -> Trie
     let corrections = match reams {
         true if figures.own() => vec![factors::material_speed("drilling", cut.tool_material, shop)?],
         true => Vec::new(),
-        false => drilling::speed_corrections(cut, figures.own(), shop)?,
+        false => drilling::speed_corrections(cut, figures.own(), shop)?.0,
     };
     let speed_factor = corrections.iter().map(|(factor, _)| factor).product();
     speed_because.extend(corrections.into_iter().map(|(_, reason)| reason));

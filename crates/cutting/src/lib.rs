@@ -26,7 +26,7 @@ use technolog_tables as tables;
 
 use crate::error::Tried;
 use crate::note::Because;
-use crate::plan::{Conditions, Operation};
+use crate::plan::{Conditions, Limit, Operation};
 use crate::reason::{Reason, Uncut};
 use crate::shop::Shop;
 use crate::units::{
@@ -34,6 +34,7 @@ use crate::units::{
     Newtons, RevsPerMinute, Roughness,
 };
 
+pub use card::CardDoubt;
 pub use limits::spindle_step;
 
 use settle::Settled;
@@ -108,6 +109,8 @@ struct Draft {
     loads: Loads,
     motion: Motion,
     because: Vec<Because>,
+    /// What the cards could not give.
+    doubts: Vec<CardDoubt>,
     card: Option<crate::plan::CardPoint>,
     rounds: Option<crate::plan::Rounds>,
 }
@@ -175,6 +178,14 @@ impl PowerLaw {
 /// # Errors
 /// A table has no figure for this material, or the knowledge cannot answer at all.
 pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Conditions> {
+    Ok(with_doubts(cut, shop)?.0)
+}
+
+/// The same, and what the cards could not give for it.
+///
+/// # Errors
+/// As of [`conditions`].
+pub fn with_doubts(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDoubt>)> {
     let operation = cut.operation;
     let Settled { draft, formula_speed, practice, held } =
         settle::settle(cut, shop).map_err(|refusal| refusal.map(|why| Reason::NoConditions { operation, why }))?;
@@ -186,7 +197,7 @@ pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Conditions> {
     let tool_life = Minutes(draft.tool_life.0 * libm::pow(formula_speed.0 / speed.0, 1.0 / draft.life_exponent));
     let mut because = draft.because;
     because.extend(held.because);
-    Ok(Conditions {
+    let found = Conditions {
         depth_of_cut_mm: crate::units::round_to(draft.motion.depth_of_cut, 3),
         feed_mm_per_rev: held.feed.rounded(3),
         speed_m_per_min: speed.rounded(2),
@@ -197,10 +208,9 @@ pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Conditions> {
         torque_n_m: torque.map(|torque| torque.rounded(3)),
         power_kw: power.map(|power| power.rounded(4)),
         machine_time_min: Minutes(draft.motion.path / feed_rate.0).rounded(3),
-        limited_by: if practice && held.limited_by == "cutting-speed" {
-            "practice-speed".to_owned()
-        } else {
-            held.limited_by
+        limited_by: match held.limited_by {
+            Limit::CuttingSpeed if practice => Limit::PracticeSpeed,
+            limit => limit,
         },
         tool_life_min: tool_life.rounded(0),
         coolant: draft.coolant,
@@ -208,7 +218,8 @@ pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Conditions> {
         rounds: draft.rounds,
         card: draft.card,
         because,
-    })
+    };
+    Ok((found, draft.doubts))
 }
 
 /// What the formulas give for a feed: for that of the tables, or for the one `taken` in its place.

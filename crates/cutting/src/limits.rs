@@ -4,7 +4,7 @@ use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::units::Unit;
 use crate::knowledge::{Input, RowRef};
 use crate::note::{Because, Note};
-use crate::plan::Operation;
+use crate::plan::{Limit, Operation};
 use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::tables::machines::MachineQuantity;
@@ -16,7 +16,9 @@ use super::{Cut, Draft, PowerLaw, rpm_at, speed_at};
 pub(super) struct Held {
     pub feed: MillimetresPerRev,
     pub rpm: RevsPerMinute,
-    pub limited_by: String,
+    pub limited_by: Limit,
+    /// Whether a load or the power has cut the feed back at this step.
+    pub reduced: bool,
     pub because: Vec<Because>,
 }
 
@@ -24,7 +26,7 @@ pub(super) struct Held {
 struct Bound<'k> {
     law: Option<PowerLaw>,
     limit: f64,
-    name: &'static str,
+    kind: Limit,
     row: RowRef<'k>,
 }
 
@@ -57,7 +59,7 @@ pub(super) fn practice(draft: &mut Draft, cut: &Cut<'_>, shop: &Shop<'_>) -> Res
 pub(super) struct Borne {
     pub feed: MillimetresPerRev,
     /// What lets no more through.
-    pub name: &'static str,
+    pub limit: Limit,
     pub because: Vec<Because>,
 }
 
@@ -79,13 +81,13 @@ pub(super) fn borne(
         Some(Bound {
             law: loads.thrust,
             limit: machine.thrust.0,
-            name: "thrust",
+            kind: Limit::Thrust,
             row: machine.row(MachineQuantity::ThrustZMax)?,
         }),
         Some(Bound {
             law: loads.torque,
             limit: machine.spindle_torque.0,
-            name: "spindle-torque",
+            kind: Limit::SpindleTorque,
             row: machine.row(MachineQuantity::SpindleTorqueMax)?,
         }),
     ];
@@ -102,44 +104,42 @@ fn within(bounds: &[Option<Bound<'_>>], asked: MillimetresPerRev, speed: MetresP
         {
             let feed = law.feed_at(bound.limit, speed);
             let note = Note::new("feed-reduced")
-                .with("by", bound.name)
+                .with("by", bound.kind.name())
                 .with("from", round_to(before.0, 3))
                 .with("to", round_to(feed.0, 3))
                 .with("limit", round_to(bound.limit, 1));
             let mut because = borne.map_or_else(Vec::new, |borne| borne.because);
             because.push(Because::row(bound.row, note));
-            borne = Some(Borne { feed, name: bound.name, because });
+            borne = Some(Borne { feed, limit: bound.kind, because });
         }
     }
     borne
 }
 
 /// The spindle step of a draft's speed, what limits it, and why.
-pub(super) fn step_of(draft: &Draft, shop: &Shop<'_>) -> Result<(RevsPerMinute, String, Because), KnowledgeError> {
+pub(super) fn step_of(draft: &Draft, shop: &Shop<'_>) -> Result<(RevsPerMinute, Limit, Because), KnowledgeError> {
     spindle_step(rpm_at(draft.speed, draft.motion.turned), shop)
 }
 
 /// Chooses the spindle step and holds the feed inside the loads, power and feed range; `limited` names the load that
 /// has cut the feed back already.
-pub(super) fn hold(draft: &Draft, limited: Option<&str>, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Held, Uncut> {
+pub(super) fn hold(draft: &Draft, limited: Option<Limit>, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Held, Uncut> {
     let (rpm, limited_by, reason) = step_of(draft, shop)?;
-    let limited_by = limited.map_or(limited_by, str::to_owned);
-    let mut best = at_step(draft, cut, rpm, (limited_by, vec![reason]), shop)?;
+    let mut best = at_step(draft, cut, rpm, (limited.unwrap_or(limited_by), vec![reason]), shop)?;
     // Where power limits, a slower step lets more feed through: the quickest of them is taken.
     for step in shop.machine.spindle_steps.iter().rev().filter(|step| step.0 < rpm.0) {
-        if best.limited_by != "spindle-power" {
+        if best.limited_by != Limit::SpindlePower {
             break;
         }
         let wanted = rpm_at(draft.speed, draft.motion.turned);
         let note = Note::new("spindle-step-below").with("computed", round_to(wanted.0, 1)).with("step", step.0);
         let reason = Because::row(shop.machine.row(MachineQuantity::SpindleSpeeds)?, note);
-        let slower = at_step(draft, cut, *step, ("spindle-power".to_owned(), vec![reason]), shop)?;
+        let slower = at_step(draft, cut, *step, (Limit::SpindlePower, vec![reason]), shop)?;
         if slower.feed.0 * slower.rpm.0 <= best.feed.0 * best.rpm.0 {
             break;
         }
-        let still = slower.because.iter().any(|reason| reason.note.code == "feed-reduced");
         best = slower;
-        if !still {
+        if !best.reduced {
             break;
         }
     }
@@ -151,36 +151,36 @@ fn at_step(
     draft: &Draft,
     cut: &Cut<'_>,
     rpm: RevsPerMinute,
-    (mut limited_by, mut because): (String, Vec<Because>),
+    (mut limited_by, mut because): (Limit, Vec<Because>),
     shop: &Shop<'_>,
 ) -> Tried<Held, Uncut> {
     let machine = &shop.machine;
-    let mut feed = draft.feed;
+    let (mut feed, mut reduced) = (draft.feed, false);
     let power = Bound {
         law: draft.loads.torque,
         limit: 9750.0 * machine.spindle_power.0 / rpm.0,
-        name: "spindle-power",
+        kind: Limit::SpindlePower,
         row: machine.row(MachineQuantity::SpindlePower)?,
     };
     for held in [borne(draft, feed, cut, rpm, shop)?, within(&[Some(power)], feed, speed_at(rpm, draft.motion.turned))]
     {
         if let Some(borne) = held.filter(|borne| borne.feed.0 < feed.0) {
             feed = borne.feed;
-            borne.name.clone_into(&mut limited_by);
+            (limited_by, reduced) = (borne.limit, true);
             because.extend(borne.because);
         }
     }
-    for (outside, limit, quantity) in [
-        (feed.0 * rpm.0 > machine.feed_max.0, machine.feed_max, MachineQuantity::FeedMax),
-        (feed.0 * rpm.0 < machine.feed_min.0, machine.feed_min, MachineQuantity::FeedMin),
+    for (outside, limit, kind, quantity) in [
+        (feed.0 * rpm.0 > machine.feed_max.0, machine.feed_max, Limit::FeedMax, MachineQuantity::FeedMax),
+        (feed.0 * rpm.0 < machine.feed_min.0, machine.feed_min, Limit::FeedMin, MachineQuantity::FeedMin),
     ] {
         if outside {
             feed = MillimetresPerRev(limit.0 / rpm.0);
-            quantity.name().clone_into(&mut limited_by);
+            limited_by = kind;
             because.push(Because::row(machine.row(quantity)?, Note::new("feed-held").with("limit", limit.0)));
         }
     }
-    Ok(Held { feed, rpm, limited_by, because })
+    Ok(Held { feed, rpm, limited_by, reduced, because })
 }
 
 /// What a thin drill bears by itself (textbook 1.2.1, l. 223-226: below 10 mm the drill's own strength
@@ -202,7 +202,7 @@ fn drill_strength<'k>(draft: &Draft, cut: &Cut<'_>, shop: &Shop<'k>) -> Result<O
     let d = tool.to_mm();
     let modulus = row.number_in("modulus_factor", Unit::None)? * d * d * d;
     let limit = modulus * row.number_in("shear_stress", Unit::Megapascal)? / 1000.0;
-    Ok(Some(Bound { law: draft.loads.torque, limit, name: "drill-strength", row }))
+    Ok(Some(Bound { law: draft.loads.torque, limit, kind: Limit::DrillStrength, row }))
 }
 
 /// Holds a tap: its feed is its pitch and cannot give way, so the spindle does.
@@ -217,16 +217,16 @@ pub(super) fn synchronous(draft: &Draft, shop: &Shop<'_>) -> Tried<Held, Uncut> 
         let (torque, limit) = (NewtonMetres(torque), machine.spindle_torque);
         return Err(Refusal::Not(Uncut::TorqueBeyondSpindle { torque, limit }));
     }
-    let mut limited_by = "cutting-speed";
+    let mut limited_by = Limit::CuttingSpeed;
     for step in machine.spindle_steps.iter().rev().filter(|step| step.0 <= wanted.0) {
         if torque * step.0 / 9750.0 > machine.spindle_power.0 {
-            limited_by = "spindle-power";
+            limited_by = Limit::SpindlePower;
         } else if draft.feed.0 * step.0 > machine.feed_max.0 {
-            limited_by = "feed-max";
+            limited_by = Limit::FeedMax;
         } else {
             let note = Note::new("spindle-step-below").with("computed", round_to(wanted.0, 1)).with("step", step.0);
             let because = vec![Because::row(machine.row(MachineQuantity::SpindleSpeeds)?, note)];
-            return Ok(Held { feed: draft.feed, rpm: *step, limited_by: limited_by.to_owned(), because });
+            return Ok(Held { feed: draft.feed, rpm: *step, limited_by, reduced: false, because });
         }
     }
     Err(Refusal::Not(Uncut::NoStepBelow { computed: wanted }))
@@ -236,10 +236,7 @@ pub(super) fn synchronous(draft: &Draft, shop: &Shop<'_>) -> Tried<Held, Uncut> 
 ///
 /// # Errors
 /// The rule or the machine's series cannot answer.
-pub fn spindle_step(
-    wanted: RevsPerMinute,
-    shop: &Shop<'_>,
-) -> Result<(RevsPerMinute, String, Because), KnowledgeError> {
+pub fn spindle_step(wanted: RevsPerMinute, shop: &Shop<'_>) -> Result<(RevsPerMinute, Limit, Because), KnowledgeError> {
     let steps = &shop.machine.spindle_steps;
     let below = steps.iter().rev().find(|step| step.0 <= wanted.0);
     let above = steps.iter().find(|step| step.0 >= wanted.0);
@@ -260,10 +257,10 @@ pub fn spindle_step(
                 .with("above", above.0)
                 .with("excess", round_to(excess, 1))
                 .with("step", step.0);
-            Ok((step, "cutting-speed".to_owned(), Because::answer(&answer, note)))
+            Ok((step, Limit::CuttingSpeed, Because::answer(&answer, note)))
         }
-        (Some(below), None) => Ok((*below, "spindle-speed-max".to_owned(), series("spindle-fastest", *below)?)),
-        (None, Some(above)) => Ok((*above, "spindle-speed-min".to_owned(), series("spindle-slowest", *above)?)),
+        (Some(below), None) => Ok((*below, Limit::SpindleSpeedMax, series("spindle-fastest", *below)?)),
+        (None, Some(above)) => Ok((*above, Limit::SpindleSpeedMin, series("spindle-slowest", *above)?)),
         (None, None) => Err(KnowledgeError::no_row(shop.machine.table, "spindle-speeds")),
     }
 }

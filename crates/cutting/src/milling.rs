@@ -96,6 +96,7 @@ pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop
         loads,
         motion: Motion { turned: mill.diameter, depth_of_cut: t, path: rounds.path, synchronous: false },
         because,
+        doubts: Vec::new(),
         card: None,
         rounds: Some(rounds.planned),
     })

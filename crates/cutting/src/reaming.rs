@@ -18,7 +18,7 @@ use super::{Cut, Draft, Loads, Motion, PowerLaw, factors, feed, laws};
 /// - M = Cp·t^x·sz^y·D·z/200·Kp, N·m, with Cp, x, y of turning (table `boring-force`), sz = s/z in mm/tooth;
 /// - D, t in mm, s in mm/rev, T in min, z the number of teeth.
 pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
-    let Feed { feed, mut because } = corrected_feed(cut, shop)?.or(taken);
+    let Feed { feed, mut because, doubts } = corrected_feed(cut, shop)?.or(taken);
     let (tool_life, life) = factors::tool_life("ream", cut, shop)?;
     because.extend(life);
     let (law, figures) = laws::speed("ream", cut.tool_material, feed, shop)?;
@@ -40,6 +40,7 @@ pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop
         loads: Loads { torque, thrust: None },
         motion: Motion::along_axis(cut),
         because,
+        doubts,
         card: None,
         rounds: None,
     })
@@ -48,7 +49,7 @@ pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop
 /// The tabulated feed with the factors of `reaming-feed-factor`: which of them apply says the rule
 /// `reaming-feed-condition`, and in a blind hole the feed stays inside the limits of the same table.
 fn corrected_feed(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Feed, Uncut> {
-    let Feed { feed, mut because } = feed::tabulated(cut, shop)?;
+    let Feed { feed, mut because, doubts } = feed::tabulated(cut, shop)?;
     let mut feed = feed.0;
     let rule = shop.knowledge.table("reaming-feed-condition")?;
     // Only the last pass is asked for a roughness.
@@ -82,7 +83,7 @@ fn corrected_feed(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Feed, Uncut> {
         }
         feed = feed.max(low).min(high);
     }
-    Ok(Feed { feed: MillimetresPerRev(feed), because })
+    Ok(Feed { feed: MillimetresPerRev(feed), because, doubts })
 }
 
 /// The torque as a power law of the feed; absent where no row of forces is known, for it is not guessed.

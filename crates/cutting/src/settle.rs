@@ -39,14 +39,14 @@ pub(super) fn settle(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Settled, Uncut> {
     let (mut limited_by, mut because) = (None, Vec::new());
     for _ in 0..ROUNDS {
         let (rpm, ..) = limits::step_of(&found.draft, shop)?;
-        let Some(Borne { feed, name, because: reasons }) =
+        let Some(Borne { feed, limit, because: reasons }) =
             limits::borne(&found.draft, found.draft.feed, cut, rpm, shop)?
         else {
             break;
         };
         let before = found.formula_speed;
         found = at(cut, Some(feed), shop)?;
-        limited_by = Some(name);
+        limited_by = Some(limit);
         because.extend(reasons);
         because.push(told("speed-for-feed", feed, &found, Some(before), shop)?);
     }

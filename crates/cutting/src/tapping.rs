@@ -64,6 +64,7 @@ pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
         loads,
         motion: Motion { path: 2.0 * along.path, synchronous: true, ..along },
         because,
+        doubts: Vec::new(),
         card: None,
         rounds: None,
     })

@@ -2,7 +2,7 @@
 
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Severity};
-use crate::plan::{Conditions, Plan, ToolPlan, Transition};
+use crate::plan::{Conditions, Limit, Plan, ToolPlan, Transition};
 use crate::units::{Micrometres, round_to};
 
 use super::sentences::term;
@@ -218,8 +218,8 @@ fn limits(plan: &Plan, lang: Lang) -> String {
         for transition in &hole.transitions {
             let conditions = &transition.conditions;
             let name = operation_noun(transition.operation.name(), lang);
-            if conditions.limited_by != "cutting-speed" {
-                let by = term(&conditions.limited_by, lang);
+            if conditions.limited_by != Limit::CuttingSpeed {
+                let by = term(conditions.limited_by.name(), lang);
                 let size = mm(transition.diameter_mm, lang);
                 let line = format!("{} {name} Ø{size}: {} {by}", hole.name, lang.pick("обмежує", "limited by"));
                 if !lines.contains(&line) {

@@ -2,8 +2,8 @@
 
 use technolog_knowledge::rows;
 use technolog_knowledge::units::{
-    Brinell, Degrees, Kilowatts, Megapascals, MetresPerMinute, Micrometres, Microns, MillimetresPerRev,
-    MillimetresPerTooth, Minutes, Newtons, Roughness,
+    Brinell, Kilowatts, Megapascals, MetresPerMinute, Micrometres, MillimetresPerRev, MillimetresPerTooth, Minutes,
+    Newtons, Roughness,
 };
 use technolog_knowledge::vocabulary::{Operation, ToolMaterial};
 
@@ -169,15 +169,6 @@ rows! {
         factor: f64,
     }
 
-    /// Allowances for finish turning after rough turning.
-    pub struct FinishTurningAllowance of One("finish-turning-allowance") asked by FinishTurningAllowanceFor<'t> {
-        place_on: &'t str,
-        diameter: Micrometres,
-        length: Micrometres,
-    } {
-        allowance: Micrometres,
-    }
-
     /// Material factor Kmp of copper and aluminium alloys on force.
     pub struct ForceAlloyFactor of One("force-alloy-factor") asked by ForceAlloyFactorFor<'t> {
         alloy_class: &'t str,
@@ -194,15 +185,6 @@ rows! {
     } {
         exponent: f64,
         reference: &'t str,
-    }
-
-    /// Allowances for grinding after finish turning.
-    pub struct GrindingAllowance of One("grinding-allowance") asked by GrindingAllowanceFor<'t> {
-        place_on: &'t str,
-        diameter: Micrometres,
-        length: Micrometres,
-    } {
-        allowance: Micrometres,
     }
 
     /// Feed of grooving and parting.
@@ -224,12 +206,6 @@ rows! {
         y: f64,
         m: f64,
         tool_grade: &'t str,
-    }
-
-    /// The share of an insert's edge that may cut.
-    pub struct InsertEdgeShare of One("insert-edge-share") {
-        shape: &'t str,
-        share: f64,
     }
 
     /// Deepest pass of an end mill.
@@ -343,14 +319,6 @@ rows! {
         milling_exponent: Option<f64>,
     }
 
-    /// Roughness and damaged layer after a pass.
-    pub struct SurfaceAfterPass of One("surface-after-pass") asked by SurfaceAfterPassFor<'t> {
-        pass: &'t str,
-    } {
-        roughness_height: Microns,
-        damaged_layer: Microns,
-    }
-
     /// Speed formula coefficients: machine taps.
     pub struct TappingSpeed of One("tapping-speed") asked by TappingSpeedFor<'t> {
         material_group: &'t str,
@@ -417,39 +385,6 @@ rows! {
         feed_max: MillimetresPerRev,
     }
 
-    /// Strength factor of the finish turning feed.
-    pub struct TurningFinishFeedStrength of One("turning-finish-feed-strength") asked by TurningFinishFeedStrengthFor {
-        strength: Megapascals,
-    } {
-        factor: f64,
-    }
-
-    /// Finish turning feed by roughness, the other cells.
-    pub struct TurningFinishFeed of One("turning-finish-feed") asked by TurningFinishFeedFor<'t> {
-        roughness: Roughness,
-        nose_radius: &'t str,
-    } {
-        feed: MillimetresPerRev,
-    }
-
-    /// Angle factor of the forces Kφp.
-    pub struct TurningForceAngle of One("turning-force-angle") asked by TurningForceAngleFor {
-        lead_angle: Degrees,
-    } {
-        pz: f64,
-        py: f64,
-        px: f64,
-    }
-
-    /// Rake factor of the forces Kγp.
-    pub struct TurningForceRake of One("turning-force-rake") asked by TurningForceRakeFor {
-        rake: Degrees,
-    } {
-        pz: f64,
-        py: f64,
-        px: f64,
-    }
-
     /// Force formula coefficients: turning, components Py and Px, and grooving.
     pub struct TurningForce of One("turning-force") asked by TurningForceFor<'t> {
         process: &'t str,
@@ -465,14 +400,6 @@ rows! {
         reference: &'t str,
     }
 
-    /// Constants of the limiting depth of cut.
-    pub struct TurningLimits of One("turning-limits") {
-        name: &'t str,
-        stress: Option<Megapascals>,
-        ratio: Option<f64>,
-        length: Option<Micrometres>,
-    }
-
     /// Feed of rough turning.
     pub struct TurningRoughFeed of One("turning-rough-feed") asked by TurningRoughFeedFor<'t> {
         material_group: &'t str,
@@ -482,23 +409,5 @@ rows! {
     } {
         feed_min: MillimetresPerRev,
         feed_max: MillimetresPerRev,
-    }
-
-    /// Schemes of roughing passes in turning.
-    pub struct TurningSchemes of One("turning-schemes") {
-        scheme: &'t str,
-        zones: Vec<&'t str>,
-        working_feeds: Option<i64>,
-        even_allowance: Option<&'t str>,
-        finest: Option<Roughness>,
-        what_uk: &'t str,
-        what_en: &'t str,
-    }
-
-    /// Angle factor of the speed Kφv.
-    pub struct TurningSpeedAngle of One("turning-speed-angle") asked by TurningSpeedAngleFor {
-        lead_angle: Degrees,
-    } {
-        factor: f64,
     }
 }

@@ -18,6 +18,7 @@ pub mod materials;
 pub mod rules;
 pub mod standards;
 pub mod tools;
+pub mod turning;
 pub mod vocabularies;
 
 use technolog_knowledge::contract::Contract;
@@ -29,6 +30,9 @@ pub fn all() -> Vec<&'static Contract> {
     [
         audit::CONTRACTS,
         controls::CONTRACTS,
+        controls::control_2c42_65::CONTRACTS,
+        controls::iso::CONTRACTS,
+        controls::lathe::CONTRACTS,
         cutting::CONTRACTS,
         holders::CONTRACTS,
         holes::CONTRACTS,
@@ -38,6 +42,9 @@ pub fn all() -> Vec<&'static Contract> {
         rules::CONTRACTS,
         standards::CONTRACTS,
         tools::CONTRACTS,
+        turning::part::CONTRACTS,
+        turning::passes::CONTRACTS,
+        turning::tools::CONTRACTS,
         vocabularies::CONTRACTS,
     ]
     .concat()

@@ -1,123 +1,13 @@
 //! Row types: rules.
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-use technolog_knowledge::units::{
-    Decimal, Degrees, ItGrade, MetresPerMinute, Micrometres, MillimetresPerMinute, Minutes, Percent, Roughness,
-};
+use technolog_knowledge::rows;
+use technolog_knowledge::units::{Decimal, ItGrade, MetresPerMinute, Micrometres, Minutes, Percent, Roughness};
 use technolog_knowledge::vocabulary::{Operation, Shank, ToolMaterial};
-use technolog_knowledge::{rows, vocabulary};
 
 use crate::holes::DrillingWay;
 
-vocabulary! {
-    /// The state of the entry face.
-    #[derive(Default, Serialize, Deserialize, JsonSchema)]
-    #[serde(rename_all = "kebab-case")]
-    pub enum Entry {
-        /// Machined beforehand.
-        #[default]
-        Machined = "machined",
-        /// As cast, forged or rolled.
-        Rough = "rough",
-    }
-
-    /// What stands where a hole is to be.
-    pub enum BlankState {
-        Solid = "solid",
-        WithHole = "cast-or-pre-machined",
-    }
-
-    /// Whether the position of the axis asks for boring.
-    pub enum BoringAsked {
-        Asked = "asked",
-        NotAsked = "not-asked",
-    }
-
-    /// What the centring spot is as wide as.
-    pub enum Spot {
-        Chamfer = "chamfer",
-        ShareOfDrill = "share-of-drill",
-    }
-
-    /// What stands for an empty cell of A.8 or A.9.
-    pub enum CellTaken {
-        Own = "own-cell",
-        FinerRoughness = "finer-roughness",
-        FinerGrade = "finer-grade",
-        Nothing = "nothing",
-    }
-
-    /// What opens a large hole.
-    pub enum MillInstead {
-        Same = "same",
-        Mill = "mill",
-    }
-
-    /// What stands in where no boring bar enters.
-    pub enum BoringInstead {
-        Same = "same",
-        CoreDrill = "core-drill",
-        Nothing = "nothing",
-    }
-
-    /// What was done to a hole last, or what the blank has there.
-    pub enum HoleState {
-        Solid = "solid",
-        Centred = "centred",
-        Drilled = "drilled",
-        CoreDrilled = "core-drilled",
-        RoughBored = "rough-bored",
-        BoredOnce = "bored-once",
-        BoredTwice = "bored-twice",
-        Milled = "milled",
-        Counterbored = "counterbored",
-        ReamedAfterDrill = "reamed-after-drill",
-        ReamedAfterCoreDrill = "reamed-after-core-drill",
-        ReamedAfterBoring = "reamed-after-boring",
-        ReamedAfterTwoBorings = "reamed-after-two-borings",
-        CastHole = "cast-hole",
-        PreMachinedHole = "pre-machined-hole",
-        OwnCylinder = "own-cylinder",
-        Finished = "finished",
-    }
-
-    /// Lead angle of a reamer.
-    pub enum Lead {
-        Deg5 = "5deg",
-        Deg15 = "15deg",
-    }
-
-    /// The grade that a table of schemes is asked with.
-    pub enum GradeAsked {
-        Own = "own",
-        It13 = "13",
-    }
-
-    /// The column of centre tolerances that a table of schemes is asked with.
-    pub enum CentreColumn {
-        Own = "own",
-        UpTo03 = "0.05-0.3",
-    }
-
-    /// How the holes of a group are visited (textbook 1.3.1).
-    #[derive(Serialize, Deserialize, JsonSchema)]
-    #[serde(rename_all = "kebab-case")]
-    pub enum VisitingMethod {
-        /// Each tool goes round all holes.
-        Parallel = "parallel",
-        /// Each hole is made with all tools before the next.
-        Sequential = "sequential",
-        /// The first transitions in parallel, the finishing ones one after the other at each hole.
-        FirstParallelFinishSequential = "first-parallel-finish-sequential",
-    }
-
-    /// Which of two schemes.
-    pub enum SchemeTaken {
-        First = "first",
-        Second = "second",
-    }
-}
+mod words;
+pub use words::*;
 
 rows! {
     /// The allowance that a transition removes.
@@ -165,15 +55,6 @@ rows! {
         excess: Percent,
     } {
         severity: &'t str,
-    }
-
-    /// The drill before a solid blank is bored.
-    pub struct BoreDrill of One("bore-drill") asked by BoreDrillFor {
-        diameter: Micrometres,
-    } {
-        drilled: bool,
-        least_stock: Option<Micrometres>,
-        step: Option<Micrometres>,
     }
 
     /// Whether the position of the axis asks for boring.
@@ -265,11 +146,11 @@ rows! {
         depth_ratio: f64,
         material_group: &'t str,
     } {
-        cycle: &'t str,
+        cycle: HoleCycle,
         step: Option<f64>,
         clearance: Option<Micrometres>,
         dwell: Option<f64>,
-        cut: Option<&'t str>,
+        cut: Option<Cut>,
     }
 
     /// Whether a large hole is milled or bored.
@@ -291,14 +172,6 @@ rows! {
         a1: Option<i64>,
         a2: Option<&'t str>,
         own: Option<&'t str>,
-    }
-
-    /// Direction of the roughing passes in turning.
-    pub struct PassDirection of One("pass-direction") asked by PassDirectionFor<'t> {
-        blank_shape: &'t str,
-        holding: &'t str,
-    } {
-        direction: &'t str,
     }
 
     /// The highest speed that shop practice allows.
@@ -325,13 +198,6 @@ rows! {
         roughness: Option<Roughness>,
     } {
         conditions: Vec<&'t str>,
-    }
-
-    /// Schemes that remove the rough stock of stepped shafts.
-    pub struct RemovalScheme of One("removal-scheme") asked by RemovalSchemeFor<'t> {
-        scheme: &'t str,
-    } {
-        preference: i64,
     }
 
     /// Drilling into an unmachined face.
@@ -430,100 +296,6 @@ rows! {
         face: bool,
     } {
         rank: i64,
-    }
-
-    /// Preparing a blank for an NC lathe.
-    pub struct TurningBlankPreparation of One("turning-blank-preparation") asked by TurningBlankPreparationFor<'t> {
-        stock: &'t str,
-        holding: &'t str,
-        heat_treatment: &'t str,
-    } {
-        action: &'t str,
-        contradicts: bool,
-    }
-
-    /// The blank of a turned part: for how many parts, and how exact its length.
-    pub struct TurningBlank of One("turning-blank") asked by TurningBlankFor<'t> {
-        stock: &'t str,
-        diameter: Micrometres,
-    } {
-        parts: &'t str,
-        length_deviation: Micrometres,
-    }
-
-    /// Main or additional element of a contour, and by what tool.
-    pub struct TurningElement of One("turning-element") asked by TurningElementFor<'t> {
-        kind: &'t str,
-        ground: &'t str,
-        valley_fall: Degrees,
-        floor_reached: bool,
-    } {
-        element: &'t str,
-        tool: &'t str,
-    }
-
-    /// What is finished elsewhere than on the lathe.
-    pub struct TurningFinishElsewhere of One("turning-finish-elsewhere") asked by TurningFinishElsewhereFor<'t> {
-        surface: &'t str,
-        grade_held: bool,
-        roughness_held: bool,
-    } {
-        operation: &'t str,
-    }
-
-    /// Least length of a cylinder for the jaws of a chuck.
-    pub struct TurningHold of One("turning-hold") asked by TurningHoldFor {
-        diameter: Micrometres,
-    } {
-        least_length: Micrometres,
-    }
-
-    /// Rates and distances of turning motions where the shaft file says nothing.
-    pub struct TurningMotion of One("turning-motion") asked by TurningMotionFor<'t> {
-        quantity: &'t str,
-    } {
-        rate: Option<MillimetresPerMinute>,
-        distance: Option<Micrometres>,
-    }
-
-    /// Scheme of the roughing passes for a zone.
-    pub struct TurningScheme of One("turning-scheme") asked by TurningSchemeFor<'t> {
-        zone: &'t str,
-        parts: &'t str,
-        contour: &'t str,
-        against_stop: bool,
-        blank_shape: &'t str,
-    } {
-        schemes: Vec<&'t str>,
-        also: Option<Vec<&'t str>>,
-        parts_worked: &'t str,
-        return_way: &'t str,
-    }
-
-    /// Surface of a turned blank, for the speed factor.
-    pub struct TurningSkin of One("turning-skin") asked by TurningSkinFor<'t> {
-        stock: &'t str,
-        group: &'t str,
-    } {
-        surface: &'t str,
-    }
-
-    /// Which of the turning tools that fit.
-    pub struct TurningToolOrder of One("turning-tool-order") asked by TurningToolOrderFor<'t> {
-        kind: &'t str,
-    } {
-        prefer: Vec<&'t str>,
-    }
-
-    /// Zones of turning: what bounds them.
-    pub struct TurningZone of One("turning-zone") asked by TurningZoneFor<'t> {
-        parts: &'t str,
-        face_ahead: bool,
-        face_behind: bool,
-    } {
-        zone: &'t str,
-        limits_main_angle: bool,
-        limits_auxiliary_angle: bool,
     }
 
     /// Whether to drill in two passes.

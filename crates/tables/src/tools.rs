@@ -12,18 +12,6 @@ vocabulary! {
 }
 
 rows! {
-    /// Rake of the seat by the clearance of the insert.
-    pub struct InsertRake of One("insert-rake") {
-        clearance: &'t str,
-        rake: Degrees,
-    }
-
-    /// Insert shapes and their included angle.
-    pub struct InsertShapes of One("insert-shapes") {
-        shape: &'t str,
-        included_angle: Degrees,
-    }
-
     /// A cutter for holes.
     pub struct CutterRow of Tools {
         designation: Option<&'t str>,
@@ -56,31 +44,6 @@ rows! {
         teeth: Option<i64>,
         mass: Option<Kilograms>,
     } shown { helix_angle, accuracy, preferred_row, "type", execution, neck_diameter, insert, taper, series }
-
-    /// A turning tool.
-    pub struct TurningToolRow of Each(&["turning-boring-bars", "turning-grooving-tools", "turning-outer-tools", "turning-threading-tools"]) {
-        designation: &'t str,
-        kind: &'t str,
-        place_of_work: &'t str,
-        hand: &'t str,
-        lead_angle: Degrees,
-        trail_angle: Degrees,
-        nose_radius: Option<Micrometres>,
-        insert: Option<&'t str>,
-        edge: Option<Micrometres>,
-        bar_diameter: Option<Micrometres>,
-        min_bore: Option<Micrometres>,
-        length: Option<Micrometres>,
-        reach: Option<Micrometres>,
-        grades: Option<Vec<&'t str>>,
-        width: Option<Micrometres>,
-        groove_depth: Option<Micrometres>,
-        face_diameter_min: Option<Micrometres>,
-        shank_height: Option<Micrometres>,
-        shank_width: Option<Micrometres>,
-        pitch_min: Option<Micrometres>,
-        pitch_max: Option<Micrometres>,
-    }
 }
 
 impl<'t> CutterRow<'t> {

@@ -7,10 +7,11 @@ use crate::knowledge::yaml::{Node, NodeKind};
 use crate::units::Micrometres;
 
 use super::Reader;
-use crate::audit::keys::{CARD, CLAMPING, CONDITIONS, LIMITS};
+use crate::audit::keys::{CARD, CLAMPING, CONDITIONS};
 use crate::audit::quantity::Quantity;
 use crate::audit::stated::{Clamping, Conditions, Factor, Row, Said};
 use crate::part::{Part, Point};
+use crate::plan::Limit;
 
 impl Reader<'_> {
     pub(super) fn conditions(&mut self, node: &Node, rows: &[Row]) -> Vec<Conditions> {
@@ -33,8 +34,7 @@ impl Reader<'_> {
         let named = fields.need("for", &mut self.problems).map(|node| self.rows_named(node, rows));
         let card = fields.take("card");
         let factors_node = fields.take("factors");
-        let limits: Vec<(&str, &str)> = LIMITS.iter().map(|name| (*name, *name)).collect();
-        let limited_by = fields.take("limited_by").and_then(|node| self.choice(node, &limits));
+        let limited_by = fields.take("limited_by").and_then(|node| self.choice(node, &Limit::NAMES));
         let mut figures = self.figures(&mut fields, CONDITIONS);
         fields.finish(CONDITIONS, &mut self.problems);
         if let Some(mut fields) = card.and_then(|node| self.problems.map(node)) {
@@ -52,8 +52,8 @@ impl Reader<'_> {
             fields.finish(CARD, &mut self.problems);
         }
         let place = node.place.clone();
-        let limited_by = limited_by.map(str::to_owned);
-        Some(Conditions { place, rows: named?, limited_by, rounds: false, factors, figures })
+        let held = limited_by.is_some_and(|limit| limit != Limit::CuttingSpeed);
+        Some(Conditions { place, rows: named?, held, rounds: false, factors, figures })
     }
 
     /// Points in the coordinates of the part: `[[0, -130], [0, 130]]`, mm.

@@ -216,9 +216,9 @@ fn spindle<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Re
     let conditions = &context.stated.conditions[at];
     let id = |quantity| Id::new(Scope::Conditions(at), quantity);
     let shop = &context.shop;
-    let limit = conditions.limited_by.as_deref().filter(|limit| *limit != "cutting-speed");
+    let held = conditions.held;
     // What something else than the cutting speed held back has no step of its own in a plan of ours.
-    if limit.is_some() && context.stated.own || conditions.rounds {
+    if held && context.stated.own || conditions.rounds {
         return Ok(());
     }
     if context.stated.rows[conditions.rows[0]].operation.value == Operation::Tap {
@@ -232,7 +232,6 @@ fn spindle<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Re
     let mut own = formula(&STEP, id(Q::Rpm), vec![id(Q::RpmComputed)], "", step);
     own.because.push(Because::row(series, Note::new("audit-series")));
     own.because.push(Because::table(shop.knowledge.table("spindle-step")?, Note::new("audit-step-rule")));
-    let held = limit.is_some();
     own.judge = Some(Box::new(move |value, values| {
         let computed = *values.first()?;
         // What holds the spindle back makes it slower, and leaves it a step of the machine.

@@ -21,6 +21,53 @@ pub use crate::tables::rules::VisitingMethod;
 pub use order::{Mixture, Stop, Times, Visit, Visiting};
 pub use route::{Achieved, Alternative, Feature, Made, Route, Way};
 
+/// What holds cutting conditions back.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Limit {
+    /// The cutting speed of the tables: nothing else did.
+    CuttingSpeed,
+    /// What shops drive.
+    PracticeSpeed,
+    /// What a thin drill bears.
+    DrillStrength,
+    /// The thrust that the machine bears.
+    Thrust,
+    /// The torque of the spindle.
+    SpindleTorque,
+    /// The power of the main drive.
+    SpindlePower,
+    /// The spindle's fastest step.
+    SpindleSpeedMax,
+    /// The spindle's slowest step.
+    SpindleSpeedMin,
+    /// The largest feed.
+    FeedMax,
+    /// The smallest feed.
+    FeedMin,
+}
+
+impl Limit {
+    /// Every limit with its name in plans.
+    pub const NAMES: [(&'static str, Self); 10] = [
+        ("cutting-speed", Self::CuttingSpeed),
+        ("practice-speed", Self::PracticeSpeed),
+        ("drill-strength", Self::DrillStrength),
+        ("thrust", Self::Thrust),
+        ("spindle-torque", Self::SpindleTorque),
+        ("spindle-power", Self::SpindlePower),
+        ("spindle-speed-max", Self::SpindleSpeedMax),
+        ("spindle-speed-min", Self::SpindleSpeedMin),
+        ("feed-max", Self::FeedMax),
+        ("feed-min", Self::FeedMin),
+    ];
+
+    /// Its name in plans.
+    pub fn name(self) -> &'static str {
+        Self::NAMES.iter().find(|(_, limit)| *limit == self).map_or("", |(name, _)| name)
+    }
+}
+
 /// How cutting conditions are found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
@@ -187,8 +234,8 @@ pub struct Conditions {
     pub power_kw: Option<Kilowatts>,
     /// Machine time of one hole, min.
     pub machine_time_min: Minutes,
-    /// What held the conditions back: `cutting-speed`, `spindle-speed-max`, `spindle-power`, …
-    pub limited_by: String,
+    /// What held the conditions back.
+    pub limited_by: Limit,
     /// Tool life at the speed of the spindle step, min: T·(V/Vstep)^(1/m).
     pub tool_life_min: Minutes,
     /// Whether the speed is for cutting with coolant; absent where the figures do not say.

@@ -6,7 +6,7 @@ mod reach;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-use crate::cutting::{self, Cut};
+use crate::cutting::{self, CardDoubt, Cut};
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Because, Note};
 use crate::part::{Hole, Part};
@@ -32,6 +32,10 @@ pub(super) struct Fitted {
     pub travel: Micrometres,
     pub approach: Micrometres,
     pub conditions: Conditions,
+    /// What the cards could not give for them.
+    pub doubts: Vec<CardDoubt>,
+    /// Whether it is a spot that makes an edge of the hole too.
+    pub makes_edge: bool,
     pub because: Vec<Because>,
 }
 
@@ -53,6 +57,7 @@ struct Outfit {
     tool: FittedTool,
     travel: Micrometres,
     conditions: Conditions,
+    doubts: Vec<CardDoubt>,
 }
 
 /// What the outfit of a step depends on; the routes of one hole share most of their steps.
@@ -181,8 +186,9 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let (approach, _, reason) = self.travels(step.place.through);
         because.push(reason.clone());
         because.extend(self.conventions(&step)?);
-        let Outfit { tool, travel, conditions } = outfit;
-        Ok(Fitted { step, tool: Some(tool), travel, approach: *approach, conditions, because })
+        let Outfit { tool, travel, conditions, doubts } = outfit;
+        let (tool, approach) = (Some(tool), *approach);
+        Ok(Fitted { step, tool, travel, approach, conditions, doubts, makes_edge: false, because })
     }
 
     /// The conventions that the lengths of a step rest on.
@@ -264,7 +270,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         } else {
             cut
         };
-        let conditions = cutting::conditions(&cut, shop)?;
+        let (conditions, doubts) = cutting::with_doubts(&cut, shop)?;
         let mut because = vec![cutter.order.clone(), cutter.because.clone()];
         // A reamer or core drill of the catalogs, wider than asked, is ground down.
         let grinds = step.operation.is_reaming() || step.operation == Operation::CoreDrill;
@@ -281,7 +287,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             assembly,
             because,
         };
-        Ok(Outfit { tool, travel, conditions })
+        Ok(Outfit { tool, travel, conditions, doubts })
     }
 
     /// A milled cylinder is as round as the machine makes it, which may take a share of the tolerance.

@@ -27,11 +27,10 @@ pub(super) fn choose_centre_drill(
         };
         let spot = centre.step.diameter;
         let first = draft.steps.iter().find(|one| one.step.operation == Operation::Drill).map(|one| one.step.diameter);
-        let makes_chamfer = centre.because.iter().any(|reason| reason.note.code == "spot-by-chamfer");
         let (own, why) = match first {
             // Wider than the first drill, so that the drill enters on the cone and not on its rim.
-            Some(drill) if !makes_chamfer && drill < widest => (drill + Micrometres::new(1), format!("> Ø{drill}")),
-            Some(_) if !makes_chamfer => (widest, format!("Ø{widest}")),
+            Some(drill) if !centre.makes_edge && drill < widest => (drill + Micrometres::new(1), format!("> Ø{drill}")),
+            Some(_) if !centre.makes_edge => (widest, format!("Ø{widest}")),
             _ => (spot, format!(">= Ø{spot}")),
         };
         if own > needed {

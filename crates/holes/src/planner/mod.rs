@@ -22,6 +22,7 @@ use crate::knowledge::Knowledge;
 use crate::note::{Because, Finding, Note, Severity, doubtful_row};
 use crate::part::{Face, Hole, Part};
 use crate::plan::{Clamping, CuttingMethod, Operation, Plan, Route};
+use crate::route::Remark;
 use crate::shop::Shop;
 use crate::units::round_to;
 use crate::{sequence, setup, tooling, zone};
@@ -69,6 +70,10 @@ pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result
         drafts.push(draft(index, hole, part, &mut chooser, &shop, &mut findings)?);
     }
     magazine::choose_centre_drill(part, &mut drafts, &shop, &mut findings)?;
+    for (draft, hole) in drafts.iter().zip(&part.holes) {
+        let doubts = draft.steps.iter().flat_map(|fitted| &fitted.doubts);
+        findings.extend(doubts.map(|doubt| Finding::of_hole(Severity::Doubtful, &hole.name, doubt.note())));
+    }
     let (holes, tools) = magazine::number_tools(part, drafts, &shop, &mut findings);
 
     let clamping = match setup::clamping(part, &holes, &shop)? {
@@ -158,14 +163,15 @@ fn draft(
     if steps.iter().any(|fitted| fitted.step.operation.is_boring() && fitted.step.passes > 1) {
         report(Severity::Note, Note::new("bar-set-by-hand"));
     }
-    for why in steps.iter().flat_map(|fitted| &fitted.because) {
-        match why.note.code.as_str() {
-            "step-finished-elsewhere" => report(Severity::Note, why.note.clone()),
-            "promised" => {
-                let note = Note { code: "promised-finer".to_owned(), ..why.note.clone() };
+    for remark in steps.iter().flat_map(|fitted| &fitted.step.remarks) {
+        match remark {
+            Remark::FinishedElsewhere(diameter) => {
+                report(Severity::Note, Note::new("step-finished-elsewhere").with("diameter", diameter));
+            }
+            Remark::Promised { it, own } => {
+                let note = Note::new("promised-finer").with("it", it).with("own", own);
                 report(Severity::Doubtful, note.with("table", &choice.candidate.table));
             }
-            _ => {}
         }
     }
     if let Some(tap) = steps.iter().find(|fitted| fitted.step.elsewhere && fitted.step.operation == Operation::Tap) {
@@ -242,15 +248,11 @@ pub fn reach_of_table(part: &Part, shop: &Shop<'_>, findings: &mut Vec<Finding>)
     }
 }
 
-/// Every row the plan rests on that is not fully trusted, once each, and what a card could not give.
+/// Every row the plan rests on that is not fully trusted, once each.
 fn unconfirmed(plan: &mut Plan) {
     let mut found: Vec<Finding> = Vec::new();
     let mut look = |because: &[Because], hole: Option<&str>| {
         for reason in because {
-            if matches!(reason.note.code.as_str(), "card-point-forces-differ" | "card-without-depth") {
-                let hole = hole.map(str::to_owned);
-                found.push(Finding { severity: Severity::Doubtful, hole, note: reason.note.clone() });
-            }
             let Some(note) = reason.doubt() else { continue };
             match found.iter_mut().find(|finding| finding.note == note) {
                 // Said of several groups, it is said of the part.

@@ -12,7 +12,7 @@ use crate::reason::Reason;
 use crate::route::bores::{self, Bore, Task};
 use crate::route::diameters::{self, Sizes};
 use crate::route::scheme::Question;
-use crate::route::{Candidate, Step, accuracy, openings, order};
+use crate::route::{Candidate, Remark, Step, accuracy, openings, order};
 use crate::shop::Shop;
 use crate::tables::holes::SchemesOfMainHole;
 use crate::tables::rules::TransitionOrder;
@@ -247,6 +247,7 @@ impl Finder<'_, '_> {
                     if candidate.finish_elsewhere
                         && let Some(last) = steps.last_mut()
                     {
+                        last.remarks.push(Remark::FinishedElsewhere(bore.diameter.clone()));
                         let note = Note::new("step-finished-elsewhere").with("diameter", &bore.diameter);
                         // A.8 is the table that leaves a finish to another machine.
                         let table = self.shop.knowledge.tables_of::<SchemesOfMainHole<'_>>().next();

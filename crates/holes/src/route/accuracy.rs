@@ -15,7 +15,7 @@ use crate::tables::rules::{HoleState, NextTransition, NextTransitionFor, RoughFa
 use crate::units::{ItGrade, Micrometres, Roughness};
 
 use super::bores::{Before, Bore};
-use super::{Promise, Step};
+use super::{Promise, Remark, Step};
 
 /// The state a cylinder is in before anything is done to it, as the rule `next-transition` names it.
 pub(super) fn start(bore: &Bore) -> HoleState {
@@ -131,7 +131,8 @@ pub fn write(
             step.because.push(because);
         }
         if let (Some(promise), true) = (promise, Some(index) == last) {
-            if let (Some(own), true) = (it, it.is_some_and(|own| own > promise.it)) {
+            if let Some(own) = it.filter(|own| *own > promise.it) {
+                step.remarks.push(Remark::Promised { it: promise.it, own });
                 let note = Note::new("promised").with("it", promise.it).with("own", own);
                 step.because.push(Because::table(shop.knowledge.table_of::<HoleAccuracy<'_>>()?, note));
             }

@@ -19,7 +19,7 @@ pub mod scheme;
 pub mod search;
 
 use crate::note::Because;
-use crate::part::Face;
+use crate::part::{Face, ToleratedDiameter};
 use crate::plan::{Achieved, Feature, Operation, Way};
 use crate::units::{ItGrade, Micrometres, Roughness};
 
@@ -101,8 +101,24 @@ pub struct Step {
     pub asks: Option<(ItGrade, Roughness)>,
     /// What it leaves, by the tables.
     pub achieved: Option<Achieved>,
+    /// What a reader of the plan must know of it.
+    pub remarks: Vec<Remark>,
     /// Why.
     pub because: Vec<Because>,
+}
+
+/// What a reader of the plan must know of a step.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Remark {
+    /// A step of the hole, of that diameter, is finished on another machine.
+    FinishedElsewhere(ToleratedDiameter),
+    /// A table promises a finer grade than the chain of transitions reaches.
+    Promised {
+        /// The grade that is promised.
+        it: ItGrade,
+        /// The grade of the chain.
+        own: ItGrade,
+    },
 }
 
 impl Step {
@@ -123,6 +139,7 @@ impl Step {
             borrowed: false,
             asks: None,
             achieved: None,
+            remarks: Vec::new(),
             because: Vec::new(),
         }
     }

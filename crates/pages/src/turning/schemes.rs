@@ -1,6 +1,7 @@
 //! The sections about levels, zones and schemes of a shaft's page.
 
 use crate::units::round_to;
+use technolog_tables::turning::passes::Scheme;
 use technolog_turning::schemes::{Schemes, Splitting};
 
 use super::super::sentences::term;
@@ -48,7 +49,7 @@ fn levels(found: &Schemes, lang: Lang) -> String {
         lang.pick("Схема ходів", "Scheme of passes"),
     ]
     .map(str::to_owned);
-    let schemes = |names: &[String]| names.iter().map(|name| term(name, lang)).collect::<Vec<_>>().join(" + ");
+    let schemes = |all: &[Scheme]| all.iter().map(|scheme| term(scheme.name(), lang)).collect::<Vec<_>>().join(" + ");
     let mut rows = Vec::new();
     for (index, (one, zone)) in cylinders.iter().zip(&found.zones).enumerate() {
         rows.push(vec![
@@ -59,7 +60,7 @@ fn levels(found: &Schemes, lang: Lang) -> String {
             figure(one.stock_mm, lang),
             one.passes.to_string(),
             figure(one.mean_depth_mm, lang),
-            term(&zone.zone, lang).to_owned(),
+            term(zone.zone.name(), lang).to_owned(),
             schemes(&zone.schemes),
         ]);
     }
@@ -72,7 +73,7 @@ fn levels(found: &Schemes, lang: Lang) -> String {
     }
     if let Some(whole) = found.zones.get(cylinders.len()) {
         let line = lang.pick("Уся зона: {zone}; {schemes}.", "The whole zone: {zone}; {schemes}.");
-        let line = line.replace("{zone}", term(&whole.zone, lang)).replace("{schemes}", &schemes(&whole.schemes));
+        let line = line.replace("{zone}", term(whole.zone.name(), lang)).replace("{schemes}", &schemes(&whole.schemes));
         page.push_str(&grid::paragraph(&line, 0));
     }
     page

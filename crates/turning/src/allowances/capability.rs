@@ -4,13 +4,14 @@
 use serde::Serialize;
 
 use crate::error::KnowledgeError;
-use crate::knowledge::{Input, Knowledge};
+use crate::knowledge::Knowledge;
 use crate::note::{Because, Finding, Note, Severity, doubtful_row};
+use crate::tables::turning::part::{FinishedSurface, GrindingAllowanceFor, LaterOperation, TurningFinishElsewhereFor};
 use crate::turning::contour::{Profile, Surface, SurfaceKind};
 use crate::turning::length::Half;
 use crate::units::{ItGrade, Micrometres, Roughness};
 
-use super::surfaces::{Place, ask, diameter};
+use super::surfaces::{Place, asked, diameter, on_side, place};
 
 /// What a lathe holds: its passport's data.
 #[derive(Clone, Copy, Debug)]
@@ -40,8 +41,8 @@ impl Holds {
 pub struct Elsewhere {
     /// Its name.
     pub surface: String,
-    /// The later operation: `outer-grinding`, `inner-grinding`, `face-grinding`.
-    pub operation: String,
+    /// The later operation.
+    pub operation: LaterOperation,
     /// What is left for it, on one side, mm.
     pub allowance_mm: Half,
     /// Why this operation.
@@ -68,7 +69,7 @@ pub fn elsewhere(
         return Ok((found, findings));
     };
     for surface in &profile.surfaces {
-        let place = Place::of(surface, profile.side);
+        let place = place(surface, profile.side);
         found.extend(compare(surface, place, holds, length, knowledge, &mut findings)?);
     }
     Ok((found, findings))
@@ -92,37 +93,36 @@ fn compare(
         }
         return Ok(None);
     }
-    let rule = knowledge.table("turning-finish-elsewhere")?;
     // A thread is turned as a cylinder, but nobody grinds it as one.
-    let kind = if surface.kind.is_additional() { "additional" } else { place.name() };
-    let answer = rule.decide(&[
-        ("surface", Input::Text(kind)),
-        ("grade_held", Input::Bool(surface.grade.is_none_or(|grade| grade >= holds.grade(place)))),
-        ("roughness_held", Input::Bool(surface.roughness.is_none_or(|roughness| roughness >= holds.finest))),
-    ])?;
-    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, kind))?;
-    let operation = row.text("operation")?.to_owned();
-    match operation.as_str() {
-        "none" => return Ok(None),
-        "unknown" => {
+    let kind = if surface.kind.is_additional() { FinishedSurface::Additional } else { place.into() };
+    let rule = knowledge.ask(&TurningFinishElsewhereFor {
+        surface: kind,
+        grade_held: surface.grade.is_none_or(|grade| grade >= holds.grade(place)),
+        roughness_held: surface.roughness.is_none_or(|roughness| roughness >= holds.finest),
+    })?;
+    let operation = rule.need(kind.name())?.operation;
+    match operation {
+        LaterOperation::None => return Ok(None),
+        LaterOperation::Unknown => {
             find(Severity::Doubtful, "finished-elsewhere-unknown");
             return Ok(None);
         }
-        _ => {}
+        LaterOperation::OuterGrinding | LaterOperation::InnerGrinding | LaterOperation::FaceGrinding => {}
     }
     let because = Because::answer(
-        &answer,
-        Note::new("finished-elsewhere").with("surface", &surface.name).with("operation", &operation),
+        &rule.answer,
+        Note::new("finished-elsewhere").with("surface", &surface.name).with("operation", operation.name()),
     );
-    let answer = ask(knowledge, "grinding-allowance", place, diameter(surface), length)?;
-    let Some(row) = answer.winner() else {
+    let (diameter, length) = (asked(diameter(surface)), asked(length));
+    let told = knowledge.ask(&GrindingAllowanceFor { place_on: place, diameter, length })?;
+    let Some(row) = told.winner()? else {
         find(Severity::Error, "no-allowance-for-elsewhere");
         return Ok(None);
     };
-    let allowance_mm = place.on_side(row.length("allowance")?);
+    let allowance_mm = on_side(place, row.allowance);
     let note = Note::new("elsewhere-allowance").with("surface", &surface.name).with("allowance", allowance_mm);
-    let because_allowance = Because::answer(&answer, note);
-    findings.extend(doubtful_row(row));
+    let because_allowance = Because::answer(&told.answer, note);
+    findings.extend(doubtful_row(row.row));
     Ok(Some(Elsewhere { surface: surface.name.clone(), operation, allowance_mm, because, because_allowance }))
 }
 

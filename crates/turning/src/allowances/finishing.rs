@@ -3,14 +3,15 @@
 use serde::Serialize;
 
 use crate::error::KnowledgeError;
-use crate::knowledge::{Input, Knowledge};
+use crate::knowledge::Knowledge;
 use crate::note::{Because, Finding, Note, Severity};
+use crate::tables::turning::part::{FinishTurningAllowanceFor, Pass, SurfaceAfterPassFor};
 use crate::turning::contour::Profile;
 use crate::turning::length::Half;
-use crate::units::{Micrometres, Unit};
+use crate::units::{Micrometres, Microns};
 
 use super::capability::is_groove;
-use super::surfaces::{Place, ask, diameter};
+use super::surfaces::{Place, asked, diameter, on_side, place};
 
 /// The errors that an allowance must cover, each on one side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,7 +86,7 @@ pub fn finishing(
 ) -> Result<(Vec<Allowance>, Vec<Finding>), KnowledgeError> {
     let (mut allowances, mut findings) = (Vec::new(), Vec::new());
     for surface in &profile.surfaces {
-        let place = Place::of(surface, profile.side);
+        let place = place(surface, profile.side);
         let (allowance_mm, because) = match surface.stated_allowance {
             Some(stated) => (Some(stated), None),
             None if is_groove(surface.kind) => (None, None),
@@ -123,28 +124,27 @@ pub fn allowance(
 ) -> Result<(Option<Half>, Option<Because>), KnowledgeError> {
     match method {
         Method::Table => {
-            let answer = ask(knowledge, "finish-turning-allowance", place, diameter, length)?;
-            let Some(row) = answer.winner() else { return Ok((None, None)) };
-            let found = place.on_side(row.length("allowance")?);
+            let (diameter, length) = (asked(diameter), asked(length));
+            let told = knowledge.ask(&FinishTurningAllowanceFor { place_on: place, diameter, length })?;
+            let Some(row) = told.winner()? else { return Ok((None, None)) };
+            let found = on_side(place, row.allowance);
             let note = Note::new("finishing-allowance").with("place", place.name()).with("allowance", found);
-            Ok((Some(found), Some(Because::answer(&answer, note))))
+            Ok((Some(found), Some(Because::answer(&told.answer, note))))
         }
         Method::Stated { on_diameter, on_face } => {
             let stated = if place == Place::Face { on_face } else { on_diameter };
-            Ok((stated.map(|stated| place.on_side(stated)), None))
+            Ok((stated.map(|stated| on_side(place, stated)), None))
         }
         Method::Analytic(errors) => {
-            let table = knowledge.table("surface-after-pass")?;
-            let answer = table.decide(&[("pass", Input::Text("rough-turning"))])?;
-            let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(table, "rough-turning"))?;
-            let of =
-                |column: &str| Ok::<_, KnowledgeError>(Half::from(row.number_in(column, Unit::Micrometre)? / 1000.0));
-            let (height, layer) = (of("roughness_height")?, of("damaged_layer")?);
+            let told = knowledge.ask(&SurfaceAfterPassFor { pass: Pass::Rough })?;
+            let row = told.need(Pass::Rough.name())?;
+            let of = |thickness: Microns| Half::from(thickness.0 / 1000.0);
+            let (height, layer) = (of(row.roughness_height), of(row.damaged_layer));
             let (given, stated) = (errors.roughness_height, errors.damaged_layer);
             let found =
                 least(place, given.unwrap_or(height), stated.unwrap_or(layer), errors.deviation, errors.setting);
             let note = Note::new("analytic-allowance").with("place", place.name()).with("allowance", found);
-            let because = (given.is_none() || stated.is_none()).then(|| Because::answer(&answer, note));
+            let because = (given.is_none() || stated.is_none()).then(|| Because::answer(&told.answer, note));
             Ok((Some(found), because))
         }
     }

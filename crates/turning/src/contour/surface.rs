@@ -5,75 +5,9 @@ use serde::Serialize;
 use crate::turning::length::Half;
 use crate::units::{ItGrade, Roughness};
 
+pub use crate::tables::turning::part::SurfaceKind;
+
 use super::{Contour, Piece, Side};
-
-/// What a surface is, by how the drawing names it (lecture, fig. 12.1). Whether it is a main or an additional element of the
-/// contour is not said here: that follows from the tool.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum SurfaceKind {
-    /// Across the axis.
-    Face,
-    /// Along it.
-    Cylinder,
-    /// Aslant.
-    Cone,
-    /// A cone that breaks an edge.
-    Chamfer,
-    /// An arc that bulges from the metal: a ball, a rounded edge.
-    Ball,
-    /// An arc that is hollow: a fillet, a radius face.
-    Fillet,
-    /// A thread, which is turned as a cylinder or cone first.
-    Thread,
-    /// A relief for the grinding wheel.
-    GrindingRelief,
-    /// A relief at the end of a thread.
-    ThreadRelief,
-    /// A groove with upright walls.
-    RectangularGroove,
-    /// A groove with slanting walls.
-    TrapezoidGroove,
-    /// A groove in a face.
-    FaceGroove,
-    /// A groove for a belt.
-    PulleyGroove,
-}
-
-impl SurfaceKind {
-    /// Its name for programs and tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Face => "face",
-            Self::Cylinder => "cylinder",
-            Self::Cone => "cone",
-            Self::Chamfer => "chamfer",
-            Self::Ball => "ball",
-            Self::Fillet => "fillet",
-            Self::Thread => "thread",
-            Self::GrindingRelief => "grinding-relief",
-            Self::ThreadRelief => "thread-relief",
-            Self::RectangularGroove => "rectangular-groove",
-            Self::TrapezoidGroove => "trapezoid-groove",
-            Self::FaceGroove => "face-groove",
-            Self::PulleyGroove => "pulley-groove",
-        }
-    }
-
-    /// Additional by its kind, whatever its angles: threads and grooves have tools of their own.
-    pub const fn is_additional(self) -> bool {
-        matches!(
-            self,
-            Self::Thread
-                | Self::GrindingRelief
-                | Self::ThreadRelief
-                | Self::RectangularGroove
-                | Self::TrapezoidGroove
-                | Self::FaceGroove
-                | Self::PulleyGroove
-        )
-    }
-}
 
 /// A surface of the part.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]

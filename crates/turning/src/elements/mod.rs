@@ -21,6 +21,8 @@ use crate::knowledge::Knowledge;
 use crate::note::{Because, Note};
 use crate::units::Degrees;
 
+pub use crate::tables::turning::part::{Element, Ground};
+
 use super::contour::{Contour, Piece, Profile, SurfaceKind};
 use super::point::Point;
 use bridge::{Bridged, Span, bridge};
@@ -53,59 +55,6 @@ pub struct Angles {
 impl Angles {
     /// The contouring tool by which the lecture tells main elements: φ = 95°, φ1 = 30° (12.1, l. 85-91).
     pub const CONTOURING: Self = Self { main: Degrees(95.0), secondary: Degrees(30.0), hand: Hand::Right };
-}
-
-/// What an element of the contour is to a tool.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Element {
-    /// The tool makes all of it.
-    Main,
-    /// It needs another tool.
-    Additional,
-    /// It falls away behind the largest radius and never rises again: for the other set-up.
-    OtherSide,
-}
-
-/// Why an element is what it is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Ground {
-    /// Both edges clear it.
-    Reach,
-    /// By its kind, whatever its angles.
-    Kind,
-    /// It rises more steeply than φ.
-    Rise,
-    /// It falls more steeply than φ1.
-    Fall,
-    /// It leads back towards the free end, or lies under what does.
-    Back,
-    /// It lies in the shadow of what falls before it.
-    Shadow,
-    /// It lies before a rise steeper than φ.
-    Corner,
-    /// It lies in a valley whose floor is not reached.
-    Valley,
-    /// It lies behind a fall that never rises again.
-    Beyond,
-}
-
-impl Ground {
-    /// Its name in the rule `turning-element`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Reach => "reach",
-            Self::Kind => "kind",
-            Self::Rise => "rise",
-            Self::Fall => "fall",
-            Self::Back => "back",
-            Self::Shadow => "shadow",
-            Self::Corner => "corner",
-            Self::Valley => "valley",
-            Self::Beyond => "beyond",
-        }
-    }
 }
 
 /// A surface, judged.

@@ -1,10 +1,11 @@
 //! The class of a surface with its reasons.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::{Input, Knowledge};
+use crate::knowledge::Knowledge;
 use crate::note::{Because, Note};
+use crate::tables::turning::part::TurningElementFor;
 use crate::turning::contour::Surface;
-use crate::units::{Decimal, Degrees, Unit, round_to};
+use crate::units::{Degrees, round_to};
 
 use super::bridge::Span;
 use super::reach::Shade;
@@ -109,23 +110,15 @@ fn ask(
     note: Note,
     knowledge: &Knowledge,
 ) -> Result<(Element, String, Because), KnowledgeError> {
-    let rule = knowledge.table("turning-element")?;
-    // Angles of the rule are whole millionths of a degree.
-    let fall = Decimal::from_millionths((round_to(fall, 4) * 1e6) as i64);
-    let answer = rule.decide(&[
-        ("kind", Input::Text(surface.kind.name())),
-        ("ground", Input::Text(ground.name())),
-        ("valley_fall", Input::Number(fall, Unit::Degree)),
-        ("floor_reached", Input::Bool(reached)),
-    ])?;
-    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, surface.kind.name()))?;
-    let element = match row.text("element")? {
-        "main" => Element::Main,
-        "other-side" => Element::OtherSide,
-        _ => Element::Additional,
-    };
-    let tool = row.text("tool")?.to_owned();
-    Ok((element, tool.clone(), Because::answer(&answer, note.with("take", tool))))
+    let asked = knowledge.ask(&TurningElementFor {
+        kind: surface.kind,
+        ground,
+        valley_fall: Degrees(round_to(fall, 4)),
+        floor_reached: reached,
+    })?;
+    let rule = asked.need(surface.kind.name())?;
+    let because = Because::answer(&asked.answer, note.with("take", rule.tool));
+    Ok((rule.element, rule.tool.to_owned(), because))
 }
 
 /// Which angle of the element stands against which of the tool.

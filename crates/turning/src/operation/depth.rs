@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::knowledge::Input;
 use crate::note::{Because, Finding, Note, Severity};
+use crate::tables::turning::part::TurningSkinFor;
 use crate::turning::cutting::{
     Cut, Direction, Lack, LimitingDepth, Speed, TurningConditions, conditions, limiting_depth, rough_feed,
 };
@@ -157,12 +157,11 @@ fn of_one_feed(
 /// lathe.
 fn cut<'a, 'k>(task: Task<'a, 'k>, bench: &'a Bench<'_, 'k>) -> Result<Option<(Cut<'a, 'k>, Because)>, KnowledgeError> {
     let Some(lathe) = bench.lathe else { return Ok(None) };
-    let (knowledge, kind) = (bench.knowledge, bench.workpiece.blank.kind.name());
-    let rule = knowledge.table("turning-skin")?;
-    let answer = rule.decide(&[("stock", Input::Text(kind)), ("group", Input::Text(bench.material.group))])?;
-    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, kind))?;
-    let surface = row.text("surface")?;
-    let because = Because::answer(&answer, Note::new("turning-skin").with("kind", kind).with("surface", surface));
+    let (knowledge, stock) = (bench.knowledge, bench.workpiece.blank.kind);
+    let asked = knowledge.ask(&TurningSkinFor { stock, group: bench.material.group })?;
+    let surface = asked.need(stock.name())?.surface;
+    let note = Note::new("turning-skin").with("kind", stock.name()).with("surface", surface);
+    let because = Because::answer(&asked.answer, note);
     let (tool, material) = (task.tool, &bench.material);
     let (diameter, direction) = (task.diameter, task.direction);
     Ok(Some((Cut { knowledge, lathe, tool, material, diameter, direction, surface }, because)))

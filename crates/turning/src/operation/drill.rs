@@ -3,8 +3,9 @@
 use serde::Serialize;
 
 use crate::error::KnowledgeError;
-use crate::knowledge::{Input, Knowledge};
+use crate::knowledge::Knowledge;
 use crate::note::{Because, Finding, Note, Severity, doubtful_row};
+use crate::tables::turning::part::BoreDrillFor;
 use crate::turning::contour::{Contour, Side};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
@@ -43,12 +44,16 @@ pub(super) fn before_boring(
     let walls = rough.pieces.iter().filter(|piece| !piece.is_face());
     let narrow = walls.flat_map(|piece| [piece.from.radius, piece.to.radius]).min();
     let (Some(narrow), Some(end)) = (narrow, rough.end()) else { return Ok(None) };
-    let rule = knowledge.table("bore-drill")?;
-    let answer = rule.decide(&[("diameter", Input::Length(narrow.diameter().max(Micrometres::ZERO)))])?;
-    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, &narrow.diameter().to_string()))?;
-    findings.extend(doubtful_row(row));
-    let stock_and_step =
-        if row.flag("drilled") { Some((row.length("least_stock")?, row.length("step")?)) } else { None };
+    let asked = knowledge.ask(&BoreDrillFor { diameter: narrow.diameter().max(Micrometres::ZERO) })?;
+    let rule = asked.need(&narrow.diameter().to_string())?;
+    findings.extend(doubtful_row(rule.row));
+    let stock_and_step = match (rule.drilled, rule.least_stock, rule.step) {
+        (true, Some(stock), Some(step)) => Some((stock, step)),
+        (true, ..) => {
+            return Err(KnowledgeError::lacks(&rule.row.table.id, "a bore that is drilled has stock and step"));
+        }
+        (false, ..) => None,
+    };
     let most = |stock: Micrometres| (narrow - Half::of(stock)).diameter();
     let drill =
         stock_and_step.map(|(stock, step)| (most(stock).micrometres() / step.micrometres().max(1), stock, step));
@@ -61,7 +66,7 @@ pub(super) fn before_boring(
     let note = Note::new("bore-drilled-first").with("diameter", diameter).with("depth", end.z);
     let note = note.with("stock", stock).with("step", step);
     findings.push(Finding::of_part(Severity::Note, note.clone()));
-    let because = Because::answer(&answer, note);
+    let because = Because::answer(&asked.answer, note);
     Ok(Some((Drilled { diameter_mm: diameter, depth_mm: end.z, because }, without_middle(rough, diameter))))
 }
 

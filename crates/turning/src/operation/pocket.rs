@@ -7,6 +7,7 @@
 //!
 //! Neighbours of one kind stay together: parting at every face costs a return for each (lecture, fig. 12.5 a).
 
+use crate::tables::turning::passes::PartsWorked;
 use crate::turning::contour::{Contour, Piece, Side};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
@@ -35,9 +36,9 @@ pub(super) fn pieceworks(zone: &Zone, rough: &Contour, blank: &Contour) -> Vec<P
     let within = |contour: &Contour| clip::between(contour, from, to);
     let (rough, blank) = (within(rough), within(blank));
     let stock = |rough: &Contour, blank: &Contour| Stock { rough: rough.clone(), blank: blank.clone(), from, to };
-    let each = zone.scheme.parts_worked == "each";
+    let each = zone.scheme.parts_worked == PartsWorked::Each;
     let last = zone.scheme.schemes.len().saturating_sub(1);
-    if !each && zone.scheme.parts_worked != "joined" {
+    if !each && zone.scheme.parts_worked != PartsWorked::Joined {
         return vec![Piecework { stock: stock(&rough, &blank), scheme: 0 }];
     }
     if !blank.pieces.iter().all(|piece| piece.is_cylinder()) {

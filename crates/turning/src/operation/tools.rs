@@ -5,9 +5,10 @@ use std::cmp::Ordering;
 use serde::Serialize;
 
 use crate::error::KnowledgeError;
-use crate::knowledge::{Input, Knowledge};
+use crate::knowledge::Knowledge;
 use crate::material::Material;
 use crate::note::{Because, Note};
+use crate::tables::turning::tools::{Preference, TurningToolOrderFor};
 use crate::turning::allowances::capability::Elsewhere;
 use crate::turning::contour::Side;
 use crate::turning::elements::{self, Angles};
@@ -53,49 +54,29 @@ pub struct Taken {
     pub because_order: Because,
 }
 
-/// What tools that fit are put in order by: the answers of the rule `turning-tool-order`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Preference {
-    LeastTrailAngle,
-    LargestShank,
-    WidestBlade,
-}
-
-impl Preference {
-    const NAMES: [(&'static str, Self); 3] = [
-        ("least-trail-angle", Self::LeastTrailAngle),
-        ("largest-shank", Self::LargestShank),
-        ("widest-blade", Self::WidestBlade),
-    ];
-
-    /// Which of two tools comes first by it alone.
-    fn compare(self, one: &TurningTool<'_>, other: &TurningTool<'_>) -> Ordering {
-        match self {
-            Self::LeastTrailAngle => one.trail_angle.cmp(&other.trail_angle),
-            Self::LargestShank => other.shank.map(thickness).cmp(&one.shank.map(thickness)),
-            Self::WidestBlade => other.width.cmp(&one.width),
-        }
+/// Which of two tools comes first by one thing alone.
+fn compare(by: Preference, one: &TurningTool<'_>, other: &TurningTool<'_>) -> Ordering {
+    match by {
+        Preference::LeastTrailAngle => one.trail_angle.cmp(&other.trail_angle),
+        Preference::LargestShank => other.shank.map(thickness).cmp(&one.shank.map(thickness)),
+        Preference::WidestBlade => other.width.cmp(&one.width),
     }
 }
 
 /// What counts among tools of a kind, what counts most first, and the row that says so.
 fn order(kind: ToolKind, knowledge: &Knowledge) -> Result<(Vec<Preference>, Because), KnowledgeError> {
-    const TABLE: &str = "turning-tool-order";
-    let rule = knowledge.table(TABLE)?;
-    let answer = rule.decide(&[("kind", Input::Text(kind.name()))])?;
-    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, kind.name()))?;
-    let names = row.texts("prefer")?;
-    let known = |name: &&str| Preference::NAMES.iter().find(|(known, _)| known == name).map(|(_, found)| *found);
-    let found: Option<Vec<Preference>> = names.iter().map(known).collect();
-    let found = found.ok_or_else(|| KnowledgeError::lacks(TABLE, "`prefer` has a name that planning does not know"))?;
-    Ok((found, Because::answer(&answer, Note::new("tool-order").with("prefer", names.join(", ")))))
+    let asked = knowledge.ask(&TurningToolOrderFor { kind })?;
+    let order = asked.need(kind.name())?.prefer;
+    let names: Vec<&str> = order.iter().map(|preference| preference.name()).collect();
+    let because = Because::answer(&asked.answer, Note::new("tool-order").with("prefer", names.join(", ")));
+    Ok((order, because))
 }
 
 /// Tools of a kind in that order; equals stay in that of their tables.
 fn put_in_order(tools: &mut [TurningTool<'_>], kind: ToolKind, knowledge: &Knowledge) -> Result<(), KnowledgeError> {
     let (order, _) = order(kind, knowledge)?;
     tools.sort_by(|one, other| {
-        let decided = order.iter().map(|preference| preference.compare(one, other));
+        let decided = order.iter().map(|preference| compare(*preference, one, other));
         decided.fold(Ordering::Equal, Ordering::then)
     });
     Ok(())

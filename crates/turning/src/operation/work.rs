@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use crate::error::{KnowledgeError, Refusal};
 use crate::note::{Because, Finding, Note, Severity};
+use crate::tables::turning::part::BlankShape;
 use crate::turning::allowances::equidistant;
 use crate::turning::contour::{Contour, Profile, Side};
 use crate::turning::cutting::Direction;
@@ -105,7 +106,7 @@ pub fn zones(
     let knowledge = bench.knowledge;
     let candidates = tools::candidates(layers.rough.side, bench)?;
     let angles: Vec<_> = candidates.iter().map(tools::angles).collect();
-    let near_part = bench.workpiece.blank.kind.shape() == "near-part";
+    let near_part = bench.workpiece.blank.kind.shape() == BlankShape::NearPart;
     let stock = zones::Stock { rough: &layers.rough, blank: &layers.blank, near_part, against_stop: false };
     let zones = zones::find(stock, &angles, knowledge)?;
     let taken = tools::assign(&zones, &angles);
@@ -357,6 +358,6 @@ fn wanted(zone: &Zone, index: usize, bench: &Bench<'_, '_>) -> Option<Scheme> {
     if let Some(asked) = bench.workpiece.roughing.scheme {
         return Some(Scheme::from(asked));
     }
-    let name = zone.scheme.schemes.get(index).or_else(|| zone.scheme.schemes.last())?;
-    Scheme::ALL.into_iter().find(|scheme| scheme.name() == name)
+    let schemes = &zone.scheme.schemes;
+    schemes.get(index).or_else(|| schemes.last()).map(|scheme| Scheme::from(*scheme))
 }

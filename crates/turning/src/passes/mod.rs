@@ -15,8 +15,9 @@ pub mod variants;
 use serde::Serialize;
 
 use crate::error::KnowledgeError;
-use crate::knowledge::{Input, Knowledge};
+use crate::knowledge::Knowledge;
 use crate::note::{Because, Finding, Note, Severity};
+use crate::tables::turning::passes::{PassDirectionFor, Passes};
 use crate::units::{Micrometres, Minutes};
 
 use super::length::Half;
@@ -242,25 +243,15 @@ fn slice_told(slice: &grid::Slice) -> SliceTold {
 
 /// Asks the rule `pass-direction`.
 fn recommend(shaft: &Shaft, knowledge: &Knowledge, findings: &mut Vec<Finding>) -> Result<Recommended, KnowledgeError> {
-    let rule = knowledge.table("pass-direction")?;
-    let answer = rule.decide(&[
-        ("blank_shape", Input::Text(shaft.blank.kind.shape())),
-        ("holding", Input::Text(shaft.holding.name())),
-    ])?;
-    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, shaft.holding.name()))?;
-    let direction = row.text("direction")?;
-    let note = Note::new(match direction {
-        "lengthwise" => "take-lengthwise",
-        "searched" => "take-searched",
-        _ => "take-contour",
-    });
-    let variant = match direction {
-        "lengthwise" => Some("longitudinal"),
-        "searched" => Some("optimal"),
-        _ => None,
+    let question = PassDirectionFor { blank_shape: shaft.blank.kind.shape(), holding: shaft.holding };
+    let asked = knowledge.ask(&question)?;
+    let (code, variant) = match asked.need(shaft.holding.name())?.direction {
+        Passes::Lengthwise => ("take-lengthwise", Some("longitudinal")),
+        Passes::Searched => ("take-searched", Some("optimal")),
+        Passes::Contour => ("take-contour", None),
     };
     if variant.is_none() {
         findings.push(Finding::of_part(Severity::Doubtful, Note::new("contour-passes-elsewhere")));
     }
-    Ok(Recommended { variant, because: Because::answer(&answer, note) })
+    Ok(Recommended { variant, because: Because::answer(&asked.answer, Note::new(code)) })
 }

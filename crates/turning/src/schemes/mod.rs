@@ -12,8 +12,9 @@ pub mod zones;
 use serde::Serialize;
 
 use crate::error::KnowledgeError;
-use crate::knowledge::{Input, Knowledge};
+use crate::knowledge::Knowledge;
 use crate::note::{Because, Finding, Note};
+use crate::tables::turning::passes::RemovalSchemeFor;
 use crate::units::{Micrometres, Minutes, round_to};
 
 use super::length::Half;
@@ -129,8 +130,8 @@ pub fn find(shaft: &Shaft, knowledge: &Knowledge) -> Result<Schemes, KnowledgeEr
     let zones = zones::zones(&levels, knowledge)?;
     let mut ranked = Vec::new();
     if !levels.sections.is_empty() {
-        for scheme in Scheme::ALL {
-            ranked.push(told(scheme, &levels, &rates, knowledge)?);
+        for (_, scheme) in Scheme::NAMES {
+            ranked.push(told(*scheme, &levels, &rates, knowledge)?);
         }
     } else {
         findings.clear();
@@ -153,18 +154,16 @@ fn told(
     rates: &Rates,
     knowledge: &Knowledge,
 ) -> Result<(i64, SchemeTold), KnowledgeError> {
-    let table = knowledge.table("removal-scheme")?;
-    let answer = table.decide(&[("scheme", Input::Text(scheme.name()))])?;
-    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(table, scheme.name()))?;
-    let path = scheme.path(levels, Half::of(rates.approach), Half::of(rates.retract));
+    let rule = knowledge.ask(&RemovalSchemeFor { scheme })?.need(scheme.name())?;
+    let path = removal::path(scheme, levels, Half::of(rates.approach), Half::of(rates.retract));
     let told = SchemeTold {
         name: scheme.name(),
         measures: told::measure(&path, rates),
         points: told::points(&path, levels),
-        because: Because::row(row, Note::new(&format!("scheme-{}", scheme.name()))),
+        because: Because::row(rule.row, Note::new(&format!("scheme-{}", scheme.name()))),
         path,
     };
-    Ok((row.int("preference")?, told))
+    Ok((rule.preference, told))
 }
 
 /// The quickest scheme, among equals the one that the lecture prefers.

@@ -1,10 +1,11 @@
 //! How fast the tool moves, where the shaft file says nothing: rows of the table `turning-motion`.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::{Input, Knowledge, RowRef};
+use crate::knowledge::Knowledge;
 use crate::note::{Finding, doubtful_row};
+use crate::tables::turning::passes::{Motion, TurningMotion, TurningMotionFor};
 use crate::turning::shaft::{Rates, Shaft};
-use crate::units::{MillimetresPerMinute, Unit};
+use crate::units::{Micrometres, MillimetresPerMinute};
 
 /// The rates of a shaft file, or those of the table with a finding for each row that is not confirmed.
 ///
@@ -22,20 +23,30 @@ pub fn rates(shaft: &Shaft, knowledge: &Knowledge) -> Result<(Rates, Vec<Finding
 /// # Errors
 /// The knowledge base lacks the table or a row of it.
 pub fn of_table(knowledge: &Knowledge) -> Result<(Rates, Vec<Finding>), KnowledgeError> {
-    let table = knowledge.table("turning-motion")?;
     let mut findings = Vec::new();
-    let mut of = |name: &str| -> Result<RowRef<'_>, KnowledgeError> {
-        let answer = table.decide(&[("quantity", Input::Text(name))])?;
-        let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(table, name))?;
-        findings.extend(doubtful_row(row));
-        Ok(row)
+    let mut of = |quantity: Motion| -> Result<TurningMotion<'_>, KnowledgeError> {
+        let rule = knowledge.ask(&TurningMotionFor { quantity })?.need(quantity.name())?;
+        findings.extend(doubtful_row(rule.row));
+        Ok(rule)
     };
     let rates = Rates {
-        longitudinal_feed: MillimetresPerMinute(of("longitudinal-feed")?.number_in("rate", Unit::MillimetrePerMinute)?),
-        transverse_feed: MillimetresPerMinute(of("transverse-feed")?.number_in("rate", Unit::MillimetrePerMinute)?),
-        rapid: MillimetresPerMinute(of("rapid")?.number_in("rate", Unit::MillimetrePerMinute)?),
-        approach: of("approach")?.length("distance")?,
-        retract: of("retract")?.length("distance")?,
+        longitudinal_feed: rate(&of(Motion::LongitudinalFeed)?)?,
+        transverse_feed: rate(&of(Motion::TransverseFeed)?)?,
+        rapid: rate(&of(Motion::Rapid)?)?,
+        approach: distance(&of(Motion::Approach)?)?,
+        retract: distance(&of(Motion::Retract)?)?,
     };
     Ok((rates, findings))
+}
+
+fn rate(rule: &TurningMotion<'_>) -> Result<MillimetresPerMinute, KnowledgeError> {
+    rule.rate.ok_or_else(|| lacks(rule, "a rate"))
+}
+
+fn distance(rule: &TurningMotion<'_>) -> Result<Micrometres, KnowledgeError> {
+    rule.distance.ok_or_else(|| lacks(rule, "a distance"))
+}
+
+fn lacks(rule: &TurningMotion<'_>, what: &str) -> KnowledgeError {
+    KnowledgeError::lacks(&rule.row.table.id, &format!("row {} must have {what}", rule.row.number()))
 }

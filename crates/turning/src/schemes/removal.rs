@@ -1,8 +1,6 @@
 //! The schemes of removal for stepped shafts (lecture 12.4, l. 684-790): in which order the tool takes the pieces
 //! between horizontals and verticals.
 
-use serde::Serialize;
-
 use crate::turning::length::Half;
 use crate::turning::levels::Levels;
 use crate::turning::levels::zone::Section;
@@ -10,58 +8,30 @@ use crate::turning::point::Point;
 
 use super::path::{Path, Vertex};
 
-/// A scheme of removal.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Scheme {
-    /// Cycles of verticals: cylinder after cylinder (fig. 12.7).
-    Verticals,
-    /// Cycles of levels: level after level over all cylinders (fig. 12.8).
-    Levels,
-    /// Cycles of horizontals: straight passes, which leave at most one depth over each cylinder, then one pass along
-    /// the contour (fig. 12.9 a).
-    HorizontalsA,
-    /// The same, but what is left for the pass along the contour is less than the depth everywhere (fig. 12.9 b).
-    HorizontalsB,
-}
+pub use crate::tables::turning::passes::Removal as Scheme;
 
-impl Scheme {
-    /// Every scheme, in the order of the lecture.
-    pub const ALL: [Self; 4] = [Self::Verticals, Self::Levels, Self::HorizontalsA, Self::HorizontalsB];
-
-    /// Its name in the answer and in the table `removal-scheme`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Verticals => "verticals",
-            Self::Levels => "levels",
-            Self::HorizontalsA => "horizontals-a",
-            Self::HorizontalsB => "horizontals-b",
-        }
-    }
-
-    /// The path of the tool over a zone, from home and back, with the approach δ and the retract.
-    pub fn path(self, levels: &Levels, approach: Half, retract: Half) -> Vec<Vertex> {
-        let largest = levels.sections.iter().map(|section| section.blank).max().unwrap_or_default();
-        let mut path = Path::new(largest, approach, retract);
-        for section in &levels.sections {
-            match self {
-                Self::Verticals => verticals(levels, section, &mut path),
-                Self::Levels => by_levels(levels, section, &mut path),
-                Self::HorizontalsA => {
-                    // All levels but the last of each cylinder, which the pass along the contour takes.
-                    let counts = section.cylinders.iter().map(|one| levels.count(section, one) - 1);
-                    straight(levels, section, &counts.collect::<Vec<_>>(), &mut path);
-                    contour(section, &mut path);
-                }
-                Self::HorizontalsB => {
-                    let counts = section.cylinders.iter().map(|one| levels.full(section, one));
-                    straight(levels, section, &counts.collect::<Vec<_>>(), &mut path);
-                    contour(section, &mut path);
-                }
+/// The path of the tool over a zone, from home and back, with the approach δ and the retract.
+pub fn path(scheme: Scheme, levels: &Levels, approach: Half, retract: Half) -> Vec<Vertex> {
+    let largest = levels.sections.iter().map(|section| section.blank).max().unwrap_or_default();
+    let mut path = Path::new(largest, approach, retract);
+    for section in &levels.sections {
+        match scheme {
+            Scheme::Verticals => verticals(levels, section, &mut path),
+            Scheme::Levels => by_levels(levels, section, &mut path),
+            Scheme::HorizontalsA => {
+                // All levels but the last of each cylinder, which the pass along the contour takes.
+                let counts = section.cylinders.iter().map(|one| levels.count(section, one) - 1);
+                straight(levels, section, &counts.collect::<Vec<_>>(), &mut path);
+                contour(section, &mut path);
+            }
+            Scheme::HorizontalsB => {
+                let counts = section.cylinders.iter().map(|one| levels.full(section, one));
+                straight(levels, section, &counts.collect::<Vec<_>>(), &mut path);
+                contour(section, &mut path);
             }
         }
-        path.home()
     }
+    path.home()
 }
 
 /// Cylinder after cylinder, each level by level. The last pass of a cylinder goes up its face, and on along the stock of

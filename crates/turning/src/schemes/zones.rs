@@ -8,7 +8,8 @@ use crate::knowledge::Knowledge;
 use crate::note::Because;
 use crate::turning::length::Half;
 use crate::turning::levels::Levels;
-use crate::turning::zones::kind::{Bounds, Circumstances, KindFound, alone, scheme, together};
+use crate::turning::workpiece::Scheme;
+use crate::turning::zones::kind::{Bounds, Circumstances, Kind, KindFound, alone, scheme, together};
 
 /// A zone, with the schemes that suit it.
 #[derive(Clone, Debug, Serialize)]
@@ -17,10 +18,10 @@ pub struct Zone {
     pub from_z_mm: Half,
     /// Z of its end, mm.
     pub to_z_mm: Half,
-    /// `open`, `half-open`, `closed` or `combined`.
-    pub zone: String,
+    /// Its kind.
+    pub zone: Kind,
     /// The schemes, in the order of work; more than one where the zone is worked in parts.
-    pub schemes: Vec<String>,
+    pub schemes: Vec<Scheme>,
     /// Why this kind.
     pub because_zone: Because,
     /// Why these schemes.
@@ -57,7 +58,7 @@ fn zone(knowledge: &Knowledge, from: Half, to: Half, found: KindFound) -> Result
     Ok(Zone {
         from_z_mm: Half::ZERO - from,
         to_z_mm: Half::ZERO - to,
-        zone: found.kind.name().to_owned(),
+        zone: found.kind,
         schemes: choice.schemes,
         because_zone: found.because,
         because: choice.because,

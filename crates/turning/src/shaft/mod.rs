@@ -12,9 +12,11 @@ pub(super) mod shape;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::tables::turning::part::BlankShape;
 use crate::units::{Micrometres, MillimetresPerMinute};
 
 pub use super::reading::Mistake;
+pub use crate::tables::turning::part::Holding;
 pub use file::schema;
 pub use read::read_shaft;
 
@@ -75,32 +77,11 @@ impl BlankKind {
         }
     }
 
-    /// What the rule `pass-direction` calls its shape.
-    pub const fn shape(self) -> &'static str {
+    /// Its shape.
+    pub const fn shape(self) -> BlankShape {
         match self {
-            Self::Bar => "bar",
-            Self::Forging | Self::Casting => "near-part",
-        }
-    }
-}
-
-/// How the blank is held.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Holding {
-    /// In the chuck, the free end without a centre.
-    #[default]
-    Chuck,
-    /// Between centres.
-    Centres,
-}
-
-impl Holding {
-    /// Its name in the file and in the rule `pass-direction`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Chuck => "chuck",
-            Self::Centres => "centres",
+            Self::Bar => BlankShape::Bar,
+            Self::Forging | Self::Casting => BlankShape::NearPart,
         }
     }
 }

@@ -1,54 +1,11 @@
 //! Turning tools, from the tables of `catalogs/tools/turning`.
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use crate::error::KnowledgeError;
-use crate::knowledge::{Knowledge, RowRef, TableError};
-use crate::units::{Decimal, Micrometres, Unit};
+use crate::knowledge::{Knowledge, RowRef};
+use crate::tables::turning::tools::{TOOL_TABLES, TurningToolRow};
+use crate::units::{Decimal, Micrometres};
 
-/// The tables of tools, in the order in which they are asked.
-const TABLES: [&str; 4] =
-    ["turning-outer-tools", "turning-boring-bars", "turning-grooving-tools", "turning-threading-tools"];
-
-/// What a tool is for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum ToolKind {
-    /// Cylinders, faces and contours outside.
-    Turning,
-    /// The same inside.
-    Boring,
-    /// Grooves and parting, across the axis.
-    Grooving,
-    /// Grooves in a face, along the axis.
-    FaceGrooving,
-    /// Threads.
-    Threading,
-}
-
-/// Where a tool works.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Works {
-    /// On outer surfaces.
-    Outer,
-    /// In a bore.
-    Inner,
-    /// In a face.
-    Face,
-}
-
-/// Which way a tool cuts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-pub enum Hand {
-    /// Right: towards the chuck.
-    R,
-    /// Left: away from the chuck.
-    L,
-    /// Neutral: both ways.
-    N,
-}
+pub use crate::tables::turning::tools::{Hand, ToolKind, Works};
 
 /// What of a tool is clamped, and bends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -118,9 +75,9 @@ impl<'k> TurningTool<'k> {
     /// A table is not there, or a row lacks a required cell.
     pub fn all(knowledge: &'k Knowledge) -> Result<Vec<Self>, KnowledgeError> {
         let mut tools = Vec::new();
-        for table in TABLES {
-            for row in knowledge.table(table)?.all_rows() {
-                tools.push(Self::read(row)?);
+        for table in TOOL_TABLES {
+            for row in knowledge.table(table)?.rows() {
+                tools.push(Self::of(row?));
             }
         }
         Ok(tools)
@@ -135,30 +92,30 @@ impl<'k> TurningTool<'k> {
         Ok(Self::all(knowledge)?.into_iter().find(|tool| plain(tool.designation) == wanted))
     }
 
-    fn read(row: RowRef<'k>) -> Result<Self, KnowledgeError> {
-        let round = row.length_if_any("bar_diameter").map(|diameter| Shank::Round { diameter });
-        let square = row.length_if_any("shank_height").zip(row.length_if_any("shank_width"));
-        Ok(Self {
-            row,
-            designation: row.text("designation")?,
-            kind: word(row, "kind", ToolKind::of)?,
-            works: word(row, "place_of_work", Works::of)?,
-            hand: word(row, "hand", Hand::of)?,
-            lead_angle: Decimal::from_f64_rounded(row.number_in("lead_angle", Unit::Degree)?),
-            trail_angle: Decimal::from_f64_rounded(row.number_in("trail_angle", Unit::Degree)?),
-            nose_radius: row.length_if_any("nose_radius"),
-            insert: row.text("insert").ok(),
-            edge: row.length_if_any("edge"),
+    fn of(tool: TurningToolRow<'k>) -> Self {
+        let round = tool.bar_diameter.map(|diameter| Shank::Round { diameter });
+        let square = tool.shank_height.zip(tool.shank_width);
+        Self {
+            row: tool.row,
+            designation: tool.designation,
+            kind: tool.kind,
+            works: tool.place_of_work,
+            hand: tool.hand,
+            lead_angle: Decimal::from_f64_rounded(tool.lead_angle.0),
+            trail_angle: Decimal::from_f64_rounded(tool.trail_angle.0),
+            nose_radius: tool.nose_radius,
+            insert: tool.insert,
+            edge: tool.edge,
             shank: round.or(square.map(|(height, width)| Shank::Square { height, width })),
-            reach: row.length_if_any("reach"),
-            length: row.length_if_any("length"),
-            min_bore: row.length_if_any("min_bore"),
-            width: row.length_if_any("width"),
-            groove_depth: row.length_if_any("groove_depth"),
-            face_diameter_min: row.length_if_any("face_diameter_min"),
-            pitch: row.length_if_any("pitch_min").zip(row.length_if_any("pitch_max")),
-            grades: row.texts("grades").unwrap_or_default(),
-        })
+            reach: tool.reach,
+            length: tool.length,
+            min_bore: tool.min_bore,
+            width: tool.width,
+            groove_depth: tool.groove_depth,
+            face_diameter_min: tool.face_diameter_min,
+            pitch: tool.pitch_min.zip(tool.pitch_max),
+            grades: tool.grades.unwrap_or_default(),
+        }
     }
 
     /// Whether it is fed straight into the metal, so that the width of its blade is the depth of cut.
@@ -180,55 +137,4 @@ impl<'k> TurningTool<'k> {
 /// A designation as it is compared.
 fn plain(designation: &str) -> String {
     designation.chars().filter(|letter| !letter.is_whitespace()).flat_map(char::to_uppercase).collect()
-}
-
-fn word<'k, T>(row: RowRef<'k>, column: &str, of: fn(&str) -> Option<T>) -> Result<T, TableError> {
-    let text = row.text(column)?;
-    of(text).ok_or_else(|| TableError {
-        table: row.table.id.clone(),
-        file: format!("{}:{}", row.table.file, row.row().line),
-        row: format!(", row {}", row.number()),
-        problem: format!("`{text}` in the column `{column}` is nothing that turning knows"),
-    })
-}
-
-impl ToolKind {
-    const ALL: [Self; 5] = [Self::Turning, Self::Boring, Self::Grooving, Self::FaceGrooving, Self::Threading];
-
-    /// Its name in tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Turning => "turning",
-            Self::Boring => "boring",
-            Self::Grooving => "grooving",
-            Self::FaceGrooving => "face-grooving",
-            Self::Threading => "threading",
-        }
-    }
-
-    fn of(text: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|kind| kind.name() == text)
-    }
-}
-
-impl Works {
-    fn of(text: &str) -> Option<Self> {
-        Some(match text {
-            "outer" => Self::Outer,
-            "inner" => Self::Inner,
-            "face" => Self::Face,
-            _ => return None,
-        })
-    }
-}
-
-impl Hand {
-    fn of(text: &str) -> Option<Self> {
-        Some(match text {
-            "R" => Self::R,
-            "L" => Self::L,
-            "N" => Self::N,
-            _ => return None,
-        })
-    }
 }

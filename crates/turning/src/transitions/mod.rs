@@ -37,6 +37,7 @@ use serde::Serialize;
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Finding, Note, Severity};
+use crate::tables::turning::passes::TurningSchemes;
 use crate::units::{Degrees, MillimetresPerMinute, Roughness};
 
 use super::contour::{Contour, Side};
@@ -163,21 +164,26 @@ impl Scheme {
     pub const fn name(self) -> &'static str {
         match self {
             Self::LoopAgainstStop => "loop-against-stop",
-            other => other.row(),
+            other => other.row().name(),
         }
     }
 
     /// Its row in the table `turning-schemes`, which has one for both forms of the loop.
-    pub const fn row(self) -> &'static str {
+    pub const fn row(self) -> workpiece::Scheme {
         match self {
-            Self::Loop | Self::LoopAgainstStop => "loop",
-            Self::Zigzag => "zigzag",
-            Self::Descent => "descent",
-            Self::PickUp => "pick-up",
-            Self::SemiFinishing => "semi-finishing",
-            Self::Equidistant => "equidistant",
-            Self::Contour => "contour",
+            Self::Loop | Self::LoopAgainstStop => workpiece::Scheme::Loop,
+            Self::Zigzag => workpiece::Scheme::Zigzag,
+            Self::Descent => workpiece::Scheme::Descent,
+            Self::PickUp => workpiece::Scheme::PickUp,
+            Self::SemiFinishing => workpiece::Scheme::SemiFinishing,
+            Self::Equidistant => workpiece::Scheme::Equidistant,
+            Self::Contour => workpiece::Scheme::Contour,
         }
+    }
+
+    /// That row.
+    fn told(self, knowledge: &Knowledge) -> Result<TurningSchemes<'_>, KnowledgeError> {
+        knowledge.need(self.row().name(), |row: &TurningSchemes<'_>| row.scheme == self.row())
     }
 }
 
@@ -294,8 +300,7 @@ fn outer(
     knowledge: &Knowledge,
     ceiling: Option<Half>,
 ) -> Tried<Transition, Unsuited> {
-    let table = knowledge.table("turning-schemes")?;
-    let row = table.find("scheme", scheme.row()).ok_or_else(|| KnowledgeError::no_row(table, scheme.row()))?;
+    let row = scheme.told(knowledge)?.row;
     let zone = Zone::of(stock, ceiling);
     check::check(stock, &zone.ground, &zone.blank, tool, settings, scheme)?;
     let split = || Split::with_depth(&zone.ground, &zone.blank, settings.depth);
@@ -346,12 +351,7 @@ pub fn finishing_must_follow(
     asked: Roughness,
     knowledge: &Knowledge,
 ) -> Result<Option<Finding>, KnowledgeError> {
-    let table = knowledge.table("turning-schemes")?;
-    let row = table.find("scheme", scheme.row()).ok_or_else(|| KnowledgeError::no_row(table, scheme.row()))?;
-    if row.value("finest").is_none() {
-        return Ok(None);
-    }
-    let finest = row.roughness("finest")?;
+    let Some(finest) = scheme.told(knowledge)?.finest else { return Ok(None) };
     let note =
         Note::new("finishing-must-follow").with("scheme", scheme.name()).with("finest", finest).with("asked", asked);
     Ok((asked < finest).then(|| Finding::of_part(Severity::Note, note)))

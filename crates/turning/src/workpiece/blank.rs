@@ -1,7 +1,6 @@
 //! The blank of a turned part, and what must be done to it before it comes to the lathe (lecture 12.1).
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use crate::turning::contour::{Contour, Side};
 use crate::turning::length::Half;
@@ -9,44 +8,7 @@ use crate::turning::point::Point;
 use crate::units::Micrometres;
 
 pub use super::preparation::{Advice, advice};
-
-/// Kinds of blanks in the contour form.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum StockKind {
-    /// Bar: a full cylinder.
-    Bar,
-    /// Tube: a cylinder with a bore.
-    Tube,
-    /// A forging, near the shape of the part.
-    Forging,
-    /// A casting, near the shape of the part.
-    Casting,
-}
-
-impl StockKind {
-    /// Every one, as the file names it.
-    pub const NAMES: [(&'static str, Self); 4] =
-        [("bar", Self::Bar), ("tube", Self::Tube), ("forging", Self::Forging), ("casting", Self::Casting)];
-
-    /// Its name in the file and in the rules.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Bar => "bar",
-            Self::Tube => "tube",
-            Self::Forging => "forging",
-            Self::Casting => "casting",
-        }
-    }
-
-    /// What the rule `pass-direction` calls its shape.
-    pub const fn shape(self) -> &'static str {
-        match self {
-            Self::Bar | Self::Tube => "bar",
-            Self::Forging | Self::Casting => "near-part",
-        }
-    }
-}
+pub use crate::tables::turning::part::StockKind;
 
 /// The blank. Its contours lie where those of the part lie: Z = 0 is the finished face of the free end.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]

@@ -176,6 +176,7 @@ mod tests {
     use super::super::groove::Kind;
     use super::super::keys;
     use super::*;
+    use crate::knowledge::Word;
     use std::path::Path;
 
     #[test]
@@ -229,9 +230,9 @@ mod tests {
             choices.as_array().unwrap().iter().map(|one| one["const"].as_str().unwrap().to_owned()).collect()
         };
         assert_eq!(words("GrooveKind"), Kind::NAMES.map(|(name, _)| name));
-        assert_eq!(words("StockKind"), StockKind::NAMES.map(|(name, _)| name));
-        assert_eq!(words("Scheme"), Scheme::NAMES.map(|(name, _)| name));
-        assert_eq!(words("HeatTreatment"), HeatTreatment::NAMES.map(|(name, _)| name));
+        assert_eq!(words("StockKind"), StockKind::WORDS);
+        assert_eq!(words("Scheme"), Scheme::WORDS);
+        assert_eq!(words("HeatTreatment"), HeatTreatment::WORDS);
         assert_eq!(words("MethodFile"), ["table", "analytic", "stated"]);
         assert_eq!(words("Bulge"), ["in", "out"]);
         assert_eq!(words("ConeKind"), ["cone", "chamfer"]);
@@ -248,14 +249,5 @@ mod tests {
             let spoilt = format!("{text}colour: red\n");
             assert!(serde_yaml::from_str::<TurnedFile>(&spoilt).is_err(), "{name}");
         }
-    }
-
-    /// The words that the rules and tables use for schemes and blanks are those of the file.
-    #[test]
-    fn the_tables_know_these_words_too() {
-        let knowledge = crate::shipped::knowledge().unwrap();
-        let schemes = knowledge.table("turning-schemes").unwrap();
-        let names: Vec<&str> = schemes.all_rows().map(|row| row.text("scheme").unwrap()).collect();
-        assert_eq!(names, Scheme::NAMES.map(|(name, _)| name));
     }
 }

@@ -25,8 +25,7 @@ mod thread;
 mod walk;
 mod walk_groove;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Serialize, Serializer};
 
 use crate::note::Finding;
 use crate::units::{Decimal, Micrometres, MillimetresPerMinute};
@@ -34,6 +33,8 @@ use crate::units::{Decimal, Micrometres, MillimetresPerMinute};
 use super::contour::Profile;
 use super::length::Half;
 use super::shaft::{self, Holding, Shaft};
+pub use crate::tables::turning::part::HeatTreatment;
+pub use crate::tables::turning::passes::Scheme;
 pub use blank::{Blank, StockKind};
 pub use file::schema;
 pub use preparation::{Advice, advice};
@@ -97,25 +98,6 @@ impl Workpiece {
     }
 }
 
-/// Whether and when the blank is heat-treated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum HeatTreatment {
-    /// Not at all.
-    #[default]
-    None,
-    /// Before this lathe.
-    Before,
-    /// After it.
-    After,
-}
-
-impl HeatTreatment {
-    /// Every one, as the file names it.
-    pub const NAMES: [(&'static str, Self); 3] =
-        [("none", Self::None), ("before", Self::Before), ("after", Self::After)];
-}
-
 /// A thread on a surface.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Thread {
@@ -138,39 +120,6 @@ pub struct Roughing {
     /// The scheme of roughing passes that is asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub scheme: Option<Scheme>,
-}
-
-/// The seven schemes of roughing passes (lecture 12.4, l. 273-296); the table `turning-schemes` tells what each is for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Scheme {
-    /// Back through the air after each pass.
-    Loop,
-    /// Cutting there and back.
-    Zigzag,
-    /// Cutting across.
-    Descent,
-    /// Each pass cleans the contour up to the pass before.
-    PickUp,
-    /// A pass along the whole contour after the others.
-    SemiFinishing,
-    /// Passes at even distances from the contour.
-    Equidistant,
-    /// The contour again and again, shifted.
-    Contour,
-}
-
-impl Scheme {
-    /// Every one, as the file and the table `turning-schemes` name it.
-    pub const NAMES: [(&'static str, Self); 7] = [
-        ("loop", Self::Loop),
-        ("zigzag", Self::Zigzag),
-        ("descent", Self::Descent),
-        ("pick-up", Self::PickUp),
-        ("semi-finishing", Self::SemiFinishing),
-        ("equidistant", Self::Equidistant),
-        ("contour", Self::Contour),
-    ];
 }
 
 /// Where the finishing allowances come from (lecture 12.2, l. 155-171); a surface that states its own keeps it.

@@ -4,10 +4,11 @@
 use serde::Serialize;
 
 use crate::error::KnowledgeError;
-use crate::knowledge::{Input, Knowledge};
+use crate::knowledge::Knowledge;
 use crate::note::{Because, Finding, Note, Severity};
+use crate::tables::turning::part::{PartsOfBlank, TurningBlankFor, TurningBlankPreparationFor};
 
-use super::{HeatTreatment, Workpiece};
+use super::Workpiece;
 
 /// A word on the blank, with the row that it rests on.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -25,44 +26,35 @@ pub struct Advice {
 /// # Errors
 /// The knowledge base lacks a rule, or a row for this blank.
 pub fn advice(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Vec<Advice>, KnowledgeError> {
-    let stock = Input::Text(workpiece.blank.kind.name());
+    let stock = workpiece.blank.kind;
     let diameter = workpiece.blank.largest_diameter();
     let mut said = Vec::new();
     let mut say = |severity, note: Note, because: Because| {
         said.push(Advice { finding: Finding::of_part(severity, note), because });
     };
 
-    let table = knowledge.table("turning-blank")?;
-    let answer = table.decide(&[("stock", stock), ("diameter", Input::Length(diameter))])?;
-    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(table, workpiece.blank.kind.name()))?;
-    let parts = match row.text("parts")? {
-        "several" => Note::new("blank-for-several-parts"),
-        _ => Note::new("blank-for-one-part"),
-    };
+    let asked = knowledge.ask(&TurningBlankFor { stock, diameter })?;
+    let rule = asked.need(stock.name())?;
+    let parts = Note::new(match rule.parts {
+        PartsOfBlank::Several => "blank-for-several-parts",
+        PartsOfBlank::One => "blank-for-one-part",
+    });
     let parts = parts.with("diameter", diameter);
-    say(Severity::Note, parts.clone(), Because::answer(&answer, parts));
+    say(Severity::Note, parts.clone(), Because::answer(&asked.answer, parts));
 
-    let most = row.length("length_deviation")?;
+    let most = rule.length_deviation;
     let (severity, note) = match workpiece.blank.length_tolerance {
         Some(given) if given > most => (Severity::Wrong, Note::new("blank-length-too-coarse").with("given", given)),
         _ => (Severity::Note, Note::new("blank-length-deviation")),
     };
     let note = note.with("most", most);
-    say(severity, note.clone(), Because::answer(&answer, note));
+    say(severity, note.clone(), Because::answer(&asked.answer, note));
 
-    let table = knowledge.table("turning-blank-preparation")?;
-    let name = |heat| HeatTreatment::NAMES.iter().find(|(_, one)| *one == heat).map_or("none", |(name, _)| name);
-    let answer = table.decide(&[
-        ("stock", stock),
-        ("holding", Input::Text(workpiece.holding.name())),
-        ("heat_treatment", Input::Text(name(workpiece.heat_treatment))),
-    ])?;
-    for row in answer.winners() {
-        let contradicted = row.flag("contradicts");
-        let code = format!("blank-{}", row.text("action")?);
-        let severity = if contradicted { Severity::Wrong } else { Severity::Note };
-        let note = Note::new(&code);
-        say(severity, note.clone(), Because::row(row, note));
+    let (holding, heat_treatment) = (workpiece.holding, workpiece.heat_treatment);
+    for rule in knowledge.ask(&TurningBlankPreparationFor { stock, holding, heat_treatment })?.winners()? {
+        let severity = if rule.contradicts { Severity::Wrong } else { Severity::Note };
+        let note = Note::new(&format!("blank-{}", rule.action));
+        say(severity, note.clone(), Because::row(rule.row, note));
     }
     Ok(said)
 }

@@ -74,7 +74,7 @@ impl Reader<'_> {
             None => Some(Holding::default()),
         };
         let heat_treatment = match fields.take("heat_treatment") {
-            Some(node) => self.choice(node, &HeatTreatment::NAMES),
+            Some(node) => self.choice(node, HeatTreatment::NAMES),
             None => Some(HeatTreatment::default()),
         };
         let (outer_node, inner_node) = (fields.need("outer", &mut self.problems), fields.take("inner"));

@@ -20,7 +20,7 @@ use super::{Blank, StockKind, check};
 impl Reader<'_> {
     pub(super) fn blank(&mut self, node: &Node) -> Option<Blank> {
         let mut fields = self.problems.map(node)?;
-        let kind = fields.need("kind", &mut self.problems).and_then(|node| self.choice(node, &StockKind::NAMES));
+        let kind = fields.need("kind", &mut self.problems).and_then(|node| self.choice(node, StockKind::NAMES));
         let length_tolerance =
             fields.take("length_tolerance").map(|node| self.not_below_zero(node, "length_tolerance"));
         let shaped = fields.take("outer");

@@ -1,7 +1,8 @@
 //! Sizes of reliefs that the file leaves out, from the tables of the standards.
 
-use crate::knowledge::{Input, Knowledge, RowRef};
+use crate::knowledge::Knowledge;
 use crate::note::{Finding, doubtful_row};
+use crate::tables::standards::{GrindingReliefFor, ThreadRelief};
 use crate::turning::contour::Side;
 use crate::units::Micrometres;
 
@@ -16,11 +17,12 @@ pub(super) struct Relief {
 /// The relief for the grinding wheel in a cylinder of a diameter (ГОСТ 8820-69, table `grinding-relief`), of a width if
 /// one is given; none where the standard has none, or leaves a choice.
 pub(super) fn grinding(diameter: Micrometres, width: Option<Micrometres>, knowledge: &Knowledge) -> Option<Relief> {
-    let answer = knowledge.table("grinding-relief").ok()?.decide(&[("diameter", Input::Length(diameter))]).ok()?;
-    let fits = |row: &RowRef<'_>| width.is_none_or(|width| row.length("width") == Ok(width));
-    let mut rows = answer.winners().filter(fits);
-    let row = rows.next()?;
-    if rows.next().is_some() { None } else { relief(row) }
+    let mut rows = knowledge.ask(&GrindingReliefFor { diameter }).ok()?.winners().ok()?;
+    rows.retain(|row| width.is_none_or(|width| row.width == width));
+    match rows.as_slice() {
+        [one] => Some(Relief { width: one.width, depth: one.depth, finding: doubtful_row(one.row) }),
+        _ => None,
+    }
 }
 
 /// The normal relief at the end of a thread of a pitch (ГОСТ 10549-80, table `thread-relief`); of a bore the table has
@@ -29,12 +31,8 @@ pub(super) fn thread(pitch: Micrometres, side: Side, knowledge: &Knowledge) -> O
     if side == Side::Inner {
         return None;
     }
-    let table = knowledge.table("thread-relief").ok()?;
-    relief(table.all_rows().find(|row| row.length("pitch") == Ok(pitch))?)
-}
-
-fn relief(row: RowRef<'_>) -> Option<Relief> {
-    Some(Relief { width: row.length("width").ok()?, depth: row.length("depth").ok()?, finding: doubtful_row(row) })
+    let row = knowledge.find(|row: &ThreadRelief<'_>| row.pitch == pitch).ok()??;
+    Some(Relief { width: row.width, depth: row.depth, finding: doubtful_row(row.row) })
 }
 
 #[cfg(test)]
@@ -64,10 +62,10 @@ mod tests {
     #[test]
     fn reliefs_of_threads_are_deeper_than_the_thread() {
         let knowledge = shipped::knowledge().unwrap();
-        let table = knowledge.table("thread-relief").unwrap();
-        assert!(table.all_rows().count() > 10);
-        for row in table.all_rows() {
-            let (pitch, depth) = (row.length("pitch").unwrap().to_mm(), row.length("depth").unwrap().to_mm());
+        let rows: Vec<ThreadRelief<'_>> = knowledge.rows().unwrap();
+        assert!(rows.len() > 10);
+        for row in rows {
+            let (pitch, depth) = (row.pitch.to_mm(), row.depth.to_mm());
             assert!((0.6134..=0.8).contains(&(depth / pitch)), "{pitch}: {depth}");
         }
     }

@@ -24,7 +24,7 @@ impl Reader<'_> {
             None => None,
         };
         let scheme = match fields.take("scheme") {
-            Some(node) => Some(self.choice(node, &Scheme::NAMES)?),
+            Some(node) => Some(self.choice(node, Scheme::NAMES)?),
             None => None,
         };
         fields.finish(ROUGHING, &mut self.problems);

@@ -1,6 +1,7 @@
 //! A metric thread of a turned surface, as drawings write it.
 
 use crate::knowledge::Knowledge;
+use crate::tables::standards::TapDrills;
 use crate::turning::contour::Side;
 use crate::units::Micrometres;
 
@@ -53,15 +54,15 @@ pub(super) fn read(text: &str, knowledge: &Knowledge) -> Result<Named, &'static 
     let (size, pitch) = sizes.split_once('x').map_or((sizes, None), |(size, pitch)| (size, Some(pitch)));
     let length = |figure: &str| figure.parse::<Micrometres>().map_err(|_| "bad-turned-thread");
     let (size, pitch) = (length(size)?, pitch.map(length).transpose()?);
-    let table = knowledge.table("tap-drills").ok();
-    let row = table.and_then(|table| table.find("thread", &format!("M{size}")));
-    let coarse = row.and_then(|row| row.length("pitch").ok());
+    let name = format!("M{size}");
+    let row = knowledge.find(|row: &TapDrills<'_>| row.thread == name).ok().flatten();
+    let coarse = row.as_ref().map(|row| row.pitch);
     let pitch = pitch.or(coarse).ok_or("no-coarse-pitch")?;
     // The profile is 0.54 P deep on each side (ISO 68-1): a core must be left.
     if size <= Micrometres::ZERO || pitch <= Micrometres::ZERO || pitch + pitch >= size {
         return Err("bad-turned-thread");
     }
-    let drill = if Some(pitch) == coarse { row.and_then(|row| row.length("diameter").ok()) } else { None };
+    let drill = if Some(pitch) == coarse { row.map(|row| row.diameter) } else { None };
     Ok(Named { written, size, pitch, drill })
 }
 

@@ -10,8 +10,9 @@
 use serde::Serialize;
 
 use crate::error::KnowledgeError;
-use crate::knowledge::{Input, Knowledge};
+use crate::knowledge::Knowledge;
 use crate::note::{Because, Note};
+use crate::tables::turning::part::{TurningHold, TurningHoldFor};
 use crate::turning::contour::{Contour, Profile, Surface, SurfaceKind};
 use crate::turning::elements::{Angles, Class, Element, Main, classify, main_contour, split};
 use crate::turning::length::Half;
@@ -169,12 +170,10 @@ fn turned_over(profile: &Profile, length: Half) -> Profile {
 
 /// The least length for the jaws on a diameter, with its row.
 fn least_length(diameter: Micrometres, note: Note, knowledge: &Knowledge) -> Result<(Half, Because), KnowledgeError> {
-    let rule = knowledge.table("turning-hold")?;
-    let answer = rule.decide(&[("diameter", Input::Length(diameter))])?;
-    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, &diameter.to_string()))?;
-    let least = Half::of(row.length("least_length")?);
+    let asked = knowledge.ask(&TurningHoldFor { diameter })?;
+    let least = Half::of(asked.need(&diameter.to_string())?.least_length);
     let note = note.with("diameter", diameter).with("least", least);
-    Ok((least, Because::answer(&answer, note)))
+    Ok((least, Because::answer(&asked.answer, note)))
 }
 
 type Held = (Option<Hold>, Because);
@@ -182,7 +181,10 @@ type Held = (Option<Hold>, Because);
 /// Where the blank is held in the first set-up.
 fn hold_blank(part: Workpiece<'_>, outer: Option<&Stretch>, knowledge: &Knowledge) -> Result<Held, KnowledgeError> {
     if part.holding == Holding::Centres {
-        return Ok((Some(Hold::Centres), Because::table(knowledge.table("turning-hold")?, Note::new("hold-centres"))));
+        return Ok((
+            Some(Hold::Centres),
+            Because::table(knowledge.table_of::<TurningHold>()?, Note::new("hold-centres")),
+        ));
     }
     let end = part.blank.end().unwrap_or_default();
     let turned = outer.and_then(|outer| outer.main.contour.end()).map_or(Half::ZERO, |end| end.z);
@@ -202,7 +204,10 @@ fn hold_blank(part: Workpiece<'_>, outer: Option<&Stretch>, knowledge: &Knowledg
 /// a thick cylinder bears the torque with the least force.
 fn hold_part(part: Workpiece<'_>, made: Option<&Stretch>, knowledge: &Knowledge) -> Result<Held, KnowledgeError> {
     if part.holding == Holding::Centres {
-        return Ok((Some(Hold::Centres), Because::table(knowledge.table("turning-hold")?, Note::new("hold-centres"))));
+        return Ok((
+            Some(Hold::Centres),
+            Because::table(knowledge.table_of::<TurningHold>()?, Note::new("hold-centres")),
+        ));
     }
     let mut best: Option<(Half, Half, Hold, Because)> = None;
     let mut passed = Vec::new();
@@ -226,6 +231,8 @@ fn hold_part(part: Workpiece<'_>, made: Option<&Stretch>, knowledge: &Knowledge)
     }
     match best {
         Some((.., hold, because)) => Ok((Some(hold), because.over(passed))),
-        None => Ok((None, Because::table(knowledge.table("turning-hold")?, Note::new("hold-nowhere")).over(passed))),
+        None => {
+            Ok((None, Because::table(knowledge.table_of::<TurningHold>()?, Note::new("hold-nowhere")).over(passed)))
+        }
     }
 }

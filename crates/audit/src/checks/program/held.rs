@@ -5,7 +5,9 @@ use crate::error::KnowledgeError;
 use crate::knowledge::diagnostic::Place;
 use crate::note::Note;
 use crate::part::{Face, Hole};
-use crate::plan::{Conditions, Feature, HolderRef, HolePlan, Operation, Plan, Rounds, ToolPlan, ToolRef, Transition};
+use crate::plan::{
+    Conditions, Feature, HolderRef, HolePlan, Limit, Operation, Plan, Rounds, ToolPlan, ToolRef, Transition,
+};
 use crate::planner;
 use crate::program::Setting;
 use crate::route::{Place as Where, Step};
@@ -319,7 +321,7 @@ fn blank(row: &Row) -> Transition {
             torque_n_m: None,
             power_kw: None,
             machine_time_min: Minutes(0.0),
-            limited_by: String::new(),
+            limited_by: Limit::CuttingSpeed,
             tool_life_min: Minutes(0.0),
             // Of coolant a plan by hand says nothing.
             coolant: Some(false),

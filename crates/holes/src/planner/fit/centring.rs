@@ -44,7 +44,8 @@ impl<'k> Fitting<'_, 'k> {
 
     /// Centring: the spot by the rule `centre-spot`; its tool is chosen for the whole part.
     pub(super) fn centre(&self, step: Step, drill: Micrometres) -> Tried<Fitted> {
-        let (rule, spot, note) = match self.edge_by_centring()? {
+        let edge = self.edge_by_centring()?;
+        let (rule, spot, note) = match edge {
             Some(edge) => (self.spot_rule(true)?, edge.diameter, Note::new("spot-by-chamfer")),
             None => {
                 // Where no centring drill is wide enough for the chamfer, the spot is that of a hole without one.
@@ -73,7 +74,8 @@ impl<'k> Fitting<'_, 'k> {
         let conditions = self.spotting(&step, travel, self.widest_spot)?;
         let mut because = step.because.clone();
         because.push(Because::row(rule.row, note));
-        Ok(Fitted { step, tool: None, travel, approach: self.travels(false).0, conditions, because })
+        let (approach, doubts, makes_edge) = (self.travels(false).0, Vec::new(), edge.is_some());
+        Ok(Fitted { step, tool: None, travel, approach, conditions, doubts, makes_edge, because })
     }
 
     /// The conditions of centring with a drill of that diameter.

@@ -50,7 +50,7 @@ fn elements(operation: &Operation, stretch: &Stretch, work: Option<&SideWork>, l
         let allowance = work.and_then(|work| work.layers.allowances.get(index)).and_then(|one| one.allowance_mm);
         let later = operation.elsewhere.iter().find(|one| one.surface == surface.name);
         let later = later.map_or(String::new(), |later| {
-            format!("{} +{}", term(&later.operation, lang), figure(later.allowance_mm, lang))
+            format!("{} +{}", term(later.operation.name(), lang), figure(later.allowance_mm, lang))
         });
         rows.push(vec![
             surface.name.clone(),

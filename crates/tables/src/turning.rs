@@ -1,0 +1,5 @@
+//! Row types of turning: the rules and tables that only turned parts ask.
+
+pub mod part;
+pub mod passes;
+pub mod tools;

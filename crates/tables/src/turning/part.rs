@@ -1,0 +1,316 @@
+//! The turned part and its blank: surfaces, elements, what is done before and after the lathe, allowances.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use technolog_knowledge::units::{Degrees, Micrometres, Microns};
+use technolog_knowledge::{rows, vocabulary};
+
+vocabulary! {
+    /// On which side of a contour the metal lies.
+    #[derive(Serialize)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum Side {
+        /// Towards the axis: the contour is turned from outside.
+        Outer = "outer",
+        /// Away from the axis: the contour is bored.
+        Inner = "inner",
+    }
+
+    /// What a surface is, by how the drawing names it (lecture, fig. 12.1). Whether it is a main or an additional element of the
+    /// contour is not said here: that follows from the tool.
+    #[derive(Serialize)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum SurfaceKind {
+        /// Across the axis.
+        Face = "face",
+        /// Along it.
+        Cylinder = "cylinder",
+        /// Aslant.
+        Cone = "cone",
+        /// A cone that breaks an edge.
+        Chamfer = "chamfer",
+        /// An arc that bulges from the metal: a ball, a rounded edge.
+        Ball = "ball",
+        /// An arc that is hollow: a fillet, a radius face.
+        Fillet = "fillet",
+        /// A thread, which is turned as a cylinder or cone first.
+        Thread = "thread",
+        /// A relief for the grinding wheel.
+        GrindingRelief = "grinding-relief",
+        /// A relief at the end of a thread.
+        ThreadRelief = "thread-relief",
+        /// A groove with upright walls.
+        RectangularGroove = "rectangular-groove",
+        /// A groove with slanting walls.
+        TrapezoidGroove = "trapezoid-groove",
+        /// A groove in a face.
+        FaceGroove = "face-groove",
+        /// A groove for a belt.
+        PulleyGroove = "pulley-groove",
+    }
+
+    /// Why an element is what it is.
+    #[derive(Serialize)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum Ground {
+        /// Both edges clear it.
+        Reach = "reach",
+        /// By its kind, whatever its angles.
+        Kind = "kind",
+        /// It rises more steeply than φ.
+        Rise = "rise",
+        /// It falls more steeply than φ1.
+        Fall = "fall",
+        /// It leads back towards the free end, or lies under what does.
+        Back = "back",
+        /// It lies in the shadow of what falls before it.
+        Shadow = "shadow",
+        /// It lies before a rise steeper than φ.
+        Corner = "corner",
+        /// It lies in a valley whose floor is not reached.
+        Valley = "valley",
+        /// It lies behind a fall that never rises again.
+        Beyond = "beyond",
+    }
+
+    /// What an element of the contour is to a tool.
+    #[derive(Serialize)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum Element {
+        /// The tool makes all of it.
+        Main = "main",
+        /// It needs another tool.
+        Additional = "additional",
+        /// It falls away behind the largest radius and never rises again: for the other set-up.
+        OtherSide = "other-side",
+    }
+
+    /// Kinds of blanks in the contour form.
+    #[derive(Serialize, Deserialize, JsonSchema)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum StockKind {
+        /// Bar: a full cylinder.
+        Bar = "bar",
+        /// Tube: a cylinder with a bore.
+        Tube = "tube",
+        /// A forging, near the shape of the part.
+        Forging = "forging",
+        /// A casting, near the shape of the part.
+        Casting = "casting",
+    }
+
+    /// The shape of a blank.
+    pub enum BlankShape {
+        /// As it is rolled.
+        Bar = "bar",
+        /// Nearly that of the part.
+        NearPart = "near-part",
+    }
+
+    /// For how many parts a blank is.
+    pub enum PartsOfBlank {
+        /// For one.
+        One = "one",
+        /// For several, cut off one after the other.
+        Several = "several",
+    }
+
+    /// How the blank is held.
+    #[derive(Default, Serialize, Deserialize, JsonSchema)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum Holding {
+        /// In the chuck, the free end without a centre.
+        #[default]
+        Chuck = "chuck",
+        /// Between centres.
+        Centres = "centres",
+    }
+
+    /// Whether and when the blank is heat-treated.
+    #[derive(Default, Serialize, Deserialize, JsonSchema)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum HeatTreatment {
+        /// Not at all.
+        #[default]
+        None = "none",
+        /// Before this lathe.
+        Before = "before",
+        /// After it.
+        After = "after",
+    }
+
+    /// Where a surface lies, for the tables of allowances.
+    #[derive(Serialize)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum Place {
+        /// Turned from outside.
+        Outer = "outer",
+        /// Bored.
+        Inner = "inner",
+        /// Faced.
+        Face = "face",
+    }
+
+    /// What a surface is to a later operation.
+    pub enum FinishedSurface {
+        /// Turned from outside.
+        Outer = "outer",
+        /// Bored.
+        Inner = "inner",
+        /// Faced.
+        Face = "face",
+        /// A groove or a thread.
+        Additional = "additional",
+    }
+
+    /// What finishes a surface after the lathe.
+    #[derive(Serialize)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum LaterOperation {
+        /// Nothing: the lathe does.
+        None = "none",
+        /// Cylindrical grinding.
+        OuterGrinding = "outer-grinding",
+        /// Internal grinding.
+        InnerGrinding = "inner-grinding",
+        /// Face grinding.
+        FaceGrinding = "face-grinding",
+        /// Something that no rule names.
+        Unknown = "unknown",
+    }
+
+    /// A pass, by the surface that it leaves.
+    pub enum Pass {
+        /// Roughing.
+        Rough = "rough-turning",
+        /// Finishing.
+        Finish = "finish-turning",
+    }
+}
+
+impl SurfaceKind {
+    /// Additional by its kind, whatever its angles: threads and grooves have tools of their own.
+    pub const fn is_additional(self) -> bool {
+        matches!(
+            self,
+            Self::Thread
+                | Self::GrindingRelief
+                | Self::ThreadRelief
+                | Self::RectangularGroove
+                | Self::TrapezoidGroove
+                | Self::FaceGroove
+                | Self::PulleyGroove
+        )
+    }
+}
+
+impl StockKind {
+    /// Its shape.
+    pub const fn shape(self) -> BlankShape {
+        match self {
+            Self::Bar | Self::Tube => BlankShape::Bar,
+            Self::Forging | Self::Casting => BlankShape::NearPart,
+        }
+    }
+}
+
+impl From<Place> for FinishedSurface {
+    fn from(place: Place) -> Self {
+        match place {
+            Place::Outer => Self::Outer,
+            Place::Inner => Self::Inner,
+            Place::Face => Self::Face,
+        }
+    }
+}
+
+rows! {
+    /// The drill before a solid blank is bored; no stock and no step where the bore is too narrow for one.
+    pub struct BoreDrill of One("bore-drill") asked by BoreDrillFor {
+        diameter: Micrometres,
+    } {
+        drilled: bool,
+        least_stock: Option<Micrometres>,
+        step: Option<Micrometres>,
+    }
+
+    /// Allowances for finish turning after rough turning.
+    pub struct FinishTurningAllowance of One("finish-turning-allowance") asked by FinishTurningAllowanceFor {
+        place_on: Place,
+        diameter: Micrometres,
+        length: Micrometres,
+    } {
+        allowance: Micrometres,
+    }
+
+    /// Allowances for grinding after finish turning.
+    pub struct GrindingAllowance of One("grinding-allowance") asked by GrindingAllowanceFor {
+        place_on: Place,
+        diameter: Micrometres,
+        length: Micrometres,
+    } {
+        allowance: Micrometres,
+    }
+
+    /// Roughness and damaged layer after a pass.
+    pub struct SurfaceAfterPass of One("surface-after-pass") asked by SurfaceAfterPassFor {
+        pass: Pass,
+    } {
+        roughness_height: Microns,
+        damaged_layer: Microns,
+    }
+
+    /// The blank of a turned part: for how many parts, and how exact its length.
+    pub struct TurningBlank of One("turning-blank") asked by TurningBlankFor {
+        stock: StockKind,
+        diameter: Micrometres,
+    } {
+        parts: PartsOfBlank,
+        length_deviation: Micrometres,
+    }
+
+    /// Preparing a blank for an NC lathe: a sentence with the code `blank-ACTION`.
+    pub struct TurningBlankPreparation of One("turning-blank-preparation") asked by TurningBlankPreparationFor {
+        stock: StockKind,
+        holding: Holding,
+        heat_treatment: HeatTreatment,
+    } {
+        action: &'t str,
+        contradicts: bool,
+    }
+
+    /// Main or additional element of a contour, and by what tool.
+    pub struct TurningElement of One("turning-element") asked by TurningElementFor {
+        kind: SurfaceKind,
+        ground: Ground,
+        valley_fall: Degrees,
+        floor_reached: bool,
+    } {
+        element: Element,
+        tool: &'t str,
+    }
+
+    /// What is finished elsewhere than on the lathe.
+    pub struct TurningFinishElsewhere of One("turning-finish-elsewhere") asked by TurningFinishElsewhereFor {
+        surface: FinishedSurface,
+        grade_held: bool,
+        roughness_held: bool,
+    } {
+        operation: LaterOperation,
+    }
+
+    /// Least length of a cylinder for the jaws of a chuck.
+    pub struct TurningHold of One("turning-hold") asked by TurningHoldFor {
+        diameter: Micrometres,
+    } {
+        least_length: Micrometres,
+    }
+
+    /// Surface of a turned blank, for the speed factor: a word of the table `skin-factor`.
+    pub struct TurningSkin of One("turning-skin") asked by TurningSkinFor<'t> {
+        stock: StockKind,
+        group: &'t str,
+    } {
+        surface: &'t str,
+    }
+}
