@@ -1,34 +1,14 @@
 //! Row types: rules.
 
-use technolog_knowledge::units::{ItGrade, MetresPerMinute, Micrometres, Minutes, Percent, Roughness};
+use technolog_knowledge::rows;
+use technolog_knowledge::units::{Decimal, ItGrade, MetresPerMinute, Micrometres, Minutes, Percent, Roughness};
 use technolog_knowledge::vocabulary::{CuttingMethod, Operation, Shank, ToolMaterial};
-use technolog_knowledge::{rows, vocabulary};
 
 use crate::cutting::{Coefficients, FeedMultiple, ReamingCondition, Surface};
+use crate::holes::DrillingWay;
 
-vocabulary! {
-    /// The tables of feeds.
-    pub enum FeedTable {
-        /// Of drills.
-        Drilling = "drilling-feed",
-        /// Of core drills.
-        CoreDrilling = "core-drilling-feed",
-        /// Of reamers.
-        Reaming = "reaming-feed",
-        /// Of boring bars, which is asked in a way of its own.
-        Boring = "boring-feed",
-        /// Of what widens the mouth of a hole.
-        Counterboring = "counterboring-feed",
-    }
-
-    /// Which of two neighbours is taken.
-    pub enum Neighbour {
-        /// The one above.
-        Above = "above",
-        /// The one below.
-        Below = "below",
-    }
-}
+mod words;
+pub use words::*;
 
 rows! {
     /// The allowance that a transition removes.
@@ -40,8 +20,8 @@ rows! {
     }
 
     /// Approach and overrun.
-    pub struct Approach of One("approach") asked by ApproachFor<'t> {
-        entry: &'t str,
+    pub struct Approach of One("approach") asked by ApproachFor {
+        entry: Entry,
         through: bool,
     } {
         approach: Micrometres,
@@ -83,15 +63,15 @@ rows! {
         position: Micrometres,
         bar_enters: bool,
     } {
-        boring: &'t str,
+        boring: BoringAsked,
     }
 
     /// Whether to centre before drilling.
-    pub struct CentreFirst of One("centre-first") asked by CentreFirstFor<'t> {
-        state: Option<&'t str>,
+    pub struct CentreFirst of One("centre-first") asked by CentreFirstFor {
+        state: BlankState,
         it: ItGrade,
         diameter: Micrometres,
-        depth_ratio: f64,
+        depth_ratio: Decimal,
     } {
         centre: bool,
     }
@@ -101,7 +81,7 @@ rows! {
         chamfer: bool,
         diameter: Micrometres,
     } {
-        spot: &'t str,
+        spot: Spot,
         share: Option<f64>,
     }
 
@@ -140,7 +120,7 @@ rows! {
         finer_roughness: bool,
         finer_grade: bool,
     } {
-        take: &'t str,
+        take: CellTaken,
     }
 
     /// Where the feed comes from.
@@ -155,8 +135,8 @@ rows! {
     /// Which holder takes a shank.
     pub struct HolderForShank of One("holder-for-shank") asked by HolderForShankFor {
         shank: Shank,
-        drawbar: Option<bool>,
-        tap: Option<bool>,
+        drawbar: bool,
+        tap: bool,
     } {
         holders: Option<&'t str>,
     }
@@ -167,11 +147,11 @@ rows! {
         depth_ratio: f64,
         material_group: &'t str,
     } {
-        cycle: &'t str,
+        cycle: HoleCycle,
         step: Option<f64>,
         clearance: Option<Micrometres>,
         dwell: Option<f64>,
-        cut: Option<&'t str>,
+        cut: Option<Cut>,
     }
 
     /// Whether a large hole is milled or bored.
@@ -180,16 +160,16 @@ rows! {
         contouring: bool,
         diameter: Micrometres,
     } {
-        instead: &'t str,
+        instead: MillInstead,
     }
 
     /// Which transitions may follow a state of the hole.
-    pub struct NextTransition of One("next-transition") asked by NextTransitionFor<'t> {
-        after: &'t str,
+    pub struct NextTransition of One("next-transition") asked by NextTransitionFor {
+        after: HoleState,
         diameter: Micrometres,
     } {
         operation: Operation,
-        leaves: &'t str,
+        leaves: HoleState,
         a1: Option<i64>,
         a2: Option<&'t str>,
         own: Option<&'t str>,
@@ -208,7 +188,7 @@ rows! {
     pub struct ReamerLead of One("reamer-lead") asked by ReamerLeadFor<'t> {
         material_group: &'t str,
     } {
-        lead: &'t str,
+        lead: Lead,
     }
 
     /// Which factors on the reaming feed apply.
@@ -222,11 +202,11 @@ rows! {
     }
 
     /// Drilling into an unmachined face.
-    pub struct RoughFace of One("rough-face") asked by RoughFaceFor<'t> {
-        entry: &'t str,
-        state: &'t str,
+    pub struct RoughFace of One("rough-face") asked by RoughFaceFor {
+        entry: Entry,
+        state: BlankState,
     } {
-        loses: Option<&'t str>,
+        loses: Option<DrillingWay>,
     }
 
     /// The step of the spindle series for a computed speed.
@@ -280,8 +260,8 @@ rows! {
         centre_tolerance: Micrometres,
     } {
         scheme_table: &'t str,
-        grade: &'t str,
-        centre_column: &'t str,
+        grade: GradeAsked,
+        centre_column: CentreColumn,
         finish_elsewhere: bool,
     }
 
@@ -290,7 +270,7 @@ rows! {
         operation: Operation,
         bar_enters: bool,
     } {
-        operation_instead: &'t str,
+        operation_instead: BoringInstead,
     }
 
     /// Tool life where the handbook's table is empty.
@@ -314,7 +294,7 @@ rows! {
     /// Order of the transitions of one step.
     pub struct TransitionOrder of One("transition-order") asked by TransitionOrderFor {
         operation: Operation,
-        face: Option<bool>,
+        face: bool,
     } {
         rank: i64,
     }
@@ -328,12 +308,12 @@ rows! {
     }
 
     /// The method of visiting the holes of a group.
-    pub struct VisitingMethod of One("visiting-method") asked by VisitingMethodFor {
+    pub struct MethodOfVisiting of One("visiting-method") asked by MethodOfVisitingFor {
         it: ItGrade,
         centre_tolerance: Micrometres,
         k_t: f64,
     } {
-        method: &'t str,
+        method: VisitingMethod,
     }
 
     /// Which of the two schemes of a cell.
@@ -342,6 +322,6 @@ rows! {
         drill_of_that_diameter: bool,
         position: Micrometres,
     } {
-        take: &'t str,
+        take: SchemeTaken,
     }
 }
