@@ -10,7 +10,7 @@ use super::super::finding::{Finding, Kind, Section};
 use super::super::graph::Graph;
 use super::super::near::{Likeness, Near, likeness, plain, same_table};
 use super::super::quantity::Scope;
-use super::super::rules::tools::{COLUMNS, DIMENSION, OVERHANG};
+use super::super::rules::tools::{COLUMNS, Column, DIMENSION, OVERHANG};
 use super::super::stated::Text;
 use crate::tooling::named::{NamedCutter, cutter_names};
 
@@ -23,10 +23,10 @@ pub(super) fn check<'a>(
         let field = |key: &str| format!("tools.T{}.{key}", tool.number);
         let about = |finding: Finding| finding.about(context.subject(Scope::Tool(at)));
         let near = context.cutter_near(at);
-        dimensions(context, at, findings);
+        dimensions(context, at, findings)?;
         named(
             near,
-            |cutter| cutter.row,
+            |cutter| cutter.row.row,
             tool.designation.as_ref(),
             Section::Tools,
             field("designation"),
@@ -34,7 +34,7 @@ pub(super) fn check<'a>(
             findings,
         );
         if let Some(cutter) = context.cutter(at) {
-            let row = cutter.row;
+            let row = cutter.row.row;
             let of = Of { row, section: Section::Tools };
             standard(&of, tool.standard.as_ref(), field("standard"), &about, findings);
             if let Some(shank) = &tool.shank
@@ -59,9 +59,9 @@ pub(super) fn check<'a>(
         if context.whole(at) {
             continue;
         }
-        named(near, |row| *row, tool.holder.as_ref(), Section::Holders, field("holder.designation"), &about, findings);
-        if let Some(row) = context.holder(at) {
-            let of = Of { row, section: Section::Holders };
+        named(near, |holder| holder.row, tool.holder.as_ref(), Section::Holders, field("holder.designation"), &about, findings);
+        if let Some(holder) = context.holder(at) {
+            let of = Of { row: holder.row, section: Section::Holders };
             standard(&of, tool.holder_standard.as_ref(), field("holder.standard"), &about, findings);
         }
     }
@@ -138,35 +138,34 @@ fn standard(
 }
 
 /// Dimensions that are none of the designation's, and all those of another one: it is the designation that is wrong.
-fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<Finding>) {
+fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
     let tool = &context.stated.tools[at];
-    let Some(name) = tool.designation.as_ref().filter(|_| context.cutter(at).is_some()) else { return };
+    let Some(name) = tool.designation.as_ref().filter(|_| context.cutter(at).is_some()) else { return Ok(()) };
     let of_tool = |finding: &Finding| finding.subject.tool == Some(tool.number);
     let off = findings.iter().filter(|one| one.kind.rule() == Some(&DIMENSION) && of_tool(one)).count();
     if off == 0 {
-        return;
+        return Ok(());
     }
     let stated = COLUMNS.iter().filter_map(|(column, quantity)| Some((*column, tool.figures.get(quantity)?.value)));
-    let stated: Vec<(&str, f64)> = stated.collect();
+    let stated: Vec<(Column, f64)> = stated.collect();
     let fits = |cutter: &NamedCutter<'_>| {
         stated.iter().all(|(column, value)| {
-            cutter.row.length_if_any(column).is_some_and(|length| (length.to_mm() - value).abs() < 1e-6)
+            column(&cutter.row).is_some_and(|length| (length.to_mm() - value).abs() < 1e-6)
         })
     };
     // Another tool of the same dimensions may be of another kind: it must do what the rows ask of this one.
-    let asked: Vec<&str> =
-        context.stated.rows_of_tool(tool.number).map(|(_, row)| row.operation.value.name()).collect();
     let does = |cutter: &NamedCutter<'_>| {
-        asked.iter().all(|asked| cutter.head.operations.iter().any(|operation| operation.name() == *asked))
+        let mut rows = context.stated.rows_of_tool(tool.number);
+        rows.all(|(_, row)| cutter.head.operations.contains(&row.operation.value))
     };
-    let mut others = cutter_names(context.shop.knowledge).filter(|cutter| fits(cutter) && does(cutter));
-    let Some(other) = others.next() else { return };
+    let others = cutter_names(context.shop.knowledge)?;
+    let Some(other) = others.iter().find(|cutter| fits(cutter) && does(cutter)) else { return Ok(()) };
     // One dimension alone may be the slip; the rows of the tool say which of the two is meant.
     let of_size =
         |other: &OfOther| matches!(other, OfOther::Operation { .. } | OfOther::Angle { .. } | OfOther::Size { .. });
     let unsuited = |one: &Finding| of_tool(one) && matches!(&one.kind, Kind::OfOther(other) if of_size(other));
     if off < 2 && !findings.iter().any(unsuited) {
-        return;
+        return Ok(());
     }
     let field = format!("tools.T{}.designation", tool.number);
     for finding in findings.iter_mut().filter(|finding| of_tool(finding)) {
@@ -180,7 +179,8 @@ fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<Finding>) {
     }
     let note = Note::new("audit-dimensions-of").with("tool", &name.value).with("known", other.designation);
     let finding = Finding::new(Severity::Wrong, Section::Tools, field, note).at(&name.place);
-    let because = Because::row(other.row, Note::new("named"));
+    let because = Because::row(other.row.row, Note::new("named"));
     let finding = finding.beside(&name.value, other.designation).resting_on([because]);
     findings.push(finding.about(context.subject(Scope::Tool(at))));
+    Ok(())
 }

@@ -1,5 +1,6 @@
 //! The machine's limits, the correctors.
 
+use crate::tables::machines::MachineQuantity;
 use crate::error::KnowledgeError;
 use crate::note::{Because, Note, Severity};
 use crate::plan::Operation;
@@ -33,16 +34,16 @@ fn conditions(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), 
             continue;
         }
         let bounds = [
-            (Q::MinuteFeed, machine.feed_max.0, "feed-max"),
-            (Q::Force, machine.thrust.0, "thrust-z-max"),
-            (Q::Torque, machine.spindle_torque.0, "spindle-torque-max"),
-            (Q::Power, machine.spindle_power.0, "spindle-power"),
+            (Q::MinuteFeed, machine.feed_max.0, MachineQuantity::FeedMax),
+            (Q::Force, machine.thrust.0, MachineQuantity::ThrustZMax),
+            (Q::Torque, machine.spindle_torque.0, MachineQuantity::SpindleTorqueMax),
+            (Q::Power, machine.spindle_power.0, MachineQuantity::SpindlePower),
         ];
         for (quantity, most, name) in bounds {
             let Some(figure) = own.figures.get(&quantity).filter(|figure| figure.value > most * 1.001) else {
                 continue;
             };
-            let note = Note::new("audit-beyond-machine").with("limit", shown(most)).with("quantity", name);
+            let note = Note::new("audit-beyond-machine").with("limit", shown(most)).with("quantity", name.name());
             let field = context.field(Id::new(Scope::Conditions(at), quantity));
             let finding = Finding::new(Severity::Error, Section::Conditions, field, note);
             let finding = beside(finding, figure, format!("<= {}", shown(most)), quantity);
@@ -62,7 +63,7 @@ fn series(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<Finding>)
         let Some((below, above)) = context.steps_around(figure.value) else { continue };
         let note = Note::new("audit-not-in-series").with("below", below).with("above", above);
         let finding = Finding::new(Severity::Wrong, Section::Conditions, context.field(id), note).at(&figure.place);
-        let because = Because::row(machine.row("spindle-speeds")?, Note::new("audit-series"));
+        let because = Because::row(machine.row(MachineQuantity::SpindleSpeeds)?, Note::new("audit-series"));
         let mut finding = finding.about(context.subject(Scope::Conditions(at))).resting_on([because]);
         finding.stated = Some(figure.text.clone());
         finding.quantity = Some(Q::Rpm);
@@ -85,7 +86,7 @@ fn lengths(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), Kno
             format!("<= {}", shown(most)),
             Q::Assembly,
         );
-        let because = Because::row(machine.row("tool-overhang-max")?, Note::new("audit-limit"));
+        let because = Because::row(machine.row(MachineQuantity::ToolOverhangMax)?, Note::new("audit-limit"));
         findings.push(finding.about(context.subject(Scope::Tool(at))).resting_on([because]));
     }
     Ok(())
@@ -138,7 +139,7 @@ fn magazine(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), Kn
     for (at, tool) in tools.iter().enumerate().filter(|(_, tool)| tool.number as usize > places) {
         let note = Note::new("audit-no-place").with("number", tool.number).with("places", places);
         let finding = Finding::new(Severity::Error, Section::Tools, format!("tools.T{}", tool.number), note);
-        let because = Because::row(machine.row("magazine-places")?, Note::new("audit-limit"));
+        let because = Because::row(machine.row(MachineQuantity::MagazinePlaces)?, Note::new("audit-limit"));
         findings.push(finding.at(&tool.place).about(context.subject(Scope::Tool(at))).resting_on([because]));
     }
     Ok(())
@@ -159,7 +160,7 @@ fn drills(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), Know
         let field = context.field(Id::new(Scope::Row(at), Q::Diameter));
         let finding = Finding::new(Severity::Error, Section::Route, field, note);
         let finding = beside(finding, figure, format!("<= {}", shown(most)), Q::Diameter);
-        let because = Because::row(machine.row("drill-diameter-max")?, Note::new("audit-limit"));
+        let because = Because::row(machine.row(MachineQuantity::DrillDiameterMax)?, Note::new("audit-limit"));
         findings.push(finding.about(context.subject(Scope::Row(at))).resting_on([because]));
     }
     Ok(())

@@ -1,6 +1,7 @@
 //! What stands at the end of a hole: counterbores, countersinks, chamfers. Whether the drawing asks for what the rows cut,
 //! at its diameter and depth, and whether the rows cut what it asks for.
 
+use crate::tables::holes::HoleDefault;
 use crate::error::KnowledgeError;
 use crate::note::{Note, Severity};
 use crate::part::Hole;
@@ -54,7 +55,7 @@ pub(super) fn check<'a>(
 /// What the drawing of a hole has at its entry, and what a thread needs there.
 fn openings(hole: &Hole, context: &Context<'_>) -> Result<Vec<Opening>, KnowledgeError> {
     let task = bores::task(hole, &context.stated.part, &context.shop)?;
-    let stock = context.shop.convention("face-stock-mm")?;
+    let stock = context.shop.convention(HoleDefault::FaceStock)?;
     let edges = task.edges.iter().map(|edge| Opening {
         feature: edge.feature,
         diameter: edge.diameter,

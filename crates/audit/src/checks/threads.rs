@@ -1,5 +1,7 @@
 //! Threaded holes: the drill under the thread, how deep hole and thread go, and where the thread is cut.
 
+use crate::tables::holes::HoleDefault;
+use crate::tables::machines::MachineQuantity;
 use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
 use crate::note::{Because, Note, Severity};
@@ -55,7 +57,7 @@ fn taps(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), Knowle
         let note = Note::new("audit-cannot-tap").with("machine", &context.stated.part.machine);
         let field = format!("route.{}.tool", row.number);
         let finding = Finding::new(Severity::Error, Section::Route, field, note).at(&tool.place);
-        let because = Because::row(machine.row("can-tap")?, Note::new("audit-limit"));
+        let because = Because::row(machine.row(MachineQuantity::CanTap)?, Note::new("audit-limit"));
         findings.push(finding.about(context.subject(Scope::Row(at))).resting_on([because]));
     }
     Ok(())
@@ -113,13 +115,13 @@ fn depth(
         return Ok(());
     }
     let stated = Micrometres::from_mm_rounded(figure.value);
-    let pitches = |name: &str| -> Result<Micrometres, KnowledgeError> {
+    let pitches = |name| -> Result<Micrometres, KnowledgeError> {
         Ok(Micrometres::from_mm_rounded(thread.pitch.to_mm() * context.shop.share(name)?))
     };
     let tap = row.operation.value == Operation::Tap;
     let blind = !hole.through && !tap;
     // The first teeth of a tap cut no full thread: a blind hole goes deeper by its run-out.
-    let right = if blind { hole.depth + pitches("thread-runout-pitches")? } else { hole.depth };
+    let right = if blind { hole.depth + pitches(HoleDefault::ThreadRunoutPitches)? } else { hole.depth };
     let mut say = |severity, code: &str, figure: &Figure| {
         let note = Note::new(code).with("thread", &thread.written).with("depth", hole.depth);
         let finding = Finding::new(severity, Section::Route, format!("route.{}.depth", row.number), note);
@@ -127,7 +129,7 @@ fn depth(
     };
     if stated < hole.depth {
         say(Severity::Wrong, "audit-thread-short", figure);
-    } else if blind && stated < hole.depth + pitches("tap-lead-pitches")? {
+    } else if blind && stated < hole.depth + pitches(HoleDefault::TapLeadPitches)? {
         say(Severity::Doubtful, "audit-thread-runout", figure);
     } else if !blind && stated != right && !hole.through {
         say(Severity::Wrong, "audit-thread-deep", figure);

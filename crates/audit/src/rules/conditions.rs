@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::tables::machines::MachineQuantity;
 use crate::cutting;
 use crate::error::KnowledgeError;
 use crate::knowledge::Input;
@@ -229,7 +230,7 @@ fn spindle<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Re
         let computed = RevsPerMinute(*values.first()?);
         cutting::spindle_step(computed, shop).ok().map(|(step, ..)| step.0)
     };
-    let series = shop.machine.row("spindle-speeds")?;
+    let series = shop.machine.row(MachineQuantity::SpindleSpeeds)?;
     let mut own = formula(&STEP, id(Q::Rpm), vec![id(Q::RpmComputed)], "", step);
     own.because.push(Because::row(series, Note::new("audit-series")));
     own.because.push(Because::table(shop.knowledge.table("spindle-step")?, Note::new("audit-step-rule")));

@@ -143,7 +143,7 @@ pub fn overhang(
 ) -> Result<(Micrometres, Micrometres, Because), KnowledgeError> {
     let need = CutterNeed::plain(operation, cutter.row.diameter.unwrap_or_default());
     let (most, because) = holder::overhang(&as_cutter(cutter), &need, shop)?;
-    if because.table != shop.knowledge.table_of::<Clamping<'_>>()?.id {
+    if !holder::is_ranged(cutter.head.shank, operation) {
         return Ok((most, most, because));
     }
     let addition = holder::overhang_addition(shop.knowledge)?;
