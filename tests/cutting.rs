@@ -13,6 +13,7 @@ use common::KNOWLEDGE;
 use common::cuts::plain_cut;
 use technolog::cutting::{self, Cut, CutterShape};
 use technolog::error::Refusal;
+use technolog::knowledge::vocabulary::ToolMaterial;
 use technolog::machine::Machine;
 use technolog::material::Material;
 use technolog::plan::{Conditions, CuttingMethod, Operation};
@@ -34,15 +35,15 @@ fn mm(length: f64) -> Micrometres {
 }
 
 /// A cut from one diameter to another, 40 mm deep with 45 mm of travel.
-fn cut(operation: Operation, from: f64, diameter: f64) -> Cut<'static> {
+fn cut(operation: Operation, from: f64, diameter: f64) -> Cut {
     Cut { depth: mm(40.0), travel: mm(45.0), ..plain_cut(operation, mm(from), mm(diameter)) }
 }
 
-fn conditions(cut: &Cut<'_>, material: &str) -> Conditions {
+fn conditions(cut: &Cut, material: &str) -> Conditions {
     cutting::conditions(cut, &shop(material)).unwrap()
 }
 
-fn refusal(cut: &Cut<'_>, material: &str) -> String {
+fn refusal(cut: &Cut, material: &str) -> String {
     match cutting::conditions(cut, &shop(material)) {
         Err(Refusal::Not(note)) => note.code,
         other => panic!("{other:?}"),
@@ -115,7 +116,7 @@ fn milling_needs_a_mill_that_enters_and_a_material_with_figures() {
     let narrow = Cut { cutter: Some(MILL), ..cut(Operation::Mill, 20.0, 30.0) };
     assert_eq!(refusal(&narrow, "steel-45"), "mill-does-not-enter");
     let open = Cut { cutter: Some(MILL), ..cut(Operation::Mill, 50.0, 60.0) };
-    assert_eq!(refusal(&Cut { tool_material: "carbide", ..open }, "steel-45"), "no-figure");
+    assert_eq!(refusal(&Cut { tool_material: ToolMaterial::Carbide, ..open }, "steel-45"), "no-figure");
     // Force of grey iron for aluminium, marked.
     let found = conditions(&open, "aluminium-d16");
     assert!(found.torque_n_m.is_some() && codes(&found).contains(&"stand-in"), "{:?}", codes(&found));
@@ -224,12 +225,12 @@ fn reaming_by_hand() {
     near(found.torque_n_m.unwrap().0, 2.63);
     near(found.computed_speed_m_per_min.0, 13.2);
     // Grade 7, or a pass before the last: as tabulated. Blind: at most 0.5.
-    let feed = |cut: Cut<'_>, material: &str| conditions(&cut, material).feed_mm_per_rev.0;
+    let feed = |cut: Cut, material: &str| conditions(&cut, material).feed_mm_per_rev.0;
     near(feed(Cut { it: ItGrade::new(7), ..last }, "steel-45"), 1.0);
     near(feed(Cut { roughness: None, ..last }, "steel-45"), 1.0);
     near(feed(Cut { blind: true, ..last }, "steel-45"), 0.5);
     // Carbide in iron: 0.7 of 2.6 mm/rev, and 0.8 of that for grade 9.
-    let carbide = Cut { tool_material: "carbide", ..last };
+    let carbide = Cut { tool_material: ToolMaterial::Carbide, ..last };
     near(feed(Cut { it: ItGrade::new(7), ..carbide }, "cast-iron-sch20"), 1.82);
     near(feed(carbide, "cast-iron-sch20"), 1.456);
     // In steel too, with the material exponent of HSS: T = 30:
@@ -251,7 +252,10 @@ fn reaming_by_hand() {
 /// - M = 88.87·20/2000 = 0.8887 N·m; N = 0.8887·2500/9750 = 0.2279 kW.
 #[test]
 fn boring_loads_are_those_of_the_speed_that_is_driven() {
-    let found = conditions(&Cut { tool_material: "carbide", ..cut(Operation::SemiFinishBore, 19.5, 20.0) }, "steel-45");
+    let found = conditions(
+        &Cut { tool_material: ToolMaterial::Carbide, ..cut(Operation::SemiFinishBore, 19.5, 20.0) },
+        "steel-45",
+    );
     near(found.computed_speed_m_per_min.0, 353.9);
     near(found.speed_m_per_min.0, 157.08);
     near(found.torque_n_m.unwrap().0, 0.8887);
@@ -329,10 +333,10 @@ fn whatever_limits_the_feed_the_machine_bears_what_is_driven() {
     for material in ["steel-45", "steel-40hn", "cast-iron-sch20", "aluminium-d16", "stainless-12h18n10t"] {
         for diameter in (2..=60).map(f64::from) {
             for (operation, from, tool_material) in [
-                (Operation::Drill, 0.0, "HSS"),
-                (Operation::DrillOut, diameter / 2.0, "HSS"),
-                (Operation::CoreDrill, diameter - 1.0, "HSS"),
-                (Operation::RoughBore, diameter - 8.0, "carbide"),
+                (Operation::Drill, 0.0, ToolMaterial::HighSpeedSteel),
+                (Operation::DrillOut, diameter / 2.0, ToolMaterial::HighSpeedSteel),
+                (Operation::CoreDrill, diameter - 1.0, ToolMaterial::HighSpeedSteel),
+                (Operation::RoughBore, diameter - 8.0, ToolMaterial::Carbide),
             ] {
                 if from < 0.0 || (from < 1.0 && operation != Operation::Drill) {
                     continue;
@@ -363,7 +367,8 @@ fn whatever_limits_the_feed_the_machine_bears_what_is_driven() {
 ///   210.5 m/min, T = 60·(210.5/188.5)^5 = 104 min.
 #[test]
 fn where_power_holds_the_feed_the_speed_is_not_raised_and_the_life_is_told() {
-    let found = conditions(&Cut { tool_material: "carbide", ..cut(Operation::RoughBore, 48.0, 60.0) }, "steel-45");
+    let found =
+        conditions(&Cut { tool_material: ToolMaterial::Carbide, ..cut(Operation::RoughBore, 48.0, 60.0) }, "steel-45");
     assert_eq!(found.limited_by, "spindle-power");
     near(found.spindle_rpm.0, 1000.0);
     near(found.feed_mm_per_rev.0, 0.2479);

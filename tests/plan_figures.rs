@@ -7,7 +7,7 @@ mod common;
 
 use common::cuts::plain_cut;
 use common::{KNOWLEDGE, plan_of_hole, planned, read};
-use technolog::cutting::{self, Cut};
+use technolog::cutting::{self, Cut, Surface};
 use technolog::machine::Machine;
 use technolog::material::Material;
 use technolog::note::Severity;
@@ -113,7 +113,7 @@ fn every_row_that_nobody_confirms_is_a_finding() {
     }
 }
 
-fn by_card(cut: &Cut<'_>) -> Conditions {
+fn by_card(cut: &Cut) -> Conditions {
     let knowledge = &*KNOWLEDGE;
     let shop = Shop {
         knowledge,
@@ -135,7 +135,7 @@ fn the_card_takes_what_the_part_is_like() {
     let mm = Micrometres::from_mm_rounded;
     let plain = plain_cut(Operation::Drill, Micrometres::ZERO, mm(10.0));
     let deep = Cut { depth: mm(35.0), ..plain };
-    let skin = Cut { surface: "rolled", ..plain };
+    let skin = Cut { surface: Surface::Rolled, ..plain };
     let reamed = Cut { reamer_follows: true, ..plain };
     for (cut, feed, speed) in
         [(plain, 0.325, 27.45), (skin, 0.325, 24.71), (reamed, 0.1625, 42.03), (deep, 0.325, 27.45)]

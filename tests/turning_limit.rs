@@ -19,6 +19,7 @@
 use std::sync::LazyLock;
 
 use proptest::prelude::*;
+use technolog::cutting::Surface;
 use technolog::error::Refusal;
 use technolog::knowledge::Knowledge;
 use technolog::material::Material;
@@ -57,7 +58,7 @@ impl<'k> Case<'k> {
             material: &self.material,
             diameter: Micrometres::from_mm_rounded(diameter),
             direction,
-            surface: "rolled",
+            surface: Surface::Rolled,
         }
     }
 }

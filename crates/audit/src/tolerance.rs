@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
+use crate::knowledge::contract::Word as _;
 use crate::knowledge::units::Unit;
 use crate::note::Severity;
 
@@ -66,7 +67,7 @@ impl Tolerances {
                     relative: row.number_in("relative", Unit::Percent)? / 100.0,
                     own_places: row.int("own_places")?,
                     rounded: row.flag("rounded"),
-                    severity: Severity::from_name(row.text("severity")?).unwrap_or(Severity::Wrong),
+                    severity: Severity::from_word(row.text("severity")?).unwrap_or(Severity::Wrong),
                     range: match row.text("range")? {
                         "any" => Range::Any,
                         "not-negative" => Range::NotNegative,

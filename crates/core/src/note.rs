@@ -6,6 +6,8 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+pub use crate::knowledge::vocabulary::Severity;
+
 use crate::knowledge::{Answer, RowRef, Source, Table};
 
 /// A sentence of the program in no language: what it says, and its figures.
@@ -36,40 +38,6 @@ impl Note {
 pub fn doubtful_row(row: RowRef<'_>) -> Option<Finding> {
     let doubt = Because::row(row, Note::new("unconfirmed")).doubt()?;
     Some(Finding::of_part(Severity::Doubtful, doubt))
-}
-
-/// How grave a finding about a plan is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum Severity {
-    /// Unsafe or impossible.
-    Error,
-    /// Contradicts the source or the arithmetic.
-    Wrong,
-    /// Allowed, but dominated or resting on unconfirmed figures.
-    Doubtful,
-    /// Worth knowing.
-    Note,
-}
-
-impl Severity {
-    /// Every severity, the gravest first.
-    pub const ALL: [Self; 4] = [Self::Error, Self::Wrong, Self::Doubtful, Self::Note];
-
-    /// Its name in tables, plans and JSON.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Error => "error",
-            Self::Wrong => "wrong",
-            Self::Doubtful => "doubtful",
-            Self::Note => "note",
-        }
-    }
-
-    /// The severity of that name.
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|severity| severity.name() == name)
-    }
 }
 
 /// Something about a plan that its reader must know.

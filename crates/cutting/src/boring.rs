@@ -1,44 +1,37 @@
 //! Boring with a single-point tool.
 
-use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::knowledge::units::Unit;
-use crate::knowledge::{Input, Table};
+use crate::error::{Refusal, Tried};
+use crate::knowledge::{Question, Table};
 use crate::note::{Because, Note};
 use crate::reason::Uncut;
 use crate::shop::Shop;
-use crate::units::{MetresPerMinute, Micrometres, MillimetresPerRev, Minutes, Roughness};
+use crate::tables::cutting::{BoringFeedFor, BoringFinishFeedFor, BoringForceFor, BoringSpeedFor, Process};
+use crate::units::{MetresPerMinute, MillimetresPerRev, Roughness};
 
-use super::figures::feed_input;
-use super::figures::{self, number};
-use super::{Cut, Draft, Loads, Motion, PowerLaw, factors};
+use super::{Cut, Draft, Loads, Motion, PowerLaw, factors, figures};
 
 /// Turning formulas, speed × 0.9 for internal work (Косилова/Мещеряков т.2; facts 1.8).
 ///
 /// - V = Cv / (T^m·t^x·s^y)·Kmv·Kpv·0.9;
 /// - Pz = 10·Cp·t^x·s^y·V^n·Kp, N, with V the speed that is driven; the torque is Pz·D/2.
-pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
+pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
     let (tabulated, reason) = feed(cut, shop)?;
     let feed = taken.unwrap_or(tabulated);
     let mut because = vec![reason];
-    let parameters = shop.knowledge.table("boring-parameters")?;
-    let parameter = |name: &str| parameters.find("name", name).ok_or_else(|| KnowledgeError::no_row(parameters, name));
-    let life_row = parameter("tool-life")?;
-    let life = life_row.number_in("time", Unit::Minute)?;
-    let internal_row = parameter("internal-factor")?;
-    let internal = number(internal_row, "factor")?;
-    because.push(Because::row(life_row, Note::new("tool-life").with("minutes", life)));
-    because.push(Because::row(internal_row, Note::new("internal-factor").with("factor", internal)));
+    let (life, reason) = factors::single_point_life(shop.knowledge)?;
+    because.push(reason);
+    let (internal, reason) = factors::internal(shop.knowledge)?;
+    because.push(reason);
     let t = cut.depth_of_cut();
 
-    let figures = figures::ask("boring-speed", &[("feed", feed_input(feed))], shop)?;
-    let row = figures.row;
-    because.extend(figures.because(Note::new("speed-coefficients").with("cv", number(row, "cv")?)));
-    let mut speed = number(row, "cv")?
-        / (libm::pow(life, number(row, "m")?) * libm::pow(t, number(row, "x")?) * libm::pow(feed.0, number(row, "y")?))
-        * internal;
+    let figures = figures::ask(|material_group| BoringSpeedFor { material_group, feed }, shop)?;
+    let row = &figures.row;
+    because.extend(figures.because(Note::new("speed-coefficients").with("cv", row.cv)));
+    let mut speed = row.cv / (libm::pow(life.0, row.m) * libm::pow(t, row.x) * libm::pow(feed.0, row.y)) * internal;
+    let life_exponent = row.m;
     let mut corrections = vec![factors::surface(cut.surface, shop)?];
     if figures.own() {
-        corrections.push(factors::material_speed("turning", cut.tool_material, shop)?);
+        corrections.push(factors::material_speed(Process::Turning, cut.tool_material, shop)?);
     }
     for (factor, reason) in corrections {
         speed *= factor;
@@ -47,28 +40,24 @@ pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop
 
     let mut loads = Loads::default();
     // Without a row of forces the pass is still cut; its torque is left out and not guessed.
-    if let Ok(figures) =
-        Refusal::split(figures::ask("boring-force", &[("tool_material", Input::Text(cut.tool_material))], shop))?
-    {
-        let row = figures.row;
-        let mut force = 10.0 * number(row, "cp")? * libm::pow(t, number(row, "x")?);
+    let question = |material_group| BoringForceFor { material_group, tool_material: cut.tool_material };
+    if let Ok(figures) = Refusal::split(figures::ask(question, shop))? {
+        let row = &figures.row;
+        let mut force = 10.0 * row.cp * libm::pow(t, row.x);
         if figures.own() {
-            let (factor, reason) = factors::material_force("turning", cut.tool_material, shop)?;
+            let (factor, reason) = factors::material_force(Process::Turning, cut.tool_material, shop)?;
             force *= factor;
             because.push(reason);
         }
         because.extend(figures.because(Note::new("load-coefficients")));
-        loads.torque = Some(PowerLaw {
-            factor: force * cut.diameter.to_mm() / 2000.0,
-            exponent: number(row, "y")?,
-            of_speed: number(row, "n")?,
-        });
+        loads.torque =
+            Some(PowerLaw { factor: force * cut.diameter.to_mm() / 2000.0, exponent: row.y, of_speed: row.n });
     }
     Ok(Draft {
         feed,
         speed: MetresPerMinute(speed),
-        tool_life: Minutes(life),
-        life_exponent: number(row, "m")?,
+        tool_life: life,
+        life_exponent,
         coolant: None,
         loads,
         motion: Motion::along_axis(cut),
@@ -81,28 +70,24 @@ pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop
 
 /// The feed of a boring pass by the rule-bearing table `boring-feed`: roughing by its own figure, the
 /// last pass by the roughness it must leave and the nose radius (table `boring-finish-feed`).
-fn feed(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<(MillimetresPerRev, Because), Uncut> {
-    let stages = shop.knowledge.table("boring-feed")?;
-    let answer = stages.decide(&[("operation", Input::Text(cut.operation.name()))])?;
-    let stage = answer.winner().ok_or_else(|| KnowledgeError::no_row(stages, cut.operation.name()))?;
-    let plain = stage.number_in("feed", Unit::MillimetrePerRev)?;
-    let by_stage = (MillimetresPerRev(plain), Because::row(stage, Note::new("boring-feed").with("feed", plain)));
+fn feed(cut: &Cut, shop: &Shop<'_>) -> Tried<(MillimetresPerRev, Because), Uncut> {
+    let operation = cut.operation;
+    let stage = shop.knowledge.ask(&BoringFeedFor { operation })?.need(operation.name())?;
+    let note = Note::new("boring-feed").with("feed", stage.feed.0);
+    let by_stage = (stage.feed, Because::row(stage.row, note));
     let (Some(limit), Some(nose)) = (cut.roughness, cut.nose_radius) else { return Ok(by_stage) };
-    let finish = shop.knowledge.table("boring-finish-feed")?;
+    let finish = shop.knowledge.table(BoringFinishFeedFor::TABLE)?;
     let column = nearest_column(finish, limit).ok_or(Refusal::Not(Uncut::TooFineToBore { roughness: limit }))?;
     if column < limit && column_is_coarsest(finish, column) {
         // A coarser surface than the table goes to is no reason to feed faster than the stage does.
         return Ok(by_stage);
     }
-    let nose = nose_name(nose);
-    let answer = finish.decide(&[("roughness", Input::Roughness(column)), ("nose_radius", Input::Text(&nose))])?;
-    let row = answer.winner().ok_or_else(|| figures::missing(finish, shop))?;
-    let feed = row.number_in("feed", Unit::MillimetrePerRev)?.min(plain);
-    Ok((MillimetresPerRev(feed), Because::row(row, Note::new("boring-finish-feed").with("feed", feed))))
-}
-
-fn nose_name(nose: Micrometres) -> String {
-    nose.to_string()
+    let nose = nose.to_string();
+    let asked = finish.ask(&BoringFinishFeedFor { roughness: column, nose_radius: &nose })?;
+    let row = asked.winner()?.ok_or_else(|| figures::missing(&finish.id, shop))?;
+    let feed = row.feed.0.min(stage.feed.0);
+    let because = Because::row(row.row, Note::new("boring-finish-feed").with("feed", feed));
+    Ok((MillimetresPerRev(feed), because))
 }
 
 /// The coarsest roughness of the table that still holds the limit.
@@ -115,5 +100,5 @@ fn column_is_coarsest(table: &Table, column: Roughness) -> bool {
 }
 
 fn columns(table: &Table) -> Vec<Roughness> {
-    crate::knowledge::query::roughness_points(table, "roughness")
+    crate::knowledge::query::roughness_points(table, BoringFinishFeedFor::roughness())
 }

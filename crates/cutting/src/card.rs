@@ -6,11 +6,10 @@
 //! one point only; the formula's are kept there, being the safe side, and the plan says so.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::RowRef;
-use crate::knowledge::units::Unit;
 use crate::note::{Because, Note};
 use crate::plan::{CardPoint, Operation};
 use crate::shop::Shop;
+use crate::tables::cutting::{CardCalibration, CardCorrections, CardFactor, CardPoints, CardRatio};
 use crate::units::{Kilowatts, MetresPerMinute, MillimetresPerRev, NewtonMetres, Newtons, round_to};
 
 use super::drilling::Base;
@@ -48,33 +47,35 @@ fn point(code: &str, [speed, thrust, power]: [f64; 3]) -> Note {
 /// `loads` are those of the formula for the material at hand. `part` is what the skin of the
 /// blank makes of the speed by the handbook's table: the card's own factor, Kvw, is known only where it is 1.
 pub(super) fn draft(
-    cut: &Cut<'_>,
+    cut: &Cut,
     feed: MillimetresPerRev,
     base: &Base,
     (loads, part): (Loads, f64),
     (mut because, mut doubts): (Vec<Because>, Vec<CardDoubt>),
     shop: &Shop<'_>,
 ) -> Result<Draft, KnowledgeError> {
-    let calibration = shop.knowledge.table("card-calibration")?;
-    let mut calibrated = |name: &str| -> Result<f64, KnowledgeError> {
-        let row = calibration.find("name", name).ok_or_else(|| KnowledgeError::no_row(calibration, name))?;
-        let factor = row.number_in("factor", Unit::None)?;
-        because.push(Because::row(row, Note::new("card-calibration").with("name", name).with("factor", factor)));
-        Ok(factor)
+    let mut calibrated = |ratio: CardRatio| -> Result<f64, KnowledgeError> {
+        let row = shop.knowledge.need(ratio.name(), |row: &CardCalibration<'_>| row.name == ratio)?;
+        let note = Note::new("card-calibration").with("name", ratio.name()).with("factor", row.factor);
+        because.push(Because::row(row.row, note));
+        Ok(row.factor)
     };
-    let speed = MetresPerMinute(base.speed * calibrated("speed")?);
+    let speed = MetresPerMinute(base.speed * calibrated(CardRatio::Speed)?);
     // Drilling-out forces of the card are not those of the formula; nothing is calibrated on one point.
-    let (thrust_factor, power_factor) =
-        if cut.operation == Operation::DrillOut { (1.0, 1.0) } else { (calibrated("thrust")?, calibrated("power")?) };
+    let (thrust_factor, power_factor) = match cut.operation {
+        Operation::DrillOut => (1.0, 1.0),
+        _ => (calibrated(CardRatio::Thrust)?, calibrated(CardRatio::Power)?),
+    };
     let thrust = base.loads.thrust.map(|law| PowerLaw { factor: law.factor * thrust_factor, ..law });
     let rpm = rpm_at(speed, cut.diameter);
     let power =
         base.loads.torque.map(|law| Kilowatts(power_of(NewtonMetres(law.at(feed, speed)), rpm).0 * power_factor));
-    if let Some((row, printed)) = known_point(cut, feed, shop)? {
-        let [speed, thrust, power] = printed;
+    if let Some(CardPoints { row, speed, thrust, power, .. }) = known_point(cut, feed, shop)? {
+        let (speed, thrust, power) = (speed.0, thrust.0, power.0);
         let doubt = CardDoubt::ForcesDiffer { speed, thrust, power };
         let differs = cut.operation == Operation::DrillOut;
-        because.push(Because::row(row, if differs { doubt.note() } else { point("card-point", printed) }));
+        let note = if differs { doubt.note() } else { point("card-point", [speed, thrust, power]) };
+        because.push(Because::row(row, note));
         doubts.extend(differs.then_some(doubt));
     }
     let (product, material) = corrections(shop, &mut because)?;
@@ -106,22 +107,14 @@ pub(super) fn draft(
 
 /// The printed point of the card, where this cut is one of the three, with what it prints.
 fn known_point<'k>(
-    cut: &Cut<'_>,
+    cut: &Cut,
     feed: MillimetresPerRev,
     shop: &Shop<'k>,
-) -> Result<Option<(RowRef<'k>, [f64; 3])>, KnowledgeError> {
-    let points = shop.knowledge.table("card-points")?;
-    for row in points.all_rows() {
-        let same = row.text("operation")? == cut.operation.name()
-            && row.length("diameter")? == cut.diameter
-            && (row.number_in("feed", Unit::MillimetrePerRev)? - feed.0).abs() < 0.0005;
-        if same {
-            let speed = row.number_in("speed", Unit::MetrePerMinute)?;
-            let thrust = row.number_in("thrust", Unit::Newton)?;
-            return Ok(Some((row, [speed, thrust, row.number_in("power", Unit::Kilowatt)?])));
-        }
-    }
-    Ok(None)
+) -> Result<Option<CardPoints<'k>>, KnowledgeError> {
+    let same = |point: &CardPoints<'_>| {
+        point.operation == cut.operation && point.diameter == cut.diameter && (point.feed.0 - feed.0).abs() < 0.0005
+    };
+    Ok(shop.knowledge.find(same)?)
 }
 
 /// The factor by which the worked example raises the card's feed.
@@ -131,19 +124,19 @@ pub(super) fn feed_factor(shop: &Shop<'_>) -> Result<f64, KnowledgeError> {
 
 /// The product of the worked example's factors, and its material factor alone; 1 for other groups.
 fn corrections(shop: &Shop<'_>, because: &mut Vec<Because>) -> Result<(f64, f64), KnowledgeError> {
-    let table = shop.knowledge.table("card-corrections")?;
+    let table = shop.knowledge.table_of::<CardCorrections<'_>>()?;
     let (mut product, mut material) = (1.0, 1.0);
     let mut first = None;
-    for row in table.all_rows() {
-        if row.text("material_group")? != shop.material.group {
+    for row in table.rows::<CardCorrections<'_>>() {
+        let row = row?;
+        if row.material_group != shop.material.group {
             continue;
         }
-        let factor = row.number_in("factor", Unit::None)?;
-        product *= factor;
-        if row.text("name")? == "material" {
-            material = factor;
+        product *= row.factor;
+        if row.name == CardFactor::Material {
+            material = row.factor;
         }
-        first.get_or_insert(row);
+        first.get_or_insert(row.row);
     }
     because.push(match first {
         Some(row) => {

@@ -5,21 +5,21 @@ use crate::note::{Because, Note};
 use crate::plan::{CuttingMethod, Operation};
 use crate::reason::Uncut;
 use crate::shop::Shop;
+use crate::tables::cutting::{Coefficients, Process};
 use crate::units::{MetresPerMinute, MillimetresPerRev, Minutes};
 
 use super::card::CardDoubt;
 use super::factors::{ByDepth, Factor};
 use super::feed::{self, Feed};
-use super::figures::coolant;
 use super::laws::{self, LoadLaw, SpeedLaw};
 use super::{Cut, Draft, Loads, Motion, PowerLaw, card, factors};
 
 /// The operation by which the coefficient tables know this transition: centring is drilling.
-pub(super) fn table_operation(operation: Operation) -> &'static str {
+pub(super) fn table_operation(operation: Operation) -> Coefficients {
     match operation {
-        Operation::DrillOut => "drill-out",
-        Operation::CoreDrill => "core-drill",
-        _ => "drill",
+        Operation::DrillOut => Coefficients::DrillOut,
+        Operation::CoreDrill => Coefficients::CoreDrill,
+        _ => Coefficients::Drill,
     }
 }
 
@@ -28,13 +28,13 @@ pub(super) fn table_operation(operation: Operation) -> &'static str {
 /// - V = Cv·D^q / (T^m·t^x·s^y)·Kv, m/min, with Kv = Kmv·Klv·Kpv; drilling has no t term (x = 0);
 /// - M = 10·Cm·D^q·t^x·s^y·Kp, N·m; P = 10·Cp·D^q·t^x·s^y·Kp, N;
 /// - D, t in mm, s in mm/rev, T in min.
-pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
+pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
     by_tables(cut, feed::tabulated(cut, shop)?.or(in_table(cut, taken, shop)?), shop)
 }
 
 /// A feed as the tables would have it: the cards raise theirs by a factor of the material afterwards.
 fn in_table(
-    cut: &Cut<'_>,
+    cut: &Cut,
     taken: Option<MillimetresPerRev>,
     shop: &Shop<'_>,
 ) -> Result<Option<MillimetresPerRev>, KnowledgeError> {
@@ -45,18 +45,18 @@ fn in_table(
 }
 
 /// Whether the normative cards are asked: they know nothing of core drills.
-fn by_card(cut: &Cut<'_>, shop: &Shop<'_>) -> bool {
+fn by_card(cut: &Cut, shop: &Shop<'_>) -> bool {
     shop.method == CuttingMethod::Card && cut.operation != Operation::CoreDrill
 }
 
 /// The same for a feed found elsewhere: the tools that have no coefficients of their own take this way.
-pub(super) fn by_tables(cut: &Cut<'_>, feed: Feed, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
+pub(super) fn by_tables(cut: &Cut, feed: Feed, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
     let Feed { feed, mut because, mut doubts } = feed;
     let base = base(cut, feed, shop)?;
     because.extend(base.because.clone());
     let mut force = 1.0;
     if base.own_loads {
-        let (factor, reason) = factors::material_force("drilling", cut.tool_material, shop)?;
+        let (factor, reason) = factors::material_force(Process::Drilling, cut.tool_material, shop)?;
         force = factor;
         because.push(reason);
     }
@@ -92,17 +92,17 @@ pub(super) fn by_tables(cut: &Cut<'_>, feed: Feed, shop: &Shop<'_>) -> Tried<Dra
 
 /// Kv = Kmv·Kpv·Klv, and what the cards leave out of it. A row that stands in is that of its own reference material; the factor of ours would not fit it.
 pub(super) fn speed_corrections(
-    cut: &Cut<'_>,
+    cut: &Cut,
     own_row: bool,
     shop: &Shop<'_>,
 ) -> Tried<(Vec<Factor>, Option<CardDoubt>), Uncut> {
     let (mut corrections, mut doubt) = (Vec::new(), None);
     if own_row {
-        corrections.push(factors::material_speed("drilling", cut.tool_material, shop)?);
+        corrections.push(factors::material_speed(Process::Drilling, cut.tool_material, shop)?);
     }
     corrections.push(factors::surface(cut.surface, shop)?);
     if cut.operation == Operation::Drill {
-        let ByDepth { factor, left_out } = factors::by_depth("depth-speed-factor", cut, shop)?;
+        let ByDepth { factor, left_out } = factors::speed_by_depth(Coefficients::Drill, cut, shop)?;
         corrections.push(factor);
         doubt = left_out;
     }
@@ -127,7 +127,7 @@ pub(super) struct Base {
     pub because: Vec<Because>,
 }
 
-fn base(cut: &Cut<'_>, feed: MillimetresPerRev, shop: &Shop<'_>) -> Tried<Base, Uncut> {
+fn base(cut: &Cut, feed: MillimetresPerRev, shop: &Shop<'_>) -> Tried<Base, Uncut> {
     let operation = table_operation(cut.operation);
     let (d, t) = (cut.diameter.to_mm(), cut.depth_of_cut());
 
@@ -147,11 +147,11 @@ fn base(cut: &Cut<'_>, feed: MillimetresPerRev, shop: &Shop<'_>) -> Tried<Base, 
         because.extend(figures.because(Note::new("load-coefficients")));
     }
     Ok(Base {
-        speed: law.at(d, t, feed.0, tool_life),
+        speed: law.at(d, t, feed.0, tool_life.0),
         own_speed: speed.own(),
-        tool_life: Minutes(tool_life),
+        tool_life,
         life_exponent: m,
-        coolant: coolant(speed.row),
+        coolant: speed.row.coolant,
         loads,
         own_loads,
         because,

@@ -1,17 +1,25 @@
 //! Corrections of speed, feed and force for material, depth and surface, and the tool life.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::knowledge::units::{Unit, round_to};
-use crate::knowledge::{Input, QueryError, RowRef};
+use crate::knowledge::contract::Question;
+use crate::knowledge::units::{Megapascals, Minutes, round_to};
+use crate::knowledge::vocabulary::ToolMaterial;
+use crate::knowledge::{Knowledge, RowRef};
 use crate::material::Material;
 use crate::note::{Because, Note};
 use crate::plan::CuttingMethod;
 use crate::reason::Uncut;
 use crate::shop::Shop;
+use crate::tables::cutting::{
+    BoringConstant, BoringParameters, Coefficients, DepthFeedFactorFor, DepthSpeedFactorFor, ForceAlloyFactorFor,
+    ForceMaterialExponentFor, Process, Reference, SkinFactorFor, SpeedAlloyFactorFor, SpeedMaterialExponentFor,
+    SpeedSteelClass, SpeedSteelClassFor, Surface, ToolLifeFor,
+};
+use crate::tables::rules::{DepthBeyondFor, SurfaceFor, ToolLifeBeyondFor};
 
 use super::Cut;
 use super::card::CardDoubt;
-use super::figures::{self, Asking, missing, number, plain};
+use super::figures::{self, Asking, missing};
 
 /// A factor and the row behind it.
 pub type Factor = (f64, Because);
@@ -23,35 +31,44 @@ pub type Factor = (f64, Because);
 ///
 /// # Errors
 /// A table has no figure for this material, or the knowledge cannot answer.
-pub fn material_speed<'k>(process: &str, tool_material: &str, shop: &impl Asking<'k>) -> Tried<Factor, Uncut> {
-    let table = shop.knowledge().table("speed-material-exponent")?;
-    let (row, stand_in) = match table.decide(&material_inputs(process, tool_material, shop.material()))?.winner() {
+pub fn material_speed<'k>(
+    process: Process,
+    tool_material: ToolMaterial,
+    shop: &impl Asking<'k>,
+) -> Tried<Factor, Uncut> {
+    let (knowledge, material) = (shop.knowledge(), shop.material());
+    let of_tool = |tool_material| SpeedMaterialExponentFor {
+        process,
+        tool_material,
+        material_group: material.group,
+        strength: Megapascals(material.strength),
+    };
+    let table = SpeedMaterialExponentFor::TABLE;
+    let (row, stand_in) = match knowledge.ask(&of_tool(tool_material))?.winner()? {
         Some(row) => (row, None),
         None => {
-            let other = figures::stand_in_tool_material(&table.id, tool_material, shop)?;
-            let Some((instead, because)) = other else { return factor_of_one(&table.id, shop) };
-            let answer = table.decide(&material_inputs(process, instead, shop.material()))?;
-            let Some(row) = answer.winner() else { return factor_of_one(&table.id, shop) };
+            let other = figures::stand_in_tool_material(table, tool_material, shop)?;
+            let Some((instead, because)) = other else { return factor_of_one(table, shop) };
+            let Some(row) = knowledge.ask(&of_tool(instead))?.winner()? else { return factor_of_one(table, shop) };
             (row, Some(because))
         }
     };
-    let (strength, hardness) = (shop.material().strength.to_f64(), shop.material().hardness.to_f64());
-    let mut exponent = number(row, "exponent")?;
-    let mut because = stand_in.unwrap_or_else(|| Because::row(row, Note::new("material-speed-factor")));
-    let (ratio, class) = match row.text("reference")? {
-        "strength-750" => {
-            let class = steel_class(tool_material, shop)?;
-            if process == "milling" && class.value("milling_exponent").is_some() {
-                exponent = number(class, "milling_exponent")?;
-                because = Because::row(class, Note::new("material-speed-factor"));
-            }
-            (750.0 / strength, number(class, "factor")?)
+    let mut exponent = row.exponent;
+    let mut because = stand_in.unwrap_or_else(|| Because::row(row.row, Note::new("material-speed-factor")));
+    let mut class_factor = 1.0;
+    if row.reference == Reference::Strength750 {
+        let class = steel_class(tool_material, shop)?;
+        if let (Process::Milling, Some(own)) = (process, class.milling_exponent) {
+            exponent = own;
+            because = Because::row(class.row, Note::new("material-speed-factor"));
         }
-        "hardness-190" => (190.0 / hardness, 1.0),
-        "hardness-150" => (150.0 / hardness, 1.0),
-        _ => return alloy("speed-alloy-factor", shop),
+        class_factor = class.factor;
+    }
+    let Some((reference, own)) = compared(row.reference, material) else {
+        let question = SpeedAlloyFactorFor { alloy_class: material.alloy_class };
+        return alloy(&question, |row| row.factor, shop);
     };
-    let factor = class * libm::pow(ratio, exponent);
+    let factor = class_factor * libm::pow(reference / own, exponent);
     Ok((factor, Because { note: shown("material-speed-factor", factor), ..because }))
 }
 
@@ -59,67 +76,73 @@ pub fn material_speed<'k>(process: &str, tool_material: &str, shop: &impl Asking
 ///
 /// # Errors
 /// As of [`material_speed`].
-pub fn material_force<'k>(process: &str, tool_material: &str, shop: &impl Asking<'k>) -> Tried<Factor, Uncut> {
-    let table = shop.knowledge().table("force-material-exponent")?;
-    let answer = table.decide(&material_inputs(process, tool_material, shop.material()))?;
-    let Some(row) = answer.winner() else { return factor_of_one(&table.id, shop) };
-    let (strength, hardness) = (shop.material().strength.to_f64(), shop.material().hardness.to_f64());
-    let ratio = match row.text("reference")? {
-        "strength-750" => strength / 750.0,
-        "hardness-190" => hardness / 190.0,
-        "hardness-150" => hardness / 150.0,
-        _ => return alloy("force-alloy-factor", shop),
+pub fn material_force<'k>(
+    process: Process,
+    tool_material: ToolMaterial,
+    shop: &impl Asking<'k>,
+) -> Tried<Factor, Uncut> {
+    let material = shop.material();
+    let (material_group, strength) = (material.group, Megapascals(material.strength));
+    let question = ForceMaterialExponentFor { process, tool_material, material_group, strength };
+    let Some(row) = shop.knowledge().ask(&question)?.winner()? else {
+        return factor_of_one(ForceMaterialExponentFor::TABLE, shop);
     };
-    let factor = libm::pow(ratio, number(row, "exponent")?);
-    Ok((factor, Because::row(row, shown("material-force-factor", factor))))
+    let Some((reference, own)) = compared(row.reference, material) else {
+        let question = ForceAlloyFactorFor { alloy_class: material.alloy_class };
+        return alloy(&question, |row| row.factor, shop);
+    };
+    let factor = libm::pow(own / reference, row.exponent);
+    Ok((factor, Because::row(row.row, shown("material-force-factor", factor))))
 }
 
-fn material_inputs<'a>(
-    process: &'a str,
-    tool_material: &'a str,
-    material: &Material<'a>,
-) -> [(&'static str, Input<'a>); 4] {
-    [
-        ("process", Input::Text(process)),
-        ("tool_material", Input::Text(tool_material)),
-        ("material_group", Input::Text(material.group)),
-        ("strength", Input::Number(material.strength, Unit::Megapascal)),
-    ]
+/// The figure of the reference material and that of ours, MPa or HB; nothing of alloys, which have classes.
+fn compared(reference: Reference, material: &Material<'_>) -> Option<(f64, f64)> {
+    let (strength, hardness) = (material.strength.to_f64(), material.hardness.to_f64());
+    match reference {
+        Reference::Strength750 => Some((750.0, strength)),
+        Reference::Hardness190 => Some((190.0, hardness)),
+        Reference::Hardness150 => Some((150.0, hardness)),
+        Reference::None => None,
+    }
 }
 
 /// The class of the steel, with its Kg; for carbide by the rule `stand-in-tool-material`.
-fn steel_class<'k>(tool_material: &str, shop: &impl Asking<'k>) -> Tried<RowRef<'k>, Uncut> {
-    let table = shop.knowledge().table("speed-steel-class")?;
-    let ask = |tool: &str| -> Result<Option<RowRef<'k>>, KnowledgeError> {
-        let class = ("steel_class", Input::Text(shop.material().steel_class));
-        Ok(table.decide(&[class, ("tool_material", Input::Text(tool))])?.winner())
+fn steel_class<'k>(tool_material: ToolMaterial, shop: &impl Asking<'k>) -> Tried<SpeedSteelClass<'k>, Uncut> {
+    let (knowledge, steel_class) = (shop.knowledge(), shop.material().steel_class);
+    let ask = |tool_material| -> Result<Option<SpeedSteelClass<'k>>, KnowledgeError> {
+        Ok(knowledge.ask(&SpeedSteelClassFor { steel_class, tool_material })?.winner()?)
     };
     if let Some(row) = ask(tool_material)? {
         return Ok(row);
     }
-    let instead = figures::stand_in_tool_material(&table.id, tool_material, shop)?.map(|(instead, _)| instead);
+    let table = SpeedSteelClassFor::TABLE;
+    let instead = figures::stand_in_tool_material(table, tool_material, shop)?.map(|(instead, _)| instead);
     instead.map(ask).transpose()?.flatten().ok_or_else(|| missing(table, shop))
 }
 
 /// No exponent or factor is known: 1, where the rule `stand-in-material` says so.
-fn factor_of_one<'k>(id: &str, shop: &impl Asking<'k>) -> Tried<Factor, Uncut> {
-    match figures::stand_in(id, shop)? {
+fn factor_of_one<'k>(table: &str, shop: &impl Asking<'k>) -> Tried<Factor, Uncut> {
+    match figures::stand_in(table, shop)? {
         Some((_, because)) => Ok((1.0, because)),
-        None => Err(missing(shop.knowledge().table(id)?, shop)),
+        None => Err(missing(table, shop)),
     }
 }
 
-fn alloy<'k>(id: &str, shop: &impl Asking<'k>) -> Tried<Factor, Uncut> {
-    let table = shop.knowledge().table(id)?;
-    let known =
-        table.inputs().any(|(_, column)| column.values.iter().any(|value| value == shop.material().alloy_class));
-    if !known {
-        return factor_of_one(id, shop);
+fn alloy<'k, Q: Question>(
+    question: &Q,
+    factor: impl FnOnce(Q::Row<'k>) -> f64,
+    shop: &impl Asking<'k>,
+) -> Tried<Factor, Uncut> {
+    let table = shop.knowledge().table(Q::TABLE)?;
+    let class = shop.material().alloy_class;
+    if !table.inputs().any(|(_, column)| column.values.iter().any(|value| value == class)) {
+        return factor_of_one(Q::TABLE, shop);
     }
-    let answer = table.decide(&[("alloy_class", Input::Text(shop.material().alloy_class))])?;
-    let Some(row) = answer.winner() else { return factor_of_one(id, shop) };
-    let factor = number(row, "factor")?;
-    Ok((factor, Because::row(row, shown(id, factor))))
+    let Some((row, cited)) = figures::within_reach(question, shop.knowledge())? else {
+        return factor_of_one(Q::TABLE, shop);
+    };
+    let factor = factor(row);
+    Ok((factor, Because::row(cited, shown(Q::TABLE, factor))))
 }
 
 /// A factor by the depth of the hole.
@@ -129,74 +152,108 @@ pub(super) struct ByDepth {
     pub left_out: Option<CardDoubt>,
 }
 
-/// Klv or Kls: how the depth of the hole, in diameters, moves speed or feed.
+/// Klv: how the depth of the hole, in diameters, moves the speed.
+pub(super) fn speed_by_depth(operation: Coefficients, cut: &Cut, shop: &Shop<'_>) -> Tried<ByDepth, Uncut> {
+    let depth_ratio = depth_ratio(cut);
+    let found = figures::within_reach(&DepthSpeedFactorFor { operation, depth_ratio }, shop.knowledge)?;
+    by_depth(DepthSpeedFactorFor::TABLE, depth_ratio, found.map(|(row, cited)| (row.factor, cited)), shop)
+}
+
+/// Kls: how the depth of the hole, in diameters, moves the feed.
+pub(super) fn feed_by_depth(cut: &Cut, shop: &Shop<'_>) -> Tried<ByDepth, Uncut> {
+    let depth_ratio = depth_ratio(cut);
+    let found = figures::within_reach(&DepthFeedFactorFor { depth_ratio }, shop.knowledge)?;
+    by_depth(DepthFeedFactorFor::TABLE, depth_ratio, found.map(|(row, cited)| (row.factor, cited)), shop)
+}
+
+fn depth_ratio(cut: &Cut) -> f64 {
+    cut.depth.to_mm() / cut.diameter.to_mm()
+}
+
+/// The factor of depth of a table, or beyond it by the rule `depth-beyond`.
 ///
 /// The cards have their own factors of depth, which are not at hand; the worked example takes 1 at 3.5 diameters, where
 /// the handbook does not. By the card method the factor is therefore 1, and the reason tells which one was left out.
-pub(super) fn by_depth(id: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<ByDepth, Uncut> {
-    let table = shop.knowledge().table(id)?;
-    let ratio = cut.depth.to_mm() / cut.diameter.to_mm();
-    let mut inputs = vec![("depth_ratio", plain(ratio))];
-    if table.inputs().any(|(_, column)| column.name == "operation") {
-        inputs.push(("operation", Input::Text(cut.operation.name())));
-    }
-    let found = match table.decide(&inputs) {
-        Err(QueryError::OutOfDomain { .. }) => None,
-        answer => answer?.winner(),
-    };
-    let row = match found {
-        Some(row) => row,
+fn by_depth<'k>(
+    table: &str,
+    depth_ratio: f64,
+    found: Option<(f64, RowRef<'k>)>,
+    shop: &Shop<'k>,
+) -> Tried<ByDepth, Uncut> {
+    let (factor, row) = match found {
+        Some(found) => found,
         None => {
-            let beyond = shop.knowledge().table("depth-beyond")?;
-            let answer = beyond.decide(&[("of_table", Input::Text(id)), ("depth_ratio", plain(ratio))])?;
-            answer.winner().ok_or_else(|| Refusal::Not(Uncut::TooDeep { table: id.to_owned(), ratio }))?
+            let asked = shop.knowledge.ask(&DepthBeyondFor { of_table: table, depth_ratio })?;
+            let too_deep = || Refusal::Not(Uncut::TooDeep { table: table.to_owned(), ratio: depth_ratio });
+            let beyond = asked.winner()?.ok_or_else(too_deep)?;
+            (beyond.factor, beyond.row)
         }
     };
-    let factor = number(row, "factor")?;
     if shop.method == CuttingMethod::Card && factor < 1.0 {
-        let doubt = CardDoubt::WithoutDepth { table: id.to_owned(), ratio, factor };
+        let doubt = CardDoubt::WithoutDepth { table: table.to_owned(), ratio: depth_ratio, factor };
         return Ok(ByDepth { factor: (1.0, Because::row(row, doubt.note())), left_out: Some(doubt) });
     }
-    Ok(ByDepth { factor: (factor, Because::row(row, shown(id, factor))), left_out: None })
+    Ok(ByDepth { factor: (factor, Because::row(row, shown(table, factor))), left_out: None })
 }
 
 /// Tool life by the handbook's table, by `tool-life-beyond` where that has no cell, or by a stand-in.
-pub(crate) fn tool_life(operation: &str, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<(f64, Vec<Because>), Uncut> {
-    let others = [
-        ("operation", Input::Text(operation)),
-        ("tool_material", Input::Text(cut.tool_material)),
-        ("diameter", Input::Length(cut.diameter)),
-    ];
-    let found = match figures::ask("tool-life", &others, shop) {
-        Err(refusal @ Refusal::Not(_)) => figures::ask("tool-life-beyond", &others, shop).map_err(|_| refusal)?,
-        found => found?,
+pub(crate) fn tool_life(operation: Coefficients, cut: &Cut, shop: &Shop<'_>) -> Tried<(Minutes, Vec<Because>), Uncut> {
+    let &Cut { tool_material, diameter, .. } = cut;
+    let question = |material_group| ToolLifeFor { operation, material_group, tool_material, diameter };
+    let beyond = |material_group| ToolLifeBeyondFor { operation, material_group, tool_material, diameter };
+    let found = match figures::ask(question, shop) {
+        Err(refusal @ Refusal::Not(_)) => figures::ask(beyond, shop).map_err(|_| refusal)?.map(|row| row.life),
+        found => found?.map(|row| row.life),
     };
-    let life = found.row.number_in("life", Unit::Minute)?;
-    Ok((life, found.because(Note::new("tool-life").with("minutes", life))))
+    Ok((found.row, found.because(lasts(found.row))))
 }
 
-/// The surface of a hole's metal by the rule `surface`, a value of the table `skin-factor`.
+/// The tool life of single-point tools, by `boring-parameters`.
+///
+/// # Errors
+/// The table does not have it.
+pub fn single_point_life(knowledge: &Knowledge) -> Result<(Minutes, Because), KnowledgeError> {
+    let row = boring_constant(BoringConstant::ToolLife, knowledge)?;
+    let life = row.time.ok_or_else(|| KnowledgeError::no_row(row.row.table, "the tool life"))?;
+    Ok((life, Because::row(row.row, lasts(life))))
+}
+
+/// What the speed of turning is multiplied by in a bore, by `boring-parameters`.
+///
+/// # Errors
+/// The table does not have it.
+pub fn internal(knowledge: &Knowledge) -> Result<Factor, KnowledgeError> {
+    let row = boring_constant(BoringConstant::InternalFactor, knowledge)?;
+    let factor = row.factor.ok_or_else(|| KnowledgeError::no_row(row.row.table, "the internal factor"))?;
+    Ok((factor, Because::row(row.row, Note::new("internal-factor").with("factor", factor))))
+}
+
+fn boring_constant(name: BoringConstant, knowledge: &Knowledge) -> Result<BoringParameters<'_>, KnowledgeError> {
+    knowledge.need(name.name(), |row: &BoringParameters<'_>| row.name == name)
+}
+
+/// How long a tool lasts, in words.
+pub(crate) fn lasts(life: Minutes) -> Note {
+    Note::new("tool-life").with("minutes", life.0)
+}
+
+/// The surface of a hole's metal by the rule `surface`.
 ///
 /// # Errors
 /// The knowledge cannot answer.
-pub fn surface_of<'k>(skin: bool, shop: &Shop<'k>) -> Result<&'k str, KnowledgeError> {
-    let rule = shop.knowledge.table("surface")?;
-    let group = Input::Text(shop.material.group);
-    let answer = rule.decide(&[("skin", Input::Bool(skin)), ("material_group", group)])?;
-    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, shop.material.group))?;
-    Ok(row.text("surface")?)
+pub fn surface_of(skin: bool, shop: &Shop<'_>) -> Result<Surface, KnowledgeError> {
+    let material_group = shop.material.group;
+    Ok(shop.knowledge.ask(&SurfaceFor { skin, material_group })?.need(material_group)?.surface)
 }
 
 /// Kpv: the skin of the blank.
 ///
 /// # Errors
 /// The table has no such surface, or the knowledge cannot answer.
-pub fn surface<'k>(surface: &str, shop: &impl Asking<'k>) -> Tried<Factor, Uncut> {
-    let table = shop.knowledge().table("skin-factor")?;
-    let answer = table.decide(&[("surface", Input::Text(surface))])?;
-    let row = answer.winner().ok_or_else(|| missing(table, shop))?;
-    let factor = number(row, "factor")?;
-    Ok((factor, Because::row(row, shown("surface-factor", factor))))
+pub fn surface<'k>(surface: Surface, shop: &impl Asking<'k>) -> Tried<Factor, Uncut> {
+    let asked = shop.knowledge().ask(&SkinFactorFor { surface })?;
+    let row = asked.winner()?.ok_or_else(|| missing(SkinFactorFor::TABLE, shop))?;
+    Ok((row.factor, Because::row(row.row, shown("surface-factor", row.factor))))
 }
 
 fn shown(code: &str, factor: f64) -> Note {

@@ -1,15 +1,21 @@
 //! Where a feed comes from: the rule `feed-choice` names the table and the multiple.
 
 use crate::error::{KnowledgeError, Tried};
-use crate::knowledge::{Input, Knowledge, RowRef};
+use crate::knowledge::units::Brinell;
+use crate::knowledge::{Question, Table};
 use crate::note::{Because, Note};
 use crate::plan::Operation;
 use crate::reason::Uncut;
 use crate::shop::Shop;
-use crate::units::{Micrometres, MillimetresPerRev, Unit};
+use crate::tables::cutting::{
+    CoreDrillingFeedFor, CounterboringFeedFor, DrillingFeedFor, FeedCondition, FeedFactor, FeedStep, ReamingFeedFor,
+};
+use crate::tables::rules::{FeedChoice, FeedChoiceFor, FeedTable};
+use crate::units::{Micrometres, MillimetresPerRev};
 
 use super::card::CardDoubt;
 use super::factors::ByDepth;
+use super::figures::Figures;
 use super::{Cut, factors, figures};
 
 /// A feed and the rows behind it.
@@ -28,59 +34,87 @@ impl Feed {
 }
 
 /// The tabulated feed of a drill, core drill or reamer with its corrections.
-pub(super) fn tabulated(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Feed, Uncut> {
+pub(super) fn tabulated(cut: &Cut, shop: &Shop<'_>) -> Tried<Feed, Uncut> {
     let knowledge = shop.knowledge;
-    let rule = knowledge.table("feed-choice")?;
-    let choice =
-        rule.decide(&[("operation", Input::Text(cut.operation.name())), ("method", Input::Text(shop.method.name()))])?;
-    let choice = choice.winner().ok_or_else(|| KnowledgeError::no_row(rule, cut.operation.name()))?;
-    let multiple = multiple(choice, knowledge)?;
-    let table = knowledge.table(choice.text("feed_table")?)?;
-    let (diameter, clamped) = inside_domain(cut.feed_diameter.unwrap_or(cut.diameter), table);
-    let hardness = Input::Number(shop.material.hardness, Unit::Brinell);
-    let figures = figures::ask(&table.id, &[("hardness", hardness), ("diameter", Input::Length(diameter))], shop)?;
-    let row = figures.row;
-    let upper =
-        row.number_in("feed_max", Unit::MillimetrePerRev).or_else(|_| row.number_in("feed", Unit::MillimetrePerRev))?;
-    let mut feed = upper * multiple;
-    let mut note = Note::new("feed").with("upper", upper).with("multiple", multiple);
-    if clamped {
+    let question = FeedChoiceFor { operation: cut.operation, method: shop.method };
+    let choice = knowledge.ask(&question)?.need(cut.operation.name())?;
+    let multiple = choice.multiple;
+    let multiple = knowledge.need(multiple.name(), |step: &FeedStep<'_>| step.name == multiple)?.factor;
+    let (figures, asked_at) = upper(&choice, cut, shop)?;
+    let mut feed = figures.row.0 * multiple;
+    let mut note = Note::new("feed").with("upper", figures.row.0).with("multiple", multiple);
+    if let Some(diameter) = asked_at {
         note = note.with("asked-at", diameter);
     }
     let (mut because, mut doubts) = (figures.because(note), Vec::new());
-    because.push(Because::row(choice, Note::new("feed-choice")));
+    because.push(Because::row(choice.row, Note::new("feed-choice")));
     // The cards give the feed of the point itself, too; their factor of the material follows in `card`.
     if matches!(cut.operation, Operation::Drill | Operation::DrillOut) {
-        let ByDepth { factor: (factor, reason), left_out } = factors::by_depth("depth-feed-factor", cut, shop)?;
+        let ByDepth { factor: (factor, reason), left_out } = factors::feed_by_depth(cut, shop)?;
         feed *= factor;
         because.push(reason);
         doubts.extend(left_out);
         if cut.reamer_follows {
-            let table = knowledge.table("feed-factor")?;
-            let condition = "before-accurate-finishing-or-tapping";
-            let row = table.find("condition", condition).ok_or_else(|| KnowledgeError::no_row(table, condition))?;
-            let factor = row.number_in("factor", Unit::None)?;
-            feed *= factor;
-            because.push(Because::row(row, Note::new("feed-before-finishing").with("factor", factor)));
+            let condition = FeedCondition::BeforeFinishing;
+            let row = knowledge.need(condition.name(), |row: &FeedFactor<'_>| row.condition == condition)?;
+            feed *= row.factor;
+            because.push(Because::row(row.row, Note::new("feed-before-finishing").with("factor", row.factor)));
         }
     }
     Ok(Feed { feed: MillimetresPerRev(feed), because, doubts })
 }
 
-fn multiple(choice: RowRef<'_>, knowledge: &Knowledge) -> Result<f64, KnowledgeError> {
-    let steps = knowledge.table("feed-step")?;
-    let name = choice.text("multiple")?;
-    let row = steps.find("name", name).ok_or_else(|| KnowledgeError::no_row(steps, name))?;
-    Ok(row.number_in("factor", Unit::None)?)
+/// A tabulated feed, and the diameter it was asked at where that is not the cut's.
+type Upper<'k> = (Figures<'k, MillimetresPerRev>, Option<Micrometres>);
+
+/// The upper end of the feeds of the table that a choice names.
+fn upper<'k>(choice: &FeedChoice<'_>, cut: &Cut, shop: &Shop<'k>) -> Tried<Upper<'k>, Uncut> {
+    let hardness = Brinell(shop.material.hardness);
+    match choice.feed_table {
+        FeedTable::Drilling => at(
+            DrillingFeedFor::diameter(),
+            |material_group, diameter| DrillingFeedFor { material_group, hardness, diameter },
+            |row| row.feed_max,
+            (cut, shop),
+        ),
+        FeedTable::CoreDrilling => at(
+            CoreDrillingFeedFor::diameter(),
+            |material_group, diameter| CoreDrillingFeedFor { material_group, hardness, diameter },
+            |row| row.feed_max,
+            (cut, shop),
+        ),
+        FeedTable::Reaming => at(
+            ReamingFeedFor::diameter(),
+            |material_group, diameter| ReamingFeedFor { material_group, hardness, diameter },
+            |row| row.feed,
+            (cut, shop),
+        ),
+        FeedTable::Counterboring => at(
+            CounterboringFeedFor::diameter(),
+            |material_group, diameter| CounterboringFeedFor { material_group, hardness, diameter },
+            |row| row.feed,
+            (cut, shop),
+        ),
+        FeedTable::Boring => Err(KnowledgeError::no_row(choice.row.table, "what is not bored").into()),
+    }
 }
 
-/// A diameter below the table's first (a centring spot of 1.8 mm) is asked at the table's first.
-fn inside_domain(diameter: Micrometres, table: &crate::knowledge::Table) -> (Micrometres, bool) {
-    let domain =
-        table.columns.iter().find(|column| column.name == "diameter").and_then(|column| column.domain.as_ref());
-    let bounds = domain.and_then(|domain| domain.intervals().first().zip(domain.intervals().last()));
-    match bounds {
-        Some((first, _)) if diameter.micrometres() < first.0 => (Micrometres::new(first.0), true),
-        _ => (diameter, false),
-    }
+/// The feed of one table; `column` is that of the diameter.
+fn at<'k, Q: Question>(
+    column: &str,
+    question: impl Fn(&'k str, Micrometres) -> Q,
+    feed: impl FnOnce(Q::Row<'k>) -> MillimetresPerRev,
+    (cut, shop): (&Cut, &Shop<'k>),
+) -> Tried<Upper<'k>, Uncut> {
+    let diameter = cut.feed_diameter.unwrap_or(cut.diameter);
+    let first = first_above(diameter, column, shop.knowledge.table(Q::TABLE)?);
+    let figures = figures::ask(|group| question(group, first.unwrap_or(diameter)), shop)?;
+    Ok((figures.map(feed), first))
+}
+
+/// The first diameter of a table, where the one that is asked lies below it (a centring spot of 1.8 mm).
+fn first_above(diameter: Micrometres, column: &str, table: &Table) -> Option<Micrometres> {
+    let column = table.columns.iter().find(|known| known.name == column)?;
+    let (first, _) = *column.domain.as_ref()?.intervals().first()?;
+    (diameter.micrometres() < first).then(|| Micrometres::new(first))
 }

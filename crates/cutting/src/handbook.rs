@@ -5,7 +5,9 @@ use crate::note::{Because, Note};
 use crate::plan::Operation;
 use crate::reason::Uncut;
 use crate::shop::Shop;
-use crate::units::MillimetresPerRev;
+use crate::units::{MillimetresPerRev, Minutes};
+
+use crate::tables::cutting::{Coefficients, Process};
 
 use super::laws::{self, LoadLaw, SpeedLaw};
 use super::{Cut, drilling, factors};
@@ -29,21 +31,21 @@ pub struct Handbook {
 
 /// The operation by which the tables of speed and tool life know a transition; nothing for those that they do not have
 /// (boring, milling, tapping, and tools that borrow the figures of others).
-pub fn operation_of(operation: Operation) -> Option<&'static str> {
+pub fn operation_of(operation: Operation) -> Option<Coefficients> {
     match operation {
         Operation::CentreDrill | Operation::Drill | Operation::DrillOut | Operation::CoreDrill => {
             Some(drilling::table_operation(operation))
         }
-        Operation::RoughReam | Operation::FinishReam => Some("ream"),
+        Operation::RoughReam | Operation::FinishReam => Some(Coefficients::Ream),
         _ => None,
     }
 }
 
-/// The tool life for which the handbook gives speeds, min, by the table `tool-life`; nothing where the transition has none.
+/// The tool life for which the handbook gives speeds, by the table `tool-life`; nothing where the transition has none.
 ///
 /// # Errors
 /// The tables have no figure for this material or diameter, or the knowledge cannot answer at all.
-pub fn tool_life(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Option<(f64, Vec<Because>)>, Uncut> {
+pub fn tool_life(cut: &Cut, shop: &Shop<'_>) -> Tried<Option<(Minutes, Vec<Because>)>, Uncut> {
     operation_of(cut.operation).map(|operation| factors::tool_life(operation, cut, shop)).transpose()
 }
 
@@ -52,14 +54,14 @@ pub fn tool_life(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Option<(f64, Vec<Becau
 ///
 /// # Errors
 /// As of [`tool_life`].
-pub fn formulas(cut: &Cut<'_>, feed: MillimetresPerRev, shop: &Shop<'_>) -> Tried<Option<Handbook>, Uncut> {
+pub fn formulas(cut: &Cut, feed: MillimetresPerRev, shop: &Shop<'_>) -> Tried<Option<Handbook>, Uncut> {
     let Some(operation) = operation_of(cut.operation) else { return Ok(None) };
-    let reams = operation == "ream";
+    let reams = operation == Coefficients::Ream;
     let (speed, figures) = laws::speed(operation, cut.tool_material, feed, shop)?;
     let note = Note::new("speed-coefficients").with("cv", speed.cv).with("q", speed.q).with("x", speed.x);
     let mut speed_because = figures.because(note.with("y", speed.y).with("m", speed.m));
     let corrections = match reams {
-        true if figures.own() => vec![factors::material_speed("drilling", cut.tool_material, shop)?],
+        true if figures.own() => vec![factors::material_speed(Process::Drilling, cut.tool_material, shop)?],
         true => Vec::new(),
         false => drilling::speed_corrections(cut, figures.own(), shop)?.0,
     };
@@ -71,7 +73,7 @@ pub fn formulas(cut: &Cut<'_>, feed: MillimetresPerRev, shop: &Shop<'_>) -> Trie
         loads = Some((torque, thrust));
         loads_because = figures.because(Note::new("load-coefficients"));
         if figures.own() {
-            let (factor, reason) = factors::material_force("drilling", cut.tool_material, shop)?;
+            let (factor, reason) = factors::material_force(Process::Drilling, cut.tool_material, shop)?;
             load_factor = factor;
             loads_because.push(reason);
         }

@@ -1,12 +1,13 @@
 //! The handbook's power laws of drills, core drills and reamers, as their rows give them.
 
-use crate::error::{KnowledgeError, Tried};
-use crate::knowledge::{Input, RowRef};
+use crate::error::Tried;
+use crate::knowledge::vocabulary::ToolMaterial;
 use crate::reason::Uncut;
 use crate::shop::Shop;
+use crate::tables::cutting::{Coefficients, CuttingSpeed, CuttingSpeedFor, TorqueAndThrust, TorqueAndThrustFor};
 use crate::units::MillimetresPerRev;
 
-use super::figures::{self, Figures, number};
+use super::figures::{self, Figures};
 
 /// V = Cv·D^q / (T^m·t^x·s^y), m/min (Косилова/Мещеряков т.2, tables 28 and 29; facts 1.1, 1.2).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,11 +25,6 @@ pub struct SpeedLaw {
 }
 
 impl SpeedLaw {
-    fn of(row: RowRef<'_>) -> Result<Self, KnowledgeError> {
-        let [cv, q, x, y, m] = ["cv", "q", "x", "y", "m"].map(|name| number(row, name));
-        Ok(Self { cv: cv?, q: q?, x: x?, y: y?, m: m? })
-    }
-
     /// The speed, m/min: diameter and depth of cut in mm, feed in mm/rev, tool life in min.
     pub fn at(&self, diameter: f64, depth_of_cut: f64, feed: f64, life: f64) -> f64 {
         self.cv * libm::pow(diameter, self.q)
@@ -55,11 +51,6 @@ pub struct LoadLaw {
 }
 
 impl LoadLaw {
-    fn of(row: RowRef<'_>, columns: [&str; 4]) -> Result<Self, KnowledgeError> {
-        let [c, q, x, y] = columns.map(|name| number(row, name));
-        Ok(Self { factor: 10.0 * c?, q: q?, x: x?, y: y? })
-    }
-
     /// The load, N or N·m: diameter and depth of cut in mm, feed in mm/rev.
     pub fn at(&self, diameter: f64, depth_of_cut: f64, feed: f64) -> f64 {
         self.without_feed(diameter, depth_of_cut) * libm::pow(feed, self.y)
@@ -71,31 +62,29 @@ impl LoadLaw {
     }
 }
 
-/// The law of the speed with its row; `operation` is one of the table's.
+/// The law of the speed with its row.
 pub(super) fn speed<'k>(
-    operation: &str,
-    tool_material: &str,
+    operation: Coefficients,
+    tool_material: ToolMaterial,
     feed: MillimetresPerRev,
     shop: &Shop<'k>,
-) -> Tried<(SpeedLaw, Figures<'k>), Uncut> {
-    let inputs = [
-        ("operation", Input::Text(operation)),
-        ("tool_material", Input::Text(tool_material)),
-        ("feed", figures::feed_input(feed)),
-    ];
-    let figures = figures::ask("cutting-speed", &inputs, shop)?;
-    Ok((SpeedLaw::of(figures.row)?, figures))
+) -> Tried<(SpeedLaw, Figures<'k, CuttingSpeed<'k>>), Uncut> {
+    let question = |material_group| CuttingSpeedFor { operation, material_group, tool_material, feed };
+    let figures = figures::ask(question, shop)?;
+    let &CuttingSpeed { cv, q, x, y, m, .. } = &figures.row;
+    Ok((SpeedLaw { cv, q, x, y, m }, figures))
 }
 
 /// The laws of torque and thrust with their row.
 pub(super) fn loads<'k>(
-    operation: &str,
-    tool_material: &str,
+    operation: Coefficients,
+    tool_material: ToolMaterial,
     shop: &Shop<'k>,
-) -> Tried<(LoadLaw, LoadLaw, Figures<'k>), Uncut> {
-    let inputs = [("operation", Input::Text(operation)), ("tool_material", Input::Text(tool_material))];
-    let figures = figures::ask("torque-and-thrust", &inputs, shop)?;
-    let torque = LoadLaw::of(figures.row, ["cm", "qm", "xm", "ym"])?;
-    let thrust = LoadLaw::of(figures.row, ["cp", "qp", "xp", "yp"])?;
+) -> Tried<(LoadLaw, LoadLaw, Figures<'k, TorqueAndThrust<'k>>), Uncut> {
+    let question = |material_group| TorqueAndThrustFor { operation, material_group, tool_material };
+    let figures = figures::ask(question, shop)?;
+    let row = &figures.row;
+    let torque = LoadLaw { factor: 10.0 * row.cm, q: row.qm, x: row.xm, y: row.ym };
+    let thrust = LoadLaw { factor: 10.0 * row.cp, q: row.qp, x: row.xp, y: row.yp };
     Ok((torque, thrust, figures))
 }

@@ -21,10 +21,10 @@ mod tapping;
 // The rooms below, under one name each in the whole program.
 use technolog_core::{error, material, note, plan, reason, shop};
 use technolog_knowledge::{self as knowledge, units};
-#[allow(unused_imports, reason = "until its reads are typed")]
 use technolog_tables as tables;
 
 use crate::error::Tried;
+use crate::knowledge::vocabulary::ToolMaterial;
 use crate::note::Because;
 use crate::plan::{Conditions, Limit, Operation};
 use crate::reason::{Reason, Uncut};
@@ -34,6 +34,7 @@ use crate::units::{
     Newtons, RevsPerMinute, Roughness,
 };
 
+pub use crate::tables::cutting::Surface;
 pub use card::CardDoubt;
 pub use limits::spindle_step;
 
@@ -41,7 +42,7 @@ use settle::Settled;
 
 /// What is cut.
 #[derive(Clone, Copy, Debug)]
-pub struct Cut<'a> {
+pub struct Cut {
     /// The transition.
     pub operation: Operation,
     /// The diameter it leaves; for centring that of the spot, for a cone its widest, for a thread its nominal.
@@ -59,8 +60,8 @@ pub struct Cut<'a> {
     pub depth: Micrometres,
     /// Working travel of one pass.
     pub travel: Micrometres,
-    /// `HSS` or `carbide`.
-    pub tool_material: &'a str,
+    /// What the tool is of.
+    pub tool_material: ToolMaterial,
     /// Nose radius of a boring bar's insert.
     pub nose_radius: Option<Micrometres>,
     /// The roughness this transition must leave, when it is the last.
@@ -69,8 +70,8 @@ pub struct Cut<'a> {
     pub reamer_follows: bool,
     /// Whether the hole is blind.
     pub blind: bool,
-    /// The surface of the blank: a value of the table `skin-factor`.
-    pub surface: &'a str,
+    /// The surface of the blank.
+    pub surface: Surface,
     /// The grade of the hole's tolerance; a final reaming pass is fed by it.
     pub it: Option<ItGrade>,
     /// Pitch of the thread, for tapping.
@@ -90,7 +91,7 @@ pub struct CutterShape {
     pub cutting_length: Micrometres,
 }
 
-impl Cut<'_> {
+impl Cut {
     /// Depth of cut of one pass, mm.
     fn depth_of_cut(&self) -> f64 {
         (self.diameter - self.from).to_mm() / 2.0 / f64::from(self.passes.max(1))
@@ -130,7 +131,7 @@ struct Motion {
 
 impl Motion {
     /// A tool of the hole's diameter fed along its axis, as often as there are passes.
-    fn along_axis(cut: &Cut<'_>) -> Self {
+    fn along_axis(cut: &Cut) -> Self {
         Self {
             turned: cut.diameter,
             depth_of_cut: cut.depth_of_cut(),
@@ -177,7 +178,7 @@ impl PowerLaw {
 ///
 /// # Errors
 /// A table has no figure for this material, or the knowledge cannot answer at all.
-pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Conditions> {
+pub fn conditions(cut: &Cut, shop: &Shop<'_>) -> Tried<Conditions> {
     Ok(with_doubts(cut, shop)?.0)
 }
 
@@ -185,7 +186,7 @@ pub fn conditions(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Conditions> {
 ///
 /// # Errors
 /// As of [`conditions`].
-pub fn with_doubts(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDoubt>)> {
+pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDoubt>)> {
     let operation = cut.operation;
     let Settled { draft, formula_speed, practice, held } =
         settle::settle(cut, shop).map_err(|refusal| refusal.map(|why| Reason::NoConditions { operation, why }))?;
@@ -223,7 +224,7 @@ pub fn with_doubts(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<(Conditions, Vec<Car
 }
 
 /// What the formulas give for a feed: for that of the tables, or for the one `taken` in its place.
-fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
+fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
     match cut.operation {
         Operation::CentreDrill | Operation::Drill | Operation::DrillOut | Operation::CoreDrill => {
             drilling::draft(cut, taken, shop)

@@ -1,13 +1,15 @@
 //! What the machine lets through: spindle step, feed range, thrust, torque, power.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::knowledge::units::Unit;
-use crate::knowledge::{Input, RowRef};
+use crate::knowledge::RowRef;
+use crate::knowledge::units::Percent;
 use crate::note::{Because, Note};
 use crate::plan::{Limit, Operation};
 use crate::reason::Uncut;
 use crate::shop::Shop;
-use crate::units::{Decimal, MetresPerMinute, MillimetresPerRev, NewtonMetres, RevsPerMinute, round_to};
+use crate::tables::cutting::DrillStrength;
+use crate::tables::rules::{Neighbour, PracticeSpeedFor, SpindleStepFor};
+use crate::units::{MetresPerMinute, MillimetresPerRev, NewtonMetres, RevsPerMinute, round_to};
 
 use super::{Cut, Draft, PowerLaw, rpm_at, speed_at};
 
@@ -31,26 +33,21 @@ struct Bound<'k> {
 
 /// Holds the speed of drills, mills and taps of high-speed steel to what shops drive, by the rule
 /// `practice-speed`; whether it was held.
-pub(super) fn practice(draft: &mut Draft, cut: &Cut<'_>, shop: &Shop<'_>) -> Result<bool, KnowledgeError> {
+pub(super) fn practice(draft: &mut Draft, cut: &Cut, shop: &Shop<'_>) -> Result<bool, KnowledgeError> {
     let drills =
         matches!(cut.operation, Operation::CentreDrill | Operation::Drill | Operation::DrillOut | Operation::CoreDrill);
     if !drills && !matches!(cut.operation, Operation::Mill | Operation::Tap) {
         return Ok(false);
     }
-    let rule = shop.knowledge.table("practice-speed")?;
-    let answer = rule.decide(&[
-        ("operation", Input::Text(cut.operation.name())),
-        ("tool_material", Input::Text(cut.tool_material)),
-        ("material_group", Input::Text(shop.material.group)),
-    ])?;
-    let Some(row) = answer.winner() else { return Ok(false) };
-    let limit = row.number_in("limit", Unit::MetrePerMinute)?;
-    if draft.speed.0 <= limit {
+    let &Cut { operation, tool_material, .. } = cut;
+    let question = PracticeSpeedFor { operation, tool_material, material_group: shop.material.group };
+    let Some(rule) = shop.knowledge.ask(&question)?.winner()? else { return Ok(false) };
+    if draft.speed.0 <= rule.limit.0 {
         return Ok(false);
     }
-    let note = Note::new("practice-speed").with("formula", round_to(draft.speed.0, 1)).with("limit", limit);
-    draft.because.push(Because::row(row, note));
-    draft.speed = MetresPerMinute(limit);
+    let note = Note::new("practice-speed").with("formula", round_to(draft.speed.0, 1)).with("limit", rule.limit.0);
+    draft.because.push(Because::row(rule.row, note));
+    draft.speed = rule.limit;
     Ok(true)
 }
 
@@ -69,7 +66,7 @@ const SLACK: f64 = 1e-9;
 pub(super) fn borne(
     draft: &Draft,
     asked: MillimetresPerRev,
-    cut: &Cut<'_>,
+    cut: &Cut,
     rpm: RevsPerMinute,
     shop: &Shop<'_>,
 ) -> Tried<Option<Borne>, Uncut> {
@@ -122,7 +119,7 @@ pub(super) fn step_of(draft: &Draft, shop: &Shop<'_>) -> Result<(RevsPerMinute, 
 
 /// Chooses the spindle step and holds the feed inside the loads, power and feed range; `limited` names the load that
 /// has cut the feed back already.
-pub(super) fn hold(draft: &Draft, limited: Option<Limit>, cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Held, Uncut> {
+pub(super) fn hold(draft: &Draft, limited: Option<Limit>, cut: &Cut, shop: &Shop<'_>) -> Tried<Held, Uncut> {
     let (rpm, limited_by, reason) = step_of(draft, shop)?;
     let mut best = at_step(draft, cut, rpm, (limited.unwrap_or(limited_by), vec![reason]), shop)?;
     // Where power limits, a slower step lets more feed through: the quickest of them is taken.
@@ -148,7 +145,7 @@ pub(super) fn hold(draft: &Draft, limited: Option<Limit>, cut: &Cut<'_>, shop: &
 /// The feed at one spindle step.
 fn at_step(
     draft: &Draft,
-    cut: &Cut<'_>,
+    cut: &Cut,
     rpm: RevsPerMinute,
     (mut limited_by, mut because): (Limit, Vec<Because>),
     shop: &Shop<'_>,
@@ -189,20 +186,19 @@ fn at_step(
 /// Permissible torque Mp = k·d³·τ/1000, N·m, with the polar section modulus k·d³ of the fluted section, mm³,
 /// and the permissible shear stress τ, MPa (table `drill-strength`); d is the tool's own diameter, which for a spot is
 /// not that of the cut.
-fn drill_strength<'k>(draft: &Draft, cut: &Cut<'_>, shop: &Shop<'k>) -> Result<Option<Bound<'k>>, KnowledgeError> {
+fn drill_strength<'k>(draft: &Draft, cut: &Cut, shop: &Shop<'k>) -> Result<Option<Bound<'k>>, KnowledgeError> {
     if !matches!(cut.operation, Operation::CentreDrill | Operation::Drill | Operation::DrillOut) {
         return Ok(None);
     }
-    let table = shop.knowledge.table("drill-strength")?;
-    let Some(row) = table.find("tool_material", cut.tool_material) else { return Ok(None) };
+    let of_tool = |row: &DrillStrength<'_>| row.tool_material == cut.tool_material;
+    let Some(strength) = shop.knowledge.find(of_tool)? else { return Ok(None) };
     let tool = cut.tool_diameter.unwrap_or(cut.diameter);
-    if tool >= row.length("below_diameter")? {
+    if tool >= strength.below_diameter {
         return Ok(None);
     }
     let d = tool.to_mm();
-    let modulus = row.number_in("modulus_factor", Unit::None)? * d * d * d;
-    let limit = modulus * row.number_in("shear_stress", Unit::Megapascal)? / 1000.0;
-    Ok(Some(Bound { law: draft.loads.torque, limit, kind: Limit::DrillStrength, row }))
+    let limit = strength.modulus_factor * d * d * d * strength.shear_stress.0.to_f64() / 1000.0;
+    Ok(Some(Bound { law: draft.loads.torque, limit, kind: Limit::DrillStrength, row: strength.row }))
 }
 
 /// Holds a tap: its feed is its pitch and cannot give way, so the spindle does.
@@ -247,17 +243,18 @@ pub fn spindle_step(wanted: RevsPerMinute, shop: &Shop<'_>) -> Result<(RevsPerMi
     match (below, above) {
         (Some(below), Some(above)) => {
             let excess = (above.0 / wanted.0 - 1.0) * 100.0;
-            let rule = shop.knowledge.table("spindle-step")?;
-            let answer = rule.decide(&[("excess", Input::Number(Decimal::from_f64_rounded(excess), Unit::Percent))])?;
-            let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this excess"))?;
-            let step = if row.text("take")? == "above" { *above } else { *below };
+            let asked = shop.knowledge.ask(&SpindleStepFor { excess: Percent(excess) })?;
+            let step = match asked.need("this excess")?.take {
+                Neighbour::Above => *above,
+                Neighbour::Below => *below,
+            };
             let note = Note::new("spindle-step")
                 .with("computed", round_to(wanted.0, 1))
                 .with("below", below.0)
                 .with("above", above.0)
                 .with("excess", round_to(excess, 1))
                 .with("step", step.0);
-            Ok((step, Limit::CuttingSpeed, Because::answer(&answer, note)))
+            Ok((step, Limit::CuttingSpeed, Because::answer(&asked.answer, note)))
         }
         (Some(below), None) => Ok((*below, Limit::SpindleSpeedMax, series("spindle-fastest", *below)?)),
         (None, Some(above)) => Ok((*above, Limit::SpindleSpeedMin, series("spindle-slowest", *above)?)),

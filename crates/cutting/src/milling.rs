@@ -1,19 +1,23 @@
 //! Opening a hole with an end mill that goes round along circles.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::knowledge::units::Unit;
-use crate::knowledge::{Input, RowRef};
+use crate::knowledge::Question;
 use crate::note::{Because, Note};
 use crate::plan;
 use crate::reason::Uncut;
 use crate::shop::Shop;
-use crate::units::{Decimal, MetresPerMinute, Micrometres, MillimetresPerRev, Minutes, round_to};
+use crate::tables::cutting::{
+    Coefficients, EndMillFeedFor, Mill, MillingDepth, MillingFinishFeedFor, MillingForceFor, MillingSpeedFor,
+    MillingStep, MillingToolLifeFor, Process,
+};
+use crate::tables::rules::ToolLifeBeyondFor;
+use crate::units::{MetresPerMinute, Micrometres, MillimetresPerRev, MillimetresPerTooth, Minutes, round_to};
 
-use super::figures::{self, missing, number};
+use super::figures::{self, missing};
 use super::{Cut, CutterShape, Draft, Loads, Motion, PowerLaw, factors};
 
 /// The kind of mill in the milling tables: a solid end mill.
-const MILL: &str = "end";
+const MILL: Mill = Mill::End;
 
 /// Conditions of milling a hole round (Косилова/Мещеряков т.2; facts 1.9).
 ///
@@ -25,7 +29,7 @@ const MILL: &str = "end";
 /// sz is meant where the teeth meet the wall. The mill's centre goes round a smaller circle than the wall,
 /// so its feed is smaller too: s = sz·z·(d1 - D)/d1, mm/rev, with d1 the diameter that the first and
 /// narrowest pass leaves; all passes are made with it.
-pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
+pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
     let whole = |mill: &CutterShape| {
         mill.teeth > 0 && mill.diameter > Micrometres::ZERO && mill.cutting_length > Micrometres::ZERO
     };
@@ -45,22 +49,21 @@ pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop
 
     let (d, z) = (mill.diameter.to_mm(), f64::from(mill.teeth));
     let (t, b) = (rounds.radial_depth, rounds.axial_depth);
-    let mill_input = ("mill", Input::Text(MILL));
-    let tool = ("tool_material", Input::Text(cut.tool_material));
-    let by_feed = Input::Number(Decimal::from_f64_rounded(tooth_feed), Unit::MillimetrePerTooth);
-    let figures = figures::ask("milling-speed", &[mill_input, tool, ("feed_per_tooth", by_feed)], shop)?;
-    let row = figures.row;
-    because.extend(figures.because(Note::new("speed-coefficients").with("cv", number(row, "cv")?)));
-    let mut speed = number(row, "cv")? * libm::pow(d, number(row, "q")?)
-        / (libm::pow(life, number(row, "m")?)
-            * libm::pow(t, number(row, "x")?)
-            * libm::pow(tooth_feed, number(row, "y")?)
-            * libm::pow(b, number(row, "u")?)
-            * libm::pow(z, number(row, "p")?));
-    let life_exponent = number(row, "m")?;
+    let (tool_material, feed_per_tooth) = (cut.tool_material, MillimetresPerTooth(tooth_feed));
+    let question = |material_group| MillingSpeedFor { mill: MILL, material_group, tool_material, feed_per_tooth };
+    let figures = figures::ask(question, shop)?;
+    let row = &figures.row;
+    because.extend(figures.because(Note::new("speed-coefficients").with("cv", row.cv)));
+    let mut speed = row.cv * libm::pow(d, row.q)
+        / (libm::pow(life.0, row.m)
+            * libm::pow(t, row.x)
+            * libm::pow(tooth_feed, row.y)
+            * libm::pow(b, row.u)
+            * libm::pow(z, row.p));
+    let life_exponent = row.m;
     let mut corrections = vec![factors::surface(cut.surface, shop)?];
     if figures.own() {
-        corrections.push(factors::material_speed("milling", cut.tool_material, shop)?);
+        corrections.push(factors::material_speed(Process::Milling, tool_material, shop)?);
     }
     for (factor, reason) in corrections {
         speed *= factor;
@@ -69,28 +72,26 @@ pub(super) fn draft(cut: &Cut<'_>, taken: Option<MillimetresPerRev>, shop: &Shop
 
     let mut loads = Loads::default();
     // Without a row of forces the pass is still cut; its torque is left out and not guessed.
-    if let Ok(figures) = Refusal::split(figures::ask("milling-force", &[mill_input, tool], shop))? {
-        let row = figures.row;
-        let w = number(row, "w")?;
+    let question = |material_group| MillingForceFor { mill: MILL, material_group, tool_material };
+    if let Ok(figures) = Refusal::split(figures::ask(question, shop))? {
+        let row = &figures.row;
         // n^w as (n/V)^w·V^w, for the speed that is driven.
         let turns = super::rpm_at(MetresPerMinute(1.0), mill.diameter);
-        let mut force =
-            10.0 * number(row, "cp")? * libm::pow(t, number(row, "x")?) * libm::pow(b, number(row, "u")?) * z
-                / (libm::pow(d, number(row, "q")?) * libm::pow(turns.0, w));
+        let mut force = 10.0 * row.cp * libm::pow(t, row.x) * libm::pow(b, row.u) * z
+            / (libm::pow(d, row.q) * libm::pow(turns.0, row.w));
         if figures.own() {
-            let (factor, reason) = factors::material_force("milling", cut.tool_material, shop)?;
+            let (factor, reason) = factors::material_force(Process::Milling, tool_material, shop)?;
             force *= factor;
             because.push(reason);
         }
         because.extend(figures.because(Note::new("milling-load-coefficients")));
-        let exponent = number(row, "y")?;
-        let factor = force * d / 2000.0 / libm::pow(ratio, exponent);
-        loads.torque = Some(PowerLaw { factor, exponent, of_speed: -w });
+        let factor = force * d / 2000.0 / libm::pow(ratio, row.y);
+        loads.torque = Some(PowerLaw { factor, exponent: row.y, of_speed: -row.w });
     }
     Ok(Draft {
         feed: MillimetresPerRev(tooth_feed * ratio),
         speed: MetresPerMinute(speed),
-        tool_life: Minutes(life),
+        tool_life: life,
         life_exponent,
         coolant: None,
         loads,
@@ -122,18 +123,13 @@ struct Rounds {
 /// 2. at each level and for each pass: out from the axis to the circle, radius (di - D)/2;
 /// 3. once round, π·(di - D);
 /// 4. back to the axis.
-fn rounds(cut: &Cut<'_>, mill: CutterShape, shop: &Shop<'_>) -> Result<(Rounds, Because), KnowledgeError> {
-    let table = shop.knowledge.table("milling-depth")?;
-    let share = |name: &str| -> Result<(RowRef<'_>, f64), KnowledgeError> {
-        let row = table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
-        Ok((row, number(row, "share")?))
-    };
+fn rounds(cut: &Cut, mill: CutterShape, shop: &Shop<'_>) -> Result<(Rounds, Because), KnowledgeError> {
+    let step = |step: MillingStep| shop.knowledge.need(step.name(), |row: &MillingDepth<'_>| row.name == step);
     let d = mill.diameter.to_mm();
-    let (row, radial) = share("radial")?;
-    let (_, axial) = share("axial")?;
+    let (radial, axial) = (step(MillingStep::Radial)?, step(MillingStep::Axial)?);
     let stock = (cut.diameter - cut.from).to_mm() / 2.0;
-    let passes = parts(stock, radial * d).max(cut.passes);
-    let deepest = mill.cutting_length.to_mm().min(axial * d);
+    let passes = parts(stock, radial.share * d).max(cut.passes);
+    let deepest = mill.cutting_length.to_mm().min(axial.share * d);
     let levels = parts(cut.depth.to_mm(), deepest);
     let radial_depth = stock / f64::from(passes);
     let circles: f64 = (1..=passes).map(|pass| cut.from.to_mm() + 2.0 * radial_depth * f64::from(pass) - d).sum();
@@ -149,7 +145,7 @@ fn rounds(cut: &Cut<'_>, mill: CutterShape, shop: &Shop<'_>) -> Result<(Rounds, 
         .with("path", round_to(path, 1))
         .with("factor", round_to(centre_share, 3));
     let planned = plan::Rounds { from_diameter_mm: cut.from, mill_diameter_mm: mill.diameter, passes, levels };
-    Ok((Rounds { radial_depth, axial_depth, centre_share, path, planned }, Because::row(row, note)))
+    Ok((Rounds { radial_depth, axial_depth, centre_share, path, planned }, Because::row(radial.row, note)))
 }
 
 /// In how many equal parts, at least one, a length is cut so that none is longer than `longest`.
@@ -160,38 +156,30 @@ fn parts(length: f64, longest: f64) -> u32 {
 
 /// sz by the mill's diameter (table `end-mill-feed`); of the last pass less, for the roughness it must
 /// leave (table `milling-finish-feed`).
-fn feed_per_tooth(cut: &Cut<'_>, mill: CutterShape, shop: &Shop<'_>) -> Tried<(f64, Vec<Because>), Uncut> {
-    let figures = figures::ask("end-mill-feed", &[("diameter", Input::Length(mill.diameter))], shop)?;
-    let mut feed = figures.row.number_in("feed_per_tooth", Unit::MillimetrePerTooth)?;
+fn feed_per_tooth(cut: &Cut, mill: CutterShape, shop: &Shop<'_>) -> Tried<(f64, Vec<Because>), Uncut> {
+    let diameter = mill.diameter;
+    let figures = figures::ask(|material_group| EndMillFeedFor { material_group, diameter }, shop)?;
+    let mut feed = figures.row.feed_per_tooth.0;
     let mut because = figures.because(Note::new("feed-per-tooth").with("feed", feed));
     if let Some(roughness) = cut.roughness {
-        let table = shop.knowledge.table("milling-finish-feed")?;
-        let answer = table.decide(&[("roughness", Input::Roughness(roughness))])?;
-        let row = answer.winner().ok_or_else(|| missing(table, shop))?;
-        let factor = number(row, "factor")?;
-        feed *= factor;
-        let note = Note::new("milling-finish-feed").with("factor", factor).with("roughness", roughness);
-        because.push(Because::row(row, note));
+        let asked = shop.knowledge.ask(&MillingFinishFeedFor { roughness })?;
+        let row = asked.winner()?.ok_or_else(|| missing(MillingFinishFeedFor::TABLE, shop))?;
+        feed *= row.factor;
+        let note = Note::new("milling-finish-feed").with("factor", row.factor).with("roughness", roughness);
+        because.push(Because::row(row.row, note));
     }
     Ok((feed, because))
 }
 
 /// T of an end mill (table `milling-tool-life`), beyond it by `tool-life-beyond`.
-fn tool_life(cut: &Cut<'_>, mill: CutterShape, shop: &Shop<'_>) -> Tried<(f64, Vec<Because>), Uncut> {
-    let table = shop.knowledge.table("milling-tool-life")?;
-    let diameter = ("diameter", Input::Length(mill.diameter));
-    let answer = table.decide(&[("mill", Input::Text(MILL)), diameter])?;
-    let shown = |row: RowRef<'_>| -> Result<(f64, Note), KnowledgeError> {
-        let life = row.number_in("life", Unit::Minute)?;
-        Ok((life, Note::new("tool-life").with("minutes", life)))
-    };
-    if let Some(row) = answer.winner() {
-        let (life, note) = shown(row)?;
-        return Ok((life, vec![Because::row(row, note)]));
+fn tool_life(cut: &Cut, mill: CutterShape, shop: &Shop<'_>) -> Tried<(Minutes, Vec<Because>), Uncut> {
+    let (tool_material, diameter) = (cut.tool_material, mill.diameter);
+    if let Some(row) = shop.knowledge.ask(&MillingToolLifeFor { mill: MILL, diameter })?.winner()? {
+        return Ok((row.life, vec![Because::row(row.row, factors::lasts(row.life))]));
     }
-    let operation = ("operation", Input::Text(cut.operation.name()));
-    let tool = ("tool_material", Input::Text(cut.tool_material));
-    let figures = figures::ask("tool-life-beyond", &[operation, tool, diameter], shop)?;
-    let (life, note) = shown(figures.row)?;
-    Ok((life, figures.because(note)))
+    let operation = Coefficients::Mill;
+    let question = |material_group| ToolLifeBeyondFor { operation, material_group, tool_material, diameter };
+    let figures = figures::ask(question, shop)?;
+    let life = figures.row.life;
+    Ok((life, figures.because(factors::lasts(life))))
 }

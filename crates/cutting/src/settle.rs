@@ -4,6 +4,7 @@ use crate::error::Tried;
 use crate::note::{Because, Note};
 use crate::reason::Uncut;
 use crate::shop::Shop;
+use crate::tables::rules::FeedChoice;
 use crate::units::{MetresPerMinute, MillimetresPerRev, round_to};
 
 use super::limits::{self, Borne, Held};
@@ -30,7 +31,7 @@ pub(super) struct Settled {
 /// life is then that of the feed and speed taken.
 ///
 /// It ends: from round to round the feed only falls.
-pub(super) fn settle(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Settled, Uncut> {
+pub(super) fn settle(cut: &Cut, shop: &Shop<'_>) -> Tried<Settled, Uncut> {
     let mut found = at(cut, None, shop)?;
     if found.draft.motion.synchronous {
         let held = limits::synchronous(&found.draft, shop)?;
@@ -72,7 +73,7 @@ impl Found {
     }
 }
 
-fn at(cut: &Cut<'_>, feed: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Found, Uncut> {
+fn at(cut: &Cut, feed: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Found, Uncut> {
     let mut draft = super::draft(cut, feed, shop)?;
     let formula_speed = draft.speed;
     let practice = limits::practice(&mut draft, cut, shop)?;
@@ -92,5 +93,5 @@ fn told(
         Some(before) => note.with("before", round_to(before.0, 2)),
         None => note,
     };
-    Ok(Because::table(shop.knowledge.table("feed-choice")?, note))
+    Ok(Because::table(shop.knowledge.table_of::<FeedChoice<'_>>()?, note))
 }

@@ -1,14 +1,13 @@
 //! Tapping.
 
 use crate::error::{Refusal, Tried};
-use crate::knowledge::Input;
-use crate::knowledge::units::Unit;
 use crate::note::{Because, Note};
 use crate::reason::Uncut;
 use crate::shop::Shop;
-use crate::units::{MetresPerMinute, MillimetresPerRev, Minutes};
+use crate::tables::cutting::{Process, TappingSpeedFor, TappingTorqueFor};
+use crate::units::{MetresPerMinute, MillimetresPerRev};
 
-use super::figures::{self, number};
+use super::figures;
 use super::{Cut, Draft, Loads, Motion, PowerLaw, factors};
 
 /// Conditions of a machine tap (Косилова/Мещеряков т.2, tables 49, 51, from memory).
@@ -20,46 +19,44 @@ use super::{Cut, Draft, Loads, Motion, PowerLaw, factors};
 ///
 /// In, the spindle reversed, and out again at the same feed rate: the path is twice the travel. Kmv and Kp
 /// are those of drilling, as the rule `stand-in-operation` says.
-pub(super) fn draft(cut: &Cut<'_>, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
+pub(super) fn draft(cut: &Cut, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
     let pitch = cut.pitch.ok_or(Refusal::Not(Uncut::NoPitch))?;
     let (d, p) = (cut.diameter.to_mm(), pitch.to_mm());
-    let tool = ("tool_material", Input::Text(cut.tool_material));
-    let figures = figures::ask("tapping-speed", &[tool], shop)?;
-    let row = figures.row;
-    let life = row.number_in("life", Unit::Minute)?;
-    let mut because =
-        figures.because(Note::new("tapping-coefficients").with("cv", number(row, "cv")?).with("minutes", life));
-    because.push(Because::row(row, Note::new("feed-is-pitch").with("pitch", pitch)));
+    let tool_material = cut.tool_material;
+    let figures = figures::ask(|material_group| TappingSpeedFor { material_group, tool_material }, shop)?;
+    let row = &figures.row;
+    let note = Note::new("tapping-coefficients").with("cv", row.cv).with("minutes", row.life.0);
+    let mut because = figures.because(note);
+    because.push(Because::row(row.row, Note::new("feed-is-pitch").with("pitch", pitch)));
     because.push(figures::stand_in_operation(cut.operation, shop)?.1);
-    let mut speed = number(row, "cv")? * libm::pow(d, number(row, "q")?)
-        / (libm::pow(life, number(row, "m")?) * libm::pow(p, number(row, "y")?));
+    let mut speed = row.cv * libm::pow(d, row.q) / (libm::pow(row.life.0, row.m) * libm::pow(p, row.y));
     if figures.own() {
-        let (factor, reason) = factors::material_speed("drilling", cut.tool_material, shop)?;
+        let (factor, reason) = factors::material_speed(Process::Drilling, tool_material, shop)?;
         speed *= factor;
         because.push(reason);
     }
-    let life_exponent = number(row, "m")?;
 
     let mut loads = Loads::default();
     // Without a row of torque the thread is still cut; its torque is left out and not guessed.
-    if let Ok(figures) = Refusal::split(figures::ask("tapping-torque", &[tool], shop))? {
-        let row = figures.row;
-        let mut factor = 10.0 * number(row, "cm")? * libm::pow(d, number(row, "q")?);
+    let question = |material_group| TappingTorqueFor { material_group, tool_material };
+    if let Ok(figures) = Refusal::split(figures::ask(question, shop))? {
+        let row = &figures.row;
+        let mut factor = 10.0 * row.cm * libm::pow(d, row.q);
         if figures.own() {
-            let (material, reason) = factors::material_force("drilling", cut.tool_material, shop)?;
+            let (material, reason) = factors::material_force(Process::Drilling, tool_material, shop)?;
             factor *= material;
             because.push(reason);
         }
         because.extend(figures.because(Note::new("tapping-load-coefficients")));
         // The feed is the pitch, so the power law of the feed is that of the pitch.
-        loads.torque = Some(PowerLaw::of_feed(factor, number(row, "y")?));
+        loads.torque = Some(PowerLaw::of_feed(factor, row.y));
     }
     let along = Motion::along_axis(cut);
     Ok(Draft {
         feed: MillimetresPerRev(p),
         speed: MetresPerMinute(speed),
-        tool_life: Minutes(life),
-        life_exponent,
+        tool_life: row.life,
+        life_exponent: row.m,
         coolant: None,
         loads,
         motion: Motion { path: 2.0 * along.path, synchronous: true, ..along },

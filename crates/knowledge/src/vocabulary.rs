@@ -57,6 +57,31 @@ crate::vocabulary! {
         #[serde(rename = "carbide")]
         Carbide = "carbide",
     }
+
+    /// How cutting conditions are found.
+    #[derive(Default, Serialize, Deserialize, JsonSchema)]
+    #[serde(rename_all = "lowercase")]
+    pub enum CuttingMethod {
+        /// By the empirical formulas.
+        #[default]
+        Formula = "formula",
+        /// By the normative cards that the worked example uses, as far as they can be regenerated.
+        Card = "card",
+    }
+
+    /// How grave a finding about a plan is.
+    #[derive(Serialize, Deserialize, JsonSchema)]
+    #[serde(rename_all = "lowercase")]
+    pub enum Severity {
+        /// Unsafe or impossible.
+        Error = "error",
+        /// Contradicts the source or the arithmetic.
+        Wrong = "wrong",
+        /// Allowed, but dominated or resting on unconfirmed figures.
+        Doubtful = "doubtful",
+        /// Worth knowing.
+        Note = "note",
+    }
 }
 
 impl Operation {

@@ -1,11 +1,193 @@
 //! Row types: cutting.
 
-use technolog_knowledge::rows;
 use technolog_knowledge::units::{
     Brinell, Kilowatts, Megapascals, MetresPerMinute, Micrometres, MillimetresPerRev, MillimetresPerTooth, Minutes,
     Newtons, Roughness,
 };
 use technolog_knowledge::vocabulary::{Operation, ToolMaterial};
+use technolog_knowledge::{rows, vocabulary};
+
+vocabulary! {
+    /// What the coefficients of speed, load and tool life are of.
+    pub enum Coefficients {
+        /// Drilling in solid metal.
+        Drill = "drill",
+        /// Drilling out.
+        DrillOut = "drill-out",
+        /// Core drilling.
+        CoreDrill = "core-drill",
+        /// Reaming.
+        Ream = "ream",
+        /// Milling, which only `tool-life-beyond` has among them.
+        Mill = "mill",
+    }
+
+    /// The kind of cutting, where the material's factor depends on it.
+    pub enum Process {
+        /// Drilling, core drilling, reaming.
+        Drilling = "drilling",
+        /// Turning and boring.
+        Turning = "turning",
+        /// Milling.
+        Milling = "milling",
+    }
+
+    /// What is done on a lathe, where the coefficients depend on it.
+    pub enum LatheProcess {
+        /// Turning.
+        Turning = "turning",
+        /// Grooving and parting.
+        Grooving = "grooving",
+    }
+
+    /// A component of the cutting force.
+    pub enum Component {
+        /// Pz, along the cutting speed.
+        Main = "pz",
+        /// Py, which pushes the tool out of the cut, across the feed.
+        Radial = "py",
+        /// Px, against the feed.
+        Axial = "px",
+    }
+
+    /// What a material is compared with, for its factor.
+    pub enum Reference {
+        /// A strength of 750 MPa: of steel.
+        Strength750 = "strength-750",
+        /// A hardness of HB 190: of grey iron.
+        Hardness190 = "hardness-190",
+        /// A hardness of HB 150: of malleable iron.
+        Hardness150 = "hardness-150",
+        /// Nothing: alloys have a factor by their class.
+        None = "none",
+    }
+
+    /// The surface of the metal before the cut.
+    pub enum Surface {
+        /// Machined before, without a skin.
+        None = "none",
+        /// As rolled.
+        Rolled = "rolled",
+        /// As forged.
+        Forged = "forged",
+        /// As cast.
+        Cast = "cast",
+        /// As cast and badly soiled.
+        CastDirty = "cast-dirty",
+        /// As cast, of copper and aluminium alloys.
+        CastCopperAluminium = "cast-copper-aluminium",
+    }
+
+    /// The kind of a mill.
+    pub enum Mill {
+        /// A solid end mill.
+        End = "end",
+        /// An end mill with brazed inserts.
+        EndBrazed = "end-brazed",
+        /// An end mill with a carbide crown.
+        EndCrown = "end-crown",
+        /// A mill for key slots.
+        Slot = "slot",
+        /// A plain mill.
+        Plain = "plain",
+        /// A face mill.
+        Face = "face",
+    }
+
+    /// Constants of boring.
+    pub enum BoringConstant {
+        /// The tool life of a single-point tool.
+        ToolLife = "tool-life",
+        /// What the speed of turning is multiplied by in a bore.
+        InternalFactor = "internal-factor",
+        /// For people: the table `allowances` has what is planned with.
+        RoughStock = "rough-stock",
+        /// As of `RoughStock`.
+        SemiFinishStock = "semi-finish-stock",
+        /// As of `RoughStock`.
+        FinishStock = "finish-stock",
+    }
+
+    /// What of the cards is a ratio to the formulas.
+    pub enum CardRatio {
+        /// The speed.
+        Speed = "speed",
+        /// The thrust of drilling.
+        Thrust = "thrust",
+        /// The power of drilling.
+        Power = "power",
+        /// For people: nothing is calibrated on the one point of drilling out.
+        DrillOutThrust = "drill-out-thrust",
+        /// As of `DrillOutThrust`.
+        DrillOutPower = "drill-out-power",
+    }
+
+    /// What the worked example corrects the speed of the cards for.
+    pub enum CardFactor {
+        /// The material: feed, force and power are corrected for it too.
+        Material = "material",
+        /// How the point is ground.
+        PointGrinding = "point-grinding",
+        /// Coolant.
+        Coolant = "coolant",
+        /// The tool life that is asked for.
+        ToolLife = "tool-life",
+        /// The coating.
+        Coating = "coating",
+        /// The tool material.
+        ToolMaterial = "tool-material",
+        /// How deep the hole is.
+        HoleDepth = "hole-depth",
+        /// The surface of the blank.
+        SurfaceState = "surface-state",
+    }
+
+    /// When the feed of a drill is reduced.
+    pub enum FeedCondition {
+        /// Before accurate finishing or tapping.
+        BeforeFinishing = "before-accurate-finishing-or-tapping",
+        /// For people: the tabulated feed.
+        Otherwise = "otherwise",
+        /// For people: of the set-up's rigidity nothing is known.
+        MediumRigidity = "medium-rigidity",
+        /// As of `MediumRigidity`.
+        LowRigidity = "low-rigidity",
+        /// For people: no drills of carbide are planned.
+        CarbideDrill = "carbide-drill",
+        /// For people: `reaming-feed-factor` has what is planned with.
+        CarbideReamer = "carbide-reamer",
+    }
+
+    /// How often the tabulated feed is taken.
+    pub enum FeedMultiple {
+        /// Once.
+        Single = "single",
+        /// As the handbook has it for drilling out.
+        Handbook = "handbook",
+        /// As the worked example has it for drilling out.
+        WorkedExample = "worked-example",
+    }
+
+    /// Of which step of milling a share of the mill's diameter is.
+    pub enum MillingStep {
+        /// The depth of one pass.
+        Radial = "radial",
+        /// The depth of one level.
+        Axial = "axial",
+    }
+
+    /// What a reamer's feed is corrected for.
+    pub enum ReamingCondition {
+        /// Nothing.
+        AsTabulated = "as-tabulated",
+        /// The last pass to a grade of 9 to 11.
+        FinalPass = "final-pass-9-11",
+        /// Polishing follows.
+        BeforePolishing = "before-polishing",
+        /// A reamer of carbide.
+        Carbide = "carbide",
+    }
+}
 
 rows! {
     /// Boring feed by stage.
@@ -35,13 +217,11 @@ rows! {
     }
 
     /// Constants of boring.
-    pub struct BoringParameters of One("boring-parameters") {
-        name: &'t str,
+    pub struct BoringParameters of One("boring-parameters") complete name {
+        name: BoringConstant,
         time: Option<Minutes>,
         factor: Option<f64>,
-        stock_min: Option<Micrometres>,
-        stock_max: Option<Micrometres>,
-    }
+    } shown { stock_min, stock_max }
 
     /// Speed formula coefficients: boring.
     pub struct BoringSpeed of One("boring-speed") asked by BoringSpeedFor<'t> {
@@ -56,30 +236,27 @@ rows! {
     }
 
     /// Ratios of the cards to the formulas.
-    pub struct CardCalibration of One("card-calibration") {
-        name: &'t str,
+    pub struct CardCalibration of One("card-calibration") complete name {
+        name: CardRatio,
         factor: f64,
     }
 
     /// Speed corrections of the worked example.
-    pub struct CardCorrections of One("card-corrections") {
-        name: &'t str,
-        symbol: &'t str,
+    pub struct CardCorrections of One("card-corrections") complete name {
+        name: CardFactor,
         material_group: &'t str,
         factor: f64,
-    }
+    } shown { symbol }
 
     /// Card points of the worked example.
     pub struct CardPoints of One("card-points") {
         operation: Operation,
         diameter: Micrometres,
-        drill_from: Option<Micrometres>,
-        depth_of_cut: Micrometres,
         feed: MillimetresPerRev,
         speed: MetresPerMinute,
         thrust: Newtons,
         power: Kilowatts,
-    }
+    } shown { drill_from, depth_of_cut }
 
     /// Core-drilling feed.
     pub struct CoreDrillingFeed of One("core-drilling-feed") asked by CoreDrillingFeedFor<'t> {
@@ -87,9 +264,8 @@ rows! {
         hardness: Brinell,
         diameter: Micrometres,
     } {
-        feed_min: MillimetresPerRev,
         feed_max: MillimetresPerRev,
-    }
+    } shown { feed_min }
 
     /// Feed of counterboring, countersinking and chamfering.
     pub struct CounterboringFeed of One("counterboring-feed") asked by CounterboringFeedFor<'t> {
@@ -102,7 +278,7 @@ rows! {
 
     /// Speed formula coefficients: drilling, drilling out, core drilling, reaming.
     pub struct CuttingSpeed of One("cutting-speed") asked by CuttingSpeedFor<'t> {
-        operation: &'t str,
+        operation: Coefficients,
         material_group: &'t str,
         tool_material: ToolMaterial,
         feed: MillimetresPerRev,
@@ -123,8 +299,8 @@ rows! {
     }
 
     /// Hole depth factor Klv on speed.
-    pub struct DepthSpeedFactor of One("depth-speed-factor") asked by DepthSpeedFactorFor<'t> {
-        operation: &'t str,
+    pub struct DepthSpeedFactor of One("depth-speed-factor") asked by DepthSpeedFactorFor {
+        operation: Coefficients,
         depth_ratio: f64,
     } {
         factor: f64,
@@ -132,7 +308,7 @@ rows! {
 
     /// Torsional strength of thin drills.
     pub struct DrillStrength of One("drill-strength") {
-        tool_material: &'t str,
+        tool_material: ToolMaterial,
         modulus_factor: f64,
         shear_stress: Megapascals,
         below_diameter: Micrometres,
@@ -144,9 +320,8 @@ rows! {
         hardness: Brinell,
         diameter: Micrometres,
     } {
-        feed_min: MillimetresPerRev,
         feed_max: MillimetresPerRev,
-    }
+    } shown { feed_min }
 
     /// Feed per tooth of HSS end mills.
     pub struct EndMillFeed of One("end-mill-feed") asked by EndMillFeedFor<'t> {
@@ -157,15 +332,14 @@ rows! {
     }
 
     /// Feed factors Kos, Kjs, Kis.
-    pub struct FeedFactor of One("feed-factor") {
-        name: &'t str,
-        condition: &'t str,
+    pub struct FeedFactor of One("feed-factor") complete condition {
+        condition: FeedCondition,
         factor: f64,
-    }
+    } shown { name }
 
     /// Drill-out feed over drilling feed.
-    pub struct FeedStep of One("feed-step") {
-        name: &'t str,
+    pub struct FeedStep of One("feed-step") complete name {
+        name: FeedMultiple,
         factor: f64,
     }
 
@@ -178,13 +352,13 @@ rows! {
 
     /// Exponent n of the material factor on force.
     pub struct ForceMaterialExponent of One("force-material-exponent") asked by ForceMaterialExponentFor<'t> {
-        process: &'t str,
+        process: Process,
         tool_material: ToolMaterial,
         material_group: &'t str,
         strength: Megapascals,
     } {
         exponent: f64,
-        reference: &'t str,
+        reference: Reference,
     }
 
     /// Feed of grooving and parting.
@@ -193,9 +367,7 @@ rows! {
         diameter: Micrometres,
     } {
         feed_min: MillimetresPerRev,
-        feed_max: MillimetresPerRev,
-        width_max: Micrometres,
-    }
+    } shown { feed_max, width_max }
 
     /// Speed formula coefficients: grooving and parting.
     pub struct GroovingSpeed of One("grooving-speed") asked by GroovingSpeedFor<'t> {
@@ -209,8 +381,8 @@ rows! {
     }
 
     /// Deepest pass of an end mill.
-    pub struct MillingDepth of One("milling-depth") {
-        name: &'t str,
+    pub struct MillingDepth of One("milling-depth") complete name {
+        name: MillingStep,
         share: f64,
     }
 
@@ -223,7 +395,7 @@ rows! {
 
     /// Main force formula coefficients: milling.
     pub struct MillingForce of One("milling-force") asked by MillingForceFor<'t> {
-        mill: &'t str,
+        mill: Mill,
         material_group: &'t str,
         tool_material: ToolMaterial,
     } {
@@ -237,7 +409,7 @@ rows! {
 
     /// Speed formula coefficients: milling.
     pub struct MillingSpeed of One("milling-speed") asked by MillingSpeedFor<'t> {
-        mill: &'t str,
+        mill: Mill,
         material_group: &'t str,
         tool_material: ToolMaterial,
         feed_per_tooth: MillimetresPerTooth,
@@ -252,8 +424,8 @@ rows! {
     }
 
     /// Tool life of mills.
-    pub struct MillingToolLife of One("milling-tool-life") asked by MillingToolLifeFor<'t> {
-        mill: &'t str,
+    pub struct MillingToolLife of One("milling-tool-life") asked by MillingToolLifeFor {
+        mill: Mill,
         diameter: Micrometres,
     } {
         life: Minutes,
@@ -267,8 +439,8 @@ rows! {
     }
 
     /// Factors on the reaming feed.
-    pub struct ReamingFeedFactor of One("reaming-feed-factor") asked by ReamingFeedFactorFor<'t> {
-        condition: &'t str,
+    pub struct ReamingFeedFactor of One("reaming-feed-factor") asked by ReamingFeedFactorFor {
+        condition: ReamingCondition,
     } {
         factor: f64,
         blind_feed_min: MillimetresPerRev,
@@ -285,12 +457,11 @@ rows! {
     }
 
     /// Skin factor Kpv.
-    pub struct SkinFactor of One("skin-factor") asked by SkinFactorFor<'t> {
-        surface: &'t str,
+    pub struct SkinFactor of One("skin-factor") asked by SkinFactorFor {
+        surface: Surface,
     } {
         factor: f64,
-        factor_max: Option<f64>,
-    }
+    } shown { factor_max }
 
     /// Material factor Kmv of copper and aluminium alloys on speed.
     pub struct SpeedAlloyFactor of One("speed-alloy-factor") asked by SpeedAlloyFactorFor<'t> {
@@ -301,13 +472,13 @@ rows! {
 
     /// Exponent nv of the material factor on speed.
     pub struct SpeedMaterialExponent of One("speed-material-exponent") asked by SpeedMaterialExponentFor<'t> {
-        process: &'t str,
+        process: Process,
         tool_material: ToolMaterial,
         material_group: &'t str,
         strength: Megapascals,
     } {
         exponent: f64,
-        reference: &'t str,
+        reference: Reference,
     }
 
     /// Steel class factor Kg on speed.
@@ -343,7 +514,7 @@ rows! {
 
     /// Tool life of drills, core drills and reamers.
     pub struct ToolLife of One("tool-life") asked by ToolLifeFor<'t> {
-        operation: &'t str,
+        operation: Coefficients,
         material_group: &'t str,
         tool_material: ToolMaterial,
         diameter: Micrometres,
@@ -361,7 +532,7 @@ rows! {
 
     /// Torque and thrust formula coefficients.
     pub struct TorqueAndThrust of One("torque-and-thrust") asked by TorqueAndThrustFor<'t> {
-        operation: Operation,
+        operation: Coefficients,
         material_group: &'t str,
         tool_material: ToolMaterial,
     } {
@@ -382,13 +553,12 @@ rows! {
         depth: Micrometres,
     } {
         feed_min: MillimetresPerRev,
-        feed_max: MillimetresPerRev,
-    }
+    } shown { feed_max }
 
     /// Force formula coefficients: turning, components Py and Px, and grooving.
     pub struct TurningForce of One("turning-force") asked by TurningForceFor<'t> {
-        process: &'t str,
-        component: &'t str,
+        process: LatheProcess,
+        component: Component,
         material_group: &'t str,
         tool_material: ToolMaterial,
     } {
@@ -397,7 +567,7 @@ rows! {
         y: f64,
         n: f64,
         material_exponent: f64,
-        reference: &'t str,
+        reference: Reference,
     }
 
     /// Feed of rough turning.
@@ -408,6 +578,5 @@ rows! {
         depth: Micrometres,
     } {
         feed_min: MillimetresPerRev,
-        feed_max: MillimetresPerRev,
-    }
+    } shown { feed_max }
 }

@@ -1,10 +1,34 @@
 //! Row types: rules.
 
 use technolog_knowledge::units::{ItGrade, MetresPerMinute, Micrometres, Minutes, Percent, Roughness};
-use technolog_knowledge::vocabulary::{Operation, Shank, ToolMaterial};
+use technolog_knowledge::vocabulary::{CuttingMethod, Operation, Shank, ToolMaterial};
 use technolog_knowledge::{rows, vocabulary};
 
+use crate::cutting::{Coefficients, FeedMultiple, ReamingCondition, Surface};
+
 vocabulary! {
+    /// The tables of feeds.
+    pub enum FeedTable {
+        /// Of drills.
+        Drilling = "drilling-feed",
+        /// Of core drills.
+        CoreDrilling = "core-drilling-feed",
+        /// Of reamers.
+        Reaming = "reaming-feed",
+        /// Of boring bars, which is asked in a way of its own.
+        Boring = "boring-feed",
+        /// Of what widens the mouth of a hole.
+        Counterboring = "counterboring-feed",
+    }
+
+    /// Which of two neighbours is taken.
+    pub enum Neighbour {
+        /// The one above.
+        Above = "above",
+        /// The one below.
+        Below = "below",
+    }
+
     /// A machining cycle.
     pub enum HoleCycle {
         /// Down at feed, out at rapid.
@@ -146,12 +170,12 @@ rows! {
     }
 
     /// Where the feed comes from.
-    pub struct FeedChoice of One("feed-choice") asked by FeedChoiceFor<'t> {
+    pub struct FeedChoice of One("feed-choice") asked by FeedChoiceFor {
         operation: Operation,
-        method: &'t str,
+        method: CuttingMethod,
     } {
-        feed_table: &'t str,
-        multiple: &'t str,
+        feed_table: FeedTable,
+        multiple: FeedMultiple,
     }
 
     /// Which holder takes a shank.
@@ -220,7 +244,7 @@ rows! {
         it: Option<ItGrade>,
         roughness: Option<Roughness>,
     } {
-        conditions: Vec<&'t str>,
+        conditions: Vec<ReamingCondition>,
     }
 
     /// Drilling into an unmachined face.
@@ -235,7 +259,7 @@ rows! {
     pub struct SpindleStep of One("spindle-step") asked by SpindleStepFor {
         excess: Percent,
     } {
-        take: &'t str,
+        take: Neighbour,
     }
 
     /// Whose figures stand in where a material has none.
@@ -269,11 +293,11 @@ rows! {
     }
 
     /// Surface of the blank, for the speed factor.
-    pub struct Surface of One("surface") asked by SurfaceFor<'t> {
+    pub struct BlankSurface of One("surface") asked by SurfaceFor<'t> {
         skin: bool,
         material_group: &'t str,
     } {
-        surface: &'t str,
+        surface: Surface,
     }
 
     /// Which table of schemes a hole is looked up in.
@@ -297,7 +321,7 @@ rows! {
 
     /// Tool life where the handbook's table is empty.
     pub struct ToolLifeBeyond of One("tool-life-beyond") asked by ToolLifeBeyondFor<'t> {
-        operation: &'t str,
+        operation: Coefficients,
         material_group: &'t str,
         tool_material: ToolMaterial,
         diameter: Micrometres,

@@ -2,6 +2,7 @@
 //! be off says the rule `audit-by-table`.
 
 use crate::error::KnowledgeError;
+use crate::knowledge::contract::Word as _;
 use crate::note::{Because, Note, Severity};
 use crate::units::round_to;
 
@@ -25,7 +26,7 @@ pub(super) fn check<'a>(
         let Some(figure) = context.stated.figure(id) else { continue };
         let (share, answer) = context.by_share("audit-by-table", ("of_table", figure.value / table), Some(kind))?;
         let Some(row) = answer.winner() else { continue };
-        let severity = Severity::from_name(row.text("severity")?).unwrap_or(Severity::Doubtful);
+        let severity = Severity::from_word(row.text("severity")?).unwrap_or(Severity::Doubtful);
         let note = Note::new("audit-by-table").with("share", round_to(share, 0)).with("value", shown(table));
         let finding =
             Finding::new(severity, Context::section(id), context.field(id), note).about(context.subject(id.scope));

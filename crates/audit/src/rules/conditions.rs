@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use crate::cutting;
 use crate::error::KnowledgeError;
 use crate::knowledge::Input;
+use crate::knowledge::contract::Word as _;
 use crate::knowledge::units::Unit;
 use crate::note::{Because, Note, Severity};
 use crate::plan::{CuttingMethod, Operation};
@@ -258,7 +259,7 @@ fn judge_step(context: &Context<'_>, value: f64, computed: f64) -> Judged {
     let excess = Decimal::from_f64_rounded((value / computed - 1.0) * 100.0);
     let rule = shop.knowledge.table("audit-spindle").ok()?;
     let answer = rule.decide(&[("excess", Input::Number(excess, Unit::Percent))]).ok()?;
-    let severity = Severity::from_name(answer.winner()?.text("severity").ok()?)?;
+    let severity = Severity::from_word(answer.winner()?.text("severity").ok()?)?;
     Some((severity, note(if value > computed { "audit-step-fast" } else { "audit-step-slow" })))
 }
 

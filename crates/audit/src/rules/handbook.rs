@@ -7,6 +7,7 @@ use crate::cutting::handbook::{self, Handbook};
 use crate::cutting::laws::LoadLaw;
 use crate::cutting::{self, Cut};
 use crate::error::{KnowledgeError, Refusal};
+use crate::knowledge::contract::Word as _;
 use crate::note::{Because, Note, Severity};
 use crate::plan::CuttingMethod;
 use crate::units::{Micrometres, MillimetresPerRev, RevsPerMinute, round_to};
@@ -78,6 +79,7 @@ fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result
     };
     let mut by_table = None;
     if let Ok(Some((life, because))) = Refusal::split(handbook::tool_life(&cut, &context.shop))? {
+        let life = life.0;
         let at_step = formulas.as_ref().is_some_and(|own| is_at_step(context, at, own, cut.diameter, life));
         let by_life = formulas.as_ref().is_some_and(|own| is_by_life(context, at, own, cut.diameter, life));
         by_table = Some(life).filter(|_| at_step || by_life);
@@ -128,7 +130,7 @@ fn by_law(context: &Context<'_>, at: usize, formulas: &Handbook, diameter: Micro
 }
 
 /// What is cut under conditions, as far as the formulas ask; nothing where the cutter is not known.
-fn cut<'a>(context: &'a Context<'a>, at: usize) -> Result<Option<Cut<'a>>, KnowledgeError> {
+fn cut(context: &Context<'_>, at: usize) -> Result<Option<Cut>, KnowledgeError> {
     let stated = context.stated;
     let conditions = &stated.conditions[at];
     let Some(first) = conditions.rows.first().copied().filter(|_| !conditions.rounds) else { return Ok(None) };
@@ -157,7 +159,7 @@ fn cut<'a>(context: &'a Context<'a>, at: usize) -> Result<Option<Cut<'a>>, Knowl
         passes: 1,
         depth,
         travel: depth,
-        tool_material: cutter.head.material.name(),
+        tool_material: cutter.head.material,
         nose_radius: None,
         roughness: None,
         reamer_follows: false,
@@ -268,7 +270,7 @@ fn add<'a, 'b>(
 fn judged(context: &Context<'_>, quantity: Q, value: f64, by_formula: f64) -> Judged {
     let share = ("of_formula", value / by_formula);
     let (share, answer) = context.by_share("audit-formula", share, Some(quantity.key())).ok()?;
-    let severity = Severity::from_name(answer.winner()?.text("severity").ok()?)?;
+    let severity = Severity::from_word(answer.winner()?.text("severity").ok()?)?;
     let nature = nature(value, by_formula);
     let code = match quantity {
         // A slip of the comma or of the sign is told as what it is.

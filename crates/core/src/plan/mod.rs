@@ -16,7 +16,7 @@ use crate::units::{
 mod order;
 mod route;
 
-pub use crate::knowledge::vocabulary::Operation;
+pub use crate::knowledge::vocabulary::{CuttingMethod, Operation};
 pub use order::{Mixture, Stop, Times, Visit, Visiting, VisitingMethod};
 pub use route::{Achieved, Alternative, Feature, Made, Route, Way};
 
@@ -64,27 +64,6 @@ impl Limit {
     /// Its name in plans.
     pub fn name(self) -> &'static str {
         Self::NAMES.iter().find(|(_, limit)| *limit == self).map_or("", |(name, _)| name)
-    }
-}
-
-/// How cutting conditions are found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum CuttingMethod {
-    /// By the empirical formulas.
-    #[default]
-    Formula,
-    /// By the normative cards that the worked example uses, as far as they can be regenerated.
-    Card,
-}
-
-impl CuttingMethod {
-    /// Its name in tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Formula => "formula",
-            Self::Card => "card",
-        }
     }
 }
 

@@ -6,9 +6,10 @@ mod reach;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-use crate::cutting::{self, CardDoubt, Cut};
+use crate::cutting::{self, CardDoubt, Cut, Surface};
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::Input;
+use crate::knowledge::vocabulary::ToolMaterial;
 use crate::note::{Because, Note};
 use crate::part::{Hole, Part};
 use crate::plan::{Conditions, Feature, Operation};
@@ -90,7 +91,7 @@ pub(super) struct Fitting<'p, 'k> {
     /// Point angles, degrees.
     drill_point: f64,
     core_drill_point: f64,
-    surface: &'k str,
+    surface: Surface,
     lead: &'k str,
     clearance: Micrometres,
     floor_clearance: Micrometres,
@@ -263,7 +264,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             nose_radius,
             roughness,
             cutter: cutter_shape(&cutter),
-            ..self.cut(step, follows, cutter.head.material.name(), travel)
+            ..self.cut(step, follows, cutter.head.material, travel)
         };
         // On a floor the mill cuts as far as its own radius.
         let cut = if step.operation == Operation::Mill && step.from == step.diameter {
@@ -312,7 +313,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         Ok(())
     }
 
-    fn cut<'c>(&'c self, step: &Step, follows: Option<Operation>, material: &'c str, travel: Micrometres) -> Cut<'c> {
+    fn cut(&self, step: &Step, follows: Option<Operation>, material: ToolMaterial, travel: Micrometres) -> Cut {
         Cut {
             operation: step.operation,
             diameter: step.also.unwrap_or(step.diameter),
@@ -350,7 +351,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         };
         let (travel, _) = self.travel(&single);
         let follows = fitted.get(second + 1).map(|one| one.step.operation);
-        let cut = self.cut(&single, follows, "HSS", travel);
+        let cut = self.cut(&single, follows, ToolMaterial::HighSpeedSteel, travel);
         let Ok(one) = cutting::conditions(&cut, self.shop) else { return Ok(()) };
         let pair = &fitted[second.saturating_sub(1)..=second];
         let time: f64 = pair.iter().map(|step| step.conditions.machine_time_min.0).sum();

@@ -124,6 +124,15 @@ macro_rules! question {
         #[derive(Clone, Copy, Debug)]
         pub struct $question $(<$life>)? { $(pub $input: $type,)* }
 
+        impl $(<$life>)? $question $(<$life>)? {
+            $(
+                /// The name of the column of this input, for those who look at the column itself.
+                pub const fn $input() -> &'static str {
+                    $crate::column!($input $($column)?)
+                }
+            )*
+        }
+
         impl $(<$life>)? $crate::contract::Question for $question $(<$life>)? {
             type Row<'k> = $name<'k>;
             const TABLE: &'static str = <$name<'static> as $crate::contract::TableRow<'static>>::CONTRACT.which.id();

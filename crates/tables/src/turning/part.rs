@@ -5,6 +5,8 @@ use serde::{Deserialize, Serialize};
 use technolog_knowledge::units::{Degrees, Micrometres, Microns};
 use technolog_knowledge::{rows, vocabulary};
 
+use crate::cutting::Surface;
+
 vocabulary! {
     /// On which side of a contour the metal lies.
     #[derive(Serialize)]
@@ -311,6 +313,6 @@ rows! {
         stock: StockKind,
         group: &'t str,
     } {
-        surface: &'t str,
+        surface: Surface,
     }
 }

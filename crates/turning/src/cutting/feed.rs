@@ -2,11 +2,14 @@
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::query::roughness_points;
-use crate::knowledge::{Input, Knowledge};
+use crate::knowledge::units::Megapascals;
+use crate::knowledge::{Knowledge, Question};
 use crate::note::{Because, Note};
+use crate::tables::cutting::{BoringFinishFeedFor, GroovingFeedFor, TurningBoringFeedFor, TurningRoughFeedFor};
+use crate::tables::turning::tools::{TurningFinishFeedFor, TurningFinishFeedStrengthFor};
 use crate::turning::tooling::{Shank, ToolKind};
-use crate::units::{Micrometres, MillimetresPerRev, Roughness, Unit};
-use technolog_cutting::figures::{self, number};
+use crate::units::{Micrometres, MillimetresPerRev, Roughness};
+use technolog_cutting::figures;
 
 use super::{Cut, Lack, of_tables};
 
@@ -25,29 +28,36 @@ pub struct Feed {
 /// # Errors
 /// The table has no feed for the tool, the diameter or the depth; the tool's row lacks its shank; threads.
 pub fn rough_feed(cut: &Cut<'_, '_>, depth: Micrometres) -> Tried<Feed, Lack> {
-    let diameter = ("diameter", Input::Length(cut.diameter));
-    let by_depth = ("depth", Input::Length(depth));
-    let process = cut.process();
+    let (diameter, process) = (cut.diameter, cut.process());
     let lacks = |quantity: &str| Refusal::Not(Lack::Figure(cut.tool_lacks(quantity).during(process)));
     let figures = match cut.tool.kind {
         ToolKind::Turning => {
-            let Some(Shank::Square { height, .. }) = cut.tool.shank else { return Err(lacks("shank_height")) };
-            figures::ask("turning-rough-feed", &[("shank_height", Input::Length(height)), diameter, by_depth], cut)
+            let Some(Shank::Square { height: shank_height, .. }) = cut.tool.shank else {
+                return Err(lacks("shank_height"));
+            };
+            let question = |material_group| TurningRoughFeedFor { material_group, shank_height, diameter, depth };
+            figures::ask(question, cut).map(|figures| figures.map(|row| row.feed_min))
         }
         ToolKind::Boring => {
-            let Some(Shank::Round { diameter }) = cut.tool.shank else { return Err(lacks("bar_diameter")) };
-            figures::ask("turning-boring-feed", &[("bar_diameter", Input::Length(diameter)), by_depth], cut)
+            let Some(Shank::Round { diameter: bar_diameter }) = cut.tool.shank else {
+                return Err(lacks("bar_diameter"));
+            };
+            let question = |material_group| TurningBoringFeedFor { material_group, bar_diameter, depth };
+            figures::ask(question, cut).map(|figures| figures.map(|row| row.feed_min))
         }
-        ToolKind::Grooving | ToolKind::FaceGrooving => figures::ask("grooving-feed", &[diameter], cut),
+        ToolKind::Grooving | ToolKind::FaceGrooving => {
+            let question = |material_group| GroovingFeedFor { material_group, diameter };
+            figures::ask(question, cut).map(|figures| figures.map(|row| row.feed_min))
+        }
         ToolKind::Threading => {
             return Err(Refusal::Not(Lack::Threads { tool: cut.tool.designation.to_owned(), process }));
         }
     };
-    let no_feed = |lacking| Lack::NoFeed { lacking, depth, diameter: cut.diameter };
+    let no_feed = |lacking| Lack::NoFeed { lacking, depth, diameter };
     let figures = cut.named(of_tables(figures)).map_err(|refusal| refusal.map(no_feed))?;
-    let feed = figures.row.number_in("feed_min", Unit::MillimetrePerRev)?;
-    let note = Note::new("turning-feed").with("feed", feed).with("tool", cut.tool.designation);
-    Ok(Feed { feed: MillimetresPerRev(feed), because: figures.because(note) })
+    let feed = figures.row;
+    let note = Note::new("turning-feed").with("feed", feed.0).with("tool", cut.tool.designation);
+    Ok(Feed { feed, because: figures.because(note) })
 }
 
 /// The feed that leaves a roughness, by the nose radius: nine cells of `boring-finish-feed`, the others of
@@ -59,37 +69,35 @@ pub fn rough_feed(cut: &Cut<'_, '_>, depth: Micrometres) -> Tried<Feed, Lack> {
 pub fn finish_feed(cut: &Cut<'_, '_>, roughness: Roughness) -> Tried<Feed, Lack> {
     let process = cut.process();
     let no_nose = || Refusal::Not(Lack::Figure(cut.tool_lacks("nose_radius").during(process)));
-    let rest = cut.knowledge.table("turning-finish-feed")?;
+    let rest = cut.knowledge.table(TurningFinishFeedFor::TABLE)?;
     let nose = cut.tool.nose_radius.ok_or_else(no_nose)?;
-    let nose = nose_of_table(cut.knowledge, nose)?.ok_or_else(no_nose)?;
-    let column = roughness_points(rest, "roughness").into_iter().filter(|column| *column <= roughness).max();
-    let column = column.ok_or(Refusal::Not(Lack::TooFineToTurn { roughness, process }))?;
-    let cell = [("roughness", Input::Roughness(column)), ("nose_radius", Input::Text(&nose))];
-    let row = match rest.decide(&cell)?.winner() {
-        Some(row) => row,
+    let nose_radius = nose_of_table(cut.knowledge, nose)?.ok_or_else(no_nose)?;
+    let columns = roughness_points(rest, TurningFinishFeedFor::roughness());
+    let column = columns.into_iter().filter(|column| *column <= roughness).max();
+    let roughness = column.ok_or(Refusal::Not(Lack::TooFineToTurn { roughness, process }))?;
+    let (mut feed, row) = match rest.ask(&TurningFinishFeedFor { roughness, nose_radius })?.winner()? {
+        Some(found) => (found.feed.0, found.row),
         None => {
-            let nine = cut.knowledge.table("boring-finish-feed")?;
-            nine.decide(&cell)?.winner().ok_or_else(|| KnowledgeError::no_row(nine, "this roughness and nose"))?
+            let nine = cut.knowledge.ask(&BoringFinishFeedFor { roughness, nose_radius })?;
+            let found = nine.need("this roughness and nose")?;
+            (found.feed.0, found.row)
         }
     };
-    let mut feed = row.number_in("feed", Unit::MillimetrePerRev)?;
     let mut because = vec![Because::row(row, Note::new("turning-finish-feed").with("feed", feed))];
     if cut.material.group == "steel" {
-        let table = cut.knowledge.table("turning-finish-feed-strength")?;
-        let answer = table.decide(&[("strength", Input::Number(cut.material.strength, Unit::Megapascal))])?;
-        let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(table, "this strength"))?;
-        let factor = number(row, "factor")?;
-        feed *= factor;
-        because.push(Because::row(row, Note::new("feed-strength-factor").with("factor", factor)));
+        let question = TurningFinishFeedStrengthFor { strength: Megapascals(cut.material.strength) };
+        let rule = cut.knowledge.ask(&question)?.need("this strength")?;
+        feed *= rule.factor;
+        because.push(Because::row(rule.row, Note::new("feed-strength-factor").with("factor", rule.factor)));
     }
     Ok(Feed { feed: MillimetresPerRev(feed), because })
 }
 
 /// The largest nose radius of the table that is not above the tool's: a smaller nose is fed slower.
-fn nose_of_table(knowledge: &Knowledge, nose: Micrometres) -> Result<Option<String>, KnowledgeError> {
-    let table = knowledge.table("turning-finish-feed")?;
-    let radii =
-        table.inputs().filter(|(_, column)| column.name == "nose_radius").flat_map(|(_, column)| &column.values);
-    let known = radii.filter_map(|text| text.parse::<Micrometres>().ok().map(|radius| (radius, text)));
-    Ok(known.filter(|(radius, _)| *radius <= nose).max().map(|(_, text)| text.clone()))
+fn nose_of_table(knowledge: &Knowledge, nose: Micrometres) -> Result<Option<&str>, KnowledgeError> {
+    let table = knowledge.table(TurningFinishFeedFor::TABLE)?;
+    let column = table.columns.iter().find(|column| column.name == TurningFinishFeedFor::nose_radius());
+    let radii = column.into_iter().flat_map(|column| &column.values);
+    let known = radii.filter_map(|text| text.parse::<Micrometres>().ok().map(|radius| (radius, text.as_str())));
+    Ok(known.filter(|(radius, _)| *radius <= nose).max().map(|(_, text)| text))
 }

@@ -8,6 +8,8 @@ use crate::units::{Decimal, Micrometres, MillimetresPerRev, Roughness};
 
 use super::bounds::Missing;
 
+pub use crate::tables::cutting::LatheProcess as Process;
+
 /// Why a lathe does not cut so, or why that is not known.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // the figures have the names of those of the sentences
@@ -39,25 +41,6 @@ pub enum Nothing {
     Depth(Micrometres),
     Diameter(Micrometres),
     Feed(MillimetresPerRev),
-}
-
-/// Which coefficients hold.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Process {
-    /// Those of turning.
-    Turning,
-    /// Those of grooving.
-    Grooving,
-}
-
-impl Process {
-    /// Its name in tables and sentences.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Turning => "turning",
-            Self::Grooving => "grooving",
-        }
-    }
 }
 
 /// A figure that is missing; in JSON it is its sentence.

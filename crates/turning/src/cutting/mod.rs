@@ -20,6 +20,7 @@ use crate::error::Tried;
 use crate::knowledge::Knowledge;
 use crate::material::Material;
 use crate::reason::Uncut;
+use crate::tables::cutting::Surface;
 use crate::tables::lathes::LatheQuantity;
 use crate::turning::tooling::{Lathe, TurningTool, Works};
 use crate::units::{Decimal, MetresPerMinute, Micrometres, RevsPerMinute};
@@ -46,8 +47,8 @@ pub struct Cut<'a, 'k> {
     pub diameter: Micrometres,
     /// Where the feed goes.
     pub direction: Direction,
-    /// The surface of the metal before the cut: a value of the table `skin-factor`, `none` where it is machined.
-    pub surface: &'a str,
+    /// The surface of the metal before the cut.
+    pub surface: Surface,
 }
 
 /// Where the feed goes.

@@ -160,7 +160,7 @@ fn cut<'a, 'k>(task: Task<'a, 'k>, bench: &'a Bench<'_, 'k>) -> Result<Option<(C
     let (knowledge, stock) = (bench.knowledge, bench.workpiece.blank.kind);
     let asked = knowledge.ask(&TurningSkinFor { stock, group: bench.material.group })?;
     let surface = asked.need(stock.name())?.surface;
-    let note = Note::new("turning-skin").with("kind", stock.name()).with("surface", surface);
+    let note = Note::new("turning-skin").with("kind", stock.name()).with("surface", surface.name());
     let because = Because::answer(&asked.answer, note);
     let (tool, material) = (task.tool, &bench.material);
     let (diameter, direction) = (task.diameter, task.direction);

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::error::KnowledgeError;
+use crate::knowledge::contract::Word as _;
 use crate::knowledge::diagnostic::Place;
 use crate::knowledge::units::Unit;
 use crate::knowledge::yaml::{Node, parse};
@@ -87,7 +88,7 @@ pub(super) fn deviation(
         if (made - planned).abs() < whole + relative * planned {
             return Ok(());
         }
-        severity = severity.min(Severity::from_name(row.text("severity")?).unwrap_or(Severity::Wrong));
+        severity = severity.min(Severity::from_word(row.text("severity")?).unwrap_or(Severity::Wrong));
     }
     let mut place = said.block.map(|block| Place { file: file.clone(), line: block.line, column: 1, width: 1 });
     let mut name = field(said.block);

@@ -3,6 +3,7 @@
 use crate::cutting::{self, Cut};
 use crate::error::{KnowledgeError, Tried};
 use crate::knowledge::units::Unit;
+use crate::knowledge::vocabulary::ToolMaterial;
 use crate::knowledge::{Input, Knowledge, RowRef};
 use crate::note::{Because, Note};
 use crate::part::Face;
@@ -81,7 +82,7 @@ impl<'k> Fitting<'_, 'k> {
 
     /// The conditions of centring with a drill of that diameter.
     pub fn spotting(&self, step: &Step, travel: Micrometres, tool: Micrometres) -> Tried<Conditions> {
-        let cut = Cut { tool_diameter: Some(tool), ..self.cut(step, None, "HSS", travel) };
+        let cut = Cut { tool_diameter: Some(tool), ..self.cut(step, None, ToolMaterial::HighSpeedSteel, travel) };
         cutting::conditions(&cut, self.shop)
     }
 }
