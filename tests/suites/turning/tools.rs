@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use technolog::knowledge::contract::Named;
-use technolog::knowledge::{Input, Knowledge};
+use technolog::knowledge::{Input, Knowledge, Value};
 use technolog::tables::lathes::LatheRecord;
 use technolog::turning::tooling::{Hand, Lathe, Shank, Spindle, ToolKind, TurningTool, Works};
 use technolog::units::{Decimal, Micrometres, RevsPerMinute, Unit};
@@ -26,6 +26,14 @@ fn style_angle(letter: char) -> f64 {
         'S' => 45.0,
         'V' => 72.5,
         other => panic!("no angle of style {other}"),
+    }
+}
+
+/// A length of a tool's row that is for people only.
+fn length(tool: &TurningTool<'_>, column: &str) -> Option<Micrometres> {
+    match tool.row.value(column) {
+        Some(Value::Length(length)) => Some(*length),
+        _ => None,
     }
 }
 
@@ -95,7 +103,7 @@ fn every_turning_tool_is_what_its_designation_says() {
                 assert_eq!(figures[..2].parse::<i64>().unwrap(), height.micrometres() / 1000, "{what}");
                 assert_eq!(figures[2..4].parse::<i64>().unwrap(), width.micrometres() / 1000, "{what}");
                 assert_eq!(
-                    tool.length.unwrap(),
+                    length(&tool, "length").unwrap(),
                     Micrometres::from_mm(length_of(figures.as_bytes()[4].into())),
                     "{what}"
                 );
@@ -103,7 +111,11 @@ fn every_turning_tool_is_what_its_designation_says() {
             }
             Shank::Round { diameter } => {
                 assert_eq!(what[1..3].parse::<i64>().unwrap(), diameter.micrometres() / 1000, "{what}");
-                assert_eq!(tool.length.unwrap(), Micrometres::from_mm(length_of(what.as_bytes()[3].into())), "{what}");
+                assert_eq!(
+                    length(&tool, "length").unwrap(),
+                    Micrometres::from_mm(length_of(what.as_bytes()[3].into())),
+                    "{what}"
+                );
                 assert!(tool.min_bore.unwrap() > diameter, "{what}: the bar must enter its bore");
                 assert_eq!(tool.works, Works::Inner, "{what}");
             }
@@ -144,8 +156,19 @@ fn every_handed_tool_has_its_twin() {
         let is_twin = |other: &&TurningTool<'_>| {
             let same = (other.kind, other.works, other.lead_angle, other.trail_angle, other.shank, other.edge)
                 == (tool.kind, tool.works, tool.lead_angle, tool.trail_angle, tool.shank, tool.edge);
-            let sizes = (other.width, other.groove_depth, other.face_diameter_min, other.min_bore, other.nose_radius)
-                == (tool.width, tool.groove_depth, tool.face_diameter_min, tool.min_bore, tool.nose_radius);
+            let sizes = (
+                other.width,
+                other.groove_depth,
+                length(other, "face_diameter_min"),
+                other.min_bore,
+                other.nose_radius,
+            ) == (
+                tool.width,
+                tool.groove_depth,
+                length(tool, "face_diameter_min"),
+                tool.min_bore,
+                tool.nose_radius,
+            );
             same && sizes && other.hand != tool.hand && other.hand != Hand::N
         };
         assert!(tools.iter().any(|other| is_twin(&other)), "{} has no twin", tool.designation);

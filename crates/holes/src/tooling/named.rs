@@ -11,7 +11,6 @@ use crate::plan::Operation;
 use crate::reason::{HolderFault, OfOther, Unfit};
 use crate::shop::Shop;
 use crate::tables::holders::HolderRow;
-use crate::tables::materials::Clamping;
 use crate::tables::rules::HolderForShank;
 use crate::tables::tools::{BoringStage, CutterRow};
 
