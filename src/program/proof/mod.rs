@@ -21,6 +21,7 @@
 mod around;
 mod compare;
 mod cuts;
+mod held;
 mod matching;
 mod milled;
 mod tools;
@@ -43,6 +44,7 @@ use crate::plan::{Operation, Plan, Transition};
 use crate::units::Micrometres;
 
 use cuts::{Cut, TOLERANCE};
+pub use held::Held;
 use walk::{Frame, Walk};
 
 /// What a program is held against.

@@ -37,7 +37,7 @@ use super::shaft::{self, Holding, Shaft};
 pub use blank::{Blank, StockKind};
 pub use file::schema;
 pub use preparation::{Advice, advice};
-pub use read::{read_turned, read_workpiece};
+pub use read::{read_turned, read_turned_node, read_workpiece};
 
 /// What a file of a turned part holds.
 #[derive(Clone, Debug, PartialEq, Serialize)]
