@@ -11,6 +11,7 @@
 //! - [`plan`] is the result, a value; [`report`] prints it;
 //! - [`job`] is the plan as work of a machine, [`program`] its language, written and read back as [`motion`].
 //! - [`audit`] holds a plan that anybody made against all of it;
+//! - [`cases`] are questions of every kind with what is expected of the answers;
 //! - [`turning`] is a room of its own: a shaft, and the passes that rough it.
 //!
 //! Architecture invariant: nothing in this library reads a file, prints or asks the time.
@@ -19,6 +20,7 @@ pub use technolog_knowledge as knowledge;
 pub use technolog_knowledge::units;
 
 pub mod audit;
+pub mod cases;
 pub mod cutting;
 pub mod error;
 pub mod job;

@@ -1,0 +1,112 @@
+//! Cases: questions, parts, programs and audits with what is expected of them, as people write them in YAML
+//! (docs/cases.md).
+//!
+//! ```text
+//! case.test.yaml → read → Case { question, expected } → answer (a JSON value, that of the command) → hold → failures
+//! ```
+//!
+//! One matcher holds every answer ([`hold`]): there is no form of expectation for each kind of question, only the keys that
+//! the commands' own JSON has. What is called something may be called so in short ([`called`]).
+//!
+//! Architecture invariant: nothing passes by mistake. A key or a word that no answer can have is a fault of the file or a
+//! failure, also where something is expected not to be there; a case that expects nothing fails; and where a case says
+//! nothing of findings, none of severity `error` or `wrong` may come.
+
+mod answer;
+mod called;
+mod digest;
+pub mod expected;
+mod file;
+pub mod hold;
+mod merge;
+mod plan;
+mod question;
+mod read;
+pub mod reasons;
+mod table;
+pub mod write;
+mod written;
+
+use serde_json::Value;
+
+use crate::audit::{Auditor, NamedText};
+use crate::error::KnowledgeError;
+use crate::knowledge::diagnostic::Place;
+use crate::turning::shaft::Mistake;
+
+pub use called::{brief, name as called};
+pub use expected::Expected;
+pub use file::schema;
+pub use hold::{Came, Failure};
+pub use read::{Around, read_cases};
+pub use reasons::Why;
+
+use question::Question;
+
+/// A file of cases, as far as it could be read.
+#[derive(Debug)]
+pub struct CaseFile {
+    /// The file as the user named it.
+    pub file: String,
+    /// The cases that can be asked, in the order of the file.
+    pub cases: Vec<Case>,
+    /// Every mistake of the file and of the files it names.
+    pub mistakes: Vec<Mistake>,
+    /// The texts of the files it names, for the places of mistakes.
+    pub texts: Vec<NamedText>,
+}
+
+/// A case.
+#[derive(Clone, Debug)]
+pub struct Case {
+    /// Its number among the cases of its file, from 1.
+    pub number: usize,
+    /// Its name, or its question on one line.
+    pub name: String,
+    /// Where it stands.
+    pub place: Place,
+    /// Where its expectation comes from: a table, a page, a computation.
+    pub source: Option<String>,
+    /// Why the expectation follows from there.
+    pub because: Option<String>,
+    question: Question,
+    /// What is expected; absent: nothing yet.
+    pub expected: Option<Expected>,
+}
+
+/// What became of a case.
+#[derive(Clone, Debug)]
+pub struct Verdict {
+    /// Every way in which the answer is not as expected; empty where the case passes.
+    pub failures: Vec<Failure>,
+    /// The answer.
+    pub answer: Value,
+}
+
+impl Verdict {
+    /// Whether all is as expected.
+    pub fn passed(&self) -> bool {
+        self.failures.is_empty()
+    }
+}
+
+impl Case {
+    /// Asks the question and holds the answer against what is expected.
+    ///
+    /// # Errors
+    /// The knowledge base lacks what answering asks of it.
+    pub fn run(&self, auditor: &Auditor<'_>) -> Result<Verdict, KnowledgeError> {
+        let answer = answer::answer(&self.question, auditor)?;
+        let failures = match &self.expected {
+            Some(expected) => self.question.hold(expected, &answer, &self.place, auditor.knowledge),
+            None => vec![Failure {
+                place: self.place.clone(),
+                path: String::new(),
+                expected: String::new(),
+                came: Came::Open(Some(digest::digest(&self.question, &answer))),
+                why: Vec::new(),
+            }],
+        };
+        Ok(Verdict { failures, answer })
+    }
+}
