@@ -3,12 +3,12 @@
 use serde::Serialize;
 use serde_json::Value;
 
-use crate::audit::Auditor;
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::machine::Machine;
 use crate::motion::Step;
 use crate::motion::time::Clock;
+use crate::plan::CuttingMethod;
 use crate::planner;
 use crate::program::proof::Held;
 use crate::turning::passes;
@@ -18,14 +18,14 @@ use crate::turning::workpiece::{Turned, Workpiece};
 use crate::turning::{operation, passes::cost::Objective};
 
 use super::question::{Program, Question};
-use super::{plan, table};
+use super::{Asker, plan, table};
 
 /// Answers.
 ///
 /// # Errors
 /// The knowledge base lacks what the answer asks of it.
-pub fn answer(question: &Question, auditor: &Auditor<'_>) -> Result<Value, KnowledgeError> {
-    let knowledge = auditor.knowledge;
+pub fn answer(question: &Question, asker: &Asker<'_>) -> Result<Value, KnowledgeError> {
+    let knowledge = asker.knowledge;
     Ok(match question {
         Question::Table(asked) => table::json(&asked.rows(knowledge.table(&asked.table)?)),
         Question::Part { part, method } => plan::json(&planner::plan(part, *method, knowledge)?),
@@ -35,7 +35,7 @@ pub fn answer(question: &Question, auditor: &Auditor<'_>) -> Result<Value, Knowl
             Turned::Contoured(workpiece) => value(&operation::plan(workpiece, knowledge)?),
         },
         Question::Program(program) => checked(program, knowledge)?,
-        Question::Audit(stated) => value(&auditor.audit(stated)?),
+        Question::Audit(stated) => value(&asker.auditor()?.audit(stated)?),
     })
 }
 
@@ -64,7 +64,7 @@ fn checked(program: &Program, knowledge: &Knowledge) -> Result<Value, KnowledgeE
     let held = match &program.part {
         None => None,
         Some(part) => {
-            let mut held = Held::of(planner::plan(part, Default::default(), knowledge)?, knowledge)?;
+            let mut held = Held::of(planner::plan(part, CuttingMethod::default(), knowledge)?, knowledge)?;
             held.set(&mut setting);
             Some(held)
         }

@@ -4,7 +4,6 @@
 use std::collections::BTreeMap;
 
 use schemars::{JsonSchema, Schema, schema_for};
-use serde::Deserialize;
 use serde_json::Value;
 
 /// The JSON Schema of a file of cases.
@@ -14,7 +13,8 @@ pub fn schema() -> Schema {
 
 /// Cases for `technolog test` (docs/cases.md). What stands beside `tests` holds for each of them, as far as a case does not
 /// say otherwise.
-#[derive(Deserialize, JsonSchema)]
+#[derive(JsonSchema)]
+#[schemars(deny_unknown_fields)]
 #[allow(dead_code, reason = "only its shape is used")]
 struct CasesFile {
     /// The cases.
@@ -24,12 +24,13 @@ struct CasesFile {
     source: Option<String>,
     /// Why they follow from there.
     because: Option<String>,
-    #[serde(flatten)]
+    #[schemars(flatten)]
     question: QuestionForm,
 }
 
 /// A case: one question, and what is expected of the answer.
-#[derive(Deserialize, JsonSchema)]
+#[derive(JsonSchema)]
+#[schemars(deny_unknown_fields)]
 #[allow(dead_code, reason = "only its shape is used")]
 struct CaseForm {
     /// Its name; without one it is called by its question.
@@ -41,12 +42,12 @@ struct CaseForm {
     /// What is expected: keys of the answer's JSON with values or matchers; of a table `none` where no row must answer.
     /// `technolog test --write` fills in an empty one.
     expect: Option<Value>,
-    #[serde(flatten)]
+    #[schemars(flatten)]
     question: QuestionForm,
 }
 
 /// What is asked: one of `table`, `part` or `hole`, `turn`, `program`, `audit`.
-#[derive(Deserialize, JsonSchema)]
+#[derive(JsonSchema)]
 #[allow(dead_code, reason = "only its shape is used")]
 struct QuestionForm {
     /// The table that is asked: `A.8`.
@@ -78,8 +79,8 @@ struct QuestionForm {
 }
 
 /// A value of a column.
-#[derive(Deserialize, JsonSchema)]
-#[serde(untagged)]
+#[derive(JsonSchema)]
+#[schemars(untagged)]
 #[allow(dead_code, reason = "only its shape is used")]
 enum Scalar {
     Text(String),
@@ -88,43 +89,47 @@ enum Scalar {
 }
 
 /// A file beside this one, or what would stand in it.
-#[derive(Deserialize, JsonSchema)]
-#[serde(untagged)]
+#[derive(JsonSchema)]
+#[schemars(untagged)]
 #[allow(dead_code, reason = "only its shape is used")]
 enum FileOrKeys {
     File(String),
     Keys(BTreeMap<String, Value>),
 }
 
-#[derive(Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
+#[derive(JsonSchema)]
+#[schemars(rename_all = "lowercase")]
+#[allow(dead_code, reason = "only its shape is used")]
 enum Cutting {
     Formula,
     Card,
 }
 
-#[derive(Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
+#[derive(JsonSchema)]
+#[schemars(rename_all = "lowercase")]
+#[allow(dead_code, reason = "only its shape is used")]
 enum Show {
     Passes,
     Operation,
 }
 
-#[derive(Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
+#[derive(JsonSchema)]
+#[schemars(rename_all = "lowercase")]
+#[allow(dead_code, reason = "only its shape is used")]
 enum Aim {
     Path,
     Passes,
     Time,
 }
 
-#[derive(Deserialize, JsonSchema)]
+#[derive(JsonSchema)]
+#[allow(dead_code, reason = "only its shape is used")]
 enum Control {
-    #[serde(rename = "2c42-65")]
+    #[schemars(rename = "2c42-65")]
     Control2c42,
-    #[serde(rename = "linuxcnc")]
+    #[schemars(rename = "linuxcnc")]
     LinuxCnc,
-    #[serde(rename = "fanuc")]
+    #[schemars(rename = "fanuc")]
     Fanuc,
 }
 
@@ -154,11 +159,11 @@ mod tests {
             keys.sort_unstable();
             keys
         };
-        let sorted = |mut known: Vec<&str>| {
+        fn sorted(mut known: Vec<&str>) -> Vec<&str> {
             known.sort_unstable();
             known.dedup();
             known
-        };
+        }
         let asking: Vec<&str> = [TABLE, PART, TURN, PROGRAM, AUDIT].concat();
         assert_eq!(keys("/$defs/CaseForm"), sorted([&asking[..], COMMON].concat()));
         assert_eq!(keys(""), sorted([&asking[..], &["source", "because", "tests"]].concat()));

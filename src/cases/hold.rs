@@ -124,7 +124,7 @@ impl<'v> Holder<'v, '_> {
             path: self.path.join("."),
             expected: expected.written.clone(),
             came,
-            why: reasons(&self.trail, self.path.last().map(String::as_str), expected),
+            why: reasons(&self.trail, &self.path, expected),
         });
     }
 

@@ -27,10 +27,13 @@ mod table;
 pub mod write;
 mod written;
 
+use std::sync::OnceLock;
+
 use serde_json::Value;
 
 use crate::audit::{Auditor, NamedText};
 use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
 use crate::knowledge::diagnostic::Place;
 use crate::turning::shaft::Mistake;
 
@@ -90,23 +93,53 @@ impl Verdict {
     }
 }
 
+/// Whoever answers: the tables, and what audits share, made when the first plan is audited.
+#[derive(Debug)]
+pub struct Asker<'k> {
+    /// The tables.
+    pub knowledge: &'k Knowledge,
+    auditor: OnceLock<Auditor<'k>>,
+}
+
+impl<'k> Asker<'k> {
+    /// One that answers from these tables.
+    pub fn new(knowledge: &'k Knowledge) -> Self {
+        Self { knowledge, auditor: OnceLock::new() }
+    }
+
+    /// What audits of many plans share.
+    fn auditor(&self) -> Result<&Auditor<'k>, KnowledgeError> {
+        match self.auditor.get() {
+            Some(auditor) => Ok(auditor),
+            None => {
+                let auditor = Auditor::new(self.knowledge)?;
+                Ok(self.auditor.get_or_init(|| auditor))
+            }
+        }
+    }
+}
+
 impl Case {
     /// Asks the question and holds the answer against what is expected.
     ///
     /// # Errors
     /// The knowledge base lacks what answering asks of it.
-    pub fn run(&self, auditor: &Auditor<'_>) -> Result<Verdict, KnowledgeError> {
-        let answer = answer::answer(&self.question, auditor)?;
-        let failures = match &self.expected {
-            Some(expected) => self.question.hold(expected, &answer, &self.place, auditor.knowledge),
+    pub fn run(&self, asker: &Asker<'_>) -> Result<Verdict, KnowledgeError> {
+        let answer = answer::answer(&self.question, asker)?;
+        Ok(Verdict { failures: self.against(&answer, asker.knowledge), answer })
+    }
+
+    /// Holds an answer to the question against what is expected.
+    pub fn against(&self, answer: &Value, knowledge: &Knowledge) -> Vec<Failure> {
+        match &self.expected {
+            Some(expected) => self.question.hold(expected, answer, &self.place, knowledge),
             None => vec![Failure {
                 place: self.place.clone(),
                 path: String::new(),
                 expected: String::new(),
-                came: Came::Open(Some(digest::digest(&self.question, &answer))),
+                came: Came::Open(Some(digest::digest(&self.question, answer))),
                 why: Vec::new(),
             }],
-        };
-        Ok(Verdict { failures, answer })
+        }
     }
 }

@@ -32,22 +32,25 @@ pub enum Why {
     },
 }
 
-/// The reasons of what lies inside all of `trail`, the innermost last, under the key `last`.
-pub fn reasons(trail: &[&Value], last: Option<&str>, expected: &Expected) -> Vec<Why> {
-    let around = trail.iter().rev().filter_map(|value| value.as_object());
-    for object in around {
+/// Keys of a group of holes that its route decides.
+const OF_ROUTE: [&str; 4] = ["route", "scheme", "by_tables", "transitions"];
+
+/// The reasons of what lies inside all of `trail`, the innermost last, under the keys of `path`, one for each.
+pub fn reasons(trail: &[&Value], path: &[String], expected: &Expected) -> Vec<Why> {
+    for (value, key) in trail.iter().zip(path).rev() {
+        let Some(object) = value.as_object() else { continue };
         let own = because(object.get("because"));
         if !own.is_empty() {
             return own;
         }
-        if !object.contains_key("transitions") {
+        if !OF_ROUTE.contains(&key.as_str()) || !object.contains_key("transitions") {
             continue;
         }
         let Some(route) = object.get("route").filter(|route| !route.is_null()) else {
             return findings(trail.first().copied(), object.get("name"));
         };
         let mut reasons = Vec::new();
-        if let (Some("scheme"), What::Is(scheme)) = (last, &expected.what) {
+        if let ("scheme", What::Is(scheme)) = (key.as_str(), &expected.what) {
             reasons.extend(not_taken(route, scheme));
         }
         reasons.extend(because(route.get("because")));

@@ -2,13 +2,12 @@
 
 use serde_json::Value;
 
-use crate::audit::Auditor;
 use crate::error::KnowledgeError;
 use crate::knowledge::diagnostic::{Diagnostic, Place};
 use crate::knowledge::yaml::{Key, Node, NodeKind, parse};
 
 use super::hold::Came;
-use super::{Around, Case, CaseFile, Verdict, digest, read_cases, written};
+use super::{Around, Asker, Case, CaseFile, Verdict, digest, read_cases, written};
 
 /// The most that a line of written YAML holds.
 const WIDTH: usize = 110;
@@ -34,7 +33,7 @@ pub fn fill(
     file: &CaseFile,
     verdicts: &[Verdict],
     around: Around<'_>,
-    auditor: &Auditor<'_>,
+    asker: &Asker<'_>,
 ) -> Result<Filled, KnowledgeError> {
     let mut filled = Filled::default();
     let (Some(root), _) = parse(&file.file, text) else { return Ok(filled) };
@@ -56,7 +55,7 @@ pub fn fill(
         let again = read_cases(&file.file, &new, around);
         let mut wrong = Vec::new();
         for (case, verdict) in file.cases.iter().zip(verdicts) {
-            if !stands(case, verdict, &again, numbers.contains(&case.number), auditor)? {
+            if !stands(case, verdict, &again, numbers.contains(&case.number), asker)? {
                 wrong.push(case);
             }
         }
@@ -81,7 +80,7 @@ fn stands(
     verdict: &Verdict,
     again: &CaseFile,
     filled: bool,
-    auditor: &Auditor<'_>,
+    asker: &Asker<'_>,
 ) -> Result<bool, KnowledgeError> {
     let Some(new) = again.cases.iter().find(|new| new.number == case.number) else { return Ok(false) };
     if !filled {
@@ -89,7 +88,7 @@ fn stands(
         return Ok(written(new) == written(case));
     }
     let standing = verdict.failures.iter().filter(|failure| !failure.is_open()).count();
-    let now = new.run(auditor)?.failures;
+    let now = new.run(asker)?.failures;
     Ok(now.len() == standing && !now.iter().any(super::Failure::is_open))
 }
 

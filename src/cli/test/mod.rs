@@ -9,9 +9,8 @@ mod words;
 use std::borrow::Cow;
 use std::path::PathBuf;
 
-use technolog::audit::Auditor;
 use technolog::cases::write::fill;
-use technolog::cases::{Case, CaseFile, Failure, Verdict};
+use technolog::cases::{Asker, Case, CaseFile, Failure, Verdict};
 use technolog::error::KnowledgeError;
 use technolog::knowledge::Diagnostic;
 use technolog::parallel;
@@ -79,19 +78,19 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let format = context.format("test", &[Format::Text, Format::Json, Format::Junit])?;
     let knowledge = knowledge::load(context)?;
     let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
-    let auditor = Auditor::new(&knowledge).map_err(lacking)?;
+    let asker = Asker::new(&knowledge);
     let found = collect(&args.paths, context)?;
     files::spare_inputs(&found, args.write, context)?;
     let mut read: Vec<CaseFile> = parallel::map(&found, |file| files::read(file, &knowledge), |_| ());
     let all: Vec<&Case> = read.iter().flat_map(|file| &file.cases).collect();
     let progress = Progress::new(all.len());
-    let verdicts = parallel::map(&all, |case| case.run(&auditor), |done| progress.show(done));
+    let verdicts = parallel::map(&all, |case| case.run(&asker), |done| progress.show(done));
     progress.clear();
     let mut verdicts = verdicts.into_iter().collect::<Result<Vec<Verdict>, _>>().map_err(lacking)?.into_iter();
     let mut runs = Vec::new();
     for (found, read) in found.iter().zip(&mut read) {
         let verdicts: Vec<Verdict> = verdicts.by_ref().take(read.cases.len()).collect();
-        let written = if args.write { write(found, read, &verdicts, &auditor, context)? } else { Vec::new() };
+        let written = if args.write { write(found, read, &verdicts, &asker, context)? } else { Vec::new() };
         runs.push(told(found, read, verdicts, &written, context));
     }
     // With --write the file of -o is the copy of the cases.
@@ -115,14 +114,14 @@ fn write(
     found: &Found,
     read: &mut CaseFile,
     verdicts: &[Verdict],
-    auditor: &Auditor<'_>,
+    asker: &Asker<'_>,
     context: &Context,
 ) -> Result<Vec<usize>, CliError> {
     let at_fault = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let files = files::beside(&found.path);
     let codes = files::codes();
-    let around = around(auditor.knowledge, &codes, &files);
-    let filled = fill(&found.text, read, verdicts, around, auditor).map_err(at_fault)?;
+    let around = around(asker.knowledge, &codes, &files);
+    let filled = fill(&found.text, read, verdicts, around, asker).map_err(at_fault)?;
     read.mistakes.extend(filled.problems.into_iter().map(technolog::turning::shaft::Mistake::Form));
     let copy = context.output.as_deref();
     match filled.text {
