@@ -15,7 +15,7 @@ use technolog::report::{Lang, mistakes};
 use common::KNOWLEDGE;
 
 /// The rooms that read what users write.
-const ROOMS: [&str; 7] = [
+const ROOMS: [&str; 11] = [
     "crates/knowledge/src/yaml.rs",
     "crates/knowledge/src/units",
     "src/part",
@@ -23,6 +23,10 @@ const ROOMS: [&str; 7] = [
     "src/audit/marks/read.rs",
     "src/audit/own.rs",
     "src/program/setting.rs",
+    "src/cases/expected.rs",
+    "src/cases/plan.rs",
+    "src/cases/read.rs",
+    "src/cases/table.rs",
 ];
 
 /// Texts in those rooms that are no sentences about a mistake: formats of files and values, schema descriptions, what
@@ -32,6 +36,7 @@ const NO_MISTAKES: &[&str] = &[
     "Roughness limit in micrometres, `Ra 12.5` or `Rz 80`",
     "[Micrometres; 2]",
     ", ",
+    " *",
     "{0} {1}",
     "{0} {1}/{2}",
     "{0}: {1}",

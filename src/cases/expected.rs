@@ -201,23 +201,23 @@ fn items(nodes: &[Node], problems: &mut Problems) -> Option<Vec<Item>> {
 
 fn keys(from: &Node, problems: &mut Problems) -> Option<Vec<(Key, Expected)>> {
     let NodeKind::Map(entries) = &from.kind else { return None };
-    let read_key = |(key, node): &(Key, Node), problems: &mut Problems| Some(under(key, read(node, problems)?));
+    let read_key = |(key, node): &(Key, Node), problems: &mut Problems| {
+        let (key, node) = spelt_out(key, node);
+        Some((key, read(&node, problems)?))
+    };
     entries.iter().map(|entry| read_key(entry, problems)).collect::<Vec<_>>().into_iter().collect()
 }
 
-/// An expectation under its key; `a.b` is `b` in `a`. The same thing may so be spoken of several times.
-fn under(key: &Key, mut expected: Expected) -> (Key, Expected) {
-    let mut steps: Vec<&str> = key.text.split('.').collect();
-    if steps.contains(&"") {
-        steps = vec![&key.text];
+/// A key `a.b` with its value as the key `a` with `b` inside. The same thing may so be spoken of several times.
+fn spelt_out(key: &Key, node: &Node) -> (Key, Node) {
+    let at = |text: &str| Key { text: text.to_owned(), place: key.place.clone() };
+    match key.text.split_once('.') {
+        Some((first, rest)) if !first.is_empty() && !rest.is_empty() => {
+            let inner = spelt_out(&at(rest), node);
+            (at(first), Node { kind: NodeKind::Map(vec![inner]), place: key.place.clone() })
+        }
+        _ => (key.clone(), node.clone()),
     }
-    while let [_, .., last] = steps.as_slice() {
-        let own = Key { text: (*last).to_owned(), place: key.place.clone() };
-        let written = format!("{last}: {}", expected.written);
-        expected = Expected { place: key.place.clone(), what: What::Map(vec![(own, expected)]), written };
-        steps.pop();
-    }
-    (Key { text: steps.concat(), place: key.place.clone() }, expected)
 }
 
 fn range(from: &Node, problems: &mut Problems) -> Option<What> {

@@ -6,6 +6,8 @@ use std::collections::BTreeMap;
 use schemars::{JsonSchema, Schema, schema_for};
 use serde_json::Value;
 
+use crate::plan::CuttingMethod;
+
 /// The JSON Schema of a file of cases.
 pub fn schema() -> Schema {
     schema_for!(CasesFile)
@@ -59,7 +61,7 @@ struct QuestionForm {
     /// The keys of the only group of holes of `part`; its place need not be said.
     hole: Option<BTreeMap<String, Value>>,
     /// How cutting conditions are found.
-    cutting: Option<Cutting>,
+    cutting: Option<CuttingMethod>,
     /// The turned part: a path, or the keys of its file.
     turn: Option<FileOrKeys>,
     /// Of a stepped shaft: its passes, or the operation.
@@ -100,14 +102,6 @@ enum FileOrKeys {
 #[derive(JsonSchema)]
 #[schemars(rename_all = "lowercase")]
 #[allow(dead_code, reason = "only its shape is used")]
-enum Cutting {
-    Formula,
-    Card,
-}
-
-#[derive(JsonSchema)]
-#[schemars(rename_all = "lowercase")]
-#[allow(dead_code, reason = "only its shape is used")]
 enum Show {
     Passes,
     Operation,
@@ -126,7 +120,7 @@ enum Aim {
 #[allow(dead_code, reason = "only its shape is used")]
 enum Control {
     #[schemars(rename = "2c42-65")]
-    Control2c42,
+    TwoC42,
     #[schemars(rename = "linuxcnc")]
     LinuxCnc,
     #[schemars(rename = "fanuc")]

@@ -288,7 +288,7 @@ impl<'v> Holder<'v, '_> {
         for one in &part.contains {
             let fitting = values.iter().filter(|value| self.fits(one, value)).count();
             if fitting == 0 {
-                self.fail(one, Came::Without(around.clone()));
+                self.lacking(one, values, around);
             }
         }
         for one in &part.lacks {
@@ -315,6 +315,23 @@ impl<'v> Holder<'v, '_> {
             for value in values.iter().filter(|value| is_from(value, *severity)) {
                 self.fail(&said, Came::Unwanted(value.clone()));
             }
+        }
+    }
+
+    /// An item is not in a list: what does not fit of the one item that nearly does, else that there is none.
+    fn lacking(&mut self, expected: &Expected, values: &'v [Value], around: &'v Value) {
+        let keys = match &expected.what {
+            What::Map(keys) => keys.len(),
+            _ => 0,
+        };
+        let wrong = values.iter().enumerate().map(|(number, value)| (self.probe(expected, value).len(), number, value));
+        let mut nearly: Vec<_> = wrong.filter(|(wrong, ..)| *wrong < keys).collect();
+        nearly.sort_by_key(|(wrong, ..)| *wrong);
+        match nearly.as_slice() {
+            [(wrong, number, value), rest @ ..] if rest.first().is_none_or(|(next, ..)| next > wrong) => {
+                self.inside(&(number + 1).to_string(), around, expected, Some(value));
+            }
+            _ => self.fail(expected, Came::Without(around.clone())),
         }
     }
 

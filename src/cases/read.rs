@@ -125,15 +125,21 @@ impl Reader<'_> {
             let help = "one of `table`, `part`, `hole`, `turn`, `program`, `audit`";
             self.problems.error_help::<()>("no-question", "this case asks nothing", &own.place, help);
         }
-        let question = question?;
         let expected = match expected {
             Some(expected) => {
                 let mut expected = expected?;
-                self.fit(&mut expected, &question);
+                match &question {
+                    Some(question) => self.fit(&mut expected, question),
+                    // The faults of both are told at once.
+                    None if whole.get("hole").is_some() => plan::fit(&expected, 1, &mut self.problems),
+                    None => {}
+                }
+                self.codes_of(&expected);
                 Some(expected)
             }
             None => None,
         };
+        let question = question?;
         let sound = self.mistakes() == mistakes;
         sound.then(|| Case { number, name: title, place: own.place.clone(), source, because, question, expected })
     }
@@ -392,6 +398,10 @@ impl Reader<'_> {
             Question::Part { part, .. } => plan::fit(expected, part.holes.len(), &mut self.problems),
             Question::Turned { .. } | Question::Program(_) | Question::Audit(_) => {}
         }
+    }
+
+    /// The codes of findings that must not be there.
+    fn codes_of(&mut self, expected: &Expected) {
         for list in [expected.get("findings"), expected.get("proof").and_then(|proof| proof.get("findings"))] {
             list.into_iter().for_each(|list| self.codes(list));
         }
@@ -400,7 +410,8 @@ impl Reader<'_> {
     /// A misspelt code would never be found among findings that must not be there.
     fn codes(&mut self, findings: &Expected) {
         let What::Some(part) = &findings.what else { return };
-        let texts = part.lacks.iter().flat_map(Expected::all).filter_map(|one| match &one.what {
+        let said = part.lacks.iter().map(|one| one.get("code").unwrap_or(one));
+        let texts = said.filter_map(|one| match &one.what {
             What::Is(text) => Some((one, text)),
             _ => None,
         });

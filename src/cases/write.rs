@@ -164,10 +164,9 @@ impl Writer<'_> {
             };
         }
         if flow {
-            let end = closing(self.rest(self.at(&case.place))).map_or(0, |end| self.at(&case.place) + end);
-            let head = self.text.get(..end).unwrap_or_default().trim_end();
-            let comma = if head.ends_with(',') { " " } else { ", " };
-            return Edit { at: head.len(), removed: 0, put: self.lined(format!("{comma}expect:{}", told(true))) };
+            let at = self.at(&case.place) + last_of_flow(self.rest(self.at(&case.place))).unwrap_or_default();
+            let comma = if self.text.get(..at).is_some_and(|head| head.ends_with(',')) { " " } else { ", " };
+            return Edit { at, removed: 0, put: self.lined(format!("{comma}expect:{}", told(true))) };
         }
         let put = format!("\n{}expect:{}", " ".repeat(indent), told(false));
         Edit { at: self.end_of_block(case.place.line as usize, indent), removed: 0, put: self.lined(put) }
@@ -237,9 +236,10 @@ fn key_length(text: &str, key: &Key) -> usize {
     }
 }
 
-/// The brace that closes the one with which a text begins.
-fn closing(text: &str) -> Option<usize> {
+/// Where the last value ends in the mapping with whose brace a text begins, with a comma that may stand behind it.
+fn last_of_flow(text: &str) -> Option<usize> {
     let mut depth = 0_usize;
+    let mut last = 0;
     let mut before = ' ';
     let mut letters = text.char_indices();
     while let Some((at, letter)) = letters.next() {
@@ -248,23 +248,29 @@ fn closing(text: &str) -> Option<usize> {
             '}' | ']' => {
                 depth = depth.checked_sub(1)?;
                 if depth == 0 {
-                    return Some(at);
+                    return Some(last);
                 }
             }
             // A quote opens a text only where a value begins.
             '"' | '\'' if "{[,: ".contains(before) => {
-                while let Some((_, inner)) = letters.next() {
+                while let Some((end, inner)) = letters.next() {
                     if inner == '\\' && letter == '"' {
                         letters.next();
                     } else if inner == letter {
+                        last = end + 1;
                         break;
                     }
                 }
             }
             '#' if before.is_whitespace() => {
                 letters.by_ref().find(|(_, inner)| *inner == '\n');
+                before = '\n';
+                continue;
             }
             _ => {}
+        }
+        if !letter.is_whitespace() {
+            last = last.max(at + letter.len_utf8());
         }
         before = letter;
     }
