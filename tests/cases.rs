@@ -13,7 +13,7 @@ use std::sync::LazyLock;
 
 use common::KNOWLEDGE;
 use serde_json::Value;
-use technolog::cases::{Around, Asker, CaseFile, Failure, Verdict, read_cases};
+use technolog::cases::{Around, Asker, CaseFile, Failure, read_cases};
 use technolog::knowledge::diagnostic::Place;
 use technolog::knowledge::yaml::{Node, NodeKind, parse};
 use technolog::parallel;
@@ -46,11 +46,17 @@ fn test_files(folder: &str) -> Vec<PathBuf> {
     files
 }
 
-/// The verdicts on the cases of a file, all of which can be asked.
-fn run(path: &Path, file: &CaseFile) -> Vec<Verdict> {
+/// The answers to the cases of a file, all of which can be asked.
+fn answers(path: &Path, file: &CaseFile) -> Vec<Value> {
     assert!(file.mistakes.is_empty(), "{}: {:?}", path.display(), file.mistakes);
     let asker = Asker::new(&KNOWLEDGE);
-    parallel::map(&file.cases, |case| case.run(&asker).unwrap(), |_| ())
+    parallel::map(&file.cases, |case| case.answer(&asker).unwrap(), |_| ())
+}
+
+/// What is not as expected, case by case.
+fn run(path: &Path, file: &CaseFile) -> Vec<Vec<Failure>> {
+    let answers = answers(path, file);
+    file.cases.iter().zip(answers).map(|(case, answer)| case.against(&answer, &KNOWLEDGE)).collect()
 }
 
 /// A file of cases that was run.
@@ -58,14 +64,14 @@ struct Done {
     path: PathBuf,
     text: String,
     file: CaseFile,
-    verdicts: Vec<Verdict>,
+    answers: Vec<Value>,
 }
 
 fn done(folder: &str) -> Vec<Done> {
     let one = |path: PathBuf| {
         let text = fs::read_to_string(&path).unwrap();
         let file = read(&path, &text);
-        Done { verdicts: run(&path, &file), path, text, file }
+        Done { answers: answers(&path, &file), path, text, file }
     };
     test_files(folder).into_iter().map(one).collect()
 }
@@ -75,12 +81,13 @@ static DONE: LazyLock<[Vec<Done>; 3]> = LazyLock::new(|| ["tests/holes", "tests/
 
 /// How many cases there are, all of which pass.
 fn passing(files: &[Done]) -> usize {
-    for Done { file, verdicts, .. } in files {
-        for (case, verdict) in file.cases.iter().zip(verdicts) {
-            assert!(verdict.passed(), "{} {}: {:#?}\n{:?}", case.place, case.name, verdict.failures, case.because);
+    for Done { file, answers, .. } in files {
+        for (case, answer) in file.cases.iter().zip(answers) {
+            let failures = case.against(answer, &KNOWLEDGE);
+            assert!(failures.is_empty(), "{} {}: {failures:#?}\n{:?}", case.place, case.name, case.because);
         }
     }
-    files.iter().map(|done| done.verdicts.len()).sum()
+    files.iter().map(|done| done.answers.len()).sum()
 }
 
 #[test]
@@ -188,7 +195,7 @@ fn changed(text: &str, changes: &[(Place, String)]) -> String {
 #[test]
 fn a_change_of_any_expected_figure_fails_where_it_stands() {
     let mut count = 0;
-    for Done { path, text, verdicts, .. } in DONE.iter().flatten() {
+    for Done { path, text, answers, .. } in DONE.iter().flatten() {
         let tree = parse("cases", text).0.unwrap();
         let NodeKind::Seq(tests) = &tree.get("tests").unwrap().kind else { panic!("{}", path.display()) };
         let all = tests.iter().map(|test| {
@@ -205,7 +212,7 @@ fn a_change_of_any_expected_figure_fails_where_it_stands() {
             let file = read(path, &changed(text, &changes));
             assert!(file.mistakes.is_empty(), "{}: {changes:?}: {:?}", path.display(), file.mistakes);
             for (case, Planted { changes, now }) in now {
-                let failures = file.cases[case].against(&verdicts[case].answer, &KNOWLEDGE);
+                let failures = file.cases[case].against(&answers[case], &KNOWLEDGE);
                 told_there(&failures, &changes[0].0, now);
                 count += 1;
             }
@@ -312,18 +319,22 @@ fn nothing_passes_because_it_is_misspelt() {
         let text = format!("turn: ../examples/shaft.yaml\ntests: [{{expect: {expect}}}]\n");
         let path_of_file = root("tests/x.test.yaml");
         let file = read(&path_of_file, &text);
-        let failures = run(&path_of_file, &file)[0].failures.clone();
+        let failures = run(&path_of_file, &file).remove(0);
         // An empty mapping expects nothing of the keys, and nothing wrong among the findings.
         assert_eq!(failures.is_empty(), expect == "{}", "{expect}: {failures:?}");
         assert!(failures.iter().any(|one| one.path.ends_with(path)) || failures.is_empty(), "{expect}: {failures:?}");
     }
+    // Of no rows nothing is said.
+    let text = "tests: [{table: A.12, given: {diameter: 999}, expect: {every: {morse: 2}}}]\n";
+    let path = root("tests/x.test.yaml");
+    assert_eq!(run(&path, &read(&path, text))[0].len(), 1);
     // Of a hole that cannot be made something wrong is found, and nothing was said of it.
     let text = "tests:\n  - {hole: {diameter: 3H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.2}, part: \
                 {material: steel-45, machine: gf2171, blank: {kind: plate, length: 99, width: 99, thickness: 80}}, \
                 expect: {scheme: absent}}\n";
     let path = root("tests/x.test.yaml");
-    let verdict = &run(&path, &read(&path, text))[0];
-    assert!(!verdict.passed() && verdict.failures.iter().all(|one| one.path == "findings"), "{:?}", verdict.failures);
+    let failures = run(&path, &read(&path, text)).remove(0);
+    assert!(!failures.is_empty() && failures.iter().all(|one| one.path == "findings"), "{failures:?}");
 }
 
 fn technolog(args: &[&str]) -> Output {
@@ -527,4 +538,27 @@ fn well_formed(xml: &str) {
         }
     }
     assert!(open.is_empty(), "{open:?}");
+}
+
+/// Every file of docs/cases.md is one, and passes; what it shows of the command is what the command says.
+#[test]
+fn the_page_about_cases_is_true() {
+    let page = fs::read_to_string(root("docs/cases.md")).unwrap();
+    let blocks: Vec<&str> = page.split("```yaml\n").skip(1).map(|block| block.split_once("```").unwrap().0).collect();
+    assert_eq!(blocks.len(), 5);
+    let path = root("docs/cases.test.yaml");
+    for block in blocks {
+        for (case, failures) in read(&path, block).cases.iter().zip(run(&path, &read(&path, block))) {
+            assert!(failures.is_empty(), "{}: {failures:#?}", case.name);
+        }
+    }
+    let folder = folder("page");
+    let text = "tests:\n  - hole: {diameter: 10H12, through: true, roughness: Rz 80, centre_tolerance: 0.2}\n    part: {material: \
+                steel-45, machine: gf2171, blank: {kind: plate, length: 300, width: 200, thickness: 30}}\n    expect: \
+                {scheme: \"16\"}\n    source: a slip, to show what is said\n";
+    fs::write(folder.join("tasks.test.yaml"), text).unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_technolog"));
+    let output = command.args(["test", "tasks.test.yaml", "--lang", "en"]).current_dir(&folder).output().unwrap();
+    let said = String::from_utf8(output.stdout).unwrap();
+    assert!(page.contains(&format!("$ technolog test tasks.test.yaml --lang en\n{said}```")), "{said}");
 }

@@ -15,7 +15,7 @@ use technolog::report::{Lang, mistakes};
 use common::KNOWLEDGE;
 
 /// The rooms that read what users write.
-const ROOMS: [&str; 11] = [
+const ROOMS: [&str; 12] = [
     "crates/knowledge/src/yaml.rs",
     "crates/knowledge/src/units",
     "src/part",
@@ -23,6 +23,7 @@ const ROOMS: [&str; 11] = [
     "src/audit/marks/read.rs",
     "src/audit/own.rs",
     "src/program/setting.rs",
+    "src/cases/asked.rs",
     "src/cases/expected.rs",
     "src/cases/plan.rs",
     "src/cases/read.rs",

@@ -111,30 +111,12 @@ impl Expected {
         Self { what, place: from.place.clone(), written: node(from) }
     }
 
-    /// Whether it is empty: nothing is expected yet.
-    pub const fn is_open(&self) -> bool {
-        matches!(self.what, What::Open)
-    }
-
     /// The expectation under a key, where it is a mapping.
     pub fn get(&self, key: &str) -> Option<&Self> {
         match &self.what {
             What::Map(entries) => entries.iter().find(|(known, _)| known.text == key).map(|(_, expected)| expected),
             _ => None,
         }
-    }
-
-    /// Every expectation under it, itself included, in the order of the file.
-    pub fn all(&self) -> Vec<&Self> {
-        let inner: Vec<&Self> = match &self.what {
-            What::Open | What::Absent | What::Present | What::Is(_) | What::Near { .. } | What::Range { .. } => vec![],
-            What::OneOf(several) => several.iter().collect(),
-            What::Not(one) => vec![one],
-            What::List(items) => items.iter().map(|item| &item.expected).collect(),
-            What::Some(part) => part.all(),
-            What::Map(entries) => entries.iter().map(|(_, expected)| expected).collect(),
-        };
-        std::iter::once(self).chain(inner.into_iter().flat_map(Self::all)).collect()
     }
 }
 

@@ -305,6 +305,10 @@ impl<'v> Holder<'v, '_> {
             }
         }
         if let Some(every) = &part.every {
+            // Of no items nothing is said.
+            if values.is_empty() {
+                self.fail(every, Came::Value(around.clone()));
+            }
             for (number, value) in values.iter().enumerate() {
                 self.inside(&(number + 1).to_string(), around, every, Some(value));
             }

@@ -13,6 +13,7 @@
 //! nothing of findings, none of severity `error` or `wrong` may come.
 
 mod answer;
+mod asked;
 mod called;
 mod digest;
 pub mod expected;
@@ -77,22 +78,6 @@ pub struct Case {
     pub expected: Option<Expected>,
 }
 
-/// What became of a case.
-#[derive(Clone, Debug)]
-pub struct Verdict {
-    /// Every way in which the answer is not as expected; empty where the case passes.
-    pub failures: Vec<Failure>,
-    /// The answer.
-    pub answer: Value,
-}
-
-impl Verdict {
-    /// Whether all is as expected.
-    pub fn passed(&self) -> bool {
-        self.failures.is_empty()
-    }
-}
-
 /// Whoever answers: the tables, and what audits share, made when the first plan is audited.
 #[derive(Debug)]
 pub struct Asker<'k> {
@@ -120,13 +105,20 @@ impl<'k> Asker<'k> {
 }
 
 impl Case {
-    /// Asks the question and holds the answer against what is expected.
+    /// The answer to the question, as the JSON of its command.
     ///
     /// # Errors
     /// The knowledge base lacks what answering asks of it.
-    pub fn run(&self, asker: &Asker<'_>) -> Result<Verdict, KnowledgeError> {
-        let answer = answer::answer(&self.question, asker)?;
-        Ok(Verdict { failures: self.against(&answer, asker.knowledge), answer })
+    pub fn answer(&self, asker: &Asker<'_>) -> Result<Value, KnowledgeError> {
+        answer::answer(&self.question, asker)
+    }
+
+    /// Asks the question and holds the answer against what is expected: every way in which it is not so.
+    ///
+    /// # Errors
+    /// As of [`Self::answer`].
+    pub fn run(&self, asker: &Asker<'_>) -> Result<Vec<Failure>, KnowledgeError> {
+        Ok(self.against(&self.answer(asker)?, asker.knowledge))
     }
 
     /// Holds an answer to the question against what is expected.

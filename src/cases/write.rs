@@ -7,7 +7,7 @@ use crate::knowledge::diagnostic::{Diagnostic, Place};
 use crate::knowledge::yaml::{Key, Node, NodeKind, parse};
 
 use super::hold::Came;
-use super::{Around, Asker, Case, CaseFile, Verdict, digest, read_cases, written};
+use super::{Around, Asker, Case, CaseFile, Failure, digest, read_cases, written};
 
 /// The most that a line of written YAML holds.
 const WIDTH: usize = 110;
@@ -23,7 +23,7 @@ pub struct Filled {
     pub problems: Vec<Diagnostic>,
 }
 
-/// Fills in what is open of the cases with their verdicts. The new text is read and its cases are run before it is given
+/// Fills in what is open of the cases with what is not as expected of them. The new text is read and its cases are run before it is given
 /// out: what was filled in passes, and every other case is as it was.
 ///
 /// # Errors
@@ -31,7 +31,7 @@ pub struct Filled {
 pub fn fill(
     text: &str,
     file: &CaseFile,
-    verdicts: &[Verdict],
+    failures: &[Vec<Failure>],
     around: Around<'_>,
     asker: &Asker<'_>,
 ) -> Result<Filled, KnowledgeError> {
@@ -40,9 +40,9 @@ pub fn fill(
     let Some(NodeKind::Seq(tests)) = root.get("tests").map(|tests| &tests.kind) else { return Ok(filled) };
     let writer = Writer { text, lines: text.split_inclusive('\n').collect() };
     let mut made: Vec<(usize, Vec<Edit>)> = Vec::new();
-    for (case, verdict) in file.cases.iter().zip(verdicts) {
+    for (case, failures) in file.cases.iter().zip(failures) {
         let Some(own) = case.number.checked_sub(1).and_then(|index| tests.get(index)) else { continue };
-        match writer.edits(own, case, verdict) {
+        match writer.edits(own, case, failures) {
             Some(edits) if edits.is_empty() => {}
             Some(edits) => made.push((case.number, edits)),
             None => filled.problems.push(unfilled(case)),
@@ -54,8 +54,8 @@ pub fn fill(
         let numbers: Vec<usize> = made.iter().map(|(number, _)| *number).collect();
         let again = read_cases(&file.file, &new, around);
         let mut wrong = Vec::new();
-        for (case, verdict) in file.cases.iter().zip(verdicts) {
-            if !stands(case, verdict, &again, numbers.contains(&case.number), asker)? {
+        for (case, failures) in file.cases.iter().zip(failures) {
+            if !stands(case, failures, &again, numbers.contains(&case.number), asker)? {
                 wrong.push(case);
             }
         }
@@ -77,7 +77,7 @@ pub fn fill(
 /// Whether a case is in the new text as it should be: filled in, it fails only where it did before; else it is as it was.
 fn stands(
     case: &Case,
-    verdict: &Verdict,
+    failures: &[Failure],
     again: &CaseFile,
     filled: bool,
     asker: &Asker<'_>,
@@ -87,9 +87,9 @@ fn stands(
         let written = |case: &Case| case.expected.as_ref().map(|expected| expected.written.clone());
         return Ok(written(new) == written(case));
     }
-    let standing = verdict.failures.iter().filter(|failure| !failure.is_open()).count();
-    let now = new.run(asker)?.failures;
-    Ok(now.len() == standing && !now.iter().any(super::Failure::is_open))
+    let standing = failures.iter().filter(|failure| !failure.is_open()).count();
+    let now = new.run(asker)?;
+    Ok(now.len() == standing && !now.iter().any(Failure::is_open))
 }
 
 fn unfilled(case: &Case) -> Diagnostic {
@@ -111,11 +111,11 @@ struct Writer<'t> {
 
 impl Writer<'_> {
     /// What fills a case in; none where one of its open places cannot be found.
-    fn edits(&self, own: &Node, case: &Case, verdict: &Verdict) -> Option<Vec<Edit>> {
-        if case.expected.as_ref().is_none_or(super::Expected::is_open) {
-            return Some(vec![self.whole(own, &digest::digest(&case.question, &verdict.answer))]);
+    fn edits(&self, own: &Node, case: &Case, failures: &[Failure]) -> Option<Vec<Edit>> {
+        if let (None, [Failure { came: Came::Open(Some(digest)), .. }]) = (&case.expected, failures) {
+            return Some(vec![self.whole(own, digest)]);
         }
-        let open = verdict.failures.iter().filter_map(|failure| match &failure.came {
+        let open = failures.iter().filter_map(|failure| match &failure.came {
             Came::Open(came) => Some((&failure.place, came.as_ref().map(digest::bare).unwrap_or_default())),
             _ => None,
         });
@@ -252,7 +252,7 @@ fn last_of_flow(text: &str) -> Option<usize> {
                 }
             }
             // A quote opens a text only where a value begins.
-            '"' | '\'' if "{[,: ".contains(before) => {
+            '"' | '\'' if "{[,:".contains(before) || before.is_whitespace() => {
                 while let Some((end, inner)) = letters.next() {
                     if inner == '\\' && letter == '"' {
                         letters.next();

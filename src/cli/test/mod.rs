@@ -10,7 +10,7 @@ use std::borrow::Cow;
 use std::path::PathBuf;
 
 use technolog::cases::write::fill;
-use technolog::cases::{Asker, Case, CaseFile, Failure, Verdict};
+use technolog::cases::{Asker, Case, CaseFile, Failure};
 use technolog::error::KnowledgeError;
 use technolog::knowledge::Diagnostic;
 use technolog::parallel;
@@ -84,14 +84,14 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let mut read: Vec<CaseFile> = parallel::map(&found, |file| files::read(file, &knowledge), |_| ());
     let all: Vec<&Case> = read.iter().flat_map(|file| &file.cases).collect();
     let progress = Progress::new(all.len());
-    let verdicts = parallel::map(&all, |case| case.run(&asker), |done| progress.show(done));
+    let failures = parallel::map(&all, |case| case.run(&asker), |done| progress.show(done));
     progress.clear();
-    let mut verdicts = verdicts.into_iter().collect::<Result<Vec<Verdict>, _>>().map_err(lacking)?.into_iter();
+    let mut failures = failures.into_iter().collect::<Result<Vec<_>, _>>().map_err(lacking)?.into_iter();
     let mut runs = Vec::new();
     for (found, read) in found.iter().zip(&mut read) {
-        let verdicts: Vec<Verdict> = verdicts.by_ref().take(read.cases.len()).collect();
-        let written = if args.write { write(found, read, &verdicts, &asker, context)? } else { Vec::new() };
-        runs.push(told(found, read, verdicts, &written, context));
+        let failures: Vec<Vec<Failure>> = failures.by_ref().take(read.cases.len()).collect();
+        let written = if args.write { write(found, read, &failures, &asker, context)? } else { Vec::new() };
+        runs.push(told(found, read, failures, &written, context));
     }
     // With --write the file of -o is the copy of the cases.
     let screen = if args.write { None } else { context.output.as_deref() };
@@ -113,7 +113,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
 fn write(
     found: &Found,
     read: &mut CaseFile,
-    verdicts: &[Verdict],
+    failures: &[Vec<Failure>],
     asker: &Asker<'_>,
     context: &Context,
 ) -> Result<Vec<usize>, CliError> {
@@ -121,7 +121,7 @@ fn write(
     let files = files::beside(&found.path);
     let codes = files::codes();
     let around = around(asker.knowledge, &codes, &files);
-    let filled = fill(&found.text, read, verdicts, around, asker).map_err(at_fault)?;
+    let filled = fill(&found.text, read, failures, around, asker).map_err(at_fault)?;
     read.mistakes.extend(filled.problems.into_iter().map(technolog::turning::shaft::Mistake::Form));
     let copy = context.output.as_deref();
     match filled.text {
@@ -139,7 +139,7 @@ fn write(
     }
 }
 
-fn told(found: &Found, read: &mut CaseFile, verdicts: Vec<Verdict>, written: &[usize], context: &Context) -> Run {
+fn told(found: &Found, read: &mut CaseFile, failures: Vec<Vec<Failure>>, written: &[usize], context: &Context) -> Run {
     let mut texts = Texts::default().with(&found.shown, found.shown.clone(), Cow::Owned(found.text.clone()));
     for (name, text) in std::mem::take(&mut read.texts) {
         let shown = found.path.with_file_name(&name).display().to_string();
@@ -148,11 +148,11 @@ fn told(found: &Found, read: &mut CaseFile, verdicts: Vec<Verdict>, written: &[u
     let mistakes = std::mem::take(&mut read.mistakes);
     let mut mistakes: Vec<Diagnostic> = mistakes.into_iter().map(|mistake| turn::problem(mistake, context)).collect();
     mistakes.extend(found.problem.clone());
-    let cases = std::mem::take(&mut read.cases).into_iter().zip(verdicts);
-    let cases = cases.map(|(case, verdict)| {
+    let cases = std::mem::take(&mut read.cases).into_iter().zip(failures);
+    let cases = cases.map(|(case, failures)| {
         let written = written.contains(&case.number);
         let stands = |failure: &Failure| !written || !failure.is_open();
-        Ran { failures: verdict.failures.into_iter().filter(stands).collect(), case, written }
+        Ran { failures: failures.into_iter().filter(stands).collect(), case, written }
     });
     Run { file: found.shown.clone(), cases: cases.collect(), mistakes, texts }
 }
