@@ -12,11 +12,12 @@ use technolog::machine::Machine;
 use technolog::motion::Step;
 use technolog::motion::time::{Clock, Times};
 use technolog::motion::trace;
+use technolog::program::proof::Held;
 use technolog::program::{Fault, Language, Setting};
 use technolog::report;
 
 use super::diagnostics::{Texts, render};
-use super::proof::{self, Held};
+use super::proof;
 use super::words::Word;
 use super::{CliError, Context, Format, Outcome, knowledge, words};
 
@@ -85,7 +86,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             })?
         }
     };
-    let held = args.part.as_deref().map(|part| Held::make(part, &mut setting, &knowledge, context)).transpose()?;
+    let held = args.part.as_deref().map(|part| proof::held(part, &mut setting, &knowledge, context)).transpose()?;
     let of_part = held.as_ref().map(|held| held.plan.part.machine.as_str());
     let id = args.machine.as_deref().or(of_part).unwrap_or("gf2171");
     if let Some(own) = of_part.filter(|own| *own != id) {
@@ -120,7 +121,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             })?;
         }
         Format::Svg => {
-            let frame = held.as_ref().map(Held::frame);
+            let frame = held.as_ref().map(proof::frame);
             context.emit(&report::backplot::backplot(&steps, frame.as_ref(), context.lang))?;
         }
         _ => {
@@ -130,7 +131,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             let mut made = String::new();
             if let (Some(held), Some(proof)) = (&held, &proof) {
                 problems.extend(proof::diagnostics(proof, &text, &file, context));
-                made = held.table(proof, context);
+                made = proof::table(held, proof, context);
             }
             context.emit(&page(&problems, &made, &steps, clock.times(), &shown, text, context))?;
         }

@@ -8,6 +8,7 @@
 )]
 
 mod architecture;
+mod cases;
 mod provenance;
 mod statements;
 mod testing;

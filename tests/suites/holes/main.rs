@@ -20,5 +20,4 @@ mod parts;
 mod plan_figures;
 mod practice;
 mod route_laws;
-mod routes;
 mod torque;
