@@ -2,13 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use crate::tables::machines::MachineQuantity;
 use crate::cutting;
 use crate::error::KnowledgeError;
 use crate::knowledge::Input;
 use crate::knowledge::units::Unit;
 use crate::note::{Because, Note, Severity};
 use crate::plan::{CuttingMethod, Operation};
+use crate::tables::machines::MachineQuantity;
 use crate::units::{Decimal, RevsPerMinute, round_to};
 
 use super::super::context::Context;
