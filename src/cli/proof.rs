@@ -7,7 +7,6 @@ use serde::Serialize;
 use technolog::knowledge::{Diagnostic, Knowledge, Place, Severity};
 use technolog::note;
 use technolog::plan::CuttingMethod;
-use technolog::program::Setting;
 use technolog::program::proof::{Finding, Held, Missing, Proof, Superfluous, Visit};
 use technolog::report::backplot::Frame;
 use technolog::report::{self, grid};
@@ -32,15 +31,13 @@ struct Said<'a> {
     finding: &'a Finding,
 }
 
-/// Plans a part and makes its job; what the setting leaves out is set to what the job asks for.
+/// Plans a part and makes its job.
 ///
 /// # Errors
 /// The part cannot be used, or the knowledge has no answer.
-pub fn held(path: &Path, setting: &mut Setting, knowledge: &Knowledge, context: &Context) -> Result<Held, CliError> {
+pub fn held(path: &Path, knowledge: &Knowledge, context: &Context) -> Result<Held, CliError> {
     let plan = plan::make(path, CuttingMethod::default(), knowledge, context)?;
-    let mut held = Held::of(plan, knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
-    held.set(setting);
-    Ok(held)
+    Held::of(plan, knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))
 }
 
 /// The part under the motions of a program.

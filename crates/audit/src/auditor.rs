@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use crate::tables::holders::HolderRow;
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::machine::Machine;
@@ -11,6 +10,7 @@ use crate::motion::Step;
 use crate::plan::Plan;
 use crate::planner;
 use crate::program::{Fault, Language, Setting};
+use crate::tables::holders::HolderRow;
 use crate::tooling::named::{NamedCutter, cutter_names, holders};
 
 use super::finding::Audit;
@@ -46,7 +46,9 @@ impl<'k> Auditor<'k> {
     pub fn new(knowledge: &'k Knowledge) -> Result<Self, KnowledgeError> {
         Ok(Self {
             knowledge,
-            cutters: Names::new(cutter_names(knowledge)?.into_iter().map(|cutter| (cutter.clone(), cutter.designation))),
+            cutters: Names::new(
+                cutter_names(knowledge)?.into_iter().map(|cutter| (cutter.clone(), cutter.designation)),
+            ),
             holders: Names::new(holders(knowledge)?.into_iter().map(|holder| (holder.clone(), holder.designation))),
             tolerances: Tolerances::read(knowledge)?,
             plans: Memo::default(),

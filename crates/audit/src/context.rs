@@ -3,7 +3,6 @@
 
 use std::collections::BTreeMap;
 
-use crate::tables::holders::HolderRow;
 use crate::error::KnowledgeError;
 use crate::knowledge::units::Unit;
 use crate::knowledge::vocabulary::Shank;
@@ -11,6 +10,7 @@ use crate::knowledge::{Answer, Input};
 use crate::part::{Hole, Point};
 use crate::plan::{Plan, Transition};
 use crate::shop::Shop;
+use crate::tables::holders::HolderRow;
 use crate::tooling::named::NamedCutter;
 use crate::units::{Decimal, Micrometres, RevsPerMinute};
 
@@ -49,7 +49,8 @@ impl<'a> Context<'a> {
             let table = tool.table.as_ref().map(|table| table.value.as_str());
             let named = tool.designation.as_ref().map(|text| text.value.as_str());
             // A table that is named decides between equal designations; that it is another's, its check says.
-            let of_table = |cutter: &NamedCutter<'_>| table.is_none_or(|table| same_table(&cutter.row.row.table.id, table));
+            let of_table =
+                |cutter: &NamedCutter<'_>| table.is_none_or(|table| same_table(&cutter.row.row.table.id, table));
             let mut found = auditor.cutters.find(named, of_table);
             if matches!(found, Near::Unknown(_)) {
                 found = auditor.cutters.find(named, |_| true);

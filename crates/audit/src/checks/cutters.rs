@@ -1,12 +1,12 @@
 //! Whether a cutter suits its transition: its kind, diameter and reach, and the bottom of its hole.
 
-use crate::tables::holes::HoleDefault;
 use crate::error::KnowledgeError;
 use crate::note::{Because, Note, Severity};
 use crate::part::Hole;
 use crate::plan::Operation;
 use crate::reason::{OfOther, Unfit};
 use crate::route::diameters::range;
+use crate::tables::holes::HoleDefault;
 use crate::tooling::CutterNeed;
 use crate::tooling::named;
 use crate::units::Micrometres;

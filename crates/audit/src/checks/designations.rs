@@ -59,7 +59,15 @@ pub(super) fn check<'a>(
         if context.whole(at) {
             continue;
         }
-        named(near, |holder| holder.row, tool.holder.as_ref(), Section::Holders, field("holder.designation"), &about, findings);
+        named(
+            near,
+            |holder| holder.row,
+            tool.holder.as_ref(),
+            Section::Holders,
+            field("holder.designation"),
+            &about,
+            findings,
+        );
         if let Some(holder) = context.holder(at) {
             let of = Of { row: holder.row, section: Section::Holders };
             standard(&of, tool.holder_standard.as_ref(), field("holder.standard"), &about, findings);
@@ -149,9 +157,9 @@ fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<Finding>) -> 
     let stated = COLUMNS.iter().filter_map(|(column, quantity)| Some((*column, tool.figures.get(quantity)?.value)));
     let stated: Vec<(Column, f64)> = stated.collect();
     let fits = |cutter: &NamedCutter<'_>| {
-        stated.iter().all(|(column, value)| {
-            column(&cutter.row).is_some_and(|length| (length.to_mm() - value).abs() < 1e-6)
-        })
+        stated
+            .iter()
+            .all(|(column, value)| column(&cutter.row).is_some_and(|length| (length.to_mm() - value).abs() < 1e-6))
     };
     // Another tool of the same dimensions may be of another kind: it must do what the rows ask of this one.
     let does = |cutter: &NamedCutter<'_>| {

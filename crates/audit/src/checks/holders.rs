@@ -1,9 +1,9 @@
 //! Whether a holder takes its cutter: by its size, and by the family that the rule `holder-for-shank` names.
 
-use crate::tables::holders::HolderRow;
 use crate::error::KnowledgeError;
 use crate::note::{Because, Note, Severity};
 use crate::plan::Operation;
+use crate::tables::holders::HolderRow;
 use crate::tooling::named;
 
 use super::super::context::Context;

@@ -1,9 +1,9 @@
 //! The machine's limits, the correctors.
 
-use crate::tables::machines::MachineQuantity;
 use crate::error::KnowledgeError;
 use crate::note::{Because, Note, Severity};
 use crate::plan::Operation;
+use crate::tables::machines::MachineQuantity;
 
 use super::super::context::Context;
 use super::super::figures::{beside, shown};

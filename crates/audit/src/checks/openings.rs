@@ -1,12 +1,12 @@
 //! What stands at the end of a hole: counterbores, countersinks, chamfers. Whether the drawing asks for what the rows cut,
 //! at its diameter and depth, and whether the rows cut what it asks for.
 
-use crate::tables::holes::HoleDefault;
 use crate::error::KnowledgeError;
 use crate::note::{Note, Severity};
 use crate::part::Hole;
 use crate::plan::{Feature, Operation, Transition};
 use crate::route::bores;
+use crate::tables::holes::HoleDefault;
 use crate::units::Micrometres;
 
 use super::super::context::Context;

@@ -1,12 +1,12 @@
 //! Threaded holes: the drill under the thread, how deep hole and thread go, and where the thread is cut.
 
-use crate::tables::holes::HoleDefault;
-use crate::tables::machines::MachineQuantity;
 use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
 use crate::note::{Because, Note, Severity};
 use crate::part::{Hole, Thread};
 use crate::plan::Operation;
+use crate::tables::holes::HoleDefault;
+use crate::tables::machines::MachineQuantity;
 use crate::units::Micrometres;
 
 use super::super::context::Context;

@@ -4,11 +4,11 @@
 //! Only what cannot be whatever the operator sets is an error: the knee may stand at any height, and where the plan
 //! does not say how high the fixture is, the least height that the tools need under the part is reckoned with.
 
-use crate::tables::machines::MachineQuantity;
 use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
 use crate::motion::Axis;
 use crate::note::{Because, Note, Severity};
+use crate::tables::machines::MachineQuantity;
 use crate::units::Micrometres;
 use crate::zone::{self, OffTable, Stroke};
 

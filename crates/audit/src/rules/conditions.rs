@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use crate::tables::machines::MachineQuantity;
 use crate::cutting;
 use crate::error::KnowledgeError;
 use crate::knowledge::Input;
@@ -10,6 +9,7 @@ use crate::knowledge::contract::Word as _;
 use crate::knowledge::units::Unit;
 use crate::note::{Because, Note, Severity};
 use crate::plan::{CuttingMethod, Operation};
+use crate::tables::machines::MachineQuantity;
 use crate::units::{Decimal, RevsPerMinute, round_to};
 
 use super::super::context::Context;

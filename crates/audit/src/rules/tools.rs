@@ -1,11 +1,11 @@
 //! Dimensions of tools and holders by their catalogs, lengths of assemblies, corrections.
 
-use crate::tables::tools::CutterRow;
-use crate::tables::holders::HolderRow;
-use crate::tables::holes::HoleDefault;
 use crate::error::KnowledgeError;
 use crate::note::{Because, Note, Severity};
 use crate::plan::Operation;
+use crate::tables::holders::HolderRow;
+use crate::tables::holes::HoleDefault;
+use crate::tables::tools::CutterRow;
 use crate::tooling::named;
 use crate::units::Micrometres;
 
