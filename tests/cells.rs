@@ -13,6 +13,7 @@
 //! - counterbores, countersinks and chamfers belong to the openings of the hole and stand where its order
 //!   of transitions puts them.
 
+#![allow(clippy::disallowed_methods, reason = "tests hold the codes of notes against what is expected")]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "clippy allows it in tests, but not in the functions they share")]
 
 mod common;
@@ -194,7 +195,7 @@ fn main_holes(table: &str) -> (usize, usize, BTreeSet<String>, Vec<String>) {
                     && (row["state"].as_str(), row["outer_wall"].as_str()) == ("cast-or-pre-machined", "false");
                 let taken = plan.holes[0].route.as_ref().filter(|route| route.way == Way::Tables);
                 let ends_elsewhere = taken.is_some_and(|route| route.finish_elsewhere);
-                let told = plan.findings.iter().any(|finding| finding.note.code == "finish-elsewhere");
+                let told = plan.findings.iter().any(|finding| finding.note.code() == "finish-elsewhere");
                 if refused.len() == before && ends_elsewhere != (elsewhere || settled) {
                     wrong.push(format!("{}: finished on another machine: {ends_elsewhere}", asked.what));
                 }

@@ -59,7 +59,7 @@ impl Held {
 
     /// What the proof says of a program, by its codes.
     pub fn codes(&self, language: &Language, text: &str) -> Vec<&'static str> {
-        self.run(language, text).1.findings.iter().map(|finding| finding.code).collect()
+        self.run(language, text).1.findings.iter().map(|finding| finding.code.name()).collect()
     }
 
     pub fn run(&self, language: &Language, text: &str) -> (Vec<Fault>, Proof, Run) {

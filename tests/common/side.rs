@@ -1,6 +1,7 @@
 //! A whole part worked off set-up by set-up, side by side, by every taken way in order: a second opinion on an operation,
 //! by the columns of `section.rs`. A bore is looked at inside out.
 
+#![allow(clippy::disallowed_methods, reason = "tests hold the codes of notes against what is expected")]
 #![allow(dead_code, reason = "no test needs all of it")]
 #![allow(clippy::unwrap_used, reason = "clippy allows it in tests, but not in the functions they share")]
 
@@ -126,8 +127,8 @@ pub fn work_off(operation: &Operation) -> Vec<Fault> {
         let number = set_up.set_up.number.to_string();
         let cut_off = operation.findings.iter().map(|finding| &finding.note);
         if cut_off
-            .filter(|note| note.code == "far-face-not-planned")
-            .any(|note| note.params.get("number") == Some(&number))
+            .filter(|note| note.code() == "far-face-not-planned")
+            .any(|note| note.figure("number") == Some(number.as_str()))
         {
             metals.iter_mut().for_each(Metal::cut_off);
         }
