@@ -117,7 +117,7 @@ pub fn why(reason: &Why, lang: Lang) -> String {
 
 fn decision(because: &Because, lang: Lang) -> String {
     let row = words::row(lang, &because.table, because.row);
-    let said = if because.note.code.is_empty() { because.place.clone() } else { sentence(&because.note, lang) };
+    let said = if because.note.is_empty() { because.place.clone() } else { sentence(&because.note, lang) };
     format!("{row}: {said}")
 }
 

@@ -1,5 +1,6 @@
 //! Parts with holes: reading them, routes, cutting conditions, order, whole plans.
 
+#![allow(clippy::disallowed_methods, reason = "tests hold the codes of notes against what is expected")]
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,
