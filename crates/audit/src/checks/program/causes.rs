@@ -2,7 +2,8 @@
 //! the table `audit-program-causes`.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::{Knowledge, RowRef};
+use crate::knowledge::Knowledge;
+use crate::tables::audit::ProgramCauses;
 
 use super::super::super::finding::Finding;
 
@@ -47,9 +48,8 @@ impl Seen {
 /// # Errors
 /// The table cannot be read.
 pub(super) fn together(seen: Vec<Seen>, knowledge: &Knowledge) -> Result<Vec<Finding>, KnowledgeError> {
-    let table = knowledge.table("audit-program-causes")?;
-    let rows: Vec<RowRef<'_>> = table.all_rows().collect();
-    let causes: Vec<Option<usize>> = (0..seen.len()).map(|at| cause(at, &seen, &rows)).collect::<Result<_, _>>()?;
+    let rows = knowledge.rows::<ProgramCauses<'_>>()?;
+    let causes: Vec<Option<usize>> = (0..seen.len()).map(|at| cause(at, &seen, &rows)).collect();
     // What a cause follows from, or else the cause itself.
     let fields: Vec<Vec<String>> = seen
         .iter()
@@ -70,33 +70,27 @@ pub(super) fn together(seen: Vec<Seen>, knowledge: &Knowledge) -> Result<Vec<Fin
 }
 
 /// What a finding follows from: the first that a row of the table names.
-fn cause(at: usize, seen: &[Seen], rows: &[RowRef<'_>]) -> Result<Option<usize>, KnowledgeError> {
-    let Some(own) = seen.get(at) else { return Ok(None) };
-    for row in rows {
-        if !own.is(row.text("consequence")?) {
-            continue;
-        }
+fn cause(at: usize, seen: &[Seen], rows: &[ProgramCauses<'_>]) -> Option<usize> {
+    let own = seen.get(at)?;
+    for row in rows.iter().filter(|row| own.is(row.consequence)) {
         for (number, other) in seen.iter().enumerate() {
             // Of two of one id the first is the cause.
             let later = number >= at && (number == at || other.finding.note.code == own.finding.note.code);
-            if !later && other.is(row.text("cause")?) && agree(other, own, row)? {
-                return Ok(Some(number));
+            if !later && other.is(row.cause) && agree(other, own, row) {
+                return Some(number);
             }
         }
     }
-    Ok(None)
+    None
 }
 
-fn agree(cause: &Seen, consequence: &Seen, row: &RowRef<'_>) -> Result<bool, KnowledgeError> {
-    if row.value("alike").is_none() {
-        return Ok(true);
-    }
+fn agree(cause: &Seen, consequence: &Seen, row: &ProgramCauses<'_>) -> bool {
     let alike = |name: &str| {
         let (of_cause, of_consequence) = name.split_once('=').unwrap_or((name, name));
         let two = cause.says(of_cause).zip(consequence.says(of_consequence));
         two.is_none_or(|(cause, consequence)| cause == consequence)
     };
-    Ok(row.texts("alike")?.iter().all(|name| alike(name)))
+    row.alike.iter().flatten().all(|name| alike(name))
 }
 
 /// The first cause of a consequence.

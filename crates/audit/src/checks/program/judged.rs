@@ -3,13 +3,12 @@
 use std::sync::Arc;
 
 use crate::error::KnowledgeError;
-use crate::knowledge::contract::Word as _;
 use crate::knowledge::diagnostic::Place;
-use crate::knowledge::units::Unit;
 use crate::knowledge::yaml::{Node, parse};
 use crate::note::{Note, Severity};
 use crate::plan::{Plan, Transition};
 use crate::program::{Setting, proof};
+use crate::tables::audit::ProgramTolerance;
 
 use super::super::super::context::Context;
 use super::super::super::finding::{Finding, Section};
@@ -71,24 +70,22 @@ pub(super) fn deviation(
     let tool = param("tool").and_then(|text| text.parse().ok()).or(of_row);
     let mut severity = said.severity;
     let quantity = match said.code {
-        "other-speed" => Some("rpm"),
-        "other-feed" | "out-other-feed" => Some("minute_feed"),
+        "other-speed" => Some(Q::Rpm),
+        "other-feed" | "out-other-feed" => Some(Q::MinuteFeed),
         _ => None,
     };
     if let Some((quantity, made)) = quantity.zip(number("made")) {
         let planned = transition(plan, param("hole"), param("operation")).map(|transition| match quantity {
-            "rpm" => transition.conditions.spindle_rpm.0,
+            Q::Rpm => transition.conditions.spindle_rpm.0,
             _ => transition.conditions.feed_mm_per_min.0,
         });
-        let table = context.shop.knowledge.table("audit-program-tolerance")?;
-        let row = table.find("quantity", quantity).ok_or_else(|| KnowledgeError::no_row(table, quantity))?;
-        let (whole, relative) =
-            (row.number_in("whole", Unit::None)?, row.number_in("relative", Unit::Percent)? / 100.0);
+        let of_quantity = |row: &ProgramTolerance<'_>| row.quantity == quantity;
+        let may = context.shop.knowledge.need(quantity.key(), of_quantity)?;
         let planned = planned.or(number("needed")).unwrap_or(made);
-        if (made - planned).abs() < whole + relative * planned {
+        if (made - planned).abs() < may.whole + may.relative.0 / 100.0 * planned {
             return Ok(());
         }
-        severity = severity.min(Severity::from_word(row.text("severity")?).unwrap_or(Severity::Wrong));
+        severity = severity.min(may.severity);
     }
     let mut place = said.block.map(|block| Place { file: file.clone(), line: block.line, column: 1, width: 1 });
     let mut name = field(said.block);
