@@ -8,13 +8,15 @@ use serde::Serialize;
 use technolog::knowledge::yaml::text_of;
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::machine::Machine;
+use technolog::note::Finding;
 use technolog::part::Point;
 use technolog::plan::{CuttingMethod, Plan, Times, Visit, Visiting};
-use technolog::report::svg::{self, Panel};
+use technolog::report::order_drawing::{self, Panel};
 use technolog::report::{grid, remedy, sentence};
 use technolog::sequence::list::{Form, List, Slip, read_list};
 use technolog::sequence::metric::Metric;
 use technolog::sequence::tour::{Effort, Space, nearest_rule, path};
+use technolog::sequence::visiting::not_kept;
 use technolog::sequence::{bound, sequence, tool_change_point, visit_bound};
 use technolog::units::{Micrometres, Minutes, round_to};
 
@@ -107,9 +109,9 @@ fn of_part(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
                 Panel { title, path, from_change: true, closed: true }
             };
             let panels: Vec<Panel> = plan.sequence.iter().map(panel).collect();
-            context.emit(&svg::drawing(&panels, Some(&plan.part)))?;
+            context.emit(&order_drawing::drawing(&panels, Some(&plan.part)))?;
         }
-        _ => context.emit(&part_text(&plan, home, context))?,
+        _ => context.emit(&part_text(&plan, &machine, home, context))?,
     }
     Ok(if plan.has_errors() { Outcome::Findings } else { Outcome::Done })
 }
@@ -136,7 +138,7 @@ fn saving(now: f64, before: f64, context: &Context) -> String {
     decimal(saved, 1, context) + " %"
 }
 
-fn part_text(plan: &Plan, home: Point, context: &Context) -> String {
+fn part_text(plan: &Plan, machine: &Machine<'_>, home: Point, context: &Context) -> String {
     let lang = context.lang;
     let at = |point: Point| words::point(lang, point.x, point.y);
     let mut text = words::order_of(lang, &plan.part.part, at(home)) + "\n\n";
@@ -188,11 +190,10 @@ fn part_text(plan: &Plan, home: Point, context: &Context) -> String {
         let line = mixture.map_or_else(|| line.clone(), |mixture| format!("{line}; {mixture}"));
         text.push_str(&grid::paragraph(&line, 2));
     }
-    for finding in &plan.findings {
-        if ["position-lost-at-tool-change", "visited-in-parallel"].contains(&finding.note.code.as_str()) {
-            let hole = finding.hole.as_deref().unwrap_or_default();
-            text.push_str(&grid::paragraph(&format!("{hole}: {}", sentence(&finding.note, lang)), 2));
-        }
+    let not_kept: Vec<Finding> = plan.visiting.iter().filter_map(|own| not_kept(own, machine)).collect();
+    for finding in plan.findings.iter().filter(|finding| not_kept.contains(finding)) {
+        let hole = finding.hole.as_deref().unwrap_or_default();
+        text.push_str(&grid::paragraph(&format!("{hole}: {}", sentence(&finding.note, lang)), 2));
     }
     text
 }
@@ -274,7 +275,7 @@ fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
             let path = found.order.iter().map(|&point| points[point]).collect();
             let title = words::list_title(context.lang, answer.points, answer.length_mm);
             let panel = Panel { title, path, from_change: false, closed: args.closed };
-            context.emit(&svg::drawing(&[panel], None))?;
+            context.emit(&order_drawing::drawing(&[panel], None))?;
         }
         _ => context.emit(&list_text(&answer, context))?,
     }

@@ -195,7 +195,7 @@ pub fn diagnostics(proof: &Proof, text: &str, file: &Arc<str>, context: &Context
         };
         let severity = shown(finding.severity);
         let help = report::remedy(&finding.note, context.lang).map(str::to_owned);
-        Diagnostic { severity, code: finding.code, message, place, help }
+        Diagnostic { severity, code: finding.code.name(), message, place, help }
     };
     proof.findings.iter().map(one).collect()
 }

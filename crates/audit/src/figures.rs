@@ -3,7 +3,7 @@
 use crate::note::{Note, Severity};
 
 use super::context::Context;
-use super::finding::{Change, Finding, Shown};
+use super::finding::{Change, Finding, Kind, Shown};
 use super::graph::{Graph, Status, Verdict};
 use super::quantity::{Id, Quantity};
 use super::stated::Figure;
@@ -28,9 +28,8 @@ fn finding(verdict: &Verdict, all: &[Verdict], context: &Context<'_>, graph: &Gr
         Status::Root(severity, Some(note)) => (*severity, note.clone(), Vec::new()),
         Status::Root(severity, None) => {
             // A slip of the comma or of the sign is told by the figures it was computed from.
-            let by_stated =
-                verdict.by_stated.map(|by| nature(figure.value, by)).filter(|nature| *nature != "audit-figure");
-            let note = Note::new(by_stated.unwrap_or_else(|| nature(figure.value, verdict.right)));
+            let by_stated = verdict.by_stated.map(|by| nature(figure.value, by)).filter(|own| *own != Nature::Figure);
+            let note = Note::new(by_stated.unwrap_or_else(|| nature(figure.value, verdict.right)).code());
             // The author went on with the right figure: a slip of the pen.
             let went_on = graph.dependents(id).into_iter().any(|other| {
                 context.stated.figure(other).is_some()
@@ -41,11 +40,15 @@ fn finding(verdict: &Verdict, all: &[Verdict], context: &Context<'_>, graph: &Gr
         }
         Status::Follows(roots) => {
             let fields: Vec<String> = roots.iter().map(|root| context.field(*root)).collect();
-            (Severity::Wrong, Note::new("audit-follows").with("fields", fields.join(", ")), fields)
+            (Severity::Wrong, follows(&fields), fields)
         }
     };
     let mut finding = Finding::new(severity, Context::section(id), context.field(id), note).at(&figure.place);
     finding.rule = formula.rule.id.to_owned();
+    finding.kind = match verdict.status {
+        Status::Follows(_) => Kind::Follows(formula.rule),
+        _ => Kind::Formula(formula.rule),
+    };
     finding.source = formula.rule.source;
     finding.subject = context.subject(id.scope);
     finding.quantity = Some(id.quantity);
@@ -90,16 +93,43 @@ fn changes(root: Id, all: &[Verdict], context: &Context<'_>) -> Vec<Change> {
     all.iter().filter(follows).filter_map(change).collect()
 }
 
+/// That a figure is wrong only because others are.
+pub(super) fn follows(fields: &[String]) -> Note {
+    Note::new("audit-follows").with("fields", fields.join(", "))
+}
+
+/// What kind of slip a wrong figure is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Nature {
+    /// The decimal point stands elsewhere.
+    DecimalPoint,
+    /// The sign is the other.
+    Sign,
+    /// Another figure.
+    Figure,
+}
+
+impl Nature {
+    /// The code of its sentence.
+    pub const fn code(self) -> &'static str {
+        match self {
+            Self::DecimalPoint => "audit-decimal-point",
+            Self::Sign => "audit-sign",
+            Self::Figure => "audit-figure",
+        }
+    }
+}
+
 /// What kind of slip turns the right value into the stated one.
-pub(super) fn nature(stated: f64, right: f64) -> &'static str {
+pub(super) fn nature(stated: f64, right: f64) -> Nature {
     let near = |a: f64, b: f64| (a - b).abs() <= 0.03 * b.abs();
     let moved = |shift: i32| shift != 0 && near(stated, right * libm::pow(10.0, f64::from(shift)));
     if (-4..=4).any(moved) && right != 0.0 {
-        "audit-decimal-point"
+        Nature::DecimalPoint
     } else if right != 0.0 && near(-stated, right) {
-        "audit-sign"
+        Nature::Sign
     } else {
-        "audit-figure"
+        Nature::Figure
     }
 }
 
@@ -155,10 +185,10 @@ mod tests {
 
     #[test]
     fn a_slip_of_the_comma_is_told_from_another() {
-        assert_eq!(nature(0.1235, 1.235), "audit-decimal-point");
-        assert_eq!(nature(2746.0, 27.456), "audit-decimal-point");
-        assert_eq!(nature(2.0, 0.195), "audit-decimal-point");
-        assert_eq!(nature(50.0, -50.0), "audit-sign");
-        assert_eq!(nature(977.0, 937.0), "audit-figure");
+        assert_eq!(nature(0.1235, 1.235), Nature::DecimalPoint);
+        assert_eq!(nature(2746.0, 27.456), Nature::DecimalPoint);
+        assert_eq!(nature(2.0, 0.195), Nature::DecimalPoint);
+        assert_eq!(nature(50.0, -50.0), Nature::Sign);
+        assert_eq!(nature(977.0, 937.0), Nature::Figure);
     }
 }

@@ -7,8 +7,10 @@ use serde::{Serialize, Serializer};
 use crate::knowledge::diagnostic::Place;
 use crate::note::{Because, Note, Severity};
 use crate::plan::Operation;
+use crate::reason::OfOther;
 
 use super::context::Context;
+use super::graph::Rule;
 use super::marks::Marks;
 use super::quantity::{Id, Quantity, Scope};
 use super::stated::Stated;
@@ -130,11 +132,41 @@ pub struct Subject {
     pub tool: Option<u32>,
 }
 
+/// What other checks know a finding by.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) enum Kind {
+    /// Nothing goes by it.
+    #[default]
+    Other,
+    /// A figure is not what a rule gives.
+    Formula(&'static Rule),
+    /// A figure is what a rule gives of others that are slips.
+    Follows(&'static Rule),
+    /// A cutter is made for something else.
+    OfOther(OfOther),
+    /// An opening of a hole is not that of the drawing.
+    Opening,
+    /// A transition has another tool than its place in the magazine.
+    ToolOfTransition,
+}
+
+impl Kind {
+    /// The rule whose figure it is, where it is one's.
+    pub const fn rule(&self) -> Option<&'static Rule> {
+        match self {
+            Self::Formula(rule) | Self::Follows(rule) => Some(rule),
+            _ => None,
+        }
+    }
+}
+
 /// A finding.
 #[derive(Clone, Debug, Serialize)]
 pub struct Finding {
     /// The rule or check that found it; stable.
     pub rule: String,
+    #[serde(skip)]
+    pub(super) kind: Kind,
     /// What of the plan it is about, as a path: `conditions.2.feed`.
     pub field: String,
     /// How grave.
@@ -211,6 +243,7 @@ impl Finding {
     pub fn new(severity: Severity, section: Section, field: String, note: Note) -> Self {
         Self {
             rule: note.code.clone(),
+            kind: Kind::Other,
             field,
             severity,
             section,
@@ -233,6 +266,13 @@ impl Finding {
             reasons: Vec::new(),
             because: Vec::new(),
         }
+    }
+
+    /// Of that kind.
+    #[must_use]
+    pub(super) fn of_kind(mut self, kind: Kind) -> Self {
+        self.kind = kind;
+        self
     }
 
     /// At that place.

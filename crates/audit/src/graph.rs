@@ -15,7 +15,7 @@ use super::stated::{Figure, Stated};
 use super::tolerance::Tolerances;
 
 /// A rule that computes a figure.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rule {
     /// Stable id.
     pub id: &'static str,

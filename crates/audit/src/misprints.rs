@@ -7,7 +7,7 @@
 
 use std::collections::BTreeSet;
 
-use super::figures::nature;
+use super::figures::{Nature, nature};
 use super::graph::{Formula, Graph, Rule, Status};
 use super::quantity::Id;
 
@@ -150,7 +150,7 @@ fn rounded(value: f64, last_place: f64, more: i32) -> f64 {
 /// Whether a value printed wrong looks like a slip of the pen: of the decimal point or the sign, one digit another, or two
 /// exchanged.
 fn is_slip(text: &str, stated: f64, right: f64) -> bool {
-    if nature(stated, right) != "audit-figure" {
+    if nature(stated, right) != Nature::Figure {
         return true;
     }
     let places = text.split_once('.').map_or(0, |(_, part)| part.len());

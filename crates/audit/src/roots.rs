@@ -4,8 +4,9 @@ use std::collections::BTreeSet;
 
 use crate::note::Severity;
 
-use super::finding::{Change, Finding};
-use super::graph::{Graph, Status};
+use super::figures::follows;
+use super::finding::{Change, Finding, Kind};
+use super::graph::{Graph, Rule, Status};
 use super::quantity::Id;
 
 /// Whether a finding is a slip, or follows from one; a note is neither.
@@ -29,8 +30,8 @@ pub(super) fn told(findings: &[Finding], field: String) -> Vec<String> {
 }
 
 /// Takes back what a rule says of a figure that is right after all, and what was said to follow from nothing else.
-pub(super) fn retract(findings: &mut Vec<Finding>, field: &str, rule: &str) {
-    let slip = |one: &Finding| one.field == field && one.rule == rule && one.follows_from.is_empty();
+pub(super) fn retract(findings: &mut Vec<Finding>, field: &str, rule: &Rule) {
+    let slip = |one: &Finding| one.field == field && one.kind.rule() == Some(rule) && one.follows_from.is_empty();
     if !findings.iter().any(slip) {
         return;
     }
@@ -51,8 +52,8 @@ pub(super) fn settle(findings: &mut [Finding]) {
             continue;
         }
         one.follows_from = roots.into_iter().collect();
-        if one.note.code == "audit-follows" {
-            one.note = one.note.clone().with("fields", one.follows_from.join(", "));
+        if matches!(one.kind, Kind::Follows(_)) {
+            one.note = follows(&one.follows_from);
         }
     }
     for at in 0..findings.len() {
@@ -101,6 +102,8 @@ mod tests {
 
     use super::*;
 
+    const RULE: Rule = Rule { id: "rule", formula: "", source: ("", "") };
+
     fn finding(field: &str, follows: &[&str]) -> Finding {
         let finding = Finding::new(Severity::Wrong, Section::Route, field.to_owned(), Note::new("audit-figure"));
         Finding { follows_from: follows.iter().map(|one| (*one).to_owned()).collect(), ..finding }
@@ -125,9 +128,9 @@ mod tests {
     fn a_slip_is_taken_back_with_what_followed_from_it_alone() {
         let mut findings = vec![finding("a", &[]), finding("b", &["a"]), finding("c", &["a", "d"]), finding("d", &[])];
         for one in &mut findings {
-            one.rule = "rule".to_owned();
+            one.kind = Kind::Formula(&RULE);
         }
-        retract(&mut findings, "a", "rule");
+        retract(&mut findings, "a", &RULE);
         let left: Vec<&str> = findings.iter().map(|one| one.field.as_str()).collect();
         assert_eq!(left, ["c", "d"]);
         assert_eq!(findings[0].follows_from, ["d"]);

@@ -34,6 +34,15 @@ impl Note {
     }
 }
 
+impl Note {
+    /// Without a figure: what is left is the same of several.
+    #[must_use]
+    pub fn without(mut self, name: &str) -> Self {
+        self.params.remove(name);
+        self
+    }
+}
+
 /// That a row is not confirmed, as a finding about the whole part; none where it is.
 pub fn doubtful_row(row: RowRef<'_>) -> Option<Finding> {
     let doubt = Because::row(row, Note::new("unconfirmed")).doubt()?;

@@ -2,7 +2,9 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::{Input, Knowledge, RowRef};
+use crate::machine::Machine;
 use crate::motion::Axis;
+use crate::note::Note;
 use crate::part::{Entry, Part};
 use crate::units::Micrometres;
 
@@ -42,6 +44,39 @@ pub fn spans(part: &Part) -> impl Iterator<Item = (Axis, Micrometres, Micrometre
     let x = points().map(|point| point.x).min().zip(points().map(|point| point.x).max());
     let y = points().map(|point| point.y).min().zip(points().map(|point| point.y).max());
     [(Axis::X, x), (Axis::Y, y)].into_iter().filter_map(|(axis, span)| span.map(|(low, high)| (axis, low, high)))
+}
+
+/// What of a part goes beyond the machine's table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(missing_docs)] // the figures have the names of those of the sentences
+pub enum OffTable {
+    /// It is heavier than the table bears, kg.
+    TooHeavy { mass: f64, limit: f64 },
+    /// Its holes are further apart than the table travels.
+    BeyondTravel { axis: Axis, span: Micrometres, travel: Micrometres },
+}
+
+impl OffTable {
+    /// The sentence.
+    pub fn note(&self) -> Note {
+        match self {
+            Self::TooHeavy { mass, limit } => Note::new("too-heavy").with("mass", mass).with("limit", limit),
+            Self::BeyondTravel { axis, span, travel } => {
+                Note::new("beyond-travel").with("axis", axis.letter()).with("span", span).with("travel", travel)
+            }
+        }
+    }
+}
+
+/// Whether the blank is light enough for the table, and the holes lie within its travel: what does not.
+pub fn off_table(part: &Part, machine: &Machine<'_>) -> Vec<OffTable> {
+    let limit = machine.load_max_kg;
+    let heavy = part.mass_kg.filter(|mass| *mass > limit).map(|mass| OffTable::TooHeavy { mass, limit });
+    let beyond = spans(part).filter_map(|(axis, low, high)| {
+        let (span, travel) = (high - low, machine.travel(axis));
+        (span > travel).then_some(OffTable::BeyondTravel { axis, span, travel })
+    });
+    heavy.into_iter().chain(beyond).collect()
 }
 
 /// The row of the rule `approach` for a part: how far before the metal the feed begins (`approach`), and how far a tool

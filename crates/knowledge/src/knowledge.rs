@@ -1,8 +1,12 @@
 //! The whole knowledge base: every table by its id.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
+use std::sync::OnceLock;
+
+use serde::{Deserialize, Serialize};
 
 use crate::diagnostic::Diagnostic;
 use crate::lint::cases::CaseFile;
@@ -22,10 +26,47 @@ pub struct SourceFile<'a> {
     pub text: &'a str,
 }
 
+/// A table that is unpacked when it is first asked for: a plan asks a quarter of them.
+#[derive(Debug)]
+struct Stored {
+    packed: &'static [u8],
+    table: OnceLock<Result<Table, TableError>>,
+    /// Whether it is a table of cutters.
+    of_cutters: bool,
+}
+
+impl Stored {
+    fn read(table: Table) -> Self {
+        Self { packed: &[], of_cutters: table.tool.is_some(), table: OnceLock::from(Ok(table)) }
+    }
+
+    fn table(&self) -> Result<&Table, TableError> {
+        self.table.get_or_init(|| unpacked(self.packed)).as_ref().map_err(Clone::clone)
+    }
+}
+
+fn unpacked(bytes: &[u8]) -> Result<Table, TableError> {
+    postcard::from_bytes(bytes).map_err(|error| TableError {
+        table: String::new(),
+        file: "knowledge".to_owned(),
+        row: String::new(),
+        problem: format!("the compiled tables do not fit this program: {error}; build it again"),
+    })
+}
+
+/// The compiled form of a table: what is asked of all of them without unpacking, and the rest.
+#[derive(Serialize, Deserialize)]
+struct Packed<'a> {
+    id: &'a str,
+    of_cutters: bool,
+    #[serde(borrow)]
+    bytes: Cow<'a, [u8]>,
+}
+
 /// Every table, ordered by id, and the examples beside the decision tables.
 #[derive(Debug, Default)]
 pub struct Knowledge {
-    tables: BTreeMap<String, Table>,
+    tables: BTreeMap<Cow<'static, str>, Stored>,
     /// Examples of decision tables; only when read from YAML.
     pub(crate) cases: Vec<CaseFile>,
 }
@@ -56,17 +97,17 @@ impl Knowledge {
                 continue;
             }
             match table_with(file.path, file.text, &vocabularies) {
-                Ok(table) => match knowledge.tables.get(&table.id) {
-                    Some(first) => problems.push(Diagnostic::error(
+                Ok(table) => match knowledge.table(&table.id) {
+                    Ok(first) => problems.push(Diagnostic::error(
                         "duplicate-table",
                         format!("{}: the table {} is already in {}", file.path, table.id, first.file),
                         None,
                     )),
-                    None => {
+                    Err(_) => {
                         if file.path.starts_with(VOCABULARIES) {
                             vocabularies.add(&table);
                         }
-                        knowledge.tables.insert(table.id.clone(), table);
+                        knowledge.tables.insert(Cow::Owned(table.id.clone()), Stored::read(table));
                     }
                 },
                 Err(found) => problems.extend(found),
@@ -97,22 +138,36 @@ impl Knowledge {
     /// # Errors
     /// There is no such table.
     pub fn table(&self, id: &str) -> Result<&Table, TableError> {
-        self.tables.get(id).ok_or_else(|| TableError {
+        let stored = self.tables.get(id).ok_or_else(|| TableError {
             table: id.to_owned(),
             file: "knowledge".to_owned(),
             row: String::new(),
             problem: "there is no such table; `technolog table` lists them".to_owned(),
-        })
+        })?;
+        stored.table()
     }
 
     /// Every table, by id.
     pub fn tables(&self) -> impl Iterator<Item = &Table> {
-        self.tables.values()
+        self.tables.values().filter_map(|stored| stored.table().ok())
+    }
+
+    /// The tables of cutters, by id.
+    pub fn tables_of_cutters(&self) -> impl Iterator<Item = &Table> {
+        self.tables.values().filter(|stored| stored.of_cutters).filter_map(|stored| stored.table().ok())
+    }
+
+    /// The ids of the tables, in their order.
+    pub fn ids(&self) -> impl Iterator<Item = &str> {
+        self.tables.keys().map(AsRef::as_ref)
     }
 
     /// Every table, given away.
     pub fn into_tables(self) -> impl Iterator<Item = Table> {
-        self.tables.into_values()
+        self.tables.into_values().filter_map(|stored| {
+            let table = stored.table.into_inner().unwrap_or_else(|| unpacked(stored.packed));
+            table.ok()
+        })
     }
 
     /// The compiled form that the program embeds.
@@ -120,16 +175,25 @@ impl Knowledge {
     /// # Errors
     /// A table does not serialise; never for tables that were read.
     pub fn to_bytes(&self) -> Result<Vec<u8>, String> {
-        postcard::to_stdvec(&self.tables.values().collect::<Vec<_>>()).map_err(|error| error.to_string())
+        let pack = |table: &Table| postcard::to_stdvec(table).map_err(|error| error.to_string());
+        let packed = self
+            .tables()
+            .map(|table| Ok(Packed { id: &table.id, of_cutters: table.tool.is_some(), bytes: pack(table)?.into() }))
+            .collect::<Result<Vec<_>, String>>()?;
+        postcard::to_stdvec(&packed).map_err(|error| error.to_string())
     }
 
-    /// Reads the compiled form.
+    /// Reads the compiled form; its tables are unpacked as they are asked for.
     ///
     /// # Errors
     /// The bytes are not of this version of the program.
-    pub fn from_bytes(bytes: &[u8]) -> Result<Self, String> {
-        let tables: Vec<Table> = postcard::from_bytes(bytes).map_err(|error| error.to_string())?;
-        Ok(Self { tables: tables.into_iter().map(|table| (table.id.clone(), table)).collect(), cases: Vec::new() })
+    pub fn from_bytes(bytes: &'static [u8]) -> Result<Self, String> {
+        let packed: Vec<Packed<'static>> = postcard::from_bytes(bytes).map_err(|error| error.to_string())?;
+        let stored = packed.into_iter().map(|Packed { id, of_cutters, bytes }| {
+            let Cow::Borrowed(packed) = bytes else { return Err("the tables are not embedded".to_owned()) };
+            Ok((Cow::Borrowed(id), Stored { packed, table: OnceLock::new(), of_cutters }))
+        });
+        Ok(Self { tables: stored.collect::<Result<_, _>>()?, cases: Vec::new() })
     }
 }
 

@@ -338,7 +338,7 @@ impl<'n> Fields<'n> {
     pub fn need(&mut self, name: &str, problems: &mut Problems) -> Option<&'n Node> {
         let node = self.take(name);
         if node.is_none() {
-            problems.error::<()>("missing-key", missing(name), self.place);
+            problems.0.push(missing_key(name, self.place));
         }
         node
     }
@@ -365,18 +365,17 @@ impl<'n> Fields<'n> {
                 None => format!("known here: {}", known.join(", ")),
             };
             if let Some(near) = near {
-                let place = Some(self.place);
-                problems.0.retain(|one| {
-                    one.code != "missing-key" || one.place.as_ref() != place || one.message != missing(near)
-                });
+                let missing = missing_key(near, self.place);
+                problems.0.retain(|one| *one != missing);
             }
             problems.error_help::<()>("unknown-key", format!("unknown key `{}`", key.text), &key.place, help);
         }
     }
 }
 
-fn missing(name: &str) -> String {
-    format!("the key `{name}` is missing")
+/// What [`Fields::need`] reports of a mapping that lacks a key.
+pub fn missing_key(name: &str, place: &Place) -> Diagnostic {
+    Diagnostic::error("missing-key", format!("the key `{name}` is missing"), place.clone())
 }
 
 #[cfg(test)]

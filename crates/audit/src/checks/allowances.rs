@@ -16,6 +16,7 @@ use super::super::finding::{Finding, Section};
 use super::super::graph::{Graph, Status};
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::roots;
+use super::super::rules::counts::FROM;
 use super::super::stated::Row;
 
 pub(super) fn check<'a>(
@@ -95,7 +96,7 @@ fn backwards(
         let right = said.unwrap_or(nearest);
         let before_it = previous.map(|(row, _)| row);
         if said == Some(right) {
-            roots::retract(findings, &context.field(Id::new(Scope::Row(at), Q::From)), "diameter-before");
+            roots::retract(findings, &context.field(Id::new(Scope::Row(at), Q::From)), &FROM);
         }
         findings.push(finding(context, of_row, before_it, (stock, right), &range));
         (after, window) = (right, (smallest, largest));

@@ -11,10 +11,11 @@ use crate::tooling::named;
 use crate::units::Micrometres;
 
 use super::super::context::Context;
-use super::super::finding::{Finding, Section};
+use super::super::finding::{Finding, Kind, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::roots;
+use super::super::rules::counts::DIAMETER;
 use super::super::stated::Row;
 use super::reach::Tips;
 
@@ -45,11 +46,14 @@ pub(super) fn check<'a>(
         let need = need(context, graph, &tips, at, row, hole);
         if let Some(why) = named::unsuited(&cutter, &need, machine) {
             let mut unsuited = finding(Severity::Error, why.note());
-            if matches!(&why, Unfit::OfOther(other) if !matches!(other, OfOther::Thread { .. })) {
-                unsuited.follows_from = diameter(context, graph, at, row, hole, findings)?;
-            }
             if why.is_of_reach() {
                 unsuited.follows_from = roots::told(findings, context.field(Id::new(Scope::Row(at), Q::Depth)));
+            }
+            if let Unfit::OfOther(other) = why {
+                if !matches!(other, OfOther::Thread { .. }) {
+                    unsuited.follows_from = diameter(context, graph, at, row, hole, findings)?;
+                }
+                unsuited.kind = Kind::OfOther(other);
             }
             findings.push(unsuited);
         } else if let Some(why) = named::of_other_bottom(&cutter, hole.through).filter(|_| row.of_main_cylinder()) {
@@ -77,14 +81,14 @@ fn diameter(
         one.field == field
             && one.follows_from.is_empty()
             && one.severity <= Severity::Wrong
-            && one.rule.starts_with("audit-opening")
+            && one.kind == Kind::Opening
     });
     if told {
         return Ok(vec![field]);
     }
     let roots = roots::of_figure(graph, id);
     if roots == [id] && backed(context, at, row, hole)? {
-        roots::retract(findings, &field, "diameter-of-tool");
+        roots::retract(findings, &field, &DIAMETER);
         return Ok(Vec::new());
     }
     Ok(roots.into_iter().map(|root| context.field(root)).collect())

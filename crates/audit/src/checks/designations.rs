@@ -3,13 +3,14 @@
 use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
 use crate::note::{Because, Note, Severity};
+use crate::reason::OfOther;
 
 use super::super::context::Context;
-use super::super::finding::{Finding, Section};
+use super::super::finding::{Finding, Kind, Section};
 use super::super::graph::Graph;
 use super::super::near::{Likeness, Near, likeness, plain, same_table};
 use super::super::quantity::Scope;
-use super::super::rules::tools::COLUMNS;
+use super::super::rules::tools::{COLUMNS, DIMENSION, OVERHANG};
 use super::super::stated::Text;
 use crate::tooling::named::{NamedCutter, cutter_names};
 
@@ -141,7 +142,7 @@ fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<Finding>) {
     let tool = &context.stated.tools[at];
     let Some(name) = tool.designation.as_ref().filter(|_| context.cutter(at).is_some()) else { return };
     let of_tool = |finding: &Finding| finding.subject.tool == Some(tool.number);
-    let off = findings.iter().filter(|finding| finding.rule == "tool-dimension" && of_tool(finding)).count();
+    let off = findings.iter().filter(|one| one.kind.rule() == Some(&DIMENSION) && of_tool(one)).count();
     if off == 0 {
         return;
     }
@@ -161,14 +162,19 @@ fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<Finding>) {
     let mut others = cutter_names(context.shop.knowledge).filter(|cutter| fits(cutter) && does(cutter));
     let Some(other) = others.next() else { return };
     // One dimension alone may be the slip; the rows of the tool say which of the two is meant.
-    let unsuited = |finding: &Finding| of_tool(finding) && finding.rule.starts_with("tool-of-other-");
+    let of_size =
+        |other: &OfOther| matches!(other, OfOther::Operation { .. } | OfOther::Angle { .. } | OfOther::Size { .. });
+    let unsuited = |one: &Finding| of_tool(one) && matches!(&one.kind, Kind::OfOther(other) if of_size(other));
     if off < 2 && !findings.iter().any(unsuited) {
         return;
     }
     let field = format!("tools.T{}.designation", tool.number);
     for finding in findings.iter_mut().filter(|finding| of_tool(finding)) {
-        let of_name = ["tool-dimension", "overhang", "tool-of-other-size", "tool-of-other-operation"];
-        if of_name.contains(&finding.rule.as_str()) {
+        let of_name = match &finding.kind {
+            Kind::OfOther(other) => matches!(other, OfOther::Operation { .. } | OfOther::Size { .. }),
+            kind => kind.rule().is_some_and(|rule| *rule == DIMENSION || *rule == OVERHANG),
+        };
+        if of_name {
             finding.follows_from = vec![field.clone()];
         }
     }

@@ -13,6 +13,7 @@ use super::super::figures::shown;
 use super::super::finding::{Finding, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
+use super::super::rules::handbook;
 
 pub(super) fn check<'a>(
     context: &Context<'a>,
@@ -36,7 +37,7 @@ pub(super) fn check<'a>(
         let figures = [(id(Q::Force), by.force, Section::Conditions), (id(Q::Torque), by.torque, Section::Conditions)];
         for (id, by_formula, section) in figures.into_iter().chain(clamping) {
             // Of a plan by the formulas the rules of `handbook` judge it.
-            if graph.formula(id).is_some_and(|formula| formula.rule.id.starts_with("handbook-")) {
+            if graph.formula(id).is_some_and(|formula| handbook::is_of(formula.rule)) {
                 continue;
             }
             let Some((figure, by_formula)) = stated.figure(id).zip(by_formula) else { continue };

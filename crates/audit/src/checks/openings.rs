@@ -10,10 +10,11 @@ use crate::units::Micrometres;
 
 use super::super::context::Context;
 use super::super::figures::{beside, shown};
-use super::super::finding::{Finding, Section};
+use super::super::finding::{Finding, Kind, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::roots;
+use super::super::rules::counts::PASS_DIAMETER;
 use super::super::stated::Row;
 use super::route::of_hole;
 
@@ -105,14 +106,14 @@ fn made(
     if spot.is_some_and(|spot| Micrometres::from_mm_rounded(spot) >= opening.diameter) {
         return;
     }
-    let note = Note::new("audit-opening-not-made")
-        .with("feature", opening.feature.name())
-        .with("diameter", opening.diameter)
-        .with("hole", &hole.name);
+    let note = |code: &str| {
+        let note = Note::new(code).with("feature", opening.feature.name());
+        note.with("diameter", opening.diameter).with("hole", &hole.name)
+    };
     // A spot that was to be as wide, or a row that lacks.
     let finding = match centring.zip(spot) {
         Some(((at, row), spot)) => {
-            let note = Note { code: "audit-opening-not-centred".to_owned(), ..note.with("spot", shown(spot)) };
+            let note = note("audit-opening-not-centred").with("spot", shown(spot));
             let field = format!("route.{}.diameter", row.number);
             let finding = Finding::new(Severity::Wrong, Section::Route, field, note).at(&row.place);
             match row.figures.get(&Q::Diameter) {
@@ -122,7 +123,7 @@ fn made(
             .about(context.subject(Scope::Row(*at)))
         }
         None => {
-            let field = format!("route.{}", hole.name);
+            let (field, note) = (format!("route.{}", hole.name), note("audit-opening-not-made"));
             let finding = Finding::new(Severity::Wrong, Section::Route, field, note).about(of_hole(hole));
             match rows.last() {
                 Some((_, row)) => finding.at(&row.place),
@@ -130,7 +131,7 @@ fn made(
             }
         }
     };
-    findings.push(finding);
+    findings.push(finding.of_kind(Kind::Opening));
 }
 
 /// Whether the drawing asks for what a row cuts, and for that diameter and depth.
@@ -143,7 +144,7 @@ fn asked_for(
     findings: &mut Vec<Finding>,
 ) {
     let id = |quantity| Id::new(Scope::Row(at), quantity);
-    let about = |finding: Finding| finding.about(context.subject(Scope::Row(at)));
+    let about = |finding: Finding| finding.of_kind(Kind::Opening).about(context.subject(Scope::Row(at)));
     let field = |key: &str| format!("route.{}.{key}", row.number);
     let flat = row.operation.value == Operation::Counterbore;
     let like = |opening: &&Opening| {
@@ -188,7 +189,7 @@ pub(super) fn right_by_drawing(context: &Context<'_>, row: usize, right: Microme
             && conditions.figures.get(&Q::Diameter).is_some_and(|own| same(own.value))
         {
             let field = context.field(Id::new(Scope::Conditions(at), Q::Diameter));
-            roots::retract(findings, &field, "diameter-of-row");
+            roots::retract(findings, &field, &PASS_DIAMETER);
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::note::{Note, Severity};
 use crate::plan::Operation;
 
 use super::super::context::Context;
-use super::super::finding::{Finding, Section, Subject};
+use super::super::finding::{Finding, Kind, Section, Subject};
 use super::super::graph::Graph;
 use super::super::own::items;
 
@@ -71,6 +71,7 @@ fn tools_of_transitions(tree: &Node, findings: &mut Vec<Finding>) {
                     .with("other", text(own));
                 let field = format!("tools.T{}.{name}", number.unwrap_or_default());
                 let finding = Finding::new(Severity::Error, Section::Tools, field, note).at(&own.place);
+                let finding = finding.of_kind(Kind::ToolOfTransition);
                 if !findings.iter().any(|known| known.note == finding.note) {
                     findings.push(finding);
                 }
@@ -83,7 +84,7 @@ fn tools_of_transitions(tree: &Node, findings: &mut Vec<Finding>) {
 fn follow(context: &Context<'_>, findings: &mut [Finding]) {
     let exchanged: Vec<String> = findings
         .iter()
-        .filter(|finding| finding.note.code == "audit-tool-of-transition")
+        .filter(|finding| finding.kind == Kind::ToolOfTransition)
         .map(|finding| finding.field.clone())
         .collect();
     for field in exchanged {

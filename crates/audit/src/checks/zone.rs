@@ -8,9 +8,8 @@ use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
 use crate::motion::Axis;
 use crate::note::{Because, Note, Severity};
-use crate::planner;
 use crate::units::Micrometres;
-use crate::zone::{self, Stroke};
+use crate::zone::{self, OffTable, Stroke};
 
 use super::super::context::Context;
 use super::super::finding::{Finding, Section};
@@ -63,19 +62,14 @@ fn limit(row: RowRef<'_>) -> Because {
 /// What planning says of the same part: too heavy for the table, holes wider apart than it travels.
 fn travels(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
     let (part, machine) = (&context.stated.part, &context.shop.machine);
-    let mut said = Vec::new();
-    planner::reach_of_table(part, &context.shop, &mut said);
-    for own in said {
-        let heavy = own.note.code == "too-heavy";
-        let (field, row) = match heavy {
-            true => ("part.mass", machine.row("load-mass-max")?),
-            false if own.note.params.get("axis").is_some_and(|axis| axis == "X") => {
-                ("part.holes", machine.row("travel-x")?)
-            }
-            false => ("part.holes", machine.row("travel-y")?),
+    for fault in zone::off_table(part, machine) {
+        let (field, row) = match fault {
+            OffTable::TooHeavy { .. } => ("part.mass", machine.row("load-mass-max")?),
+            OffTable::BeyondTravel { axis: Axis::X, .. } => ("part.holes", machine.row("travel-x")?),
+            OffTable::BeyondTravel { .. } => ("part.holes", machine.row("travel-y")?),
         };
-        let mut finding = about_part(own.severity, field, own.note).resting_on([limit(row)]);
-        if !heavy {
+        let mut finding = about_part(Severity::Error, field, fault.note()).resting_on([limit(row)]);
+        if matches!(fault, OffTable::BeyondTravel { .. }) {
             finding.reasons = turned(context);
         }
         findings.push(finding);

@@ -14,17 +14,17 @@ const COUNT_OF_CONDITIONS: Rule = Rule {
     formula: "z = Σz",
     source: ("посібник, додаток Г, п. 4 і 7", "textbook, Appendix Г items 4 and 7"),
 };
-const FROM: Rule = Rule {
+pub(crate) const FROM: Rule = Rule {
     id: "diameter-before",
     formula: "D0",
     source: ("посібник 1.2: що лишає попередній перехід", "textbook 1.2: what the transition before leaves"),
 };
-const DIAMETER: Rule = Rule {
+pub(crate) const DIAMETER: Rule = Rule {
     id: "diameter-of-tool",
     formula: "D",
     source: ("свердло лишає власний діаметр", "a drill leaves its own diameter"),
 };
-const PASS_DIAMETER: Rule =
+pub(crate) const PASS_DIAMETER: Rule =
     Rule {
         id: "diameter-of-row", formula: "D", source: ("посібник, додаток Г, п. 7", "textbook, Appendix Г item 7")
     };

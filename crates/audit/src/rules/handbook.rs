@@ -13,10 +13,15 @@ use crate::tables::audit::{AuditFormula, AuditFormulaFor};
 use crate::units::{Micrometres, MillimetresPerRev, RevsPerMinute, round_to};
 
 use super::super::context::Context;
-use super::super::figures::{nature, shown};
+use super::super::figures::{Nature, nature, shown};
 use super::super::graph::{Formula, Graph, Judged, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::{formula, given};
+
+/// Whether a rule is one of the handbook's formulas of speed and loads.
+pub(crate) fn is_of(rule: &Rule) -> bool {
+    [SPEED, FORCE, TORQUE, POWER].contains(rule)
+}
 
 const LIFE: Rule = Rule {
     id: "tool-life",
@@ -274,7 +279,7 @@ fn judged(context: &Context<'_>, quantity: Q, value: f64, by_formula: f64) -> Ju
     let nature = nature(value, by_formula);
     let code = match quantity {
         // A slip of the comma or of the sign is told as what it is.
-        _ if severity == Severity::Wrong && nature != "audit-figure" => nature,
+        _ if severity == Severity::Wrong && nature != Nature::Figure => nature.code(),
         Q::ToolLife => "audit-tool-life",
         _ => "audit-by-formula",
     };

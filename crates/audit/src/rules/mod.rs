@@ -5,8 +5,8 @@
 
 mod clamping;
 mod conditions;
-mod counts;
-mod handbook;
+pub(super) mod counts;
+pub(super) mod handbook;
 mod times;
 pub(super) mod tools;
 

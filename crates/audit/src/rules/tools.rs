@@ -13,7 +13,7 @@ use super::super::graph::{Graph, Judge, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::{formula, given, largest, same};
 
-const DIMENSION: Rule = Rule {
+pub(crate) const DIMENSION: Rule = Rule {
     id: "tool-dimension",
     formula: "",
     source: ("каталог за позначенням інструмента", "the catalog of the tool's designation"),
@@ -23,7 +23,7 @@ const HOLDER: Rule = Rule {
     formula: "",
     source: ("каталог за позначенням допоміжного інструмента", "the catalog of the holder's designation"),
 };
-const OVERHANG: Rule = Rule {
+pub(crate) const OVERHANG: Rule = Rule {
     id: "overhang",
     formula: "lв",
     source: ("посібник 5.2, примітка до п. 5 (рядки 4614-4618)", "textbook 5.2 item 5, note (l. 4614-4618)"),
@@ -201,7 +201,7 @@ fn corrections<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) {
             } else if near(-plus) {
                 Some((Severity::Doubtful, Note::new("audit-sign-by-g44")))
             } else {
-                Some((Severity::Error, Note::new(nature(value, if value * plus < 0.0 { -plus } else { plus }))))
+                Some((Severity::Error, Note::new(nature(value, if value * plus < 0.0 { -plus } else { plus }).code())))
             }
         }));
     }

@@ -86,7 +86,8 @@ pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result
     };
     let (visits, time) = sequence::sequence(part, &holes, &shop.machine, None);
     let visiting = sequence::visiting::visiting(part, &holes, &shop, &mut findings)?;
-    reach_of_table(part, &shop, &mut findings);
+    let off_table = zone::off_table(part, &shop.machine);
+    findings.extend(off_table.iter().map(|fault| Finding::of_part(Severity::Error, fault.note())));
     findings.extend(doubtful_row(shop.material.row));
     let mut plan = Plan {
         part: part.clone(),
@@ -231,21 +232,6 @@ fn start_point(part: &Part, clamping: &Clamping, shop: &Shop<'_>) -> Option<Find
             .with("needed", clamping.safe_distance_mm);
         Finding::of_part(Severity::Note, note)
     })
-}
-
-/// The blank must be light enough for the table, and the holes must lie within its travel.
-pub fn reach_of_table(part: &Part, shop: &Shop<'_>, findings: &mut Vec<Finding>) {
-    if let Some(mass) = part.mass_kg.filter(|mass| *mass > shop.machine.load_max_kg) {
-        let note = Note::new("too-heavy").with("mass", mass).with("limit", shop.machine.load_max_kg);
-        findings.push(Finding::of_part(Severity::Error, note));
-    }
-    for (axis, low, high) in zone::spans(part) {
-        let travel = shop.machine.travel(axis);
-        if high - low > travel {
-            let note = Note::new("beyond-travel").with("axis", axis.letter()).with("span", high - low);
-            findings.push(Finding::of_part(Severity::Error, note.with("travel", travel)));
-        }
-    }
 }
 
 /// Every row the plan rests on that is not fully trusted, once each.

@@ -3,6 +3,7 @@
 use crate::error::KnowledgeError;
 use crate::knowledge::Input;
 use crate::knowledge::units::Unit;
+use crate::machine::Machine;
 use crate::note::{Because, Finding, Note, Severity};
 use crate::part::{Hole, Part, Point};
 use crate::plan::{HolePlan, Mixture, Operation, Visiting, VisitingMethod};
@@ -62,22 +63,28 @@ pub fn visiting(
     let mut all = Vec::new();
     for (plan, hole) in holes.iter().zip(&part.holes) {
         let Some(own) = of_group(part, plan, hole, shop)? else { continue };
-        if own.method != VisitingMethod::Parallel && own.finishing_tools > 1 && own.holes > 1 {
-            let code = match own.method {
-                VisitingMethod::Sequential => "visited-in-parallel",
-                _ => "position-lost-at-tool-change",
-            };
-            let note = Note::new(code)
-                .with("tools", own.finishing_tools)
-                .with("x", shop.machine.tool_change_at.0)
-                .with("y", shop.machine.tool_change_at.1)
-                .with("parallel", own.finish_parallel_min.rounded(2).0)
-                .with("sequential", own.finish_sequential_min.rounded(2).0);
-            findings.push(Finding::of_hole(Severity::Note, &plan.name, note));
-        }
+        findings.extend(not_kept(&own, &shop.machine));
         all.push(own);
     }
     Ok(all)
+}
+
+/// That the machine cannot visit a group as the rule says; nothing where it can.
+pub fn not_kept(own: &Visiting, machine: &Machine<'_>) -> Option<Finding> {
+    if own.method == VisitingMethod::Parallel || own.finishing_tools < 2 || own.holes < 2 {
+        return None;
+    }
+    let code = match own.method {
+        VisitingMethod::Sequential => "visited-in-parallel",
+        _ => "position-lost-at-tool-change",
+    };
+    let note = Note::new(code)
+        .with("tools", own.finishing_tools)
+        .with("x", machine.tool_change_at.0)
+        .with("y", machine.tool_change_at.1)
+        .with("parallel", own.finish_parallel_min.rounded(2).0)
+        .with("sequential", own.finish_sequential_min.rounded(2).0);
+    Some(Finding::of_hole(Severity::Note, &own.hole, note))
 }
 
 fn of_group(part: &Part, plan: &HolePlan, hole: &Hole, shop: &Shop<'_>) -> Result<Option<Visiting>, KnowledgeError> {

@@ -197,6 +197,12 @@ fn too_short(
     thick.map(|arbor| HolderFault::ArborDoesNotEnter { arbor, hole: need.diameter })
 }
 
+/// Whether a cutter may stand out a little more or less: a cylindrical shank is clamped as deep as one likes, but that of a
+/// tap by a rule of its own.
+pub(super) fn is_ranged(shank: Shank, operation: Operation) -> bool {
+    shank == Shank::Cylindrical && operation != Operation::Tap
+}
+
 /// How far the cutter stands out.
 ///
 /// With a cylindrical shank L − seat + 2…3 mm (textbook 5.2 item 5); with a Morse shank the length

@@ -136,7 +136,7 @@ pub fn overhang(
 ) -> Result<(Micrometres, Micrometres, Because), KnowledgeError> {
     let need = CutterNeed::plain(operation, own_diameter(cutter.row).unwrap_or_default());
     let (most, because) = holder::overhang(&as_cutter(cutter), &need, knowledge)?;
-    let ranged = because.table == "clamping";
+    let ranged = holder::is_ranged(cutter.head.shank, operation);
     let least = match knowledge.table("clamping")?.find("name", "overhang-addition").filter(|_| ranged) {
         Some(row) => {
             let range = row.number_in("maximum", Unit::None)? - row.number_in("minimum", Unit::None)?;

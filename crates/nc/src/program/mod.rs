@@ -11,6 +11,7 @@ pub mod control_2c42_65;
 pub mod iso;
 mod limits;
 pub mod proof;
+mod running;
 pub mod setting;
 pub mod written;
 
@@ -130,9 +131,21 @@ pub struct Fault {
     /// Where it stands.
     #[serde(flatten)]
     pub span: Span,
+    /// What it is about, where that tells it from others of its code.
+    #[serde(skip)]
+    pub subject: Option<Subject>,
     /// What is wrong.
     #[serde(flatten)]
     pub note: Note,
+}
+
+/// What a fault is about.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Subject {
+    /// A tool, by its number.
+    Tool(usize),
+    /// A function, such as `G77`.
+    Function(String),
 }
 
 impl Fault {
@@ -151,7 +164,14 @@ impl Fault {
     fn of(rules: &[Rule], code: &'static str, span: Span, block: Option<u32>) -> Self {
         let rule = rules.iter().find(|(known, ..)| *known == code);
         let (severity, rule) = rule.map_or((Severity::Error, ""), |(_, severity, section)| (*severity, *section));
-        Self { code, severity, rule, block, calls: Vec::new(), span, note: Note::new(code) }
+        Self { code, severity, rule, block, calls: Vec::new(), span, subject: None, note: Note::new(code) }
+    }
+
+    /// About that.
+    #[must_use]
+    fn about(mut self, subject: Subject) -> Self {
+        self.subject = Some(subject);
+        self
     }
 
     /// With one more figure.

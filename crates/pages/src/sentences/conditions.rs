@@ -66,11 +66,6 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
     ("ground-within", "перешліфовується щонайбільше на {limit} мм", "ground down by {limit} mm at most"),
     ("feed-held", "подачу обмежено {limit} мм/хв", "feed held at {limit} mm/min"),
     (
-        "no-feed",
-        "{operation}: таблиця {table} не має подачі для матеріалу {material}",
-        "{operation}: table {table} has no feed for {material}",
-    ),
-    (
         "stand-in",
         "{table} не має числа для матеріалу {material}; береться {group}",
         "{table} has no figure for {material}; {group} stands in",

@@ -122,7 +122,6 @@ pub(super) const TERMS: &[(&str, &str, &str)] = &[
     ("face-groove", "торцева канавка", "face groove"),
     ("pulley-groove", "жолоб під пас", "pulley groove"),
     ("main-element", "основний", "main"),
-    ("additional-element", "додатковий", "additional"),
     ("other-side", "з другого боку", "from the other side"),
     ("outer-grinding", "шліфування", "grinding"),
     ("inner-grinding", "шліфування", "grinding"),

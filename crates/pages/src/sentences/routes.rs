@@ -327,11 +327,6 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "немає зенківки {angle}° до Ø{diameter} для отвору Ø{hole}: найбільша в {tables} Ø{widest}",
         "no countersink of {angle}° to Ø{diameter} for a hole Ø{hole}: the widest of {tables} is Ø{widest}",
     ),
-    (
-        "edge-not-cut",
-        "{operation} до Ø{diameter} не здійснити: {why}",
-        "{operation} to Ø{diameter} cannot be done: {why}",
-    ),
     ("overhang-tap", "виліт мітчика {free} мм", "a tap stands out {free} mm"),
     (
         "thread-outside-chuck",

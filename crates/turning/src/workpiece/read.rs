@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::knowledge::Knowledge;
 use crate::knowledge::diagnostic::nearest;
-use crate::knowledge::yaml::{Node, NodeKind, parse};
+use crate::knowledge::yaml::{Node, NodeKind, missing_key, parse};
 use crate::turning::contour::Side;
 use crate::turning::reading::{Mistake, Placed, Reader};
 use crate::turning::shaft::{Holding, read_shaft};
@@ -34,18 +34,16 @@ pub fn read_turned(file: &str, text: &str, knowledge: &Knowledge) -> Result<Turn
     }
     let read = read_shaft(file, text, knowledge).map(Turned::Stepped);
     // A file without either is told so, rather than that it lacks the key of one form.
-    read.map_err(|mistakes| {
-        let (lacks, mut others): (Vec<Mistake>, Vec<Mistake>) = mistakes.into_iter().partition(|one| {
-            matches!(one, Mistake::Form(problem) if problem.code == "missing-key" && problem.message.contains("`steps`"))
-        });
-        for one in lacks {
-            match one.place() {
-                Some(place) => others.push(Mistake::of("neither-steps-nor-outer", place)),
-                None => others.push(one),
-            }
+    read.map_err(|mut mistakes| {
+        let Some(place) = root.map(|root| root.place) else { return mistakes };
+        let lacks = missing_key("steps", &place);
+        let all = mistakes.len();
+        mistakes.retain(|one| !matches!(one, Mistake::Form(problem) if *problem == lacks));
+        if mistakes.len() < all {
+            mistakes.push(Mistake::of("neither-steps-nor-outer", &place));
+            mistakes.sort_by(|a, b| a.place().cmp(&b.place()));
         }
-        others.sort_by(|a, b| a.place().cmp(&b.place()));
-        others
+        mistakes
     })
 }
 

@@ -1,8 +1,12 @@
 //! One fault of a program is seen by several checks: which finding is the cause and which are its consequences stands in
 //! the table `audit-program-causes`.
 
+use std::collections::BTreeMap;
+
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
+use crate::program::proof::{self, Code, Figure, Name};
+use crate::program::{Fault, Subject};
 use crate::tables::audit::ProgramCauses;
 
 use super::super::super::finding::Finding;
@@ -11,35 +15,131 @@ use super::super::super::finding::Finding;
 #[derive(Debug)]
 pub(super) struct Seen {
     pub finding: Finding,
+    who: Who<'static>,
     /// The tool in the spindle, where it is known.
     tool: Option<u32>,
+    figures: BTreeMap<Name, Figure>,
+    /// The function that a fault is about.
+    function: Option<String>,
     /// Whether the control does not carry the program out as it is written.
-    fault: bool,
+    broken: bool,
 }
 
-/// Any error of the control that carries the program out.
-const FAULT: &str = "fault";
+/// Who found it, and what.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Who<'t> {
+    /// The operator's setting is not the plan's.
+    Setting,
+    /// The program does otherwise than the plan says.
+    Proof(Code),
+    /// The control breaks off, or wonders.
+    Control(&'t str),
+    /// Any error of the control that carries the program out.
+    AnyError,
+}
+
+/// The code of a setting that is not the plan's.
+pub(super) const SETTING: &str = "audit-setting-correction";
+
+impl<'t> Who<'t> {
+    /// As the table names it.
+    fn named(name: &'t str) -> Self {
+        match name {
+            "fault" => Self::AnyError,
+            SETTING => Self::Setting,
+            _ => Code::from_name(name).map_or(Self::Control(name), Self::Proof),
+        }
+    }
+}
+
+/// In what a cause and its consequence agree.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Alike {
+    Code,
+    Line,
+    Figure(Name),
+}
+
+/// What a finding says of it.
+#[derive(Debug, PartialEq)]
+enum Said<'s> {
+    Who(Who<'s>),
+    Function(&'s str),
+    Figure(Figure),
+}
 
 impl Seen {
-    pub fn new(finding: Finding, tool: Option<u32>, fault: bool) -> Self {
-        Self { finding, tool, fault }
+    /// A setting of a tool that is not the plan's.
+    pub fn of_setting(finding: Finding, tool: u32) -> Self {
+        let figures = BTreeMap::new();
+        Self { finding, who: Who::Setting, tool: Some(tool), figures, function: None, broken: false }
     }
 
-    fn is(&self, id: &str) -> bool {
-        self.finding.note.code == id || self.fault && id == FAULT
+    /// A deviation of the program, with the tool that it is of.
+    pub fn of_deviation(finding: Finding, tool: Option<u32>, said: proof::Finding) -> Self {
+        let (who, figures) = (Who::Proof(said.code), said.figures);
+        Self { finding, who, tool, figures, function: None, broken: false }
     }
 
-    /// What it says of something: a figure of its sentence, its code, its tool, its line.
-    fn says(&self, name: &str) -> Option<String> {
-        if let Some(value) = self.finding.note.params.get(name) {
-            return Some(value.clone());
+    /// A fault of the control, with the tool that was in the spindle.
+    pub fn of_fault(finding: Finding, tool: Option<u32>, fault: &Fault) -> Self {
+        let (mut figures, mut function) = (BTreeMap::new(), None);
+        match &fault.subject {
+            Some(Subject::Tool(number)) => _ = figures.insert(Name::Tool, Figure::Count(*number)),
+            Some(Subject::Function(name)) => function = Some(name.clone()),
+            None => {}
         }
-        match name {
-            "code" => Some(self.finding.note.code.clone()),
-            "tool" => self.tool.map(|tool| tool.to_string()),
-            "line" => self.finding.line.map(|line| line.to_string()),
-            _ => None,
+        Self { finding, who: Who::Control(fault.code), tool, figures, function, broken: fault.is_error() }
+    }
+
+    fn is(&self, who: Who<'_>) -> bool {
+        self.who == who || self.broken && who == Who::AnyError
+    }
+
+    fn says(&self, what: Alike) -> Option<Said<'_>> {
+        let count = |number: u32| Said::Figure(Figure::Count(number as usize));
+        match what {
+            Alike::Code => Some(self.function.as_deref().map_or(Said::Who(self.who), Said::Function)),
+            Alike::Line => self.finding.line.map(count),
+            Alike::Figure(name) => {
+                let own = self.figures.get(&name).cloned().map(Said::Figure);
+                own.or_else(|| self.tool.filter(|_| name == Name::Tool).map(count))
+            }
         }
+    }
+}
+
+/// A row of the table.
+struct Rule<'k> {
+    cause: Who<'k>,
+    consequence: Who<'k>,
+    /// Of the cause, and of the consequence.
+    alike: Vec<(Alike, Alike)>,
+}
+
+impl<'k> Rule<'k> {
+    fn of(row: &ProgramCauses<'k>) -> Result<Self, KnowledgeError> {
+        let one = |name: &str| match name {
+            "code" => Ok(Alike::Code),
+            "line" => Ok(Alike::Line),
+            _ => Name::from_name(name).map(Alike::Figure).ok_or_else(|| {
+                KnowledgeError::lacks(&row.row.table.id, &format!("`{name}` in `alike` is no figure of a finding"))
+            }),
+        };
+        let both = |name: &&'k str| {
+            let (of_cause, of_consequence) = name.split_once('=').unwrap_or((name, name));
+            Ok((one(of_cause)?, one(of_consequence)?))
+        };
+        let alike = row.alike.iter().flatten().map(both).collect::<Result<_, KnowledgeError>>()?;
+        Ok(Self { cause: Who::named(row.cause), consequence: Who::named(row.consequence), alike })
+    }
+
+    /// Whether two findings agree: what one of them does not say agrees with anything.
+    fn agree(&self, cause: &Seen, consequence: &Seen) -> bool {
+        self.alike.iter().all(|(of_cause, of_consequence)| {
+            let two = cause.says(*of_cause).zip(consequence.says(*of_consequence));
+            two.is_none_or(|(cause, consequence)| cause == consequence)
+        })
     }
 }
 
@@ -49,7 +149,8 @@ impl Seen {
 /// The table cannot be read.
 pub(super) fn together(seen: Vec<Seen>, knowledge: &Knowledge) -> Result<Vec<Finding>, KnowledgeError> {
     let rows = knowledge.rows::<ProgramCauses<'_>>()?;
-    let causes: Vec<Option<usize>> = (0..seen.len()).map(|at| cause(at, &seen, &rows)).collect();
+    let rules: Vec<Rule<'_>> = rows.iter().map(Rule::of).collect::<Result<_, _>>()?;
+    let causes: Vec<Option<usize>> = (0..seen.len()).map(|at| cause(at, &seen, &rules)).collect();
     // What a cause follows from, or else the cause itself.
     let fields: Vec<Vec<String>> = seen
         .iter()
@@ -70,27 +171,18 @@ pub(super) fn together(seen: Vec<Seen>, knowledge: &Knowledge) -> Result<Vec<Fin
 }
 
 /// What a finding follows from: the first that a row of the table names.
-fn cause(at: usize, seen: &[Seen], rows: &[ProgramCauses<'_>]) -> Option<usize> {
+fn cause(at: usize, seen: &[Seen], rules: &[Rule<'_>]) -> Option<usize> {
     let own = seen.get(at)?;
-    for row in rows.iter().filter(|row| own.is(row.consequence)) {
+    for rule in rules.iter().filter(|rule| own.is(rule.consequence)) {
         for (number, other) in seen.iter().enumerate() {
             // Of two of one id the first is the cause.
-            let later = number >= at && (number == at || other.finding.note.code == own.finding.note.code);
-            if !later && other.is(row.cause) && agree(other, own, row) {
+            let later = number >= at && (number == at || other.who == own.who);
+            if !later && other.is(rule.cause) && rule.agree(other, own) {
                 return Some(number);
             }
         }
     }
     None
-}
-
-fn agree(cause: &Seen, consequence: &Seen, row: &ProgramCauses<'_>) -> bool {
-    let alike = |name: &str| {
-        let (of_cause, of_consequence) = name.split_once('=').unwrap_or((name, name));
-        let two = cause.says(of_cause).zip(consequence.says(of_consequence));
-        two.is_none_or(|(cause, consequence)| cause == consequence)
-    };
-    row.alike.iter().flatten().all(|name| alike(name))
 }
 
 /// The first cause of a consequence.

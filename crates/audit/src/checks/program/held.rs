@@ -15,7 +15,7 @@ use crate::sequence;
 use crate::units::{MetresPerMinute, Micrometres, MillimetresPerMinute, MillimetresPerRev, Minutes, RevsPerMinute};
 
 use super::super::super::context::Context;
-use super::super::super::figures::nature;
+use super::super::super::figures::{Nature, nature};
 use super::super::super::graph::{Graph, Status};
 use super::super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::super::stated::Row;
@@ -99,7 +99,7 @@ impl Making<'_, '_> {
     fn figure(&self, id: Id) -> Option<f64> {
         let stated = self.context.stated.figure(id)?.value;
         let Some(verdict) = self.graph.verdict(id) else { return Some(stated) };
-        let comma = nature(stated, verdict.right) == "audit-decimal-point";
+        let comma = nature(stated, verdict.right) == Nature::DecimalPoint;
         match verdict.status {
             Status::Fine => Some(stated),
             Status::Root(_, None) if comma => Some(verdict.right),

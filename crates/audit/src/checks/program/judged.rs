@@ -6,15 +6,16 @@ use crate::error::KnowledgeError;
 use crate::knowledge::diagnostic::Place;
 use crate::knowledge::yaml::{Node, parse};
 use crate::note::{Note, Severity};
-use crate::plan::{Plan, Transition};
-use crate::program::{Setting, proof};
+use crate::plan::{Operation, Plan, Transition};
+use crate::program::Setting;
+use crate::program::proof::{self, Code, Name};
 use crate::tables::audit::ProgramTolerance;
 
 use super::super::super::context::Context;
 use super::super::super::finding::{Finding, Section};
 use super::super::super::graph::{Graph, Status};
 use super::super::super::quantity::{Id, Quantity as Q, Scope};
-use super::causes::Seen;
+use super::causes::{SETTING, Seen};
 use super::{field, holds};
 
 /// Correctors whose setting is not what the plan says.
@@ -31,7 +32,7 @@ pub(super) fn setting(context: &Context<'_>, graph: &Graph<'_>, plan: &Plan, set
         if !says(Q::Corrector) || !says(Q::Correction) || *set == holds(context, tool) {
             continue;
         }
-        let note = Note::new("audit-setting-correction")
+        let note = Note::new(SETTING)
             .with("tool", tool.number)
             .with("corrector", tool.corrector)
             .with("value", set)
@@ -46,7 +47,7 @@ pub(super) fn setting(context: &Context<'_>, graph: &Graph<'_>, plan: &Plan, set
         // What the plan has wrong itself says nothing against the setting.
         let wrong = graph.verdict(id(Q::Correction)).filter(|verdict| !matches!(verdict.status, Status::Fine));
         finding.follows_from.extend(wrong.map(|verdict| context.field(verdict.id)));
-        seen.push(Seen::new(finding, Some(tool.number), false));
+        seen.push(Seen::of_setting(finding, tool.number));
     }
 }
 
@@ -63,25 +64,23 @@ pub(super) fn deviation(
     file: &Arc<str>,
     seen: &mut Vec<Seen>,
 ) -> Result<(), KnowledgeError> {
-    let param = |name: &str| said.note.params.get(name).map(String::as_str);
-    let number = |name: &str| param(name).and_then(|text| text.parse::<f64>().ok());
-    let row = row(context, param("hole"), param("operation"));
+    let row = row(context, said.hole(), said.operation());
     let of_row = row.and_then(|row| Some(context.stated.rows.get(row)?.tool.as_ref()?.value));
-    let tool = param("tool").and_then(|text| text.parse().ok()).or(of_row);
+    let tool = said.tool().or(of_row);
     let mut severity = said.severity;
     let quantity = match said.code {
-        "other-speed" => Some(Q::Rpm),
-        "other-feed" | "out-other-feed" => Some(Q::MinuteFeed),
+        Code::OtherSpeed => Some(Q::Rpm),
+        Code::OtherFeed | Code::OutOtherFeed => Some(Q::MinuteFeed),
         _ => None,
     };
-    if let Some((quantity, made)) = quantity.zip(number("made")) {
-        let planned = transition(plan, param("hole"), param("operation")).map(|transition| match quantity {
+    if let Some((quantity, made)) = quantity.zip(said.number(Name::Made)) {
+        let planned = transition(plan, said.hole(), said.operation()).map(|transition| match quantity {
             Q::Rpm => transition.conditions.spindle_rpm.0,
             _ => transition.conditions.feed_mm_per_min.0,
         });
         let of_quantity = |row: &ProgramTolerance<'_>| row.quantity == quantity;
         let may = context.shop.knowledge.need(quantity.key(), of_quantity)?;
-        let planned = planned.or(number("needed")).unwrap_or(made);
+        let planned = planned.or(said.number(Name::Needed)).unwrap_or(made);
         if (made - planned).abs() < may.whole + may.relative.0 / 100.0 * planned {
             return Ok(());
         }
@@ -90,7 +89,7 @@ pub(super) fn deviation(
     let mut place = said.block.map(|block| Place { file: file.clone(), line: block.line, column: 1, width: 1 });
     let mut name = field(said.block);
     let mut beside = None;
-    if said.code == "other-corrector" {
+    if said.code == Code::OtherCorrector {
         let at = tool.and_then(|tool| context.stated.tool_at(tool));
         let figure = at.and_then(|at| context.stated.tools.get(at)?.figures.get(&Q::Corrector));
         // A plan that gives no number leaves it to the operator.
@@ -98,7 +97,7 @@ pub(super) fn deviation(
         severity = Severity::Error;
         name = format!("tools.T{tool}.corrector");
         place = Some(figure.place.clone());
-        beside = param("corrector").map(|right| (figure.text.clone(), right.to_owned()));
+        beside = said.count(Name::Corrector).map(|right| (figure.text.clone(), right.to_string()));
     }
     let follows_from = if own { Vec::new() } else { slips(context, graph, row, tool) };
     let mut finding = Finding::new(severity, Section::Program, name, said.note.clone());
@@ -110,21 +109,21 @@ pub(super) fn deviation(
         finding = finding.at(place);
     }
     finding.follows_from = follows_from;
-    seen.push(Seen::new(finding, tool, false));
+    seen.push(Seen::of_deviation(finding, tool, said));
     Ok(())
 }
 
 /// The row of the plan that a deviation is about.
-fn row(context: &Context<'_>, hole: Option<&str>, operation: Option<&str>) -> Option<usize> {
+fn row(context: &Context<'_>, hole: Option<&str>, operation: Option<Operation>) -> Option<usize> {
     let (hole, operation) = hole.zip(operation)?;
     let mut rows = context.stated.rows_of_hole(hole);
-    rows.find(|(_, row)| row.operation.value.name() == operation).map(|(at, _)| at)
+    rows.find(|(_, row)| row.operation.value == operation).map(|(at, _)| at)
 }
 
-fn transition<'p>(plan: &'p Plan, hole: Option<&str>, operation: Option<&str>) -> Option<&'p Transition> {
+fn transition<'p>(plan: &'p Plan, hole: Option<&str>, operation: Option<Operation>) -> Option<&'p Transition> {
     let (hole, operation) = hole.zip(operation)?;
     let hole = plan.holes.iter().find(|plan| plan.name == hole)?;
-    hole.transitions.iter().find(|one| one.operation.name() == operation)
+    hole.transitions.iter().find(|one| one.operation == operation)
 }
 
 /// The slips of the plan that a row or a tool has.

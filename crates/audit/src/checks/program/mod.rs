@@ -16,8 +16,8 @@ use crate::job;
 use crate::knowledge::diagnostic::Place;
 use crate::motion::{Axis, Motion, Position, Step};
 use crate::note::Severity;
-use crate::plan::Plan;
-use crate::program::proof::{self, Asked, Tolerated, prove};
+use crate::plan::{Operation, Plan};
+use crate::program::proof::{self, Asked, Code, Tolerated, prove};
 use crate::program::{Fault, Language, Setting, path};
 use crate::units::Micrometres;
 
@@ -110,16 +110,20 @@ fn proven(
     let asked = Asked { plan, job, zeros: &zeros, start: setting.start, tolerated, own_correctors };
     let mut told = prove(&run.steps, &asked).findings;
     // Of coolant a plan as stated says nothing.
-    told.retain(|said| !said.code.starts_with("coolant-"));
+    told.retain(|said| {
+        !matches!(
+            said.code,
+            Code::CoolantMissing | Code::CoolantSuperfluous | Code::CoolantAtChange | Code::CoolantAtEnd
+        )
+    });
     Ok(told)
 }
 
 /// What tells two deviations apart, whatever the plan needs.
-type Key = (&'static str, Option<crate::motion::BlockRef>, Option<String>, Option<String>);
+type Key = (Code, Option<crate::motion::BlockRef>, Option<String>, Option<Operation>);
 
 fn key(said: &proof::Finding) -> Key {
-    let param = |name: &str| said.note.params.get(name).cloned();
-    (said.code, said.block, param("hole"), param("operation"))
+    (said.code, said.block, said.hole().map(str::to_owned), said.operation())
 }
 
 /// In what the program differs from the plan as it should be.
@@ -149,7 +153,7 @@ fn of_fault(fault: &Fault, steps: &[Step], file: &Arc<str>) -> Seen {
     // What stands behind the end of the main program is of no tool in particular.
     let own = ends.is_none_or(|end| main <= end);
     let tool = changes.find(|(line, _)| own && *line <= main).map(|(_, tool)| tool);
-    Seen::new(finding, tool, fault.severity == Severity::Error)
+    Seen::of_fault(finding, tool, fault)
 }
 
 /// The way to a block of a program in the plan: `program.N1`.

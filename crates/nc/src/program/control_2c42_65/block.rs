@@ -19,7 +19,7 @@ use crate::machine::Machine;
 use crate::motion::{Axis, BlockRef, Motion, Position, Side, Step, Turning};
 use crate::note::Note;
 use crate::program::limits::{Spans, speed_off_steps};
-use crate::program::{Call, Fault, Setting, Span};
+use crate::program::{Call, Fault, Setting, Span, Subject};
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute};
 
 /// Step 2 on its way: the steps of one block, and the state it leaves.
@@ -63,16 +63,20 @@ impl Maker<'_> {
 
     /// Tells a breach of a rule with its figures.
     pub(super) fn tell(&mut self, code: &'static str, span: Span, figures: &[(&str, String)]) {
-        let figures = figures.iter().map(|(name, value)| ((*name).to_owned(), value.clone())).collect();
-        self.tell_note(code, span, Note { code: code.to_owned(), params: figures });
+        let note = figures.iter().fold(Note::new(code), |note, (name, value)| note.with(name, value));
+        self.tell_note(code, span, note);
     }
 
-    /// Tells a breach of a rule: once, however often the block repeats itself.
+    /// Tells a breach of a rule with its note.
     pub(super) fn tell_note(&mut self, code: &'static str, span: Span, note: Note) {
-        if self.faults.iter().any(|told| told.code == code && told.span == span) {
-            return;
+        self.tell_fault(Fault { note, ..fault(code, span, self.block.number) });
+    }
+
+    /// Tells a fault: once, however often the block repeats itself.
+    fn tell_fault(&mut self, fault: Fault) {
+        if !self.faults.iter().any(|told| told.code == fault.code && told.span == fault.span) {
+            self.faults.push(fault);
         }
-        self.faults.push(Fault { note, ..fault(code, span, self.block.number) });
     }
 
     /// Whether the block may not be carried out.
@@ -125,12 +129,10 @@ impl Maker<'_> {
         if let Some(tool) = words.get('T') {
             self.state.wanted = u32::try_from(tool.number()).unwrap_or_default();
             if tool.number() > self.machine.magazine as i64 {
-                let places = self.machine.magazine.to_string();
-                self.tell(
-                    "tool-beyond-magazine",
-                    tool.span,
-                    &[("tool", tool.number().to_string()), ("places", places)],
-                );
+                let number = tool.number();
+                let fault = fault("tool-beyond-magazine", tool.span, self.block.number).with("tool", number);
+                let subject = Subject::Tool(usize::try_from(number).unwrap_or_default());
+                self.tell_fault(fault.with("places", self.machine.magazine).about(subject));
             }
         }
         if let Some(number) = words.get('D') {

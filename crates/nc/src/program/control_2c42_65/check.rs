@@ -9,7 +9,7 @@ use super::rules::fault;
 use super::state::RADIUS;
 use super::text::{Block, Word};
 use super::words::letter;
-use crate::program::{Fault, Span};
+use crate::program::{Fault, Span, Subject};
 
 /// The programs of a text.
 #[derive(Clone, Debug, Default)]
@@ -150,7 +150,9 @@ fn m_functions(block: &Block, control: &Control, faults: &mut Vec<Fault>) {
     let mut exclusive: Option<&Word> = None;
     for word in functions(block) {
         let Some(function) = control.m_functions.get(word.code()) else {
-            faults.push(fault("machine-function", word.span, None).with("code", format!("M{:02}", word.code())));
+            let name = format!("M{:02}", word.code());
+            let fault = fault("machine-function", word.span, None).with("code", &name);
+            faults.push(fault.about(Subject::Function(name)));
             continue;
         };
         if function.exclusive
@@ -174,7 +176,9 @@ fn groups(block: &Block, control: &Control, faults: &mut Vec<Fault>) {
     for word in block.words.iter().filter(|word| word.address == 'G' && !word.in_cycle) {
         let code = word.code();
         let Some(slot) = control.groups.get(code).and_then(|group| last.get_mut(*group)) else {
-            faults.push(fault("unknown-function", word.span, None).with("code", word.number()));
+            let name = word.number().to_string();
+            let fault = fault("unknown-function", word.span, None).with("code", &name);
+            faults.push(fault.about(Subject::Function(name)));
             continue;
         };
         if control.offsets.has(code) {

@@ -1,6 +1,5 @@
 //! The way through a program: its blocks, calls and repeats (textbook 3.12.2, 3.14).
 
-use std::collections::BTreeSet;
 use std::ops::Range;
 
 use super::block::{After, Maker};
@@ -13,11 +12,8 @@ use super::text::{self, Block};
 use super::words::Words;
 use crate::machine::Machine;
 use crate::motion::{BlockRef, Sink, Step};
-use crate::program::limits::{Spans, without_zero};
+use crate::program::running::{BUDGET, Running, Way};
 use crate::program::{Call, Fault, Setting};
-
-/// Blocks and steps that a check carries out: 65535 repeats of 65535 repeats would never end.
-const BUDGET: usize = 500_000;
 
 /// Checks a program: its text, then its run. The steps of the run go to the sink; what is wrong comes back, by place.
 ///
@@ -53,18 +49,12 @@ pub fn check_within<S: Sink>(
             machine,
             setting,
             state: State::power_on(control, setting),
-            sink,
-            told: BTreeSet::new(),
-            calls: Vec::new(),
             holes: Holes::new(),
-            faults: Vec::new(),
-            spans: Spans::new(),
             steps: Vec::new(),
-            budget,
-            left: budget,
+            running: Running::new(sink, fault, budget),
         };
-        run.main();
-        faults.append(&mut run.faults);
+        run.program(programs.main.clone(), 0);
+        faults.extend(run.running.finish(blocks.first().map(|block| block.span).unwrap_or_default()));
     }
     faults.sort_by_key(|fault| fault.span);
     faults
@@ -77,40 +67,13 @@ struct Run<'a, S> {
     machine: &'a Machine<'a>,
     setting: &'a Setting,
     state: State,
-    sink: &'a mut S,
-    /// What has been told of a word already: a block may run many times.
-    told: BTreeSet<(u32, u32, &'static str)>,
-    /// The calls that led to the block that runs.
-    calls: Vec<Call>,
     holes: Holes,
-    faults: Vec<Fault>,
-    spans: Spans,
     /// The room for the steps of a block, empty between them: taken and given back, so that no block allocates its own.
     steps: Vec<Step>,
-    budget: usize,
-    left: usize,
-}
-
-/// How a program or a block went on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Way {
-    On,
-    /// M99.
-    Back,
-    /// M02, M30, or nothing more to carry out.
-    Out,
+    running: Running<'a, S>,
 }
 
 impl<S: Sink> Run<'_, S> {
-    fn main(&mut self) {
-        let main = self.programs.main.clone();
-        self.program(main, 0);
-        for (system, axes) in without_zero(&self.spans) {
-            let span = self.blocks.first().map(|block| block.span).unwrap_or_default();
-            self.tell(fault("zero-not-set", span, None).with("system", system).with("axes", axes));
-        }
-    }
-
     fn program(&mut self, range: Range<usize>, depth: usize) -> Way {
         let blocks = self.blocks;
         for block in &blocks[range] {
@@ -123,12 +86,9 @@ impl<S: Sink> Run<'_, S> {
     }
 
     fn block(&mut self, block: &Block, depth: usize) -> Way {
-        if self.left == 0 {
-            let fault = fault("run-too-long", block.span, block.number).with("budget", self.budget);
-            self.tell(fault);
+        if !self.running.spend(block.span, block.number) {
             return Way::Out;
         }
-        self.left -= 1;
         // 1. Read the words and check their groups.
         let words = Words::read(block, self.control, self.setting.skip);
         // 2. Check everything: make the steps.
@@ -141,34 +101,24 @@ impl<S: Sink> Run<'_, S> {
             faults: Vec::new(),
             block: BlockRef { line: block.span.line, number: block.number },
             span: block.span,
-            spans: &mut self.spans,
+            spans: &mut self.running.spans,
             holes: &mut self.holes,
-            calls: &self.calls,
+            calls: &self.running.calls,
             made: 0,
-            budget: self.left,
+            budget: self.running.left,
         };
         maker.finer_than_machine(&words);
         let after = maker.make(&words);
         let Maker { mut steps, faults, made, .. } = maker;
         // 3. Carry it out: nothing of a block that is not good.
-        let good = !faults.iter().any(Fault::is_error);
-        if good {
-            for step in &steps {
-                self.sink.take(step);
-            }
-        }
+        self.running.carry_out(&steps, faults, made);
         steps.clear();
         self.steps = steps;
-        self.left = self.left.saturating_sub(made);
-        for fault in faults {
-            self.tell(fault);
-        }
         match after {
             After::End => Way::Out,
             After::Return if depth == 0 => {
                 let span = words.m.iter().find(|it| it.code == 99).map_or(block.span, |it| it.span);
-                self.tell(fault("return-without-call", span, block.number));
-                Way::Out
+                self.running.nowhere_to_return(span, block.number)
             }
             After::Return => Way::Back,
             After::Next => self.calls(block, &words, depth),
@@ -180,13 +130,11 @@ impl<S: Sink> Run<'_, S> {
         let Some(call) = words.get('P') else { return Way::On };
         let number = u8::try_from(call.number()).unwrap_or(u8::MAX);
         let Some(range) = self.programs.numbered.get(&number).cloned() else { return Way::On };
-        if depth >= self.control.depth {
-            let fault = fault("calls-too-deep", call.span, block.number).with("limit", self.control.depth);
-            self.tell(fault);
+        if self.running.too_deep(depth, self.control.depth, call.span, block.number) {
             return Way::Out;
         }
         let from = BlockRef { line: block.span.line, number: block.number };
-        self.calls.push(Call { from, program: number });
+        self.running.calls.push(Call { from, program: number });
         let mut way = Way::On;
         for _ in 0..words.get('L').map_or(1, super::words::Given::number) {
             if self.program(range.clone(), depth + 1) == Way::Out {
@@ -194,15 +142,8 @@ impl<S: Sink> Run<'_, S> {
                 break;
             }
         }
-        self.calls.pop();
+        self.running.calls.pop();
         way
-    }
-
-    fn tell(&mut self, mut fault: Fault) {
-        if self.told.insert((fault.span.line, fault.span.column, fault.code)) {
-            fault.calls.clone_from(&self.calls);
-            self.faults.push(fault);
-        }
     }
 }
 

@@ -13,7 +13,7 @@ use crate::machine::Machine;
 use crate::motion::{Axis, BlockRef, Motion, Position, Step, Turning, geometry};
 use crate::note::Note;
 use crate::program::limits::{Floating, Spans, beyond_travel, speed_off_steps};
-use crate::program::{Fault, Setting, Span};
+use crate::program::{Fault, Setting, Span, Subject};
 use crate::units::{Decimal, Micrometres, MillimetresPerMinute, RevsPerMinute};
 
 /// A block on its way: its steps, made on a copy of the state.
@@ -119,8 +119,9 @@ impl Maker<'_> {
             self.state.wanted = u32::try_from(number).unwrap_or_default();
             let places = self.machine.magazine;
             if number > places as i64 {
-                let figures = [("tool", number.to_string()), ("places", places.to_string())];
-                self.tell("tool-beyond-magazine", tool.span, &figures);
+                let fault = fault("tool-beyond-magazine", tool.span, self.block.number).with("tool", number);
+                let subject = Subject::Tool(usize::try_from(number).unwrap_or_default());
+                self.faults.push(fault.with("places", places).about(subject));
             }
         }
     }

@@ -1,6 +1,5 @@
 //! The way through a program: its blocks, calls and repeats.
 
-use std::collections::BTreeSet;
 use std::ops::Range;
 
 use super::block::{After, Maker};
@@ -12,11 +11,8 @@ use super::text::{self, Block, Label};
 use super::words::Words;
 use crate::machine::Machine;
 use crate::motion::{BlockRef, Motion, Sink, Step};
-use crate::program::limits::{Spans, without_zero};
+use crate::program::running::{BUDGET, Running, Way};
 use crate::program::{Fault, Setting, Span};
-
-/// Blocks and steps that a check carries out: repeats of repeats would never end.
-const BUDGET: usize = 500_000;
 
 /// Checks a program: its text, then its run. The steps of the run go to the sink; what is wrong comes back, by place.
 ///
@@ -42,14 +38,10 @@ pub fn check<S: Sink>(
             setting,
             closed,
             state: State::power_on(control, setting),
-            sink,
-            told: BTreeSet::new(),
-            faults: Vec::new(),
-            spans: Spans::new(),
-            left: BUDGET,
+            running: Running::new(sink, fault, BUDGET),
         };
         run.main();
-        faults.append(&mut run.faults);
+        faults.extend(run.running.finish(blocks.first().map(|block| block.span).unwrap_or_default()));
     }
     faults.sort_by_key(|fault| fault.span);
     faults
@@ -65,32 +57,13 @@ struct Run<'a, S> {
     /// Whether a second `%` closes the text: an end of LinuxCNC too.
     closed: bool,
     state: State,
-    sink: &'a mut S,
-    /// What has been told of a word already: a block may run many times.
-    told: BTreeSet<(u32, u32, &'static str)>,
-    faults: Vec<Fault>,
-    spans: Spans,
-    left: usize,
-}
-
-/// How a program or a block went on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Way {
-    On,
-    /// M99, `o… endsub`, `o… return`.
-    Back,
-    /// M2, M30, or nothing more to carry out.
-    Out,
+    running: Running<'a, S>,
 }
 
 impl<S: Sink> Run<'_, S> {
     fn main(&mut self) {
         if self.program(self.programs.main.clone(), 0) == Way::On {
             self.open_end();
-        }
-        for (system, axes) in without_zero(&self.spans) {
-            let span = self.blocks.first().map(|block| block.span).unwrap_or_default();
-            self.tell(fault("zero-not-set", span, None).with("system", system).with("axes", axes));
         }
     }
 
@@ -100,9 +73,9 @@ impl<S: Sink> Run<'_, S> {
         let (span, number) = last.map_or((Span::default(), None), |block| (block.span, block.number));
         if self.closed && self.control.o_words {
             let block = BlockRef { line: span.line, number };
-            self.sink.take(&Step { motion: Motion::End, at: self.state.at, block });
+            self.running.take(&Step { motion: Motion::End, at: self.state.at, block });
         } else {
-            self.tell(fault("program-without-end", span, number));
+            self.running.tell(fault("program-without-end", span, number));
         }
     }
 
@@ -127,11 +100,9 @@ impl<S: Sink> Run<'_, S> {
         if block.skipped && self.setting.skip {
             return Way::On;
         }
-        if self.left == 0 {
-            self.tell(fault("run-too-long", block.span, block.number).with("budget", BUDGET));
+        if !self.running.spend(block.span, block.number) {
             return Way::Out;
         }
-        self.left -= 1;
         let mut maker = Maker {
             control: self.control,
             machine: self.machine,
@@ -141,29 +112,18 @@ impl<S: Sink> Run<'_, S> {
             faults: Vec::new(),
             block: BlockRef { line: block.span.line, number: block.number },
             span: block.span,
-            spans: &mut self.spans,
-            budget: self.left,
+            spans: &mut self.running.spans,
+            budget: self.running.left,
             used: [false; 26],
         };
         let after = maker.make(words);
         let Maker { state, steps, faults, .. } = maker;
         // Nothing of a block that is not good, but its modes.
-        if !faults.iter().any(Fault::is_error) {
-            for step in &steps {
-                self.sink.take(step);
-            }
-        }
-        self.left = self.left.saturating_sub(steps.len());
+        self.running.carry_out(&steps, faults, steps.len());
         self.state = state;
-        for fault in faults {
-            self.tell(fault);
-        }
         match (after, &block.label) {
             (After::End, _) => Way::Out,
-            (After::Return(span), _) if depth == 0 => {
-                self.tell(fault("return-without-call", span, block.number));
-                Way::Out
-            }
+            (After::Return(span), _) if depth == 0 => self.running.nowhere_to_return(span, block.number),
             (After::Return(_), _) | (_, Some(Label::EndSub(_) | Label::Return(_))) => Way::Back,
             (After::Next, _) => self.call(block, words, depth),
         }
@@ -172,8 +132,7 @@ impl<S: Sink> Run<'_, S> {
     fn call(&mut self, block: &Block, words: &Words, depth: usize) -> Way {
         let Some(call) = programs::call(block, words, self.control) else { return Way::On };
         let Some(range) = self.programs.named.get(&call.name).cloned() else { return Way::On };
-        if depth >= self.control.depth {
-            self.tell(fault("calls-too-deep", call.span, block.number).with("limit", self.control.depth));
+        if self.running.too_deep(depth, self.control.depth, call.span, block.number) {
             return Way::Out;
         }
         for _ in 0..call.repeats {
@@ -182,18 +141,12 @@ impl<S: Sink> Run<'_, S> {
                 Way::On => {
                     // It ran into the next program, or out of the text.
                     let head = self.blocks.get(range.start).map_or((call.span, None), |it| (it.span, it.number));
-                    self.tell(fault("program-without-end", head.0, head.1));
+                    self.running.tell(fault("program-without-end", head.0, head.1));
                     return Way::Out;
                 }
                 Way::Out => return Way::Out,
             }
         }
         Way::On
-    }
-
-    fn tell(&mut self, fault: Fault) {
-        if self.told.insert((fault.span.line, fault.span.column, fault.code)) {
-            self.faults.push(fault);
-        }
     }
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::cuts::{TOLERANCE, near};
 use super::matching::Matched;
 use super::walk::{Event, How, Stay};
-use super::{Asked, Finding, Made, Task, shown};
+use super::{Asked, Code, Finding, Made, Name, Task};
 use crate::job::Pause;
 use crate::motion::{BlockRef, Turning};
 use crate::note::Severity;
@@ -64,20 +64,20 @@ impl<'t> Around<'_, 't> {
         for (number, stay) in self.made.walk.stays.iter().enumerate() {
             let Some(travel) = stay.travel else { continue };
             if !cuts.contains_key(&number) && !self.at_change(stay) {
-                findings.push(Finding::new("idle-point", Severity::Note, stay.block).with("at", shown(stay.at)));
+                findings.push(Finding::new(Code::IdlePoint, Severity::Note, stay.block).with(Name::At, stay.at));
             }
             if let Some(feed) = travel.feed() {
                 findings.push(
-                    Finding::new("travel-at-feed", Severity::Note, stay.block)
-                        .with("at", shown(stay.at))
-                        .with("made", feed),
+                    Finding::new(Code::TravelAtFeed, Severity::Note, stay.block)
+                        .with(Name::At, stay.at)
+                        .with(Name::Made, feed),
                 );
             }
             let low = travel.from[2].min(travel.to[2]);
             let high = travel.from[2].max(travel.to[2]);
             let up = travel.machine.z == self.asked.job.change_at.z && low == high;
             if up && self.at_change(stay) && travel.turning != Turning::Stopped {
-                findings.push(Finding::new("turns-to-change", Severity::Note, stay.block));
+                findings.push(Finding::new(Code::TurnsToChange, Severity::Note, stay.block));
             }
             let from_change = number.checked_sub(1).and_then(|before| self.made.walk.stays.get(before));
             if self.at_change(stay) || from_change.is_some_and(|stay| self.at_change(stay)) {
@@ -85,9 +85,9 @@ impl<'t> Around<'_, 't> {
                     continue;
                 }
                 findings.push(
-                    Finding::new("travel-not-up", Severity::Note, stay.block)
-                        .with("at", shown(stay.at))
-                        .with("z", high),
+                    Finding::new(Code::TravelNotUp, Severity::Note, stay.block)
+                        .with(Name::At, stay.at)
+                        .with(Name::Z, high),
                 );
             }
             let before = number.checked_sub(1).and_then(|before| cuts.get(&before)).map(|(_, last)| *last);
@@ -101,15 +101,15 @@ impl<'t> Around<'_, 't> {
             };
             let say = |code, severity, made: Micrometres| {
                 Finding::new(code, severity, stay.block)
-                    .with("at", shown(stay.at))
-                    .with("made", made)
-                    .with("needed", needed)
+                    .with(Name::At, stay.at)
+                    .with(Name::Made, made)
+                    .with(Name::Needed, needed)
             };
             if low < needed - TOLERANCE {
                 let severity = if low <= top { Severity::Error } else { Severity::Doubtful };
-                findings.push(say("travel-low", severity, low));
+                findings.push(say(Code::TravelLow, severity, low));
             } else if high > needed + TOLERANCE {
-                findings.push(say("travel-high", Severity::Note, high));
+                findings.push(say(Code::TravelHigh, Severity::Note, high));
             }
         }
     }
@@ -121,7 +121,7 @@ impl<'t> Around<'_, 't> {
         for (stay, leads, made) in &self.made.above {
             let say = |code| Finding::new(code, Severity::Note, made.block);
             if let How::Dwell(seconds) = made.how {
-                findings.push(say("dwell-in-air").with("made", seconds));
+                findings.push(say(Code::DwellInAir).with(Name::Made, seconds));
                 continue;
             }
             if !made.moves() {
@@ -131,12 +131,12 @@ impl<'t> Around<'_, 't> {
             // What leads to nothing planned is told with the cut.
             let Some(task) = of else {
                 if !cuts.contains_key(stay) && made.machine.z != up {
-                    findings.push(say("idle-height").with("z", made.to[2]));
+                    findings.push(say(Code::IdleHeight).with(Name::Z, made.to[2]));
                 }
                 continue;
             };
             if leads.is_some() && made.turning == Turning::Stopped {
-                findings.push(say("approach-standing").with("z", made.to[2]));
+                findings.push(say(Code::ApproachStanding).with(Name::Z, made.to[2]));
             }
             let cycle = task.cycle;
             let metal = self.asked.plan.part.datum.top - task.transition.start_mm;
@@ -147,10 +147,10 @@ impl<'t> Around<'_, 't> {
             let known = [cycle.begin, cycle.out].iter().any(|level| near(*level, made.to[2]));
             let up_again = leads.is_none() && made.machine.z == up;
             if !known && !up_again {
-                findings.push(say("idle-height").with("z", made.to[2]));
+                findings.push(say(Code::IdleHeight).with(Name::Z, made.to[2]));
             }
             if let Some(feed) = made.feed() {
-                findings.push(say("air-at-feed").with("z", made.to[2]).with("made", feed));
+                findings.push(say(Code::AirAtFeed).with(Name::Z, made.to[2]).with(Name::Made, feed));
             }
         }
     }
@@ -163,10 +163,10 @@ impl<'t> Around<'_, 't> {
             let high = above.map(|(.., made)| made.to[2]).fold(pair[0].rose, Micrometres::max);
             if high < task.cycle.out - TOLERANCE {
                 findings.push(
-                    Finding::new("travel-low", Severity::Note, pair[1].block)
-                        .with("at", shown(pair[1].at))
-                        .with("made", high)
-                        .with("needed", task.cycle.out),
+                    Finding::new(Code::TravelLow, Severity::Note, pair[1].block)
+                        .with(Name::At, pair[1].at)
+                        .with(Name::Made, high)
+                        .with(Name::Needed, task.cycle.out),
                 );
             }
         }
@@ -202,7 +202,7 @@ impl<'t> Around<'_, 't> {
             last = cut.order;
         }
         for (stop, _) in stops.iter().zip(&used).filter(|(_, used)| !**used) {
-            findings.push(Finding::new("stop-for-nothing", Severity::Note, stop.1));
+            findings.push(Finding::new(Code::StopForNothing, Severity::Note, stop.1));
         }
     }
 
@@ -212,7 +212,7 @@ impl<'t> Around<'_, 't> {
         if let Some(cut) = first
             && !self.made.walk.events.iter().any(|(order, _, event)| *order == turned_over && *event == Event::Stop)
         {
-            findings.push(Finding::new("not-turned-over", Severity::Error, cut.place));
+            findings.push(Finding::new(Code::NotTurnedOver, Severity::Error, cut.place));
         }
     }
 
@@ -237,11 +237,11 @@ impl<'t> Around<'_, 't> {
             })
             .sum();
         findings.push(
-            Finding::new("other-order", Severity::Note, cut.place)
-                .with("at", shown(cut.at))
-                .with("needed", shown([task.stop.at.x, task.stop.at.y]))
-                .with("count", others)
-                .with("way", crate::units::round_to(way, 1)),
+            Finding::new(Code::OtherOrder, Severity::Note, cut.place)
+                .with(Name::At, cut.at)
+                .with(Name::Needed, [task.stop.at.x, task.stop.at.y])
+                .with(Name::Count, others)
+                .with(Name::Way, crate::units::round_to(way, 1)),
         );
     }
 
@@ -252,39 +252,39 @@ impl<'t> Around<'_, 't> {
         for (_, block, event) in &self.made.walk.events {
             match event {
                 Event::Stop => {}
-                Event::Radius => findings.push(Finding::new("radius-correction", Severity::Doubtful, *block)),
+                Event::Radius => findings.push(Finding::new(Code::RadiusCorrection, Severity::Doubtful, *block)),
                 Event::Change { at, turned, coolant, corrected } => {
                     if *at != change {
                         let at = format!("X{} Y{} Z{}", at.x, at.y, at.z);
-                        findings.push(Finding::new("changes-elsewhere", Severity::Wrong, *block).with("at", at));
+                        findings.push(Finding::new(Code::ChangesElsewhere, Severity::Wrong, *block).with(Name::At, at));
                     }
                     if *corrected {
-                        findings.push(Finding::new("correction-at-change", Severity::Note, *block));
+                        findings.push(Finding::new(Code::CorrectionAtChange, Severity::Note, *block));
                     }
                     if *turned {
-                        findings.push(Finding::new("turns-at-change", Severity::Note, *block));
+                        findings.push(Finding::new(Code::TurnsAtChange, Severity::Note, *block));
                     }
                     if *coolant {
-                        findings.push(Finding::new("coolant-at-change", Severity::Note, *block));
+                        findings.push(Finding::new(Code::CoolantAtChange, Severity::Note, *block));
                     }
                 }
                 Event::End { at, turns, coolant } => {
                     ended = true;
                     if *at != change {
                         let at = format!("X{} Y{} Z{}", at.x, at.y, at.z);
-                        findings.push(Finding::new("ends-elsewhere", Severity::Note, *block).with("at", at));
+                        findings.push(Finding::new(Code::EndsElsewhere, Severity::Note, *block).with(Name::At, at));
                     }
                     if *turns {
-                        findings.push(Finding::new("turns-at-end", Severity::Doubtful, *block));
+                        findings.push(Finding::new(Code::TurnsAtEnd, Severity::Doubtful, *block));
                     }
                     if *coolant {
-                        findings.push(Finding::new("coolant-at-end", Severity::Note, *block));
+                        findings.push(Finding::new(Code::CoolantAtEnd, Severity::Note, *block));
                     }
                 }
             }
         }
         if !ended {
-            findings.push(Finding::new("no-end", Severity::Doubtful, None));
+            findings.push(Finding::new(Code::NoEnd, Severity::Doubtful, None));
         }
     }
 }
@@ -294,11 +294,11 @@ fn no_stop(pause: &Pause, block: BlockRef, none: bool) -> Finding {
     let severity = if none { Severity::Error } else { Severity::Note };
     match pause {
         Pause::LoadTool { tool, place } => {
-            Finding::new("no-stop-to-load", severity, block).with("tool", tool).with("place", place)
+            Finding::new(Code::NoStopToLoad, severity, block).with(Name::Tool, *tool).with(Name::Place, *place)
         }
-        Pause::TurnOver => Finding::new("no-stop-to-turn-over", severity, block),
+        Pause::TurnOver => Finding::new(Code::NoStopToTurnOver, severity, block),
         Pause::SetBar { diameter_mm } => {
-            Finding::new("no-stop-to-set-bar", severity, block).with("diameter", diameter_mm)
+            Finding::new(Code::NoStopToSetBar, severity, block).with(Name::Diameter, *diameter_mm)
         }
     }
 }

@@ -6,7 +6,7 @@ use super::cuts::{Cut, TOLERANCE, near};
 use super::matching::{Matched, Places};
 use super::tools::Tools;
 use super::walk::{How, Move};
-use super::{Asked, Finding, Made, Task, milled, shown};
+use super::{Asked, Code, Figure, Finding, Made, Name, Task, milled};
 use crate::job::{Cycle, Kind};
 use crate::motion::Turning;
 use crate::note::Severity;
@@ -38,13 +38,14 @@ pub(super) fn all(
         let say = Say { cut, task };
         if tools.of_section(cut.section) != Some(task.tool.tool) {
             let needed = task.tool.tool;
-            findings.push(say.now("wrong-tool", Severity::Error).with("tool", cut.tool).with("needed", needed));
+            findings
+                .push(say.now(Code::WrongTool, Severity::Error).with(Name::Tool, cut.tool).with(Name::Needed, needed));
         }
         let point = (task.setup, task.stop.at.x, task.stop.at.y);
         match furthest.get(&point) {
             Some(&before) if before > number => {
-                let earlier = tasks[before].cycle.operation.name();
-                findings.push(say.now("wrong-order", Severity::Error).with("instead", earlier));
+                let earlier = tasks[before].cycle.operation;
+                findings.push(say.now(Code::WrongOrder, Severity::Error).with(Name::Instead, earlier));
             }
             _ => {
                 furthest.insert(point, number);
@@ -72,22 +73,22 @@ pub(super) struct Say<'a, 't> {
 
 impl Say<'_, '_> {
     /// A finding about the cut.
-    pub fn now(&self, code: &'static str, severity: Severity) -> Finding {
+    pub fn now(&self, code: Code, severity: Severity) -> Finding {
         Finding::new(code, severity, self.cut.block)
-            .with("hole", &self.task.stop.hole)
-            .with("operation", self.task.cycle.operation.name())
-            .with("at", shown(self.cut.at))
+            .with(Name::Hole, &self.task.stop.hole)
+            .with(Name::Operation, self.task.cycle.operation)
+            .with(Name::At, self.cut.at)
     }
 
     /// A finding about a figure of it.
     pub fn figure(
         &self,
-        code: &'static str,
+        code: Code,
         severity: Severity,
-        made: impl ToString,
-        needed: impl ToString,
+        made: impl Into<Figure>,
+        needed: impl Into<Figure>,
     ) -> Finding {
-        self.now(code, severity).with("made", made).with("needed", needed)
+        self.now(code, severity).with(Name::Made, made).with(Name::Needed, needed)
     }
 }
 
@@ -97,16 +98,16 @@ fn collisions(cut: &Cut, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
     let across = cut.moves.iter().find(|made| made.how == How::Rapid && made.across() && made.below(top));
     if let Some(made) = across {
         findings.push(
-            Finding::new("rapid-across", Severity::Error, made.block)
-                .with("at", shown([made.to[0], made.to[1]]))
-                .with("z", made.from[2].min(made.to[2])),
+            Finding::new(Code::RapidAcross, Severity::Error, made.block)
+                .with(Name::At, [made.to[0], made.to[1]])
+                .with(Name::Z, made.from[2].min(made.to[2])),
         );
     }
     if cut.begin().is_none() {
         findings.push(
-            Finding::new("rapid-into-part", Severity::Error, cut.block)
-                .with("at", shown(cut.at))
-                .with("z", cut.deepest()),
+            Finding::new(Code::RapidIntoPart, Severity::Error, cut.block)
+                .with(Name::At, cut.at)
+                .with(Name::Z, cut.deepest()),
         );
         return;
     }
@@ -115,9 +116,9 @@ fn collisions(cut: &Cut, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
     for made in cut.moves.iter().filter(|made| made.moves()) {
         if made.how == How::Rapid && !made.across() && deepest.is_some_and(|deepest| made.to[2] < deepest - TOLERANCE) {
             findings.push(
-                Finding::new("rapid-into-part", Severity::Error, made.block)
-                    .with("at", shown(cut.at))
-                    .with("z", made.to[2]),
+                Finding::new(Code::RapidIntoPart, Severity::Error, made.block)
+                    .with(Name::At, cut.at)
+                    .with(Name::Z, made.to[2]),
             );
         }
         if made.feed().is_some() {
@@ -126,8 +127,8 @@ fn collisions(cut: &Cut, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
     }
     let turning = cut.turning();
     if turning != Turning::Clockwise {
-        let code = if turning == Turning::Stopped { "spindle-stands" } else { "wrong-turn" };
-        findings.push(Finding::new(code, Severity::Error, cut.block).with("at", shown(cut.at)).with("tool", cut.tool));
+        let code = if turning == Turning::Stopped { Code::SpindleStands } else { Code::WrongTurn };
+        findings.push(Finding::new(code, Severity::Error, cut.block).with(Name::At, cut.at).with(Name::Tool, cut.tool));
     }
 }
 
@@ -147,15 +148,15 @@ fn superfluous(
     let own = tools.of_section(cut.section);
     let again = here.iter().find(|&&task| own == Some(tasks[task].tool.tool) && matched.cut_of[task].is_some());
     let code = match (again, here.is_empty()) {
-        (Some(_), _) => "cut-again",
-        (None, false) => "cut-not-planned",
-        (None, true) => "cut-elsewhere",
+        (Some(_), _) => Code::CutAgain,
+        (None, false) => Code::CutNotPlanned,
+        (None, true) => Code::CutElsewhere,
     };
     findings.push(
         Finding::new(code, Severity::Error, cut.place)
-            .with("at", shown(cut.at))
-            .with("z", cut.deepest())
-            .with("tool", cut.tool),
+            .with(Name::At, cut.at)
+            .with(Name::Z, cut.deepest())
+            .with(Name::Tool, cut.tool),
     );
 }
 
@@ -171,12 +172,12 @@ fn missing(matched: &Matched, tasks: &[Task<'_>], findings: &mut Vec<Finding>) {
         let Some(task) = tasks.first() else { continue };
         let points: Vec<String> = tasks.iter().map(|task| format!("[{};{}]", task.stop.at.x, task.stop.at.y)).collect();
         findings.push(
-            Finding::new("not-made", Severity::Error, None)
-                .with("hole", &task.stop.hole)
-                .with("operation", task.cycle.operation.name())
-                .with("tool", task.tool.tool)
-                .with("count", points.len())
-                .with("points", points.join(", ")),
+            Finding::new(Code::NotMade, Severity::Error, None)
+                .with(Name::Hole, &task.stop.hole)
+                .with(Name::Operation, task.cycle.operation)
+                .with(Name::Tool, task.tool.tool)
+                .with(Name::Count, points.len())
+                .with(Name::Points, points.join(", ")),
         );
     }
 }
@@ -194,13 +195,13 @@ fn levels(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
         let in_air = say.task.reached_in_air(metal) < cycle.begin && begin >= metal;
         if begin < cycle.begin - TOLERANCE && !in_air {
             let finding = if begin < metal {
-                say.figure("rapid-into-metal", Severity::Error, begin, metal)
+                say.figure(Code::RapidIntoMetal, Severity::Error, begin, metal)
             } else {
-                say.figure("begins-lower", Severity::Doubtful, begin, cycle.begin)
+                say.figure(Code::BeginsLower, Severity::Doubtful, begin, cycle.begin)
             };
             findings.push(finding);
         } else if begin > cycle.begin + TOLERANCE {
-            findings.push(say.figure("begins-higher", Severity::Note, begin, cycle.begin));
+            findings.push(say.figure(Code::BeginsHigher, Severity::Note, begin, cycle.begin));
         }
     }
     let deepest = say.cut.deepest();
@@ -217,13 +218,13 @@ fn levels(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
     let finding = if deepest > cycle.end {
         let enough = through && deepest <= cycle.end + asked.tolerated.overrun + TOLERANCE;
         let (code, severity) =
-            if enough { ("less-overrun", Severity::Doubtful) } else { ("too-shallow", Severity::Error) };
+            if enough { (Code::LessOverrun, Severity::Doubtful) } else { (Code::TooShallow, Severity::Error) };
         say.figure(code, severity, deepest, cycle.end)
     } else {
         // Under a through hole stands the table.
         let within = through && deepest >= cycle.end - asked.tolerated.overrun - TOLERANCE;
         let severity = if within || preparing { Severity::Doubtful } else { Severity::Wrong };
-        say.figure("deeper", severity, deepest, cycle.end)
+        say.figure(Code::Deeper, severity, deepest, cycle.end)
     };
     findings.push(finding);
 }
@@ -238,12 +239,12 @@ fn conditions(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>)
     };
     if let Some(made) = cut.cutting().find(|made| other(made.speed, cycle.speed_rpm.0)) {
         let severity = load(made.speed, cycle.speed_rpm.0);
-        findings.push(say.figure("other-speed", severity, made.speed, cycle.speed_rpm.0));
+        findings.push(say.figure(Code::OtherSpeed, severity, made.speed, cycle.speed_rpm.0));
     }
     let mut feeds = cut.cutting().filter_map(Move::feed);
     if let Some(feed) = feeds.find(|feed| other(*feed, cycle.feed_mm_per_min.0)) {
         let severity = load(feed, cycle.feed_mm_per_min.0);
-        findings.push(say.figure("other-feed", severity, feed, cycle.feed_mm_per_min.0));
+        findings.push(say.figure(Code::OtherFeed, severity, feed, cycle.feed_mm_per_min.0));
     }
     // What a tooth takes grows when the spindle is slower, though each figure may be another's choice.
     let per_turn = |feed: f64, speed: f64| feed / speed.max(f64::MIN_POSITIVE);
@@ -252,7 +253,7 @@ fn conditions(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>)
     let made = turned.filter_map(|made| Some(per_turn(made.feed()?, made.speed))).fold(0.0, f64::max);
     if made > planned * asked.tolerated.overload {
         let figure = |value: f64| crate::units::round_to(value, 3);
-        findings.push(say.figure("feed-per-turn", Severity::Wrong, figure(made), figure(planned)));
+        findings.push(say.figure(Code::FeedPerTurn, Severity::Wrong, figure(made), figure(planned)));
     }
     let needed = cycle.dwell_s.map_or(0.0, |dwell| dwell.0);
     // Dwells are written in tenths or thousandths: there is nothing to round.
@@ -263,16 +264,16 @@ fn conditions(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>)
             made if made > (asked.tolerated.overlong * needed).max(1.0) => Severity::Wrong,
             _ => Severity::Note,
         };
-        findings.push(say.figure("other-dwell", severity, crate::units::round_to(cut.dwell(), 3), needed));
+        findings.push(say.figure(Code::OtherDwell, severity, crate::units::round_to(cut.dwell(), 3), needed));
     }
     if cut.other_dwells() > 0.0 {
-        findings.push(say.now("dwell-elsewhere", Severity::Note).with("made", cut.other_dwells()));
+        findings.push(say.now(Code::DwellElsewhere, Severity::Note).with(Name::Made, cut.other_dwells()));
     }
     let flows = cut.cutting().all(|made| made.coolant);
     if say.task.tool.coolant && !flows {
-        findings.push(say.now("coolant-missing", Severity::Doubtful));
+        findings.push(say.now(Code::CoolantMissing, Severity::Doubtful));
     } else if !say.task.tool.coolant && cut.cutting().any(|made| made.coolant) {
-        findings.push(say.now("coolant-superfluous", Severity::Note));
+        findings.push(say.now(Code::CoolantSuperfluous, Severity::Note));
     }
 }
 
@@ -285,7 +286,7 @@ fn steps(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
         Kind::ChipBreak { step, retreat } => (step, retreat, false),
         _ => {
             if downs.len() > 1 {
-                findings.push(say.now("steps-not-planned", Severity::Note).with("made", downs.len()));
+                findings.push(say.now(Code::StepsNotPlanned, Severity::Note).with(Name::Made, downs.len()));
             }
             return;
         }
@@ -296,14 +297,14 @@ fn steps(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
         let taken = reached - *to;
         let last = index + 1 == downs.len();
         if taken > step + TOLERANCE {
-            findings.push(say.figure("step-too-large", Severity::Wrong, taken, step));
+            findings.push(say.figure(Code::StepTooLarge, Severity::Wrong, taken, step));
         } else if !last && taken < step - TOLERANCE {
-            findings.push(say.figure("step-smaller", Severity::Note, taken, step));
+            findings.push(say.figure(Code::StepSmaller, Severity::Note, taken, step));
         }
         // With a step smaller than the way back the tool returns to the beginning.
         let needed = (reached + back).min(cycle.begin);
         if index > 0 && !near(*from, needed) {
-            findings.push(say.figure("step-clearance", Severity::Note, *from - reached, needed - reached));
+            findings.push(say.figure(Code::StepClearance, Severity::Note, *from - reached, needed - reached));
         }
         reached = reached.min(*to);
     }
@@ -314,7 +315,7 @@ fn steps(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
             continue;
         }
         let severity = if leaves && *returned < needed { Severity::Doubtful } else { Severity::Note };
-        findings.push(say.figure("step-return", severity, returned, needed));
+        findings.push(say.figure(Code::StepReturn, severity, *returned, needed));
     }
 }
 
@@ -327,17 +328,17 @@ fn way_out(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
     match &cycle.kind {
         Kind::FeedOut | Kind::Tap { .. } => {
             if inside.iter().any(|made| !at_feed(made)) {
-                findings.push(say.now("out-at-rapid", Severity::Wrong));
+                findings.push(say.now(Code::OutAtRapid, Severity::Wrong));
             }
             let other = inside.iter().filter_map(|made| made.feed());
             let mut other = other.filter(|feed| (feed - cycle.feed_mm_per_min.0).abs() > FIGURE);
             if let Some(feed) = other.next() {
-                findings.push(say.figure("out-other-feed", Severity::Doubtful, feed, cycle.feed_mm_per_min.0));
+                findings.push(say.figure(Code::OutOtherFeed, Severity::Doubtful, feed, cycle.feed_mm_per_min.0));
             }
         }
         _ => {
             if let Some(feed) = moves.iter().find_map(|made| made.feed()) {
-                findings.push(say.now("out-at-feed", Severity::Note).with("made", feed));
+                findings.push(say.now(Code::OutAtFeed, Severity::Note).with(Name::Made, feed));
             }
         }
     }
@@ -347,27 +348,27 @@ fn way_out(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
         near(made.to[2], cycle.begin) || near(made.to[2], cycle.out) || made.machine.z == asked.job.change_at.z
     };
     if let Some(made) = moves.last().filter(|made| !at_feed(made) && !known(made)) {
-        findings.push(say.figure("out-elsewhere", Severity::Note, made.to[2], cycle.out));
+        findings.push(say.figure(Code::OutElsewhere, Severity::Note, made.to[2], cycle.out));
     }
     if let Some(made) = moves.iter().rfind(|made| at_feed(made))
         && made.to[2] < cycle.begin - TOLERANCE
     {
-        findings.push(say.figure("out-too-low", Severity::Note, made.to[2], cycle.begin));
+        findings.push(say.figure(Code::OutTooLow, Severity::Note, made.to[2], cycle.begin));
     }
     // Higher than its feed begins a reamer leaves at rapid.
     if let Some(made) = moves.iter().find(|made| at_feed(made) && made.to[2] > cycle.begin + TOLERANCE)
         && !matches!(cycle.kind, Kind::Tap { .. })
     {
-        findings.push(say.figure("out-too-high", Severity::Note, made.to[2], cycle.begin));
+        findings.push(say.figure(Code::OutTooHigh, Severity::Note, made.to[2], cycle.begin));
     }
 }
 
 fn turning_out(say: &Say<'_, '_>, cycle: &Cycle, turned: bool, stood: bool, findings: &mut Vec<Finding>) {
     if cycle.kind == Kind::BoreStop {
         if turned {
-            findings.push(say.now("out-turning", Severity::Wrong));
+            findings.push(say.now(Code::OutTurning, Severity::Wrong));
         }
     } else if stood {
-        findings.push(say.now("out-standing", Severity::Doubtful));
+        findings.push(say.now(Code::OutStanding, Severity::Doubtful));
     }
 }

@@ -1,10 +1,9 @@
 //! Circles of a mill, and motions across in the part.
 
-use super::Finding;
 use super::compare::Say;
 use super::cuts::{Circle, TOLERANCE, near};
-use super::shown;
 use super::walk::How;
+use super::{Code, Finding, Name};
 use crate::motion::{Sense, geometry};
 use crate::note::Severity;
 use crate::units::Micrometres;
@@ -13,8 +12,9 @@ use crate::units::Micrometres;
 pub(super) fn none(say: &Say<'_, '_>, findings: &mut Vec<Finding>) {
     let across = say.cut.moves.iter().find(|made| made.feed().is_some() && made.across());
     if let Some(made) = across {
-        findings
-            .push(say.now("slot", Severity::Error).with("to", shown([made.to[0], made.to[1]])).with("z", made.to[2]));
+        findings.push(
+            say.now(Code::Slot, Severity::Error).with(Name::To, [made.to[0], made.to[1]]).with(Name::Z, made.to[2]),
+        );
     }
 }
 
@@ -33,13 +33,13 @@ pub(super) fn circles(
     for (index, (level, radius)) in planned.iter().enumerate() {
         let Some(circle) = made.get(index) else {
             let count = planned.len() - index;
-            findings.push(say.now("circle-missing", Severity::Error).with("count", count).with("z", level));
+            findings.push(say.now(Code::CircleMissing, Severity::Error).with(Name::Count, count).with(Name::Z, *level));
             break;
         };
         one(say, circle, *level, *radius, sense, findings);
     }
     if let Some(circle) = made.get(planned.len()) {
-        findings.push(say.now("circle-superfluous", Severity::Error).with("z", circle.z));
+        findings.push(say.now(Code::CircleSuperfluous, Severity::Error).with(Name::Z, circle.z));
     }
     let centre = say.cut.at.map(Micrometres::to_mm);
     let outside = |to: [Micrometres; 3]| {
@@ -47,17 +47,18 @@ pub(super) fn circles(
     };
     let straight = say.cut.moves.iter().filter(|made| matches!(made.how, How::Feed(_)));
     for made in straight.clone().filter(|made| made.across() && outside(made.to)) {
-        findings
-            .push(say.now("slot", Severity::Error).with("to", shown([made.to[0], made.to[1]])).with("z", made.to[2]));
+        findings.push(
+            say.now(Code::Slot, Severity::Error).with(Name::To, [made.to[0], made.to[1]]).with(Name::Z, made.to[2]),
+        );
     }
     // Straight ways: out to every circle of a level, and back to the middle.
     let ways = straight.clone().filter(|made| made.across()).count();
     let needed = levels.len() * (radii.len() + 1);
     if ways != needed {
-        findings.push(say.figure("ways-between-circles", Severity::Note, ways, needed));
+        findings.push(say.figure(Code::WaysBetweenCircles, Severity::Note, ways, needed));
     }
     if let Some(oblique) = straight.clone().find(|made| made.across() && made.from[2] != made.to[2]) {
-        findings.push(say.now("oblique", Severity::Doubtful).with("z", oblique.to[2]));
+        findings.push(say.now(Code::Oblique, Severity::Doubtful).with(Name::Z, oblique.to[2]));
     }
     // It goes down and comes out in the middle, where it was let in.
     let aside = say.cut.moves.iter().find(|made| {
@@ -65,14 +66,14 @@ pub(super) fn circles(
     });
     if let Some(made) = aside {
         findings.push(
-            say.now("not-in-the-middle", Severity::Doubtful)
-                .with("to", shown([made.to[0], made.to[1]]))
-                .with("z", made.to[2]),
+            say.now(Code::NotInTheMiddle, Severity::Doubtful)
+                .with(Name::To, [made.to[0], made.to[1]])
+                .with(Name::Z, made.to[2]),
         );
     }
     let downs = straight.filter(|made| !made.across() && made.to[2] < made.from[2]).count();
     if downs != levels.len() {
-        findings.push(say.figure("ways-down", Severity::Note, downs, levels.len()));
+        findings.push(say.figure(Code::WaysDown, Severity::Note, downs, levels.len()));
     }
 }
 
@@ -85,33 +86,33 @@ fn one(
     findings: &mut Vec<Finding>,
 ) {
     let at = |code, severity| {
-        let mut finding = say.now(code, severity).with("z", circle.z);
+        let mut finding = say.now(code, severity).with(Name::Z, circle.z);
         finding.block = Some(circle.block);
         finding
     };
     let step = TOLERANCE.to_mm();
     if !near(circle.z, level) {
-        findings.push(at("circle-level", Severity::Error).with("needed", level));
+        findings.push(at(Code::CircleLevel, Severity::Error).with(Name::Needed, level));
     }
     if circle.from_z != circle.z {
-        findings.push(at("oblique", Severity::Doubtful));
+        findings.push(at(Code::Oblique, Severity::Doubtful));
     }
     if (circle.radius - radius.to_mm()).abs() > step {
         let made = crate::units::round_to(circle.radius, 3);
-        findings.push(at("circle-radius", Severity::Error).with("made", made).with("needed", radius));
+        findings.push(at(Code::CircleRadius, Severity::Error).with(Name::Made, made).with(Name::Needed, radius));
     }
     if !(near(circle.centre[0], say.cut.at[0]) && near(circle.centre[1], say.cut.at[1])) {
-        findings.push(at("circle-centre", Severity::Error).with("made", shown(circle.centre)));
+        findings.push(at(Code::CircleCentre, Severity::Error).with(Name::Made, circle.centre));
     }
     if circle.sense != sense {
-        findings.push(at("circle-sense", Severity::Wrong));
+        findings.push(at(Code::CircleSense, Severity::Wrong));
     }
     // Once round, with what a step of the machine is on the arc.
     let turns = circle.turned / std::f64::consts::TAU;
     let slack = 2.0 * step / circle.radius.max(step);
     if turns < 1.0 - slack {
-        findings.push(at("circle-open", Severity::Error).with("made", crate::units::round_to(turns, 3)));
+        findings.push(at(Code::CircleOpen, Severity::Error).with(Name::Made, crate::units::round_to(turns, 3)));
     } else if turns > 1.0 + slack {
-        findings.push(at("circle-again", Severity::Note).with("made", crate::units::round_to(turns, 3)));
+        findings.push(at(Code::CircleAgain, Severity::Note).with(Name::Made, crate::units::round_to(turns, 3)));
     }
 }

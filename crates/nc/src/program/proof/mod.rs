@@ -23,6 +23,7 @@ mod compare;
 mod cuts;
 mod matching;
 mod milled;
+mod said;
 mod tools;
 mod walk;
 
@@ -43,6 +44,7 @@ use crate::plan::{Operation, Plan, Transition};
 use crate::units::Micrometres;
 
 use cuts::{Cut, TOLERANCE};
+pub use said::{Code, Figure, Finding, Name};
 use walk::{Frame, Walk};
 
 /// What a program is held against.
@@ -153,35 +155,6 @@ pub struct Superfluous {
     /// The block that brings the tool there.
     #[serde(flatten)]
     pub block: BlockRef,
-}
-
-/// A deviation from the job.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Finding {
-    /// Its stable id; the note has it too.
-    #[serde(skip)]
-    pub code: &'static str,
-    /// How grave.
-    pub severity: Severity,
-    /// Where in the program; absent where it is nowhere.
-    #[serde(flatten)]
-    pub block: Option<BlockRef>,
-    /// What it says.
-    #[serde(flatten)]
-    pub note: Note,
-}
-
-impl Finding {
-    /// A deviation that needs figures.
-    fn new(code: &'static str, severity: Severity, block: impl Into<Option<BlockRef>>) -> Self {
-        Self { code, severity, block: block.into(), note: Note::new(code) }
-    }
-
-    /// With one more figure.
-    fn with(mut self, name: &str, value: impl ToString) -> Self {
-        self.note = self.note.with(name, value);
-        self
-    }
 }
 
 /// A stop of the job with what it belongs to.
@@ -332,10 +305,8 @@ fn folded(findings: Vec<Finding>) -> Vec<Finding> {
     let mut kept: Vec<(Finding, usize)> = Vec::new();
     let mut known: BTreeMap<(Severity, Note), usize> = BTreeMap::new();
     for finding in findings {
-        let mut alike = finding.note.clone();
-        if alike.params.contains_key("hole") {
-            alike.params.remove("at");
-        }
+        let alike = finding.note.clone();
+        let alike = if finding.hole().is_some() { alike.without(Name::At.name()) } else { alike };
         match known.get(&(finding.severity, alike.clone())) {
             Some(&at) => kept[at].1 += 1,
             None => {
@@ -344,8 +315,10 @@ fn folded(findings: Vec<Finding>) -> Vec<Finding> {
             }
         }
     }
-    let mut findings: Vec<Finding> =
-        kept.into_iter().map(|(finding, more)| if more > 0 { finding.with("more", more) } else { finding }).collect();
+    let mut findings: Vec<Finding> = kept
+        .into_iter()
+        .map(|(finding, more)| if more > 0 { finding.with(Name::More, more) } else { finding })
+        .collect();
     findings.sort_by_key(|finding| (finding.severity, finding.block.is_none(), finding.block));
     findings
 }

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::cuts::Cut;
 use super::matching::{Places, fits};
 use super::walk::Event;
-use super::{Asked, Finding, Made, Task};
+use super::{Asked, Code, Finding, Made, Name, Task};
 use crate::job::Pause;
 use crate::note::Severity;
 use crate::units::Micrometres;
@@ -80,9 +80,9 @@ pub(super) fn tools(made: &Made, tasks: &[Task<'_>], asked: &Asked<'_>) -> Tools
         {
             other.insert(tool, plan);
             tools.findings.push(
-                Finding::new("tool-by-work", Severity::Doubtful, first(made, tool))
-                    .with("tool", tool)
-                    .with("plan", plan),
+                Finding::new(Code::ToolByWork, Severity::Doubtful, first(made, tool))
+                    .with(Name::Tool, tool)
+                    .with(Name::Plan, plan),
             );
         }
     }
@@ -109,9 +109,9 @@ pub(super) fn tools(made: &Made, tasks: &[Task<'_>], asked: &Asked<'_>) -> Tools
                 });
                 if !asked_for {
                     tools.findings.push(
-                        Finding::new("not-loaded", Severity::Error, stay.block)
-                            .with("tool", plan)
-                            .with("place", stay.tool),
+                        Finding::new(Code::NotLoaded, Severity::Error, stay.block)
+                            .with(Name::Tool, plan)
+                            .with(Name::Place, stay.tool),
                     );
                 }
                 loaded.insert(stay.tool, plan);
@@ -124,7 +124,9 @@ pub(super) fn tools(made: &Made, tasks: &[Task<'_>], asked: &Asked<'_>) -> Tools
         if section > 0 && plan.is_none() && made.cuts.iter().any(|cut| cut.section == section) {
             let stay = made.walk.stays.iter().find(|stay| stay.section == section);
             if let Some(stay) = stay {
-                tools.findings.push(Finding::new("tool-unknown", Severity::Error, stay.block).with("tool", stay.tool));
+                tools
+                    .findings
+                    .push(Finding::new(Code::ToolUnknown, Severity::Error, stay.block).with(Name::Tool, stay.tool));
             }
         }
     }
@@ -176,40 +178,41 @@ fn correctors(made: &Made, tools: &mut Tools, asked: &Asked<'_>) {
         let (number, value) = cut.corrector;
         let say = |code, severity| {
             Finding::new(code, severity, cut.block)
-                .with("tool", cut.tool)
-                .with("corrector", number)
-                .with("value", value)
-                .with("needed", own.correction_mm)
-                .with("own", own.corrector)
+                .with(Name::Tool, cut.tool)
+                .with(Name::Corrector, number)
+                .with(Name::Value, value)
+                .with(Name::Needed, own.correction_mm)
+                .with(Name::Own, own.corrector)
         };
         if !asked.own_correctors {
             if value != own.correction_mm {
                 let none = number == 0 || value == Micrometres::ZERO;
-                findings.push(say(if none { "no-correction" } else { "wrong-correction" }, Severity::Error));
+                findings.push(say(if none { Code::NoCorrection } else { Code::WrongCorrection }, Severity::Error));
             } else if number != own.corrector && number != 0 && value != Micrometres::ZERO {
-                findings.push(say("other-corrector", Severity::Doubtful));
+                findings.push(say(Code::OtherCorrector, Severity::Doubtful));
             } else if number != own.corrector {
-                findings.push(say("no-corrector", Severity::Note));
+                findings.push(say(Code::NoCorrector, Severity::Note));
             }
             continue;
         }
         let first = usual.get(&cut.tool).copied().unwrap_or(cut.corrector);
         // A corrector that holds 0 and none are the same to the machine.
         if cut.corrector != first && (value != Micrometres::ZERO || first.1 != Micrometres::ZERO) {
-            findings.push(say("wrong-correction", Severity::Error).with("needed", first.1).with("own", first.0));
+            findings
+                .push(say(Code::WrongCorrection, Severity::Error).with(Name::Needed, first.1).with(Name::Own, first.0));
         } else if cut.corrector != first {
-            findings.push(say("no-corrector", Severity::Note).with("own", first.0));
+            findings.push(say(Code::NoCorrector, Severity::Note).with(Name::Own, first.0));
         } else if let Some((other, _)) = usual
             .iter()
             .find(|(tool, used)| **tool != cut.tool && used.0 == number && number != 0 && value != Micrometres::ZERO)
         {
-            findings.push(say("shared-corrector", Severity::Error).with("other", other));
+            findings.push(say(Code::SharedCorrector, Severity::Error).with(Name::Other, *other));
         } else if value == Micrometres::ZERO && own.correction_mm != Micrometres::ZERO {
-            findings.push(say("no-correction", Severity::Error));
+            findings.push(say(Code::NoCorrection, Severity::Error));
         } else if value == -own.correction_mm && value != Micrometres::ZERO {
-            findings.push(say("wrong-sign", Severity::Error));
+            findings.push(say(Code::WrongSign, Severity::Error));
         } else if value != own.correction_mm && told.insert(cut.tool) {
-            findings.push(say("correction-otherwise", Severity::Doubtful));
+            findings.push(say(Code::CorrectionOtherwise, Severity::Doubtful));
         }
     }
     tools.findings.append(&mut findings);

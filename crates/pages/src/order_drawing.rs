@@ -1,8 +1,6 @@
 //! Drawings of the order: the plate, its holes, and the path of each tool with its points numbered.
 
-use std::fmt::Write;
-
-use super::canvas::{COLOURS, escaped};
+use super::canvas::{Anchor, At, COLOURS, Canvas, Pen};
 use crate::part::{Part, Point};
 use crate::units::Micrometres;
 
@@ -23,6 +21,8 @@ pub struct Panel {
 const WIDTH: f64 = 560.0;
 const TITLE: f64 = 26.0;
 const MARGIN: f64 = 22.0;
+/// Sizes of the letters of a title and of a number.
+const LETTERS: (f64, f64) = (14.0, 11.0);
 /// Beyond so many points their numbers would cover each other.
 const NUMBERED: usize = 150;
 
@@ -56,88 +56,41 @@ pub fn drawing(panels: &[Panel], part: Option<&Part>) -> String {
     let height = TITLE + up * scale + 2.0 * MARGIN;
     let columns = panels.len().clamp(1, 2);
     let rows = panels.len().div_ceil(columns).max(1);
-    let mut text = String::new();
-    let (all_across, all_up) = (WIDTH * columns as f64, height * rows as f64);
-    line(
-        &mut text,
-        format_args!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{all_across:.0}\" height=\"{all_up:.0}\" \
-             viewBox=\"0 0 {all_across:.2} {all_up:.2}\" font-family=\"sans-serif\" font-size=\"11\">"
-        ),
-    );
-    line(&mut text, format_args!("<rect width=\"100%\" height=\"100%\" fill=\"white\"/>"));
+    let mut canvas = Canvas::default();
     for (number, panel) in panels.iter().enumerate() {
         let (x0, y0) = ((number % columns) as f64 * WIDTH, (number / columns) as f64 * height);
-        let x = |value: f64| x0 + MARGIN + (value - left) * scale;
         // Y points up on the drawing of the part, and down in the file.
-        let y = |value: f64| y0 + TITLE + MARGIN + (high - value) * scale;
-        let title = escaped(&panel.title);
-        let (tx, ty) = (x0 + MARGIN, y0 + TITLE - 6.0);
-        line(&mut text, format_args!("<text x=\"{tx:.2}\" y=\"{ty:.2}\" font-size=\"14\">{title}</text>"));
+        let page = |x: f64, y: f64| (x0 + MARGIN + (x - left) * scale, y0 + TITLE + MARGIN + (high - y) * scale);
+        let at = |point: &Point| page(mm(point.x), mm(point.y));
+        canvas.text((x0 + MARGIN, y0 + TITLE - 6.0), LETTERS.0, Anchor::Start, &panel.title);
         if let Some((left, front, length, width)) = plate {
-            line(
-                &mut text,
-                format_args!(
-                    "<rect x=\"{:.2}\" y=\"{:.2}\" width=\"{:.2}\" height=\"{:.2}\" fill=\"#f4f4f4\" stroke=\"#444\"/>",
-                    x(left),
-                    y(front + width),
-                    length * scale,
-                    width * scale
-                ),
-            );
+            let corner = page(left + length, front + width);
+            canvas.rectangle(page(left, front), corner, "#f4f4f4", Some(Pen::solid("#444", 1.0)));
         }
-        for (at, diameter) in &holes {
+        for (hole, diameter) in &holes {
             let radius = (mm(*diameter) / 2.0 * scale).max(1.0);
-            let (x, y) = (x(mm(at.x)), y(mm(at.y)));
-            line(
-                &mut text,
-                format_args!("<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius:.2}\" fill=\"white\" stroke=\"#999\"/>"),
-            );
+            canvas.circle(at(hole), radius, "white", Some(Pen::solid("#999", 1.0)));
         }
         let colour = COLOURS[number % COLOURS.len()];
-        let mut points: Vec<String> =
-            panel.path.iter().map(|point| format!("{:.2},{:.2}", x(mm(point.x)), y(mm(point.y)))).collect();
-        if panel.closed {
-            points.extend(points.first().cloned());
-        }
-        line(
-            &mut text,
-            format_args!(
-                "<polyline points=\"{}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.5\"/>",
-                points.join(" ")
-            ),
-        );
+        let back = panel.path.first().filter(|_| panel.closed);
+        let points: Vec<At> = panel.path.iter().chain(back).map(at).collect();
+        canvas.line(&points, Pen::solid(colour, 1.5));
         for (index, point) in panel.path.iter().enumerate() {
-            let (x, y) = (x(mm(point.x)), y(mm(point.y)));
+            let (x, y) = at(point);
             if panel.from_change && index == 0 {
-                let (a, b) = (x - 5.0, y - 5.0);
-                line(
-                    &mut text,
-                    format_args!("<rect x=\"{a:.2}\" y=\"{b:.2}\" width=\"10\" height=\"10\" fill=\"{colour}\"/>"),
-                );
+                canvas.rectangle((x - 5.0, y - 5.0), (x + 5.0, y + 5.0), colour, None);
                 continue;
             }
-            let shown = index + usize::from(!panel.from_change);
-            line(&mut text, format_args!("<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"2.5\" fill=\"{colour}\"/>"));
+            canvas.circle((x, y), 2.5, colour, None);
             if panel.path.len() <= NUMBERED {
-                let (a, b) = (x + 5.0, y - 5.0);
-                // A white rim under the number keeps it readable over the path.
-                for rim in [" stroke=\"white\" stroke-width=\"3\"", ""] {
-                    line(&mut text, format_args!("<text x=\"{a:.2}\" y=\"{b:.2}\"{rim}>{shown}</text>"));
-                }
+                let shown = index + usize::from(!panel.from_change);
+                canvas.text((x + 5.0, y - 5.0), LETTERS.1, Anchor::Start, &shown.to_string());
             }
         }
     }
-    text.push_str("</svg>\n");
-    text
+    canvas.page(WIDTH * columns as f64, height * rows as f64)
 }
 
 fn mm(value: Micrometres) -> f64 {
     value.to_mm()
-}
-
-fn line(text: &mut String, arguments: std::fmt::Arguments<'_>) {
-    // Writing to a text cannot fail.
-    let _ = text.write_fmt(arguments);
-    text.push('\n');
 }

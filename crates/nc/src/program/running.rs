@@ -1,0 +1,108 @@
+//! What every run through a program keeps, whatever its language: where its steps go, what was told already, how much it
+//! may still carry out.
+
+use std::collections::BTreeSet;
+
+use super::limits::{Spans, without_zero};
+use super::{Call, Fault, Span};
+use crate::motion::{Sink, Step};
+
+/// Blocks and steps that a check carries out: repeats of repeats would never end.
+pub(super) const BUDGET: usize = 500_000;
+
+/// A breach of a rule of one control: its code, where, the number of the block.
+type Breach = fn(&'static str, Span, Option<u32>) -> Fault;
+
+/// How a program or a block went on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Way {
+    /// To the next block.
+    On,
+    /// Back to where it was called.
+    Back,
+    /// To the end of everything: the end of the main program, or nothing more to carry out.
+    Out,
+}
+
+/// A run, apart from the language.
+pub(super) struct Running<'a, S> {
+    sink: &'a mut S,
+    breach: Breach,
+    /// What has been told of a word already: a block may run many times.
+    told: BTreeSet<(u32, u32, &'static str)>,
+    faults: Vec<Fault>,
+    /// The calls that led to the block that runs.
+    pub calls: Vec<Call>,
+    /// How far axes without a zero have gone.
+    pub spans: Spans,
+    budget: usize,
+    /// How many blocks and steps may still be carried out.
+    pub left: usize,
+}
+
+impl<'a, S: Sink> Running<'a, S> {
+    /// At the beginning of a program.
+    pub fn new(sink: &'a mut S, breach: Breach, budget: usize) -> Self {
+        let (told, faults, calls, spans) = (BTreeSet::new(), Vec::new(), Vec::new(), Spans::new());
+        Self { sink, breach, told, faults, calls, spans, budget, left: budget }
+    }
+
+    /// One block more; false, and told, where the budget is spent.
+    pub fn spend(&mut self, span: Span, number: Option<u32>) -> bool {
+        if self.left == 0 {
+            self.tell((self.breach)("run-too-long", span, number).with("budget", self.budget));
+            return false;
+        }
+        self.left -= 1;
+        true
+    }
+
+    /// Carries a block out: nothing of one that is not good. `made` is what its steps cost of the budget.
+    pub fn carry_out(&mut self, steps: &[Step], faults: Vec<Fault>, made: usize) {
+        if !faults.iter().any(Fault::is_error) {
+            for step in steps {
+                self.sink.take(step);
+            }
+        }
+        self.left = self.left.saturating_sub(made);
+        for fault in faults {
+            self.tell(fault);
+        }
+    }
+
+    /// A step that no block makes.
+    pub fn take(&mut self, step: &Step) {
+        self.sink.take(step);
+    }
+
+    /// A return in the main program.
+    pub fn nowhere_to_return(&mut self, span: Span, number: Option<u32>) -> Way {
+        self.tell((self.breach)("return-without-call", span, number));
+        Way::Out
+    }
+
+    /// Whether a call goes deeper than the control lets it; told, if so.
+    pub fn too_deep(&mut self, depth: usize, limit: usize, span: Span, number: Option<u32>) -> bool {
+        let deep = depth >= limit;
+        if deep {
+            self.tell((self.breach)("calls-too-deep", span, number).with("limit", limit));
+        }
+        deep
+    }
+
+    /// Once for each word and rule, with the calls that led there.
+    pub fn tell(&mut self, mut fault: Fault) {
+        if self.told.insert((fault.span.line, fault.span.column, fault.code)) {
+            fault.calls.clone_from(&self.calls);
+            self.faults.push(fault);
+        }
+    }
+
+    /// What was found, at the end: systems whose zero nobody set are told at the first block.
+    pub fn finish(mut self, first: Span) -> Vec<Fault> {
+        for (system, axes) in without_zero(&self.spans) {
+            self.tell((self.breach)("zero-not-set", first, None).with("system", system).with("axes", axes));
+        }
+        self.faults
+    }
+}
