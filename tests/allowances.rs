@@ -61,9 +61,9 @@ fn holds() -> Holds {
 fn what_the_lathe_cannot_finish_is_found() {
     let found = |holds: &Holds| {
         let (found, _) = elsewhere(&shaft(), Some(holds), mm(63), &KNOWLEDGE).unwrap();
-        found.iter().map(|one| (one.surface.clone(), one.operation.clone())).collect::<Vec<_>>()
+        found.iter().map(|one| (one.surface.clone(), one.operation.name())).collect::<Vec<_>>()
     };
-    let ground = [("A".to_owned(), "outer-grinding".to_owned())];
+    let ground = [("A".to_owned(), "outer-grinding")];
     assert_eq!(found(&holds()), ground);
     let better = ItGrade::new(6).unwrap();
     assert_eq!(found(&Holds { outer: better, ..holds() }), []);

@@ -413,7 +413,7 @@ fn trace() {
                     one.kind,
                     one.from_z,
                     one.to_z,
-                    one.scheme.parts_worked,
+                    one.scheme.parts_worked.name(),
                     one.parts
                         .iter()
                         .map(|part| format!("{:?} {}..{}", part.kind, part.from_z, part.to_z))

@@ -17,6 +17,7 @@ use technolog::turning::schemes::find;
 use technolog::turning::schemes::path::{Motion, Role, Vertex};
 use technolog::turning::schemes::removal::{self, Scheme};
 use technolog::turning::schemes::told::{measure, points};
+use technolog::turning::schemes::zones::Zone;
 use technolog::turning::shaft::{BlankKind, Division, Shaft, Step, read_shaft};
 use technolog::units::Micrometres;
 
@@ -162,8 +163,8 @@ fn lengths_and_time_of_a_path_are_those_of_its_motions() {
 #[test]
 fn zones_and_their_schemes_come_from_the_rules() {
     let found = find(&example("shaft-three-cylinders"), &shipped::knowledge().unwrap()).unwrap();
-    let zones: Vec<(&str, String)> =
-        found.zones.iter().map(|zone| (zone.zone.as_str(), zone.schemes.join("+"))).collect();
+    let schemes = |zone: &Zone| zone.schemes.iter().map(|scheme| scheme.name()).collect::<Vec<_>>().join("+");
+    let zones: Vec<(&str, String)> = found.zones.iter().map(|zone| (zone.zone.name(), schemes(zone))).collect();
     let of = |zone, schemes: &str| (zone, schemes.to_owned());
     let half = || of("half-open", "semi-finishing");
     assert_eq!(zones, [half(), half(), of("open", "loop"), of("combined", "loop+semi-finishing")]);

@@ -6,8 +6,10 @@
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
+use technolog::knowledge::contract::Named;
 use technolog::knowledge::{Input, Knowledge};
 use technolog::shipped;
+use technolog::tables::lathes::LatheRecord;
 use technolog::turning::tooling::{Hand, Lathe, Shank, Spindle, ToolKind, TurningTool, Works};
 use technolog::units::{Decimal, Micrometres, RevsPerMinute, Unit};
 
@@ -164,7 +166,10 @@ fn every_lathe_is_read_and_hangs_together() {
     for id in ids {
         let lathe = Lathe::find(knowledge, id).unwrap();
         assert_eq!(lathe.id(), id);
-        assert!(lathe.over_carriage < lathe.over_bed, "{id}: the carriage takes room");
+        let rows: Vec<LatheRecord<'_>> = lathe.table.rows().map(Result::unwrap).collect();
+        let over_bed = rows.iter().find(|row| row.name == Named::Other("diameter-over-bed")).unwrap();
+        let over_bed = over_bed.value.as_ref().unwrap()[0];
+        assert!(lathe.over_carriage.to_mm() < over_bed, "{id}: the carriage takes room");
         assert!(lathe.feed_z.0.0 < lathe.feed_z.1.0 && lathe.feed_x.0.0 < lathe.feed_x.1.0, "{id}: feeds");
         let (slowest, fastest) = lathe.spindle.ends();
         assert!(0.0 < slowest.0 && slowest.0 < fastest.0, "{id}: spindle");

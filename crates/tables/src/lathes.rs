@@ -1,20 +1,45 @@
 //! Row types: lathes.
 
-use technolog_knowledge::rows;
+use technolog_knowledge::contract::{Named, Use};
+use technolog_knowledge::{rows, vocabulary};
+
+vocabulary! {
+    /// What planning of turning asks of a lathe's record.
+    pub enum LatheQuantity {
+        SpindleSpeeds = "spindle-speeds",
+        SpindleSpeedMin = "spindle-speed-min",
+        SpindleSpeedMax = "spindle-speed-max",
+        SpindlePower = "spindle-power",
+        SpindleEfficiency = "spindle-efficiency",
+        SpindleTorqueMax = "spindle-torque-max",
+        DiameterOverCarriage = "diameter-over-carriage",
+        LengthBetweenCentres = "length-between-centres",
+        FeedMinZ = "feed-min-z",
+        FeedMaxZ = "feed-max-z",
+        FeedMinX = "feed-min-x",
+        FeedMaxX = "feed-max-x",
+        RapidZ = "rapid-z",
+        FeedForceZ = "feed-force-z",
+        FeedForceX = "feed-force-x",
+        CuttingForceMax = "cutting-force-max",
+        ShankHeight = "shank-height",
+        ItOuter = "it-outer",
+        ItInner = "it-inner",
+        ItFace = "it-face",
+        RaBest = "ra-best",
+    }
+}
 
 rows! {
     /// The quantities a lathe's catalog must name.
-    pub struct LatheQuantities of One("lathe-quantities") {
-        name: &'t str,
-        unit: Option<&'t str>,
-        required: bool,
-    }
+    pub struct LatheQuantities of One("lathe-quantities") complete name {
+        name: Named<'t, LatheQuantity>,
+        use_ as "use": Use,
+    } shown { unit, required }
 
-    /// A characteristic of a lathe.
+    /// A characteristic of a lathe. The law `record` has proven its unit.
     pub struct LatheRecord of Record("lathe-quantities") {
-        name: &'t str,
+        name: Named<'t, LatheQuantity>,
         value: Option<Vec<f64>>,
-        unit: Option<&'t str>,
-        text: Option<&'t str>,
-    }
+    } shown { unit, text }
 }

@@ -31,6 +31,9 @@ pub fn all() -> Vec<&'static Contract> {
     [
         audit::CONTRACTS,
         controls::CONTRACTS,
+        controls::control_2c42_65::CONTRACTS,
+        controls::iso::CONTRACTS,
+        controls::lathe::CONTRACTS,
         cutting::CONTRACTS,
         holders::CONTRACTS,
         holes::CONTRACTS,

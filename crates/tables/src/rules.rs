@@ -28,6 +28,32 @@ vocabulary! {
         /// The one below.
         Below = "below",
     }
+
+    /// A machining cycle.
+    pub enum HoleCycle {
+        /// Down at feed, out at rapid.
+        Drill = "drill",
+        /// Down and out at feed.
+        FeedOut = "feed-out",
+        /// Down at feed, out at rapid with the spindle at rest.
+        BoreStop = "bore-stop",
+        /// In steps, after each out of the hole.
+        Peck = "peck",
+        /// In steps, after each back a little.
+        ChipBreak = "chip-break",
+        /// A thread.
+        Tap = "tap",
+        /// A mill on circles.
+        Circles = "circles",
+    }
+
+    /// How a mill cuts.
+    pub enum Cut {
+        /// With the feed.
+        Climb = "climb",
+        /// Against it.
+        Conventional = "conventional",
+    }
 }
 
 rows! {
@@ -137,11 +163,11 @@ rows! {
         depth_ratio: f64,
         material_group: &'t str,
     } {
-        cycle: &'t str,
+        cycle: HoleCycle,
         step: Option<f64>,
         clearance: Option<Micrometres>,
         dwell: Option<f64>,
-        cut: Option<&'t str>,
+        cut: Option<Cut>,
     }
 
     /// Whether a large hole is milled or bored.

@@ -1,6 +1,6 @@
 //! What values of tables are read as, and what a question gives as inputs.
 
-use super::{AsInput, FromCell, FromValue, Holds, Shape, Word};
+use super::{AsInput, FromCell, FromValue, Holds, Named, Shape, Word};
 use crate::query::Input;
 use crate::table::Cell;
 use crate::units::{
@@ -48,6 +48,15 @@ impl<T: AsInput> AsInput for Option<T> {
 
     fn as_input(&self) -> Option<Input<'_>> {
         self.as_ref().and_then(T::as_input)
+    }
+}
+
+impl<'t, W: Word> FromValue<'t> for Named<'t, W> {
+    const HOLDS: Holds = Holds::Name(W::WORDS);
+
+    fn from_value(value: &'t Value) -> Option<Self> {
+        let name = value.as_text()?;
+        Some(W::from_word(name).map_or(Self::Other(name), Self::Read))
     }
 }
 

@@ -22,6 +22,8 @@ pub enum Holds {
     Text,
     /// One of these words and no other.
     Word(&'static [&'static str]),
+    /// One of these words, or a name that is for people; see [`Named`].
+    Name(&'static [&'static str]),
     /// Yes or no.
     Bool,
     /// A whole number.
@@ -66,6 +68,32 @@ pub trait Word: Copy + Eq + 'static {
 
     /// The variant of that word.
     fn from_word(word: &str) -> Option<Self>;
+}
+
+/// A name that stands in a column of names, some of which code reads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Named<'t, W> {
+    /// A name that code reads.
+    Read(W),
+    /// A name for people.
+    Other(&'t str),
+}
+
+impl<W: Word> Named<'_, W> {
+    /// Whether it is that word.
+    pub fn is(self, word: W) -> bool {
+        self == Self::Read(word)
+    }
+}
+
+crate::vocabulary! {
+    /// What a named row is for.
+    pub enum Use {
+        /// Code reads it.
+        Planning = "planning",
+        /// It is for people; nothing reckons with it.
+        Documentation = "documentation",
+    }
 }
 
 /// What a cell is read as.
@@ -140,7 +168,8 @@ pub struct Contract {
     pub fields: &'static [Asked],
     /// Columns for people: shown with the table and its answers, steering nothing.
     pub shown: &'static [&'static str],
-    /// A column whose words must each have a row, and whose rows must each be such a word.
+    /// A column whose words must each have a row, and whose rows must each be such a word. Where it holds names
+    /// ([`Named`]), the column of [`Use`] says which rows are no such word.
     pub complete: Option<&'static str>,
 }
 

@@ -4,7 +4,7 @@
 //! there and never changes a plan.
 
 use crate::column::{Column, ColumnType, Role};
-use crate::contract::{Asked, Contract, Holds, Which};
+use crate::contract::{Asked, Contract, Holds, Use, Which, Word};
 use crate::diagnostic::{Diagnostic, Place, nearest};
 use crate::knowledge::Knowledge;
 use crate::table::{Cell, Table};
@@ -175,7 +175,7 @@ fn type_fault(column: &Column, holds: Holds) -> Option<String> {
     let is = |expected: bool, what: &str| (!expected).then(|| format!("takes {what}, not {}", type_of(column)));
     match holds {
         Holds::Anything => None,
-        Holds::Text => is(matches!(column.ty, ColumnType::Text | ColumnType::Enum), "a text"),
+        Holds::Text | Holds::Name(_) => is(matches!(column.ty, ColumnType::Text | ColumnType::Enum), "a text"),
         Holds::Word(words) if column.ty == ColumnType::Enum => {
             column.values.iter().find(|value| !words.contains(&value.as_str())).map(|value| unknown(value, words))
         }
@@ -211,15 +211,28 @@ fn texts(table: &Table, column: &Column) -> impl Iterator<Item = String> {
         .map(ToString::to_string)
 }
 
-/// Each word of a column's type has a row.
+/// Each word of a column's type has a row; of names, those that are for planning are such words, and no others.
 fn complete(table: &Table, contract: &Contract, name: &str, findings: &mut Vec<Diagnostic>) {
     let Some(asked) = contract.fields.iter().find(|asked| asked.name == name) else { return };
-    let Holds::Word(words) = asked.shape.holds else { return };
+    let (Holds::Word(words) | Holds::Name(words)) = asked.shape.holds else { return };
     let Some(column) = table.columns.iter().find(|column| column.name == name) else { return };
     let listed: Vec<String> = texts(table, column).collect();
     for word in words.iter().filter(|word| !listed.iter().any(|text| text == *word)) {
         let message = format!("table {}: there is no row `{word}`, which {} reads", table.id, contract.row);
         findings
             .push(Diagnostic::error("missing-row", message, place(table, column)).help("add the row, or restore it"));
+    }
+    let of_use = contract.fields.iter().find(|asked| asked.shape.holds == Holds::Word(Use::WORDS));
+    let of_use = of_use.and_then(|asked| table.columns.iter().find(|column| column.name == asked.name));
+    let (Holds::Name(_), Some(of_use)) = (asked.shape.holds, of_use) else { return };
+    for (row, (name, stated)) in listed.iter().zip(texts(table, of_use)).enumerate() {
+        let read = words.contains(&name.as_str());
+        let right = if read { Use::Planning } else { Use::Documentation };
+        if stated != right.word() {
+            let who = if read { "reads" } else { "does not read" };
+            let message = format!("table {}: `{name}` is for {stated}, and {} {who} it", table.id, contract.row);
+            let help = format!("write `{}: {}`", of_use.name, right.word());
+            findings.push(Diagnostic::error("wrong-use", message, super::rows::row_place(table, row)).help(help));
+        }
     }
 }

@@ -1,13 +1,15 @@
 //! The cycle of one transition, by the rule `machining-cycle`.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::{Input, Knowledge, RowRef};
+use crate::knowledge::{Knowledge, RowRef};
 use crate::motion::Sense;
 use crate::note::{Because, Note};
 use crate::part::Part;
 use crate::plan::{Operation, Rounds, Transition};
 use crate::shop::Shop;
-use crate::units::{Decimal, Micrometres, MillimetresPerMinute, RevsPerMinute, Seconds, Unit};
+use crate::tables::controls::{Convention, ProgramConventions};
+use crate::tables::rules::{Cut, HoleCycle, MachiningCycle, MachiningCycleFor};
+use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute, Seconds};
 
 use super::{Cycle, Kind};
 
@@ -21,19 +23,15 @@ pub(super) fn cycle(
     part: &Part,
     shop: &Shop<'_>,
 ) -> Result<Cycle, KnowledgeError> {
-    let rule = shop.knowledge.table("machining-cycle")?;
     let solid = transition.operation == Operation::Drill && transition.from_diameter_mm == Micrometres::ZERO;
     let way = if solid { transition.depth_mm - transition.start_mm } else { Micrometres::ZERO };
     let ratio = way.to_mm() / transition.diameter_mm.to_mm();
-    let inputs = [
-        ("operation", Input::Text(transition.operation.name())),
-        ("depth_ratio", Input::Number(Decimal::from_f64_rounded(ratio), Unit::None)),
-        ("material_group", Input::Text(shop.material.group)),
-    ];
-    let answer = rule.decide(&inputs)?;
-    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, transition.operation.name()))?;
-    let name = row.text("cycle")?;
-    let note = Note::new("machining-cycle").with("cycle", name).with("ratio", crate::units::round_to(ratio, 2));
+    let operation = transition.operation;
+    let question = MachiningCycleFor { operation, depth_ratio: ratio, material_group: shop.material.group };
+    let asked = shop.knowledge.ask(&question)?;
+    let rule = asked.need(operation.name())?;
+    let note = Note::new("machining-cycle").with("cycle", rule.cycle.name());
+    let note = note.with("ratio", crate::units::round_to(ratio, 2));
 
     let top = part.datum.top;
     // What a control is told stands on the machine's grid.
@@ -41,8 +39,8 @@ pub(super) fn cycle(
     let begin = grid(top - transition.start_mm + transition.approach_mm);
     let end = grid(top - transition.end());
     let conditions = &transition.conditions;
-    let dwell = row.number_in("dwell", Unit::None).ok().filter(|turns| *turns > 0.0);
-    let dwell_step = convention("dwell-step", shop.knowledge)?.0;
+    let dwell = rule.dwell.filter(|turns| *turns > 0.0);
+    let dwell_step = convention(Convention::DwellStep, shop.knowledge)?.0;
     let dwell = dwell.map(|turns| {
         // Up to the next step in which dwells are counted, rounded because tenths do not add up exactly in binary.
         let steps = libm::ceil(turns * 60.0 / conditions.spindle_rpm.0 / dwell_step);
@@ -51,7 +49,7 @@ pub(super) fn cycle(
     let (withdrawal, convention) = withdrawal(shop)?;
     Ok(Cycle {
         operation: transition.operation,
-        kind: kind(name, row, transition, pitch, top, shop.machine.resolution)?,
+        kind: kind(&rule, transition, pitch, top, shop.machine.resolution)?,
         // Programs count turns in whole numbers; a step between them is rounded down.
         speed_rpm: RevsPerMinute(libm::floor(conditions.spindle_rpm.0)),
         feed_mm_per_min: feed(transition, shop)?,
@@ -59,37 +57,39 @@ pub(super) fn cycle(
         end,
         out: grid(top + withdrawal).max(begin),
         dwell_s: dwell,
-        because: vec![Because::answer(&answer, note), convention],
+        because: vec![Because::answer(&asked.answer, note), convention],
     })
 }
 
 fn kind(
-    name: &str,
-    row: RowRef<'_>,
+    rule: &MachiningCycle<'_>,
     transition: &Transition,
     pitch: Option<Micrometres>,
     top: Micrometres,
     resolution: Micrometres,
 ) -> Result<Kind, KnowledgeError> {
+    let lacks = |what: &str| KnowledgeError::lacks(&rule.row.table.id, what);
     let step = || -> Result<Micrometres, KnowledgeError> {
-        let share = row.number_in("step", Unit::None)?;
+        let share = rule.step.ok_or_else(|| lacks("the step of a cycle in steps"))?;
         Ok(Micrometres::from_mm_rounded(transition.diameter_mm.to_mm() * share).on_grid(resolution).max(resolution))
     };
-    let lacks = |what: &str| KnowledgeError::lacks(&row.table.id, what);
-    Ok(match name {
-        "feed-out" => Kind::FeedOut,
-        "bore-stop" => Kind::BoreStop,
-        "peck" => Kind::Peck { step: step()?, clearance: row.length("clearance")? },
-        "chip-break" => Kind::ChipBreak { step: step()?, retreat: row.length("clearance")? },
-        "tap" => Kind::Tap { pitch: pitch.ok_or_else(|| lacks("the pitch of the thread that is tapped"))? },
-        "circles" => {
+    let clearance = || rule.clearance.ok_or_else(|| lacks("the clearance of a cycle in steps"));
+    Ok(match rule.cycle {
+        HoleCycle::Drill => Kind::Drill,
+        HoleCycle::FeedOut => Kind::FeedOut,
+        HoleCycle::BoreStop => Kind::BoreStop,
+        HoleCycle::Peck => Kind::Peck { step: step()?, clearance: clearance()? },
+        HoleCycle::ChipBreak => Kind::ChipBreak { step: step()?, retreat: clearance()? },
+        HoleCycle::Tap => Kind::Tap { pitch: pitch.ok_or_else(|| lacks("the pitch of the thread that is tapped"))? },
+        HoleCycle::Circles => {
             let rounds = transition.conditions.rounds.ok_or_else(|| lacks("the circles of the mill"))?;
             // The spindle turns clockwise: against it the teeth go with the feed.
-            let sense = if row.text("cut")? == "climb" { Sense::Counterclockwise } else { Sense::Clockwise };
+            let sense = match rule.cut.ok_or_else(|| lacks("how a mill cuts"))? {
+                Cut::Climb => Sense::Counterclockwise,
+                Cut::Conventional => Sense::Clockwise,
+            };
             circles(transition, rounds, top, sense, resolution)
         }
-        "drill" => Kind::Drill,
-        other => return Err(lacks(other)),
     })
 }
 
@@ -116,20 +116,23 @@ fn feed(transition: &Transition, shop: &Shop<'_>) -> Result<MillimetresPerMinute
     if transition.operation == Operation::Tap {
         return Ok(planned);
     }
-    let step = convention("feed-step", shop.knowledge)?.0;
+    let step = convention(Convention::FeedStep, shop.knowledge)?.0;
     Ok(MillimetresPerMinute(libm::floor(planned.0 / step).max(1.0) * step))
 }
 
 /// How high over the entry face a tool goes from point to point.
 fn withdrawal(shop: &Shop<'_>) -> Result<(Micrometres, Because), KnowledgeError> {
-    let (value, row) = convention("withdrawal", shop.knowledge)?;
+    let (value, row) = convention(Convention::Withdrawal, shop.knowledge)?;
     let height = Micrometres::from_mm_rounded(value);
     Ok((height, Because::row(row, Note::new("withdrawal").with("height", height))))
 }
 
-/// A figure of the table `program-conventions`.
-pub(crate) fn convention<'k>(name: &str, knowledge: &'k Knowledge) -> Result<(f64, RowRef<'k>), KnowledgeError> {
-    let table = knowledge.table("program-conventions")?;
-    let row = table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
-    Ok((row.number_in("value", Unit::None)?, row))
+/// A figure of the table `program-conventions`, in the unit of its name, and the row.
+pub(crate) fn convention(name: Convention, knowledge: &Knowledge) -> Result<(f64, RowRef<'_>), KnowledgeError> {
+    let found = knowledge.need(name.name(), |row: &ProgramConventions<'_>| row.name == name)?;
+    if found.unit != name.unit() {
+        let problem = format!("{} must be in {}", name.name(), name.unit());
+        return Err(KnowledgeError::lacks(&found.row.table.id, &problem));
+    }
+    Ok((found.value, found.row))
 }

@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 
 use crate::error::KnowledgeError;
-use crate::knowledge::Input;
 use crate::motion::Position;
 use crate::note::{Because, Note};
 use crate::part::{Face, Part, Point};
 use crate::plan::{Plan, ToolPlan, Transition, Visit};
 use crate::shop::Shop;
+use crate::tables::rules::CoolantFor;
 use crate::units::Micrometres;
 
 use super::cycle::cycle;
@@ -151,13 +151,11 @@ fn coolant(transition: &Transition, shop: &Shop<'_>) -> Result<(bool, Option<Bec
         // The row of the speed stands with the conditions.
         return Ok((said, None));
     }
-    let rule = shop.knowledge.table("coolant")?;
-    let operation = Input::Text(transition.operation.name());
-    let answer = rule.decide(&[("operation", operation), ("material_group", Input::Text(shop.material.group))])?;
-    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, transition.operation.name()))?;
-    let cooled = row.flag("coolant");
-    let code = if cooled { "cooled" } else { "dry" };
-    Ok((cooled, Some(Because::answer(&answer, Note::new(code).with("operation", transition.operation.name())))))
+    let operation = transition.operation;
+    let asked = shop.knowledge.ask(&CoolantFor { operation, material_group: shop.material.group })?;
+    let cooled = asked.need(operation.name())?.coolant;
+    let note = Note::new(if cooled { "cooled" } else { "dry" }).with("operation", operation.name());
+    Ok((cooled, Some(Because::answer(&asked.answer, note))))
 }
 
 /// What the bar of a boring tool is set to for a pass: the stock is taken in equal passes.

@@ -6,6 +6,7 @@ use crate::note::{Finding, Note, Severity};
 use crate::part::{Part, Point};
 use crate::plan::Plan;
 use crate::shop::Shop;
+use crate::tables::controls::Convention;
 use crate::units::Micrometres;
 use crate::zone::Stroke;
 
@@ -53,7 +54,7 @@ pub(super) fn stand(
     let zero_height = supports + part.blank.thickness - part.datum.top;
     let needed =
         Stroke { length: reference + longest, highest: zero_height + heights, lowest: zero_height }.passes_from();
-    let step = Micrometres::from_mm_rounded(convention("knee-step", shop.knowledge)?.0);
+    let step = Micrometres::from_mm_rounded(convention(Convention::KneeStep, shop.knowledge)?.0);
     let (least, most) = machine.nose_to_table.unwrap_or((Micrometres::ZERO, needed));
     let nose = up_to(needed, step).max(least);
     if needed > most {
@@ -81,7 +82,7 @@ fn supports(
             Ok(height)
         }
         None => {
-            let step = Micrometres::from_mm_rounded(convention("knee-step", shop.knowledge)?.0);
+            let step = Micrometres::from_mm_rounded(convention(Convention::KneeStep, shop.knowledge)?.0);
             let height = up_to(below, step);
             if below > Micrometres::ZERO {
                 let note = Note::new("supports-assumed").with("below", below).with("height", height);

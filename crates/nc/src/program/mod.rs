@@ -22,10 +22,11 @@ pub use setting::Setting;
 use crate::error::KnowledgeError;
 use crate::job::Job;
 use crate::knowledge::diagnostic::Diagnostic;
-use crate::knowledge::{Knowledge, Table};
+use crate::knowledge::{Knowledge, RowRef};
 use crate::machine::Machine;
 use crate::motion::{BlockRef, Sink};
 use crate::note::{Note, Severity};
+use crate::tables::controls::Letter;
 use written::{Form, Written};
 
 /// The language of a control, read from its tables.
@@ -185,13 +186,19 @@ impl Fault {
 /// A rule that programs are held against: its code, how grave a breach is, and the section that says so.
 type Rule = (&'static str, Severity, &'static str);
 
-/// The figures of a record of a control, by its name.
-fn figures(record: &Table, name: &str) -> Result<Vec<f64>, KnowledgeError> {
-    let row = record.find("name", name).ok_or_else(|| KnowledgeError::no_row(record, name))?;
-    Ok(row.numbers("value"))
+/// The figures of a row of a control's record, of which there must be some, in that unit; the first and all.
+fn in_unit(
+    figures: Option<&[f64]>,
+    stated: Option<&str>,
+    unit: &str,
+    row: RowRef<'_>,
+) -> Result<(f64, Vec<f64>), KnowledgeError> {
+    match figures {
+        Some(all @ [first, ..]) if stated == Some(unit) => Ok((*first, all.to_vec())),
+        _ => Err(KnowledgeError::lacks(&row.table.id, &format!("row {} must hold figures in {unit}", row.number()))),
+    }
 }
 
-/// The letter that a cell of a control's tables holds.
-fn letter(text: &str) -> char {
-    text.chars().next().unwrap_or_default()
+fn letters(cells: Vec<Letter>) -> Vec<char> {
+    cells.into_iter().map(|letter| letter.0).collect()
 }

@@ -5,6 +5,7 @@ use serde::Serialize;
 use crate::error::KnowledgeError;
 use crate::part::Point;
 use crate::shop::Shop;
+use crate::tables::controls::Convention;
 use crate::units::Micrometres;
 
 /// What of the machine and of the conventions a program needs.
@@ -22,7 +23,7 @@ impl Form {
     /// # Errors
     /// The table of conventions lacks a figure.
     pub fn read(shop: &Shop<'_>) -> Result<Self, KnowledgeError> {
-        let (step, _) = crate::job::convention("block-number-step", shop.knowledge)?;
+        let (step, _) = crate::job::convention(Convention::BlockNumberStep, shop.knowledge)?;
         Ok(Self { resolution: shop.machine.resolution, number_step: step as u32 })
     }
 

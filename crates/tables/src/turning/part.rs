@@ -8,6 +8,16 @@ use technolog_knowledge::{rows, vocabulary};
 use crate::cutting::Surface;
 
 vocabulary! {
+    /// On which side of a contour the metal lies.
+    #[derive(Serialize)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum Side {
+        /// Towards the axis: the contour is turned from outside.
+        Outer = "outer",
+        /// Away from the axis: the contour is bored.
+        Inner = "inner",
+    }
+
     /// What a surface is, by how the drawing names it (lecture, fig. 12.1). Whether it is a main or an additional element of the
     /// contour is not said here: that follows from the tool.
     #[derive(Serialize)]

@@ -10,29 +10,10 @@ use serde::Serialize;
 
 use super::length::Half;
 use super::point::Point;
+pub use crate::tables::turning::part::Side;
 use piece::both;
 pub use piece::{Curve, Piece, Turn};
 pub use surface::{Profile, Surface, SurfaceKind};
-
-/// On which side of a contour the metal lies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Side {
-    /// Towards the axis: the contour is turned from outside.
-    Outer,
-    /// Away from the axis: the contour is bored.
-    Inner,
-}
-
-impl Side {
-    /// Its name in files, tables and answers.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Outer => "outer",
-            Self::Inner => "inner",
-        }
-    }
-}
 
 /// Pieces that hang together: each begins where the one before it ends.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]

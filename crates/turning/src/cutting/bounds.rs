@@ -1,13 +1,16 @@
 //! What tool and lathe bear. Every bound is a load that grows with the depth of cut and a capacity that it must not pass.
 
+use std::fmt::Display;
+
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::knowledge::{RowRef, Table};
 use crate::note::{Because, Finding, Note, Severity};
+use crate::tables::lathes::LatheQuantity as Q;
+use crate::tables::turning::tools::{InsertEdgeShare, Limit, TurningLimits};
 use crate::turning::tooling::Shank;
-use crate::units::{Kilowatts, MetresPerMinute, Micrometres, MillimetresPerRev, NewtonMetres, Newtons, Unit};
+use crate::units::{Kilowatts, MetresPerMinute, Micrometres, MillimetresPerRev, NewtonMetres, Newtons};
 
 use super::laws::{self, Component, ForceLaw};
 use super::{Cut, Direction, Lacking};
@@ -202,8 +205,8 @@ pub(super) fn checks(cut: &Cut<'_, '_>, forces: &Forces) -> Result<(Vec<Check>, 
     // Against the feed Px pushes along the axis; across it the same force pushes along X. In grooving there is no Px,
     // and Py is against the feed.
     let (along, across) = match cut.direction {
-        Direction::Longitudinal => ("feed-force-z", "feed-force-x"),
-        Direction::Transverse => ("feed-force-x", "feed-force-z"),
+        Direction::Longitudinal => (Q::FeedForceZ, Q::FeedForceX),
+        Direction::Transverse => (Q::FeedForceX, Q::FeedForceZ),
     };
     let against = if cut.tool.plunges() { Component::Radial } else { Component::Axial };
     let mut tried = vec![
@@ -220,7 +223,7 @@ pub(super) fn checks(cut: &Cut<'_, '_>, forces: &Forces) -> Result<(Vec<Check>, 
         tried.push((Bound::SideForce, Some(Component::Radial), side));
     }
     if let Some(force) = cut.lathe.cutting_force {
-        let row = cut.lathe.row("cutting-force-max")?;
+        let row = cut.lathe.row(Q::CuttingForceMax)?;
         let because = vec![Because::row(row, Note::new("lathe-limit").with("limit", force.0))];
         let capacity = Load::ForceN(force);
         let measure = Measure::Force(Component::Main);
@@ -246,30 +249,31 @@ pub(super) fn checks(cut: &Cut<'_, '_>, forces: &Forces) -> Result<(Vec<Check>, 
     Ok((checks, missing))
 }
 
-/// A constant of `turning-limits`.
-fn constant<'k>(cut: &Cut<'_, 'k>, name: &str) -> Result<RowRef<'k>, KnowledgeError> {
-    let table: &Table = cut.knowledge.table("turning-limits")?;
-    table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))
+/// A constant of `turning-limits`, of which `of` takes the figure it must have, and why.
+fn constant<T: Display>(
+    cut: &Cut<'_, '_>,
+    name: Limit,
+    of: impl Fn(&TurningLimits<'_>) -> Option<T>,
+) -> Result<(T, Because), KnowledgeError> {
+    let row = cut.knowledge.need(name.name(), |row: &TurningLimits<'_>| row.name == name)?;
+    let lacks = || KnowledgeError::lacks(&row.row.table.id, &format!("{} has no figure of its kind", name.name()));
+    let value = of(&row).ok_or_else(lacks)?;
+    let note = Note::new("turning-limit").with("name", name.name()).with("value", &value);
+    Ok((value, Because::row(row.row, note)))
 }
 
 /// A length of `turning-limits`, and why.
-pub(super) fn constant_length(cut: &Cut<'_, '_>, name: &str) -> Result<(Micrometres, Because), KnowledgeError> {
-    let row = constant(cut, name)?;
-    let length = row.length("length")?;
-    Ok((length, Because::row(row, Note::new("turning-limit").with("name", name).with("value", length))))
+pub(super) fn constant_length(cut: &Cut<'_, '_>, name: Limit) -> Result<(Micrometres, Because), KnowledgeError> {
+    constant(cut, name, |row| row.length)
 }
 
-fn ratio(cut: &Cut<'_, '_>, name: &str) -> Result<(f64, Because), KnowledgeError> {
-    let row = constant(cut, name)?;
-    let value = row.number_in("ratio", Unit::None)?;
-    Ok((value, Because::row(row, Note::new("turning-limit").with("name", name).with("value", value))))
+fn ratio(cut: &Cut<'_, '_>, name: Limit) -> Result<(f64, Because), KnowledgeError> {
+    constant(cut, name, |row| row.ratio)
 }
 
 /// A stress of `turning-limits`, MPa, and why.
-fn stress(cut: &Cut<'_, '_>, name: &str) -> Result<(f64, Because), KnowledgeError> {
-    let row = constant(cut, name)?;
-    let value = row.number_in("stress", Unit::Megapascal)?;
-    Ok((value, Because::row(row, Note::new("turning-limit").with("name", name).with("value", value))))
+fn stress(cut: &Cut<'_, '_>, name: Limit) -> Result<(f64, Because), KnowledgeError> {
+    constant(cut, name, |row| row.stress.map(|stress| stress.0.to_f64()))
 }
 
 /// The overhang, mm: that of the tool's row, else by the ratio of `turning-limits` to its height or diameter.
@@ -279,8 +283,8 @@ fn overhang(cut: &Cut<'_, '_>, shank: Shank) -> Result<(f64, Vec<Because>), Know
         return Ok((reach.to_mm(), vec![Because::row(cut.tool.row, note)]));
     }
     let (size, name) = match shank {
-        Shank::Square { height, .. } => (height, "overhang-ratio"),
-        Shank::Round { diameter } => (diameter, "bar-overhang-ratio"),
+        Shank::Square { height, .. } => (height, Limit::OverhangRatio),
+        Shank::Round { diameter } => (diameter, Limit::BarOverhangRatio),
     };
     let (ratio, because) = ratio(cut, name)?;
     Ok((ratio * size.to_mm(), vec![because]))
@@ -300,7 +304,7 @@ fn shank_strength(cut: &Cut<'_, '_>) -> Tried<Check, Lacking> {
             std::f64::consts::PI * d * d * d / 32.0
         }
     };
-    let (allowed, reason) = stress(cut, "shank-stress")?;
+    let (allowed, reason) = stress(cut, Limit::ShankStress)?;
     let (overhang, mut because) = overhang(cut, shank)?;
     because.push(reason);
     Ok(main_force(Bound::ShankStrength, Newtons(allowed * modulus / overhang), because))
@@ -319,8 +323,8 @@ fn shank_stiffness(cut: &Cut<'_, '_>) -> Tried<Check, Lacking> {
             std::f64::consts::PI * d * d * d * d / 64.0
         }
     };
-    let (modulus, of_modulus) = stress(cut, "shank-modulus")?;
-    let (bend, of_bend) = constant_length(cut, "shank-deflection")?;
+    let (modulus, of_modulus) = stress(cut, Limit::ShankModulus)?;
+    let (bend, of_bend) = constant_length(cut, Limit::ShankDeflection)?;
     let (overhang, mut because) = overhang(cut, shank)?;
     because.extend([of_modulus, of_bend]);
     let force = 3.0 * bend.to_mm() * modulus * inertia / (overhang * overhang * overhang);
@@ -332,21 +336,20 @@ fn insert_edge(cut: &Cut<'_, '_>) -> Tried<Check, Lacking> {
     let lacks = |quantity: &str| Refusal::Not(cut.tool_lacks(quantity));
     let edge = cut.tool.edge.ok_or_else(|| lacks("edge"))?;
     let shape = cut.tool.insert_shape().ok_or_else(|| lacks("insert"))?;
-    let table = cut.knowledge.table("insert-edge-share")?;
-    let row = table.find("shape", shape).ok_or_else(|| lacks("insert"))?;
-    let share = row.number_in("share", Unit::None)?;
+    let row = cut.knowledge.find(|row: &InsertEdgeShare<'_>| row.shape == shape)?.ok_or_else(|| lacks("insert"))?;
+    let share = row.share;
     let depth = share * edge.to_mm() * libm::sin(cut.edge_angle().to_f64().to_radians());
     // Down to a whole micrometre, so that the share is never passed.
     let depth = Micrometres::new((depth * 1000.0).floor() as i64);
     let note = Note::new("insert-edge").with("share", share).with("edge", edge).with("depth", depth);
-    let because = vec![Because::row(row, note)];
+    let because = vec![Because::row(row.row, note)];
     Ok(Check { bound: Bound::InsertEdge, measure: Measure::Depth, capacity: Load::DepthMm(depth), because })
 }
 
 /// A drive of the carriage: the component of the force along it ≤ what its record gives.
-fn drive(cut: &Cut<'_, '_>, bound: Bound, component: Component, quantity: &str) -> Tried<Check, Lacking> {
+fn drive(cut: &Cut<'_, '_>, bound: Bound, component: Component, quantity: Q) -> Tried<Check, Lacking> {
     let force = match quantity {
-        "feed-force-z" => cut.lathe.feed_force_z,
+        Q::FeedForceZ => cut.lathe.feed_force_z,
         _ => cut.lathe.feed_force_x,
     };
     let force = force.ok_or_else(|| Refusal::Not(cut.lathe_lacks(quantity)))?;
@@ -356,7 +359,7 @@ fn drive(cut: &Cut<'_, '_>, bound: Bound, component: Component, quantity: &str) 
 
 /// Pz · D / 2 ≤ the torque of the spindle.
 fn spindle_torque(cut: &Cut<'_, '_>) -> Tried<Check, Lacking> {
-    let quantity = "spindle-torque-max";
+    let quantity = Q::SpindleTorqueMax;
     let torque = cut.lathe.torque.ok_or_else(|| Refusal::Not(cut.lathe_lacks(quantity)))?;
     let because = vec![Because::row(cut.lathe.row(quantity)?, Note::new("lathe-limit").with("limit", torque.0))];
     Ok(Check { bound: Bound::SpindleTorque, measure: Measure::Torque, capacity: Load::TorqueNM(torque), because })
@@ -367,19 +370,19 @@ fn spindle_power(cut: &Cut<'_, '_>) -> Tried<Check, Lacking> {
     let (share, of_share) = match cut.lathe.efficiency {
         Some(share) => {
             let note = Note::new("lathe-limit").with("limit", share.0);
-            (share.0, Because::row(cut.lathe.row("spindle-efficiency")?, note))
+            (share.0, Because::row(cut.lathe.row(Q::SpindleEfficiency)?, note))
         }
-        None => ratio(cut, "drive-efficiency")?,
+        None => ratio(cut, Limit::DriveEfficiency)?,
     };
     let power = Kilowatts(cut.lathe.power.0 * share);
     let note = Note::new("lathe-limit").with("limit", cut.lathe.power.0);
-    let because = vec![Because::row(cut.lathe.row("spindle-power")?, note), of_share];
+    let because = vec![Because::row(cut.lathe.row(Q::SpindlePower)?, note), of_share];
     Ok(Check { bound: Bound::SpindlePower, measure: Measure::Power, capacity: Load::PowerKw(power), because })
 }
 
 /// The depth at which the tables of feeds end.
 fn handbook(cut: &Cut<'_, '_>) -> Tried<Check, Lacking> {
-    let (depth, because) = constant_length(cut, "depth-max")?;
+    let (depth, because) = constant_length(cut, Limit::DepthMax)?;
     let capacity = Load::DepthMm(depth);
     Ok(Check { bound: Bound::Handbook, measure: Measure::Depth, capacity, because: vec![because] })
 }

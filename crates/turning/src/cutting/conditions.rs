@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{Refusal, Tried};
 use crate::note::{Because, Finding, Note};
+use crate::tables::lathes::LatheQuantity;
 use crate::turning::tooling::Spindle;
 use crate::units::{
     Kilowatts, MetresPerMinute, Micrometres, MillimetresPerMinute, MillimetresPerRev, Minutes, NewtonMetres, Newtons,
@@ -104,18 +105,17 @@ pub fn conditions(
         because.extend(check.because.iter().cloned());
         (rpm, limited_by) = (slower, "spindle-power");
     }
-    let (least, most) = match cut.direction {
-        Direction::Longitudinal => cut.lathe.feed_z,
-        Direction::Transverse => cut.lathe.feed_x,
+    let ((least, most), (of_least, of_most)) = match cut.direction {
+        Direction::Longitudinal => (cut.lathe.feed_z, (LatheQuantity::FeedMinZ, LatheQuantity::FeedMaxZ)),
+        Direction::Transverse => (cut.lathe.feed_x, (LatheQuantity::FeedMinX, LatheQuantity::FeedMaxX)),
     };
     let rate = feed.0 * rpm.0;
-    for (outside, held, name) in [(rate > most.0, most, "feed-max"), (rate < least.0, least, "feed-min")] {
+    let ends = [(rate > most.0, most, "feed-max", of_most), (rate < least.0, least, "feed-min", of_least)];
+    for (outside, held, name, quantity) in ends {
         if outside {
             feed = MillimetresPerRev(held.0 / rpm.0);
             limited_by = name;
-            let axis = if cut.direction == Direction::Longitudinal { "z" } else { "x" };
-            let row = cut.lathe.row(&format!("{name}-{axis}"))?;
-            because.push(Because::row(row, Note::new("feed-held").with("limit", held.0)));
+            because.push(Because::row(cut.lathe.row(quantity)?, Note::new("feed-held").with("limit", held.0)));
         }
     }
     // The feed may have been held: the loads are those of the feed that is left.

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{Refusal, Tried};
 use crate::note::{Because, Finding};
+use crate::tables::turning::tools::Limit;
 use crate::units::{MetresPerMinute, Micrometres, MillimetresPerRev, RevsPerMinute};
 use technolog_cutting::{rpm_at, speed_at};
 
@@ -132,8 +133,8 @@ pub fn limiting_depth(cut: &Cut<'_, '_>, feed: MillimetresPerRev, speed: Speed) 
         return Err(Refusal::Not(Lack::LimitNotKnown(missing.into_iter().next())));
     }
     let turns = Turns::new(cut, speed, feed, &forces, &checks)?;
-    let (step, of_step) = bounds::constant_length(cut, "depth-step")?;
-    let (last, _) = bounds::constant_length(cut, "depth-max")?;
+    let (step, of_step) = bounds::constant_length(cut, Limit::DepthStep)?;
+    let (last, _) = bounds::constant_length(cut, Limit::DepthMax)?;
     let depth_at = |steps: i64| Micrometres::new(step.micrometres().saturating_mul(steps));
     let steps = last.micrometres() / step.micrometres().max(1);
     let allowed = |check: &Check| -> i64 {

@@ -21,6 +21,7 @@ use crate::knowledge::Knowledge;
 use crate::material::Material;
 use crate::reason::Uncut;
 use crate::tables::cutting::Surface;
+use crate::tables::lathes::LatheQuantity;
 use crate::turning::tooling::{Lathe, TurningTool, Works};
 use crate::units::{Decimal, MetresPerMinute, Micrometres, RevsPerMinute};
 use technolog_cutting::figures::Asking;
@@ -115,8 +116,8 @@ impl Cut<'_, '_> {
     }
 
     /// That the record of the lathe lacks a figure.
-    fn lathe_lacks(&self, quantity: &str) -> Lacking {
-        Of::Lathe { lathe: self.lathe.id().to_owned(), quantity: quantity.to_owned() }.into()
+    fn lathe_lacks(&self, quantity: LatheQuantity) -> Lacking {
+        Of::Lathe { lathe: self.lathe.id().to_owned(), quantity: quantity.name().to_owned() }.into()
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Finding, Note, Severity, doubtful_row};
+use crate::tables::lathes::LatheQuantity as Q;
 use crate::turning::allowances::capability::{Elsewhere, Holds, elsewhere};
 use crate::turning::tooling::Lathe;
 use crate::turning::workpiece::Workpiece;
@@ -48,7 +49,7 @@ pub fn finished_elsewhere(
         })
     });
     if let (Some(lathe), Some(_)) = (lathe, &holds) {
-        let rows = ["it-outer", "it-inner", "it-face", "ra-best"].into_iter().filter_map(|name| lathe.row(name).ok());
+        let rows = [Q::ItOuter, Q::ItInner, Q::ItFace, Q::RaBest].into_iter().filter_map(|name| lathe.row(name).ok());
         findings.extend(rows.filter_map(doubtful_row));
     }
     let length = Micrometres::new(workpiece.length().halves() / 2);

@@ -2,46 +2,13 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
+use crate::tables::controls::lathe::{Holds, LatheControl, LatheCycleFields, LatheCycles, Measure};
 use crate::turning::contour::Side;
 use crate::turning::length::Half;
 
 use super::cycle::{Direction, Task};
 use super::setting::Feeds;
 use super::sheet::{diameter, number, position};
-
-/// What a field holds: the column `holds` of table lathe-cycle-fields.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Holds {
-    Contour,
-    StartX,
-    StartZ,
-    Allowance,
-    AllowanceX,
-    AllowanceZ,
-    Depth,
-    Retract,
-    RoughFeed,
-    PlungeFeed,
-    FinishFeed,
-    Machining,
-    Nothing,
-}
-
-const HOLDS: [(&str, Holds); 13] = [
-    ("contour", Holds::Contour),
-    ("start-x", Holds::StartX),
-    ("start-z", Holds::StartZ),
-    ("allowance", Holds::Allowance),
-    ("allowance-x", Holds::AllowanceX),
-    ("allowance-z", Holds::AllowanceZ),
-    ("depth", Holds::Depth),
-    ("retract", Holds::Retract),
-    ("rough-feed", Holds::RoughFeed),
-    ("plunge-feed", Holds::PlungeFeed),
-    ("finish-feed", Holds::FinishFeed),
-    ("machining", Holds::Machining),
-    ("nothing", Holds::Nothing),
-];
 
 /// A field of the call.
 #[derive(Clone, Debug)]
@@ -54,8 +21,8 @@ struct Field {
 /// A cycle for a direction and a side.
 #[derive(Clone, Debug)]
 struct Cycle {
-    direction: String,
-    side: String,
+    direction: Direction,
+    side: Side,
     code: String,
     machining: Option<i64>,
 }
@@ -72,48 +39,38 @@ impl Cycles {
     ///
     /// # Errors
     /// A table lacks a cycle for some direction or side, or has no field.
-    pub fn read(control: &str, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
+    pub fn read(control: LatheControl, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
         let mut found = Self::default();
-        let table = knowledge.table("lathe-cycles")?;
-        for row in table.all_rows().filter(|row| row.text("control") == Ok(control)) {
-            found.cycles.push(Cycle {
-                direction: row.text("direction")?.to_owned(),
-                side: row.text("side")?.to_owned(),
-                code: row.text("cycle")?.to_owned(),
-                machining: row.int("machining").ok(),
-            });
+        for row in knowledge.rows::<LatheCycles<'_>>()?.into_iter().filter(|row| row.control == control) {
+            let LatheCycles { direction, side, machining, .. } = row;
+            found.cycles.push(Cycle { direction, side, code: row.cycle.to_owned(), machining });
         }
         for direction in [Direction::Longitudinal, Direction::Facing] {
             for side in [Side::Outer, Side::Inner] {
                 if found.cycle(direction, side).is_none() {
-                    let wanted = format!("control {control}, {} {}", direction.name(), side.name());
-                    return Err(KnowledgeError::no_row(table, &wanted));
+                    let wanted = format!("control {}, {} {}", control.name(), direction.name(), side.name());
+                    return Err(KnowledgeError::no_row(knowledge.table_of::<LatheCycles<'_>>()?, &wanted));
                 }
             }
         }
-        let table = knowledge.table("lathe-cycle-fields")?;
-        let mut fields = Vec::new();
-        for row in table.all_rows().filter(|row| row.text("control") == Ok(control)) {
-            let holds = row.text("holds")?;
-            let known = HOLDS.iter().find(|(name, _)| *name == holds);
-            let Some((_, holds)) = known else { return Err(KnowledgeError::no_row(table, holds)) };
-            let field = Field {
-                name: row.text("field")?.to_owned(),
-                holds: *holds,
-                on_diameter: row.text("measure") == Ok("diameter"),
-            };
-            fields.push((row.int("place_in_call")?, field));
-        }
+        let mut fields = knowledge.rows::<LatheCycleFields<'_>>()?;
+        fields.retain(|row| row.control == control);
         if fields.is_empty() {
-            return Err(KnowledgeError::no_row(table, &format!("control {control}")));
+            let table = knowledge.table_of::<LatheCycleFields<'_>>()?;
+            return Err(KnowledgeError::no_row(table, &format!("control {}", control.name())));
         }
-        fields.sort_by_key(|(place, _)| *place);
-        found.fields = fields.into_iter().map(|(_, field)| field).collect();
+        fields.sort_by_key(|row| row.place_in_call);
+        let field = |row: LatheCycleFields<'_>| Field {
+            name: row.field.to_owned(),
+            holds: row.holds,
+            on_diameter: row.measure == Some(Measure::Diameter),
+        };
+        found.fields = fields.into_iter().map(field).collect();
         Ok(found)
     }
 
     fn cycle(&self, direction: Direction, side: Side) -> Option<&Cycle> {
-        self.cycles.iter().find(|cycle| cycle.direction == direction.name() && cycle.side == side.name())
+        self.cycles.iter().find(|cycle| cycle.direction == direction && cycle.side == side)
     }
 
     /// The function that calls the cycle of a task.

@@ -7,27 +7,10 @@ use crate::turning::point::Point;
 
 use super::refused::{NotWritten, check_arc};
 
+pub use crate::tables::controls::lathe::Direction;
+
 /// How far an arc may bulge back beyond its ends, 1 µm: they are rounded to half a micrometre along both axes.
 const SLACK: Half = Half::new(2);
-
-/// The direction of the passes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Direction {
-    /// Along the axis, from the free end towards the chuck.
-    Longitudinal,
-    /// Across it, from the surface of the blank towards the axis; of a bore, away from it.
-    Facing,
-}
-
-impl Direction {
-    /// Its name in table lathe-cycles.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Longitudinal => "longitudinal",
-            Self::Facing => "facing",
-        }
-    }
-}
 
 /// How a cycle takes the stock.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -20,6 +20,8 @@ mod words;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
+use crate::knowledge::contract::Word;
+use crate::tables::controls::lathe::{LatheControl, LatheControls};
 use crate::turning::contour::Contour;
 use crate::turning::point::Point;
 use technolog_core::ascii::ascii;
@@ -35,7 +37,8 @@ use words::Words;
 type CycleWriter = fn(&Control, &Cycles, &cycle::Task<'_>, &Setting) -> Result<CycleProgram, NotWritten>;
 
 /// The controls of lathes that have a form for a cycle: one line and one file each.
-const WRITERS: [(&str, CycleWriter); 2] = [("linuxcnc", linuxcnc::write), ("sinumerik", sinumerik::write)];
+const WRITERS: [(LatheControl, CycleWriter); 2] =
+    [(LatheControl::LinuxCnc, linuxcnc::write), (LatheControl::Sinumerik, sinumerik::write)];
 
 /// The language of a lathe's control, as far as it is known.
 #[derive(Clone, Debug)]
@@ -52,22 +55,29 @@ pub struct Control {
 
 impl Control {
     /// The controls, as a user names them.
-    pub const NAMES: [&str; 3] = ["linuxcnc", "sinumerik", "nc-201"];
+    pub const NAMES: &'static [&'static str] = LatheControl::WORDS;
 
     /// Reads the language of a control. One of which little is known can be read, and then refuses to write.
     ///
     /// # Errors
     /// There is no such control, or a table of it lacks what is asked of it.
     pub fn read(name: &str, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
-        let table = knowledge.table("lathe-controls")?;
-        let row = table.find("control", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
-        let words = if row.flag("plain") { Some(Words::read(name, row.text("comment")?, knowledge)?) } else { None };
-        let writer = WRITERS.iter().find(|(known, _)| *known == name).map(|(_, writer)| *writer);
+        let table = knowledge.table_of::<LatheControls<'_>>()?;
+        let control = LatheControl::from_word(name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
+        let row = knowledge.need(name, |row: &LatheControls<'_>| row.control == control)?;
+        let words = match (row.plain, row.comment) {
+            (true, Some(comment)) => Some(Words::read(control, comment, knowledge)?),
+            (true, None) => {
+                return Err(KnowledgeError::lacks(&table.id, "the comment of a control that is written for"));
+            }
+            (false, _) => None,
+        };
+        let writer = WRITERS.iter().find(|(known, _)| *known == control).map(|(_, writer)| *writer);
         let cycles = match writer {
-            Some(writer) if row.flag("cycles") => Some((Cycles::read(name, knowledge)?, writer)),
+            Some(writer) if row.cycles => Some((Cycles::read(control, knowledge)?, writer)),
             _ => None,
         };
-        let known_words = row.texts("known_words").unwrap_or_default().into_iter().map(str::to_owned).collect();
+        let known_words = row.known_words.unwrap_or_default().into_iter().map(str::to_owned).collect();
         Ok(Self { name: name.to_owned(), words, cycles, known_words })
     }
 

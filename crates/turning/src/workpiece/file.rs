@@ -176,6 +176,7 @@ mod tests {
     use super::super::groove::Kind;
     use super::super::keys;
     use super::*;
+    use crate::knowledge::Word;
     use std::path::Path;
 
     #[test]

@@ -1,25 +1,17 @@
 //! The control's language as data: functions, groups, addresses, planes, cycles and limits, from catalogs/controls.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::{Knowledge, RowRef, Table, Value};
+use crate::knowledge::{Knowledge, RowRef};
 use crate::motion::{Axis, Plane};
 use crate::program::setting::Limits;
-use crate::program::{figures, letter};
+use crate::program::{in_unit, letters};
+use crate::tables::controls::Acts;
+use crate::tables::controls::control_2c42_65::{
+    AddressUnit, Addresses, AxisName, Characteristic, Cycles, GFunctions, Inwards, MActions, MFunctions, Outwards,
+    PlaneName, Planes, Record, ToolOffset,
+};
 
-/// What an M function makes the control do: the column `action` of table 2c42-65-m-actions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Action {
-    Stop,
-    OptionalStop,
-    End,
-    Return,
-    SpindleClockwise,
-    SpindleCounterclockwise,
-    SpindleStop,
-    ToolChange,
-    CoolantOn,
-    CoolantOff,
-}
+pub(super) use crate::tables::controls::control_2c42_65::Action;
 
 /// An M function of the tables.
 #[derive(Clone, Copy, Debug)]
@@ -131,30 +123,36 @@ impl Control {
     /// # Errors
     /// A table is missing or lacks what is asked of it.
     pub fn read(knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
-        let record = knowledge.table("control-2c42-65")?;
-        let number = |name: &str| -> Result<f64, KnowledgeError> {
-            figures(record, name)?.first().copied().ok_or_else(|| KnowledgeError::no_row(record, name))
+        let table = knowledge.table_of::<Record<'_>>()?;
+        let record: Vec<Record<'_>> = table.rows().collect::<Result<_, _>>()?;
+        let figures = |name: Characteristic| -> Result<(f64, Vec<f64>), KnowledgeError> {
+            let row = record.iter().find(|row| row.name.is(name));
+            let row = row.ok_or_else(|| KnowledgeError::no_row(table, name.name()))?;
+            in_unit(row.value.as_deref(), row.unit, name.unit(), row.row)
         };
-        let count = |name: &str| number(name).map(|value| value as usize);
+        let number = |name| figures(name).map(|(first, _)| first);
+        let count = |name| number(name).map(|value| value as usize);
+        let steps = |name| figures(name).map(|(_, all)| all.into_iter().map(|value| value as i64).collect());
+        let dwell_step_s = number(Characteristic::DwellStep)?;
         let mut control = Self {
             groups: ByCode::new(),
             power_on: [0; GROUPS],
             m_functions: ByCode::new(),
-            addresses: addresses(knowledge.table("2c42-65-addresses")?, number("dwell-step")?)?,
+            addresses: addresses(knowledge, dwell_step_s)?,
             planes: ByCode::new(),
             cycles: ByCode::new(),
             offsets: ByCode::new(),
             offset_words: ByCode::new(),
-            block_length: count("block-length-max")?,
-            memory_bytes: count("memory")? * 1024,
-            programs: count("programs-max")?,
-            depth: count("subprogram-depth-max")?,
-            m_per_block: count("m-functions-per-block-max")?,
-            dwell_step_s: number("dwell-step")?,
+            block_length: count(Characteristic::BlockLengthMax)?,
+            memory_bytes: count(Characteristic::Memory)? * 1024,
+            programs: count(Characteristic::ProgramsMax)?,
+            depth: count(Characteristic::SubprogramDepthMax)?,
+            m_per_block: count(Characteristic::MFunctionsPerBlockMax)?,
+            dwell_step_s,
             setting: Limits {
-                correctors: number("correctors")? as i64,
-                feed_overrides: figures(record, "feed-override")?.into_iter().map(|value| value as i64).collect(),
-                speed_overrides: figures(record, "spindle-override")?.into_iter().map(|value| value as i64).collect(),
+                correctors: number(Characteristic::Correctors)? as i64,
+                feed_overrides: steps(Characteristic::FeedOverride)?,
+                speed_overrides: steps(Characteristic::SpindleOverride)?,
                 panel_2c42_65: true,
                 pecks: false,
             },
@@ -170,87 +168,59 @@ impl Control {
     }
 
     fn read_functions(&mut self, knowledge: &Knowledge) -> Result<(), KnowledgeError> {
-        let table = knowledge.table("2c42-65-g-functions")?;
-        for row in table.all_rows() {
-            let code = code(row)?;
-            let group: usize = row.text("group")?.parse().unwrap_or(GROUPS);
+        for row in knowledge.rows::<GFunctions<'_>>()? {
+            let code = code(row.code, row.row)?;
+            let group: usize = row.group.parse().unwrap_or(GROUPS);
             let Some(slot) = self.power_on.get_mut(group) else {
-                return Err(KnowledgeError::lacks(&table.id, "a group of 00 to 07 for every function"));
+                return Err(KnowledgeError::lacks(&row.row.table.id, "a group of 00 to 07 for every function"));
             };
-            if row.flag("power_on") {
+            if row.power_on {
                 *slot = code;
             }
             self.groups.insert(code, group);
         }
-        let exclusive = knowledge.table("2c42-65-m-functions")?;
-        let table = knowledge.table("2c42-65-m-actions")?;
-        for row in table.all_rows() {
-            let action = match row.text("action")? {
-                "stop" => Action::Stop,
-                "optional-stop" => Action::OptionalStop,
-                "end" => Action::End,
-                "return" => Action::Return,
-                "spindle-clockwise" => Action::SpindleClockwise,
-                "spindle-counterclockwise" => Action::SpindleCounterclockwise,
-                "spindle-stop" => Action::SpindleStop,
-                "tool-change" => Action::ToolChange,
-                "coolant-on" => Action::CoolantOn,
-                "coolant-off" => Action::CoolantOff,
-                other => return Err(KnowledgeError::lacks(&table.id, other)),
-            };
+        let functions: Vec<MFunctions<'_>> = knowledge.rows()?;
+        for row in knowledge.rows::<MActions<'_>>()? {
             let function = MFunction {
-                action,
-                at_start: row.text("acts")? == "start",
-                exclusive: exclusive.find("code", row.text("code")?).is_some_and(|row| row.flag("exclusive")),
+                action: row.action,
+                at_start: row.acts == Acts::Start,
+                exclusive: functions.iter().any(|one| one.code == row.code && one.exclusive),
             };
-            self.m_functions.insert(code(row)?, function);
+            self.m_functions.insert(code(row.code, row.row)?, function);
         }
         Ok(())
     }
 
     fn read_planes_and_cycles(&mut self, knowledge: &Knowledge) -> Result<(), KnowledgeError> {
-        let table = knowledge.table("2c42-65-planes")?;
-        for row in table.all_rows() {
-            let axis = |column: &str| -> Result<Axis, KnowledgeError> {
-                let letter = letter(row.text(column)?);
-                Axis::of(letter).ok_or_else(|| KnowledgeError::lacks(&table.id, "an axis X, Y or Z"))
-            };
-            let plane = match row.text("plane")? {
-                "XY" => Plane::Xy,
-                "ZX" => Plane::Zx,
-                "YZ" => Plane::Yz,
-                other => return Err(KnowledgeError::lacks(&table.id, other)),
-            };
+        for row in knowledge.rows::<Planes<'_>>()? {
             let content = PlaneRow {
-                plane,
-                length_axis: axis("length_axis")?,
-                cycle_axis: axis("cycle_axis")?,
-                pitch: letter(row.text("pitch_word")?),
+                plane: match row.plane {
+                    PlaneName::Xy => Plane::Xy,
+                    PlaneName::Zx => Plane::Zx,
+                    PlaneName::Yz => Plane::Yz,
+                },
+                length_axis: axis(row.length_axis),
+                cycle_axis: axis(row.cycle_axis),
+                pitch: row.pitch_word.0,
             };
-            self.planes.insert(code(row)?, content);
+            self.planes.insert(code(row.code, row.row)?, content);
         }
-        for row in knowledge.table("2c42-65-cycles")?.all_rows() {
+        for row in knowledge.rows::<Cycles<'_>>()? {
             // G80 has no motions.
-            let Ok(inwards) = row.text("motion_1_2") else { continue };
-            let letters =
-                |column: &str| -> Vec<char> { row.texts(column).unwrap_or_default().into_iter().map(letter).collect() };
+            let Some(inwards) = row.motion_1_2 else { continue };
             let cycle = Cycle {
-                required: letters("required"),
-                optional: letters("optional_words"),
-                in_steps: inwards == "feed-in-steps",
-                out_at_feed: row.text("motion_2_3")? == "feed",
+                required: letters(row.required.unwrap_or_default()),
+                optional: letters(row.optional_words.unwrap_or_default()),
+                in_steps: inwards == Inwards::FeedInSteps,
+                out_at_feed: row.motion_2_3 == Some(Outwards::Feed),
             };
-            self.cycles.insert(code(row)?, cycle);
+            self.cycles.insert(code(row.code, row.row)?, cycle);
         }
-        for row in knowledge.table("2c42-65-tool-offset")?.all_rows() {
-            match row.value("factor") {
-                Some(Value::Number(factor, _)) => {
-                    self.offsets.insert(code(row)?, factor.to_int().unwrap_or_default());
-                }
-                _ => {
-                    let words = row.texts("words")?.into_iter().map(letter).collect();
-                    self.offset_words.insert(code(row)?, words);
-                }
+        for row in knowledge.rows::<ToolOffset<'_>>()? {
+            let code = code(row.code, row.row)?;
+            match row.factor {
+                Some(factor) => self.offsets.insert(code, factor as i64),
+                None => self.offset_words.insert(code, letters(row.words.unwrap_or_default())),
             }
         }
         Ok(())
@@ -269,30 +239,34 @@ impl Control {
 }
 
 /// The number of a code such as `G54`.
-fn code(row: RowRef<'_>) -> Result<u8, KnowledgeError> {
-    let text = row.text("code")?;
+fn code(text: &str, row: RowRef<'_>) -> Result<u8, KnowledgeError> {
     let digits = text.trim_start_matches(|c: char| !c.is_ascii_digit());
     digits.parse().map_err(|_| KnowledgeError::lacks(&row.table.id, "a code such as G01"))
 }
 
+const fn axis(name: AxisName) -> Axis {
+    match name {
+        AxisName::X => Axis::X,
+        AxisName::Y => Axis::Y,
+        AxisName::Z => Axis::Z,
+    }
+}
+
 /// The addresses with the limits of their numbers as these are written: a dwell is written in its steps.
-fn addresses(table: &Table, dwell_step: f64) -> Result<ByCode<Address>, KnowledgeError> {
+fn addresses(knowledge: &Knowledge, dwell_step: f64) -> Result<ByCode<Address>, KnowledgeError> {
+    use AddressUnit::{Degrees, Millimetres, MillimetresPerMinute, Seconds};
     let mut addresses = ByCode::new();
-    for row in table.all_rows() {
-        let unit = row.text("unit").unwrap_or_default();
-        let scale = if unit == "s" { 1.0 / dwell_step } else { 1.0 };
-        let limit = |column: &str| match row.value(column) {
-            Some(Value::Number(number, _)) => Some(libm::round(number.to_f64() * scale * 1000.0) as i64),
-            _ => None,
-        };
+    for row in knowledge.rows::<Addresses<'_>>()? {
+        let scale = if row.unit == Some(Seconds) { 1.0 / dwell_step } else { 1.0 };
+        let limit = |number: f64| libm::round(number * scale * 1000.0) as i64;
         let address = Address {
-            limits: limit("minimum").zip(limit("maximum")),
+            limits: row.minimum.map(limit).zip(row.maximum.map(limit)),
             // Dimension words and feeds; everything else counts whole things (3.8.2).
-            decimal: matches!(unit, "mm" | "deg" | "mm/min"),
-            length: unit == "mm",
+            decimal: matches!(row.unit, Some(Millimetres | Degrees | MillimetresPerMinute)),
+            length: row.unit == Some(Millimetres),
         };
-        let letter = u8::try_from(letter(row.text("address")?));
-        addresses.insert(letter.map_err(|_| KnowledgeError::lacks(&table.id, "an address of one letter"))?, address);
+        let lacks = |_| KnowledgeError::lacks(&row.row.table.id, "an address of one letter");
+        addresses.insert(u8::try_from(row.address.0).map_err(lacks)?, address);
     }
     Ok(addresses)
 }

@@ -240,7 +240,7 @@ impl Maker<'_> {
     /// Group by group the function of the block; one-shot functions hold for it only, motions and cycles see to
     /// themselves.
     fn modes(&mut self, words: &Words) {
-        for (_, group) in Group::NAMES {
+        for &(_, group) in Group::NAMES {
             let Some(function) = words.function(group) else { continue };
             match self.control.g.get(&function.code).map(|known| known.effect) {
                 Some(Effect::Mode) => self.state.set(group, Some(function.code)),

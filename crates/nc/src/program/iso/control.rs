@@ -3,77 +3,16 @@
 use std::collections::BTreeMap;
 
 use crate::error::KnowledgeError;
+use crate::knowledge::contract::Word;
 use crate::knowledge::{Knowledge, RowRef, Table};
 use crate::program::setting::Limits;
-use crate::program::{figures, letter};
+use crate::program::{in_unit, letters};
+use crate::tables::controls::Acts;
+use crate::tables::controls::iso::{Addresses, Characteristic, Cycles, GFunctions, MFunctions, MGroup, Record};
 use crate::units::Micrometres;
 
-/// Which dialect it is, where that is no figure of a table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// LinuxCNC 2.9.
-    LinuxCnc,
-    /// Fanuc 0i.
-    Fanuc,
-}
-
-/// Groups of G functions: the column `group` of table iso-g-functions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Group {
-    OneShot,
-    Motion,
-    Cycle,
-    Plane,
-    Units,
-    Radius,
-    Length,
-    System,
-    Path,
-    Distance,
-    ArcDistance,
-    FeedMode,
-    Retract,
-}
-
-impl Group {
-    pub(super) const NAMES: [(&str, Self); 13] = [
-        ("one-shot", Self::OneShot),
-        ("motion", Self::Motion),
-        ("cycle", Self::Cycle),
-        ("plane", Self::Plane),
-        ("units", Self::Units),
-        ("radius", Self::Radius),
-        ("length", Self::Length),
-        ("system", Self::System),
-        ("path", Self::Path),
-        ("distance", Self::Distance),
-        ("arc-distance", Self::ArcDistance),
-        ("feed-mode", Self::FeedMode),
-        ("retract", Self::Retract),
-    ];
-}
-
-/// What a G function does: the column `effect`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Effect {
-    Mode,
-    Cycle,
-    CycleOff,
-    Dwell,
-    Return,
-    MachinePosition,
-    Noted,
-}
-
-const EFFECTS: [(&str, Effect); 7] = [
-    ("mode", Effect::Mode),
-    ("cycle", Effect::Cycle),
-    ("cycle-off", Effect::CycleOff),
-    ("dwell", Effect::Dwell),
-    ("return", Effect::Return),
-    ("machine-position", Effect::MachinePosition),
-    ("noted", Effect::Noted),
-];
+pub use crate::tables::controls::iso::Kind;
+pub(super) use crate::tables::controls::iso::{Action, Bottom, Effect, Group, Inwards, Outwards, Written};
 
 /// A G function.
 #[derive(Clone, Copy, Debug)]
@@ -82,38 +21,6 @@ pub(super) struct GFunction {
     pub effect: Effect,
 }
 
-/// What an M function makes the control do: the column `action` of table iso-m-functions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Action {
-    Stop,
-    OptionalStop,
-    End,
-    Return,
-    Call,
-    SpindleClockwise,
-    SpindleCounterclockwise,
-    SpindleStop,
-    ToolChange,
-    CoolantOn,
-    CoolantOff,
-    Auxiliary,
-}
-
-const ACTIONS: [(&str, Action); 12] = [
-    ("stop", Action::Stop),
-    ("optional-stop", Action::OptionalStop),
-    ("end", Action::End),
-    ("return", Action::Return),
-    ("call", Action::Call),
-    ("spindle-clockwise", Action::SpindleClockwise),
-    ("spindle-counterclockwise", Action::SpindleCounterclockwise),
-    ("spindle-stop", Action::SpindleStop),
-    ("tool-change", Action::ToolChange),
-    ("coolant-on", Action::CoolantOn),
-    ("coolant-off", Action::CoolantOff),
-    ("auxiliary", Action::Auxiliary),
-];
-
 /// An M function.
 #[derive(Clone, Debug)]
 pub(super) struct MFunction {
@@ -121,43 +28,7 @@ pub(super) struct MFunction {
     /// Whether it acts before the motion of its block.
     pub at_start: bool,
     /// Its group, of which LinuxCNC takes one in a block.
-    pub group: String,
-}
-
-/// How an address is written: the column `kind` of table iso-addresses.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Written {
-    Whole,
-    Number,
-    /// In millimetres or inches.
-    Length,
-}
-
-/// The way of a cycle to its bottom.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Inwards {
-    Feed,
-    /// After every step out of the hole.
-    StepsLeaving,
-    /// After every step back a little.
-    StepsStaying,
-}
-
-/// What the spindle does at the bottom of a cycle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Bottom {
-    Turning,
-    Stopped,
-    Reversed,
-}
-
-/// The way of a cycle out of the hole.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Outwards {
-    Rapid,
-    /// At feed to R, at rapid from there.
-    Feed,
-    FeedToTheEnd,
+    pub group: MGroup,
 }
 
 /// A cycle: table iso-cycles.
@@ -205,15 +76,15 @@ impl Control {
     /// # Errors
     /// There is no such control, or a table lacks what is asked of it.
     pub fn read(control: &str, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
-        let record = knowledge.table(&format!("control-{control}"))?;
-        let kind = match control {
-            "linuxcnc" => Kind::LinuxCnc,
-            "fanuc" => Kind::Fanuc,
-            other => return Err(KnowledgeError::lacks(&record.id, &format!("an interpreter of {other}"))),
-        };
-        let number = |name: &str| figures(record, name).map(|values| values.first().copied().unwrap_or_default());
-        let flag = |name: &str| number(name).map(|value| value > 0.0);
-        let length = |name: &str| number(name).map(Micrometres::from_mm_rounded);
+        let table = knowledge.table(&format!("control-{control}"))?;
+        let lacks = || KnowledgeError::lacks(&table.id, &format!("an interpreter of {control}"));
+        let kind = Kind::from_word(control).ok_or_else(lacks)?;
+        let record: Vec<Record<'_>> = table.rows().collect::<Result<_, _>>()?;
+        let figures = |name| figures(&record, name, table);
+        let number = |name| figures(name).map(|(first, _)| first);
+        let count = |name| number(name).map(|value| value as usize);
+        let flag = |name| number(name).map(|value| value > 0.0);
+        let length = |name| number(name).map(Micrometres::from_mm_rounded);
         let mut language = Self {
             kind,
             g: BTreeMap::new(),
@@ -221,24 +92,24 @@ impl Control {
             m: BTreeMap::new(),
             addresses: BTreeMap::new(),
             cycles: BTreeMap::new(),
-            depth: number("subprogram-depth-max")? as usize,
-            m_per_block: number("m-functions-per-block-max")? as usize,
-            dwell_unit_s: number("dwell-unit")?,
-            arc_tolerance: (number("arc-tolerance")?, number("arc-tolerance-relative")?),
-            pecks: (length("g83-clearance")?, length("g73-retract")?),
-            cycles_are_motions: flag("cycles-are-motions")?,
-            small_letters: flag("words-in-small-letters")?,
-            o_words: flag("o-words")?,
-            length_of_tool: flag("length-of-tool-in-spindle")?,
+            depth: count(Characteristic::SubprogramDepthMax)?,
+            m_per_block: count(Characteristic::MFunctionsPerBlockMax)?,
+            dwell_unit_s: number(Characteristic::DwellUnit)?,
+            arc_tolerance: (number(Characteristic::ArcTolerance)?, number(Characteristic::ArcToleranceRelative)?),
+            pecks: (length(Characteristic::G83Clearance)?, length(Characteristic::G73Retract)?),
+            cycles_are_motions: flag(Characteristic::CyclesAreMotions)?,
+            small_letters: flag(Characteristic::WordsInSmallLetters)?,
+            o_words: flag(Characteristic::OWords)?,
+            length_of_tool: flag(Characteristic::LengthOfToolInSpindle)?,
             setting: Limits {
-                correctors: number("correctors")? as i64,
-                feed_overrides: steps(record, "feed-override")?,
-                speed_overrides: steps(record, "spindle-override")?,
+                correctors: number(Characteristic::Correctors)? as i64,
+                feed_overrides: steps(&figures(Characteristic::FeedOverride)?.1),
+                speed_overrides: steps(&figures(Characteristic::SpindleOverride)?.1),
                 panel_2c42_65: false,
-                pecks: flag("pecks-of-setting")?,
+                pecks: flag(Characteristic::PecksOfSetting)?,
             },
         };
-        language.read_words(control, knowledge)?;
+        language.read_words(knowledge)?;
         Ok(language)
     }
 
@@ -248,77 +119,46 @@ impl Control {
     }
 
     /// The rows of the tables iso-… that name the control.
-    fn read_words(&mut self, control: &str, knowledge: &Knowledge) -> Result<(), KnowledgeError> {
-        for row in rows(knowledge, "iso-addresses", control)? {
-            let written = match row.text("kind")? {
-                "whole" => Written::Whole,
-                "length" => Written::Length,
-                _ => Written::Number,
-            };
-            self.addresses.insert(letter(row.text("address")?), written);
+    fn read_words(&mut self, knowledge: &Knowledge) -> Result<(), KnowledgeError> {
+        let kind = self.kind;
+        for row in knowledge.rows::<Addresses<'_>>()?.into_iter().filter(|row| row.controls.contains(&kind)) {
+            self.addresses.insert(row.address.0, row.kind);
         }
-        for row in rows(knowledge, "iso-g-functions", control)? {
-            let code = code(row)?;
-            let function =
-                GFunction { group: named(row, "group", &Group::NAMES)?, effect: named(row, "effect", &EFFECTS)? };
-            self.g.insert(code, function);
-            if row.texts("power_on").unwrap_or_default().contains(&control) {
+        for row in knowledge.rows::<GFunctions<'_>>()?.into_iter().filter(|row| row.controls.contains(&kind)) {
+            let code = code(row.code, row.row)?;
+            self.g.insert(code, GFunction { group: row.group, effect: row.effect });
+            if row.power_on.is_some_and(|controls| controls.contains(&kind)) {
                 self.power_on.push(code);
             }
         }
-        for row in rows(knowledge, "iso-m-functions", control)? {
-            let function = MFunction {
-                action: named(row, "action", &ACTIONS)?,
-                at_start: row.text("acts")? == "start",
-                group: row.text("group")?.to_owned(),
-            };
-            self.m.insert(code(row)? / 10, function);
+        for row in knowledge.rows::<MFunctions<'_>>()?.into_iter().filter(|row| row.controls.contains(&kind)) {
+            let function = MFunction { action: row.action, at_start: row.acts == Acts::Start, group: row.group };
+            self.m.insert(code(row.code, row.row)? / 10, function);
         }
-        for row in rows(knowledge, "iso-cycles", control)? {
-            let letters =
-                |column: &str| -> Vec<char> { row.texts(column).unwrap_or_default().into_iter().map(letter).collect() };
-            let ways = [
-                ("feed", Inwards::Feed),
-                ("in-steps-leaving", Inwards::StepsLeaving),
-                ("in-steps-staying", Inwards::StepsStaying),
-            ];
-            let bottoms = [("turning", Bottom::Turning), ("stopped", Bottom::Stopped), ("reversed", Bottom::Reversed)];
-            let outwards =
-                [("rapid", Outwards::Rapid), ("feed", Outwards::Feed), ("feed-to-the-end", Outwards::FeedToTheEnd)];
+        for row in knowledge.rows::<Cycles<'_>>()?.into_iter().filter(|row| row.controls.contains(&kind)) {
             let cycle = Cycle {
-                required: letters("required"),
-                optional: letters("optional_words"),
-                inwards: named(row, "inwards", &ways)?,
-                bottom: named(row, "bottom", &bottoms)?,
-                outwards: named(row, "outwards", &outwards)?,
+                required: letters(row.required),
+                optional: letters(row.optional_words.unwrap_or_default()),
+                inwards: row.inwards,
+                bottom: row.bottom,
+                outwards: row.outwards,
             };
-            self.cycles.insert(code(row)?, cycle);
+            self.cycles.insert(code(row.code, row.row)?, cycle);
         }
         Ok(())
     }
 }
 
-/// The rows of a table that name a control.
-fn rows<'k>(
-    knowledge: &'k Knowledge,
-    table: &str,
-    control: &str,
-) -> Result<impl Iterator<Item = RowRef<'k>>, KnowledgeError> {
-    let table = knowledge.table(table)?;
-    let control = control.to_owned();
-    Ok(table.all_rows().filter(move |row| row.texts("controls").unwrap_or_default().contains(&control.as_str())))
-}
-
-/// The value that a text of a row names.
-fn named<T: Copy>(row: RowRef<'_>, column: &str, names: &[(&str, T)]) -> Result<T, KnowledgeError> {
-    let text = row.text(column)?;
-    let found = names.iter().find(|(name, _)| *name == text);
-    found.map(|(_, value)| *value).ok_or_else(|| KnowledgeError::lacks(&row.table.id, text))
+/// The figures of a characteristic, in its unit.
+fn figures(record: &[Record<'_>], name: Characteristic, table: &Table) -> Result<(f64, Vec<f64>), KnowledgeError> {
+    let row = record.iter().find(|row| row.name == name);
+    let row = row.ok_or_else(|| KnowledgeError::no_row(table, name.name()))?;
+    in_unit(row.value.as_deref(), row.unit, name.unit(), row.row)
 }
 
 /// The number of a code such as `G54` or `G91.1`, in tenths.
-fn code(row: RowRef<'_>) -> Result<i64, KnowledgeError> {
-    let text = row.text("code")?.trim_start_matches(|c: char| !c.is_ascii_digit());
+fn code(text: &str, row: RowRef<'_>) -> Result<i64, KnowledgeError> {
+    let text = text.trim_start_matches(|c: char| !c.is_ascii_digit());
     let (whole, tenth) = text.split_once('.').unwrap_or((text, "0"));
     let parsed = whole.parse::<i64>().ok().zip(tenth.parse::<i64>().ok());
     let parsed = parsed.filter(|(whole, tenth)| (0..1000).contains(whole) && (0..10).contains(tenth));
@@ -328,10 +168,10 @@ fn code(row: RowRef<'_>) -> Result<i64, KnowledgeError> {
 }
 
 /// The steps of a switch: those listed, or with two figures every whole number between them.
-fn steps(table: &Table, name: &str) -> Result<Vec<i64>, KnowledgeError> {
-    let listed: Vec<i64> = figures(table, name)?.into_iter().map(|value| value as i64).collect();
-    Ok(match listed[..] {
+fn steps(figures: &[f64]) -> Vec<i64> {
+    let listed: Vec<i64> = figures.iter().map(|value| *value as i64).collect();
+    match listed[..] {
         [low, high] => (low..=high.min(low + 1000)).collect(),
         _ => listed,
-    })
+    }
 }

@@ -41,6 +41,7 @@ use crate::motion::{BlockRef, Position, Step};
 use crate::note::{Note, Severity};
 use crate::part::{Part, Point};
 use crate::plan::{Operation, Plan, Transition};
+use crate::tables::controls::Convention;
 use crate::units::Micrometres;
 
 use cuts::{Cut, TOLERANCE};
@@ -82,8 +83,8 @@ impl Tolerated {
     /// A table lacks a figure.
     pub fn read(part: &Part, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
         let row = crate::zone::approach(part, true, knowledge)?;
-        let overload = crate::job::convention("overload", knowledge)?.0;
-        let overlong = crate::job::convention("overlong", knowledge)?.0;
+        let overload = crate::job::convention(Convention::Overload, knowledge)?.0;
+        let overlong = crate::job::convention(Convention::Overlong, knowledge)?.0;
         Ok(Self { overrun: row.length("overrun")?, overload, overlong })
     }
 }

@@ -17,7 +17,7 @@ use crate::program::iso::control::Kind;
 use crate::program::written::{Form, Line, Role, WorkRef, Written};
 use technolog_core::ascii::ascii;
 
-use dialect::Numbered;
+use dialect::{Dialect, Numbered};
 
 /// Blocks of a subprogram that are to be called, with the number they got.
 type Subprograms = Vec<(Vec<Block>, Option<WorkRef>)>;
@@ -28,7 +28,7 @@ const FIRST_SUBPROGRAM: u32 = 101;
 /// The program as it grows.
 struct Sheet {
     form: Form,
-    dialect: Kind,
+    dialect: Dialect,
     main: Vec<(Piece, Role, Option<WorkRef>, Option<usize>)>,
     subprograms: Subprograms,
 }
@@ -44,7 +44,8 @@ enum Piece {
 }
 
 /// The program of a job.
-pub fn write(job: &Job, dialect: Kind, form: Form) -> Written {
+pub fn write(job: &Job, kind: Kind, form: Form) -> Written {
+    let dialect = Dialect(kind);
     let mut sheet = Sheet { form, dialect, main: Vec::new(), subprograms: Vec::new() };
     let axis = |value| sheet.dialect.length(form.grid(value));
     let up = Block::new().g(90).g(80).g(49);
@@ -125,7 +126,7 @@ impl Sheet {
         let mut before = Vec::new();
         let mut after = Vec::new();
         // LinuxCNC wants a subprogram before its call, Fanuc behind the main program.
-        let place = if dialect == Kind::LinuxCnc { &mut before } else { &mut after };
+        let place = if dialect.0 == Kind::LinuxCnc { &mut before } else { &mut after };
         for (number, (blocks, work)) in (FIRST_SUBPROGRAM..).zip(&subprograms) {
             let line = |text: String, role| Line { text, role, work: *work, cycle: None };
             place.push(line(dialect.subprogram_begins(number), Role::Frame));

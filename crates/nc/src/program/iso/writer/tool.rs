@@ -7,14 +7,14 @@ use crate::program::block::Block;
 use crate::program::written::{Form, Role, WorkRef};
 use crate::units::Micrometres;
 
+use super::dialect::Dialect;
 use super::{Shared, Sheet};
-use crate::program::iso::control::Kind;
 
 /// What a subprogram of points costs beside its blocks, characters.
 const SUBPROGRAM: usize = 30;
 
 /// How often each list of further points occurs.
-pub(super) fn shared_points(job: &Job, form: Form, dialect: Kind) -> Shared {
+pub(super) fn shared_points(job: &Job, form: Form, dialect: Dialect) -> Shared {
     let mut counts = Shared::new();
     for work in job.setups.iter().flat_map(|setup| &setup.works) {
         for (cycle, stops) in runs(work) {
@@ -34,13 +34,13 @@ fn runs(work: &ToolWork) -> impl Iterator<Item = (&Cycle, &[Stop])> {
     })
 }
 
-fn point(at: Point, form: Form, dialect: Kind) -> Block {
+fn point(at: Point, form: Form, dialect: Dialect) -> Block {
     let at = form.point(at);
     Block::new().word('X', dialect.length(at.x)).word('Y', dialect.length(at.y))
 }
 
 /// A block for every stop after the first.
-fn further(stops: &[Stop], form: Form, dialect: Kind) -> Vec<Block> {
+fn further(stops: &[Stop], form: Form, dialect: Dialect) -> Vec<Block> {
     stops.iter().skip(1).map(|stop| point(stop.at, form, dialect)).collect()
 }
 
@@ -114,7 +114,7 @@ fn contour(
     levels: &[Micrometres],
     radii: &[Micrometres],
     sense: Sense,
-    dialect: Kind,
+    dialect: Dialect,
     form: Form,
 ) -> Vec<Block> {
     let length = |value: Micrometres| dialect.length(form.grid(value));

@@ -1,0 +1,201 @@
+//! The language of LinuxCNC and Fanuc.
+
+use technolog_knowledge::{rows, vocabulary};
+
+use super::{Acts, Letter};
+
+vocabulary! {
+    /// Which dialect it is, where that is no figure of a table.
+    pub enum Kind {
+        /// LinuxCNC 2.9.
+        LinuxCnc = "linuxcnc",
+        /// Fanuc 0i.
+        Fanuc = "fanuc",
+    }
+
+    /// How an address is written.
+    pub enum Written {
+        Whole = "whole",
+        Number = "number",
+        /// In millimetres or inches.
+        Length = "length",
+    }
+
+    /// Groups of G functions.
+    pub enum Group {
+        OneShot = "one-shot",
+        Motion = "motion",
+        Cycle = "cycle",
+        Plane = "plane",
+        Units = "units",
+        Radius = "radius",
+        Length = "length",
+        System = "system",
+        Path = "path",
+        Distance = "distance",
+        ArcDistance = "arc-distance",
+        FeedMode = "feed-mode",
+        Retract = "retract",
+    }
+
+    /// What a G function does.
+    pub enum Effect {
+        Mode = "mode",
+        Cycle = "cycle",
+        CycleOff = "cycle-off",
+        Dwell = "dwell",
+        Return = "return",
+        MachinePosition = "machine-position",
+        Noted = "noted",
+    }
+
+    /// What an M function makes the control do.
+    pub enum Action {
+        Stop = "stop",
+        OptionalStop = "optional-stop",
+        End = "end",
+        Return = "return",
+        Call = "call",
+        SpindleClockwise = "spindle-clockwise",
+        SpindleCounterclockwise = "spindle-counterclockwise",
+        SpindleStop = "spindle-stop",
+        ToolChange = "tool-change",
+        CoolantOn = "coolant-on",
+        CoolantOff = "coolant-off",
+        Auxiliary = "auxiliary",
+    }
+
+    /// Groups of M functions.
+    pub enum MGroup {
+        Stop = "stop",
+        Spindle = "spindle",
+        Tool = "tool",
+        Coolant = "coolant",
+        Call = "call",
+        Other = "other",
+    }
+
+    /// The way of a cycle to its bottom.
+    pub enum Inwards {
+        Feed = "feed",
+        /// After every step out of the hole.
+        StepsLeaving = "in-steps-leaving",
+        /// After every step back a little.
+        StepsStaying = "in-steps-staying",
+    }
+
+    /// What the spindle does at the bottom of a cycle.
+    pub enum Bottom {
+        Turning = "turning",
+        Stopped = "stopped",
+        Reversed = "reversed",
+    }
+
+    /// The way of a cycle out of the hole.
+    pub enum Outwards {
+        Rapid = "rapid",
+        /// At feed to R, at rapid from there.
+        Feed = "feed",
+        FeedToTheEnd = "feed-to-the-end",
+    }
+
+    /// What a record of a control holds. Yes is 1, no is 0.
+    pub enum Characteristic {
+        /// How deep subprograms may call each other.
+        SubprogramDepthMax = "subprogram-depth-max",
+        /// How many correctors there are.
+        Correctors = "correctors",
+        /// Steps of the switch, %; two are the ends of all whole numbers between.
+        FeedOverride = "feed-override",
+        /// Steps of the switch, %; two are the ends of all whole numbers between.
+        SpindleOverride = "spindle-override",
+        MFunctionsPerBlockMax = "m-functions-per-block-max",
+        /// What one of P counts, s.
+        DwellUnit = "dwell-unit",
+        /// What the radii at start and end of an arc may differ by, mm.
+        ArcTolerance = "arc-tolerance",
+        /// The same as a part of the radius.
+        ArcToleranceRelative = "arc-tolerance-relative",
+        /// How far before the metal the rapid of G83 ends, mm.
+        G83Clearance = "g83-clearance",
+        /// How far G73 draws back, mm.
+        G73Retract = "g73-retract",
+        /// Whether cycles and motions are one group, of which a block may have one.
+        CyclesAreMotions = "cycles-are-motions",
+        WordsInSmallLetters = "words-in-small-letters",
+        /// Whether subprograms are written with o-words.
+        OWords = "o-words",
+        /// Whether G43 without H takes the corrector of the tool in the spindle.
+        LengthOfToolInSpindle = "length-of-tool-in-spindle",
+        /// Whether clearance and retreat of steps are set by the operator.
+        PecksOfSetting = "pecks-of-setting",
+    }
+}
+
+impl Characteristic {
+    /// The unit of its value, as the record writes it.
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::DwellUnit => "s",
+            Self::ArcTolerance | Self::G83Clearance | Self::G73Retract => "mm",
+            Self::FeedOverride | Self::SpindleOverride => "%",
+            _ => "1",
+        }
+    }
+}
+
+rows! {
+    /// Addresses of LinuxCNC and Fanuc.
+    pub struct Addresses of One("iso-addresses") {
+        address: Letter,
+        controls: Vec<Kind>,
+        kind: Written,
+    } shown { meaning_uk, meaning_en }
+
+    /// Fixed cycles of LinuxCNC and Fanuc.
+    pub struct Cycles of One("iso-cycles") {
+        code: &'t str,
+        controls: Vec<Kind>,
+        required: Vec<Letter>,
+        optional_words: Option<Vec<Letter>>,
+        inwards: Inwards,
+        bottom: Bottom,
+        outwards: Outwards,
+    }
+
+    /// G functions of LinuxCNC and Fanuc.
+    pub struct GFunctions of One("iso-g-functions") {
+        code: &'t str,
+        controls: Vec<Kind>,
+        group: Group,
+        power_on: Option<Vec<Kind>>,
+        effect: Effect,
+    } shown { meaning_uk, meaning_en }
+
+    /// M functions of LinuxCNC and Fanuc.
+    pub struct MFunctions of One("iso-m-functions") {
+        code: &'t str,
+        controls: Vec<Kind>,
+        action: Action,
+        group: MGroup,
+        acts: Acts,
+    } shown { meaning_uk, meaning_en }
+
+    /// What the words of a control mean, of one whose words stand in one table.
+    pub struct Words of Each(&["fanuc-words", "linuxcnc-words"]) {
+        word: &'t str,
+        cycles: Option<Vec<&'t str>>,
+        meaning_uk: &'t str,
+        meaning_en: &'t str,
+        incremental_uk: Option<&'t str>,
+        incremental_en: Option<&'t str>,
+        unit: Option<&'t str>,
+    }
+
+    /// A characteristic of a control.
+    pub struct Record of Each(&["control-fanuc", "control-linuxcnc"]) complete name {
+        name: Characteristic,
+        value: Option<Vec<f64>>,
+        unit: Option<&'t str>,
+    } shown { text }
+}

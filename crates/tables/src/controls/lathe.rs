@@ -1,0 +1,113 @@
+//! Controls of lathes: their words and their roughing cycles.
+
+use technolog_knowledge::{rows, vocabulary};
+
+use crate::turning::part::Side;
+
+vocabulary! {
+    /// The controls.
+    pub enum LatheControl {
+        LinuxCnc = "linuxcnc",
+        Sinumerik = "sinumerik",
+        Nc201 = "nc-201",
+    }
+
+    /// The direction of the passes.
+    pub enum Direction {
+        /// Along the axis, from the free end towards the chuck.
+        Longitudinal = "longitudinal",
+        /// Across it, from the surface of the blank towards the axis; of a bore, away from it.
+        Facing = "facing",
+    }
+
+    /// What a field of the call of a cycle holds.
+    pub enum Holds {
+        Contour = "contour",
+        StartX = "start-x",
+        StartZ = "start-z",
+        Allowance = "allowance",
+        AllowanceX = "allowance-x",
+        AllowanceZ = "allowance-z",
+        Depth = "depth",
+        Retract = "retract",
+        RoughFeed = "rough-feed",
+        PlungeFeed = "plunge-feed",
+        FinishFeed = "finish-feed",
+        Machining = "machining",
+        Nothing = "nothing",
+    }
+
+    /// How a length across the axis is measured.
+    pub enum Measure {
+        Radius = "radius",
+        Diameter = "diameter",
+    }
+
+    /// What a word of a control is for.
+    pub enum Use {
+        Plane = "plane",
+        Millimetres = "millimetres",
+        Diameters = "diameters",
+        RadiusCorrectionOff = "radius-correction-off",
+        Absolute = "absolute",
+        FeedPerRevolution = "feed-per-revolution",
+        System = "system",
+        ExactPath = "exact-path",
+        Tool = "tool",
+        CuttingSpeed = "cutting-speed",
+        SpindleSpeed = "spindle-speed",
+        CoolantOn = "coolant-on",
+        Rapid = "rapid",
+        Line = "line",
+        Clockwise = "clockwise",
+        Counterclockwise = "counterclockwise",
+        SpindleStop = "spindle-stop",
+        CoolantOff = "coolant-off",
+        End = "end",
+        ContourBegins = "contour-begins",
+        ContourEnds = "contour-ends",
+    }
+}
+
+impl Use {
+    /// Whether every control must have it.
+    pub const fn is_required(self) -> bool {
+        !matches!(self, Self::ExactPath | Self::ContourBegins | Self::ContourEnds)
+    }
+}
+
+rows! {
+    /// Controls of lathes.
+    pub struct LatheControls of One("lathe-controls") complete control {
+        control: LatheControl,
+        plain: bool,
+        cycles: bool,
+        comment: Option<&'t str>,
+        known_words: Option<Vec<&'t str>>,
+    } shown { version }
+
+    /// Fields of roughing cycles.
+    pub struct LatheCycleFields of One("lathe-cycle-fields") {
+        control: LatheControl,
+        place_in_call: i64,
+        field: &'t str,
+        holds: Holds,
+        measure: Option<Measure>,
+    } shown { unit_of_field, meaning_uk, meaning_en }
+
+    /// Roughing cycles of lathes.
+    pub struct LatheCycles of One("lathe-cycles") {
+        control: LatheControl,
+        direction: Direction,
+        side: Side,
+        cycle: &'t str,
+        machining: Option<i64>,
+    }
+
+    /// Words of programs for lathes.
+    pub struct LatheWords of One("lathe-words") {
+        control: LatheControl,
+        use_ as "use": Use,
+        word: &'t str,
+    } shown { meaning_uk, meaning_en }
+}
