@@ -3,14 +3,15 @@
 use std::sync::Arc;
 
 use crate::error::KnowledgeError;
-use crate::knowledge::{Knowledge, RowRef};
+use crate::knowledge::Knowledge;
 use crate::machine::Machine;
 use crate::memo::Memo;
 use crate::motion::Step;
 use crate::plan::Plan;
 use crate::planner;
 use crate::program::{Fault, Language, Setting};
-use crate::tooling::named::{NamedCutter, cutter_names, holder_names};
+use crate::tables::holders::HolderRow;
+use crate::tooling::named::{self, NamedCutter};
 
 use super::finding::Audit;
 use super::near::Names;
@@ -24,7 +25,7 @@ pub struct Auditor<'k> {
     /// The knowledge that plans are held against.
     pub knowledge: &'k Knowledge,
     pub(super) cutters: Names<'k, NamedCutter<'k>>,
-    pub(super) holders: Names<'k, RowRef<'k>>,
+    pub(super) holders: Names<'k, HolderRow<'k>>,
     tolerances: Tolerances,
     plans: Memo<Result<Arc<Plan>, KnowledgeError>>,
     runs: Memo<Run>,
@@ -43,10 +44,12 @@ impl<'k> Auditor<'k> {
     /// # Errors
     /// The table `audit-tolerance` lacks a quantity.
     pub fn new(knowledge: &'k Knowledge) -> Result<Self, KnowledgeError> {
+        let cutters = named::cutter_names(knowledge)?.into_iter().map(|cutter| (cutter.designation, cutter));
+        let holders = named::holders(knowledge)?.into_iter().map(|holder| (holder.designation, holder));
         Ok(Self {
             knowledge,
-            cutters: Names::new(cutter_names(knowledge).map(|cutter| (cutter, cutter.designation))),
-            holders: Names::new(holder_names(knowledge)),
+            cutters: Names::new(cutters),
+            holders: Names::new(holders),
             tolerances: Tolerances::read(knowledge)?,
             plans: Memo::default(),
             runs: Memo::default(),

@@ -6,10 +6,11 @@ use std::collections::BTreeMap;
 use crate::error::KnowledgeError;
 use crate::knowledge::units::Percent;
 use crate::knowledge::vocabulary::Shank;
-use crate::knowledge::{Asked, Question, RowRef};
+use crate::knowledge::{Asked, Question};
 use crate::part::{Hole, Point};
 use crate::plan::{Plan, Transition};
 use crate::shop::Shop;
+use crate::tables::holders::HolderRow;
 use crate::tooling::named::NamedCutter;
 use crate::units::{Micrometres, RevsPerMinute};
 
@@ -30,7 +31,7 @@ pub struct Context<'a> {
     /// What audits share.
     pub auditor: &'a Auditor<'a>,
     cutters: Vec<Near<NamedCutter<'a>>>,
-    holders: Vec<Near<RowRef<'a>>>,
+    holders: Vec<Near<HolderRow<'a>>>,
     /// Correctors by the word that calls them in the program: `G43` or `G44`.
     calls: BTreeMap<u32, &'static str>,
 }
@@ -48,7 +49,8 @@ impl<'a> Context<'a> {
             let table = tool.table.as_ref().map(|table| table.value.as_str());
             let named = tool.designation.as_ref().map(|text| text.value.as_str());
             // A table that is named decides between equal designations; that it is another's, its check says.
-            let of_table = |cutter: &NamedCutter<'_>| table.is_none_or(|table| same_table(&cutter.row.table.id, table));
+            let of_table =
+                |cutter: &NamedCutter<'_>| table.is_none_or(|table| same_table(&cutter.row.row.table.id, table));
             let mut found = auditor.cutters.find(named, of_table);
             if matches!(found, Near::Unknown(_)) {
                 found = auditor.cutters.find(named, |_| true);
@@ -67,18 +69,18 @@ impl<'a> Context<'a> {
     }
 
     /// The cutter of a tool, where its designation is known, or misprinted but not in doubt.
-    pub fn cutter(&self, tool: usize) -> Option<NamedCutter<'a>> {
-        self.cutter_near(tool).meant().copied()
+    pub fn cutter(&self, tool: usize) -> Option<&NamedCutter<'a>> {
+        self.cutter_near(tool).meant()
     }
 
     /// What the catalogs know of a holder's designation.
-    pub fn holder_near(&self, tool: usize) -> &Near<RowRef<'a>> {
+    pub fn holder_near(&self, tool: usize) -> &Near<HolderRow<'a>> {
         self.holders.get(tool).unwrap_or(&Near::Unstated)
     }
 
     /// The holder of a tool.
-    pub fn holder(&self, tool: usize) -> Option<RowRef<'a>> {
-        self.holder_near(tool).meant().copied()
+    pub fn holder(&self, tool: usize) -> Option<&HolderRow<'a>> {
+        self.holder_near(tool).meant()
     }
 
     /// Whether a cutter carries the machine's own taper, so that it needs no holder.

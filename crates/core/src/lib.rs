@@ -19,6 +19,7 @@ pub mod parallel;
 pub mod part;
 pub mod plan;
 pub mod reason;
+pub mod shelf;
 pub mod shop;
 pub mod words;
 pub mod zone;
@@ -27,5 +28,4 @@ pub mod zone;
 use technolog_knowledge::{self as knowledge, units};
 #[cfg(test)]
 use technolog_shipped as shipped;
-#[allow(unused_imports, reason = "until its reads are typed")]
 use technolog_tables as tables;

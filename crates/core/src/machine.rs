@@ -3,7 +3,9 @@
 use serde::Serialize;
 
 use crate::error::KnowledgeError;
+use crate::knowledge::contract::Named;
 use crate::knowledge::{Knowledge, RowRef, Table};
+use crate::tables::machines::{MachineQuantity as Q, MachineRecord};
 use crate::units::{
     Kilowatts, Micrometres, MillimetresPerMinute, MillimetresPerSecondSquared, Minutes, NewtonMetres, Newtons,
     RevsPerMinute,
@@ -52,8 +54,15 @@ impl Axis {
 /// A machine as planning sees it.
 #[derive(Clone, Debug)]
 pub struct Machine<'k> {
-    /// Its record.
+    /// The table of its record.
     pub table: &'k Table,
+    record: Record<'k>,
+    /// What its programs are written for, as the command line names controls; absent where the record does not say.
+    pub control: Option<&'k str>,
+    /// Length of its table, along X; absent where the record does not say.
+    pub table_length: Option<Micrometres>,
+    /// Width of its table, along Y; absent where the record does not say.
+    pub table_width: Option<Micrometres>,
     /// The spindle's steps, ascending.
     pub spindle_steps: Vec<RevsPerMinute>,
     /// Power of the main drive.
@@ -141,10 +150,29 @@ impl Rapid {
     }
 }
 
+/// The rows of a machine's record.
+#[derive(Clone, Debug)]
+struct Record<'k>(Vec<MachineRecord<'k>>);
+
+impl<'k> Record<'k> {
+    fn row(&self, quantity: Q) -> Option<&MachineRecord<'k>> {
+        self.0.iter().find(|row| row.name == Named::Read(quantity))
+    }
+
+    fn values(&self, quantity: Q) -> Option<&[f64]> {
+        self.row(quantity)?.value.as_deref()
+    }
+}
+
 impl<'k> Machine<'k> {
     /// How its axes move in rapids.
     pub const fn rapids(&self) -> Rapid {
         Rapid { rate: self.rapid, acceleration: self.rapid_acceleration }
+    }
+
+    /// The ids of the machines: each is a table `machine-…` that is such a record.
+    pub fn ids(knowledge: &'k Knowledge) -> impl Iterator<Item = &'k str> {
+        knowledge.tables_of::<MachineRecord<'_>>().filter_map(|table| table.id.strip_prefix("machine-"))
     }
 
     /// The machine of that id.
@@ -153,39 +181,47 @@ impl<'k> Machine<'k> {
     /// There is no such machine, or its record lacks a quantity.
     pub fn find(knowledge: &'k Knowledge, id: &str) -> Result<Self, KnowledgeError> {
         let table = knowledge.table(&format!("machine-{id}"))?;
-        let number = |name: &str| numbers(table, name).map(|values| values.first().copied().unwrap_or_default());
-        let length = |name: &str| number(name).map(Micrometres::from_mm_rounded);
+        let record = Record(table.rows().collect::<Result<_, _>>()?);
+        let any = |quantity| record.values(quantity).and_then(|values| values.first().copied());
+        let number = |quantity: Q| any(quantity).ok_or_else(|| KnowledgeError::no_row(table, quantity.name()));
+        let length = |quantity| number(quantity).map(Micrometres::from_mm_rounded);
+        let length_if_any = |quantity| any(quantity).map(Micrometres::from_mm_rounded);
+        number(Q::SpindleSpeeds)?;
         Ok(Self {
             table,
-            spindle_steps: numbers(table, "spindle-speeds")?.into_iter().map(RevsPerMinute).collect(),
-            spindle_power: Kilowatts(number("spindle-power")?),
-            spindle_torque: NewtonMetres(number("spindle-torque-max")?),
-            thrust: Newtons(number("thrust-z-max")?),
-            feed_min: MillimetresPerMinute(number("feed-min")?),
-            feed_max: MillimetresPerMinute(number("feed-max")?),
-            rapid: MillimetresPerMinute(number("rapid-rate")?),
-            rapid_acceleration: number("rapid-acceleration").ok().map(MillimetresPerSecondSquared),
-            travel_x: length("travel-x")?,
-            travel_y: length("travel-y")?,
-            travel_z: length("travel-z")?,
-            resolution: length("resolution")?,
-            load_max_kg: number("load-mass-max")?,
-            magazine: number("magazine-places")? as usize,
-            tool_change: Minutes(number("tool-change-time")? / 60.0),
-            tool_change_at: (length("tool-change-x")?, length("tool-change-y")?),
-            tool_change_z: length("tool-change-z")?,
-            nose_to_table: length("nose-to-table-min").ok().zip(length("nose-to-table-max").ok()),
-            taper: number("spindle-taper")? as i64,
-            drill_max: length("drill-diameter-max")?,
-            overhang_max: length("tool-overhang-max")?,
-            end_mill_max: length("end-mill-diameter-max")?,
-            tool_diameter_max: length("face-mill-diameter-max")?,
-            tool_mass_max_kg: number("tool-mass-max")?,
-            position_accuracy: length("position-accuracy")?,
-            roundness: length("roundness-accuracy").ok(),
-            can_tap: number("can-tap")? > 0.0,
-            contouring: number("contouring")? > 0.0,
-            minute_rate: number("minute-rate").ok(),
+            control: record.row(Q::Control).and_then(|row| row.text),
+            table_length: length_if_any(Q::TableLength),
+            table_width: length_if_any(Q::TableWidth),
+            spindle_steps: record.values(Q::SpindleSpeeds).into_iter().flatten().copied().map(RevsPerMinute).collect(),
+            spindle_power: Kilowatts(number(Q::SpindlePower)?),
+            spindle_torque: NewtonMetres(number(Q::SpindleTorqueMax)?),
+            thrust: Newtons(number(Q::ThrustZMax)?),
+            feed_min: MillimetresPerMinute(number(Q::FeedMin)?),
+            feed_max: MillimetresPerMinute(number(Q::FeedMax)?),
+            rapid: MillimetresPerMinute(number(Q::RapidRate)?),
+            rapid_acceleration: any(Q::RapidAcceleration).map(MillimetresPerSecondSquared),
+            travel_x: length(Q::TravelX)?,
+            travel_y: length(Q::TravelY)?,
+            travel_z: length(Q::TravelZ)?,
+            resolution: length(Q::Resolution)?,
+            load_max_kg: number(Q::LoadMassMax)?,
+            magazine: number(Q::MagazinePlaces)? as usize,
+            tool_change: Minutes(number(Q::ToolChangeTime)? / 60.0),
+            tool_change_at: (length(Q::ToolChangeX)?, length(Q::ToolChangeY)?),
+            tool_change_z: length(Q::ToolChangeZ)?,
+            nose_to_table: length_if_any(Q::NoseToTableMin).zip(length_if_any(Q::NoseToTableMax)),
+            taper: number(Q::SpindleTaper)? as i64,
+            drill_max: length(Q::DrillDiameterMax)?,
+            overhang_max: length(Q::ToolOverhangMax)?,
+            end_mill_max: length(Q::EndMillDiameterMax)?,
+            tool_diameter_max: length(Q::FaceMillDiameterMax)?,
+            tool_mass_max_kg: number(Q::ToolMassMax)?,
+            position_accuracy: length(Q::PositionAccuracy)?,
+            roundness: length_if_any(Q::RoundnessAccuracy),
+            can_tap: number(Q::CanTap)? > 0.0,
+            contouring: number(Q::Contouring)? > 0.0,
+            minute_rate: any(Q::MinuteRate),
+            record,
         })
     }
 
@@ -198,20 +234,12 @@ impl<'k> Machine<'k> {
         }
     }
 
-    /// The row of a quantity.
+    /// The row of a quantity, for those who cite it.
     ///
     /// # Errors
     /// The record does not name it.
-    pub fn row(&self, name: &str) -> Result<RowRef<'k>, KnowledgeError> {
-        row(self.table, name)
+    pub fn row(&self, quantity: Q) -> Result<RowRef<'k>, KnowledgeError> {
+        let row = self.record.row(quantity).ok_or_else(|| KnowledgeError::no_row(self.table, quantity.name()))?;
+        Ok(row.row)
     }
-}
-
-fn row<'k>(table: &'k Table, name: &str) -> Result<RowRef<'k>, KnowledgeError> {
-    table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))
-}
-
-/// The figures of a quantity; `lint` has proven that their unit is the one the schema names.
-fn numbers(table: &Table, name: &str) -> Result<Vec<f64>, KnowledgeError> {
-    Ok(row(table, name)?.numbers("value"))
 }

@@ -2,14 +2,17 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::diagnostic::nearest;
-use crate::knowledge::{Knowledge, RowRef, Table};
-use crate::units::{Decimal, Unit};
+use crate::knowledge::{Knowledge, RowRef};
+use crate::tables::materials::{MaterialAlias, MaterialGrade};
+use crate::units::Decimal;
 
 /// A material grade.
 #[derive(Clone, Debug)]
 pub struct Material<'k> {
     /// Its row in `materials`.
     pub row: RowRef<'k>,
+    /// Its id.
+    pub id: &'k str,
     /// Group of the cutting tables: `steel`, `grey-iron`, …
     pub group: &'k str,
     /// Class of steels for the speed factor, or `none`.
@@ -20,6 +23,7 @@ pub struct Material<'k> {
     pub hardness: Decimal,
     /// Tensile strength, MPa; zero where the tables do not ask for it.
     pub strength: Decimal,
+    designation: &'k str,
 }
 
 /// The id of a material by itself or by an alias; else the known name that is nearest to it, if one is near.
@@ -27,11 +31,10 @@ pub struct Material<'k> {
 /// # Errors
 /// No material has that name.
 pub fn named(knowledge: &Knowledge, text: &str) -> Result<String, Option<String>> {
-    let names = |table: &str, column: &'static str| {
-        let rows = knowledge.table(table).into_iter().flat_map(Table::all_rows);
-        rows.filter_map(move |row| Some((row.text(column).ok()?, row.text("id").ok()?)))
-    };
-    let known: Vec<(&str, &str)> = names("materials", "id").chain(names("material-aliases", "alias")).collect();
+    // Knowledge without materials, as tests have it, knows no name.
+    let grades = knowledge.rows::<MaterialGrade<'_>>().unwrap_or_default().into_iter().map(|row| (row.id, row.id));
+    let aliases = knowledge.rows::<MaterialAlias<'_>>().unwrap_or_default().into_iter().map(|row| (row.alias, row.id));
+    let known: Vec<(&str, &str)> = grades.chain(aliases).collect();
     match known.iter().find(|(name, _)| *name == text) {
         Some((_, id)) => Ok((*id).to_owned()),
         None => Err(nearest(text, known.iter().map(|(name, _)| *name)).map(str::to_owned)),
@@ -42,23 +45,23 @@ impl<'k> Material<'k> {
     /// The grade of that id.
     ///
     /// # Errors
-    /// There is no such grade, or its row lacks a figure.
+    /// There is no such grade.
     pub fn find(knowledge: &'k Knowledge, id: &str) -> Result<Self, KnowledgeError> {
-        let table = knowledge.table("materials")?;
-        let row = table.find("id", id).ok_or_else(|| KnowledgeError::no_row(table, id))?;
-        let strength = row.number_in("strength", Unit::Megapascal).unwrap_or_default();
+        let grade: MaterialGrade<'_> = knowledge.need(id, |row: &MaterialGrade<'_>| row.id == id)?;
         Ok(Self {
-            row,
-            group: row.text("group")?,
-            steel_class: row.text("steel_class")?,
-            alloy_class: row.text("alloy_class")?,
-            hardness: Decimal::from_f64_rounded(row.number_in("hardness", Unit::Brinell)?),
-            strength: Decimal::from_f64_rounded(strength),
+            row: grade.row,
+            id: grade.id,
+            group: grade.group,
+            steel_class: grade.steel_class,
+            alloy_class: grade.alloy_class,
+            hardness: grade.hardness.0,
+            strength: grade.strength.unwrap_or_default().0,
+            designation: grade.designation,
         })
     }
 
     /// Its name on drawings.
-    pub fn designation(&self) -> &'k str {
-        self.row.text("designation").unwrap_or_default()
+    pub const fn designation(&self) -> &'k str {
+        self.designation
     }
 }

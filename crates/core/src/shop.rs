@@ -1,12 +1,16 @@
 //! What planning stands in: the knowledge, the machine and the material of one part.
 
+use std::sync::Arc;
+
 use crate::error::KnowledgeError;
-use crate::knowledge::{Knowledge, RowRef};
+use crate::knowledge::Knowledge;
 use crate::machine::Machine;
 use crate::material::Material;
 use crate::part::Part;
 use crate::plan::CuttingMethod;
-use crate::units::{Kilowatts, Micrometres, NewtonMetres, Roughness, Unit};
+use crate::shelf::Shelf;
+use crate::tables::holes::{HoleConvention, HoleDefault};
+use crate::units::{Kilowatts, Micrometres, Microns, NewtonMetres, Roughness};
 
 /// The knowledge, the machine at hand and the material.
 #[derive(Clone, Debug)]
@@ -19,6 +23,8 @@ pub struct Shop<'k> {
     pub material: Material<'k>,
     /// How cutting conditions are found.
     pub method: CuttingMethod,
+    /// Tables that are asked again and again.
+    pub shelf: Arc<Shelf<'k>>,
 }
 
 impl<'k> Shop<'k> {
@@ -26,32 +32,35 @@ impl<'k> Shop<'k> {
     ///
     /// # Errors
     /// The table does not name it.
-    pub fn share(&self, name: &str) -> Result<f64, KnowledgeError> {
-        Ok(self.default_row(name)?.number_in("value", Unit::None)?)
+    pub fn share(&self, name: HoleDefault) -> Result<f64, KnowledgeError> {
+        Ok(self.default_row(name)?.value)
     }
 
     /// A row of the conventions in `hole-defaults`, for those who cite it.
     ///
     /// # Errors
     /// The table does not name it.
-    pub fn default_row(&self, name: &str) -> Result<RowRef<'k>, KnowledgeError> {
-        let table = self.knowledge.table("hole-defaults")?;
-        table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))
+    pub fn default_row(&self, name: HoleDefault) -> Result<HoleConvention<'k>, KnowledgeError> {
+        let found = self.shelf.conventions()?.iter().find(|row| row.name == name);
+        match found {
+            Some(row) => Ok(row.clone()),
+            None => Err(KnowledgeError::no_row(self.knowledge.table_of::<HoleConvention<'_>>()?, name.name())),
+        }
     }
 
     /// A roughness of the conventions in `hole-defaults`, whose names end in `-ra-um`.
     ///
     /// # Errors
     /// The table does not name it.
-    pub fn roughness(&self, name: &str) -> Result<Roughness, KnowledgeError> {
-        Ok(Roughness::from_ra_nanometres((self.share(name)? * 1000.0) as u32))
+    pub fn roughness(&self, name: HoleDefault) -> Result<Roughness, KnowledgeError> {
+        Ok(Roughness::from_ra(Microns(self.share(name)?)))
     }
 
     /// A length of the conventions in `hole-defaults`, whose names end in `-mm`.
     ///
     /// # Errors
     /// The table does not name it.
-    pub fn convention(&self, name: &str) -> Result<Micrometres, KnowledgeError> {
+    pub fn convention(&self, name: HoleDefault) -> Result<Micrometres, KnowledgeError> {
         Ok(Micrometres::from_mm_rounded(self.share(name)?))
     }
 
@@ -74,11 +83,13 @@ impl<'k> Shop<'k> {
     /// # Errors
     /// The machine or the material is not in the knowledge base.
     pub fn new(part: &Part, method: CuttingMethod, knowledge: &'k Knowledge) -> Result<Self, KnowledgeError> {
-        Ok(Self {
-            knowledge,
-            machine: Machine::find(knowledge, &part.machine)?,
-            material: Material::find(knowledge, &part.material)?,
-            method,
-        })
+        let (machine, material) =
+            (Machine::find(knowledge, &part.machine)?, Material::find(knowledge, &part.material)?);
+        Ok(Self::with(machine, material, method, knowledge))
+    }
+
+    /// The shop with that machine and material.
+    pub fn with(machine: Machine<'k>, material: Material<'k>, method: CuttingMethod, knowledge: &'k Knowledge) -> Self {
+        Self { knowledge, machine, material, method, shelf: Arc::new(Shelf::new(knowledge)) }
     }
 }

@@ -1,11 +1,12 @@
 //! The machine's working zone: what a part and its tools ask of it. Planning, jobs and audits reckon with the same.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::{Input, Knowledge, RowRef};
+use crate::knowledge::Knowledge;
 use crate::machine::Machine;
 use crate::motion::Axis;
 use crate::note::Note;
-use crate::part::{Entry, Part};
+use crate::part::Part;
+use crate::tables::rules::{Approach, ApproachFor};
 use crate::units::Micrometres;
 
 /// A tool between the height at which it passes over the part and its lowest point; heights of its tip over the table.
@@ -84,11 +85,8 @@ pub fn off_table(part: &Part, machine: &Machine<'_>) -> Vec<OffTable> {
 ///
 /// # Errors
 /// The rule has no row.
-pub fn approach<'k>(part: &Part, through: bool, knowledge: &'k Knowledge) -> Result<RowRef<'k>, KnowledgeError> {
-    let rule = knowledge.table("approach")?;
-    let entry = if part.entry == Entry::Rough { "rough" } else { "machined" };
-    let answer = rule.decide(&[("entry", Input::Text(entry)), ("through", Input::Bool(through))])?;
-    answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, entry))
+pub fn approach<'k>(part: &Part, through: bool, knowledge: &'k Knowledge) -> Result<Approach<'k>, KnowledgeError> {
+    knowledge.ask(&ApproachFor { entry: part.entry, through })?.need(part.entry.name())
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Boring with a single-point tool.
 
 use crate::error::{Refusal, Tried};
-use crate::knowledge::{Question, Table};
+use crate::knowledge::{Column, Question, Table};
 use crate::note::{Because, Note};
 use crate::reason::Uncut;
 use crate::shop::Shop;
@@ -100,5 +100,5 @@ fn column_is_coarsest(table: &Table, column: Roughness) -> bool {
 }
 
 fn columns(table: &Table) -> Vec<Roughness> {
-    crate::knowledge::query::roughness_points(table, BoringFinishFeedFor::roughness())
+    BoringFinishFeedFor::roughness(table).map(Column::roughness_points).unwrap_or_default()
 }

@@ -2,7 +2,7 @@
 
 use crate::error::{KnowledgeError, Tried};
 use crate::knowledge::units::Brinell;
-use crate::knowledge::{Question, Table};
+use crate::knowledge::{Column, Question, Table};
 use crate::note::{Because, Note};
 use crate::plan::Operation;
 use crate::reason::Uncut;
@@ -72,25 +72,25 @@ fn upper<'k>(choice: &FeedChoice<'_>, cut: &Cut, shop: &Shop<'k>) -> Tried<Upper
     let hardness = Brinell(shop.material.hardness);
     match choice.feed_table {
         FeedTable::Drilling => at(
-            DrillingFeedFor::diameter(),
+            DrillingFeedFor::diameter,
             |material_group, diameter| DrillingFeedFor { material_group, hardness, diameter },
             |row| row.feed_max,
             (cut, shop),
         ),
         FeedTable::CoreDrilling => at(
-            CoreDrillingFeedFor::diameter(),
+            CoreDrillingFeedFor::diameter,
             |material_group, diameter| CoreDrillingFeedFor { material_group, hardness, diameter },
             |row| row.feed_max,
             (cut, shop),
         ),
         FeedTable::Reaming => at(
-            ReamingFeedFor::diameter(),
+            ReamingFeedFor::diameter,
             |material_group, diameter| ReamingFeedFor { material_group, hardness, diameter },
             |row| row.feed,
             (cut, shop),
         ),
         FeedTable::Counterboring => at(
-            CounterboringFeedFor::diameter(),
+            CounterboringFeedFor::diameter,
             |material_group, diameter| CounterboringFeedFor { material_group, hardness, diameter },
             |row| row.feed,
             (cut, shop),
@@ -101,20 +101,19 @@ fn upper<'k>(choice: &FeedChoice<'_>, cut: &Cut, shop: &Shop<'k>) -> Tried<Upper
 
 /// The feed of one table; `column` is that of the diameter.
 fn at<'k, Q: Question>(
-    column: &str,
+    column: impl Fn(&Table) -> Option<&Column>,
     question: impl Fn(&'k str, Micrometres) -> Q,
     feed: impl FnOnce(Q::Row<'k>) -> MillimetresPerRev,
     (cut, shop): (&Cut, &Shop<'k>),
 ) -> Tried<Upper<'k>, Uncut> {
     let diameter = cut.feed_diameter.unwrap_or(cut.diameter);
-    let first = first_above(diameter, column, shop.knowledge.table(Q::TABLE)?);
+    let first = first_above(diameter, column(shop.knowledge.table(Q::TABLE)?));
     let figures = figures::ask(|group| question(group, first.unwrap_or(diameter)), shop)?;
     Ok((figures.map(feed), first))
 }
 
 /// The first diameter of a table, where the one that is asked lies below it (a centring spot of 1.8 mm).
-fn first_above(diameter: Micrometres, column: &str, table: &Table) -> Option<Micrometres> {
-    let column = table.columns.iter().find(|known| known.name == column)?;
-    let (first, _) = *column.domain.as_ref()?.intervals().first()?;
+fn first_above(diameter: Micrometres, column: Option<&Column>) -> Option<Micrometres> {
+    let (first, _) = *column?.domain.as_ref()?.intervals().first()?;
     (diameter.micrometres() < first).then(|| Micrometres::new(first))
 }

@@ -8,6 +8,7 @@ use crate::plan::{Limit, Operation};
 use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::tables::cutting::DrillStrength;
+use crate::tables::machines::MachineQuantity;
 use crate::tables::rules::{Neighbour, PracticeSpeedFor, SpindleStepFor};
 use crate::units::{MetresPerMinute, MillimetresPerRev, NewtonMetres, RevsPerMinute, round_to};
 
@@ -78,13 +79,13 @@ pub(super) fn borne(
             law: loads.thrust,
             limit: machine.thrust.0,
             kind: Limit::Thrust,
-            row: machine.row("thrust-z-max")?,
+            row: machine.row(MachineQuantity::ThrustZMax)?,
         }),
         Some(Bound {
             law: loads.torque,
             limit: machine.spindle_torque.0,
             kind: Limit::SpindleTorque,
-            row: machine.row("spindle-torque-max")?,
+            row: machine.row(MachineQuantity::SpindleTorqueMax)?,
         }),
     ];
     Ok(within(&bounds, asked, speed))
@@ -129,7 +130,7 @@ pub(super) fn hold(draft: &Draft, limited: Option<Limit>, cut: &Cut, shop: &Shop
         }
         let wanted = rpm_at(draft.speed, draft.motion.turned);
         let note = Note::new("spindle-step-below").with("computed", round_to(wanted.0, 1)).with("step", step.0);
-        let reason = Because::row(shop.machine.row("spindle-speeds")?, note);
+        let reason = Because::row(shop.machine.row(MachineQuantity::SpindleSpeeds)?, note);
         let slower = at_step(draft, cut, *step, (Limit::SpindlePower, vec![reason]), shop)?;
         if slower.feed.0 * slower.rpm.0 <= best.feed.0 * best.rpm.0 {
             break;
@@ -156,7 +157,7 @@ fn at_step(
         law: draft.loads.torque,
         limit: 9750.0 * machine.spindle_power.0 / rpm.0,
         kind: Limit::SpindlePower,
-        row: machine.row("spindle-power")?,
+        row: machine.row(MachineQuantity::SpindlePower)?,
     };
     for held in [borne(draft, feed, cut, rpm, shop)?, within(&[Some(power)], feed, speed_at(rpm, draft.motion.turned))]
     {
@@ -166,15 +167,14 @@ fn at_step(
             because.extend(borne.because);
         }
     }
-    for (outside, limit, kind) in [
-        (feed.0 * rpm.0 > machine.feed_max.0, machine.feed_max, Limit::FeedMax),
-        (feed.0 * rpm.0 < machine.feed_min.0, machine.feed_min, Limit::FeedMin),
+    for (outside, limit, kind, quantity) in [
+        (feed.0 * rpm.0 > machine.feed_max.0, machine.feed_max, Limit::FeedMax, MachineQuantity::FeedMax),
+        (feed.0 * rpm.0 < machine.feed_min.0, machine.feed_min, Limit::FeedMin, MachineQuantity::FeedMin),
     ] {
         if outside {
             feed = MillimetresPerRev(limit.0 / rpm.0);
             limited_by = kind;
-            // A limit of the feed has the name of its row.
-            because.push(Because::row(machine.row(kind.name())?, Note::new("feed-held").with("limit", limit.0)));
+            because.push(Because::row(machine.row(quantity)?, Note::new("feed-held").with("limit", limit.0)));
         }
     }
     Ok(Held { feed, rpm, limited_by, reduced, because })
@@ -221,7 +221,7 @@ pub(super) fn synchronous(draft: &Draft, shop: &Shop<'_>) -> Tried<Held, Uncut> 
             limited_by = Limit::FeedMax;
         } else {
             let note = Note::new("spindle-step-below").with("computed", round_to(wanted.0, 1)).with("step", step.0);
-            let because = vec![Because::row(machine.row("spindle-speeds")?, note)];
+            let because = vec![Because::row(machine.row(MachineQuantity::SpindleSpeeds)?, note)];
             return Ok(Held { feed: draft.feed, rpm: *step, limited_by, reduced: false, because });
         }
     }
@@ -238,7 +238,7 @@ pub fn spindle_step(wanted: RevsPerMinute, shop: &Shop<'_>) -> Result<(RevsPerMi
     let above = steps.iter().find(|step| step.0 >= wanted.0);
     let series = |code: &str, step: RevsPerMinute| -> Result<Because, KnowledgeError> {
         let note = Note::new(code).with("computed", round_to(wanted.0, 1)).with("step", step.0);
-        Ok(Because::row(shop.machine.row("spindle-speeds")?, note))
+        Ok(Because::row(shop.machine.row(MachineQuantity::SpindleSpeeds)?, note))
     };
     match (below, above) {
         (Some(below), Some(above)) => {

@@ -14,5 +14,4 @@ pub mod tooling;
 use technolog_core::{error, machine, note, part, plan, reason, shop, zone};
 use technolog_cutting as cutting;
 use technolog_knowledge::{self as knowledge, units};
-#[allow(unused_imports, reason = "until its reads are typed")]
 use technolog_tables as tables;

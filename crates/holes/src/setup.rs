@@ -1,12 +1,12 @@
 //! Clamping: the force that holds the part against the torque that asks most of it, and the screw that gives it.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::RowRef;
-use crate::knowledge::units::Unit;
 use crate::note::{Because, Note};
 use crate::part::{Part, Point};
 use crate::plan::{Clamping, HolePlan};
 use crate::shop::Shop;
+use crate::tables::holes::HoleDefault;
+use crate::tables::materials::{ClampScrew, Clamping as Constant, ClampingConstant};
 use crate::units::{Micrometres, NewtonMetres, Newtons};
 
 /// The clamping of a planned part: W = k·M/(f·d) (textbook 5.2 item 7), the largest over all holes.
@@ -23,14 +23,12 @@ pub fn clamping(
     holes: &[HolePlan],
     shop: &Shop<'_>,
 ) -> Result<Option<(Clamping, Vec<Note>)>, KnowledgeError> {
-    let table = shop.knowledge.table("clamping")?;
-    let constant = |name: &str| -> Result<(f64, Because), KnowledgeError> {
-        let row = table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
-        let value = row.number_in("maximum", Unit::None)?;
-        Ok((value, Because::row(row, Note::new(name).with("value", value))))
+    let constant = |wanted: ClampingConstant| -> Result<(f64, Because), KnowledgeError> {
+        let row = shop.knowledge.need(wanted.name(), |row: &Constant<'_>| row.name.is(wanted))?;
+        Ok((row.maximum, Because::row(row.row, Note::new(wanted.name()).with("value", row.maximum))))
     };
-    let ((k, safety), (f, friction)) = (constant("safety")?, constant("friction")?);
-    let inset = shop.convention("clamp-inset-mm")?;
+    let ((k, safety), (f, friction)) = (constant(ClampingConstant::Safety)?, constant(ClampingConstant::Friction)?);
+    let inset = shop.convention(HoleDefault::ClampInset)?;
     let proposed = part.fixture.clamps.is_empty();
     let clamps =
         if proposed { propose(part, inset) } else { part.fixture.clamps.iter().map(|clamp| clamp.at).collect() };
@@ -57,33 +55,34 @@ pub fn clamping(
     }
     let Some((force, torque, hole, distance)) = worst else { return Ok(None) };
     let each = Newtons(force / clamps.len().max(1) as f64);
-    let screws = shop.knowledge.table("clamp-screws")?;
-    let bears = |row: RowRef<'_>| row.number_in("force_80", Unit::Newton);
-    let strong = screws.all_rows().find(|row| bears(*row).is_ok_and(|most| most >= each.0));
+    let screws: Vec<ClampScrew<'_>> = shop.knowledge.rows()?;
+    let strong = screws.iter().find(|screw| screw.force_80.0 >= each.0);
     let mut faults = Vec::new();
     if strong.is_none() {
         faults.push(Note::new("no-screw").with("force", each.rounded(0).0).with("clamps", clamps.len()));
     }
     // Where none of the table bears the force, its last and strongest is shown.
-    let screw = strong.or_else(|| screws.all_rows().last()).ok_or_else(|| KnowledgeError::no_row(screws, "a screw"))?;
+    let screw = match strong.or(screws.last()) {
+        Some(screw) => screw,
+        None => return Err(KnowledgeError::no_row(shop.knowledge.table_of::<ClampScrew<'_>>()?, "a screw")),
+    };
     // A drawing that names its screws keeps them; the plan then says which screw would do.
     let named = part.fixture.clamps.iter().find_map(|clamp| clamp.screw.clone());
-    let name = screw.text("thread")?.to_owned();
-    let shown = named.and_then(|own| screws.find("thread", &own)).unwrap_or(screw);
-    let most = Newtons(bears(shown)?);
-    let note = Note::new("screw").with("needed", &name).with("taken", shown.text("thread")?).with("bears", most.0);
+    let shown = screws.iter().find(|screw| named.as_deref() == Some(screw.thread)).unwrap_or(screw);
+    let (name, most) = (screw.thread, shown.force_80);
+    let note = Note::new("screw").with("needed", name).with("taken", shown.thread).with("bears", most.0);
     let clamping = Clamping {
         torque_n_m: torque,
         hole: hole.to_owned(),
         distance_mm: distance,
         force_n: Newtons(force).rounded(0),
         force_per_clamp_n: each.rounded(0),
-        screw: shown.text("thread")?.to_owned(),
+        screw: shown.thread.to_owned(),
         screw_bears_n: most,
         clamps,
         proposed,
-        safe_distance_mm: shown.length("safe_distance")?,
-        because: vec![safety, friction, Because::row(shown, note)],
+        safe_distance_mm: shown.safe_distance,
+        because: vec![safety, friction, Because::row(shown.row, note)],
     };
     if let Some((name, distance, needed)) = blocked(part, &clamping.clamps, inset) {
         let note = Note::new("clamp-near-hole").with("distance", distance).with("needed", needed).with("hole", name);

@@ -148,6 +148,17 @@ impl Column {
         self.domain.clone().unwrap_or_else(|| self.universe())
     }
 
+    /// The roughness limits that its domain names, coarsest first: the printed columns of the source tables that are
+    /// headed by roughness.
+    pub fn roughness_points(&self) -> Vec<Roughness> {
+        let intervals = self.domain.as_ref().map(Set::intervals).unwrap_or_default();
+        let points = intervals.iter().filter(|(low, high)| low == high);
+        let points = points.filter_map(|(low, _)| u32::try_from(*low).ok().map(Roughness::from_ra_nanometres));
+        let mut points: Vec<Roughness> = points.collect();
+        points.reverse();
+        points
+    }
+
     /// Whether a query can fail to be bounded: an ordered or text column without a domain.
     pub fn is_unbounded(&self) -> bool {
         self.domain.is_none() && !matches!(self.ty, ColumnType::Enum | ColumnType::Bool | ColumnType::It)

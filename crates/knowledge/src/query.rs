@@ -349,21 +349,6 @@ pub fn describe(column: &Column) -> String {
     }
 }
 
-/// The roughness limits that a column names as its domain, coarsest first: the printed columns of the
-/// source tables that are headed by roughness.
-pub fn roughness_points(table: &Table, column: &str) -> Vec<Roughness> {
-    let domain = table.columns.iter().find(|known| known.name == column).and_then(|column| column.domain.as_ref());
-    let mut points: Vec<Roughness> = domain
-        .map(Set::intervals)
-        .unwrap_or_default()
-        .iter()
-        .filter(|(low, high)| low == high)
-        .filter_map(|(low, _)| u32::try_from(*low).ok().map(Roughness::from_ra_nanometres))
-        .collect();
-    points.reverse();
-    points
-}
-
 fn all_rows(count: usize, words: usize) -> Vec<u64> {
     let mut bits = vec![u64::MAX; words];
     let spare = words * 64 - count;
@@ -481,6 +466,11 @@ impl Knowledge {
     /// There is no such table.
     pub fn table_of<'k, R: TableRow<'k>>(&'k self) -> Result<&'k Table, TableError> {
         self.table(R::CONTRACT.which.id())
+    }
+
+    /// Every table of a row type, by id.
+    pub fn tables_of<'k, R: TableRow<'k>>(&'k self) -> impl Iterator<Item = &'k Table> {
+        self.tables().filter(|table| R::CONTRACT.is_of(table))
     }
 
     /// Every row of the one table of a row type.

@@ -17,6 +17,5 @@ rows! {
         bore: Option<Micrometres>,
         thread_min: Option<Micrometres>,
         thread_max: Option<Micrometres>,
-        synchronous: Option<bool>,
-    }
+    } shown { synchronous }
 }

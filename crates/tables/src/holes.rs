@@ -1,123 +1,178 @@
 //! Row types: holes.
 
-use technolog_knowledge::rows;
 use technolog_knowledge::units::{ItGrade, Micrometres, Microns, Percent, Roughness};
 use technolog_knowledge::vocabulary::Operation;
+use technolog_knowledge::{rows, vocabulary};
+
+use crate::rules::BlankState;
+
+vocabulary! {
+    /// A kind of hole of A.4.
+    pub enum ComplexGroup {
+        Counterbored = "counterbored",
+        Smooth = "smooth",
+        Countersunk = "countersunk",
+        Threaded = "threaded",
+        Precise = "precise",
+    }
+
+    /// A kind of hole of A.6.
+    pub enum StagedHole {
+        Counterbored = "counterbored-cylindrical",
+        Countersunk = "countersunk",
+        Threaded = "threaded",
+        Plain = "plain",
+    }
+
+    /// The permitted position of the axis beside what the machine holds.
+    pub enum PositionAsked {
+        Above = "above",
+        NotAbove = "not-above",
+    }
+
+    /// A stage of A.6.
+    pub enum Stage {
+        FinishHere = "finish-nc",
+        RoughHere = "rough-nc",
+        FinalElsewhere = "final-other",
+    }
+
+    /// A kind of hole of A.10.
+    pub enum AuxiliaryHole {
+        ThreadCylindrical = "thread-cylindrical",
+        ThreadConical = "thread-conical",
+        Counterbore = "counterbore",
+        Countersink90 = "countersink-90",
+        CountersinkOther = "countersink-other",
+    }
+
+    /// A way of drilling, as the position of the axis depends on it.
+    pub enum DrillingWay {
+        WithoutCentring = "drilling-without-centring",
+        WithCentring = "drilling-with-centring",
+        IntoRoughFace = "drilling-from-unmachined-cast-face",
+    }
+
+    /// A convention on holes. A name says its unit where it has one.
+    pub enum HoleDefault {
+        FreeSizeGrade = "free-size-grade",
+        SmallestDiameter = "smallest-diameter-mm",
+        LargestDiameter = "largest-diameter-mm",
+        ThreadHoleGrade = "thread-hole-grade",
+        SettingStep = "setting-step-mm",
+        ClampInset = "clamp-inset-mm",
+        ThreadChamferPitches = "thread-chamfer-pitches",
+        CounterboreRa = "counterbore-ra-um",
+        FaceStock = "face-stock-mm",
+        CutterGrindLimit = "cutter-grind-limit-mm",
+        MillClearance = "mill-clearance-mm",
+        MilledRoundnessShare = "milled-roundness-share",
+        TapClampDiameters = "tap-clamp-diameters",
+        ThreadRunoutPitches = "thread-runout-pitches",
+        TapLeadPitches = "tap-lead-pitches",
+        LeastStockDrillOut = "least-stock-drill-out-mm",
+        LeastStockCoreDrill = "least-stock-core-drill-mm",
+        LeastStockMill = "least-stock-mill-mm",
+        FloorClearance = "floor-clearance-mm",
+    }
+}
 
 rows! {
     /// Accuracy and roughness of cylindrical holes by method (A.1).
     pub struct HoleAccuracy of One("A.1") {
         no: i64,
-        blank: &'t str,
-        method: &'t str,
-        method_uk: &'t str,
         it_finest: Option<ItGrade>,
         it_coarsest: Option<ItGrade>,
         ra_coarsest: Microns,
         ra_finest: Microns,
-    }
+    } shown { blank, method, method_uk }
 
     /// Accuracy and roughness of milled planes (A.2).
     pub struct PlaneAccuracy of One("A.2") {
-        no: i64,
         method: &'t str,
-        it_coarsest: ItGrade,
         it_finest: ItGrade,
-        ra_coarsest: Microns,
         ra_finest: Microns,
-    }
+    } shown { no, it_coarsest, ra_coarsest }
 
     /// Accuracy and roughness of threads (A.3).
     pub struct ThreadAccuracy of One("A.3") {
         method: Operation,
-        thread_grade: &'t str,
         ra_coarsest: Microns,
         ra_finest: Microns,
-    }
+    } shown { thread_grade }
 
-    /// Complex of transitions for a hole (A.4).
-    pub struct ComplexForHole of One("A.4") asked by ComplexForHoleFor<'t> {
-        hole: &'t str,
+    /// Complexes of transitions for a hole (A.4).
+    pub struct ComplexesOfHole of One("A.4") asked by ComplexesOfHoleFor {
+        hole: ComplexGroup,
         diameter: Micrometres,
         centre_tolerance: Micrometres,
     } {
-        group: i64,
         complex: Vec<&'t str>,
-    }
+    } shown { group }
 
-    /// What the complexes of transitions consist of (A.5).
-    pub struct Complexes of One("A.5") {
+    /// What a complex of transitions consists of (A.5).
+    pub struct Complex of One("A.5") {
         complex: i64,
-        tools: i64,
-        centre_drilling: bool,
-        drilling: bool,
-        core_drilling: bool,
-        counterboring: bool,
-        chamfering: bool,
-        rough_reaming: bool,
-        finish_reaming: bool,
-        tapping: bool,
         transitions: Vec<Operation>,
+    } shown {
+        tools,
+        centre_drilling,
+        drilling,
+        core_drilling,
+        counterboring,
+        chamfering,
+        rough_reaming,
+        finish_reaming,
+        tapping,
     }
 
-    /// Routes of hole machining by stages (A.6).
-    pub struct RouteStages of One("A.6") asked by RouteStagesFor<'t> {
-        hole: &'t str,
+    /// Route of a hole by stages (A.6).
+    pub struct RouteStages of One("A.6") asked by RouteStagesFor {
+        hole: StagedHole,
         it: ItGrade,
         diameter: Micrometres,
-        position: &'t str,
+        position: PositionAsked,
     } {
-        stages: Vec<&'t str>,
+        stages: Vec<Stage>,
     }
 
-    /// Schemes of hole machining (A.7).
-    pub struct Schemes of One("A.7") {
+    /// A scheme of hole machining (A.7).
+    pub struct Scheme of One("A.7") {
         scheme: &'t str,
-        centre_drilling: Option<i64>,
-        drilling: Option<i64>,
-        milling: Option<i64>,
-        boring_4: Option<i64>,
-        core_drilling: Option<i64>,
-        boring_6: Option<i64>,
-        chamfering: Option<i64>,
-        boring_8: Option<i64>,
-        counterboring: Option<i64>,
-        boring_10: Option<i64>,
-        rough_reaming: Option<i64>,
-        finish_reaming: Option<i64>,
-        tapping: Option<i64>,
         transitions: Vec<Operation>,
+    } shown {
+        centre_drilling,
+        drilling,
+        milling,
+        boring_4,
+        core_drilling,
+        boring_6,
+        chamfering,
+        boring_8,
+        counterboring,
+        boring_10,
+        rough_reaming,
+        finish_reaming,
+        tapping,
     }
 
-    /// Schemes for main holes, IT 6 to 10 (A.8).
-    pub struct SchemeMainHolesFine of One("A.8") asked by SchemeMainHolesFineFor<'t> {
+    /// Schemes for main holes: A.8 for IT 6 to 10, A.9 for 11, 13 and coarser.
+    pub struct SchemesOfMainHole of Each(&["A.8", "A.9"]) asked by SchemesOfMainHoleFor {
         it: ItGrade,
         diameter: Micrometres,
         centre_tolerance: Micrometres,
         roughness: Roughness,
-        state: Option<&'t str>,
-        outer_wall: Option<bool>,
+        state: BlankState,
+        outer_wall: bool,
     } {
         schemes: Vec<&'t str>,
-        finish_elsewhere: bool,
-    }
-
-    /// Schemes for main holes, IT 11, 13 and coarser (A.9).
-    pub struct SchemeMainHolesCoarse of One("A.9") asked by SchemeMainHolesCoarseFor<'t> {
-        it: ItGrade,
-        diameter: Micrometres,
-        centre_tolerance: Micrometres,
-        roughness: Roughness,
-        state: Option<&'t str>,
-        outer_wall: Option<bool>,
-    } {
-        schemes: Vec<&'t str>,
+        finish_elsewhere: Option<bool>,
         if_drill_differs: Option<Vec<&'t str>>,
     }
 
     /// Schemes for auxiliary holes (A.10).
-    pub struct SchemeAuxiliaryHoles of One("A.10") asked by SchemeAuxiliaryHolesFor<'t> {
-        hole: &'t str,
+    pub struct SchemesOfAuxiliaryHole of One("A.10") asked by SchemesOfAuxiliaryHoleFor {
+        hole: AuxiliaryHole,
         diameter: Micrometres,
         centre_tolerance: Micrometres,
     } {
@@ -125,8 +180,8 @@ rows! {
         if_drill_differs: Option<Vec<&'t str>>,
     }
 
-    /// Allowances of hole machining.
-    pub struct Allowances of One("allowances") {
+    /// An allowance of hole machining, on diameter.
+    pub struct Allowance of One("allowances") {
         name: &'t str,
         minimum: Option<Micrometres>,
         maximum: Option<Micrometres>,
@@ -134,54 +189,36 @@ rows! {
     }
 
     /// Core drills No.1 before reaming.
-    pub struct CoreDrillBeforeReaming of One("core-drill-before-reaming") {
-        hole_diameter: Micrometres,
-        diameter: Micrometres,
-    }
+    pub struct CoreDrillBeforeReaming of One("core-drill-before-reaming") {} shown { hole_diameter, diameter }
 
     /// Undersize of core drill No.1.
-    pub struct CoreDrillUndersize of One("core-drill-undersize") asked by CoreDrillUndersizeFor {
-        diameter: Micrometres,
-    } {
-        undersize: Micrometres,
-    }
+    pub struct CoreDrillUndersize of One("core-drill-undersize") {} shown { diameter, undersize }
 
     /// Depth of cut in core drilling.
-    pub struct CoreDrillingDepth of One("core-drilling-depth") asked by CoreDrillingDepthFor {
-        diameter: Micrometres,
-    } {
-        depth: Micrometres,
-    }
+    pub struct CoreDrillingDepth of One("core-drilling-depth") {} shown { diameter, depth }
 
-    /// First drill of two-pass drilling.
+    /// The first drill of two-pass drilling: its diameter as a share of the second one's.
     pub struct FirstDrill of One("first-drill") {
-        name: &'t str,
         above_diameter: Micrometres,
         share_min: f64,
         share_max: f64,
-    }
+    } shown { name }
 
-    /// General conventions on holes.
-    pub struct HoleDefaults of One("hole-defaults") {
-        name: &'t str,
+    /// A convention on holes.
+    pub struct HoleConvention of One("hole-defaults") complete name {
+        name: HoleDefault,
         value: f64,
     }
 
-    /// Position accuracy of drilled holes.
-    pub struct PositionAccuracy of One("position-accuracy") {
-        name: &'t str,
-        minimum: Option<Micrometres>,
+    /// Position accuracy of drilled holes: the error, or what is lost of another one.
+    pub struct PositionAccuracy of One("position-accuracy") complete name {
+        name: DrillingWay,
         maximum: Option<Micrometres>,
-        loss_min: Option<Percent>,
         loss_max: Option<Percent>,
-    }
+    } shown { minimum, loss_min }
 
     /// Depth of cut in reaming.
-    pub struct ReamingDepth of One("reaming-depth") asked by ReamingDepthFor {
-        diameter: Micrometres,
-    } {
-        depth: Micrometres,
-    }
+    pub struct ReamingDepth of One("reaming-depth") {} shown { diameter, depth }
 
     /// Step diameters of H7 holes in solid metal.
     pub struct StepDiameters of One("step-diameters") {
@@ -193,7 +230,7 @@ rows! {
         rough_ream: Option<Micrometres>,
     }
 
-    /// Accuracy and roughness by transition.
+    /// Accuracy and roughness of a transition by itself.
     pub struct TransitionAccuracy of One("transition-accuracy") {
         operation: &'t str,
         it_coarsest: ItGrade,

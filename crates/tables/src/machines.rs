@@ -1,20 +1,59 @@
 //! Row types: machines.
 
-use technolog_knowledge::rows;
+use technolog_knowledge::contract::{Named, Use};
+use technolog_knowledge::{rows, vocabulary};
+
+vocabulary! {
+    /// What planning, programs and audits ask of a machine's record.
+    pub enum MachineQuantity {
+        SpindleSpeeds = "spindle-speeds",
+        SpindlePower = "spindle-power",
+        SpindleTorqueMax = "spindle-torque-max",
+        SpindleTaper = "spindle-taper",
+        FeedMin = "feed-min",
+        FeedMax = "feed-max",
+        RapidRate = "rapid-rate",
+        RapidAcceleration = "rapid-acceleration",
+        TravelX = "travel-x",
+        TravelY = "travel-y",
+        TravelZ = "travel-z",
+        TableLength = "table-length",
+        TableWidth = "table-width",
+        NoseToTableMin = "nose-to-table-min",
+        NoseToTableMax = "nose-to-table-max",
+        ThrustZMax = "thrust-z-max",
+        LoadMassMax = "load-mass-max",
+        MagazinePlaces = "magazine-places",
+        ToolChangeTime = "tool-change-time",
+        ToolChangeX = "tool-change-x",
+        ToolChangeY = "tool-change-y",
+        ToolChangeZ = "tool-change-z",
+        ToolMassMax = "tool-mass-max",
+        FaceMillDiameterMax = "face-mill-diameter-max",
+        EndMillDiameterMax = "end-mill-diameter-max",
+        DrillDiameterMax = "drill-diameter-max",
+        ToolOverhangMax = "tool-overhang-max",
+        PositionAccuracy = "position-accuracy",
+        RoundnessAccuracy = "roundness-accuracy",
+        Resolution = "resolution",
+        CanTap = "can-tap",
+        Control = "control",
+        Contouring = "contouring",
+        MinuteRate = "minute-rate",
+    }
+}
 
 rows! {
     /// The quantities a machine's catalog must name.
-    pub struct MachineQuantities of One("machine-quantities") {
-        name: &'t str,
-        unit: Option<&'t str>,
-        required: bool,
-    }
+    pub struct MachineQuantities of One("machine-quantities") complete name {
+        name: Named<'t, MachineQuantity>,
+        use_ as "use": Use,
+    } shown { unit, required }
 
-    /// A characteristic of a machine.
+    /// A characteristic of a machine. The law `record` has proven its unit.
     pub struct MachineRecord of Record("machine-quantities") {
-        name: &'t str,
+        name: Named<'t, MachineQuantity>,
         value: Option<Vec<f64>>,
-        unit: Option<&'t str>,
         text: Option<&'t str>,
-    }
+    } shown { unit }
 }

@@ -1,7 +1,18 @@
 //! Row types: top.
 
-use technolog_knowledge::rows;
+use technolog_knowledge::contract::{Named, Use};
 use technolog_knowledge::units::{Brinell, Megapascals, Micrometres, Newtons};
+use technolog_knowledge::{rows, vocabulary};
+
+vocabulary! {
+    /// A constant of clamping or of tool travel.
+    pub enum ClampingConstant {
+        Friction = "friction",
+        Safety = "safety",
+        Clamps = "clamps",
+        OverhangAddition = "overhang-addition",
+    }
+}
 
 rows! {
     /// Clamps by their designations.
@@ -12,43 +23,34 @@ rows! {
     }
 
     /// Constants of clamping and of tool travel.
-    pub struct Clamping of One("clamping") {
-        name: &'t str,
+    pub struct Clamping of One("clamping") complete name {
+        name: Named<'t, ClampingConstant>,
         minimum: f64,
         maximum: f64,
-        unit: &'t str,
-    }
+        use_ as "use": Use,
+    } shown { unit }
 
     /// Clamp screws: force and safe distance.
-    pub struct Clamps of One("clamp-screws") {
+    pub struct ClampScrew of One("clamp-screws") {
         thread: &'t str,
-        nominal_diameter: Micrometres,
         force_80: Newtons,
-        force_90: Newtons,
-        force_100: Newtons,
         safe_distance: Micrometres,
-    }
+    } shown { nominal_diameter, force_90, force_100 }
 
     /// Other designations of materials.
-    pub struct MaterialAliases of One("material-aliases") {
+    pub struct MaterialAlias of One("material-aliases") {
         alias: &'t str,
         id: &'t str,
     }
 
     /// Workpiece materials.
-    pub struct Materials of One("materials") {
+    pub struct MaterialGrade of One("materials") {
         id: &'t str,
         designation: &'t str,
-        standard: &'t str,
         group: &'t str,
         steel_class: &'t str,
         alloy_class: &'t str,
-        delivery_state: &'t str,
         hardness: Brinell,
         strength: Option<Megapascals>,
-        hardness_min: Option<Brinell>,
-        hardness_max: Option<Brinell>,
-        name_uk: &'t str,
-        name_en: &'t str,
-    }
+    } shown { standard, delivery_state, hardness_min, hardness_max, name_uk, name_en }
 }

@@ -1,60 +1,14 @@
 //! Row types: rules.
 
-use technolog_knowledge::units::{ItGrade, MetresPerMinute, Micrometres, Minutes, Percent, Roughness};
+use technolog_knowledge::rows;
+use technolog_knowledge::units::{Decimal, ItGrade, MetresPerMinute, Micrometres, Minutes, Percent, Roughness};
 use technolog_knowledge::vocabulary::{CuttingMethod, Operation, Shank, ToolMaterial};
-use technolog_knowledge::{rows, vocabulary};
 
 use crate::cutting::{Coefficients, FeedMultiple, ReamingCondition, Surface};
+use crate::holes::DrillingWay;
 
-vocabulary! {
-    /// The tables of feeds.
-    pub enum FeedTable {
-        /// Of drills.
-        Drilling = "drilling-feed",
-        /// Of core drills.
-        CoreDrilling = "core-drilling-feed",
-        /// Of reamers.
-        Reaming = "reaming-feed",
-        /// Of boring bars, which is asked in a way of its own.
-        Boring = "boring-feed",
-        /// Of what widens the mouth of a hole.
-        Counterboring = "counterboring-feed",
-    }
-
-    /// Which of two neighbours is taken.
-    pub enum Neighbour {
-        /// The one above.
-        Above = "above",
-        /// The one below.
-        Below = "below",
-    }
-
-    /// A machining cycle.
-    pub enum HoleCycle {
-        /// Down at feed, out at rapid.
-        Drill = "drill",
-        /// Down and out at feed.
-        FeedOut = "feed-out",
-        /// Down at feed, out at rapid with the spindle at rest.
-        BoreStop = "bore-stop",
-        /// In steps, after each out of the hole.
-        Peck = "peck",
-        /// In steps, after each back a little.
-        ChipBreak = "chip-break",
-        /// A thread.
-        Tap = "tap",
-        /// A mill on circles.
-        Circles = "circles",
-    }
-
-    /// How a mill cuts.
-    pub enum Cut {
-        /// With the feed.
-        Climb = "climb",
-        /// Against it.
-        Conventional = "conventional",
-    }
-}
+mod words;
+pub use words::*;
 
 rows! {
     /// The allowance that a transition removes.
@@ -66,8 +20,8 @@ rows! {
     }
 
     /// Approach and overrun.
-    pub struct Approach of One("approach") asked by ApproachFor<'t> {
-        entry: &'t str,
+    pub struct Approach of One("approach") asked by ApproachFor {
+        entry: Entry,
         through: bool,
     } {
         approach: Micrometres,
@@ -79,15 +33,15 @@ rows! {
         position: Micrometres,
         bar_enters: bool,
     } {
-        boring: &'t str,
+        boring: BoringAsked,
     }
 
     /// Whether to centre before drilling.
-    pub struct CentreFirst of One("centre-first") asked by CentreFirstFor<'t> {
-        state: Option<&'t str>,
+    pub struct CentreFirst of One("centre-first") asked by CentreFirstFor {
+        state: BlankState,
         it: ItGrade,
         diameter: Micrometres,
-        depth_ratio: f64,
+        depth_ratio: Decimal,
     } {
         centre: bool,
     }
@@ -97,7 +51,7 @@ rows! {
         chamfer: bool,
         diameter: Micrometres,
     } {
-        spot: &'t str,
+        spot: Spot,
         share: Option<f64>,
     }
 
@@ -136,7 +90,7 @@ rows! {
         finer_roughness: bool,
         finer_grade: bool,
     } {
-        take: &'t str,
+        take: CellTaken,
     }
 
     /// Where the feed comes from.
@@ -151,8 +105,8 @@ rows! {
     /// Which holder takes a shank.
     pub struct HolderForShank of One("holder-for-shank") asked by HolderForShankFor {
         shank: Shank,
-        drawbar: Option<bool>,
-        tap: Option<bool>,
+        drawbar: bool,
+        tap: bool,
     } {
         holders: Option<&'t str>,
     }
@@ -176,16 +130,16 @@ rows! {
         contouring: bool,
         diameter: Micrometres,
     } {
-        instead: &'t str,
+        instead: MillInstead,
     }
 
     /// Which transitions may follow a state of the hole.
-    pub struct NextTransition of One("next-transition") asked by NextTransitionFor<'t> {
-        after: &'t str,
+    pub struct NextTransition of One("next-transition") asked by NextTransitionFor {
+        after: HoleState,
         diameter: Micrometres,
     } {
         operation: Operation,
-        leaves: &'t str,
+        leaves: HoleState,
         a1: Option<i64>,
         a2: Option<&'t str>,
         own: Option<&'t str>,
@@ -204,7 +158,7 @@ rows! {
     pub struct ReamerLead of One("reamer-lead") asked by ReamerLeadFor<'t> {
         material_group: &'t str,
     } {
-        lead: &'t str,
+        lead: Lead,
     }
 
     /// Which factors on the reaming feed apply.
@@ -218,11 +172,11 @@ rows! {
     }
 
     /// Drilling into an unmachined face.
-    pub struct RoughFace of One("rough-face") asked by RoughFaceFor<'t> {
-        entry: &'t str,
-        state: &'t str,
+    pub struct RoughFace of One("rough-face") asked by RoughFaceFor {
+        entry: Entry,
+        state: BlankState,
     } {
-        loses: Option<&'t str>,
+        loses: Option<DrillingWay>,
     }
 
     /// The step of the spindle series for a computed speed.
@@ -276,8 +230,8 @@ rows! {
         centre_tolerance: Micrometres,
     } {
         scheme_table: &'t str,
-        grade: &'t str,
-        centre_column: &'t str,
+        grade: GradeAsked,
+        centre_column: CentreColumn,
         finish_elsewhere: bool,
     }
 
@@ -286,7 +240,7 @@ rows! {
         operation: Operation,
         bar_enters: bool,
     } {
-        operation_instead: &'t str,
+        operation_instead: BoringInstead,
     }
 
     /// Tool life where the handbook's table is empty.
@@ -310,7 +264,7 @@ rows! {
     /// Order of the transitions of one step.
     pub struct TransitionOrder of One("transition-order") asked by TransitionOrderFor {
         operation: Operation,
-        face: Option<bool>,
+        face: bool,
     } {
         rank: i64,
     }
@@ -324,12 +278,12 @@ rows! {
     }
 
     /// The method of visiting the holes of a group.
-    pub struct VisitingMethod of One("visiting-method") asked by VisitingMethodFor {
+    pub struct MethodOfVisiting of One("visiting-method") asked by MethodOfVisitingFor {
         it: ItGrade,
         centre_tolerance: Micrometres,
         k_t: f64,
     } {
-        method: &'t str,
+        method: VisitingMethod,
     }
 
     /// Which of the two schemes of a cell.
@@ -338,6 +292,6 @@ rows! {
         drill_of_that_diameter: bool,
         position: Micrometres,
     } {
-        take: &'t str,
+        take: SchemeTaken,
     }
 }

@@ -1,45 +1,33 @@
 //! Row types: standards.
 
 use technolog_knowledge::rows;
-use technolog_knowledge::units::{ItGrade, Micrometres, Microns};
+use technolog_knowledge::units::{ItGrade, Micrometres};
 
 rows! {
     /// Clearance holes for fasteners.
-    pub struct ClearanceHoles of One("clearance-holes") {
-        thread: &'t str,
-        diameter: Micrometres,
-        row1: Micrometres,
-        row2: Micrometres,
-        row3: Micrometres,
-    }
+    pub struct ClearanceHoles of One("clearance-holes") {} shown { thread, diameter, row1, row2, row3 }
 
     /// Inch conical threads.
-    pub struct ConicalThreads of One("conical-threads") {
+    pub struct ConicalThread of One("conical-threads") {
         thread: &'t str,
         size: Micrometres,
         pitch: Micrometres,
-        minor_diameter: Micrometres,
         thread_length: Micrometres,
-        main_plane: Micrometres,
         drill: Micrometres,
-    }
+    } shown { minor_diameter, main_plane }
 
     /// Counterbores for socket heads and hex bearing faces.
-    pub struct Counterbores of One("counterbores") {
-        thread: &'t str,
-        counterbore_diameter: Micrometres,
-        clearance_hole: Micrometres,
-        head_height: Micrometres,
-        depth: Micrometres,
-        hex_bearing_diameter: Option<Micrometres>,
+    pub struct Counterbores of One("counterbores") {} shown {
+        thread,
+        counterbore_diameter,
+        clearance_hole,
+        head_height,
+        depth,
+        hex_bearing_diameter,
     }
 
     /// Countersinks 90 deg for countersunk screws.
-    pub struct Countersinks of One("countersinks") {
-        thread: &'t str,
-        diameter_min: Micrometres,
-        diameter_max: Micrometres,
-    }
+    pub struct Countersinks of One("countersinks") {} shown { thread, diameter_min, diameter_max }
 
     /// Reliefs for the grinding wheel.
     pub struct GrindingRelief of One("grinding-relief") asked by GrindingReliefFor {
@@ -58,51 +46,33 @@ rows! {
     }
 
     /// Morse tapers 1 to 5.
-    pub struct MorseTapers of One("morse-tapers") {
+    pub struct MorseTaper of One("morse-tapers") {
         morse: i64,
         tang_length: Micrometres,
-        drawbar_length: Micrometres,
-        large_diameter: Micrometres,
-    }
+    } shown { drawbar_length, large_diameter }
 
     /// Rz and Ra beside each other.
-    pub struct RaRz of One("ra-rz") {
-        rz: Microns,
-        ra_preferred: Microns,
-        ra_by_class: Option<Microns>,
-    }
+    pub struct RaRz of One("ra-rz") {} shown { rz, ra_preferred, ra_by_class }
 
     /// Roughness classes 3 to 9.
-    pub struct RoughnessClasses of One("roughness-classes") {
-        class: i64,
-        rz_coarsest: Option<Microns>,
-        rz_finest: Option<Microns>,
-        ra_coarsest: Microns,
-        ra_finest: Microns,
-    }
+    pub struct RoughnessClasses of One("roughness-classes") {} shown { class, rz_coarsest, rz_finest, ra_coarsest, ra_finest }
 
     /// Tap drills, fine metric threads.
-    pub struct TapDrillsFine of One("tap-drills-fine") {
+    pub struct FineThread of One("tap-drills-fine") {
         thread: &'t str,
         pitch: Micrometres,
         diameter: Micrometres,
     }
 
     /// Tap drills, coarse metric threads.
-    pub struct TapDrills of One("tap-drills") {
+    pub struct CoarseThread of One("tap-drills") {
         thread: &'t str,
         pitch: Micrometres,
         diameter: Micrometres,
-        hole_nominal_6h: Option<Micrometres>,
-    }
+    } shown { hole_nominal_6h }
 
     /// 7:24 taper shanks.
-    pub struct Taper724 of One("taper-7-24") {
-        number: i64,
-        large_diameter: Micrometres,
-        taper_length: Micrometres,
-        thread: &'t str,
-    }
+    pub struct Taper724 of One("taper-7-24") {} shown { number, large_diameter, taper_length, thread }
 
     /// Reliefs at the end of external metric threads.
     pub struct ThreadRelief of One("thread-relief") {

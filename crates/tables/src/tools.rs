@@ -1,48 +1,55 @@
 //! Row types: tools.
 
-use technolog_knowledge::rows;
 use technolog_knowledge::units::{Degrees, Kilograms, Micrometres};
+use technolog_knowledge::{rows, vocabulary};
+
+vocabulary! {
+    /// What of boring a bar is made for.
+    pub enum BoringStage {
+        Rough = "rough",
+        Finish = "finish",
+    }
+}
 
 rows! {
     /// A cutter for holes.
     pub struct CutterRow of Tools {
         designation: Option<&'t str>,
-        diameter: Option<Micrometres>,
-        length: Option<Micrometres>,
-        flute_length: Option<Micrometres>,
-        helix_angle: Option<Degrees>,
-        projection: Option<Micrometres>,
-        morse: Option<i64>,
-        accuracy: Option<&'t str>,
-        thread: Option<&'t str>,
-        step_diameter: Option<Micrometres>,
-        step_length: Option<Micrometres>,
-        pitch: Option<Micrometres>,
         designation_through: Option<&'t str>,
         designation_blind: Option<&'t str>,
-        shank_diameter: Option<Micrometres>,
-        shank_length: Option<Micrometres>,
-        bore: Option<Micrometres>,
-        preferred_row: Option<i64>,
-        type_ as "type": Option<i64>,
-        cone_angle: Option<Degrees>,
-        tip_diameter: Option<Micrometres>,
-        cutting_length: Option<Micrometres>,
-        pilot_bore: Option<Micrometres>,
         designation_5deg: Option<&'t str>,
         designation_15deg: Option<&'t str>,
-        teeth: Option<i64>,
-        execution: Option<i64>,
-        neck_diameter: Option<Micrometres>,
+        diameter: Option<Micrometres>,
         diameter_min: Option<Micrometres>,
         diameter_max: Option<Micrometres>,
-        bar_diameter: Option<Micrometres>,
+        step_diameter: Option<Micrometres>,
+        step_length: Option<Micrometres>,
+        thread: Option<&'t str>,
+        pitch: Option<Micrometres>,
+        cone_angle: Option<Degrees>,
+        tip_diameter: Option<Micrometres>,
+        stage: Option<BoringStage>,
+        length: Option<Micrometres>,
+        projection: Option<Micrometres>,
         reach: Option<Micrometres>,
+        flute_length: Option<Micrometres>,
+        cutting_length: Option<Micrometres>,
+        shank_diameter: Option<Micrometres>,
+        shank_length: Option<Micrometres>,
+        morse: Option<i64>,
+        bore: Option<Micrometres>,
+        pilot_bore: Option<Micrometres>,
+        bar_diameter: Option<Micrometres>,
         nose_radius: Option<Micrometres>,
-        insert: Option<&'t str>,
-        stage: Option<&'t str>,
+        teeth: Option<i64>,
         mass: Option<Kilograms>,
-        taper: Option<i64>,
-        series: Option<&'t str>,
+    } shown { helix_angle, accuracy, preferred_row, "type", execution, neck_diameter, insert, taper, series }
+}
+
+impl<'t> CutterRow<'t> {
+    /// Its designations: one, or one for each bottom of the hole or lead of the reamer.
+    pub fn designations(&self) -> impl Iterator<Item = &'t str> + use<'t> {
+        let all = [self.designation, self.designation_through, self.designation_blind];
+        all.into_iter().chain([self.designation_5deg, self.designation_15deg]).flatten()
     }
 }

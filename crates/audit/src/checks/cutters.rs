@@ -6,6 +6,7 @@ use crate::part::Hole;
 use crate::plan::Operation;
 use crate::reason::{OfOther, Unfit};
 use crate::route::diameters::range;
+use crate::tables::holes::HoleDefault;
 use crate::tooling::CutterNeed;
 use crate::tooling::named;
 use crate::units::Micrometres;
@@ -41,10 +42,10 @@ pub(super) fn check<'a>(
             let mut finding = Finding::new(severity, Section::Tools, field, note).at(place);
             finding.subject = context.subject(Scope::Row(at));
             finding.subject.tool = Some(context.stated.tools[tool].number);
-            finding.resting_on([Because::row(cutter.row, Note::new("named"))])
+            finding.resting_on([Because::row(cutter.row.row, Note::new("named"))])
         };
         let need = need(context, graph, &tips, at, row, hole);
-        if let Some(why) = named::unsuited(&cutter, &need, machine) {
+        if let Some(why) = named::unsuited(cutter, &need, machine) {
             let mut unsuited = finding(Severity::Error, why.note());
             if why.is_of_reach() {
                 unsuited.follows_from = roots::told(findings, context.field(Id::new(Scope::Row(at), Q::Depth)));
@@ -56,7 +57,7 @@ pub(super) fn check<'a>(
                 unsuited.kind = Kind::OfOther(other);
             }
             findings.push(unsuited);
-        } else if let Some(why) = named::of_other_bottom(&cutter, hole.through).filter(|_| row.of_main_cylinder()) {
+        } else if let Some(why) = named::of_other_bottom(cutter, hole.through).filter(|_| row.of_main_cylinder()) {
             findings.push(finding(Severity::Wrong, why));
         }
     }
@@ -144,7 +145,7 @@ fn need<'a>(
             _ => None,
         },
         clearance: Micrometres::ZERO,
-        grind_limit: context.shop.convention("cutter-grind-limit-mm").unwrap_or_default(),
+        grind_limit: context.shop.convention(HoleDefault::CutterGrindLimit).unwrap_or_default(),
         ..CutterNeed::plain(operation, diameter)
     }
 }

@@ -10,9 +10,9 @@ use super::super::finding::{Finding, Kind, Section};
 use super::super::graph::Graph;
 use super::super::near::{Likeness, Near, likeness, plain, same_table};
 use super::super::quantity::Scope;
-use super::super::rules::tools::{COLUMNS, DIMENSION, OVERHANG};
+use super::super::rules::tools::{DIMENSION, OVERHANG, dimensions as of_row};
 use super::super::stated::Text;
-use crate::tooling::named::{NamedCutter, cutter_names};
+use crate::tooling::named::NamedCutter;
 
 pub(super) fn check<'a>(
     context: &Context<'a>,
@@ -26,7 +26,7 @@ pub(super) fn check<'a>(
         dimensions(context, at, findings);
         named(
             near,
-            |cutter| cutter.row,
+            |cutter| cutter.row.row,
             tool.designation.as_ref(),
             Section::Tools,
             field("designation"),
@@ -34,7 +34,7 @@ pub(super) fn check<'a>(
             findings,
         );
         if let Some(cutter) = context.cutter(at) {
-            let row = cutter.row;
+            let row = cutter.row.row;
             let of = Of { row, section: Section::Tools };
             standard(&of, tool.standard.as_ref(), field("standard"), &about, findings);
             if let Some(shank) = &tool.shank
@@ -59,9 +59,17 @@ pub(super) fn check<'a>(
         if context.whole(at) {
             continue;
         }
-        named(near, |row| *row, tool.holder.as_ref(), Section::Holders, field("holder.designation"), &about, findings);
-        if let Some(row) = context.holder(at) {
-            let of = Of { row, section: Section::Holders };
+        named(
+            near,
+            |holder| holder.row,
+            tool.holder.as_ref(),
+            Section::Holders,
+            field("holder.designation"),
+            &about,
+            findings,
+        );
+        if let Some(holder) = context.holder(at) {
+            let of = Of { row: holder.row, section: Section::Holders };
             standard(&of, tool.holder_standard.as_ref(), field("holder.standard"), &about, findings);
         }
     }
@@ -146,11 +154,10 @@ fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<Finding>) {
     if off == 0 {
         return;
     }
-    let stated = COLUMNS.iter().filter_map(|(column, quantity)| Some((*column, tool.figures.get(quantity)?.value)));
-    let stated: Vec<(&str, f64)> = stated.collect();
     let fits = |cutter: &NamedCutter<'_>| {
-        stated.iter().all(|(column, value)| {
-            cutter.row.length_if_any(column).is_some_and(|length| (length.to_mm() - value).abs() < 1e-6)
+        of_row(&cutter.row).into_iter().all(|(quantity, length)| {
+            let stated = tool.figures.get(&quantity).map(|figure| figure.value);
+            stated.is_none_or(|value| length.is_some_and(|length| (length.to_mm() - value).abs() < 1e-6))
         })
     };
     // Another tool of the same dimensions may be of another kind: it must do what the rows ask of this one.
@@ -159,7 +166,7 @@ fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<Finding>) {
     let does = |cutter: &NamedCutter<'_>| {
         asked.iter().all(|asked| cutter.head.operations.iter().any(|operation| operation.name() == *asked))
     };
-    let mut others = cutter_names(context.shop.knowledge).filter(|cutter| fits(cutter) && does(cutter));
+    let mut others = context.auditor.cutters.values().filter(|cutter| fits(cutter) && does(cutter));
     let Some(other) = others.next() else { return };
     // One dimension alone may be the slip; the rows of the tool say which of the two is meant.
     let of_size =
@@ -180,7 +187,7 @@ fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<Finding>) {
     }
     let note = Note::new("audit-dimensions-of").with("tool", &name.value).with("known", other.designation);
     let finding = Finding::new(Severity::Wrong, Section::Tools, field, note).at(&name.place);
-    let because = Because::row(other.row, Note::new("named"));
+    let because = Because::row(other.row.row, Note::new("named"));
     let finding = finding.beside(&name.value, other.designation).resting_on([because]);
     findings.push(finding.about(context.subject(Scope::Tool(at))));
 }

@@ -3,6 +3,7 @@
 use crate::error::KnowledgeError;
 use crate::note::{Because, Note, Severity};
 use crate::plan::Operation;
+use crate::tables::holders::HolderRow;
 use crate::tooling::named;
 
 use super::super::context::Context;
@@ -30,23 +31,24 @@ pub(super) fn check<'a>(
         if context.whole(at) {
             if plain(&name.value) != plain(cutter.designation) {
                 let finding = say(Severity::Error, Note::new("holder-of-whole-tool"));
-                findings.push(finding.resting_on([Because::row(cutter.row, Note::new("named"))]));
+                findings.push(finding.resting_on([Because::row(cutter.row.row, Note::new("named"))]));
             }
             continue;
         }
         let Some(holder) = context.holder(at) else { continue };
-        let because = Because::row(holder, Note::new("named"));
-        if let Some(why) = named::not_taken(holder, &cutter, &shop.machine) {
+        let because = Because::row(holder.row, Note::new("named"));
+        if let Some(why) = named::not_taken(holder, cutter, &shop.machine) {
             findings.push(say(Severity::Error, why.note()).resting_on([because]));
             continue;
         }
         let operation = context.stated.rows_of_tool(tool.number).next().map(|(_, row)| row.operation.value);
         let operation = operation.unwrap_or(Operation::Drill);
-        if let Some((family, rule)) = named::other_family(holder, &cutter, operation, shop.knowledge)? {
-            let takes = family.all_rows().filter(|row| named::not_taken(*row, &cutter, &shop.machine).is_none());
-            let known: Vec<&str> = takes.filter_map(|row| row.text("designation").ok()).collect();
+        if let Some((family, rule)) = named::other_family(holder, cutter, operation, shop.knowledge)? {
+            let rows = family.rows::<HolderRow<'_>>().collect::<Result<Vec<_>, _>>()?;
+            let takes = rows.iter().filter(|holder| named::not_taken(holder, cutter, &shop.machine).is_none());
+            let known: Vec<&str> = takes.map(|holder| holder.designation).collect();
             let note = Note::new("holder-of-other-family").with("known", known.join(", "));
-            let why = Because::row(rule, Note::new("named"));
+            let why = Because::row(rule.row, Note::new("named"));
             findings.push(say(Severity::Wrong, note).resting_on([because, why]));
         }
     }

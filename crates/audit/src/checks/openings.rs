@@ -6,6 +6,7 @@ use crate::note::{Note, Severity};
 use crate::part::Hole;
 use crate::plan::{Feature, Operation, Transition};
 use crate::route::bores;
+use crate::tables::holes::HoleDefault;
 use crate::units::Micrometres;
 
 use super::super::context::Context;
@@ -54,7 +55,7 @@ pub(super) fn check<'a>(
 /// What the drawing of a hole has at its entry, and what a thread needs there.
 fn openings(hole: &Hole, context: &Context<'_>) -> Result<Vec<Opening>, KnowledgeError> {
     let task = bores::task(hole, &context.stated.part, &context.shop)?;
-    let stock = context.shop.convention("face-stock-mm")?;
+    let stock = context.shop.convention(HoleDefault::FaceStock)?;
     let edges = task.edges.iter().map(|edge| Opening {
         feature: edge.feature,
         diameter: edge.diameter,

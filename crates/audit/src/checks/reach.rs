@@ -28,7 +28,7 @@ impl Tips {
     /// The rule has no row.
     pub fn read(context: &Context<'_>) -> Result<Self, KnowledgeError> {
         let row = zone::approach(&context.stated.part, true, context.shop.knowledge)?;
-        Ok(Self { approach: row.length("approach")?, overrun: row.length("overrun")? })
+        Ok(Self { approach: row.approach, overrun: row.overrun })
     }
 
     /// How far below its face the tip of a row's tool goes: depth, point and overrun. Where our own plan has the same
@@ -51,7 +51,7 @@ impl Tips {
         let point = match row.operation.value {
             Operation::Drill | Operation::DrillOut => {
                 let cutter = context.stated.tool_of(row).and_then(|tool| context.cutter(tool));
-                let angle = cutter.and_then(|cutter| named::point_angle(&cutter));
+                let angle = cutter.and_then(|cutter| named::point_angle(cutter));
                 let diameter = figure(Q::Diameter).unwrap_or(hole.diameter.nominal).to_mm();
                 // A point's length: the radius over the tangent of half of its angle.
                 angle.map(|angle| diameter / 2.0 / libm::tan(angle.to_radians() / 2.0)).unwrap_or_default()
@@ -114,7 +114,7 @@ fn holder(
     } else {
         finding.follows_from = roots::told(findings, context.field(Id::new(Scope::Row(row), Q::Depth)));
     }
-    findings.push(finding.resting_on(context.holder(tool).map(|row| Because::row(row, Note::new("named")))));
+    findings.push(finding.resting_on(context.holder(tool).map(|holder| Because::row(holder.row, Note::new("named")))));
 }
 
 /// The flutes that are stated for a drill that no catalog has; of one that is known `cutters` tells it.

@@ -5,6 +5,9 @@ use crate::knowledge::RowRef;
 use crate::note::{Because, Note, Severity};
 use crate::part::{Hole, Thread};
 use crate::plan::Operation;
+use crate::tables::holes::HoleDefault;
+use crate::tables::machines::MachineQuantity;
+use crate::tables::standards::{CoarseThread, FineThread};
 use crate::units::Micrometres;
 
 use super::super::context::Context;
@@ -55,7 +58,7 @@ fn taps(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), Knowle
         let note = Note::new("audit-cannot-tap").with("machine", &context.stated.part.machine);
         let field = format!("route.{}.tool", row.number);
         let finding = Finding::new(Severity::Error, Section::Route, field, note).at(&tool.place);
-        let because = Because::row(machine.row("can-tap")?, Note::new("audit-limit"));
+        let because = Because::row(machine.row(MachineQuantity::CanTap)?, Note::new("audit-limit"));
         findings.push(finding.about(context.subject(Scope::Row(at))).resting_on([because]));
     }
     Ok(())
@@ -63,9 +66,10 @@ fn taps(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), Knowle
 
 /// The drill of a metric thread by its table.
 fn tap_drill<'a>(thread: &Thread, context: &Context<'a>) -> Option<(Micrometres, RowRef<'a>)> {
-    let tables = ["tap-drills", "tap-drills-fine"].into_iter().filter_map(|id| context.shop.knowledge.table(id).ok());
-    let row = tables.filter_map(|table| table.find("thread", &thread.id)).next()?;
-    Some((row.length_if_any("diameter")?, row))
+    let knowledge = context.shop.knowledge;
+    let coarse = knowledge.find(|row: &CoarseThread<'_>| row.thread == thread.id).ok()?;
+    let fine = || knowledge.find(|row: &FineThread<'_>| row.thread == thread.id).ok()?;
+    coarse.map(|row| (row.diameter, row.row)).or_else(|| fine().map(|row| (row.diameter, row.row)))
 }
 
 /// What stands under the tap: the drill of the table, or a hole within the limits of the thread.
@@ -113,13 +117,13 @@ fn depth(
         return Ok(());
     }
     let stated = Micrometres::from_mm_rounded(figure.value);
-    let pitches = |name: &str| -> Result<Micrometres, KnowledgeError> {
+    let pitches = |name: HoleDefault| -> Result<Micrometres, KnowledgeError> {
         Ok(Micrometres::from_mm_rounded(thread.pitch.to_mm() * context.shop.share(name)?))
     };
     let tap = row.operation.value == Operation::Tap;
     let blind = !hole.through && !tap;
     // The first teeth of a tap cut no full thread: a blind hole goes deeper by its run-out.
-    let right = if blind { hole.depth + pitches("thread-runout-pitches")? } else { hole.depth };
+    let right = if blind { hole.depth + pitches(HoleDefault::ThreadRunoutPitches)? } else { hole.depth };
     let mut say = |severity, code: &str, figure: &Figure| {
         let note = Note::new(code).with("thread", &thread.written).with("depth", hole.depth);
         let finding = Finding::new(severity, Section::Route, format!("route.{}.depth", row.number), note);
@@ -127,7 +131,7 @@ fn depth(
     };
     if stated < hole.depth {
         say(Severity::Wrong, "audit-thread-short", figure);
-    } else if blind && stated < hole.depth + pitches("tap-lead-pitches")? {
+    } else if blind && stated < hole.depth + pitches(HoleDefault::TapLeadPitches)? {
         say(Severity::Doubtful, "audit-thread-runout", figure);
     } else if !blind && stated != right && !hole.through {
         say(Severity::Wrong, "audit-thread-deep", figure);

@@ -8,6 +8,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
 use crate::motion::Axis;
 use crate::note::{Because, Note, Severity};
+use crate::tables::machines::MachineQuantity;
 use crate::units::Micrometres;
 use crate::zone::{self, OffTable, Stroke};
 
@@ -36,20 +37,20 @@ fn about_part(severity: Severity, field: &str, note: Note) -> Finding {
 
 /// A blank that stands out of the table.
 fn table(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
-    let blank = context.stated.part.blank;
+    let (blank, machine) = (context.stated.part.blank, &context.shop.machine);
+    let (length, width) = (machine.table_length, machine.table_width);
     let sides = [
-        (Axis::X, blank.length, "table-length", "part.blank.length"),
-        (Axis::Y, blank.width, "table-width", "part.blank.width"),
+        (Axis::X, blank.length, length, MachineQuantity::TableLength, "part.blank.length"),
+        (Axis::Y, blank.width, width, MachineQuantity::TableWidth, "part.blank.width"),
     ];
-    for (axis, size, name, field) in sides {
+    for (axis, size, most, quantity, field) in sides {
         // Not every record says how large its table is.
-        let Ok(row) = context.shop.machine.row(name) else { continue };
-        let Some(most) = row.numbers("value").first().copied().map(Micrometres::from_mm_rounded) else { continue };
+        let Some(most) = most else { continue };
         if size > most {
             let note = Note::new("audit-blank-off-table").with("axis", axis.letter()).with("size", size);
             let note = note.with("table", most).with("over", size - most);
             let finding = about_part(Severity::Doubtful, field, note).beside(size, format!("<= {most}"));
-            findings.push(finding.resting_on([limit(row)]));
+            findings.push(finding.resting_on([limit(machine.row(quantity)?)]));
         }
     }
     Ok(())
@@ -64,9 +65,9 @@ fn travels(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), Kno
     let (part, machine) = (&context.stated.part, &context.shop.machine);
     for fault in zone::off_table(part, machine) {
         let (field, row) = match fault {
-            OffTable::TooHeavy { .. } => ("part.mass", machine.row("load-mass-max")?),
-            OffTable::BeyondTravel { axis: Axis::X, .. } => ("part.holes", machine.row("travel-x")?),
-            OffTable::BeyondTravel { .. } => ("part.holes", machine.row("travel-y")?),
+            OffTable::TooHeavy { .. } => ("part.mass", machine.row(MachineQuantity::LoadMassMax)?),
+            OffTable::BeyondTravel { axis: Axis::X, .. } => ("part.holes", machine.row(MachineQuantity::TravelX)?),
+            OffTable::BeyondTravel { .. } => ("part.holes", machine.row(MachineQuantity::TravelY)?),
         };
         let mut finding = about_part(Severity::Error, field, fault.note()).resting_on([limit(row)]);
         if matches!(fault, OffTable::BeyondTravel { .. }) {
@@ -182,7 +183,7 @@ impl Zone<'_, '_> {
             let fits = (most - one.stroke.highest).max(Micrometres::ZERO);
             let note = note.with("needed", needed).with("most", most).with("fits", fits);
             let finding = self.finding(one, note, format!("<= {fits}"));
-            found.push((one.tool, finding.resting_on([limit(machine.row("nose-to-table-max")?)])));
+            found.push((one.tool, finding.resting_on([limit(machine.row(MachineQuantity::NoseToTableMax)?)])));
         }
         let least = machine.nose_to_table.map(|(least, _)| least);
         let strokes: Vec<Stroke> = reaches.iter().map(|one| one.stroke).collect();
@@ -206,7 +207,7 @@ impl Zone<'_, '_> {
             };
             let note = note.with("length", one.stroke.length).with("way", way).with("travel", machine.travel_z);
             let finding = self.finding(one, note.with("fits", fits), format!(">= {fits}"));
-            found.push((one.tool, finding.resting_on([limit(machine.row("travel-z")?)])));
+            found.push((one.tool, finding.resting_on([limit(machine.row(MachineQuantity::TravelZ)?)])));
         }
         Ok(found)
     }

@@ -9,6 +9,7 @@ use crate::note::{Because, Note, Severity};
 use crate::plan::{CuttingMethod, Operation};
 use crate::tables::audit::{AuditSpindleFor, Constant as Known, Constants};
 use crate::tables::cutting::CardCorrections;
+use crate::tables::machines::MachineQuantity;
 use crate::tables::rules::SpindleStep;
 use crate::units::{RevsPerMinute, round_to};
 
@@ -229,7 +230,7 @@ fn spindle<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Re
         let computed = RevsPerMinute(*values.first()?);
         cutting::spindle_step(computed, shop).ok().map(|(step, ..)| step.0)
     };
-    let series = shop.machine.row("spindle-speeds")?;
+    let series = shop.machine.row(MachineQuantity::SpindleSpeeds)?;
     let mut own = formula(&STEP, id(Q::Rpm), vec![id(Q::RpmComputed)], "", step);
     own.because.push(Because::row(series, Note::new("audit-series")));
     own.because.push(Because::table(shop.knowledge.table_of::<SpindleStep<'_>>()?, Note::new("audit-step-rule")));

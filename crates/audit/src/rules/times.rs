@@ -2,6 +2,7 @@
 
 use crate::error::KnowledgeError;
 use crate::note::{Because, Note};
+use crate::tables::machines::MachineQuantity;
 
 use super::super::context::Context;
 use super::super::graph::{Graph, Rule};
@@ -42,7 +43,8 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
     let changes = context.changes().len();
     if changes > 0 {
         let change = context.shop.machine.tool_change.0;
-        let because = Because::row(context.shop.machine.row("tool-change-time")?, Note::new("audit-tool-change"));
+        let because =
+            Because::row(context.shop.machine.row(MachineQuantity::ToolChangeTime)?, Note::new("audit-tool-change"));
         graph.add(given(&CHANGE, id(Q::ChangeTime), changes as f64 * change, [because]));
     }
     if stated.own {

@@ -1,9 +1,10 @@
 //! Dimensions of tools and holders by their catalogs, lengths of assemblies, corrections.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::units::Unit;
 use crate::note::{Because, Note, Severity};
 use crate::plan::Operation;
+use crate::tables::holes::HoleDefault;
+use crate::tables::tools::CutterRow;
 use crate::tooling::named;
 use crate::units::Micrometres;
 
@@ -64,18 +65,16 @@ const BOOK: Rule = Rule {
 
 pub(super) const RULES: &[Rule] = &[DIMENSION, HOLDER, OVERHANG, HOLDER_USED, ASSEMBLY, REFERENCE, PLUS, MINUS, BOOK];
 
-/// Columns of the cutters' catalogs.
-pub(crate) const COLUMNS: [(&str, Q); 5] = [
-    ("diameter", Q::Diameter),
-    ("length", Q::Length),
-    ("flute_length", Q::FluteLength),
-    ("projection", Q::Projection),
-    ("shank_diameter", Q::ShankDiameter),
-];
-
-/// Columns of the holders' catalogs.
-const HOLDER_COLUMNS: [(&str, Q); 3] =
-    [("length", Q::HolderLength), ("clamp_min", Q::ClampMin), ("clamp_max", Q::ClampMax)];
+/// The dimensions of a cutter, as far as its catalog has them.
+pub(crate) fn dimensions(row: &CutterRow<'_>) -> [(Q, Option<Micrometres>); 5] {
+    [
+        (Q::Diameter, row.diameter),
+        (Q::Length, row.length),
+        (Q::FluteLength, row.flute_length),
+        (Q::Projection, row.projection),
+        (Q::ShankDiameter, row.shank_diameter),
+    ]
+}
 
 pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), KnowledgeError> {
     let stated = context.stated;
@@ -84,10 +83,9 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
         let id = |quantity| Id::new(scope, quantity);
         let operation = stated.rows_of_tool(tool.number).next().map(|(_, row)| row.operation.value);
         if let Some(cutter) = context.cutter(at) {
-            let row = cutter.row;
-            let because = || [Because::row(row, Note::new("named"))];
-            for (column, quantity) in COLUMNS {
-                let Some(length) = row.length_if_any(column) else { continue };
+            let because = || [Because::row(cutter.row.row, Note::new("named"))];
+            for (quantity, length) in dimensions(&cutter.row) {
+                let Some(length) = length else { continue };
                 // A core drill or a reamer may be ground, a bar set, to the size that the row makes.
                 let set = quantity == Q::Diameter
                     && !matches!(operation, Some(Operation::Drill | Operation::DrillOut | Operation::CentreDrill));
@@ -98,25 +96,29 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
                 dimension.judge = set.then(|| ground(context, tool.number, length));
                 graph.add(dimension);
             }
-            if let Ok(morse) = row.int("morse") {
+            if let Some(morse) = cutter.row.morse {
                 graph.add(given(&DIMENSION, id(Q::Morse), morse as f64, because()));
             }
-            let angle = row.number_in("point_angle", Unit::Degree).ok().or_else(|| named::point_angle(&cutter));
-            if let Some(angle) = angle {
+            if let Some(angle) = named::point_angle(cutter) {
                 graph.add(given(&DIMENSION, id(Q::PointAngle), angle, because()));
             }
             if let Some(operation) = operation {
-                overhang(context, graph, at, &cutter, operation)?;
+                overhang(context, graph, at, cutter, operation)?;
             }
         }
         if let Some(holder) = context.holder(at) {
-            let because = || [Because::row(holder, Note::new("named"))];
-            for (column, quantity) in HOLDER_COLUMNS {
-                if let Some(length) = holder.length_if_any(column) {
+            let because = || [Because::row(holder.row, Note::new("named"))];
+            let lengths = [
+                (Q::HolderLength, Some(holder.length)),
+                (Q::ClampMin, holder.clamp_min),
+                (Q::ClampMax, holder.clamp_max),
+            ];
+            for (quantity, length) in lengths {
+                if let Some(length) = length {
                     graph.add(given(&HOLDER, id(quantity), length.to_mm(), because()));
                 }
             }
-            if let Ok(morse) = holder.int("morse") {
+            if let Some(morse) = holder.morse {
                 graph.add(given(&HOLDER, id(Q::HolderMorse), morse as f64, because()));
             }
         }
@@ -138,7 +140,7 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
 
 /// A size other than the catalog's may stand where the tool is ground down to what its row makes.
 fn ground<'a>(context: &'a Context<'a>, tool: u32, catalog: Micrometres) -> Judge<'a> {
-    let limit = context.shop.convention("cutter-grind-limit-mm").unwrap_or_default();
+    let limit = context.shop.convention(HoleDefault::CutterGrindLimit).unwrap_or_default();
     Box::new(move |value, _| {
         let stated = Micrometres::from_mm_rounded(value);
         if stated == catalog {
@@ -159,7 +161,7 @@ fn overhang<'a>(
     cutter: &named::NamedCutter<'a>,
     operation: Operation,
 ) -> Result<(), KnowledgeError> {
-    let (least, most, because) = named::overhang(cutter, operation, context.shop.knowledge)?;
+    let (least, most, because) = named::overhang(cutter, operation, &context.shop)?;
     let (least, most) = (least.to_mm(), most.to_mm());
     let mut formula = given(&OVERHANG, Id::new(Scope::Tool(at), Q::Overhang), most, [because]);
     formula.judge = Some(Box::new(move |value, _| {

@@ -22,6 +22,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::units::{ItGrade, Micrometres, Roughness};
 
+pub use crate::tables::rules::Entry;
 pub use file::schema;
 pub use read::{read_part, read_part_node};
 pub use tolerance::{ToleratedDiameter, tolerance_width};
@@ -81,17 +82,6 @@ pub struct Datum {
     pub front: Micrometres,
     /// Z of the blank's top face, mm.
     pub top: Micrometres,
-}
-
-/// The state of the entry face.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Entry {
-    /// Machined beforehand.
-    #[default]
-    Machined,
-    /// As cast, forged or rolled.
-    Rough,
 }
 
 /// How the part is held.

@@ -3,7 +3,9 @@
 use crate::knowledge::Knowledge;
 use crate::knowledge::diagnostic::{Diagnostic, Place, Severity, nearest};
 use crate::knowledge::yaml::{Fields, Node, Problems, parse};
+use crate::machine::Machine;
 use crate::material;
+use crate::tables::materials::ClampScrew;
 use crate::units::{Decimal, Micrometres};
 
 use super::check;
@@ -56,7 +58,7 @@ impl Reader<'_> {
         let machine = fields.need("machine", self.problems).and_then(|node| self.machine(node));
         let datum_node = fields.take("datum");
         let entry = match fields.take("entry") {
-            Some(node) => self.choice(node, &[("machined", Entry::Machined), ("rough", Entry::Rough)]),
+            Some(node) => self.choice(node, Entry::NAMES),
             None => Some(Entry::default()),
         };
         let fixture_node = fields.take("fixture");
@@ -159,9 +161,7 @@ impl Reader<'_> {
 
     pub(super) fn machine(&mut self, node: &Node) -> Option<String> {
         let text = self.problems.text(node)?.to_owned();
-        // `machine-quantities` is the schema of the records, not a record.
-        let ids = self.knowledge.tables().filter_map(|table| table.id.strip_prefix("machine-"));
-        let known: Vec<&str> = ids.filter(|id| *id != "quantities").collect();
+        let known: Vec<&str> = Machine::ids(self.knowledge).collect();
         if known.contains(&text.as_str()) {
             return Some(text);
         }
@@ -237,11 +237,11 @@ impl Reader<'_> {
     pub(super) fn screw(&mut self, node: &Node) -> Option<String> {
         // Cyrillic М is typed as often as the Latin letter.
         let text = self.problems.text(node)?.replace('М', "M");
-        let table = self.knowledge.table("clamp-screws").ok()?;
-        if table.find("thread", &text).is_some() {
+        let screws: Vec<ClampScrew<'_>> = self.knowledge.rows().ok()?;
+        let names: Vec<&str> = screws.iter().map(|screw| screw.thread).collect();
+        if names.contains(&text.as_str()) {
             return Some(text);
         }
-        let names: Vec<&str> = table.all_rows().filter_map(|row| row.text("thread").ok()).collect();
         let message = format!("no clamp screw `{text}`");
         self.problems.error_help("unknown-screw", message, &node.place, format!("known are {}", names.join(", ")))
     }

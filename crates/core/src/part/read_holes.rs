@@ -3,6 +3,7 @@
 use crate::knowledge::Column;
 use crate::knowledge::diagnostic::Place;
 use crate::knowledge::yaml::{Fields, Node, NodeKind};
+use crate::tables::holes::{SchemesOfMainHole, SchemesOfMainHoleFor};
 use crate::units::{ItGrade, Micrometres, Roughness};
 
 use super::arrange_steps::Cylinders;
@@ -206,9 +207,9 @@ impl Reader<'_> {
         }
         let width = self.positive(node, "centre_tolerance")?;
         // The columns of the scheme tables end there; such a figure is a slip of the decimal point.
-        let columns = self.knowledge.table("A.8").map(|table| table.columns.as_slice()).unwrap_or_default();
-        let domain = columns.iter().find(|column| column.name == "centre_tolerance").map(Column::allowed);
-        if domain.is_some_and(|domain| !domain.contains(width.micrometres())) {
+        let tables = self.knowledge.tables_of::<SchemesOfMainHole<'_>>();
+        let mut domains = tables.filter_map(SchemesOfMainHoleFor::centre_tolerance).map(Column::allowed);
+        if domains.any(|domain| !domain.contains(width.micrometres())) {
             let message = format!("{width} mm is coarser than any tolerance of the tables A.8 and A.9");
             let help = "give the full width of the tolerance in mm, `0.46`, or a grade, `IT12`";
             return self.problems.error_help("bad-value", message, &node.place, help);

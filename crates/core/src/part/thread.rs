@@ -1,8 +1,11 @@
 //! Threads as drawings write them, and the hole under each.
 
 use crate::knowledge::diagnostic::nearest;
-use crate::knowledge::{Knowledge, RowRef, Table};
-use crate::units::{Micrometres, Roughness, Unit};
+use crate::knowledge::vocabulary::Operation;
+use crate::knowledge::{Knowledge, TableError};
+use crate::tables::holes::ThreadAccuracy;
+use crate::tables::standards::{CoarseThread, ConicalThread, FineThread};
+use crate::units::{Micrometres, Roughness};
 
 use super::{Thread, ThreadKind};
 
@@ -54,10 +57,9 @@ pub(super) fn read(text: &str, knowledge: &Knowledge) -> Result<ThreadedHole, Th
 
 /// The coarsest roughness that a tap leaves, by table A.3: that of a thread whose drawing gives none.
 pub(super) fn roughness(knowledge: &Knowledge) -> Result<Roughness, String> {
-    let table = knowledge.table("A.3").map_err(|error| error.to_string())?;
-    let row = table.find("method", "tap").ok_or("the table A.3 has no row `tap`")?;
-    let ra_um = row.number_in("ra_coarsest", Unit::Micrometre).map_err(|error| error.to_string())?;
-    Ok(Roughness::from_ra_nanometres((ra_um * 1000.0).round() as u32))
+    let tapped = |row: &ThreadAccuracy<'_>| row.method == Operation::Tap;
+    let row = knowledge.need(Operation::Tap.name(), tapped).map_err(|error| error.to_string())?;
+    Ok(Roughness::from_ra(row.ra_coarsest))
 }
 
 fn metric(text: &str, rest: &str, knowledge: &Knowledge) -> Result<ThreadedHole, ThreadError> {
@@ -78,28 +80,26 @@ fn metric(text: &str, rest: &str, knowledge: &Knowledge) -> Result<ThreadedHole,
     let (size, pitch) = sizes.split_once('x').map_or((sizes, None), |(size, pitch)| (size, Some(pitch)));
     let length = |figure: &str| figure.parse::<Micrometres>().map_err(|error| ThreadError::bad(text, &error.0));
     let (size, pitch) = (length(size)?, pitch.map(length).transpose()?);
-    let lacking = |error: String| ThreadError::unknown(text, error);
+    let lacking = |error: TableError| ThreadError::unknown(text, error.to_string());
 
-    let table = knowledge.table("tap-drills").map_err(|error| lacking(error.to_string()))?;
+    let known: Vec<CoarseThread<'_>> = knowledge.rows().map_err(lacking)?;
     let id = format!("M{size}");
-    let Some(row) = table.find("thread", &id) else {
-        return Err(ThreadError::unknown(text, nearest_size(size, table)));
+    let Some(row) = known.iter().find(|row| row.thread == id) else {
+        return Err(ThreadError::unknown(text, nearest_size(size, &known)));
     };
-    let column = |name: &str| row.length(name).map_err(|error| lacking(error.to_string()));
-    let (coarse, under_coarse) = (column("pitch")?, column("diameter")?);
+    let coarse = row.pitch;
     let (id, pitch, hole) = match pitch {
         Some(pitch) if pitch <= Micrometres::ZERO || pitch > coarse => {
             let why = format!("the pitch {pitch} must be above zero and not above {coarse}, the coarse one of {id}");
             return Err(ThreadError::bad(text, &why));
         }
         Some(pitch) if pitch != coarse => {
-            let fine = knowledge.table("tap-drills-fine").map_err(|error| lacking(error.to_string()))?;
             let id = format!("{id}x{pitch}");
             // Where the table has no such thread its hole is the size less the pitch, by which the table is made.
-            let hole = fine.find("thread", &id).and_then(|row| row.length_if_any("diameter"));
-            (id, pitch, hole.unwrap_or(size - pitch))
+            let fine = knowledge.find(|row: &FineThread<'_>| row.thread == id).map_err(lacking)?;
+            (id, pitch, fine.map_or(size - pitch, |row| row.diameter))
         }
-        _ => (id, coarse, under_coarse),
+        _ => (id, coarse, row.diameter),
     };
     let thread = Thread { written: format!("M{rest}"), kind: ThreadKind::Cylindrical, id, size, pitch };
     Ok(ThreadedHole { thread, hole })
@@ -122,13 +122,12 @@ fn tolerance_field(field: &str) -> Result<(), String> {
 }
 
 /// The thread of the table whose size is nearest, for a remedy.
-fn nearest_size(size: Micrometres, table: &Table) -> String {
-    let named = |row: RowRef<'_>| {
-        let name = row.text("thread").ok()?.to_owned();
-        let known: Micrometres = name.strip_prefix('M')?.parse().ok()?;
-        Some(((known - size).abs(), name))
+fn nearest_size(size: Micrometres, known: &[CoarseThread<'_>]) -> String {
+    let named = |row: &CoarseThread<'_>| {
+        let known: Micrometres = row.thread.strip_prefix('M')?.parse().ok()?;
+        Some(((known - size).abs(), row.thread.to_owned()))
     };
-    let known: Vec<(Micrometres, String)> = table.all_rows().filter_map(named).collect();
+    let known: Vec<(Micrometres, String)> = known.iter().filter_map(named).collect();
     match (known.iter().min_by_key(|(distance, _)| *distance), known.first(), known.last()) {
         (Some((_, near)), Some((_, first)), Some((_, last))) => {
             format!("the nearest known is `{near}`; `technolog table tap-drills` lists them, {first} to {last}")
@@ -147,28 +146,23 @@ fn conical(text: &str, rest: &str, knowledge: &Knowledge) -> Result<ThreadedHole
         return Err(ThreadError::bad(text, &format!("`{wrong}` does not belong to its size in inches")));
     }
     let wanted = figures(rest);
-    let Ok(table) = knowledge.table("conical-threads") else {
-        let help = "the catalogs have no conical threads: the table conical-threads is not there".to_owned();
-        return Err(ThreadError::unknown(text, help));
-    };
-    let known: Vec<(&str, RowRef<'_>)> =
-        table.all_rows().filter_map(|row| Some((row.text("thread").ok()?, row))).collect();
-    let Some((id, row)) = known.iter().find(|(id, _)| figures(id) == wanted) else {
-        let help = match nearest(&format!("K{wanted}"), known.iter().map(|(id, _)| *id)) {
+    let known: Vec<ConicalThread<'_>> =
+        knowledge.rows().map_err(|error| ThreadError::unknown(text, error.to_string()))?;
+    let Some(row) = known.iter().find(|row| figures(row.thread) == wanted) else {
+        let help = match nearest(&format!("K{wanted}"), known.iter().map(|row| row.thread)) {
             Some(near) => format!("the nearest known is `{near}`; `technolog table conical-threads` lists them"),
             None => "`technolog table conical-threads` lists them".to_owned(),
         };
         return Err(ThreadError::unknown(text, help));
     };
-    let column = |name: &str| row.length(name).map_err(|error| ThreadError::unknown(text, error.to_string()));
     let thread = Thread {
         written: text.to_owned(),
         kind: ThreadKind::Conical,
-        id: (*id).to_owned(),
-        size: column("size")?,
-        pitch: column("pitch")?,
+        id: row.thread.to_owned(),
+        size: row.size,
+        pitch: row.pitch,
     };
-    Ok(ThreadedHole { thread, hole: column("drill")? })
+    Ok(ThreadedHole { thread, hole: row.drill })
 }
 
 #[cfg(test)]
@@ -236,10 +230,11 @@ columns:
   - {name: thread, type: text}
   - {name: size, type: length, unit: mm}
   - {name: pitch, type: length, unit: mm}
+  - {name: thread_length, type: length, unit: mm}
   - {name: drill, type: length, unit: mm}
 rows:
-  - {thread: K1/2, size: 21.223, pitch: 1.814, drill: 18.5, source: standard}
-  - {thread: K1 1/4, size: 41.985, pitch: 2.209, drill: 38.5, source: standard}
+  - {thread: K1/2, size: 21.223, pitch: 1.814, thread_length: 13.5, drill: 18.5, source: standard}
+  - {thread: K1 1/4, size: 41.985, pitch: 2.209, thread_length: 18, drill: 38.5, source: standard}
 ";
         let knowledge = Knowledge::from_sources(&[SourceFile { path: "catalogs/t.yaml", text: table }]).unwrap();
         for (text, id) in [("К1/2\"", "K1/2"), ("K1/2", "K1/2"), ("К 1/2″", "K1/2"), ("K 1 1/4\"", "K1 1/4")] {

@@ -5,8 +5,10 @@ use std::fmt;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::knowledge::{Input, Knowledge};
-use crate::units::{ItGrade, Micrometres, Unit};
+use crate::knowledge::Knowledge;
+use crate::tables::holes::{HoleConvention, HoleDefault};
+use crate::tables::standards::ItGradesFor;
+use crate::units::{ItGrade, Micrometres};
 
 /// A diameter and what its tolerance amounts to.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -63,7 +65,7 @@ impl ToleratedDiameter {
         let (size, field) = text.split_at(split);
         let nominal: Micrometres = size.trim().parse().map_err(|error| format!("{error}; write `10H12`"))?;
         if field.is_empty() {
-            let grade = convention("free-size-grade", knowledge)? as u8;
+            let grade = convention(HoleDefault::FreeSizeGrade, knowledge)? as u8;
             return Self::with_grade(nominal, grade, nominal.to_string(), knowledge);
         }
         let Some(grade) = field.strip_prefix('H').and_then(|grade| grade.parse::<u8>().ok()) else {
@@ -80,7 +82,7 @@ impl ToleratedDiameter {
     /// # Errors
     /// The size is outside the table `it-grades`.
     pub fn free(nominal: Micrometres, knowledge: &Knowledge) -> Result<Self, String> {
-        let number = convention("free-size-grade", knowledge)? as u8;
+        let number = convention(HoleDefault::FreeSizeGrade, knowledge)? as u8;
         let it = ItGrade::new(number).ok_or_else(|| format!("grade {number} is outside 1 to 18"))?;
         let upper = tolerance_width(it, nominal, knowledge)?;
         Ok(Self { nominal, upper, lower: Micrometres::ZERO, it, written: nominal.to_string() })
@@ -101,7 +103,7 @@ impl ToleratedDiameter {
     /// # Errors
     /// The tables lack the grade or its width.
     pub fn under_thread(nominal: Micrometres, written: &str, knowledge: &Knowledge) -> Result<Self, String> {
-        let grade = convention("thread-hole-grade", knowledge)? as u8;
+        let grade = convention(HoleDefault::ThreadHoleGrade, knowledge)? as u8;
         let it = ItGrade::new(grade).ok_or_else(|| format!("`thread-hole-grade` {grade} is no tolerance grade"))?;
         let upper = tolerance_width(it, nominal, knowledge)?;
         Ok(Self { nominal, upper, lower: Micrometres::ZERO, it, written: written.to_owned() })
@@ -143,8 +145,8 @@ fn signed(deviation: Micrometres) -> String {
 
 /// A hole must be one that the drills and bars of the catalogs make (table `hole-defaults`).
 fn in_range(nominal: Micrometres, knowledge: &Knowledge) -> Result<(), String> {
-    let bound = |name: &str| convention(name, knowledge).map(Micrometres::from_mm_rounded);
-    let (smallest, largest) = (bound("smallest-diameter-mm")?, bound("largest-diameter-mm")?);
+    let bound = |name| convention(name, knowledge).map(Micrometres::from_mm_rounded);
+    let (smallest, largest) = (bound(HoleDefault::SmallestDiameter)?, bound(HoleDefault::LargestDiameter)?);
     if nominal < smallest || nominal > largest {
         return Err(format!("Ø{nominal} is outside Ø{smallest} to Ø{largest}, which the drills of the catalogs begin"));
     }
@@ -152,10 +154,9 @@ fn in_range(nominal: Micrometres, knowledge: &Knowledge) -> Result<(), String> {
 }
 
 /// A figure of the table `hole-defaults`.
-fn convention(name: &str, knowledge: &Knowledge) -> Result<f64, String> {
-    let table = knowledge.table("hole-defaults").map_err(|error| error.to_string())?;
-    let row = table.find("name", name).ok_or_else(|| format!("the table hole-defaults has no `{name}`"))?;
-    row.number_in("value", Unit::None).map_err(|error| error.to_string())
+fn convention(name: HoleDefault, knowledge: &Knowledge) -> Result<f64, String> {
+    let row = knowledge.need(name.name(), |row: &HoleConvention<'_>| row.name == name);
+    row.map(|row| row.value).map_err(|error| error.to_string())
 }
 
 /// The width of a grade at a size, by the table `it-grades` (ISO 286-1).
@@ -163,10 +164,7 @@ fn convention(name: &str, knowledge: &Knowledge) -> Result<f64, String> {
 /// # Errors
 /// The size is outside the table.
 pub fn tolerance_width(it: ItGrade, size: Micrometres, knowledge: &Knowledge) -> Result<Micrometres, String> {
-    let table = knowledge.table("it-grades").map_err(|error| error.to_string())?;
-    let answer = table
-        .decide(&[("it", Input::Grade(it)), ("diameter", Input::Length(size))])
-        .map_err(|error| error.to_string())?;
-    let row = answer.winner().ok_or_else(|| format!("no IT {it} at {size} mm in the table it-grades"))?;
-    row.length("tolerance").map_err(|error| error.to_string())
+    let asked = knowledge.ask(&ItGradesFor { it, diameter: size }).map_err(|error| error.to_string())?;
+    let row = asked.winner().map_err(|error| error.to_string())?;
+    row.map(|row| row.tolerance).ok_or_else(|| format!("no IT {it} at {size} mm in the table it-grades"))
 }

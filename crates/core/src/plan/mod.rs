@@ -17,7 +17,8 @@ mod order;
 mod route;
 
 pub use crate::knowledge::vocabulary::{CuttingMethod, Operation};
-pub use order::{Mixture, Stop, Times, Visit, Visiting, VisitingMethod};
+pub use crate::tables::rules::VisitingMethod;
+pub use order::{Mixture, Stop, Times, Visit, Visiting};
 pub use route::{Achieved, Alternative, Feature, Made, Route, Way};
 
 /// What holds cutting conditions back.

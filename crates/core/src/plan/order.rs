@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::note::Because;
 use crate::part::Point;
+use crate::tables::rules::VisitingMethod;
 use crate::units::{Micrometres, Minutes};
 
 /// One tool's visit to the points of one or more groups.
@@ -52,36 +53,6 @@ pub struct Times {
     pub tool_change_min: Minutes,
     /// All of it, min.
     pub total_min: Minutes,
-}
-
-/// How the holes of a group are visited (textbook 1.3.1).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum VisitingMethod {
-    /// Each tool goes round all holes.
-    Parallel,
-    /// Each hole is made with all tools before the next.
-    Sequential,
-    /// The first transitions in parallel, the finishing ones one after the other at each hole.
-    FirstParallelFinishSequential,
-}
-
-impl VisitingMethod {
-    const NAMES: [(&'static str, Self); 3] = [
-        ("parallel", Self::Parallel),
-        ("sequential", Self::Sequential),
-        ("first-parallel-finish-sequential", Self::FirstParallelFinishSequential),
-    ];
-
-    /// Its name in tables and plans.
-    pub fn name(self) -> &'static str {
-        Self::NAMES.iter().find(|(_, method)| *method == self).map_or("", |(name, _)| name)
-    }
-
-    /// The method of that name.
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::NAMES.iter().find(|(known, _)| *known == name).map(|(_, method)| *method)
-    }
 }
 
 /// What section 1.3.1 says of visiting a group, and what both methods take. The plan itself visits in parallel.

@@ -8,7 +8,6 @@ use std::collections::BTreeMap;
 
 use crate::cutting::{self, CardDoubt, Cut, Surface};
 use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::knowledge::Input;
 use crate::knowledge::vocabulary::ToolMaterial;
 use crate::note::{Because, Note};
 use crate::part::{Hole, Part};
@@ -17,10 +16,12 @@ use crate::reason::{Reason, Unfit};
 use crate::route::bores::Edge;
 use crate::route::{Place, Step};
 use crate::shop::Shop;
+use crate::tables::holes::HoleDefault;
+use crate::tables::rules::{Lead, ReamerLeadFor, TwoPassDrilling};
 use crate::tooling::{self, Assembly, CutterNeed};
 use crate::units::{ItGrade, Micrometres, Roughness, round_to};
 
-use centring::widest_spot;
+pub(super) use centring::widest_spot;
 use reach::point_angle;
 
 /// A step with what it is done with.
@@ -92,7 +93,7 @@ pub(super) struct Fitting<'p, 'k> {
     drill_point: f64,
     core_drill_point: f64,
     surface: Surface,
-    lead: &'k str,
+    lead: Lead,
     clearance: Micrometres,
     floor_clearance: Micrometres,
     grind_limit: Micrometres,
@@ -106,30 +107,29 @@ impl<'p, 'k> Fitting<'p, 'k> {
     pub fn new(hole: &'p Hole, edges: &'p [Edge], part: &'p Part, shop: &'p Shop<'k>) -> Result<Self, KnowledgeError> {
         let knowledge = shop.knowledge;
         let travel = |through: bool| -> Result<(Micrometres, Micrometres, Because), KnowledgeError> {
-            let row = crate::zone::approach(part, through, knowledge)?;
-            let (approach, overrun) = (row.length("approach")?, row.length("overrun")?);
+            let rule = crate::zone::approach(part, through, knowledge)?;
+            let (approach, overrun) = (rule.approach, rule.overrun);
             let note = Note::new("travel").with("approach", approach).with("overrun", overrun);
-            Ok((approach, overrun, Because::row(row, note)))
+            Ok((approach, overrun, Because::row(rule.row, note)))
         };
         let travels = [travel(false)?, travel(true)?];
 
-        let rule = knowledge.table("reamer-lead")?;
-        let answer = rule.decide(&[("material_group", Input::Text(shop.material.group))])?;
-        let lead = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, shop.material.group))?;
+        let material_group = shop.material.group;
+        let lead = knowledge.ask(&ReamerLeadFor { material_group })?.need(material_group)?.lead;
         Ok(Self {
             hole,
             edges,
             shop,
             travels,
-            widest_spot: widest_spot(knowledge)?,
+            widest_spot: widest_spot(shop)?,
             drill_point: point_angle(knowledge, Operation::Drill),
             core_drill_point: point_angle(knowledge, Operation::CoreDrill),
             surface: cutting::factors::surface_of(hole.skin, shop)?,
-            lead: lead.text("lead")?,
-            clearance: shop.convention("mill-clearance-mm")?,
-            floor_clearance: shop.convention("floor-clearance-mm")?,
-            grind_limit: shop.convention("cutter-grind-limit-mm")?,
-            tap_lead: shop.share("tap-lead-pitches")?,
+            lead,
+            clearance: shop.convention(HoleDefault::MillClearance)?,
+            floor_clearance: shop.convention(HoleDefault::FloorClearance)?,
+            grind_limit: shop.convention(HoleDefault::CutterGrindLimit)?,
+            tap_lead: shop.share(HoleDefault::TapLeadPitches)?,
             known: RefCell::new(BTreeMap::new()),
         })
     }
@@ -195,22 +195,22 @@ impl<'p, 'k> Fitting<'p, 'k> {
     /// The conventions that the lengths of a step rest on.
     fn conventions(&self, step: &Step) -> Result<Vec<Because>, KnowledgeError> {
         let mut because = Vec::new();
-        let mut cite = |name: &str, note: Note| -> Result<(), KnowledgeError> {
-            because.push(Because::row(self.shop.default_row(name)?, note));
+        let mut cite = |name, note: Note| -> Result<(), KnowledgeError> {
+            because.push(Because::row(self.shop.default_row(name)?.row, note));
             Ok(())
         };
         let main = step.place.feature == Feature::Bore && step.place.step.is_none();
         match step.operation {
-            Operation::Tap => cite("tap-lead-pitches", Note::new("tap-lead").with("lead", self.lead(step)))?,
+            Operation::Tap => cite(HoleDefault::TapLeadPitches, Note::new("tap-lead").with("lead", self.lead(step)))?,
             Operation::Mill => {
                 let floor = step.from == step.diameter;
-                let name = if floor { "floor-clearance-mm" } else { "mill-clearance-mm" };
+                let name = if floor { HoleDefault::FloorClearance } else { HoleDefault::MillClearance };
                 let clearance = if floor { self.floor_clearance } else { self.clearance };
                 cite(name, Note::new("mill-clearance").with("clearance", clearance))?;
             }
             Operation::Drill | Operation::DrillOut if main && self.hole.thread.is_some() && !step.place.through => {
                 let note = Note::new("thread-runout").with("runout", step.place.depth - self.hole.depth);
-                cite("thread-runout-pitches", note)?;
+                cite(HoleDefault::ThreadRunoutPitches, note)?;
             }
             _ => {}
         }
@@ -234,7 +234,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             enters: step.from,
             reach,
             through: step.place.through,
-            lead: self.lead,
+            lead: Some(self.lead),
             thread: self.hole.thread_at(step.place.step).map(|thread| thread.id.as_str()),
             angle_millideg: step.angle_millideg,
             within: step.within,
@@ -246,22 +246,21 @@ impl<'p, 'k> Fitting<'p, 'k> {
             Some(wide) => {
                 let pilot = reach - self.opening_depth();
                 let opening = if self.flat_opening().is_some() { Operation::Counterbore } else { Operation::Chamfer };
-                tooling::find_step_drill(&need, wide, pilot, opening, shop.knowledge, &shop.machine)?
+                tooling::find_step_drill(&need, wide, pilot, opening, shop)?
             }
-            None => tooling::find_tool(&need, shop.knowledge, &shop.machine)?,
+            None => tooling::find_tool(&need, shop)?,
         };
         let (cutter, assembly) = found.map_err(|why| Refusal::Not(no_tool(why, step.operation)))?;
         // A step drill goes on until its wide part is as deep as the opening.
-        let travel = match (step.also, cutter.row.length("step_length")) {
-            (Some(_), Ok(pilot)) => self.travels(step.place.through).0 + self.opening_depth() + pilot,
+        let travel = match (step.also, cutter.row.step_length) {
+            (Some(_), Some(pilot)) => self.travels(step.place.through).0 + self.opening_depth() + pilot,
             _ => travel,
         };
-        let nose_radius = cutter.row.length("nose_radius").ok();
         // The surface asked for is left by a last single pass; passes before it, and stock for another
         // machine, need no finish feed.
         let roughness = step.asks.filter(|_| last && step.passes == 1).map(|(_, roughness)| roughness);
         let cut = Cut {
-            nose_radius,
+            nose_radius: cutter.row.nose_radius,
             roughness,
             cutter: cutter_shape(&cutter),
             ..self.cut(step, follows, cutter.head.material, travel)
@@ -278,12 +277,12 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let grinds = step.operation.is_reaming() || step.operation == Operation::CoreDrill;
         if grinds && cutter.diameter > step.nominal {
             let note = Note::new("ground-within").with("limit", self.grind_limit);
-            because.push(Because::row(self.shop.default_row("cutter-grind-limit-mm")?, note));
+            because.push(Because::row(self.shop.default_row(HoleDefault::CutterGrindLimit)?.row, note));
         }
         because.extend(assembly.because.clone());
         let tool = FittedTool {
             designation: cutter.designation.to_owned(),
-            table: cutter.row.table.id.clone(),
+            table: cutter.row.row.table.id.clone(),
             diameter: cutter.diameter,
             size: if fixed_size(step.operation) { cutter.diameter } else { step.diameter },
             assembly,
@@ -305,7 +304,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             None => Some(self.hole.diameter.target()),
         };
         let Some((upper, lower)) = tolerance.filter(|_| target == Some(step.diameter)) else { return Ok(()) };
-        let share = self.shop.share("milled-roundness-share")?;
+        let share = self.shop.share(HoleDefault::MilledRoundnessShare)?;
         let most = Micrometres::from_mm_rounded((*upper - *lower).to_mm() * share);
         if roundness > most {
             return Err(Refusal::Not(Reason::MilledNotRound { roundness, most, diameter: step.diameter }));
@@ -359,7 +358,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             .iter()
             .filter_map(|step| step.conditions.axial_force_n)
             .fold(0.0, |most: f64, force| most.max(force.0));
-        let table = self.shop.knowledge.table("two-pass-drilling")?;
+        let table = self.shop.knowledge.table_of::<TwoPassDrilling<'_>>()?;
         let note = Note::new("two-passes-cost")
             .with("time", format!("{:+.3}", time - one.machine_time_min.0))
             .with("thrust", round_to(thrust, 0))
@@ -411,8 +410,8 @@ const fn eases(next: Operation) -> bool {
 
 /// The shape of an end mill, where the row has teeth.
 fn cutter_shape(cutter: &tooling::Cutter<'_>) -> Option<cutting::CutterShape> {
-    let teeth = u32::try_from(cutter.row.int("teeth").ok()?).ok()?;
-    let cutting_length = cutter.row.length("cutting_length").ok()?;
+    let teeth = u32::try_from(cutter.row.teeth?).ok()?;
+    let cutting_length = cutter.row.cutting_length?;
     Some(cutting::CutterShape { diameter: cutter.diameter, teeth, cutting_length })
 }
 

@@ -1,7 +1,6 @@
 //! The tools of the whole part: one centre drill, numbers in the order of work, length corrections.
 
 use crate::error::{KnowledgeError, Refusal};
-use crate::knowledge::Knowledge;
 use crate::note::{Because, Finding, Note, Severity};
 use crate::part::{Face, Part};
 use crate::plan::{HolderRef, HolePlan, Operation, ToolPlan, ToolRef, Transition};
@@ -10,7 +9,7 @@ use crate::tooling::{self, CutterNeed};
 use crate::units::{Micrometres, round_to};
 
 use super::Draft;
-use super::fit::{Fitted, FittedTool, Fitting};
+use super::fit::{Fitted, FittedTool, Fitting, widest_spot};
 
 /// Chooses the centring tool for all holes it serves: the smallest drill of A.14 that makes every
 /// chamfer, or is wider than every first drill.
@@ -20,7 +19,7 @@ pub(super) fn choose_centre_drill(
     shop: &Shop<'_>,
     findings: &mut Vec<Finding>,
 ) -> Result<(), KnowledgeError> {
-    let widest = widest_centre_drill(shop.knowledge)?;
+    let widest = widest_spot(shop)?;
     let (mut needed, mut shown) = (Micrometres::ZERO, String::new());
     for draft in &*drafts {
         let Some(centre) = draft.steps.iter().find(|one| one.step.operation == Operation::CentreDrill) else {
@@ -42,13 +41,13 @@ pub(super) fn choose_centre_drill(
         return Ok(());
     }
     let need = CutterNeed::plain(Operation::CentreDrill, needed);
-    let fitted = tooling::find_tool(&need, shop.knowledge, &shop.machine)?.map(|(cutter, assembly)| {
+    let fitted = tooling::find_tool(&need, shop)?.map(|(cutter, assembly)| {
         let why = Note::new("centre-drill-for-all").with("needed", &shown);
         let mut because = vec![Because { note: why, ..cutter.because.clone() }];
         because.extend(assembly.because.clone());
         FittedTool {
             designation: cutter.designation.to_owned(),
-            table: cutter.row.table.id.clone(),
+            table: cutter.row.row.table.id.clone(),
             diameter: cutter.diameter,
             size: cutter.diameter,
             assembly,
@@ -77,11 +76,6 @@ pub(super) fn choose_centre_drill(
         }
     }
     Ok(())
-}
-
-fn widest_centre_drill(knowledge: &Knowledge) -> Result<Micrometres, KnowledgeError> {
-    let table = knowledge.table("A.14")?;
-    Ok(table.all_rows().filter_map(|row| row.length("diameter").ok()).max().unwrap_or_default())
 }
 
 /// Two uses are of one tool when cutter, setting and holder agree.

@@ -46,7 +46,7 @@ struct Draft {
 pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result<Plan, KnowledgeError> {
     let shop = Shop::new(part, method, knowledge)?;
     let mut findings = Vec::new();
-    let drills = tooling::drill_sizes(knowledge, &shop.machine)?;
+    let drills = tooling::drill_sizes(&shop)?;
     let mut order: Vec<usize> = (0..part.holes.len()).collect();
     // By what a group is, not by what it is called: names only tell equal groups apart.
     order.sort_by_cached_key(|&index| {

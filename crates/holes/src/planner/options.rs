@@ -4,7 +4,6 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::knowledge::Input;
 use crate::note::{Because, Note};
 use crate::part::{Hole, Part};
 use crate::plan::{Alternative, Made, Way};
@@ -15,6 +14,8 @@ use crate::route::diameters::Sizes;
 use crate::route::scheme::{self, Question};
 use crate::route::{Candidate, accuracy};
 use crate::shop::Shop;
+use crate::tables::holes::StagedHole;
+use crate::tables::rules::{BoringAsked, BoringForPositionFor};
 use crate::tooling::DrillSize;
 use crate::units::{Micrometres, Minutes};
 
@@ -157,7 +158,7 @@ pub(super) fn options(
         centred_edge: fitting.edge_by_centring()?,
     };
     let kind = finder.auxiliary_kind();
-    let stage_name = kind.map_or("plain", Kind::stage_name);
+    let stage_name = kind.map_or(StagedHole::Plain, Kind::stage_name);
     let asked = if kind.is_some() { auxiliary::diameter(&finder.question) } else { main.diameter.nominal };
     let (stages, stages_end_elsewhere) = scheme::stages(&finder.question, stage_name, asked, shop)?;
     if stages_end_elsewhere {
@@ -242,11 +243,9 @@ impl Finder<'_, '_> {
     }
 
     fn asks_for_boring(&self, enters: bool) -> Result<bool, KnowledgeError> {
-        let rule = self.shop.knowledge.table("boring-for-position")?;
         let position = self.question.position;
-        let answer = rule.decide(&[("position", Input::Length(position)), ("bar_enters", Input::Bool(enters))])?;
-        let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this position"))?;
-        Ok(row.text("boring")? == "asked")
+        let rule = self.shop.knowledge.ask(&BoringForPositionFor { position, bar_enters: enters })?;
+        Ok(rule.need("this position")?.boring == BoringAsked::Asked)
     }
 }
 

@@ -51,14 +51,14 @@ impl Finder<'_, '_> {
         Ok(Some(feature))
     }
 
-    /// The wide diameter of a drill of A.15 that makes the chamfer too.
+    /// The wide diameter of a step drill that makes the chamfer too.
     fn chamfering_drill(
         &self,
         drill: Micrometres,
         chamfer: Micrometres,
     ) -> Result<Option<Micrometres>, KnowledgeError> {
-        let table = self.shop.knowledge.table("A.15")?;
-        let rows = table.all_rows().filter(|row| row.length_if_any("diameter") == Some(drill));
-        Ok(rows.filter_map(|row| row.length_if_any("step_diameter")).find(|wide| *wide >= chamfer))
+        let drills = self.shop.shelf.cutters_for(Operation::Chamfer)?;
+        let of_size = drills.iter().filter(|row| row.diameter == Some(drill));
+        Ok(of_size.filter_map(|row| row.step_diameter).find(|wide| *wide >= chamfer))
     }
 }

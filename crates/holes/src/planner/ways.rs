@@ -7,6 +7,7 @@ use crate::reason::Reason;
 use crate::route::auxiliary::{self, Kind};
 use crate::route::scheme;
 use crate::route::{Candidate, Step, complex, search};
+use crate::tables::rules::NextTransition;
 use crate::units::{Micrometres, Minutes};
 
 use super::fit::Fitted;
@@ -44,7 +45,7 @@ impl Finder<'_, '_> {
         if !(main.diameter.smallest()..=main.diameter.largest()).contains(&start) {
             return Ok(None);
         }
-        let rule = self.shop.knowledge.table("next-transition")?;
+        let rule = self.shop.knowledge.table_of::<NextTransition<'_>>()?;
         let note = Note::new("tapped-at-once").with("start", start).with("thread", &thread.written);
         Ok(Some(Candidate {
             way: Way::Search,

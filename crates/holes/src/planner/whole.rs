@@ -14,6 +14,8 @@ use crate::route::diameters::{self, Sizes};
 use crate::route::scheme::Question;
 use crate::route::{Candidate, Remark, Step, accuracy, openings, order};
 use crate::shop::Shop;
+use crate::tables::holes::SchemesOfMainHole;
+use crate::tables::rules::TransitionOrder;
 use crate::units::{ItGrade, Micrometres, Minutes};
 
 use super::fit::{Fitted, Fitting};
@@ -209,7 +211,7 @@ impl Finder<'_, '_> {
         let mut floor = Step::plain(Operation::Mill, whole, diameter, diameter);
         floor.place.start = stop;
         floor.because.push(Because::table(
-            self.shop.knowledge.table("transition-order")?,
+            self.shop.knowledge.table_of::<TransitionOrder<'_>>()?,
             Note::new("flat-floor").with("stop", stop).with("depth", depth),
         ));
         steps.insert(last + 1, floor);
@@ -247,7 +249,9 @@ impl Finder<'_, '_> {
                     {
                         last.remarks.push(Remark::FinishedElsewhere(bore.diameter.clone()));
                         let note = Note::new("step-finished-elsewhere").with("diameter", &bore.diameter);
-                        last.because.push(Because::table(self.shop.knowledge.table("A.8")?, note));
+                        // A.8 is the table that leaves a finish to another machine.
+                        let table = self.shop.knowledge.tables_of::<SchemesOfMainHole<'_>>().next();
+                        last.because.extend(table.map(|table| Because::table(table, note)));
                     }
                     cone_above_shoulder(&mut steps, bore, start, self.fitting);
                     for step in &mut steps {
@@ -338,8 +342,8 @@ fn roughed(steps: &[Step]) -> Micrometres {
 
 /// The smallest hole a boring bar of the catalogs enters.
 pub(super) fn smallest_bore(shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
-    let bars = shop.knowledge.table("boring-bars")?;
-    Ok(bars.all_rows().filter_map(|row| row.length_if_any("diameter_min")).min().unwrap_or_default())
+    let bars = shop.shelf.cutters_for(Operation::RoughBore)?;
+    Ok(bars.iter().filter_map(|bar| bar.diameter_min).min().unwrap_or_default())
 }
 
 /// Rapids from hole to hole of one group, by one tool: for weighing routes, not the path itself.

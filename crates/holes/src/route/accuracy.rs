@@ -1,60 +1,64 @@
 //! What accuracy a transition leaves after another, by the rule `next-transition` and the tables it names.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::{Answer, Input, RowRef};
+use crate::knowledge::RowRef;
+use crate::knowledge::query::Asked;
 use crate::note::{Because, Note};
-use crate::part::{BlankHole, CentreTolerance, Entry, Hole, Part};
+use crate::part::{BlankHole, CentreTolerance, Hole, Part};
 use crate::plan::{Achieved, Operation};
 use crate::reason::Reason;
 use crate::shop::Shop;
-use crate::units::{ItGrade, Micrometres, Roughness, Unit};
+use crate::tables::holes::{
+    DrillingWay, HoleAccuracy, PlaneAccuracy, PositionAccuracy, ThreadAccuracy, TransitionAccuracy,
+};
+use crate::tables::rules::{HoleState, NextTransition, NextTransitionFor, RoughFaceFor};
+use crate::units::{ItGrade, Micrometres, Roughness};
 
 use super::bores::{Before, Bore};
 use super::{Promise, Remark, Step};
 
 /// The state a cylinder is in before anything is done to it, as the rule `next-transition` names it.
-pub(super) fn start(bore: &Bore) -> &'static str {
+pub(super) fn start(bore: &Bore) -> HoleState {
     match bore.before {
-        Before::Own => "own-cylinder",
-        Before::Blank(BlankHole::Solid) => "solid",
-        Before::Blank(BlankHole::Cast(_)) => "cast-hole",
-        Before::Blank(BlankHole::PreMachined(_)) => "pre-machined-hole",
+        Before::Own => HoleState::OwnCylinder,
+        Before::Blank(BlankHole::Solid) => HoleState::Solid,
+        Before::Blank(BlankHole::Cast(_)) => HoleState::CastHole,
+        Before::Blank(BlankHole::PreMachined(_)) => HoleState::PreMachinedHole,
     }
 }
 
 /// The answer of `next-transition` to a state and the diameter the transition leaves.
-pub(super) fn after<'k>(state: &str, diameter: Micrometres, shop: &Shop<'k>) -> Result<Answer<'k>, KnowledgeError> {
-    let rule = shop.knowledge.table("next-transition")?;
-    Ok(rule.decide(&[("after", Input::Text(state)), ("diameter", Input::Length(diameter))])?)
+pub(super) fn after<'k>(
+    state: HoleState,
+    diameter: Micrometres,
+    shop: &Shop<'k>,
+) -> Result<Asked<'k, NextTransition<'k>>, KnowledgeError> {
+    shop.knowledge.ask(&NextTransitionFor { after: state, diameter })
 }
 
 /// The accuracy that a row of `next-transition` refers to; absent where its transition only prepares.
 pub(super) fn of_row(
-    row: RowRef<'_>,
+    row: &NextTransition<'_>,
     shop: &Shop<'_>,
 ) -> Result<Option<(ItGrade, Roughness, Because)>, KnowledgeError> {
     let knowledge = shop.knowledge;
-    let found = if let Ok(number) = row.int("a1") {
-        let table = knowledge.table("A.1")?;
-        table
-            .all_rows()
-            .find(|row| row.int("no") == Ok(number))
-            .ok_or_else(|| KnowledgeError::no_row(table, &number.to_string()))?
-    } else if let Ok(method) = row.text("a2") {
-        let table = knowledge.table("A.2")?;
-        table.find("method", method).ok_or_else(|| KnowledgeError::no_row(table, method))?
-    } else if let Ok(operation) = row.text("own") {
-        let table = knowledge.table("transition-accuracy")?;
-        table.find("operation", operation).ok_or_else(|| KnowledgeError::no_row(table, operation))?
+    let (found, it, ra): (RowRef<'_>, _, _) = if let Some(number) = row.a1 {
+        let found = knowledge.need(&number.to_string(), |row: &HoleAccuracy<'_>| row.no == number)?;
+        (found.row, finest(&found)?, found.ra_finest)
+    } else if let Some(method) = row.a2 {
+        let found = knowledge.need(method, |row: &PlaneAccuracy<'_>| row.method == method)?;
+        (found.row, found.it_finest, found.ra_finest)
+    } else if let Some(operation) = row.own {
+        let found = knowledge.need(operation, |row: &TransitionAccuracy<'_>| row.operation == operation)?;
+        (found.row, found.it_finest, found.ra_finest)
     } else {
         return Ok(None);
     };
-    let it = found.grade("it_finest")?;
-    let roughness = ra(found, "ra_finest")?;
+    let roughness = Roughness::from_ra(ra);
     let note = Note::new("reaches").with("it", it).with("roughness", roughness);
     let mut because = Because::row(found, note);
     if because.unconfirmed.is_none() {
-        because.unconfirmed = row.row().unconfirmed.clone();
+        because.unconfirmed = row.row.row().unconfirmed.clone();
     }
     Ok(Some((it, roughness, because)))
 }
@@ -71,7 +75,7 @@ pub fn write(
     position: Position,
     shop: &Shop<'_>,
 ) -> Result<(), KnowledgeError> {
-    let mut state = start(bore).to_owned();
+    let mut state = start(bore);
     let last = steps.iter().rposition(|step| !step.elsewhere && step.operation != Operation::Tap);
     let mut centred = false;
     let mut guided = false;
@@ -82,19 +86,16 @@ pub fn write(
         let mut reached = None;
         // The second drill of two-pass drilling is one drilling to the tables.
         let operation = if step.operation == Operation::DrillOut && bore.before.is_solid() {
-            "centred".clone_into(&mut state);
+            state = HoleState::Centred;
             Operation::Drill
         } else {
             step.operation
         };
         // A centring spot has no diameter yet: the rule is asked with the cylinder's.
         let asked = if step.diameter > Micrometres::ZERO { step.diameter } else { bore.diameter.nominal };
-        let answer = if known(&state) { Some(after(&state, asked, shop)?) } else { None };
-        let row = answer
-            .as_ref()
-            .and_then(|answer| answer.winners().find(|row| row.text("operation") == Ok(operation.name())));
-        if let Some(row) = row {
-            row.text("leaves")?.clone_into(&mut state);
+        let next = if state == HoleState::Finished { Vec::new() } else { after(state, asked, shop)?.winners()? };
+        if let Some(row) = next.iter().find(|row| row.operation == operation) {
+            state = row.leaves;
             reached = of_row(row, shop)?;
         }
         if step.operation == Operation::CentreDrill {
@@ -105,7 +106,7 @@ pub fn write(
                 // A wider bar after a slimmer one leaves what the slimmer one did.
                 Some((same, it, roughness)) if same == operation => {
                     let note = Note::new("reaches-again").with("it", it).with("roughness", roughness);
-                    Some((it, roughness, Because::table(shop.knowledge.table("next-transition")?, note)))
+                    Some((it, roughness, Because::table(shop.knowledge.table_of::<NextTransition<'_>>()?, note)))
                 }
                 // What prepares the next transition makes nothing worse than the transitions before it left.
                 Some((_, it, roughness)) => by_itself(operation, shop)?.map(|(own, rough, because)| {
@@ -133,7 +134,7 @@ pub fn write(
             if let Some(own) = it.filter(|own| *own > promise.it) {
                 step.remarks.push(Remark::Promised { it: promise.it, own });
                 let note = Note::new("promised").with("it", promise.it).with("own", own);
-                step.because.push(Because::table(shop.knowledge.table("A.1")?, note));
+                step.because.push(Because::table(shop.knowledge.table_of::<HoleAccuracy<'_>>()?, note));
             }
             it = Some(it.map_or(promise.it, |it| it.min(promise.it)));
             let promised = promise.roughness;
@@ -156,30 +157,19 @@ pub fn write(
 /// What a transition that only prepares the next one leaves: the coarse end of what section 1.2.1 says of it
 /// by itself; absent where it says nothing.
 fn by_itself(operation: Operation, shop: &Shop<'_>) -> Result<Option<(ItGrade, Roughness, Because)>, KnowledgeError> {
-    let table = shop.knowledge.table("transition-accuracy")?;
-    let says = |row: &RowRef<'_>| row.texts("prepares").is_ok_and(|own| own.contains(&operation.name()));
-    let Some(row) = table.all_rows().find(says) else { return Ok(None) };
-    let (it, roughness) = (row.grade("it_coarsest")?, ra(row, "ra_coarsest")?);
+    let says = |row: &TransitionAccuracy<'_>| row.prepares.as_ref().is_some_and(|own| own.contains(&operation));
+    let Some(row) = shop.knowledge.find(says)? else { return Ok(None) };
+    let (it, roughness) = (row.it_coarsest, Roughness::from_ra(row.ra_coarsest));
     let note = Note::new("reaches-by-itself").with("it", it).with("roughness", roughness);
-    Ok(Some((it, roughness, Because::row(row, note))))
+    Ok(Some((it, roughness, Because::row(row.row, note))))
 }
 
 /// The roughness that a tap leaves, by table A.3; its grade is the thread's own.
 fn tapped(shop: &Shop<'_>) -> Result<(Roughness, Because), KnowledgeError> {
-    let table = shop.knowledge.table("A.3")?;
-    let row = table.find("method", "tap").ok_or_else(|| KnowledgeError::no_row(table, "tap"))?;
-    let roughness = ra(row, "ra_finest")?;
-    Ok((roughness, Because::row(row, Note::new("reaches-thread").with("roughness", roughness))))
-}
-
-/// A column of Ra, micrometres.
-pub(super) fn ra(row: RowRef<'_>, column: &str) -> Result<Roughness, KnowledgeError> {
-    let micrometres = row.number_in(column, Unit::Micrometre)?;
-    Ok(Roughness::from_ra_nanometres((micrometres * 1000.0).round() as u32))
-}
-
-fn known(state: &str) -> bool {
-    !matches!(state, "finished" | "")
+    let tap = Operation::Tap;
+    let row = shop.knowledge.need(tap.name(), |row: &ThreadAccuracy<'_>| row.method == tap)?;
+    let roughness = Roughness::from_ra(row.ra_finest);
+    Ok((roughness, Because::row(row.row, Note::new("reaches-thread").with("roughness", roughness))))
 }
 
 /// Whether a tool of this operation makes its own axis and does not follow the hole before it.
@@ -192,9 +182,16 @@ pub(super) const fn guides(operation: Operation) -> bool {
 /// # Errors
 /// The knowledge lacks it.
 pub fn drilled(shop: &Shop<'_>) -> Result<ItGrade, KnowledgeError> {
-    let table = shop.knowledge.table("A.1")?;
-    let row = table.row(0).ok_or_else(|| KnowledgeError::no_row(table, "drilling"))?;
-    Ok(row.grade("it_finest")?)
+    finest(&drilling(shop)?)
+}
+
+/// What drilling leaves: row 1 of A.1.
+pub(super) fn drilling<'k>(shop: &Shop<'k>) -> Result<HoleAccuracy<'k>, KnowledgeError> {
+    shop.knowledge.need("drilling", |row: &HoleAccuracy<'_>| row.no == 1)
+}
+
+fn finest(row: &HoleAccuracy<'_>) -> Result<ItGrade, KnowledgeError> {
+    row.it_finest.ok_or_else(|| KnowledgeError::lacks(&row.row.table.id, &format!("row {} has no grade", row.no)))
 }
 
 /// What the position of an axis is worth, by the table `position-accuracy` and the machine.
@@ -212,14 +209,15 @@ impl Position {
     /// # Errors
     /// The knowledge lacks a row.
     pub fn new(bore: &Bore, part: &Part, shop: &Shop<'_>) -> Result<Self, KnowledgeError> {
-        let table = shop.knowledge.table("position-accuracy")?;
-        let row = |name: &str| table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name));
-        let worst = |name: &str| -> Result<Micrometres, KnowledgeError> { Ok(row(name)?.length("maximum")?) };
+        let worst = |way: DrillingWay| {
+            let row = position_accuracy(way, shop)?;
+            row.maximum.ok_or_else(|| KnowledgeError::lacks(&row.row.table.id, way.name()))
+        };
         let loss = 1.0 + rough_face(bore, part, shop)?.map_or(0.0, |(loss, _)| loss);
         let spoilt = |length: Micrometres| Micrometres::from_mm_rounded(length.to_mm() * loss);
         Ok(Self {
-            centred: spoilt(worst("drilling-with-centring")?),
-            not_centred: spoilt(worst("drilling-without-centring")?),
+            centred: spoilt(worst(DrillingWay::WithCentring)?),
+            not_centred: spoilt(worst(DrillingWay::WithoutCentring)?),
             bored: shop.machine.position_accuracy,
             drilled: bore.before.is_solid(),
         })
@@ -247,16 +245,15 @@ impl Position {
 /// # Errors
 /// The knowledge cannot answer.
 pub fn rough_face(bore: &Bore, part: &Part, shop: &Shop<'_>) -> Result<Option<(f64, Because)>, KnowledgeError> {
-    let rule = shop.knowledge.table("rough-face")?;
-    let entry = if part.entry == Entry::Rough { "rough" } else { "machined" };
-    let state = if bore.before.is_solid() { "solid" } else { "cast-or-pre-machined" };
-    let answer = rule.decide(&[("entry", Input::Text(entry)), ("state", Input::Text(state))])?;
-    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, entry))?;
-    let Ok(name) = row.text("loses") else { return Ok(None) };
-    let table = shop.knowledge.table("position-accuracy")?;
-    let loses = table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
-    let percent = loses.number_in("loss_max", Unit::Percent)?;
-    Ok(Some((percent / 100.0, Because::row(loses, Note::new("rough-face").with("percent", percent)))))
+    let answer = shop.knowledge.ask(&RoughFaceFor { entry: part.entry, state: bore.before.state() })?;
+    let Some(way) = answer.need(part.entry.name())?.loses else { return Ok(None) };
+    let loses = position_accuracy(way, shop)?;
+    let percent = loses.loss_max.ok_or_else(|| KnowledgeError::lacks(&loses.row.table.id, way.name()))?.0;
+    Ok(Some((percent / 100.0, Because::row(loses.row, Note::new("rough-face").with("percent", percent)))))
+}
+
+fn position_accuracy<'k>(way: DrillingWay, shop: &Shop<'k>) -> Result<PositionAccuracy<'k>, KnowledgeError> {
+    shop.knowledge.need(way.name(), |row: &PositionAccuracy<'_>| row.name == way)
 }
 
 /// The width of the tolerance on centre distances; a grade is taken at the group's smallest distance.

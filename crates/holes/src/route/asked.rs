@@ -1,11 +1,13 @@
 //! What the tables themselves answer for a hole: before centring is added to their schemes, and before anything is tried.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::{Input, RowRef};
+use crate::knowledge::RowRef;
 use crate::note::Because;
 use crate::part::{Hole, Part};
 use crate::plan::Operation;
 use crate::shop::Shop;
+use crate::tables::holes::StagedHole;
+use crate::tables::rules::TwoPassDrillingFor;
 use crate::units::Micrometres;
 
 use super::auxiliary::{self, Kind};
@@ -48,40 +50,32 @@ pub fn asked<'k>(hole: &Hole, part: &Part, shop: &Shop<'k>) -> Result<Asked<'k>,
     };
     let kind = Kind::of(hole, main, accuracy::drilled(shop)?);
     let asked = if kind.is_some() { auxiliary::diameter(&question) } else { main.diameter.nominal };
-    let (_, elsewhere) = scheme::stages(&question, kind.map_or("plain", Kind::stage_name), asked, shop)?;
+    let (_, elsewhere) = scheme::stages(&question, kind.map_or(StagedHole::Plain, Kind::stage_name), asked, shop)?;
     if elsewhere {
         question.centre_tolerance = question.centre_tolerance.min(position);
     }
-    let row = match kind {
+    let found = match kind {
         Some(kind) => {
-            let answer = shop.knowledge.table("A.10")?.decide(&[
-                ("hole", Input::Text(kind.name(&question))),
-                ("diameter", Input::Length(auxiliary::diameter(&question))),
-                ("centre_tolerance", Input::Length(question.centre_tolerance)),
-            ])?;
-            answer.winner()
+            let row = shop.knowledge.ask(&auxiliary::asked(&question, kind))?.winner()?;
+            row.map(|row| (row.row, row.schemes))
         }
-        None => scheme::own_cell(&question, shop.knowledge)?,
+        None => scheme::own_cell(&question, shop.knowledge)?.map(|row| (row.row, row.schemes)),
     };
-    let schemes = row.map(|row| row.texts("schemes")).transpose()?.unwrap_or_default();
-    let schemes = schemes.into_iter().map(str::to_owned).collect();
-    Ok(Asked { row, schemes, ..nothing })
+    let Some((row, schemes)) = found else { return Ok(nothing) };
+    Ok(Asked { row: Some(row), schemes: schemes.into_iter().map(str::to_owned).collect(), ..nothing })
 }
 
-/// The transitions of a scheme of A.7, of `04 + centre` too; nothing where A.7 has no such scheme or it names what no
-/// catalog has.
+/// The transitions of a scheme of A.7, of `04 + centre` too; nothing where A.7 has no such scheme.
 ///
 /// # Errors
 /// The knowledge cannot answer.
 pub fn transitions(scheme: &str, shop: &Shop<'_>) -> Result<Option<Vec<Operation>>, KnowledgeError> {
-    let table = shop.knowledge.table("A.7")?;
     let (name, centred) = match scheme.strip_suffix(" + centre") {
         Some(name) => (name, true),
         None => (scheme, false),
     };
-    let Some(row) = table.find("scheme", name) else { return Ok(None) };
-    let operations = scheme::operations(row)?;
-    Ok(operations.map(|mut operations| {
+    Ok(scheme::known(name, shop)?.map(|row| {
+        let mut operations = row.transitions.clone();
         if centred && operations.first() != Some(&Operation::CentreDrill) {
             operations.insert(0, Operation::CentreDrill);
         }
@@ -97,11 +91,8 @@ pub fn centred(scheme: &str, shop: &Shop<'_>) -> Result<String, KnowledgeError> 
     if transitions(scheme, shop)?.is_some_and(|own| own.first() == Some(&Operation::CentreDrill)) {
         return Ok(scheme.to_owned());
     }
-    let twin = shop.knowledge.table("centred-twin")?.find("scheme", scheme);
-    Ok(match twin {
-        Some(twin) => twin.text("centred")?.to_owned(),
-        None => format!("{scheme} + centre"),
-    })
+    let twin = scheme::twin(scheme, shop)?;
+    Ok(twin.map_or_else(|| format!("{scheme} + centre"), |twin| twin.centred.to_owned()))
 }
 
 /// The row of the rule `two-pass-drilling` that asks for two drills where one stands alone; nothing where one will do.
@@ -109,9 +100,7 @@ pub fn centred(scheme: &str, shop: &Shop<'_>) -> Result<String, KnowledgeError> 
 /// # Errors
 /// The knowledge cannot answer.
 pub fn two_drills<'k>(diameter: Micrometres, shop: &Shop<'k>) -> Result<Option<RowRef<'k>>, KnowledgeError> {
-    let rule = shop.knowledge.table("two-pass-drilling")?;
-    let answer =
-        rule.decide(&[("diameter", Input::Length(diameter)), ("first_drill_in_magazine", Input::Bool(false))])?;
-    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this drill"))?;
-    Ok((row.int("passes")? >= 2).then_some(row))
+    let question = TwoPassDrillingFor { diameter, first_drill_in_magazine: false };
+    let row = shop.knowledge.ask(&question)?.need("this drill")?;
+    Ok((row.passes >= 2).then_some(row.row))
 }

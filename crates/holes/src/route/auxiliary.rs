@@ -1,12 +1,12 @@
 //! Table A.10: schemes for threaded, counterbored and countersunk holes.
 
 use crate::error::{Refusal, Tried};
-use crate::knowledge::Input;
 use crate::note::{Because, Note};
 use crate::part::{Hole, ThreadKind};
 use crate::plan::{Operation, Way};
 use crate::reason::Reason;
 use crate::shop::Shop;
+use crate::tables::holes::{AuxiliaryHole, SchemesOfAuxiliaryHoleFor, StagedHole};
 use crate::units::{ItGrade, Micrometres};
 
 use super::Candidate;
@@ -44,24 +44,24 @@ impl Kind {
     }
 
     /// As A.10 names it.
-    pub fn name(self, question: &Question<'_>) -> &'static str {
+    pub fn name(self, question: &Question<'_>) -> AuxiliaryHole {
         match self {
             Self::Thread => match question.bore.thread.as_ref().map(|thread| thread.kind) {
-                Some(ThreadKind::Conical) => "thread-conical",
-                _ => "thread-cylindrical",
+                Some(ThreadKind::Conical) => AuxiliaryHole::ThreadConical,
+                _ => AuxiliaryHole::ThreadCylindrical,
             },
-            Self::Counterbore => "counterbore",
-            Self::Countersink90 => "countersink-90",
-            Self::CountersinkOther => "countersink-other",
+            Self::Counterbore => AuxiliaryHole::Counterbore,
+            Self::Countersink90 => AuxiliaryHole::Countersink90,
+            Self::CountersinkOther => AuxiliaryHole::CountersinkOther,
         }
     }
 
     /// As A.6 names it.
-    pub const fn stage_name(self) -> &'static str {
+    pub const fn stage_name(self) -> StagedHole {
         match self {
-            Self::Thread => "threaded",
-            Self::Counterbore => "counterbored-cylindrical",
-            Self::Countersink90 | Self::CountersinkOther => "countersunk",
+            Self::Thread => StagedHole::Threaded,
+            Self::Counterbore => StagedHole::Counterbored,
+            Self::Countersink90 | Self::CountersinkOther => StagedHole::Countersunk,
         }
     }
 }
@@ -71,34 +71,38 @@ pub fn diameter(question: &Question<'_>) -> Micrometres {
     question.bore.thread.as_ref().map_or(question.bore.diameter.nominal, |thread| thread.size)
 }
 
+/// The question to A.10.
+pub fn asked(question: &Question<'_>, kind: Kind) -> SchemesOfAuxiliaryHoleFor {
+    SchemesOfAuxiliaryHoleFor {
+        hole: kind.name(question),
+        diameter: diameter(question),
+        centre_tolerance: question.centre_tolerance,
+    }
+}
+
 /// The schemes A.10 gives, in its order; a scheme marked with a star only where no drill has the hole's
 /// diameter. Counterboring and chamfering are planned with the hole's openings and left out here.
 ///
 /// # Errors
 /// The knowledge cannot answer, or A.10 has no scheme.
 pub fn candidates(question: &Question<'_>, kind: Kind, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
-    let table = shop.knowledge.table("A.10")?;
     let (name, diameter) = (kind.name(question), diameter(question));
-    let answer = table.decide(&[
-        ("hole", Input::Text(name)),
-        ("diameter", Input::Length(diameter)),
-        ("centre_tolerance", Input::Length(question.centre_tolerance)),
-    ])?;
-    let Some(row) = answer.winner() else {
+    let answer = shop.knowledge.ask(&asked(question, kind))?;
+    let Some(row) = answer.winner()? else {
         let centre = question.centre_tolerance;
-        return Err(Refusal::Not(Reason::NoAuxiliaryScheme { kind: name, diameter, centre }));
+        return Err(Refusal::Not(Reason::NoAuxiliaryScheme { kind: name.name(), diameter, centre }));
     };
-    let starred = row.texts("if_drill_differs").unwrap_or_default();
+    let starred = row.if_drill_differs.unwrap_or_default();
     let drill = super::diameters::final_drill(&question.bore.diameter, question.drills).is_some();
     let mut found = Vec::new();
-    for scheme in row.texts("schemes")? {
+    for scheme in row.schemes {
         if starred.contains(&scheme) && drill {
             continue;
         }
-        let note = Note::new("auxiliary-scheme").with("scheme", scheme).with("kind", name);
+        let note = Note::new("auxiliary-scheme").with("scheme", scheme).with("kind", name.name());
         let candidate = Candidate {
             way: Way::Tables,
-            table: table.id.clone(),
+            table: row.row.table.id.clone(),
             scheme: scheme.to_owned(),
             transitions: Vec::new(),
             finish_elsewhere: false,
@@ -108,12 +112,11 @@ pub fn candidates(question: &Question<'_>, kind: Kind, shop: &Shop<'_>) -> Tried
                 roughness: None,
                 position: Some(question.drawn_tolerance),
             }),
-            because: vec![Because::answer(&answer, note)],
+            because: vec![Because::answer(&answer.answer, note)],
         };
-        if let Some(mut candidate) = with_transitions(candidate, question.bore, shop)? {
-            candidate.transitions.retain(|operation| !matches!(operation, Operation::Counterbore | Operation::Chamfer));
-            found.push(candidate);
-        }
+        let mut candidate = with_transitions(candidate, question.bore, shop)?;
+        candidate.transitions.retain(|operation| !matches!(operation, Operation::Counterbore | Operation::Chamfer));
+        found.push(candidate);
     }
     Ok(found)
 }

@@ -8,7 +8,9 @@ use crate::note::{Because, Note};
 use crate::part::{BlankHole, Bottom, Face, Hole, Part, Thread, ToleratedDiameter};
 use crate::plan::Feature;
 use crate::shop::Shop;
-use crate::units::{ItGrade, Micrometres, Roughness, Unit};
+use crate::tables::holes::HoleDefault;
+use crate::tables::rules::BlankState;
+use crate::units::{ItGrade, Micrometres, Roughness};
 
 use super::Place;
 
@@ -66,6 +68,11 @@ impl Before {
     pub fn is_solid(self) -> bool {
         self == Self::Blank(BlankHole::Solid)
     }
+
+    /// The same as tables name it.
+    pub fn state(self) -> BlankState {
+        if self.is_solid() { BlankState::Solid } else { BlankState::WithHole }
+    }
 }
 
 /// A conical or flat cut at the edge of a cylinder.
@@ -111,7 +118,9 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
     let thickness = part.blank.thickness;
     // A tap's first teeth cut no full thread: a blind hole is drilled deeper by that.
     let runout = match hole.thread.as_ref().filter(|_| !hole.through) {
-        Some(thread) => Micrometres::from_mm_rounded(thread.pitch.to_mm() * shop.share("thread-runout-pitches")?),
+        Some(thread) => {
+            Micrometres::from_mm_rounded(thread.pitch.to_mm() * shop.share(HoleDefault::ThreadRunoutPitches)?)
+        }
         None => Micrometres::ZERO,
     };
     let main = Bore {
@@ -181,7 +190,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
                 through: false,
             },
             diameter,
-            roughness: shop.roughness("counterbore-ra-um")?,
+            roughness: shop.roughness(HoleDefault::CounterboreRa)?,
             before: Before::Own,
             flat: true,
             thread: None,
@@ -295,11 +304,7 @@ fn chamfer_edge(face: Face, at: Option<(Micrometres, Micrometres)>, around: Micr
 /// A thread begins with a chamfer as deep as its pitch, where the drawing gives none.
 fn thread_chamfer(thread: Option<&Thread>, shop: &Shop<'_>) -> Result<Option<Micrometres>, KnowledgeError> {
     let Some(thread) = thread else { return Ok(None) };
-    let table = shop.knowledge.table("hole-defaults")?;
-    let row = table
-        .find("name", "thread-chamfer-pitches")
-        .ok_or_else(|| KnowledgeError::no_row(table, "thread-chamfer-pitches"))?;
-    let pitches = row.number_in("value", Unit::None)?;
+    let pitches = shop.share(HoleDefault::ThreadChamferPitches)?;
     // Over the thread's own diameter, so that the tap's first teeth begin outside it: the hole is narrower by a pitch.
     Ok(Some(Micrometres::from_mm_rounded(thread.pitch.to_mm() * pitches).max(thread.pitch.half())))
 }
@@ -313,15 +318,16 @@ impl Bore {
         if self.thread.is_none() {
             return Ok((self.diameter.it, self.roughness));
         }
-        let table = shop.knowledge.table("A.1")?;
-        let drilled = table.row(0).ok_or_else(|| KnowledgeError::no_row(table, "drilling"))?;
-        Ok((drilled.grade("it_coarsest")?, super::accuracy::ra(drilled, "ra_coarsest")?))
+        let drilled = super::accuracy::drilling(shop)?;
+        let it =
+            drilled.it_coarsest.ok_or_else(|| KnowledgeError::lacks(&drilled.row.table.id, "a grade of drilling"))?;
+        Ok((it, Roughness::from_ra(drilled.ra_coarsest)))
     }
 
     /// Why a chamfer is there although the drawing has none.
     pub fn chamfer_reason(&self, shop: &Shop<'_>) -> Option<Because> {
         let thread = self.thread.as_ref()?;
-        let row = shop.knowledge.table("hole-defaults").ok()?.find("name", "thread-chamfer-pitches")?;
-        Some(Because::row(row, Note::new("thread-chamfer").with("pitch", thread.pitch)))
+        let row = shop.default_row(HoleDefault::ThreadChamferPitches).ok()?;
+        Some(Because::row(row.row, Note::new("thread-chamfer").with("pitch", thread.pitch)))
     }
 }

@@ -1,11 +1,12 @@
 //! The second way to a route: the complexes of transitions of tables A.4 and A.5.
 
-use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::knowledge::{Input, QueryError};
+use crate::error::{Refusal, Tried};
+use crate::knowledge::QueryError;
 use crate::note::{Because, Note};
 use crate::plan::{Operation, Way};
 use crate::reason::Reason;
 use crate::shop::Shop;
+use crate::tables::holes::{Complex, ComplexGroup, ComplexesOfHole, ComplexesOfHoleFor};
 use crate::units::Micrometres;
 
 use super::Candidate;
@@ -21,17 +22,17 @@ pub struct Openings {
 }
 
 /// The kind of hole that A.4 files a cylinder under, and the diameter it is asked with.
-fn kind(question: &Question<'_>, openings: Openings) -> Option<(&'static str, Micrometres)> {
+fn kind(question: &Question<'_>, openings: Openings) -> Option<(ComplexGroup, Micrometres)> {
     let bore = question.bore;
     let diameter = bore.diameter.nominal;
     match (&bore.thread, bore.diameter.it.number()) {
         _ if !bore.before.is_solid() => None,
-        (Some(thread), _) => Some(("threaded", thread.size)),
-        (None, 12..) if openings.counterbored => Some(("counterbored", diameter)),
-        (None, 12..) if openings.countersunk => Some(("countersunk", diameter)),
-        (None, 12..) => Some(("smooth", diameter)),
+        (Some(thread), _) => Some((ComplexGroup::Threaded, thread.size)),
+        (None, 12..) if openings.counterbored => Some((ComplexGroup::Counterbored, diameter)),
+        (None, 12..) if openings.countersunk => Some((ComplexGroup::Countersunk, diameter)),
+        (None, 12..) => Some((ComplexGroup::Smooth, diameter)),
         // Group 5 of A.4 are the holes of grade 7 to 9; 10 and 11 stand in no group.
-        (None, 7..=9) => Some(("precise", diameter)),
+        (None, 7..=9) => Some((ComplexGroup::Precise, diameter)),
         _ => None,
     }
 }
@@ -44,49 +45,42 @@ fn kind(question: &Question<'_>, openings: Openings) -> Option<(&'static str, Mi
 /// # Errors
 /// The knowledge cannot answer, or A.4 has no complex for it.
 pub fn candidates(question: &Question<'_>, openings: Openings, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
-    let table = shop.knowledge.table("A.4")?;
+    let table = shop.knowledge.table_of::<ComplexesOfHole<'_>>()?;
     let (it, nominal, centre) = (question.bore.diameter.it, question.bore.diameter.nominal, question.centre_tolerance);
     let Some((kind, diameter)) = kind(question, openings) else {
         return Err(Refusal::Not(Reason::NoComplexGroup { it, diameter: nominal, centre }));
     };
     let no_complex = || Refusal::Not(Reason::NoComplex { it, diameter: nominal, centre });
-    let answer = match table.decide(&[
-        ("hole", Input::Text(kind)),
-        ("diameter", Input::Length(diameter)),
-        ("centre_tolerance", Input::Length(centre)),
-    ]) {
+    let answer = match table.ask(&ComplexesOfHoleFor { hole: kind, diameter, centre_tolerance: centre }) {
         Err(QueryError::OutOfDomain { .. }) => return Err(no_complex()),
         answer => answer?,
     };
-    let Some(row) = answer.winner() else { return Err(no_complex()) };
-    let complexes = shop.knowledge.table("A.5")?;
+    let Some(row) = answer.winner()? else { return Err(no_complex()) };
     let (centred, centring) = centre_first(question.bore, shop)?;
     let mut found = Vec::new();
-    for number in row.texts("complex")? {
-        let own = complexes.all_rows().find(|row| row.int("complex").is_ok_and(|own| own.to_string() == number));
-        let complex = own.ok_or_else(|| KnowledgeError::no_row(complexes, number))?;
+    for number in row.complex {
+        let complex = shop.knowledge.need(number, |row: &Complex<'_>| row.complex.to_string() == number)?;
         let mut transitions: Vec<Operation> = complex
-            .texts("transitions")?
+            .transitions
             .into_iter()
-            .filter_map(Operation::from_name)
             .filter(|operation| !matches!(operation, Operation::Chamfer | Operation::Counterbore))
             .collect();
-        let note = Note::new("complex").with("complex", number).with("kind", kind);
-        let mut because = vec![Because::answer(&answer, note), centring.clone()];
+        let note = Note::new("complex").with("complex", number).with("kind", kind.name());
+        let mut because = vec![Because::answer(&answer.answer, note), centring.clone()];
         let mut scheme = number.to_owned();
         if centred && transitions.first() != Some(&Operation::CentreDrill) {
             transitions.insert(0, Operation::CentreDrill);
             scheme.push_str(" + centre");
         }
-        because.push(Because::row(complex, Note::new("complex-transitions").with("complex", number)));
+        because.push(Because::row(complex.row, Note::new("complex-transitions").with("complex", number)));
         found.push(Candidate {
             way: Way::Complexes,
-            table: "A.5".to_owned(),
+            table: complex.row.table.id.clone(),
             scheme,
             transitions,
             finish_elsewhere: false,
             // A.4 promises the grades of its groups: 7 to 9 for the precise ones; surface is the chain's.
-            promise: (kind != "threaded").then_some(super::Promise {
+            promise: (kind != ComplexGroup::Threaded).then_some(super::Promise {
                 it: question.bore.diameter.it,
                 roughness: None,
                 position: Some(question.drawn_tolerance),

@@ -3,12 +3,14 @@
 //! and milling in `boring`, what removes an allowance in `finishing`; `two_passes` splits the drilling.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::knowledge::Input;
 use crate::note::{Because, Note};
 use crate::part::{ThreadKind, ToleratedDiameter};
 use crate::plan::Operation;
 use crate::reason::Reason;
 use crate::shop::Shop;
+use crate::tables::holes::{Allowance, HoleDefault};
+use crate::tables::rules::{BoringInstead, MillInstead, MillOrBoreFor, StockForElsewhereFor, TooSmallToBoreFor};
+use crate::tables::standards::ConicalThread;
 use crate::units::Micrometres;
 
 use super::bores::Bore;
@@ -89,20 +91,15 @@ fn milled(
     if sizes.bore_large || transitions.contains(&Operation::Mill) {
         return Ok((transitions, None));
     }
-    let rule = shop.knowledge.table("mill-or-bore")?;
     let diameter = bore.diameter.nominal;
-    let answer = rule.decide(&[
-        ("operation", Input::Text(Operation::RoughBore.name())),
-        ("contouring", Input::Bool(shop.machine.contouring)),
-        ("diameter", Input::Length(diameter)),
-    ])?;
-    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this hole"))?;
-    if row.text("instead")? != Operation::Mill.name() {
+    let question = MillOrBoreFor { operation: Operation::RoughBore, contouring: shop.machine.contouring, diameter };
+    let answer = shop.knowledge.ask(&question)?;
+    if answer.need("this hole")?.instead == MillInstead::Same {
         return Ok((transitions, None));
     }
     transitions[first] = Operation::Mill;
     let note = Note::new("milled-instead").with("diameter", diameter);
-    Ok((transitions, Some(Because::answer(&answer, note))))
+    Ok((transitions, Some(Because::answer(&answer.answer, note))))
 }
 
 /// The diameter the route ends at: the cylinder's, or smaller by the stock for a finish on another machine
@@ -119,16 +116,13 @@ fn finished(
     if !candidate.finish_elsewhere {
         return Ok((target, None));
     }
-    let rule = shop.knowledge.table("stock-for-elsewhere")?;
-    let answer = rule.decide(&[("diameter", Input::Length(target))])?;
-    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this diameter"))?;
-    let allowances = shop.knowledge.table("allowances")?;
+    let rule = shop.knowledge.ask(&StockForElsewhereFor { diameter: target })?.need("this diameter")?;
     let mut stock = Micrometres::ZERO;
-    for name in row.texts("allowances")? {
-        let allowance = allowances.find("name", name).ok_or_else(|| KnowledgeError::no_row(allowances, name))?;
-        stock = stock + allowance.length("maximum")?;
+    for name in rule.allowances {
+        let allowance = shop.knowledge.need(name, |row: &Allowance<'_>| row.name == name)?;
+        stock = stock + allowance.maximum.ok_or_else(|| allowance::lacks(&allowance, "maximum"))?;
     }
-    Ok((target - stock, Some(Because::row(row, Note::new("stock-for-elsewhere").with("stock", stock)))))
+    Ok((target - stock, Some(Because::row(rule.row, Note::new("stock-for-elsewhere").with("stock", stock)))))
 }
 
 /// One transition, seen from what it must leave.
@@ -188,8 +182,8 @@ impl Backwards<'_, '_> {
             return Err(Refusal::Not(Reason::OpenedAlready { operation, diameter, start }));
         }
         let least = match self.operation {
-            Operation::DrillOut => Some("least-stock-drill-out-mm"),
-            Operation::Mill => Some("least-stock-mill-mm"),
+            Operation::DrillOut => Some(HoleDefault::LeastStockDrillOut),
+            Operation::Mill => Some(HoleDefault::LeastStockMill),
             _ => None,
         };
         if let Some(least) = least {
@@ -209,7 +203,7 @@ impl Backwards<'_, '_> {
 
     /// The largest drill that leaves a mill or counterbore something to cut.
     fn drill_to_open(self) -> Tried<Micrometres> {
-        let largest = self.after - self.shop.convention("mill-clearance-mm")?;
+        let largest = self.after - self.shop.convention(HoleDefault::MillClearance)?;
         let start = self.sizes.start.unwrap_or_default();
         let drill = self.sizes.drills.iter().rev().copied().find(|drill| *drill <= largest && *drill > start);
         let (operation, diameter) = (self.operation, self.after);
@@ -222,24 +216,23 @@ impl Backwards<'_, '_> {
         if !operation.is_boring() {
             return Ok((operation, None));
         }
-        let enters = after >= self.sizes.smallest_bore;
-        let rule = self.shop.knowledge.table("too-small-to-bore")?;
-        let answer =
-            rule.decide(&[("operation", Input::Text(operation.name())), ("bar_enters", Input::Bool(enters))])?;
-        let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, operation.name()))?;
+        let bar_enters = after >= self.sizes.smallest_bore;
+        let question = TooSmallToBoreFor { operation, bar_enters };
+        let rule = self.shop.knowledge.ask(&question)?.need(operation.name())?;
         let smallest = self.sizes.smallest_bore;
-        let instead = row.text("operation_instead")?;
-        match (instead, Operation::from_name(instead)) {
-            ("same", _) => Ok((operation, None)),
-            (_, Some(other)) => {
-                let note = Note::new("bored-by-stand-in")
-                    .with("operation", operation.name())
-                    .with("diameter", after)
-                    .with("smallest", smallest);
-                Ok((other, Some(Because::row(row, note.with("instead", other.name())))))
+        let instead = match rule.operation_instead {
+            BoringInstead::Same => return Ok((operation, None)),
+            BoringInstead::CoreDrill => Operation::CoreDrill,
+            BoringInstead::Nothing => {
+                return Err(Refusal::Not(Reason::TooSmallToBore { operation, diameter: after, smallest }));
             }
-            _ => Err(Refusal::Not(Reason::TooSmallToBore { operation, diameter: after, smallest })),
-        }
+        };
+        let note = Note::new("bored-by-stand-in")
+            .with("operation", operation.name())
+            .with("diameter", after)
+            .with("smallest", smallest)
+            .with("instead", instead.name());
+        Ok((instead, Some(Because::row(rule.row, note))))
     }
 
     /// The drill that ends a route: of the hole's size, or the largest that leaves the stock for a finish
@@ -283,8 +276,8 @@ impl Backwards<'_, '_> {
         // A conical tap goes to its main plane, however deep the hole.
         let length = match thread.kind {
             ThreadKind::Conical => {
-                let table = self.shop.knowledge.table("conical-threads")?;
-                table.find("thread", &thread.id).and_then(|row| row.length_if_any("thread_length"))
+                let row = self.shop.knowledge.find(|row: &ConicalThread<'_>| row.thread == thread.id)?;
+                row.map(|row| row.thread_length)
             }
             ThreadKind::Cylindrical => None,
         };

@@ -1,11 +1,12 @@
 //! The rest of a hole: wider cylinders, and the edges and faces at its ends.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::knowledge::Input;
 use crate::note::{Because, Note};
 use crate::plan::{Feature, Operation};
 use crate::reason::Reason;
 use crate::shop::Shop;
+use crate::tables::holes::{HoleDefault, SchemesOfAuxiliaryHole};
+use crate::tables::rules::{ToolTablesFor, TransitionOrder};
 use crate::units::Micrometres;
 
 use super::bores::{Bore, Edge};
@@ -44,7 +45,7 @@ pub fn candidates(
         for candidate in &mut found {
             candidate.transitions.push(Operation::Tap);
             candidate.because.push(Because::table(
-                shop.knowledge.table("A.10")?,
+                shop.knowledge.table_of::<SchemesOfAuxiliaryHole<'_>>()?,
                 Note::new("thread-of-step").with("thread", &thread.written),
             ));
         }
@@ -63,12 +64,10 @@ pub fn candidates(
 /// # Errors
 /// The knowledge cannot answer.
 pub(super) fn counterbores(diameter: Micrometres, shop: &Shop<'_>) -> Result<Vec<Micrometres>, KnowledgeError> {
-    let rule = shop.knowledge.table("tool-tables")?;
-    let operation = Operation::Counterbore.name();
-    let answer = rule.decide(&[("operation", Input::Text(operation)), ("diameter", Input::Length(diameter))])?;
+    let rule = shop.knowledge.ask(&ToolTablesFor { operation: Operation::Counterbore, diameter })?.winner()?;
     let mut sizes = Vec::new();
-    for id in answer.winner().map(|row| row.texts("tables")).transpose()?.unwrap_or_default() {
-        sizes.extend(shop.knowledge.table(id)?.all_rows().filter_map(|row| row.length_if_any("diameter")));
+    for id in rule.map(|rule| rule.tables).unwrap_or_default() {
+        sizes.extend(shop.shelf.cutters_of(id)?.rows()?.iter().filter_map(|row| row.diameter));
     }
     Ok(sizes)
 }
@@ -88,7 +87,7 @@ fn no_flat_opening(bore: &Bore, shop: &Shop<'_>) -> Result<Reason, KnowledgeErro
 /// # Errors
 /// The knowledge lacks a convention.
 pub fn edge(edge: &Edge, around: Micrometres, shop: &Shop<'_>) -> Tried<Step> {
-    let stock = shop.convention("face-stock-mm")?;
+    let stock = shop.convention(HoleDefault::FaceStock)?;
     let depth = Edge { around, ..*edge }.depth(stock);
     // Depths of the drawing are below the machined face: the stock of the face lies above it.
     let above = if edge.feature == Feature::Face { depth } else { Micrometres::ZERO };
@@ -105,7 +104,7 @@ pub fn edge(edge: &Edge, around: Micrometres, shop: &Shop<'_>) -> Tried<Step> {
         step.angle_millideg = Some(edge.angle_millideg);
     }
     step.because.push(Because::table(
-        shop.knowledge.table("transition-order")?,
+        shop.knowledge.table_of::<TransitionOrder<'_>>()?,
         Note::new("edge").with("diameter", edge.diameter).with("depth", depth),
     ));
     Ok(step)

@@ -1,9 +1,9 @@
 //! The order of the transitions of a whole hole: section 1.1.2, rule `transition-order`.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::Input;
 use crate::plan::Feature;
 use crate::shop::Shop;
+use crate::tables::rules::TransitionOrderFor;
 
 use super::Step;
 
@@ -13,16 +13,14 @@ use super::Step;
 /// # Errors
 /// The knowledge cannot answer.
 pub fn sort(steps: &mut Vec<Step>, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
-    let rule = shop.knowledge.table("transition-order")?;
     let mut ranked = Vec::with_capacity(steps.len());
     // Within one cylinder its chain is already in order, and a later rank must not be overtaken by an earlier
     // one of the same chain: rough boring after core drilling stays after it.
     let mut least: Vec<(Feature, Option<usize>, i64)> = Vec::new();
     for step in steps.drain(..) {
         let face = step.place.feature == Feature::Face;
-        let answer = rule.decide(&[("operation", Input::Text(step.operation.name())), ("face", Input::Bool(face))])?;
-        let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, step.operation.name()))?;
-        let mut rank = row.int("rank")?;
+        let question = TransitionOrderFor { operation: step.operation, face };
+        let mut rank = shop.knowledge.ask(&question)?.need(step.operation.name())?.rank;
         // A thread is cut into its own cylinder.
         let feature = match (step.place.feature, step.place.step) {
             (Feature::Thread, None) => Feature::Bore,

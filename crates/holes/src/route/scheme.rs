@@ -1,17 +1,22 @@
 //! Which schemes the tables A.6, A.8 and A.9 give a cylinder, best first.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::knowledge::query::roughness_points;
-use crate::knowledge::units::Unit;
-use crate::knowledge::{Answer, Input, Knowledge, QueryError, RowRef};
+use crate::knowledge::query::Asked;
+use crate::knowledge::{Column, Knowledge};
 use crate::note::{Because, Note};
-use crate::part::BlankHole;
 use crate::plan::{Operation, Way};
 use crate::reason::Reason;
 use crate::shop::Shop;
+use crate::tables::holes::{
+    PositionAsked, RouteStagesFor, Scheme, SchemesOfMainHole, SchemesOfMainHoleFor, Stage, StagedHole,
+};
+use crate::tables::rules::{
+    BlankState, CellTaken, CentreColumn, CentreFirstFor, CentredTwin, EmptyCellFor, GradeAsked, SchemeTaken,
+    TableForHoleFor, WhichOfTwoSchemesFor,
+};
 use crate::units::{Decimal, ItGrade, Micrometres, Roughness};
 
-use super::bores::{Before, Bore};
+use super::bores::Bore;
 use super::{Candidate, Promise};
 
 /// What the tables are asked about.
@@ -31,23 +36,21 @@ pub struct Question<'a> {
     pub drills: &'a [Micrometres],
 }
 
-impl Question<'_> {
-    fn state(&self) -> &'static str {
-        match self.bore.before {
-            Before::Blank(BlankHole::Solid) => "solid",
-            _ => "cast-or-pre-machined",
-        }
-    }
-}
-
 /// A filled cell of A.8 or A.9.
 struct Cell<'k> {
     grade: ItGrade,
     roughness: Roughness,
-    row: RowRef<'k>,
-    answer: Answer<'k>,
+    row: SchemesOfMainHole<'k>,
+    answer: Asked<'k, SchemesOfMainHole<'k>>,
     because: Vec<Because>,
     finish_elsewhere: bool,
+}
+
+impl Cell<'_> {
+    fn is_of_row(&self, other: &Cell<'_>) -> bool {
+        let (one, other) = (self.row.row, other.row.row);
+        one.table.id == other.table.id && one.index == other.index
+    }
 }
 
 /// Every scheme the tables A.8 and A.9 allow, best first: the own cell, then finer roughness of the same
@@ -66,23 +69,19 @@ pub fn candidates(question: &Question<'_>, shop: &Shop<'_>) -> Tried<Vec<Candida
             if cell.finish_elsewhere && !own.filled.iter().any(|own| own.finish_elsewhere) {
                 continue;
             }
-            let known = finer
-                .iter()
-                .chain(&own.filled)
-                .any(|other: &Cell<'_>| other.row.table.id == cell.row.table.id && other.row.index == cell.row.index);
+            let known = finer.iter().chain(&own.filled).any(|other: &Cell<'_>| other.is_of_row(&cell));
             if !known {
                 finer.push(cell);
             }
         }
     }
-    let rule = knowledge.table("empty-cell")?;
-    let answer = rule.decide(&[
-        ("own_cell", Input::Bool(own.own_is_filled)),
-        ("finer_roughness", Input::Bool(!own.own_is_filled && !own.filled.is_empty())),
-        ("finer_grade", Input::Bool(!finer.is_empty())),
-    ])?;
-    let decision = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this cell"))?;
-    if decision.text("take")? == "nothing" {
+    let answer = knowledge.ask(&EmptyCellFor {
+        own_cell: own.own_is_filled,
+        finer_roughness: !own.own_is_filled && !own.filled.is_empty(),
+        finer_grade: !finer.is_empty(),
+    })?;
+    let take = answer.need("this cell")?.take;
+    if take == CellTaken::Nothing {
         return Err(Refusal::Not(Reason::NoScheme {
             it: bore.diameter.it,
             roughness: bore.roughness,
@@ -90,7 +89,7 @@ pub fn candidates(question: &Question<'_>, shop: &Shop<'_>) -> Tried<Vec<Candida
             columns: own.table_columns,
         }));
     }
-    let taken = Because::answer(&answer, Note::new("cell").with("take", decision.text("take")?));
+    let taken = Because::answer(&answer.answer, Note::new("cell").with("take", take.name()));
 
     let mut schemes = Vec::new();
     for cell in own.filled.into_iter().chain(finer) {
@@ -100,11 +99,11 @@ pub fn candidates(question: &Question<'_>, shop: &Shop<'_>) -> Tried<Vec<Candida
             let mut because = because.clone();
             let note =
                 Note::new("scheme").with("scheme", &scheme).with("it", cell.grade).with("roughness", cell.roughness);
-            because.push(Because::answer(&cell.answer, note));
+            because.push(Because::answer(&cell.answer.answer, note));
             because.extend(reason);
             let candidate = Candidate {
                 way: Way::Tables,
-                table: cell.row.table.id.clone(),
+                table: cell.row.row.table.id.clone(),
                 scheme,
                 transitions: Vec::new(),
                 finish_elsewhere: cell.finish_elsewhere,
@@ -115,7 +114,7 @@ pub fn candidates(question: &Question<'_>, shop: &Shop<'_>) -> Tried<Vec<Candida
                 }),
                 because,
             };
-            schemes.extend(with_transitions(candidate, bore, shop)?);
+            schemes.push(with_transitions(candidate, bore, shop)?);
         }
     }
     Ok(schemes)
@@ -127,27 +126,21 @@ pub fn candidates(question: &Question<'_>, shop: &Shop<'_>) -> Tried<Vec<Candida
 /// The knowledge cannot answer.
 pub fn stages(
     question: &Question<'_>,
-    hole: &str,
+    hole: StagedHole,
     diameter: Micrometres,
     shop: &Shop<'_>,
 ) -> Result<(Because, bool), KnowledgeError> {
-    let table = shop.knowledge.table("A.6")?;
     let (delta, it) = (question.position, question.bore.diameter.it);
     let sigma = shop.machine.position_accuracy;
-    let position = if delta > sigma { "above" } else { "not-above" };
-    let answer = table.decide(&[
-        ("hole", Input::Text(hole)),
-        ("it", Input::Grade(it)),
-        ("diameter", Input::Length(diameter)),
-        ("position", Input::Text(position)),
-    ])?;
+    let position = if delta > sigma { PositionAsked::Above } else { PositionAsked::NotAbove };
+    let answer = shop.knowledge.ask(&RouteStagesFor { hole, it, diameter, position })?;
     let note = |code: &str| Note::new(code).with("delta", delta).with("sigma", sigma).with("it", it);
-    Ok(match answer.winner() {
-        None => (Because::answer(&answer, note("no-stages")), false),
+    Ok(match answer.winner()? {
+        None => (Because::answer(&answer.answer, note("no-stages")), false),
         Some(row) => {
-            let stages = row.texts("stages")?;
-            let elsewhere = stages.contains(&"final-other");
-            (Because::answer(&answer, note("stages").with("stages", stages.join(" + "))), elsewhere)
+            let stages: Vec<&str> = row.stages.iter().map(|stage| stage.name()).collect();
+            let note = note("stages").with("stages", stages.join(" + "));
+            (Because::answer(&answer.answer, note), row.stages.contains(&Stage::FinalElsewhere))
         }
     })
 }
@@ -159,9 +152,9 @@ pub fn stages(
 pub(super) fn own_cell<'k>(
     question: &Question<'_>,
     knowledge: &'k Knowledge,
-) -> Result<Option<RowRef<'k>>, KnowledgeError> {
+) -> Result<Option<SchemesOfMainHole<'k>>, KnowledgeError> {
     let own = cells(question.bore.diameter.it, question, knowledge)?;
-    Ok(own.filled.first().filter(|_| own.own_is_filled).map(|cell| cell.row))
+    Ok(own.filled.into_iter().next().filter(|_| own.own_is_filled).map(|cell| cell.row))
 }
 
 /// The filled cells of one grade.
@@ -180,21 +173,30 @@ fn cells<'k>(
     knowledge: &'k Knowledge,
 ) -> Result<GradeCells<'k>, KnowledgeError> {
     let (bore, centre_tolerance) = (question.bore, question.centre_tolerance);
-    let rule = knowledge.table("table-for-hole")?;
-    let answer = rule.decide(&[("it", Input::Grade(grade)), ("centre_tolerance", Input::Length(centre_tolerance))])?;
-    let choice = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, &format!("IT {grade}")))?;
-    let table = knowledge.table(choice.text("scheme_table")?)?;
-    let asked_grade = choice.text("grade")?.parse().unwrap_or(grade);
-    let asked_centre = match choice.text("centre_column")? {
-        "own" => centre_tolerance,
-        // The upper end of the named column stands for the column.
-        _ => Micrometres::new(300),
+    let answer = knowledge.ask(&TableForHoleFor { it: grade, centre_tolerance })?;
+    let choice = answer.need(&format!("IT {grade}"))?;
+    let table = knowledge.table(choice.scheme_table)?;
+    let asked_grade = match choice.grade {
+        GradeAsked::Own => grade,
+        GradeAsked::It13 => ItGrade::new(13).unwrap_or(grade),
     };
-    let columns = roughness_points(table, "roughness");
+    let asked_centre = match choice.centre_column {
+        CentreColumn::Own => centre_tolerance,
+        // The upper end of the named column stands for the column.
+        CentreColumn::UpTo03 => Micrometres::new(300),
+    };
+    let columns = SchemesOfMainHoleFor::roughness(table).map(Column::roughness_points).unwrap_or_default();
     let mut found = GradeCells { own_is_filled: false, filled: Vec::new(), table_columns: columns.clone() };
     for (position, roughness) in columns.into_iter().filter(|column| *column <= bore.roughness).enumerate() {
-        let cell = ask(table, asked_grade, asked_centre, roughness, question)?;
-        let Some(row) = cell.winner() else { continue };
+        let cell = table.ask(&SchemesOfMainHoleFor {
+            it: asked_grade,
+            diameter: bore.diameter.nominal,
+            centre_tolerance: asked_centre,
+            roughness,
+            state: bore.before.state(),
+            outer_wall: question.outer_wall,
+        })?;
+        let Some(row) = cell.winner()? else { continue };
         found.own_is_filled |= position == 0;
         let note = Note::new("table-for-hole")
             .with("it", grade)
@@ -204,30 +206,13 @@ fn cells<'k>(
         found.filled.push(Cell {
             grade,
             roughness,
+            finish_elsewhere: choice.finish_elsewhere || row.finish_elsewhere == Some(true),
             row,
             answer: cell,
-            because: vec![Because::answer(&answer, note)],
-            finish_elsewhere: choice.flag("finish_elsewhere") || row.flag("finish_elsewhere"),
+            because: vec![Because::answer(&answer.answer, note)],
         });
     }
     Ok(found)
-}
-
-fn ask<'k>(
-    table: &'k crate::knowledge::Table,
-    grade: ItGrade,
-    centre: Micrometres,
-    roughness: Roughness,
-    question: &Question<'_>,
-) -> Result<Answer<'k>, QueryError> {
-    table.decide(&[
-        ("it", Input::Grade(grade)),
-        ("diameter", Input::Length(question.bore.diameter.nominal)),
-        ("centre_tolerance", Input::Length(centre)),
-        ("roughness", Input::Roughness(roughness)),
-        ("state", Input::Text(question.state())),
-        ("outer_wall", Input::Bool(question.outer_wall)),
-    ])
 }
 
 /// The schemes of a cell in the order of the rule `which-of-two-schemes`.
@@ -236,30 +221,24 @@ fn in_order(
     question: &Question<'_>,
     knowledge: &Knowledge,
 ) -> Result<Vec<(String, Option<Because>)>, KnowledgeError> {
-    let mut schemes: Vec<String> = cell.row.texts("schemes")?.into_iter().map(str::to_owned).collect();
+    let mut schemes: Vec<String> = cell.row.schemes.iter().map(|scheme| (*scheme).to_owned()).collect();
     if schemes.len() < 2 {
         return Ok(schemes.into_iter().map(|scheme| (scheme, None)).collect());
     }
-    let starred = cell.row.texts("if_drill_differs").unwrap_or_default();
-    let rule = knowledge.table("which-of-two-schemes")?;
-    let answer = rule.decide(&[
-        ("for_other_drill", Input::Bool(!starred.is_empty())),
-        (
-            "drill_of_that_diameter",
-            Input::Bool(super::diameters::final_drill(&question.bore.diameter, question.drills).is_some()),
-        ),
-        ("position", Input::Length(question.position)),
-    ])?;
-    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this cell"))?;
-    let note = Note::new("which-of-two").with("schemes", schemes.join(", ")).with("take", row.text("take")?);
-    if row.text("take")? == "second" {
+    let answer = knowledge.ask(&WhichOfTwoSchemesFor {
+        for_other_drill: cell.row.if_drill_differs.is_some(),
+        drill_of_that_diameter: super::diameters::final_drill(&question.bore.diameter, question.drills).is_some(),
+        position: question.position,
+    })?;
+    let take = answer.need("this cell")?.take;
+    let note = Note::new("which-of-two").with("schemes", schemes.join(", ")).with("take", take.name());
+    if take == SchemeTaken::Second {
         schemes.reverse();
     }
-    Ok(schemes.into_iter().map(|scheme| (scheme, Some(Because::answer(&answer, note.clone())))).collect())
+    Ok(schemes.into_iter().map(|scheme| (scheme, Some(Because::answer(&answer.answer, note.clone())))).collect())
 }
 
-/// A candidate with its scheme's transitions and the centring that section 1.2.1 asks for; nothing where
-/// the scheme has a transition that no catalog names.
+/// A candidate with its scheme's transitions and the centring that section 1.2.1 asks for.
 ///
 /// # Errors
 /// The knowledge cannot answer.
@@ -267,36 +246,52 @@ pub(super) fn with_transitions(
     mut candidate: Candidate,
     bore: &Bore,
     shop: &Shop<'_>,
-) -> Result<Option<Candidate>, KnowledgeError> {
-    let knowledge = shop.knowledge;
-    let schemes = knowledge.table("A.7")?;
+) -> Result<Candidate, KnowledgeError> {
     let scheme = candidate.scheme.clone();
-    let row = schemes.find("scheme", &scheme).ok_or_else(|| KnowledgeError::no_row(schemes, &scheme))?;
-    let Some(mut transitions) = operations(row)? else { return Ok(None) };
+    let mut row = needed(&scheme, shop)?;
+    let mut transitions = row.transitions.clone();
     let (centre, reason) = centre_first(bore, shop)?;
     candidate.because.push(reason);
     if centre && transitions.first() != Some(&Operation::CentreDrill) {
-        let twins = knowledge.table("centred-twin")?;
-        if let Some(twin) = twins.find("scheme", &scheme) {
-            let centred = twin.text("centred")?;
-            let note = Note::new("twin").with("scheme", &scheme).with("centred", centred);
-            candidate.because.push(Because::row(twin, note));
-            centred.clone_into(&mut candidate.scheme);
-            let row = schemes.find("scheme", centred).ok_or_else(|| KnowledgeError::no_row(schemes, centred))?;
-            if let Some(own) = operations(row)? {
-                transitions = own;
-            }
+        if let Some(twin) = twin(&scheme, shop)? {
+            let note = Note::new("twin").with("scheme", &scheme).with("centred", twin.centred);
+            candidate.because.push(Because::row(twin.row, note));
+            twin.centred.clone_into(&mut candidate.scheme);
+            row = needed(twin.centred, shop)?;
+            transitions.clone_from(&row.transitions);
         } else {
+            let twins = shop.knowledge.table_of::<CentredTwin<'_>>()?;
             candidate.because.push(Because::table(twins, Note::new("no-twin").with("scheme", &scheme)));
             candidate.scheme = format!("{scheme} + centre");
             transitions.insert(0, Operation::CentreDrill);
         }
     }
-    let row = schemes.find("scheme", candidate.scheme.trim_end_matches(" + centre"));
-    let note = Note::new("transitions").with("scheme", &candidate.scheme);
-    candidate.because.extend(row.map(|row| Because::row(row, note)));
+    candidate.because.push(Because::row(row.row, Note::new("transitions").with("scheme", &candidate.scheme)));
     candidate.transitions = transitions;
-    Ok(Some(candidate))
+    Ok(candidate)
+}
+
+/// A scheme of A.7.
+///
+/// # Errors
+/// There is no such table.
+pub(super) fn known<'s, 'k>(scheme: &str, shop: &'s Shop<'k>) -> Result<Option<&'s Scheme<'k>>, KnowledgeError> {
+    Ok(shop.shelf.schemes()?.iter().find(|row| row.scheme == scheme))
+}
+
+fn needed<'s, 'k>(scheme: &str, shop: &'s Shop<'k>) -> Result<&'s Scheme<'k>, KnowledgeError> {
+    match known(scheme, shop)? {
+        Some(row) => Ok(row),
+        None => Err(KnowledgeError::no_row(shop.knowledge.table_of::<Scheme<'_>>()?, scheme)),
+    }
+}
+
+/// The scheme with centring that stands for one without, where there is one.
+///
+/// # Errors
+/// There is no such table.
+pub(super) fn twin<'k>(scheme: &str, shop: &Shop<'k>) -> Result<Option<CentredTwin<'k>>, KnowledgeError> {
+    Ok(shop.knowledge.find(|row: &CentredTwin<'_>| row.scheme == scheme)?)
 }
 
 /// Whether a cylinder is centred first, by the rule `centre-first`.
@@ -304,26 +299,16 @@ pub(super) fn with_transitions(
 /// # Errors
 /// The knowledge cannot answer.
 pub(super) fn centre_first(bore: &Bore, shop: &Shop<'_>) -> Result<(bool, Because), KnowledgeError> {
-    let rule = shop.knowledge.table("centre-first")?;
-    let diameter = bore.diameter.nominal;
-    let ratio = Decimal::from_f64_rounded(bore.place.depth.to_mm() / diameter.to_mm());
-    let state = if bore.before.is_solid() { "solid" } else { "cast-or-pre-machined" };
-    let answer = rule.decide(&[
-        ("state", Input::Text(state)),
-        ("it", Input::Grade(bore.diameter.it)),
-        ("diameter", Input::Length(diameter)),
-        ("depth_ratio", Input::Number(ratio, Unit::None)),
-    ])?;
-    let asked = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this hole"))?.flag("centre");
-    let code = match (asked, bore.before.is_solid()) {
+    let (diameter, it) = (bore.diameter.nominal, bore.diameter.it);
+    let depth_ratio = Decimal::from_f64_rounded(bore.place.depth.to_mm() / diameter.to_mm());
+    let state = bore.before.state();
+    let answer = shop.knowledge.ask(&CentreFirstFor { state, it, diameter, depth_ratio })?;
+    let asked = answer.need("this hole")?.centre;
+    let code = match (asked, state) {
         (true, _) => "centre",
-        (false, true) => "no-centre",
-        (false, false) => "no-centre-in-a-hole",
+        (false, BlankState::Solid) => "no-centre",
+        (false, BlankState::WithHole) => "no-centre-in-a-hole",
     };
-    let note = Note::new(code).with("ratio", ratio).with("it", bore.diameter.it).with("diameter", diameter);
-    Ok((asked, Because::answer(&answer, note)))
-}
-
-pub(super) fn operations(row: RowRef<'_>) -> Result<Option<Vec<Operation>>, KnowledgeError> {
-    Ok(row.texts("transitions")?.into_iter().map(Operation::from_name).collect())
+    let note = Note::new(code).with("ratio", depth_ratio).with("it", it).with("diameter", diameter);
+    Ok((asked, Because::answer(&answer.answer, note)))
 }

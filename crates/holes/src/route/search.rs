@@ -8,6 +8,7 @@
 //! by their time.
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 use petgraph::Direction;
 use petgraph::algo::all_simple_paths;
@@ -15,11 +16,11 @@ use petgraph::graph::{DiGraph, NodeIndex};
 use petgraph::visit::EdgeRef;
 
 use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::knowledge::{Input, RowRef, Table};
 use crate::note::{Because, Note};
 use crate::plan::{Operation, Way};
 use crate::reason::Reason;
 use crate::shop::Shop;
+use crate::tables::rules::{HoleState, NextTransition};
 use crate::units::{Micrometres, Minutes};
 
 use super::bores::{Before, Bore};
@@ -133,28 +134,30 @@ pub const fn leaves_flat(operation: Operation) -> bool {
 
 /// A route as a candidate: named by the scheme of A.7 it is, where it is one.
 fn candidate(transitions: Vec<Operation>, rows: &[usize], shop: &Shop<'_>) -> Tried<Candidate> {
-    let rule = shop.knowledge.table("next-transition")?;
+    let rule = shop.knowledge.table_of::<NextTransition<'_>>()?;
     let names: Vec<&str> = transitions.iter().map(|operation| operation.name()).collect();
-    let schemes = shop.knowledge.table("A.7")?;
-    let known = schemes.all_rows().find(|row| row.texts("transitions").is_ok_and(|own| own == names));
+    let known = shop.shelf.schemes()?.iter().find(|row| row.transitions == transitions);
     let (table, scheme) = match known {
-        Some(row) => (schemes.id.clone(), row.text("scheme")?.to_owned()),
+        Some(row) => (row.row.table.id.clone(), row.scheme.to_owned()),
         None => (rule.id.clone(), names.join(" + ")),
     };
     let mut because = vec![Because::table(rule, Note::new("searched").with("transitions", names.join(", ")))];
-    because.extend(rows.iter().filter_map(|index| rule.row(*index)).map(|row| {
-        Because::row(row, Note::new("searched-step").with("operation", row.text("operation").unwrap_or_default()))
-    }));
+    // Each transition is that of its row.
+    let steps = rows.iter().filter_map(|index| rule.row(*index)).zip(&transitions);
+    because.extend(
+        steps.map(|(row, operation)| Because::row(row, Note::new("searched-step").with("operation", operation.name()))),
+    );
     Ok(Candidate { way: Way::Search, table, scheme, transitions, finish_elsewhere: false, promise: None, because })
 }
 
 /// The graph while it is built.
 struct Graph<'a, 'k> {
     states: DiGraph<State, Edge>,
-    known: BTreeMap<(String, Micrometres), NodeIndex>,
+    known: BTreeMap<(HoleState, Micrometres), NodeIndex>,
     start: Option<NodeIndex>,
     failed: Vec<Reason>,
-    rule: &'k Table,
+    /// The rows of the rule `next-transition`.
+    rule: Rc<[NextTransition<'k>]>,
     centre: bool,
     bore: &'a Bore,
     sizes: &'a Sizes<'a>,
@@ -175,7 +178,7 @@ impl<'a, 'k> Graph<'a, 'k> {
             known: BTreeMap::new(),
             start: None,
             failed: Vec::new(),
-            rule: shop.knowledge.table("next-transition")?,
+            rule: shop.knowledge.rows()?.into(),
             centre,
             bore,
             sizes,
@@ -189,7 +192,7 @@ impl<'a, 'k> Graph<'a, 'k> {
         let target = self.bore.diameter.target();
         let goal = self.states.add_node(State { diameter: target });
         let (asked_it, asked_roughness) = self.bore.asks(self.shop)?;
-        for row in self.rule.all_rows() {
+        for row in self.rule.clone().iter() {
             let Some((it, roughness, _)) = accuracy::of_row(row, self.shop)? else { continue };
             if it > asked_it || roughness > asked_roughness {
                 continue;
@@ -200,28 +203,23 @@ impl<'a, 'k> Graph<'a, 'k> {
     }
 
     /// Adds the edges of a row that lead into a node, and what leads to their beginnings.
-    fn enter(&mut self, node: NodeIndex, row: RowRef<'_>, last: bool) -> Tried<()> {
+    fn enter(&mut self, node: NodeIndex, row: &NextTransition<'_>, last: bool) -> Tried<()> {
         let after = self.states[node].diameter;
-        let Some(operation) = row.text("operation").ok().and_then(Operation::from_name) else { return Ok(()) };
-        let rule = self.rule;
-        let states = rule.inputs().find(|(_, column)| column.name == "after").map(|(_, column)| &column.values);
-        for name in states.into_iter().flatten() {
+        let operation = row.operation;
+        for &(_, state) in HoleState::NAMES.iter().filter(|(_, state)| *state != HoleState::Finished) {
             // Solid metal is drilled without centring only where the rule lets it.
-            if name == "solid" && operation == Operation::Drill && self.centre {
+            if state == HoleState::Solid && operation == Operation::Drill && self.centre {
                 continue;
             }
             // The transition that leaves a state; a state that none leaves is a beginning, and ours is one of them.
-            let previous = rule
-                .all_rows()
-                .find(|row| row.text("leaves") == Ok(name))
-                .and_then(|row| Operation::from_name(row.text("operation").unwrap_or_default()));
-            if previous.is_none() && name != accuracy::start(self.bore) {
+            let previous = self.rule.iter().find(|row| row.leaves == state).map(|row| row.operation);
+            if previous.is_none() && state != accuracy::start(self.bore) {
                 continue;
             }
             // A centring spot has no diameter of its own: the rule is asked with the cylinder's.
             let asked = if after > Micrometres::ZERO { after } else { self.bore.diameter.nominal };
-            let answer = rule.decide(&[("after", Input::Text(name)), ("diameter", Input::Length(asked))])?;
-            if !answer.winners().any(|winner| winner.index == row.index) {
+            let answer = accuracy::after(state, asked, self.shop)?;
+            if !answer.answer.winners().any(|winner| winner.index == row.row.index) {
                 continue;
             }
             let question =
@@ -246,30 +244,30 @@ impl<'a, 'k> Graph<'a, 'k> {
                     continue;
                 }
             };
-            let from = self.node(name, before)?;
-            self.states.add_edge(from, node, Edge { operation, minutes: minutes.0, row: row.index });
+            let from = self.node(state, before)?;
+            self.states.add_edge(from, node, Edge { operation, minutes: minutes.0, row: row.row.index });
         }
         Ok(())
     }
 
     /// The node of a state, with everything that leads to it.
-    fn node(&mut self, name: &str, diameter: Micrometres) -> Tried<NodeIndex> {
-        let key = (name.to_owned(), diameter);
+    fn node(&mut self, state: HoleState, diameter: Micrometres) -> Tried<NodeIndex> {
+        let key = (state, diameter);
         if let Some(known) = self.known.get(&key) {
             return Ok(*known);
         }
         let node = self.states.add_node(State { diameter });
         self.known.insert(key, node);
-        if name == accuracy::start(self.bore) {
+        if state == accuracy::start(self.bore) {
             self.start = Some(node);
             return Ok(node);
         }
-        for row in self.rule.all_rows().filter(|row| row.text("leaves") == Ok(name)) {
+        for row in self.rule.clone().iter().filter(|row| row.leaves == state) {
             self.enter(node, row, false)?;
         }
         let entered = self.states.edges_directed(node, Direction::Incoming).next().map(|edge| edge.id());
         if entered.is_none() {
-            self.failed.push(Reason::Unreachable { state: name.to_owned(), diameter });
+            self.failed.push(Reason::Unreachable { state: state.name().to_owned(), diameter });
         }
         Ok(node)
     }

@@ -1,14 +1,13 @@
 //! Parallel or sequential: each tool round all holes, or each hole with all tools (textbook 1.3.1).
 
 use crate::error::KnowledgeError;
-use crate::knowledge::Input;
-use crate::knowledge::units::Unit;
 use crate::machine::Machine;
 use crate::note::{Because, Finding, Note, Severity};
 use crate::part::{Hole, Part, Point};
 use crate::plan::{HolePlan, Mixture, Operation, Visiting, VisitingMethod};
 use crate::shop::Shop;
-use crate::units::{Decimal, Minutes, round_to};
+use crate::tables::rules::MethodOfVisitingFor;
+use crate::units::{Minutes, round_to};
 
 use super::metric::{self, Metric};
 use super::tool_change_point;
@@ -109,16 +108,10 @@ fn of_group(part: &Part, plan: &HolePlan, hole: &Hole, shop: &Shop<'_>) -> Resul
     let change = machine.tool_change;
     let k_t = ratio(hole.at.len(), tools, change, round);
     let each: f64 = hole.at.iter().map(|&at| change.0 + 2.0 * metric::between(rapid, home, at).0).sum();
-    let rule = shop.knowledge.table("visiting-method")?;
     let it = hole.diameter.it;
-    let answer = rule.decide(&[
-        ("it", Input::Grade(it)),
-        ("centre_tolerance", Input::Length(route.centre_tolerance_mm)),
-        ("k_t", Input::Number(Decimal::from_f64_rounded(k_t), Unit::None)),
-    ])?;
-    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this group"))?;
-    let method = VisitingMethod::from_name(row.text("method")?)
-        .ok_or_else(|| KnowledgeError::lacks(&rule.id, "a method that the program knows"))?;
+    let question = MethodOfVisitingFor { it, centre_tolerance: route.centre_tolerance_mm, k_t };
+    let answer = shop.knowledge.ask(&question)?;
+    let method = answer.need("this group")?.method;
     let note = Note::new("visiting-method")
         .with("method", method.name())
         .with("it", it)
@@ -141,7 +134,7 @@ fn of_group(part: &Part, plan: &HolePlan, hole: &Hole, shop: &Shop<'_>) -> Resul
             .map(|(sequential_tools, time)| Mixture { sequential_tools, time_min: time.rounded(2) }),
         finish_parallel_min: parallel(concerned, change, round).rounded(2),
         finish_sequential_min: Minutes(concerned as f64 * each).rounded(2),
-        because: vec![Because::answer(&answer, note)],
+        because: vec![Because::answer(&answer.answer, note)],
     }))
 }
 

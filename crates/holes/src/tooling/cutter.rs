@@ -5,20 +5,21 @@
 use crate::error::KnowledgeError;
 use crate::knowledge::table::ToolHead;
 use crate::knowledge::units::Micrometres;
-use crate::knowledge::{Input, Knowledge, RowRef, Table};
-use crate::machine::Machine;
 use crate::note::{Because, Note};
 use crate::plan::Operation;
 use crate::reason::{CutterFault, NoSize, Unfit};
+use crate::shop::Shop;
+use crate::tables::rules::{Lead, ToolTablesFor};
+use crate::tables::tools::CutterRow;
 
 use super::reach::refuse;
-use super::sizes::{fitting, nothing_of_size, own_diameter};
+use super::sizes::{fitting, nothing_of_size};
 
 /// A cutter of a catalog, as planning uses it.
 #[derive(Clone, Debug)]
 pub struct Cutter<'k> {
     /// Its row.
-    pub row: RowRef<'k>,
+    pub row: CutterRow<'k>,
     /// What its table says of all its cutters.
     pub head: &'k ToolHead,
     /// The designation that fits the hole (through or blind, lead angle).
@@ -47,7 +48,7 @@ pub struct CutterNeed<'a> {
     /// Whether the hole goes through.
     pub through: bool,
     /// The lead angle of a reamer, by the rule `reamer-lead`.
-    pub lead: &'a str,
+    pub lead: Option<Lead>,
     /// The id of a thread.
     pub thread: Option<&'a str>,
     /// Full angle of a cone, thousandths of a degree.
@@ -73,7 +74,7 @@ impl CutterNeed<'_> {
             enters: Micrometres::ZERO,
             reach: Micrometres::ZERO,
             through: true,
-            lead: "",
+            lead: None,
             thread: None,
             angle_millideg: None,
             within: None,
@@ -84,6 +85,9 @@ impl CutterNeed<'_> {
     }
 }
 
+/// The tables that a rule names, with what each says of all its cutters.
+pub(super) type Tables<'s, 'k> = Vec<(&'k ToolHead, &'s [CutterRow<'k>])>;
+
 /// Every cutter that fits, in the order of the tables of the rule `tool-tables`, and why others of the
 /// right size do not.
 ///
@@ -91,50 +95,48 @@ impl CutterNeed<'_> {
 /// The knowledge cannot answer.
 pub(super) fn cutters<'k>(
     need: &CutterNeed<'_>,
-    knowledge: &'k Knowledge,
-    machine: &Machine<'_>,
+    shop: &Shop<'k>,
 ) -> Result<(Vec<Cutter<'k>>, Vec<Unfit>), KnowledgeError> {
-    let rule = knowledge.table("tool-tables")?;
-    let answer =
-        rule.decide(&[("operation", Input::Text(need.operation.name())), ("diameter", Input::Length(need.nominal))])?;
-    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, need.operation.name()))?;
-    let tables: Vec<&Table> =
-        row.texts("tables")?.into_iter().map(|id| knowledge.table(id)).collect::<Result<_, _>>()?;
+    let question = ToolTablesFor { operation: need.operation, diameter: need.nominal };
+    let rule = shop.knowledge.ask(&question)?.need(need.operation.name())?;
+    let mut tables: Tables<'_, 'k> = Vec::with_capacity(rule.tables.len());
+    for id in &rule.tables {
+        let cutters = shop.shelf.cutters_of(id)?;
+        tables.push((cutters.head, cutters.rows()?));
+    }
     // Only where no catalog has the size itself is a larger cutter ground down to it.
-    let grindable = need.operation.is_reaming() || need.operation == Operation::CoreDrill;
-    let ground = grindable && tables.iter().all(|table| fitting(table, need, false).is_empty());
+    let ground = is_grindable(need.operation) && tables.iter().all(|(_, rows)| fitting(rows, need, false).is_empty());
     let (mut cutters, mut rejected) = (Vec::new(), Vec::new());
-    for table in tables {
-        let Some(head) = &table.tool else { continue };
+    for (head, rows) in &tables {
         if !head.operations.contains(&need.operation) {
             continue;
         }
-        for candidate in fitting(table, need, ground) {
-            if let Some(why) = refuse(candidate, need, machine) {
+        for candidate in fitting(rows, need, ground) {
+            if let Some(why) = refuse(candidate, need, &shop.machine) {
                 rejected.push(why);
                 continue;
             }
-            let note =
-                |code: &str| Note::new(code).with("operation", need.operation.name()).with("order", tables_of(row));
-            let mut because = Because::row(candidate, note("cutter"));
+            let order = rule.tables.join(", ");
+            let note = |code: &str| Note::new(code).with("operation", need.operation.name()).with("order", &order);
+            let mut because = Because::row(candidate.row, note("cutter"));
             if ground {
-                let own = own_diameter(candidate).unwrap_or_default();
+                let own = candidate.diameter.unwrap_or_default();
                 because.note = Note::new("cutter-ground-down").with("own", own).with("size", need.diameter);
                 because.unconfirmed =
                     Some("the catalogs have no cutter of this size; it must be ground to order".to_owned());
             }
             cutters.push(Cutter {
-                row: candidate,
+                row: candidate.clone(),
                 head,
                 designation: designation(candidate, need)?,
-                diameter: own_diameter(candidate).unwrap_or(need.diameter),
+                diameter: candidate.diameter.unwrap_or(need.diameter),
                 because,
-                order: Because::row(row, note("tool-tables")),
+                order: Because::row(rule.row, note("tool-tables")),
             });
         }
     }
     if cutters.is_empty() && rejected.is_empty() {
-        rejected.push(Unfit::NoSize(nothing_of_size(need, row, knowledge)));
+        rejected.push(Unfit::NoSize(nothing_of_size(need, &rule, &tables)));
     }
     Ok((cutters, rejected))
 }
@@ -148,21 +150,18 @@ pub(super) fn step_drills<'k>(
     wide: Micrometres,
     pilot: Micrometres,
     opening: Operation,
-    knowledge: &'k Knowledge,
+    shop: &Shop<'k>,
 ) -> Result<(Vec<Cutter<'k>>, Vec<Unfit>), KnowledgeError> {
     let (mut cutters, mut rejected) = (Vec::new(), Vec::new());
-    for table in knowledge.tables().filter(|table| table.column_index("step_diameter").is_some()) {
-        let Some(head) = &table.tool else { continue };
-        // A flat step for screw heads, or a cone for the chamfer of a thread.
-        if !head.operations.contains(&opening) {
-            continue;
-        }
-        for row in table.all_rows() {
-            if own_diameter(row) != Some(need.diameter) || row.length_if_any("step_diameter") != Some(wide) {
+    // A flat step for screw heads, or a cone for the chamfer of a thread.
+    for tables in shop.shelf.cutters().iter().filter(|tables| tables.head.operations.contains(&opening)) {
+        let (table, head) = (tables.table, tables.head);
+        for row in tables.rows()? {
+            if row.diameter != Some(need.diameter) || row.step_diameter != Some(wide) {
                 continue;
             }
             let designation = designation(row, need)?;
-            let length = row.length("step_length")?;
+            let length = stated(row, "step_length", row.step_length)?;
             if length < pilot {
                 let fault = CutterFault::DoesNotReach { reach: length, needed: pilot };
                 rejected.push(Unfit::Cutter { tool: designation.to_owned(), table: table.id.clone(), fault });
@@ -170,11 +169,11 @@ pub(super) fn step_drills<'k>(
             }
             let note = Note::new("step-drill").with("narrow", need.diameter).with("wide", wide);
             cutters.push(Cutter {
-                row,
+                row: row.clone(),
                 head,
                 designation,
                 diameter: need.diameter,
-                because: Because::row(row, note.clone()),
+                because: Because::row(row.row, note.clone()),
                 order: Because::table(table, note),
             });
         }
@@ -185,17 +184,24 @@ pub(super) fn step_drills<'k>(
     Ok((cutters, rejected))
 }
 
-pub(super) fn tables_of(row: RowRef<'_>) -> String {
-    row.value("tables").map(ToString::to_string).unwrap_or_default()
+/// Whether a larger cutter may be ground down to the size that is asked.
+pub(super) fn is_grindable(operation: Operation) -> bool {
+    operation.is_reaming() || operation == Operation::CoreDrill
 }
 
-fn designation<'k>(row: RowRef<'k>, need: &CutterNeed<'_>) -> Result<&'k str, KnowledgeError> {
-    let by_bottom = if need.through { "designation_through" } else { "designation_blind" };
-    let by_lead = if need.lead == "5deg" { "designation_5deg" } else { "designation_15deg" };
-    for column in ["designation", by_bottom, by_lead] {
-        if row.table.column_index(column).is_some() {
-            return Ok(row.text(column)?);
-        }
-    }
-    Ok(row.text("designation")?)
+/// A figure that the row of a cutter must have, whatever its table.
+///
+/// # Errors
+/// The row lacks it.
+pub(super) fn stated<T>(row: &CutterRow<'_>, what: &str, figure: Option<T>) -> Result<T, KnowledgeError> {
+    figure.ok_or_else(|| {
+        let why = format!("row {} has no {what}, which its shank or use asks for", row.row.number());
+        KnowledgeError::lacks(&row.row.table.id, &why)
+    })
+}
+
+fn designation<'k>(row: &CutterRow<'k>, need: &CutterNeed<'_>) -> Result<&'k str, KnowledgeError> {
+    let by_bottom = if need.through { row.designation_through } else { row.designation_blind };
+    let by_lead = if need.lead == Some(Lead::Deg5) { row.designation_5deg } else { row.designation_15deg };
+    stated(row, "designation", row.designation.or(by_bottom).or(by_lead))
 }

@@ -2,14 +2,22 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::table::ToolHead;
-use crate::knowledge::units::{Micrometres, Unit};
+use crate::knowledge::units::Micrometres;
 use crate::knowledge::vocabulary::Shank;
-use crate::knowledge::{Input, Knowledge, RowRef};
+use crate::knowledge::{Knowledge, TableRow};
 use crate::machine::Machine;
 use crate::note::{Because, Note};
 use crate::plan::{Link, Operation};
 use crate::reason::{HolderFault, Unfit};
+use crate::shop::Shop;
+use crate::tables::holders::HolderRow;
+use crate::tables::holes::HoleDefault;
+use crate::tables::materials::{Clamping, ClampingConstant};
+use crate::tables::rules::{HolderForShank, HolderForShankFor};
+use crate::tables::standards::{MorseTaper, Taper724};
+use crate::tables::tools::CutterRow;
 
+use super::cutter::stated;
 use super::{Cutter, CutterNeed};
 
 /// A cutter in its holder.
@@ -40,42 +48,43 @@ pub struct Assembly {
 pub fn assemble(
     cutter: &Cutter<'_>,
     need: &CutterNeed<'_>,
-    knowledge: &Knowledge,
-    machine: &Machine<'_>,
+    shop: &Shop<'_>,
 ) -> Result<Result<Assembly, Vec<Unfit>>, KnowledgeError> {
-    let (overhang, overhang_because) = overhang(cutter, need, knowledge)?;
+    let machine = &shop.machine;
+    let (overhang, overhang_because) = overhang(cutter, need, shop)?;
     let taper = Link {
         kind: "taper-7-24".to_owned(),
         designation: machine.taper.to_string(),
-        table: "taper-7-24".to_owned(),
+        table: Taper724::CONTRACT.which.id().to_owned(),
         length_mm: Micrometres::ZERO,
     };
     let tip = Link {
         kind: "cutter".to_owned(),
         designation: cutter.designation.to_owned(),
-        table: cutter.row.table.id.clone(),
+        table: cutter.row.row.table.id.clone(),
         length_mm: overhang,
     };
     if cutter.head.shank == Shank::Taper {
         let assembly = Assembly {
             holder: cutter.designation.to_owned(),
-            holder_table: cutter.row.table.id.clone(),
+            holder_table: cutter.row.row.table.id.clone(),
             holder_length: Micrometres::ZERO,
             overhang,
             length: overhang,
             links: vec![taper, tip],
-            mass_kg: cutter.row.number_in("mass", Unit::Kilogram).ok(),
+            mass_kg: cutter.row.mass.map(|own| own.0),
             because: vec![overhang_because],
         };
         return Ok(within_limits(assembly, cutter, machine));
     }
-    let family = family(cutter.head, need.operation, knowledge)?;
-    let table = knowledge.table(family.text("holders")?)?;
+    let family = family(cutter.head, need.operation, shop.knowledge)?;
+    let holders = family.holders.ok_or_else(|| KnowledgeError::lacks(&family.row.table.id, "holders of this shank"))?;
+    let table = shop.knowledge.table(holders)?;
     let mut rejected = Vec::new();
-    for row in table.all_rows() {
-        let designation = row.text("designation")?;
-        let length = row.length("length")?;
-        let why = refuse(row, cutter, machine).or_else(|| too_short(row, cutter, length, overhang, need));
+    for row in table.rows::<HolderRow<'_>>() {
+        let row = row?;
+        let (designation, length) = (row.designation, row.length);
+        let why = refuse(&row, cutter, machine).or_else(|| too_short(&row, cutter, overhang, need));
         if let Some(fault) = why {
             rejected.push((designation, fault));
             continue;
@@ -98,8 +107,8 @@ pub fn assemble(
                 },
                 tip,
             ],
-            mass_kg: row.number_in("mass", Unit::Kilogram).ok().map(|holder| holder + bar_mass(cutter)),
-            because: vec![Because::row(row, note).over(over), overhang_because],
+            mass_kg: row.mass.map(|holder| holder.0 + bar_mass(cutter)),
+            because: vec![Because::row(row.row, note).over(over), overhang_because],
         };
         return Ok(within_limits(assembly, cutter, machine));
     }
@@ -111,17 +120,12 @@ pub(super) fn family<'k>(
     head: &ToolHead,
     operation: Operation,
     knowledge: &'k Knowledge,
-) -> Result<RowRef<'k>, KnowledgeError> {
-    let rule = knowledge.table("holder-for-shank")?;
+) -> Result<HolderForShank<'k>, KnowledgeError> {
     // End mills with a Morse shank are drawn in by a thread, drills are driven by a tang.
     let mills = head.operations.contains(&Operation::Mill);
     let drawbar = head.shank == Shank::Morse && mills;
-    let answer = rule.decide(&[
-        ("shank", Input::Text(head.shank.name())),
-        ("drawbar", Input::Bool(drawbar)),
-        ("tap", Input::Bool(operation == Operation::Tap)),
-    ])?;
-    answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, head.shank.name()))
+    let question = HolderForShankFor { shank: head.shank, drawbar, tap: operation == Operation::Tap };
+    knowledge.ask(&question)?.need(head.shank.name())
 }
 
 fn unfit(cutter: &Cutter<'_>, holder: &str, fault: HolderFault) -> Unfit {
@@ -144,35 +148,33 @@ fn within_limits(assembly: Assembly, cutter: &Cutter<'_>, machine: &Machine<'_>)
 fn bar_mass(cutter: &Cutter<'_>) -> f64 {
     // Density of steel, kg/mm3.
     const STEEL: f64 = 7.85e-6;
-    let length = cutter.row.length("length").unwrap_or_default().to_mm();
+    let length = cutter.row.length.unwrap_or_default().to_mm();
     let diameter = cutter.diameter.to_mm();
     std::f64::consts::PI / 4.0 * diameter * diameter * length * STEEL
 }
 
 /// Why a holder does not take the cutter.
-pub(super) fn refuse(row: RowRef<'_>, cutter: &Cutter<'_>, machine: &Machine<'_>) -> Option<HolderFault> {
-    if let Ok(taper) = row.int("taper")
-        && taper != machine.taper
-    {
-        return Some(HolderFault::OtherTaper { own: taper, spindle: machine.taper });
+pub(super) fn refuse(row: &HolderRow<'_>, cutter: &Cutter<'_>, machine: &Machine<'_>) -> Option<HolderFault> {
+    if row.taper != machine.taper {
+        return Some(HolderFault::OtherTaper { own: row.taper, spindle: machine.taper });
     }
     match cutter.head.shank {
-        Shank::Cylindrical if row.table.column_index("thread_min").is_some() => {
-            let (low, high) = (row.length_if_any("thread_min")?, row.length_if_any("thread_max")?);
+        Shank::Cylindrical if row.thread_min.is_some() => {
+            let (low, high) = (row.thread_min?, row.thread_max?);
             let thread = cutter.diameter;
             (thread < low || thread > high).then_some(HolderFault::ThreadOutsideChuck { thread, low, high })
         }
         Shank::Cylindrical => {
-            let shank = cutter.row.length("shank_diameter").unwrap_or(cutter.diameter);
-            let (low, high) = (row.length_if_any("clamp_min")?, row.length_if_any("clamp_max")?);
+            let shank = cutter.row.shank_diameter.unwrap_or(cutter.diameter);
+            let (low, high) = (row.clamp_min?, row.clamp_max?);
             (shank < low || shank > high).then_some(HolderFault::ShankOutsideClamp { shank, low, high })
         }
         Shank::Morse => {
-            let (own, taken) = (cutter.row.int("morse").ok()?, row.int("morse").ok()?);
+            let (own, taken) = (cutter.row.morse?, row.morse?);
             (own != taken).then_some(HolderFault::OtherMorse { own, taken })
         }
         Shank::Shell => {
-            let (own, taken) = (cutter.row.length_if_any("bore")?, row.length_if_any("bore")?);
+            let (own, taken) = (cutter.row.bore?, row.bore?);
             (own != taken).then_some(HolderFault::OtherBore { own, taken })
         }
         Shank::Taper => None,
@@ -181,19 +183,18 @@ pub(super) fn refuse(row: RowRef<'_>, cutter: &Cutter<'_>, machine: &Machine<'_>
 
 /// Whether what stands out of the spindle is too short for the hole, or too thick to enter it.
 fn too_short(
-    row: RowRef<'_>,
+    row: &HolderRow<'_>,
     cutter: &Cutter<'_>,
-    length: Micrometres,
     overhang: Micrometres,
     need: &CutterNeed<'_>,
 ) -> Option<HolderFault> {
     let shell = cutter.head.shank == Shank::Shell;
     // A shell cutter is followed into the hole by its arbor; any other cutter must reach by itself.
-    let reach = if shell { length + overhang } else { overhang };
+    let reach = if shell { row.length + overhang } else { overhang };
     if reach < need.reach {
         return Some(HolderFault::StandsOutTooLittle { reach, needed: need.reach });
     }
-    let thick = row.length_if_any("max_diameter").filter(|thick| shell && *thick >= need.diameter);
+    let thick = row.max_diameter.filter(|thick| shell && *thick >= need.diameter);
     thick.map(|arbor| HolderFault::ArborDoesNotEnter { arbor, hole: need.diameter })
 }
 
@@ -210,51 +211,49 @@ pub(super) fn is_ranged(shank: Shank, operation: Operation) -> bool {
 pub(super) fn overhang(
     cutter: &Cutter<'_>,
     need: &CutterNeed<'_>,
-    knowledge: &Knowledge,
+    shop: &Shop<'_>,
 ) -> Result<(Micrometres, Because), KnowledgeError> {
-    let row = cutter.row;
-    let own = |column: &str| row.length(column).map_err(KnowledgeError::from);
+    let row = &cutter.row;
+    let length = || stated(row, "length", row.length);
     if need.operation == Operation::Tap {
-        let conventions = knowledge.table("hole-defaults")?;
-        let clamped = conventions
-            .find("name", "tap-clamp-diameters")
-            .ok_or_else(|| KnowledgeError::no_row(conventions, "tap-clamp-diameters"))?;
-        let held = own("shank_diameter")?.to_mm() * clamped.number_in("value", Unit::None)?;
-        let free = own("length")? - Micrometres::from_mm_rounded(held);
-        return Ok((free, Because::row(clamped, Note::new("overhang-tap").with("free", free))));
+        let clamped = shop.default_row(HoleDefault::TapClampDiameters)?;
+        let held = stated(row, "shank_diameter", row.shank_diameter)?.to_mm() * clamped.value;
+        let free = length()? - Micrometres::from_mm_rounded(held);
+        return Ok((free, Because::row(clamped.row, Note::new("overhang-tap").with("free", free))));
     }
     match cutter.head.shank {
         Shank::Cylindrical => {
-            let clamping = knowledge.table("clamping")?;
-            let addition = clamping
-                .find("name", "overhang-addition")
-                .ok_or_else(|| KnowledgeError::no_row(clamping, "overhang-addition"))?;
-            let extra = Micrometres::from_mm_rounded(addition.number_in("maximum", Unit::None)?);
-            let length = own("length").or_else(|_| own("cutting_length"))?;
-            let free = match row.length("shank_length") {
-                Ok(shank) => length - shank,
-                Err(_) => own("flute_length").or_else(|_| own("cutting_length"))?,
+            let addition = overhang_addition(shop.knowledge)?;
+            let extra = Micrometres::from_mm_rounded(addition.maximum);
+            let free = match row.shank_length {
+                Some(shank) => stated(row, "length", row.length.or(row.cutting_length))? - shank,
+                None => stated(row, "flute_length", row.flute_length.or(row.cutting_length))?,
             };
             let note = Note::new("overhang-cylindrical").with("free", free).with("extra", extra);
-            Ok((free + extra, Because::row(addition, note)))
+            Ok((free + extra, Because::row(addition.row, note)))
         }
         Shank::Morse => {
             let note = Note::new("overhang-morse");
-            let projection = match row.length("projection") {
-                Ok(projection) => projection,
-                Err(_) => own("length")? - taper_shank(row, knowledge)?,
+            let projection = match row.projection {
+                Some(projection) => projection,
+                None => length()? - taper_shank(row, shop.knowledge)?,
             };
-            Ok((projection, Because::row(row, note.with("projection", projection))))
+            Ok((projection, Because::row(row.row, note.with("projection", projection))))
         }
-        Shank::Shell => Ok((own("length")?, Because::row(row, Note::new("overhang-shell")))),
-        Shank::Taper => Ok((own("length")?, Because::row(row, Note::new("overhang-taper")))),
+        Shank::Shell => Ok((length()?, Because::row(row.row, Note::new("overhang-shell")))),
+        Shank::Taper => Ok((length()?, Because::row(row.row, Note::new("overhang-taper")))),
     }
 }
 
+/// What a cutter with a cylindrical shank stands out beyond its flutes: least and most, mm.
+pub(super) fn overhang_addition(knowledge: &Knowledge) -> Result<Clamping<'_>, KnowledgeError> {
+    let wanted = ClampingConstant::OverhangAddition;
+    knowledge.need(wanted.name(), |row: &Clamping<'_>| row.name.is(wanted))
+}
+
 /// The length of a Morse shank with tang, by the table `morse-tapers`.
-fn taper_shank(row: RowRef<'_>, knowledge: &Knowledge) -> Result<Micrometres, KnowledgeError> {
-    let tapers = knowledge.table("morse-tapers")?;
-    let number = row.int("morse")?;
-    let taper = tapers.all_rows().find(|taper| taper.int("morse") == Ok(number));
-    Ok(taper.ok_or_else(|| KnowledgeError::no_row(tapers, &number.to_string()))?.length("tang_length")?)
+fn taper_shank(row: &CutterRow<'_>, knowledge: &Knowledge) -> Result<Micrometres, KnowledgeError> {
+    let number = stated(row, "morse", row.morse)?;
+    let taper = knowledge.need(&number.to_string(), |taper: &MorseTaper<'_>| taper.morse == number)?;
+    Ok(taper.tang_length)
 }

@@ -11,10 +11,9 @@ mod reach;
 mod sizes;
 
 use crate::error::KnowledgeError;
-use crate::knowledge::Knowledge;
-use crate::machine::Machine;
 use crate::plan::Operation;
 use crate::reason::Unfit;
+use crate::shop::Shop;
 use crate::units::Micrometres;
 
 pub use cutter::{Cutter, CutterNeed};
@@ -27,11 +26,10 @@ pub use sizes::{DrillSize, drill_sizes};
 /// The knowledge cannot answer. That nothing fits is not an error: the inner `Err` says why each did not.
 pub fn find_tool<'k>(
     need: &CutterNeed<'_>,
-    knowledge: &'k Knowledge,
-    machine: &Machine<'_>,
+    shop: &Shop<'k>,
 ) -> Result<Result<(Cutter<'k>, Assembly), Vec<Unfit>>, KnowledgeError> {
-    let (cutters, rejected) = cutter::cutters(need, knowledge, machine)?;
-    first_that_fits(cutters, rejected, need, knowledge, machine)
+    let (cutters, rejected) = cutter::cutters(need, shop)?;
+    first_that_fits(cutters, rejected, need, shop)
 }
 
 /// The step drill that makes a hole and its wider opening with one stroke: of both diameters, its narrow
@@ -44,22 +42,20 @@ pub fn find_step_drill<'k>(
     wide: Micrometres,
     pilot: Micrometres,
     opening: Operation,
-    knowledge: &'k Knowledge,
-    machine: &Machine<'_>,
+    shop: &Shop<'k>,
 ) -> Result<Result<(Cutter<'k>, Assembly), Vec<Unfit>>, KnowledgeError> {
-    let (cutters, rejected) = cutter::step_drills(need, wide, pilot, opening, knowledge)?;
-    first_that_fits(cutters, rejected, need, knowledge, machine)
+    let (cutters, rejected) = cutter::step_drills(need, wide, pilot, opening, shop)?;
+    first_that_fits(cutters, rejected, need, shop)
 }
 
 fn first_that_fits<'k>(
     cutters: Vec<Cutter<'k>>,
     mut rejected: Vec<Unfit>,
     need: &CutterNeed<'_>,
-    knowledge: &'k Knowledge,
-    machine: &Machine<'_>,
+    shop: &Shop<'k>,
 ) -> Result<Result<(Cutter<'k>, Assembly), Vec<Unfit>>, KnowledgeError> {
     for cutter in cutters {
-        match holder::assemble(&cutter, need, knowledge, machine)? {
+        match holder::assemble(&cutter, need, shop)? {
             Ok(assembly) => {
                 let because = cutter.because.clone().over(rejected.iter().map(Unfit::note).collect());
                 return Ok(Ok((Cutter { because, ..cutter }, assembly)));

@@ -2,24 +2,28 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::table::ToolHead;
-use crate::knowledge::units::{Micrometres, Unit};
+use crate::knowledge::units::Micrometres;
 use crate::knowledge::vocabulary::Shank;
-use crate::knowledge::{Knowledge, RowRef, Table};
+use crate::knowledge::{Knowledge, Table, TableError};
 use crate::machine::Machine;
 use crate::note::{Because, Note};
 use crate::plan::Operation;
 use crate::reason::{HolderFault, OfOther, Unfit};
+use crate::shop::Shop;
+use crate::tables::holders::HolderRow;
+use crate::tables::rules::HolderForShank;
+use crate::tables::tools::{BoringStage, CutterRow};
 
 use super::cutter::{Cutter, CutterNeed};
 use super::holder;
 use super::reach::refuse;
-use super::sizes::{own_diameter, size_fits};
+use super::sizes::size_fits;
 
 /// A cutter of a catalog with what its table says of all of them.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct NamedCutter<'k> {
     /// Its row.
-    pub row: RowRef<'k>,
+    pub row: CutterRow<'k>,
     /// The head of its table.
     pub head: &'k ToolHead,
     /// The designation asked for.
@@ -27,22 +31,29 @@ pub struct NamedCutter<'k> {
 }
 
 /// Every designation of the cutters' catalogs.
-pub fn cutter_names(knowledge: &Knowledge) -> impl Iterator<Item = NamedCutter<'_>> {
-    let tables = knowledge.tables().filter_map(|table| Some((table, table.tool.as_ref()?)));
-    tables.flat_map(|(table, head)| {
-        designations(table).map(move |(row, designation)| NamedCutter { row, head, designation })
-    })
+///
+/// # Errors
+/// A row is not what its contract says; never of tables that were checked.
+pub fn cutter_names(knowledge: &Knowledge) -> Result<Vec<NamedCutter<'_>>, TableError> {
+    let mut names = Vec::new();
+    for table in knowledge.tables() {
+        let Some(head) = &table.tool else { continue };
+        let rows: Vec<CutterRow<'_>> = table.rows().collect::<Result<_, _>>()?;
+        // One kind of designation after the other, as the columns of the table are read.
+        for kind in 0..rows.iter().map(|row| row.designations().count()).max().unwrap_or_default() {
+            let named = rows.iter().filter_map(|row| Some((row, row.designations().nth(kind)?)));
+            names.extend(named.map(|(row, designation)| NamedCutter { row: row.clone(), head, designation }));
+        }
+    }
+    Ok(names)
 }
 
-/// Every designation of the holders' catalogs.
-pub fn holder_names(knowledge: &Knowledge) -> impl Iterator<Item = (RowRef<'_>, &str)> {
-    knowledge.tables().filter(|table| table.id.starts_with("holders-")).flat_map(designations)
-}
-
-fn designations(table: &Table) -> impl Iterator<Item = (RowRef<'_>, &str)> {
-    let columns =
-        table.columns.iter().map(|column| column.name.as_str()).filter(|name| name.starts_with("designation"));
-    columns.flat_map(|column| table.all_rows().filter_map(move |row| Some((row, row.text(column).ok()?))))
+/// Every holder of the catalogs.
+///
+/// # Errors
+/// As of [`cutter_names`].
+pub fn holders(knowledge: &Knowledge) -> Result<Vec<HolderRow<'_>>, TableError> {
+    knowledge.tables_of::<HolderRow<'_>>().flat_map(Table::rows).collect()
 }
 
 /// Why a cutter does not do what is asked of it; nothing where it does.
@@ -52,43 +63,39 @@ pub fn unsuited(cutter: &NamedCutter<'_>, need: &CutterNeed<'_>, machine: &Machi
         let transitions = cutter.head.operations.iter().map(|known| known.name()).collect::<Vec<_>>().join(", ");
         return Some(Unfit::OfOther(OfOther::Operation { operation, transitions }));
     }
-    if !size_fits(cutter.row, need) {
-        return Some(Unfit::OfOther(of_other_size(cutter.row, need)));
+    if !size_fits(&cutter.row, need) {
+        return Some(Unfit::OfOther(of_other_size(&cutter.row, need)));
     }
-    refuse(cutter.row, need, machine)
+    refuse(&cutter.row, need, machine)
 }
 
 /// What of a cutter is not of the size that is asked: what its kind is chosen by.
-fn of_other_size(row: RowRef<'_>, need: &CutterNeed<'_>) -> OfOther {
+fn of_other_size(row: &CutterRow<'_>, need: &CutterNeed<'_>) -> OfOther {
     let operation = need.operation;
     if operation.is_boring()
-        && let (Some(low), Some(high)) = (row.length_if_any("diameter_min"), row.length_if_any("diameter_max"))
+        && let (Some(low), Some(high)) = (row.diameter_min, row.diameter_max)
     {
         if low <= need.diameter && need.diameter <= high {
-            return OfOther::Stage { rough: row.text("stage") == Ok("rough") };
+            return OfOther::Stage { rough: row.stage == Some(BoringStage::Rough) };
         }
         return OfOther::Range { low, high, needed: need.diameter };
     }
-    if let (Some(thread), Ok(own), Operation::Tap) = (need.thread, row.text("thread"), operation) {
+    if let (Some(thread), Some(own), Operation::Tap) = (need.thread, row.thread, operation) {
         return OfOther::Thread { own: own.to_owned(), needed: thread.to_owned() };
     }
     let cone = need.angle_millideg.map(|angle| f64::from(angle) / 1000.0);
-    if let (Some(needed), Ok(own)) = (cone, row.number_in("cone_angle", Unit::Degree))
-        && (own - needed).abs() > 0.0005
+    if let (Some(needed), Some(own)) = (cone, row.cone_angle)
+        && (own.0 - needed).abs() > 0.0005
     {
-        return OfOther::Angle { own, needed };
+        return OfOther::Angle { own: own.0, needed };
     }
-    OfOther::Size { own: own_diameter(row), needed: need.diameter }
+    OfOther::Size { own: row.diameter, needed: need.diameter }
 }
 
 /// Whether a designation is the other design of a cutter that is made for through and for blind holes.
 pub fn of_other_bottom(cutter: &NamedCutter<'_>, through: bool) -> Option<Note> {
-    let (own, other) = if through {
-        ("designation_through", "designation_blind")
-    } else {
-        ("designation_blind", "designation_through")
-    };
-    let (right, stated) = (cutter.row.text(own).ok()?, cutter.row.text(other).ok()?);
+    let (for_through, for_blind) = (cutter.row.designation_through?, cutter.row.designation_blind?);
+    let (right, stated) = if through { (for_through, for_blind) } else { (for_blind, for_through) };
     let code = if through { "tool-for-blind-holes" } else { "tool-for-through-holes" };
     (cutter.designation == stated && right != stated).then(|| Note::new(code).with("known", right))
 }
@@ -99,27 +106,26 @@ pub fn of_other_bottom(cutter: &NamedCutter<'_>, through: bool) -> Option<Note> 
 /// # Errors
 /// The knowledge cannot answer.
 pub fn other_family<'k>(
-    holder: RowRef<'_>,
+    holder: &HolderRow<'_>,
     cutter: &NamedCutter<'_>,
     operation: Operation,
     knowledge: &'k Knowledge,
-) -> Result<Option<(&'k Table, RowRef<'k>)>, KnowledgeError> {
+) -> Result<Option<(&'k Table, HolderForShank<'k>)>, KnowledgeError> {
     let family = holder::family(cutter.head, operation, knowledge)?;
-    let Ok(id) = family.text("holders") else { return Ok(None) };
-    Ok((holder.table.id != id).then_some((knowledge.table(id)?, family)))
+    let Some(id) = family.holders else { return Ok(None) };
+    Ok((holder.row.table.id != id).then_some((knowledge.table(id)?, family)))
 }
 
 /// Why a holder does not take a cutter; nothing where it does.
-pub fn not_taken(holder: RowRef<'_>, cutter: &NamedCutter<'_>, machine: &Machine<'_>) -> Option<HolderFault> {
-    // What a family of holders is chosen by stands in its columns.
+pub fn not_taken(holder: &HolderRow<'_>, cutter: &NamedCutter<'_>, machine: &Machine<'_>) -> Option<HolderFault> {
+    // What a family of holders is chosen by stands in its rows.
     let takes = match cutter.head.shank {
-        Shank::Cylindrical => "clamp_min",
-        Shank::Morse => "morse",
-        Shank::Shell => "bore",
+        Shank::Cylindrical => holder.clamp_min.is_some() || holder.thread_min.is_some(),
+        Shank::Morse => holder.morse.is_some(),
+        Shank::Shell => holder.bore.is_some(),
         Shank::Taper => return None,
     };
-    let tap_chuck = cutter.head.shank == Shank::Cylindrical && holder.table.column_index("thread_min").is_some();
-    if holder.table.column_index(takes).is_none() && !tap_chuck {
+    if !takes {
         return Some(HolderFault::OtherShank { shank: cutter.head.shank.name() });
     }
     holder::refuse(holder, &as_cutter(cutter), machine)
@@ -132,19 +138,15 @@ pub fn not_taken(holder: RowRef<'_>, cutter: &NamedCutter<'_>, machine: &Machine
 pub fn overhang(
     cutter: &NamedCutter<'_>,
     operation: Operation,
-    knowledge: &Knowledge,
+    shop: &Shop<'_>,
 ) -> Result<(Micrometres, Micrometres, Because), KnowledgeError> {
-    let need = CutterNeed::plain(operation, own_diameter(cutter.row).unwrap_or_default());
-    let (most, because) = holder::overhang(&as_cutter(cutter), &need, knowledge)?;
-    let ranged = holder::is_ranged(cutter.head.shank, operation);
-    let least = match knowledge.table("clamping")?.find("name", "overhang-addition").filter(|_| ranged) {
-        Some(row) => {
-            let range = row.number_in("maximum", Unit::None)? - row.number_in("minimum", Unit::None)?;
-            most - Micrometres::from_mm_rounded(range)
-        }
-        None => most,
-    };
-    Ok((least, most, because))
+    let need = CutterNeed::plain(operation, cutter.row.diameter.unwrap_or_default());
+    let (most, because) = holder::overhang(&as_cutter(cutter), &need, shop)?;
+    if !holder::is_ranged(cutter.head.shank, operation) {
+        return Ok((most, most, because));
+    }
+    let addition = holder::overhang_addition(shop.knowledge)?;
+    Ok((most - Micrometres::from_mm_rounded(addition.maximum - addition.minimum), most, because))
 }
 
 /// The angle of a cutter's point, degrees, where its table has one.
@@ -153,12 +155,12 @@ pub fn point_angle(cutter: &NamedCutter<'_>) -> Option<f64> {
 }
 
 fn as_cutter<'k>(named: &NamedCutter<'k>) -> Cutter<'k> {
-    let because = Because::row(named.row, Note::new("named"));
+    let because = Because::row(named.row.row, Note::new("named"));
     Cutter {
-        row: named.row,
+        row: named.row.clone(),
         head: named.head,
         designation: named.designation,
-        diameter: own_diameter(named.row).unwrap_or_default(),
+        diameter: named.row.diameter.unwrap_or_default(),
         because: because.clone(),
         order: because,
     }

@@ -1,113 +1,97 @@
 //! Which rows of a table are of the size that is asked, and what sizes there are where none is.
 
+use std::cmp::Reverse;
+
 use crate::error::KnowledgeError;
-use crate::knowledge::units::{Micrometres, Unit};
-use crate::knowledge::{Knowledge, RowRef, Table};
-use crate::machine::Machine;
+use crate::knowledge::units::Micrometres;
 use crate::plan::Operation;
 use crate::reason::NoSize;
+use crate::shop::Shop;
+use crate::tables::rules::ToolTables;
+use crate::tables::tools::{BoringStage, CutterRow};
 
-use super::cutter::{CutterNeed, cutters, tables_of};
+use super::cutter::{CutterNeed, Tables, cutters, is_grindable};
 use super::reach::reach_of;
 
-/// The diameter printed for a cutter of one size; nothing for a boring bar, which is set.
-pub(super) fn own_diameter(row: RowRef<'_>) -> Option<Micrometres> {
-    row.length_if_any("diameter")
+/// Rows of the right size, in the order in which they are tried: mills from the largest, cones and what is ground from the
+/// smallest, the others as their table has them.
+pub(super) fn fitting<'s, 'k>(
+    rows: &'s [CutterRow<'k>],
+    need: &CutterNeed<'_>,
+    ground: bool,
+) -> Vec<&'s CutterRow<'k>> {
+    let mut found: Vec<&CutterRow<'_>> = rows.iter().filter(|row| is_of_size(row, need, ground)).collect();
+    match need.operation {
+        Operation::Mill => found.sort_by_key(|row| Reverse(row.diameter)),
+        Operation::Countersink | Operation::Chamfer => found.sort_by_key(|row| row.diameter),
+        _ if ground => found.sort_by_key(|row| row.diameter),
+        _ => {}
+    }
+    found
 }
 
-/// Rows of the right size: for centring every wider one; for boring the bar's range; for milling what
-/// enters, largest first; for a cone its angle and every wider one; for tapping the thread; for the others
-/// the size itself, or with `ground` the next larger that may be ground down to it.
-pub(super) fn fitting<'k>(table: &'k Table, need: &CutterNeed<'_>, ground: bool) -> Vec<RowRef<'k>> {
-    let rows = table.all_rows();
-    let own = |row: &RowRef<'k>| own_diameter(*row).unwrap_or_default();
+/// Whether a row is of the right size: for centring any wider one; for boring the bar's range; for milling what
+/// enters; for a cone its angle and any wider one; for tapping the thread; for the others the size itself, or with `ground`
+/// a larger one that may be ground down to it.
+fn is_of_size(row: &CutterRow<'_>, need: &CutterNeed<'_>, ground: bool) -> bool {
+    let own = row.diameter.unwrap_or_default();
     match need.operation {
         Operation::RoughBore | Operation::SemiFinishBore | Operation::FinishBore => {
-            let stage = if need.operation == Operation::RoughBore { "rough" } else { "finish" };
-            rows.filter(|row| row.text("stage") == Ok(stage))
-                .filter(|row| {
-                    let range = (row.length("diameter_min"), row.length("diameter_max"));
-                    matches!(range, (Ok(low), Ok(high)) if low <= need.diameter && need.diameter <= high)
-                })
-                .collect()
+            let rough = need.operation == Operation::RoughBore;
+            row.stage == Some(if rough { BoringStage::Rough } else { BoringStage::Finish })
+                && row.diameter_min.is_some_and(|low| low <= need.diameter)
+                && row.diameter_max.is_some_and(|high| need.diameter <= high)
         }
-        Operation::CentreDrill => rows.filter(|row| own(row) >= need.diameter).collect(),
-        Operation::Mill => {
-            let mut found: Vec<RowRef<'k>> =
-                rows.filter(|row| own(row) + need.clearance <= need.enters && own(row) > Micrometres::ZERO).collect();
-            found.sort_by_key(|row| (std::cmp::Reverse(own(row)), row.index));
-            found
-        }
+        Operation::CentreDrill => own >= need.diameter,
+        Operation::Mill => own + need.clearance <= need.enters && own > Micrometres::ZERO,
         Operation::Countersink | Operation::Chamfer => {
-            let angle = need.angle_millideg.unwrap_or_default();
-            let mut found: Vec<RowRef<'k>> = rows
-                .filter(|row| own(row) >= need.diameter)
-                .filter(|row| {
-                    row.number_in("cone_angle", Unit::Degree)
-                        .is_ok_and(|own| (own * 1000.0 - f64::from(angle)).abs() < 0.5)
-                })
-                .filter(|row| row.length("tip_diameter").is_ok_and(|tip| tip < need.enters))
-                .collect();
-            found.sort_by_key(|row| (own(row), row.index));
-            found
+            let angle = f64::from(need.angle_millideg.unwrap_or_default());
+            own >= need.diameter
+                && row.cone_angle.is_some_and(|own| (own.0 * 1000.0 - angle).abs() < 0.5)
+                && row.tip_diameter.is_some_and(|tip| tip < need.enters)
         }
-        Operation::Tap => rows.filter(|row| row.text("thread").ok() == need.thread).collect(),
-        _ if ground => {
-            let mut found: Vec<RowRef<'k>> =
-                rows.filter(|row| own(row) > need.nominal && own(row) - need.nominal <= need.grind_limit).collect();
-            found.sort_by_key(|row| (own(row), row.index));
-            found
-        }
-        _ => rows.filter(|row| own_diameter(*row) == Some(need.nominal)).collect(),
+        Operation::Tap => row.thread == need.thread,
+        _ if ground => own > need.nominal && own - need.nominal <= need.grind_limit,
+        _ => row.diameter == Some(need.nominal),
     }
 }
 
 /// Whether a row is of a size that does what is asked, ground down to it if need be.
-pub(super) fn size_fits(row: RowRef<'_>, need: &CutterNeed<'_>) -> bool {
-    let held = |ground: bool| fitting(row.table, need, ground).iter().any(|one| one.index == row.index);
-    held(false) || ((need.operation.is_reaming() || need.operation == Operation::CoreDrill) && held(true))
+pub(super) fn size_fits(row: &CutterRow<'_>, need: &CutterNeed<'_>) -> bool {
+    is_of_size(row, need, false) || (is_grindable(need.operation) && is_of_size(row, need, true))
 }
 
 /// No row has that size: says so, with the nearest sizes below and above.
-pub(super) fn nothing_of_size(need: &CutterNeed<'_>, rule: RowRef<'_>, knowledge: &Knowledge) -> NoSize {
+pub(super) fn nothing_of_size(need: &CutterNeed<'_>, rule: &ToolTables<'_>, tables: &Tables<'_, '_>) -> NoSize {
+    let named = rule.tables.join(", ");
+    let rows = || tables.iter().flat_map(|(_, rows)| rows.iter());
     if let Some(angle) = need.angle_millideg {
-        return no_cone(need, angle, rule, knowledge);
+        return no_cone(need, angle, rows(), named);
     }
-    let tables = tables_of(rule);
     if need.operation == Operation::Mill {
         return NoSize::NoMillEnters { hole: need.enters, clearance: need.clearance };
     }
     if let Some(thread) = need.thread.filter(|_| need.operation == Operation::Tap) {
-        return NoSize::NoTap { thread: thread.to_owned(), tables };
+        return NoSize::NoTap { thread: thread.to_owned(), tables: named };
     }
-    let sizes: Vec<Micrometres> = rule
-        .texts("tables")
-        .unwrap_or_default()
-        .into_iter()
-        .filter_map(|id| knowledge.table(id).ok())
-        .flat_map(|table| table.all_rows().flat_map(sizes_of).collect::<Vec<_>>())
-        .collect();
-    let below = sizes.iter().copied().filter(|size| *size < need.nominal).max();
-    let above = sizes.into_iter().filter(|size| *size > need.nominal).min();
-    NoSize::NoCutter { operation: need.operation, diameter: need.nominal, below, above, tables }
+    // A cutter's diameter, a boring bar's range.
+    let sizes = || rows().flat_map(|row| [row.diameter, row.diameter_min, row.diameter_max]).flatten();
+    let below = sizes().filter(|size| *size < need.nominal).max();
+    let above = sizes().filter(|size| *size > need.nominal).min();
+    NoSize::NoCutter { operation: need.operation, diameter: need.nominal, below, above, tables: named }
 }
 
 /// No cutter has that angle, or none of that angle is wide enough: what there is.
-fn no_cone(need: &CutterNeed<'_>, angle: u32, rule: RowRef<'_>, knowledge: &Knowledge) -> NoSize {
-    let rows = rule
-        .texts("tables")
-        .unwrap_or_default()
-        .into_iter()
-        .filter_map(|id| knowledge.table(id).ok())
-        .flat_map(|table| table.all_rows().collect::<Vec<_>>());
-    let cutters: Vec<(u32, Micrometres)> = rows
-        .filter_map(|row| {
-            let own = (row.number_in("cone_angle", Unit::Degree).ok()? * 1000.0) as u32;
-            Some((own, own_diameter(row)?))
-        })
-        .collect();
+fn no_cone<'s, 'k: 's>(
+    need: &CutterNeed<'_>,
+    angle: u32,
+    rows: impl Iterator<Item = &'s CutterRow<'k>>,
+    tables: String,
+) -> NoSize {
+    let cutters: Vec<(u32, Micrometres)> =
+        rows.filter_map(|row| Some(((row.cone_angle?.0 * 1000.0) as u32, row.diameter?))).collect();
     let widest = cutters.iter().filter(|(own, _)| *own == angle).map(|(_, diameter)| *diameter).max();
-    let (diameter, tables) = (need.diameter, tables_of(rule));
+    let diameter = need.diameter;
     if let Some(widest) = widest {
         return NoSize::NoConeSoWide { angle, diameter, widest, hole: need.enters, tables };
     }
@@ -115,11 +99,6 @@ fn no_cone(need: &CutterNeed<'_>, angle: u32, rule: RowRef<'_>, knowledge: &Know
     angles.sort_unstable();
     angles.dedup();
     NoSize::NoConeOfAngle { angle, diameter, angles, tables }
-}
-
-/// The sizes a row stands for: a cutter's diameter, a boring bar's range.
-fn sizes_of(row: RowRef<'_>) -> Vec<Micrometres> {
-    ["diameter", "diameter_min", "diameter_max"].into_iter().filter_map(|column| row.length_if_any(column)).collect()
 }
 
 /// A drill size with how deep it can be driven on a machine.
@@ -135,24 +114,20 @@ pub struct DrillSize {
 ///
 /// # Errors
 /// The knowledge cannot answer.
-pub fn drill_sizes(knowledge: &Knowledge, machine: &Machine<'_>) -> Result<Vec<DrillSize>, KnowledgeError> {
-    let mut diameters: Vec<Micrometres> = knowledge
-        .tables()
-        .filter(|table| table.tool.as_ref().is_some_and(|head| head.operations.contains(&Operation::Drill)))
-        .flat_map(Table::all_rows)
-        .filter_map(own_diameter)
-        .filter(|diameter| *diameter <= machine.drill_max)
-        .collect();
+pub fn drill_sizes(shop: &Shop<'_>) -> Result<Vec<DrillSize>, KnowledgeError> {
+    let drills = shop.shelf.cutters_for(Operation::Drill)?;
+    let mut diameters: Vec<Micrometres> = drills.iter().filter_map(|row| row.diameter).collect();
+    diameters.retain(|diameter| *diameter <= shop.machine.drill_max);
     diameters.sort_unstable();
     diameters.dedup();
     let mut sizes = Vec::with_capacity(diameters.len());
     for diameter in diameters {
         let need = CutterNeed::plain(Operation::Drill, diameter);
-        let (cutters, _) = cutters(&need, knowledge, machine)?;
+        let (cutters, _) = cutters(&need, shop)?;
         let mut reach = Micrometres::ZERO;
         for cutter in cutters {
-            if let Ok(assembly) = super::holder::assemble(&cutter, &need, knowledge, machine)? {
-                reach = reach.max(reach_of(cutter.row).unwrap_or_default().min(assembly.overhang));
+            if let Ok(assembly) = super::holder::assemble(&cutter, &need, shop)? {
+                reach = reach.max(reach_of(&cutter.row).unwrap_or_default().min(assembly.overhang));
             }
         }
         if reach > Micrometres::ZERO {

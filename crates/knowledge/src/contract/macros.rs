@@ -126,9 +126,10 @@ macro_rules! question {
 
         impl $(<$life>)? $question $(<$life>)? {
             $(
-                /// The name of the column of this input, for those who look at the column itself.
-                pub const fn $input() -> &'static str {
-                    $crate::column!($input $($column)?)
+                /// The column of that input, for those who ask what it may be.
+                pub fn $input(table: &$crate::Table) -> Option<&$crate::Column> {
+                    let name = $crate::column!($input $($column)?);
+                    table.columns.iter().find(|column| column.name == name)
                 }
             )*
         }

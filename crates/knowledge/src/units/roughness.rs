@@ -6,7 +6,7 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::{Decimal, ParseError};
+use super::{Decimal, Microns, ParseError};
 
 /// A roughness limit. Ordered by Ra; an Rz is placed by the preferred pairs of drawings
 /// (table `ra-rz`), because the source's tables mix both parameters in one row.
@@ -25,6 +25,11 @@ impl Roughness {
     /// From Ra in nanometres.
     pub const fn from_ra_nanometres(ra_nanometres: u32) -> Self {
         Self { ra_nanometres, rz_nanometres: None }
+    }
+
+    /// From Ra as a table prints it, to the nearest nanometre.
+    pub fn from_ra(ra: Microns) -> Self {
+        Self::from_ra_nanometres((ra.0 * 1000.0).round() as u32)
     }
 
     /// Ra in nanometres: the value by which roughness is ordered.

@@ -4,6 +4,7 @@ use crate::error::KnowledgeError;
 use crate::note::{Finding, Note, Severity};
 use crate::part::{Part, Point};
 use crate::shop::Shop;
+use crate::tables::holes::HoleDefault;
 use crate::units::Micrometres;
 
 use super::SetUp;
@@ -38,7 +39,7 @@ pub(super) fn ways_over_clamps(
     shop: &Shop<'_>,
     findings: &mut Vec<Finding>,
 ) -> Result<(), KnowledgeError> {
-    let foot = shop.convention("clamp-inset-mm")?;
+    let foot = shop.convention(HoleDefault::ClampInset)?;
     let home = Point { x: change.0 - setup.zero.x, y: change.1 - setup.zero.y };
     let mut under: Vec<String> = Vec::new();
     let mut height = None;

@@ -1,9 +1,8 @@
 //! Feeds of turning, by the tables.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::knowledge::query::roughness_points;
 use crate::knowledge::units::Megapascals;
-use crate::knowledge::{Knowledge, Question};
+use crate::knowledge::{Column, Knowledge, Question};
 use crate::note::{Because, Note};
 use crate::tables::cutting::{BoringFinishFeedFor, GroovingFeedFor, TurningBoringFeedFor, TurningRoughFeedFor};
 use crate::tables::turning::tools::{TurningFinishFeedFor, TurningFinishFeedStrengthFor};
@@ -72,8 +71,8 @@ pub fn finish_feed(cut: &Cut<'_, '_>, roughness: Roughness) -> Tried<Feed, Lack>
     let rest = cut.knowledge.table(TurningFinishFeedFor::TABLE)?;
     let nose = cut.tool.nose_radius.ok_or_else(no_nose)?;
     let nose_radius = nose_of_table(cut.knowledge, nose)?.ok_or_else(no_nose)?;
-    let columns = roughness_points(rest, TurningFinishFeedFor::roughness());
-    let column = columns.into_iter().filter(|column| *column <= roughness).max();
+    let columns = TurningFinishFeedFor::roughness(rest).map(Column::roughness_points);
+    let column = columns.into_iter().flatten().filter(|column| *column <= roughness).max();
     let roughness = column.ok_or(Refusal::Not(Lack::TooFineToTurn { roughness, process }))?;
     let (mut feed, row) = match rest.ask(&TurningFinishFeedFor { roughness, nose_radius })?.winner()? {
         Some(found) => (found.feed.0, found.row),
@@ -96,8 +95,7 @@ pub fn finish_feed(cut: &Cut<'_, '_>, roughness: Roughness) -> Tried<Feed, Lack>
 /// The largest nose radius of the table that is not above the tool's: a smaller nose is fed slower.
 fn nose_of_table(knowledge: &Knowledge, nose: Micrometres) -> Result<Option<&str>, KnowledgeError> {
     let table = knowledge.table(TurningFinishFeedFor::TABLE)?;
-    let column = table.columns.iter().find(|column| column.name == TurningFinishFeedFor::nose_radius());
-    let radii = column.into_iter().flat_map(|column| &column.values);
+    let radii = TurningFinishFeedFor::nose_radius(table).into_iter().flat_map(|column| &column.values);
     let known = radii.filter_map(|text| text.parse::<Micrometres>().ok().map(|radius| (radius, text.as_str())));
     Ok(known.filter(|(radius, _)| *radius <= nose).max().map(|(_, text)| text))
 }

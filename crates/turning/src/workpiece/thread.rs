@@ -1,7 +1,7 @@
 //! A metric thread of a turned surface, as drawings write it.
 
 use crate::knowledge::Knowledge;
-use crate::tables::standards::TapDrills;
+use crate::tables::standards::CoarseThread;
 use crate::turning::contour::Side;
 use crate::units::Micrometres;
 
@@ -55,7 +55,7 @@ pub(super) fn read(text: &str, knowledge: &Knowledge) -> Result<Named, &'static 
     let length = |figure: &str| figure.parse::<Micrometres>().map_err(|_| "bad-turned-thread");
     let (size, pitch) = (length(size)?, pitch.map(length).transpose()?);
     let name = format!("M{size}");
-    let row = knowledge.find(|row: &TapDrills<'_>| row.thread == name).ok().flatten();
+    let row = knowledge.find(|row: &CoarseThread<'_>| row.thread == name).ok().flatten();
     let coarse = row.as_ref().map(|row| row.pitch);
     let pitch = pitch.or(coarse).ok_or("no-coarse-pitch")?;
     // The profile is 0.54 P deep on each side (ISO 68-1): a core must be left.

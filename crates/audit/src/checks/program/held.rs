@@ -87,14 +87,14 @@ fn lacks(row: &Row, code: &str) -> NotHeld {
     NotHeld { note, place: Some(row.place.clone()) }
 }
 
-struct Making<'c, 'a> {
+struct Making<'c, 'a, 'g> {
     context: &'c Context<'a>,
-    graph: &'c Graph<'a>,
+    graph: &'c Graph<'g>,
     setting: &'c Setting,
     reading: Reading,
 }
 
-impl Making<'_, '_> {
+impl Making<'_, '_, '_> {
     /// A figure as the plan has it. A slip of the comma is no other value: the author meant the right one.
     fn figure(&self, id: Id) -> Option<f64> {
         let stated = self.context.stated.figure(id)?.value;
@@ -216,7 +216,7 @@ impl Making<'_, '_> {
     fn rounds(&self, row: &Row, ours: Option<&Transition>, from: Micrometres) -> Option<Rounds> {
         let ours = ours.and_then(|ours| ours.conditions.rounds);
         let tool = self.context.stated.tool_of(row);
-        let of_catalog = tool.and_then(|tool| self.context.cutter(tool)?.row.length_if_any("diameter"));
+        let of_catalog = tool.and_then(|tool| self.context.cutter(tool)?.row.diameter);
         let stated = tool.and_then(|tool| self.figure(Id::new(Scope::Tool(tool), Q::Diameter)));
         let mill = of_catalog.or(stated.map(Micrometres::from_mm_rounded)).or(ours.map(|ours| ours.mill_diameter_mm));
         let from_diameter_mm =

@@ -2,14 +2,14 @@
 
 use crate::cutting::{self, Cut};
 use crate::error::{KnowledgeError, Tried};
-use crate::knowledge::units::Unit;
 use crate::knowledge::vocabulary::ToolMaterial;
-use crate::knowledge::{Input, Knowledge, RowRef};
 use crate::note::{Because, Note};
 use crate::part::Face;
-use crate::plan::{Conditions, Feature};
+use crate::plan::{Conditions, Feature, Operation};
 use crate::route::bores::Edge;
 use crate::route::{Place, Step};
+use crate::shop::Shop;
+use crate::tables::rules::{CentreSpot, CentreSpotFor, Spot};
 use crate::units::Micrometres;
 
 use super::{Fitted, Fitting};
@@ -35,35 +35,34 @@ impl<'k> Fitting<'_, 'k> {
                 && edge.diameter <= self.widest_spot
         });
         let Some(edge) = edge else { return Ok(None) };
-        Ok((self.spot_rule(true)?.text("spot")? == "chamfer").then_some(*edge))
+        Ok((self.spot_rule(true)?.spot == Spot::Chamfer).then_some(*edge))
     }
 
-    fn spot_rule(&self, chamfer: bool) -> Result<RowRef<'k>, KnowledgeError> {
-        let rule = self.shop.knowledge.table("centre-spot")?;
-        let diameter = ("diameter", Input::Length(self.hole.diameter.nominal));
-        let answer = rule.decide(&[("chamfer", Input::Bool(chamfer)), diameter])?;
-        answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this hole"))
+    fn spot_rule(&self, chamfer: bool) -> Result<CentreSpot<'k>, KnowledgeError> {
+        let question = CentreSpotFor { chamfer, diameter: self.hole.diameter.nominal };
+        self.shop.knowledge.ask(&question)?.need("this hole")
     }
 
     /// Centring: the spot by the rule `centre-spot`; its tool is chosen for the whole part.
     pub(super) fn centre(&self, step: Step, drill: Micrometres) -> Tried<Fitted> {
         let edge = self.edge_by_centring()?;
-        let (row, spot, note) = match edge {
+        let (rule, spot, note) = match edge {
             Some(edge) => (self.spot_rule(true)?, edge.diameter, Note::new("spot-by-chamfer")),
             None => {
                 // Where no centring drill is wide enough for the chamfer, the spot is that of a hole without one.
-                let row = match self.spot_rule(self.hole.chamfer.is_some())? {
-                    row if row.text("spot")? == "chamfer" => self.spot_rule(false)?,
-                    row => row,
+                let rule = match self.spot_rule(self.hole.chamfer.is_some())? {
+                    rule if rule.spot == Spot::Chamfer => self.spot_rule(false)?,
+                    rule => rule,
                 };
-                let share = row.number_in("share", Unit::None)?;
+                let share =
+                    rule.share.ok_or_else(|| KnowledgeError::lacks(&rule.row.table.id, "a share of the drill"))?;
                 let spot = Micrometres::from_mm_rounded(drill.to_mm() * share);
                 // A spot of 90° is half as deep as wide: in a thin plate it stays within half of the hole.
                 let most = self.hole.depth;
                 if spot > most {
-                    (row, most, Note::new("spot-by-depth").with("share", share))
+                    (rule, most, Note::new("spot-by-depth").with("share", share))
                 } else {
-                    (row, spot, Note::new("spot-by-drill").with("share", share))
+                    (rule, spot, Note::new("spot-by-drill").with("share", share))
                 }
             }
         };
@@ -75,7 +74,7 @@ impl<'k> Fitting<'_, 'k> {
         // Until the tool is chosen for the whole part it is the widest of the catalogs.
         let conditions = self.spotting(&step, travel, self.widest_spot)?;
         let mut because = step.because.clone();
-        because.push(Because::row(row, note));
+        because.push(Because::row(rule.row, note));
         let (approach, doubts, makes_edge) = (self.travels(false).0, Vec::new(), edge.is_some());
         Ok(Fitted { step, tool: None, travel, approach, conditions, doubts, makes_edge, because })
     }
@@ -87,8 +86,8 @@ impl<'k> Fitting<'_, 'k> {
     }
 }
 
-/// The widest centring drill of table A.14.
-pub(super) fn widest_spot(knowledge: &Knowledge) -> Result<Micrometres, KnowledgeError> {
-    let table = knowledge.table("A.14")?;
-    Ok(table.all_rows().filter_map(|row| row.length("diameter").ok()).max().unwrap_or_default())
+/// The widest centring drill of the catalogs.
+pub fn widest_spot(shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
+    let drills = shop.shelf.cutters_for(Operation::CentreDrill)?;
+    Ok(drills.iter().filter_map(|row| row.diameter).max().unwrap_or_default())
 }

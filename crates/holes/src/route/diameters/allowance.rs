@@ -1,11 +1,12 @@
 //! The range of the allowance a transition removes, on diameter, and where in it to aim.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::units::Unit;
-use crate::knowledge::{Input, RowRef};
+use crate::knowledge::RowRef;
 use crate::note::{Because, Note};
 use crate::plan::Operation;
 use crate::shop::Shop;
+use crate::tables::holes::{Allowance as Row, HoleDefault};
+use crate::tables::rules::{AllowanceBeforeFor, DrillBeforeCoreDrillFor};
 use crate::units::Micrometres;
 
 /// The stock on diameter that a transition may find.
@@ -34,8 +35,7 @@ pub fn range<'k>(
     if !named {
         return Ok(None);
     }
-    let Allowance { low, high, row, .. } = allowance(operation, nominal, nominal, None, shop)?;
-    let least_is_ours = row.number_in("share", Unit::None).is_ok();
+    let Allowance { low, high, row, least_is_ours, .. } = allowance(operation, nominal, nominal, None, shop)?;
     Ok(Some(Range { low, high, row, least_is_ours }))
 }
 
@@ -45,6 +45,8 @@ pub(super) struct Allowance<'k> {
     pub high: Micrometres,
     pub aim: Micrometres,
     pub row: RowRef<'k>,
+    /// Whether the least is a convention of ours.
+    pub least_is_ours: bool,
     /// Where the aim is from another row than the range.
     pub stock: Option<Because>,
 }
@@ -57,28 +59,28 @@ pub(super) fn allowance<'k>(
     previous: Option<Operation>,
     shop: &Shop<'k>,
 ) -> Result<Allowance<'k>, KnowledgeError> {
-    let rule = shop.knowledge.table("allowance-before")?;
-    let answer = rule.decide(&[("operation", Input::Text(operation.name()))])?;
-    let choice = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, operation.name()))?;
-    let table = shop.knowledge.table("allowances")?;
-    let name = choice.text("allowance")?;
-    let row = table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
-    if let Ok(share) = row.number_in("share", Unit::None) {
+    let choice = shop.knowledge.ask(&AllowanceBeforeFor { operation })?.need(operation.name())?;
+    let found = shop.knowledge.need(choice.allowance, |row: &Row<'_>| row.name == choice.allowance)?;
+    let row = found.row;
+    if let Some(share) = found.share {
         // A share of the diameter is the most; inside it the handbook's stock, measured from the finished hole.
         let high = Micrometres::from_mm_rounded(nominal.to_mm() * share);
-        let stocks = shop.knowledge.table("drill-before-core-drill")?;
-        let answer = stocks.decide(&[("diameter", Input::Length(nominal))])?;
-        let own = answer.winner().ok_or_else(|| KnowledgeError::no_row(stocks, "this diameter"))?;
-        let stock = own.length("stock")?;
+        let answer = shop.knowledge.ask(&DrillBeforeCoreDrillFor { diameter: nominal })?;
+        let stock = answer.need("this diameter")?.stock;
         // A slim core drill may have no more than the eighth that it is given.
-        let low = shop.convention("least-stock-core-drill-mm")?.min(high);
+        let low = shop.convention(HoleDefault::LeastStockCoreDrill)?.min(high);
         let aim = (after - (nominal - stock)).max(low).min(high);
         let note = Note::new("core-drill-stock").with("stock", stock).with("nominal", nominal);
-        let stock = previous.is_some().then(|| Because::answer(&answer, note));
-        return Ok(Allowance { low, high, aim, row, stock });
+        let stock = previous.is_some().then(|| Because::answer(&answer.answer, note));
+        return Ok(Allowance { low, high, aim, row, least_is_ours: true, stock });
     }
-    let (low, high) = (row.length("minimum")?, row.length("maximum")?);
-    let share = choice.number_in("share", Unit::None)?;
-    let aim = low.to_mm() + (high - low).to_mm() * share;
-    Ok(Allowance { low, high, aim: Micrometres::from_mm_rounded(aim), row, stock: None })
+    let low = found.minimum.ok_or_else(|| lacks(&found, "minimum"))?;
+    let high = found.maximum.ok_or_else(|| lacks(&found, "maximum"))?;
+    let aim = Micrometres::from_mm_rounded(low.to_mm() + (high - low).to_mm() * choice.share);
+    Ok(Allowance { low, high, aim, row, least_is_ours: false, stock: None })
+}
+
+/// An allowance is either a share of the diameter or a range; this one is neither.
+pub(super) fn lacks(row: &Row<'_>, what: &str) -> KnowledgeError {
+    KnowledgeError::lacks(&row.row.table.id, &format!("`{}` has neither a share nor a {what}", row.name))
 }

@@ -4,6 +4,7 @@ use crate::error::{Refusal, Tried};
 use crate::note::{Because, Note};
 use crate::plan::Operation;
 use crate::reason::Reason;
+use crate::tables::tools::{BoringStage, CutterRow};
 
 use super::super::Step;
 use super::{Backwards, allowance};
@@ -27,17 +28,12 @@ impl Backwards<'_, '_> {
             }
             Some(_) => after - allowance.aim,
         };
-        let bars = shop.knowledge.table("boring-bars")?;
+        let bars = shop.shelf.cutters_for(Operation::RoughBore)?;
         let mut chain = Vec::new();
         while from < after {
-            let widest = bars
-                .all_rows()
-                .filter(|bar| {
-                    bar.text("stage") == Ok("rough") && bar.length("bar_diameter").is_ok_and(|bar| bar < from)
-                })
-                .filter_map(|bar| bar.length_if_any("diameter_max"))
-                .max()
-                .unwrap_or_default();
+            let enters = |bar: &&&CutterRow<'_>| bar.bar_diameter.is_some_and(|bar| bar < from);
+            let rough = bars.iter().filter(|bar| bar.stage == Some(BoringStage::Rough)).filter(enters);
+            let widest = rough.filter_map(|bar| bar.diameter_max).max().unwrap_or_default();
             if widest <= from {
                 return Err(Refusal::Not(Reason::NoBarEnters { hole: from, diameter: after }));
             }

@@ -4,6 +4,7 @@ use crate::error::{Refusal, Tried};
 use crate::note::{Because, Note};
 use crate::plan::Operation;
 use crate::reason::Reason;
+use crate::tables::holes::HoleDefault;
 use crate::units::Micrometres;
 
 use super::super::{Step, handbook, openings};
@@ -17,7 +18,7 @@ impl Backwards<'_, '_> {
         let allowance = allowance(operation, after, bore.diameter.nominal, previous, shop)?;
         let (smallest, largest) = (after - allowance.high, after - allowance.low);
         let handbook_row = handbook::row(bore, shop)?;
-        let advised = handbook_row.and_then(|row| handbook::before(row, operation, previous));
+        let advised = handbook_row.as_ref().and_then(|row| handbook::before(row, operation, previous));
         let aim = advised.unwrap_or(after - allowance.aim).max(smallest).min(largest);
         let before = if previous.is_none() {
             let start = self.start()?;
@@ -52,7 +53,7 @@ impl Backwards<'_, '_> {
             aim
         } else {
             // To the setting step, but never out of the range.
-            let step = shop.convention("setting-step-mm")?.micrometres().max(1);
+            let step = shop.convention(HoleDefault::SettingStep)?.micrometres().max(1);
             let set = Micrometres::new((aim.micrometres() + step / 2).div_euclid(step) * step);
             set.max(smallest).min(largest)
         };
@@ -66,7 +67,7 @@ impl Backwards<'_, '_> {
         if let (Some(row), Some(advised)) = (handbook_row, advised) {
             let code = if advised == before { "handbook-step" } else { "handbook-step-outside" };
             let note = Note::new(code).with("advised", advised).with("taken", before);
-            because.push(Because::row(row, note.with("low", smallest).with("high", largest)));
+            because.push(Because::row(row.row, note.with("low", smallest).with("high", largest)));
         }
         // Reamers and core drills of the catalog are ground to the size before the last one.
         let fixed = operation.is_reaming() || operation == Operation::CoreDrill;

@@ -1,11 +1,11 @@
 //! One drill or two, by the rule `two-pass-drilling` and the handbook.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::Input;
-use crate::knowledge::units::Unit;
 use crate::note::{Because, Note};
 use crate::plan::Operation;
 use crate::shop::Shop;
+use crate::tables::holes::FirstDrill;
+use crate::tables::rules::TwoPassDrillingFor;
 use crate::units::Micrometres;
 
 use super::super::bores::Bore;
@@ -22,39 +22,35 @@ pub(super) fn two_passes(
     let Some(index) = steps.iter().position(|step| step.operation == Operation::Drill) else { return Ok(()) };
     let diameter = steps[index].diameter;
     if let Some(row) = handbook::row(bore, shop)?
-        && let (Some(first), Some(last)) = (handbook::first_drill(row), handbook::last_drill(row))
-        && last == diameter
+        && let Some(first) = handbook::first_drill(&row)
+        && handbook::last_drill(&row) == diameter
         && !sizes.single_drill
         && sizes.drills.contains(&first)
     {
         let note = Note::new("handbook-first-drill").with("first", first).with("diameter", diameter);
-        split(steps, index, first, Because::row(row, note.clone()), Because::row(row, note));
+        split(steps, index, first, Because::row(row.row, note.clone()), Because::row(row.row, note));
         return Ok(());
     }
-    let shares = shop.knowledge.table("first-drill")?;
-    let share = shares.row(0).ok_or_else(|| KnowledgeError::no_row(shares, "two-pass drilling"))?;
-    let (share_min, share_max) = (share.number_in("share_min", Unit::None)?, share.number_in("share_max", Unit::None)?);
+    let share = shop.knowledge.need("two-pass drilling", |_: &FirstDrill<'_>| true)?;
+    let (share_min, share_max) = (share.share_min, share.share_max);
     let [low, high] = [share_min, share_max].map(|share| Micrometres::from_mm_rounded(diameter.to_mm() * share));
     let inside = |drills: &[Micrometres]| drills.iter().copied().filter(|drill| (low..=high).contains(drill)).max();
     let at_hand = inside(sizes.in_magazine);
-    let rule = shop.knowledge.table("two-pass-drilling")?;
     let in_magazine = at_hand.is_some() && !sizes.single_drill;
-    let answer =
-        rule.decide(&[("diameter", Input::Length(diameter)), ("first_drill_in_magazine", Input::Bool(in_magazine))])?;
-    let row = answer.winner().ok_or_else(|| KnowledgeError::no_row(rule, "this drill"))?;
+    let answer = shop.knowledge.ask(&TwoPassDrillingFor { diameter, first_drill_in_magazine: in_magazine })?;
     let note = |code: &str| Note::new(code).with("diameter", diameter).with("low", low).with("high", high);
-    if row.int("passes")? < 2 {
-        steps[index].because.push(Because::answer(&answer, note("one-pass")));
+    if answer.need("this drill")?.passes < 2 {
+        steps[index].because.push(Because::answer(&answer.answer, note("one-pass")));
         return Ok(());
     }
     // Above 30 mm with nothing at hand: the smallest drill of the range cuts with the least thrust.
     let first = at_hand.or_else(|| sizes.drills.iter().copied().find(|drill| (low..=high).contains(drill)));
     let Some(first) = first else { return Ok(()) };
-    let why = Because::answer(&answer, note("two-passes").with("first", first));
+    let why = Because::answer(&answer.answer, note("two-passes").with("first", first));
     let note = note("first-drill").with("first", first).with("share-min", share_min).with("share-max", share_max);
-    split(steps, index, first, Because::row(share, note), why);
+    split(steps, index, first, Because::row(share.row, note), why);
     // Below the limit above which two drills are the rule, the first is there for another hole only.
-    steps[index].borrowed = at_hand.is_some() && diameter <= share.length("above_diameter")?;
+    steps[index].borrowed = at_hand.is_some() && diameter <= share.above_diameter;
     Ok(())
 }
 

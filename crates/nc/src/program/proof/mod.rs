@@ -85,7 +85,7 @@ impl Tolerated {
         let row = crate::zone::approach(part, true, knowledge)?;
         let overload = crate::job::convention(Convention::Overload, knowledge)?.0;
         let overlong = crate::job::convention(Convention::Overlong, knowledge)?.0;
-        Ok(Self { overrun: row.length("overrun")?, overload, overlong })
+        Ok(Self { overrun: row.overrun, overload, overlong })
     }
 }
 

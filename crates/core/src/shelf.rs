@@ -1,0 +1,112 @@
+//! Rows of the tables that planning goes through again and again: each table is read once for a part.
+
+use std::sync::OnceLock;
+
+use crate::error::KnowledgeError;
+use crate::knowledge::table::ToolHead;
+use crate::knowledge::vocabulary::Operation;
+use crate::knowledge::{Knowledge, Table, TableError, TableRow};
+use crate::tables::holes::{HoleConvention, Scheme};
+use crate::tables::tools::CutterRow;
+
+/// Tables taken down and read when they are first asked.
+#[derive(Debug)]
+pub struct Shelf<'k> {
+    knowledge: &'k Knowledge,
+    cutters: Vec<CutterTable<'k>>,
+    conventions: Rows<HoleConvention<'k>>,
+    schemes: Rows<Scheme<'k>>,
+}
+
+/// A table of cutters.
+#[derive(Debug)]
+pub struct CutterTable<'k> {
+    /// The table.
+    pub table: &'k Table,
+    /// What it says of all its cutters.
+    pub head: &'k ToolHead,
+    rows: Rows<CutterRow<'k>>,
+}
+
+/// The rows of one table, once they are read.
+#[derive(Debug)]
+struct Rows<R>(OnceLock<Vec<R>>);
+
+impl<'k, R: TableRow<'k>> Rows<R> {
+    const fn unread() -> Self {
+        Self(OnceLock::new())
+    }
+
+    fn of(&self, table: impl FnOnce() -> Result<&'k Table, TableError>) -> Result<&[R], TableError> {
+        match self.0.get() {
+            Some(rows) => Ok(rows),
+            None => {
+                let rows = table()?.rows().collect::<Result<_, _>>()?;
+                Ok(self.0.get_or_init(|| rows))
+            }
+        }
+    }
+}
+
+impl<'k> CutterTable<'k> {
+    /// Its rows.
+    ///
+    /// # Errors
+    /// A row is not what its contract says; never of a table that was checked.
+    pub fn rows(&self) -> Result<&[CutterRow<'k>], TableError> {
+        self.rows.of(|| Ok(self.table))
+    }
+}
+
+impl<'k> Shelf<'k> {
+    /// With nothing read yet.
+    pub fn new(knowledge: &'k Knowledge) -> Self {
+        let cutters = knowledge.tables().filter_map(|table| {
+            let head = table.tool.as_ref()?;
+            Some(CutterTable { table, head, rows: Rows::unread() })
+        });
+        Self { knowledge, cutters: cutters.collect(), conventions: Rows::unread(), schemes: Rows::unread() }
+    }
+
+    /// Every table of cutters, by id.
+    pub fn cutters(&self) -> &[CutterTable<'k>] {
+        &self.cutters
+    }
+
+    /// The table of cutters of that id, as the rule `tool-tables` names it.
+    ///
+    /// # Errors
+    /// There is no such table, or it is none of cutters.
+    pub fn cutters_of(&self, id: &str) -> Result<&CutterTable<'k>, KnowledgeError> {
+        let found = self.cutters.iter().find(|cutters| cutters.table.id == id);
+        found.ok_or_else(|| KnowledgeError::lacks(id, "there is no such table of cutters"))
+    }
+
+    /// Every cutter that makes a transition, whatever its size.
+    ///
+    /// # Errors
+    /// A row is not what its contract says; never of tables that were checked.
+    pub fn cutters_for(&self, operation: Operation) -> Result<Vec<&CutterRow<'k>>, TableError> {
+        let mut found = Vec::new();
+        for tables in self.cutters.iter().filter(|tables| tables.head.operations.contains(&operation)) {
+            found.extend(tables.rows()?);
+        }
+        Ok(found)
+    }
+
+    /// The conventions on holes.
+    ///
+    /// # Errors
+    /// There is no such table.
+    pub fn conventions(&self) -> Result<&[HoleConvention<'k>], TableError> {
+        self.conventions.of(|| self.knowledge.table_of::<HoleConvention<'k>>())
+    }
+
+    /// The schemes of A.7.
+    ///
+    /// # Errors
+    /// There is no such table.
+    pub fn schemes(&self) -> Result<&[Scheme<'k>], TableError> {
+        self.schemes.of(|| self.knowledge.table_of::<Scheme<'k>>())
+    }
+}
