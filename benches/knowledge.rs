@@ -14,9 +14,7 @@ use technolog::knowledge::{Column, ColumnType, Input, Knowledge, Table, lint, lo
 use technolog::plan::CuttingMethod;
 use technolog::units::{ItGrade, Micrometres, Roughness};
 use technolog::{part, planner, shipped};
-
-#[path = "../tests/common/kinds.rs"]
-mod kinds;
+use technolog_testing::kinds;
 
 /// Questions per iteration, all different, so that neither branches nor caches learn one answer.
 const QUESTIONS: usize = 1024;

@@ -14,9 +14,7 @@ use technolog::sequence::bound::{lower_bound, rounds};
 use technolog::sequence::metric::Metric;
 use technolog::sequence::tour::{Effort, Space, nearest_rule, path};
 use technolog::units::MillimetresPerMinute;
-
-#[path = "../tests/common/patterns.rs"]
-mod patterns;
+use technolog_testing::patterns;
 
 fn main() {
     let arguments: Vec<String> = std::env::args().collect();

@@ -17,10 +17,8 @@ use technolog::turning::point::Point;
 use technolog::turning::shaft::{Division, Shaft};
 use technolog::turning::transitions::{Feeds, Scheme, Settings, Stock, Tool, work};
 use technolog::units::{Degrees, MillimetresPerMinute};
-
-#[path = "../tests/common/shafts.rs"]
-mod shafts;
-use shafts::by_petgraph;
+use technolog_testing::shafts;
+use technolog_testing::shafts::by_petgraph;
 
 fn main() {
     let rates = shafts::rates();

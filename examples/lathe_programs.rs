@@ -13,10 +13,7 @@ use technolog::turning::point::Point;
 use technolog::turning::program::{Allowance, Control, Direction, Feeds, Roughing, Setting, Speed, cycle, plain};
 use technolog::turning::way::{Purpose, Way};
 use technolog::units::{MetresPerMinute, MillimetresPerRev, RevsPerMinute};
-
-#[path = "../tests/common/told.rs"]
-mod told;
-use told::told_piece;
+use technolog_testing::told::told_piece;
 
 /// A generator of random numbers (splitmix64).
 struct Dice(u64);

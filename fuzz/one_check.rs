@@ -1,4 +1,4 @@
-//! One check of any bytes: shared by the fuzz target and by `tests/program_fuzz.rs`, which runs it in every `cargo test`.
+//! One check of any bytes: shared by the fuzz target and by `tests/suites/programs/fuzz.rs`, which runs it in every `cargo test`.
 //!
 //! The bytes are the program. How the operator's panel is set is told by its first line, where that begins with `%`:
 //! such a line means nothing to the control, so that the same file is a program and a setting of it.

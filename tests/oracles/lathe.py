@@ -4,7 +4,7 @@
     python3 tests/oracles/lathe.py target/debug/examples/lathe_programs              # 200 of each kind, seed 1
     python3 tests/oracles/lathe.py target/debug/examples/lathe_programs 1000 7       # so many, by this seed
     python3 tests/oracles/lathe.py program.ngc                                       # the motions of one program
-    CASES=100 OUT=/tmp/parts.jsonl cargo test --test operation programs_for_rs274 -- --ignored
+    CASES=100 OUT=/tmp/parts.jsonl cargo test --test turning operation::programs_for_rs274 -- --ignored
     python3 tests/oracles/lathe.py /tmp/parts.jsonl                                  # programs of whole operations
 
 Programs of single moves: every STRAIGHT_TRAVERSE, STRAIGHT_FEED and ARC_FEED is compared with the move of the way: its end,

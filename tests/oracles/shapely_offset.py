@@ -1,6 +1,6 @@
 """Our equidistants beside those of shapely (GEOS), which makes arcs of many short lines.
 
-    CONTOURS=/tmp/contours.json cargo test --test equidistant -- --ignored
+    CONTOURS=/tmp/contours.json cargo test --test turning contours_for_shapely -- --ignored
     python3 tests/oracles/shapely_offset.py /tmp/contours.json
 
 The test writes random contours, one distance over each, and our answer. The part is what lies under a contour; its offset

@@ -42,7 +42,7 @@ impl<'k> Auditor<'k> {
     /// Reads what all audits need.
     ///
     /// # Errors
-    /// The table `audit-tolerance` lacks a quantity.
+    /// The table `audit-tolerance` lacks a quantity, or a row is not what its contract says.
     pub fn new(knowledge: &'k Knowledge) -> Result<Self, KnowledgeError> {
         let cutters = named::cutter_names(knowledge)?.into_iter().map(|cutter| (cutter.designation, cutter));
         let holders = named::holders(knowledge)?.into_iter().map(|holder| (holder.designation, holder));

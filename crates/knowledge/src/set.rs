@@ -132,6 +132,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(technolog_laws::cases!(256))]
+
         #[test]
         fn sets_agree_with_membership(a in sets(), b in sets()) {
             for x in -30..30 {

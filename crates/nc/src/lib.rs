@@ -10,5 +10,4 @@ use technolog_core::{error, machine, motion, note, part, plan, shop, zone};
 use technolog_knowledge::{self as knowledge, units};
 #[cfg(test)]
 use technolog_shipped as shipped;
-#[allow(unused_imports, reason = "until its reads are typed")]
 use technolog_tables as tables;

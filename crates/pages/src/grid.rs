@@ -185,6 +185,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(technolog_laws::cases!(256))]
+
         #[test]
         fn no_line_is_wider_than_the_screen_and_no_letter_is_lost(
             rows in prop::collection::vec(prop::collection::vec("([a-zа-яіїє漢é_]{1,30} ?){0,8}", 4), 1..6)

@@ -89,7 +89,7 @@ fn breaks_through(
     }
     let drills = matches!(row.operation.value, Operation::Drill | Operation::DrillOut);
     let angle = context.stated.tool_of(row).and_then(|tool| context.cutter(tool)).filter(|_| drills);
-    let angle = angle.and_then(|cutter| named::point_angle(&cutter));
+    let angle = angle.and_then(|cutter| named::point_angle(cutter));
     let diameter = graph.stated_or_right(Id::new(Scope::Row(at), Q::Diameter));
     let point = angle.zip(diameter).map_or(0.0, |(angle, diameter)| cone(diameter, angle));
     let end = figure.value + point;
@@ -100,7 +100,7 @@ fn breaks_through(
 fn spot(context: &Context<'_>, graph: &Graph<'_>, at: usize, row: &Row) -> Option<f64> {
     let diameter = graph.stated_or_right(Id::new(Scope::Row(at), Q::Diameter))?;
     let cutter = context.stated.tool_of(row).and_then(|tool| context.cutter(tool));
-    let angle = cutter.and_then(|cutter| named::point_angle(&cutter)).unwrap_or(CENTRING_ANGLE);
+    let angle = cutter.and_then(|cutter| named::point_angle(cutter)).unwrap_or(CENTRING_ANGLE);
     Some(cone(diameter, angle))
 }
 

@@ -161,10 +161,9 @@ fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<Finding>) {
         })
     };
     // Another tool of the same dimensions may be of another kind: it must do what the rows ask of this one.
-    let asked: Vec<&str> =
-        context.stated.rows_of_tool(tool.number).map(|(_, row)| row.operation.value.name()).collect();
     let does = |cutter: &NamedCutter<'_>| {
-        asked.iter().all(|asked| cutter.head.operations.iter().any(|operation| operation.name() == *asked))
+        let mut rows = context.stated.rows_of_tool(tool.number);
+        rows.all(|(_, row)| cutter.head.operations.contains(&row.operation.value))
     };
     let mut others = context.auditor.cutters.values().filter(|cutter| fits(cutter) && does(cutter));
     let Some(other) = others.next() else { return };

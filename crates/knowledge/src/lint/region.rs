@@ -121,6 +121,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(technolog_laws::cases!(256))]
+
         #[test]
         fn what_is_left_is_exactly_what_no_other_box_holds(
             whole in boxes(), others in prop::collection::vec(boxes(), 0..4)

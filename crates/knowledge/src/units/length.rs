@@ -174,6 +174,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(technolog_laws::cases!(256))]
+
         #[test]
         fn every_length_survives_text(um in -10_000_000_i64..10_000_000) {
             let length = Micrometres::new(um);

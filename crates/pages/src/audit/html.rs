@@ -182,6 +182,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(technolog_laws::cases!(256))]
+
         #[test]
         fn no_text_opens_a_tag_or_ends_an_attribute(text in any::<String>()) {
             let shown = escaped(&text);

@@ -1,20 +1,20 @@
 //! What the words of a control mean: one dictionary from its tables.
 //!
-//! The tables of a control `NAME` are `NAME-g-functions`, `NAME-m-functions`, `NAME-m-actions`, `NAME-addresses`,
-//! `NAME-cycle-parameters` and `NAME-words`, as far as there are such. Each has the columns `meaning_uk`, `meaning_en`
-//! and a key `code`, `address` or `word`; a row with `cycles` is a parameter of those cycles. A control whose words
-//! stand in one table has only `NAME-words`.
+//! What the words of 2C42-65 mean stands in the tables of its manual; of another control `NAME` all of it stands in one,
+//! `NAME-words`. A row with cycles is a parameter of those.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::error::KnowledgeError;
-use crate::knowledge::{Knowledge, RowRef};
+use crate::knowledge::Knowledge;
 use crate::report::Lang;
+use crate::tables::controls::control_2c42_65::{
+    AddressUnit, Addresses, CycleParameters, GFunctions, MActions, MFunctions,
+};
+use crate::tables::controls::iso::Words;
 
 use super::words::Word;
 
-const TABLES: [&str; 6] = ["g-functions", "m-functions", "m-actions", "addresses", "cycle-parameters", "words"];
-const KEYS: [&str; 3] = ["code", "address", "word"];
 /// Functions by whose block the words of the axes are no way to go: a setting or a wait.
 const NO_WAY: [&str; 4] = ["G04", "G10", "G52", "G92"];
 
@@ -54,43 +54,59 @@ impl Dictionary {
     /// There is no such table, or a row lacks a meaning.
     pub fn read(control: &str, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
         let mut own = Self::default();
-        for name in TABLES {
-            let Ok(table) = knowledge.table(&format!("{control}-{name}")) else { continue };
-            let Some(key) = KEYS.into_iter().find(|key| table.column_index(key).is_some()) else { continue };
-            // A table of actions says only what the others leave out.
-            for row in table.all_rows().filter(|row| name != "m-actions" || row.text("meaning_uk").is_ok()) {
-                own.take(row, key)?;
-            }
+        if control == "2c42-65" {
+            own.take_2c42_65(knowledge)?;
+            return Ok(own);
         }
-        if own.words.is_empty() {
-            let wanted = format!("{control}-words");
-            return Err(KnowledgeError::lacks(&wanted, "no table says what the words of this control mean"));
+        let words = format!("{control}-words");
+        let lacks = |_| KnowledgeError::lacks(&words, "no table says what the words of this control mean");
+        for row in knowledge.table(&words).map_err(lacks)?.rows() {
+            let row: Words<'_> = row?;
+            let unit = row.unit.filter(|unit| *unit != AddressUnit::Ones.name()).map(str::to_owned);
+            let incremental = row.incremental_uk.zip(row.incremental_en);
+            let meaning = Meaning { unit, ..Meaning::new(row.meaning_uk, row.meaning_en, incremental) };
+            own.take(row.word, &row.cycles.unwrap_or_default(), meaning);
         }
         Ok(own)
     }
 
-    fn take(&mut self, row: RowRef<'_>, key: &str) -> Result<(), KnowledgeError> {
-        let word = row.text(key)?.to_owned();
-        let text = |column: &str| row.text(column).ok().map(str::to_owned);
-        let meaning = Meaning {
-            uk: row.text("meaning_uk")?.to_owned(),
-            en: row.text("meaning_en")?.to_owned(),
-            incremental: text("incremental_uk").zip(text("incremental_en")),
-            unit: text("unit").filter(|unit| unit != "1"),
-            tenths: row.text("format").is_ok_and(|format| format == "tenths of a second"),
-        };
-        match row.texts("cycles") {
-            Ok(cycles) if !cycles.is_empty() => {
-                for cycle in cycles {
-                    self.cycles.insert(cycle.to_owned());
-                    self.parameters.entry((cycle.to_owned(), word.clone())).or_default().push(meaning.clone());
-                }
-            }
-            _ => {
-                self.words.entry(word).or_insert(meaning);
+    fn take_2c42_65(&mut self, knowledge: &Knowledge) -> Result<(), KnowledgeError> {
+        for row in knowledge.rows::<GFunctions<'_>>()? {
+            self.take(row.code, &[], Meaning::new(row.meaning_uk, row.meaning_en, None));
+        }
+        for row in knowledge.rows::<MFunctions<'_>>()? {
+            self.take(row.code, &[], Meaning::new(row.meaning_uk, row.meaning_en, None));
+        }
+        // The table of actions says only what the others leave out.
+        for row in knowledge.rows::<MActions<'_>>()? {
+            if let (Some(uk), Some(en)) = (row.meaning_uk, row.meaning_en) {
+                self.take(row.code, &[], Meaning::new(uk, en, None));
             }
         }
+        for row in knowledge.rows::<Addresses<'_>>()? {
+            let unit = row.unit.filter(|unit| *unit != AddressUnit::Ones).map(|unit| unit.name().to_owned());
+            let tenths = row.unit == Some(AddressUnit::Seconds);
+            let meaning = Meaning { unit, tenths, ..Meaning::new(row.meaning_uk, row.meaning_en, None) };
+            self.take(&row.address.0.to_string(), &[], meaning);
+        }
+        for row in knowledge.rows::<CycleParameters<'_>>()? {
+            let incremental = row.incremental_uk.zip(row.incremental_en);
+            let meaning = Meaning::new(row.meaning_uk, row.meaning_en, incremental);
+            self.take(&row.word.0.to_string(), &row.cycles, meaning);
+        }
         Ok(())
+    }
+
+    /// Takes a word, or where there are cycles a parameter of these.
+    fn take(&mut self, word: &str, cycles: &[&str], meaning: Meaning) {
+        for cycle in cycles {
+            self.cycles.insert((*cycle).to_owned());
+            let key = ((*cycle).to_owned(), word.to_owned());
+            self.parameters.entry(key).or_default().push(meaning.clone());
+        }
+        if cycles.is_empty() {
+            self.words.entry(word.to_owned()).or_insert(meaning);
+        }
     }
 
     /// What a block says, word by word; its number says nothing.
@@ -208,6 +224,11 @@ impl Dictionary {
 }
 
 impl Meaning {
+    fn new(uk: &str, en: &str, incremental: Option<(&str, &str)>) -> Self {
+        let incremental = incremental.map(|(uk, en)| (uk.to_owned(), en.to_owned()));
+        Self { uk: uk.to_owned(), en: en.to_owned(), incremental, ..Self::default() }
+    }
+
     fn text(&self, incremental: bool, lang: Lang) -> &str {
         match &self.incremental {
             Some((uk, en)) if incremental => lang.pick(uk, en),

@@ -27,6 +27,7 @@ vocabulary! {
         Degrees = "deg",
         MillimetresPerMinute = "mm/min",
         RevsPerMinute = "1/min",
+        /// Limits in seconds; the number itself counts tenths.
         Seconds = "s",
     }
 
@@ -98,11 +99,10 @@ rows! {
         address: Letter,
         meaning_uk: &'t str,
         meaning_en: &'t str,
-        format: Option<&'t str>,
         minimum: Option<f64>,
         maximum: Option<f64>,
         unit: Option<AddressUnit>,
-    }
+    } shown { format }
 
     /// Further parameters of the boring cycles of 2C42-65.
     pub struct BoringParameters of One("2c42-65-boring-parameters") {}

@@ -159,4 +159,5 @@ vocabulary! {
         /// Against it.
         Conventional = "conventional",
     }
+
 }

@@ -105,17 +105,15 @@ rows! {
         edge: Option<Micrometres>,
         bar_diameter: Option<Micrometres>,
         min_bore: Option<Micrometres>,
-        length: Option<Micrometres>,
         reach: Option<Micrometres>,
         grades: Option<Vec<&'t str>>,
         width: Option<Micrometres>,
         groove_depth: Option<Micrometres>,
-        face_diameter_min: Option<Micrometres>,
         shank_height: Option<Micrometres>,
         shank_width: Option<Micrometres>,
         pitch_min: Option<Micrometres>,
         pitch_max: Option<Micrometres>,
-    }
+    } shown { length, face_diameter_min }
 
     /// Which of the turning tools that fit.
     pub struct TurningToolOrder of One("turning-tool-order") asked by TurningToolOrderFor {

@@ -52,16 +52,12 @@ pub struct TurningTool<'k> {
     pub shank: Option<Shank>,
     /// Overhang out of the holder, where the row has one of its own; else by `turning-limits`.
     pub reach: Option<Micrometres>,
-    /// Length over all.
-    pub length: Option<Micrometres>,
     /// The smallest bore it enters.
     pub min_bore: Option<Micrometres>,
     /// Width of the blade of a grooving tool.
     pub width: Option<Micrometres>,
     /// The deepest groove.
     pub groove_depth: Option<Micrometres>,
-    /// The smallest outer diameter of a face groove.
-    pub face_diameter_min: Option<Micrometres>,
     /// Least and largest pitch of a threading tool.
     pub pitch: Option<(Micrometres, Micrometres)>,
     /// Carbide grades of its inserts, in the names of `tool-material-factor`; empty where the row has none.
@@ -108,11 +104,9 @@ impl<'k> TurningTool<'k> {
             edge: tool.edge,
             shank: round.or(square.map(|(height, width)| Shank::Square { height, width })),
             reach: tool.reach,
-            length: tool.length,
             min_bore: tool.min_bore,
             width: tool.width,
             groove_depth: tool.groove_depth,
-            face_diameter_min: tool.face_diameter_min,
             pitch: tool.pitch_min.zip(tool.pitch_max),
             grades: tool.grades.unwrap_or_default(),
         }

@@ -54,7 +54,7 @@ fn each_once(order: &[usize], count: usize) -> bool {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(16))]
+    #![proptest_config(technolog_laws::cases!(16))]
 
     #[test]
     fn few_points_are_solved_as_trying_all_orders_solves_them(points in points(7)) {
@@ -79,16 +79,48 @@ proptest! {
 
     #[test]
     fn a_path_is_below_no_bound_and_the_same_again(points in points(60)) {
-        for space in spaces(&points) {
-            let found = path(&space, Effort(5));
-            prop_assert!(each_once(&found.order, points.len()));
-            prop_assert_eq!(&found, &path(&space, Effort(5)));
-            prop_assert_eq!(found.cost, space.length(&found.order));
-            prop_assert!(found.cost <= nearest_rule(&space).cost);
-            let bound = lower_bound(&space, found.cost, 60);
-            prop_assert!(bound <= found.cost, "{} > {}", bound, found.cost);
-        }
+        keeps_the_bounds(&points)?;
     }
+}
+
+fn keeps_the_bounds(points: &[Point]) -> Result<(), TestCaseError> {
+    for space in spaces(points) {
+        let found = path(&space, Effort(5));
+        prop_assert!(each_once(&found.order, points.len()));
+        prop_assert_eq!(&found, &path(&space, Effort(5)));
+        prop_assert_eq!(found.cost, space.length(&found.order));
+        prop_assert!(found.cost <= nearest_rule(&space).cost);
+        let bound = lower_bound(&space, found.cost, 60);
+        prop_assert!(bound <= found.cost, "{} > {}", bound, found.cost);
+    }
+    Ok(())
+}
+
+/// Once found by the law above: two pairs of points in one place.
+#[test]
+fn points_in_one_place_keep_the_bounds() {
+    let halves = [
+        (45, 0),
+        (-30, -10),
+        (-75, -60),
+        (0, 20),
+        (-30, -10),
+        (-15, 0),
+        (75, -60),
+        (-30, 10),
+        (90, 0),
+        (15, -20),
+        (-15, 0),
+        (30, -40),
+        (-90, 0),
+        (0, 10),
+        (75, -20),
+        (0, 30),
+        (-30, 20),
+        (-45, 60),
+    ];
+    let points = halves.map(|(x, y)| Point { x: Micrometres::new(x * 500), y: Micrometres::new(y * 500) });
+    keeps_the_bounds(&points).unwrap();
 }
 
 #[test]

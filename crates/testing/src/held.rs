@@ -1,0 +1,82 @@
+//! A part as the programs of a control are held against it.
+
+use technolog::job::{self, Job};
+use technolog::machine::Machine;
+use technolog::motion::time::Clock;
+use technolog::motion::{Position, Step};
+use technolog::part::Part;
+use technolog::plan::{CuttingMethod, Plan};
+use technolog::program::proof::{Asked, Proof, Tolerated, prove};
+use technolog::program::written::Form;
+use technolog::program::{Fault, Language, Setting};
+use technolog::shop::Shop;
+use technolog::units::Micrometres;
+
+use super::mutants::Run;
+use super::{KNOWLEDGE, planned, read, root};
+
+pub struct Held {
+    pub plan: Plan,
+    pub job: Job,
+    pub machine: Machine<'static>,
+    pub setting: Setting,
+    pub own_correctors: bool,
+    pub tolerated: Tolerated,
+    form: Form,
+}
+
+impl Held {
+    /// The part of a file, by its path from the root of the project.
+    pub fn new(path: &str) -> Self {
+        Self::of(&read(&std::fs::read_to_string(root().join(path)).unwrap()))
+    }
+
+    pub fn of(part: &Part) -> Self {
+        let plan = planned(part, CuttingMethod::default());
+        let shop = Shop::new(&plan.part, plan.cutting, &KNOWLEDGE).unwrap();
+        let job = job::make(&plan, &shop).unwrap();
+        let setting = Setting::of_job(&job);
+        let tolerated = Tolerated::read(&plan.part, &KNOWLEDGE).unwrap();
+        let form = Form::read(&shop).unwrap();
+        Self { plan, job, machine: shop.machine, setting, own_correctors: false, tolerated, form }
+    }
+
+    /// With the operator's own correctors: numbers and micrometres.
+    pub fn own(mut self, correctors: &[(u32, i64)]) -> Self {
+        self.setting.correctors =
+            correctors.iter().map(|(number, value)| (*number, Micrometres::new(*value))).collect();
+        self.own_correctors = true;
+        self
+    }
+
+    /// The program that is written for it.
+    pub fn written(&self, language: &Language) -> String {
+        language.write(&self.job, self.form).text()
+    }
+
+    /// What the proof says of a program, by its codes.
+    pub fn codes(&self, language: &Language, text: &str) -> Vec<&'static str> {
+        self.run(language, text).1.findings.iter().map(|finding| finding.code.name()).collect()
+    }
+
+    pub fn run(&self, language: &Language, text: &str) -> (Vec<Fault>, Proof, Run) {
+        let mut sink = (Vec::<Step>::new(), Clock::new(&self.machine, self.setting.start));
+        let faults = language.check(text, &self.machine, &self.setting, &mut sink);
+        let (steps, clock) = sink;
+        let zeros: Vec<Position> = self.job.setups.iter().map(|setup| setup.zero).collect();
+        let asked = Asked {
+            plan: &self.plan,
+            job: &self.job,
+            zeros: &zeros,
+            start: self.setting.start,
+            tolerated: self.tolerated,
+            own_correctors: self.own_correctors,
+        };
+        let proof = prove(&steps, &asked);
+        let said = faults.iter().map(|fault| format!("{:?} {:?}", fault.severity, fault.note));
+        let said =
+            said.chain(proof.findings.iter().map(|finding| format!("{:?} {:?}", finding.severity, finding.note)));
+        let run = Run::of(&steps, self.setting.start, said, format!("{:?}", clock.times()));
+        (faults, proof, run)
+    }
+}

@@ -1,0 +1,122 @@
+//! What several tests share: reading, planning, and looking at the routes of a plan.
+
+pub mod cuts;
+pub mod held;
+pub mod holes;
+pub mod kinds;
+pub mod lawful;
+pub mod mutants;
+pub mod patterns;
+pub mod section;
+pub mod shafts;
+pub mod side;
+pub mod spoilt;
+pub mod told;
+pub mod turned;
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::LazyLock;
+
+use technolog::knowledge::Knowledge;
+use technolog::part::{Part, read_part};
+use technolog::plan::{CuttingMethod, Operation, Plan, Way};
+use technolog::units::Micrometres;
+use technolog::{planner, shipped};
+
+pub static KNOWLEDGE: LazyLock<Knowledge> = LazyLock::new(|| shipped::knowledge().unwrap());
+
+pub fn read(text: &str) -> Part {
+    read_part("part.yaml", text, &KNOWLEDGE).unwrap_or_else(|problems| panic!("{problems:?}\n{text}"))
+}
+
+pub fn planned(part: &Part, method: CuttingMethod) -> Plan {
+    planner::plan(part, method, &KNOWLEDGE).unwrap_or_else(|error| panic!("{error}\n{part:?}"))
+}
+
+/// A plan of one group of holes, `keys` as they stand in its braces.
+pub fn plan_of_hole(material: &str, machine: &str, thickness: &str, keys: &str) -> Plan {
+    let text = format!(
+        "part: P\nmaterial: {material}\nmachine: {machine}\n\
+         blank: {{kind: plate, length: 400, width: 200, thickness: {thickness}}}\nholes:\n  - {{name: A, {keys}}}\n"
+    );
+    planned(&read(&text), CuttingMethod::Formula)
+}
+
+/// A route of a group: the one taken, one that lost, or one that cannot be carried out.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// Absent where the group has no route at all: findings name only the scheme.
+    pub way: Option<Way>,
+    pub scheme: String,
+    /// Operations with the diameters they leave; empty where it cannot be carried out.
+    pub operations: Vec<(Operation, Micrometres)>,
+    pub carried_out: bool,
+    pub taken: bool,
+    /// Why it lost or cannot be carried out; empty of the one taken.
+    pub why: String,
+}
+
+/// Every route of the first group that the plan tells of, the one taken first.
+pub fn routes(plan: &Plan) -> Vec<Found> {
+    let hole = &plan.holes[0];
+    let Some(route) = &hole.route else {
+        let named = |finding: &technolog::note::Finding| {
+            let scheme = finding.note.params.get("scheme")?.clone();
+            let why = finding.note.code.clone();
+            Some(Found { way: None, scheme, operations: Vec::new(), carried_out: false, taken: false, why })
+        };
+        return plan.findings.iter().filter_map(named).collect();
+    };
+    let taken = Found {
+        way: Some(route.way),
+        scheme: route.scheme.clone(),
+        operations: hole.transitions.iter().map(|step| (step.operation, step.diameter_mm)).collect(),
+        carried_out: true,
+        taken: true,
+        why: String::new(),
+    };
+    let others = route.alternatives.iter().map(|other| Found {
+        way: Some(other.way),
+        scheme: other.scheme.clone(),
+        operations: other.operations.iter().map(|made| (made.operation, made.diameter_mm)).collect(),
+        carried_out: other.time_min.is_some(),
+        taken: false,
+        why: other.why.code.clone(),
+    });
+    std::iter::once(taken).chain(others).collect()
+}
+
+/// The root of the project.
+pub fn root() -> &'static Path {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
+}
+
+/// The parts of `tests/found`: what laws once found, each with its name. A case of a law that fails becomes a file here.
+pub fn found() -> Vec<(String, String)> {
+    let entries = std::fs::read_dir(root().join("tests/found")).unwrap();
+    let mut paths: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
+    paths.sort();
+    let named = |path: std::path::PathBuf| {
+        (path.file_stem().unwrap().to_string_lossy().into_owned(), std::fs::read_to_string(&path).unwrap())
+    };
+    paths.into_iter().map(named).collect()
+}
+
+/// A second reading of a table: its rows, each cell by its column.
+pub fn reading(table: &str) -> Vec<BTreeMap<String, String>> {
+    csv_rows(&format!("tests/readings/{table}.csv"))
+}
+
+/// The rows of a CSV file of this repository, each cell by its column.
+pub fn csv_rows(path: &str) -> Vec<BTreeMap<String, String>> {
+    let mut reader = csv::Reader::from_path(root().join(path)).unwrap();
+    let columns: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
+    let row = |record: csv::StringRecord| columns.iter().cloned().zip(record.iter().map(str::to_owned)).collect();
+    reader.records().map(|record| row(record.unwrap())).collect()
+}
+
+/// Transitions as a table lists them, separated by spaces.
+pub fn operations(written: &str) -> Vec<Operation> {
+    written.split(' ').map(|name| Operation::from_name(name).unwrap_or_else(|| panic!("no operation {name}"))).collect()
+}

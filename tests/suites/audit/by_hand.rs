@@ -1,0 +1,60 @@
+//! A plan of ours written down as people write one: what we plan by the formulas is right by the audit of plans by hand,
+//! too. So the formulas, reaches and lengths that are held against such plans are those of planning.
+
+use technolog::audit::{audit, by_hand, read_plan};
+use technolog::note::Severity;
+use technolog::part::Part;
+use technolog::plan::CuttingMethod;
+use technolog_testing::{KNOWLEDGE, planned, read};
+
+/// What the audit has against the plan of a part, notes left aside.
+fn found(part_file: &str) -> Vec<String> {
+    let part: Part = read(part_file);
+    let plan = planned(&part, CuttingMethod::Formula);
+    let text = by_hand(&plan, "part.yaml");
+    let files = |_: &str| Ok(part_file.to_owned());
+    let stated = read_plan("plan.yaml", &text, &KNOWLEDGE, &files).unwrap_or_else(|why| panic!("{why:?}\n{text}"));
+    let audit = audit(&stated, &KNOWLEDGE).unwrap();
+    let grave = audit.findings.iter().filter(|one| one.severity < Severity::Note);
+    grave.map(|one| format!("{:?} {} {} {:?} {:?}", one.severity, one.rule, one.field, one.stated, one.note)).collect()
+}
+
+#[test]
+fn what_we_plan_is_right_when_it_is_written_by_hand() {
+    let mut wrong = Vec::new();
+    for material in [
+        "steel-45",
+        "steel-40x",
+        "stainless-12h18n10t",
+        "cast-iron-sch20",
+        "malleable-kch30-6",
+        "brass-l63",
+        "aluminium-d16",
+    ] {
+        for (diameter, depth, roughness) in [
+            ("4H12", 15, "Ra 12.5"),
+            ("8H11", 40, "Ra 6.3"),
+            ("9H9", 20, "Ra 2.5"),
+            ("12H7", 30, "Ra 1.25"),
+            ("16H9", 60, "Ra 2.5"),
+            ("20H12", 40, "Ra 12.5"),
+            ("28H11", 50, "Ra 6.3"),
+            ("40H8", 40, "Ra 2.5"),
+        ] {
+            for through in [true, false] {
+                let thickness = if through { depth } else { depth + 20 };
+                let part = format!(
+                    "part: P\nmaterial: {material}\nmachine: gf2171\nfixture: {{height: 60}}\n\
+                     blank: {{kind: plate, length: 400, width: 200, thickness: {thickness}}}\nholes:\n  - {{name: A, \
+                     diameter: {diameter}, depth: {depth}, through: {through}, roughness: {roughness}, \
+                     centre_tolerance: 0.2, at: [[-60, 0], [60, 0]]}}\n"
+                );
+                let said = found(&part);
+                if !said.is_empty() {
+                    wrong.push(format!("{material} {diameter} {depth} {through}: {}", said.join("\n    ")));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}

@@ -1,0 +1,19 @@
+//! Plans that others made, held against the tables.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "clippy allows it in tests, but not in the functions they share"
+)]
+
+mod against;
+mod by_hand;
+mod faults;
+mod folder;
+mod marks;
+mod mutations;
+mod program;
+mod reader;
+mod routes;
+mod words;

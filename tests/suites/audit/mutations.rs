@@ -1,0 +1,336 @@
+//! What the audit finds in a plan of ours with one thing changed: a report of the share found by kind of change.
+//!
+//! A plan made by `technolog plan` audits clean (tests/suites/audit/faults.rs), so whatever is said of a changed one is said of the change.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use serde_json::Value;
+use technolog::audit::{Finding, audit_beside, by_hand, read_plan};
+use technolog::knowledge::Value as Cell;
+use technolog::note::Severity;
+use technolog::plan::{CuttingMethod, Plan};
+use technolog_testing::{KNOWLEDGE, planned, read};
+
+/// A change: its kind, what was changed, and the plan with it.
+struct Mutant {
+    kind: &'static str,
+    what: String,
+    text: String,
+    /// The line that differs, from 1; absent where lines were moved.
+    line: Option<usize>,
+    /// The columns of what differs, where more than one figure stands in the line.
+    columns: Option<Range<usize>>,
+}
+
+/// What does not belong to the plan itself: its part, its reasons, what it was weighed against.
+const OUTSIDE: [&str; 7] = ["part", "because", "alternatives", "findings", "visiting", "cutting", "route"];
+
+fn numbers(value: &Value, path: &str, found: &mut Vec<String>) {
+    match value {
+        Value::Object(map) => {
+            for (key, value) in map.iter().filter(|(key, _)| !OUTSIDE.contains(&key.as_str())) {
+                numbers(value, &format!("{path}/{key}"), found);
+            }
+        }
+        Value::Array(items) => {
+            for (at, item) in items.iter().enumerate() {
+                numbers(item, &format!("{path}/{at}"), found);
+            }
+        }
+        Value::Number(_) => found.push(path.to_owned()),
+        Value::String(text)
+            if text.parse::<f64>().is_ok() && !path.ends_with("designation") && !path.ends_with("holder") =>
+        {
+            found.push(path.to_owned());
+        }
+        _ => {}
+    }
+}
+
+fn text(plan: &Value) -> String {
+    serde_json::to_string_pretty(plan).unwrap()
+}
+
+fn changed(plan: &Value, kind: &'static str, path: &str, to: Value) -> Mutant {
+    let before = text(plan);
+    let mut plan = plan.clone();
+    *plan.pointer_mut(path).unwrap() = to;
+    let after = text(&plan);
+    let line = before.lines().zip(after.lines()).position(|(a, b)| a != b).map(|at| at + 1);
+    Mutant { kind, what: path.to_owned(), text: after, line, columns: None }
+}
+
+/// A number times a factor, as it was written: whole where it was whole.
+fn times(value: &Value, factor: f64) -> Option<Value> {
+    let number = value.as_f64().or_else(|| value.as_str()?.parse().ok())?;
+    let whole = value.is_i64() || value.is_u64();
+    let new = number * factor;
+    let new = if whole {
+        if factor > 2.0 { new.round() } else { new.round().max(number + 1.0) }
+    } else {
+        (new * 1e4).round() / 1e4
+    };
+    if (new - number).abs() < 1e-9 {
+        return None;
+    }
+    Some(if whole { Value::from(new as i64) } else { Value::from(new) })
+}
+
+fn mutants(plan: &Value) -> Vec<Mutant> {
+    let mut mutants = Vec::new();
+    let mut paths = Vec::new();
+    numbers(plan, "", &mut paths);
+    for path in &paths {
+        let value = plan.pointer(path).unwrap();
+        for (kind, factor) in [("figure + 15 %", 1.15), ("comma moved right", 10.0), ("comma moved left", 0.1)] {
+            if let Some(new) = times(value, factor) {
+                mutants.push(changed(plan, kind, path, new));
+            }
+        }
+    }
+    let tools = plan["tools"].as_array().unwrap();
+    for (at, tool) in tools.iter().enumerate() {
+        for (key, table) in [("designation", "table"), ("holder", "holder_table")] {
+            let own = tool[key].as_str().unwrap();
+            let table = KNOWLEDGE.table(tool[table].as_str().unwrap()).unwrap();
+            let other = table
+                .all_rows()
+                .filter_map(|row| row.value("designation").and_then(Cell::as_text))
+                .find(|name| *name != own);
+            if let Some(other) = other {
+                mutants.push(changed(plan, "designation replaced", &format!("/tools/{at}/{key}"), Value::from(other)));
+            }
+            mutants.push(changed(
+                plan,
+                "designation misprinted",
+                &format!("/tools/{at}/{key}"),
+                Value::from(format!("{own}9")),
+            ));
+        }
+    }
+    if !plan["clamping"].is_null() {
+        let own = plan["clamping"]["screw"].as_str().unwrap();
+        for screw in ["M6", "M24"].into_iter().filter(|screw| *screw != own) {
+            mutants.push(changed(plan, "screw replaced", "/clamping/screw", Value::from(screw)));
+        }
+    }
+    for (at, hole) in plan["holes"].as_array().unwrap().iter().enumerate() {
+        let count = hole["transitions"].as_array().map_or(0, Vec::len);
+        for one in 0..count {
+            let mut dropped = plan.clone();
+            dropped["holes"][at]["transitions"].as_array_mut().unwrap().remove(one);
+            let what = format!("/holes/{at}/transitions/{one}");
+            mutants.push(Mutant {
+                kind: "transition dropped",
+                what: what.clone(),
+                text: text(&dropped),
+                line: None,
+                columns: None,
+            });
+            if one + 1 < count {
+                let mut swapped = plan.clone();
+                swapped["holes"][at]["transitions"].as_array_mut().unwrap().swap(one, one + 1);
+                mutants.push(Mutant {
+                    kind: "transitions swapped",
+                    what,
+                    text: text(&swapped),
+                    line: None,
+                    columns: None,
+                });
+            }
+        }
+    }
+    mutants
+}
+
+/// Figures behind a key that are a name or a place, not a figure.
+const NAMES: [&str; 7] = ["row", "for", "at", "designation", "scheme", "table", "step"];
+
+/// Every figure of a plan by hand changed, every name misprinted, every row dropped and exchanged with the next.
+fn by_hand_mutants(text: &str) -> Vec<Mutant> {
+    let mut mutants = Vec::new();
+    let lines: Vec<&str> = text.lines().collect();
+    let with = |at: usize, line: &str| {
+        let mut lines = lines.clone();
+        lines[at] = line;
+        lines.join("\n") + "\n"
+    };
+    let mut section = "";
+    for (at, line) in lines.iter().enumerate() {
+        if !line.starts_with(' ') {
+            section = line.split(':').next().unwrap();
+        }
+        // `key: value` wherever it stands in the line; keys are ASCII.
+        for (colon, _) in line.match_indices(": ") {
+            let key = line[..colon].rsplit([' ', '{']).next().unwrap();
+            let start = colon + 2;
+            let value = line[start..].split([',', '}']).next().unwrap();
+            let Ok(number) = value.parse::<f64>() else { continue };
+            if NAMES.contains(&key) {
+                continue;
+            }
+            let places = value.split_once('.').map_or(0, |(_, part)| part.len());
+            for (kind, factor) in [("figure + 15 %", 1.15), ("comma moved right", 10.0), ("comma moved left", 0.1)] {
+                let whole = value.parse::<i64>().is_ok();
+                let new = if whole && factor > 1.0 && factor < 2.0 {
+                    (number * factor).round().max(number + 1.0)
+                } else {
+                    number * factor
+                };
+                let places = if factor < 1.0 && number != 0.0 { places + 1 } else { places };
+                let new = format!("{new:.places$}");
+                if new.parse::<f64>().unwrap() == number {
+                    continue;
+                }
+                let changed = format!("{}{new}{}", &line[..start], &line[start + value.len()..]);
+                let column = line[..start].chars().count() + 1;
+                let what = format!("{section} {key}");
+                mutants.push(Mutant {
+                    kind,
+                    what,
+                    text: with(at, &changed),
+                    line: Some(at + 1),
+                    columns: Some(column..column + 1),
+                });
+            }
+        }
+        let what = |name: &str| format!("{section} {name}");
+        if section == "route" && line.starts_with("  - ") {
+            let mut dropped = lines.clone();
+            dropped.remove(at);
+            let text = dropped.join("\n") + "\n";
+            mutants.push(Mutant { kind: "row dropped", what: what("row"), text, line: None, columns: None });
+        }
+        for key in ["designation: \"", "designation: {designation: \""] {
+            if let Some(start) = line.find(key) {
+                let start = start + key.len();
+                let end = start + line[start..].find('"').unwrap();
+                let changed = format!("{}9{}", &line[..end], &line[end..]);
+                let column = line[..start].chars().count();
+                mutants.push(Mutant {
+                    kind: "designation misprinted",
+                    what: what("designation"),
+                    text: with(at, &changed),
+                    line: Some(at + 1),
+                    columns: Some(column..column + 1),
+                });
+            }
+        }
+    }
+    mutants
+}
+
+/// What became of the mutants of one kind.
+#[derive(Clone, Copy, Default)]
+struct Share {
+    made: usize,
+    found: usize,
+    /// Found by a formula or a table, and not only by our own plan.
+    ruled: usize,
+    /// Found, and the changed field is named first.
+    first: usize,
+}
+
+/// The shares by kind, and what was missed or not named first.
+#[derive(Default)]
+struct Report {
+    shares: BTreeMap<&'static str, Share>,
+    missed: BTreeMap<String, usize>,
+}
+
+impl Report {
+    fn add(&mut self, mutant: &Mutant, (found, ruled, first): (bool, bool, bool)) {
+        let share = self.shares.entry(mutant.kind).or_default();
+        share.made += 1;
+        share.found += usize::from(found);
+        share.ruled += usize::from(ruled);
+        share.first += usize::from(found && first);
+        if !found || !first {
+            let field: String =
+                mutant.what.chars().map(|letter| if letter.is_ascii_digit() { '#' } else { letter }).collect();
+            let what = format!("{:<11} {:<22} {field}", if found { "not first:" } else { "missed:" }, mutant.kind);
+            *self.missed.entry(what).or_default() += 1;
+        }
+    }
+
+    fn total(&self) -> Share {
+        self.shares.values().fold(Share::default(), |sum, one| Share {
+            made: sum.made + one.made,
+            found: sum.found + one.found,
+            ruled: sum.ruled + one.ruled,
+            first: sum.first + one.first,
+        })
+    }
+
+    fn print(&self) {
+        let line = |name: &str, one: Share| {
+            let share = |part: usize| 100.0 * part as f64 / one.made as f64;
+            let [found, ruled, first] = [one.found, one.ruled, one.first].map(share);
+            println!("{name:<24} {:>5} {found:>5.1} % {ruled:>5.1} % {first:>5.1} %", one.made);
+        };
+        println!("{:<24} {:>5} {:>7} {:>7} {:>7}", "kind", "made", "found", "by rule", "first");
+        self.shares.iter().for_each(|(kind, share)| line(kind, *share));
+        line("all", self.total());
+        self.missed.iter().for_each(|(what, count)| println!("{count:>4} {what}"));
+    }
+}
+
+/// Whether a mutant is found, found by a rule, and the changed field named first.
+fn judged(mutant: &Mutant, file: &str, part: &str, ours: &Plan) -> (bool, bool, bool) {
+    let files = |_: &str| Ok(part.to_owned());
+    let Ok(stated) = read_plan(file, &mutant.text, &KNOWLEDGE, &files) else {
+        // A mistake of the file is found at its place.
+        return (true, true, true);
+    };
+    let audit = audit_beside(&stated, ours, &KNOWLEDGE).unwrap();
+    let mut grave: Vec<_> = audit.findings.iter().filter(|one| one.severity <= Severity::Doubtful).collect();
+    grave.sort_by_key(|one| (!one.follows_from.is_empty(), one.severity));
+    let here = |one: &Finding| {
+        let line = mutant.line.is_none_or(|line| one.line.is_some_and(|at| at as usize == line));
+        line && mutant
+            .columns
+            .as_ref()
+            .is_none_or(|columns| one.column.is_some_and(|at| columns.contains(&(at as usize))))
+    };
+    let first = grave.first().is_some_and(|one| here(one));
+    if !first && std::env::var_os("TRACE").is_some() {
+        let line = mutant.line.and_then(|line| mutant.text.lines().nth(line - 1)).unwrap_or_default();
+        let said: Vec<String> = grave.iter().map(|one| format!("{} {}", one.rule, one.field)).collect();
+        println!("{} {} {:?}: {line}\n    {}", mutant.kind, mutant.what, mutant.columns, said.join("; "));
+    }
+    let ruled = grave.iter().any(|one| one.note.code != "audit-not-ours");
+    (!grave.is_empty(), ruled, first)
+}
+
+fn report(parts: &[&str], mutants: impl Fn(&Plan) -> (&'static str, Vec<Mutant>)) -> Report {
+    let mut report = Report::default();
+    for path in parts {
+        let part = std::fs::read_to_string(path).unwrap();
+        let ours = planned(&read(&part), CuttingMethod::Formula);
+        let (file, mutants) = mutants(&ours);
+        for mutant in mutants {
+            report.add(&mutant, judged(&mutant, file, &part, &ours));
+        }
+    }
+    report
+}
+
+#[test]
+fn most_changes_of_a_plan_are_found_and_named_first() {
+    let parts = ["examples/plate.yaml", "tests/parts/reamed-iron.yaml"];
+    let report = report(&parts, |ours| ("plan.json", mutants(&serde_json::to_value(ours).unwrap())));
+    report.print();
+    let total = report.total();
+    assert!(total.first * 100 >= total.made * 95, "less than 95 % found and named first");
+}
+
+#[test]
+fn most_changes_of_a_plan_by_hand_are_found_by_rules_and_named_first() {
+    let parts = ["examples/plate.yaml", "tests/parts/reamed-iron.yaml"];
+    let report = report(&parts, |ours| ("plan.yaml", by_hand_mutants(&by_hand(ours, "part.yaml"))));
+    report.print();
+    let total = report.total();
+    assert!(total.first * 100 >= total.made * 95, "less than 95 % found and named first");
+    assert_eq!(total.found, total.ruled, "a plan by hand is not held against ours figure by figure");
+}

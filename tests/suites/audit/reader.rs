@@ -1,0 +1,139 @@
+//! The reader of plans by hand: figures that cannot be, letters that look like others, and what makes writing easier.
+
+use std::path::Path;
+
+use technolog::audit::stated::Stated;
+use technolog::audit::{Unreadable, audit, read_plan};
+use technolog::plan::Operation;
+use technolog_testing::KNOWLEDGE;
+
+fn right() -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/audit/right.yaml");
+    std::fs::read_to_string(path).unwrap()
+}
+
+fn read(text: &str) -> Result<Stated, Unreadable> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/audit");
+    let files = |name: &str| std::fs::read_to_string(folder.join(name)).map_err(|error| error.to_string());
+    read_plan("plan.yaml", text, &KNOWLEDGE, &files)
+}
+
+/// The sound plan with one change.
+fn with(from: &str, to: &str) -> String {
+    let text = right();
+    assert!(text.contains(from), "`{from}`");
+    text.replacen(from, to, 1)
+}
+
+fn findings(text: &str) -> Vec<String> {
+    let stated = read(text).unwrap_or_else(|why| panic!("{why:?}"));
+    let found = audit(&stated, &KNOWLEDGE).unwrap().findings;
+    found.into_iter().map(|one| format!("{:?} {} {}", one.severity, one.rule, one.field)).collect()
+}
+
+#[test]
+fn a_figure_that_cannot_be_is_a_mistake_of_the_file() {
+    for (from, to, message) in [
+        ("depth: 40", "depth: -5", "`-5` cannot be the depth: it must not be below zero"),
+        ("count: 6", "count: -2", "`-2` cannot be the number of holes: it must be above zero"),
+        ("count: 6", "count: 0", "`0` cannot be the number of holes: it must be above zero"),
+        ("count: 6", "count: 2.5", "`2.5` cannot be the number of holes: it must be a whole number"),
+        ("    rpm: 800", "    rpm: 0", "`0` cannot be the spindle speed taken: it must be above zero"),
+        ("clamps: 2", "clamps: 0", "`0` cannot be the number of clamps: it must be above zero"),
+        ("corrector: 2", "corrector: 1.5", "`1.5` cannot be the corrector: it must be a whole number"),
+        ("feed: 0.325", "feed: -0.2", "`-0.2` cannot be the feed: it must be above zero"),
+        ("machine: ", "machine: -", "`-2.606` cannot be the machine time: it must not be below zero"),
+        ("distance: 283", "distance: 0", "`0` cannot be the distance to the clamp: it must be above zero"),
+        ("depth: 40", "depth: ７.9", "`７.9` is no number"),
+    ] {
+        let text = with(from, to);
+        let line = right().lines().zip(text.lines()).position(|(a, b)| a != b).unwrap() + 1;
+        let problems = read(&text).err().unwrap_or_else(|| panic!("`{to}` is read")).problems;
+        let [problem] = problems.as_slice() else { panic!("{to}: {problems:?}") };
+        assert_eq!(problem.message, message);
+        assert_eq!(problem.place.as_ref().unwrap().line as usize, line, "{to}");
+        assert!(problem.help.is_some(), "{to}");
+    }
+}
+
+#[test]
+fn corrections_may_have_any_sign() {
+    for correction in ["correction: 60.4", "correction: 0", "correction: -60.4"] {
+        assert!(read(&with("correction: -60.4", correction)).is_ok(), "{correction}");
+    }
+}
+
+#[test]
+fn digits_of_another_script_and_files_that_are_no_text_have_a_remedy_of_their_own() {
+    let help = |text: &str, files: &dyn Fn(&str) -> Result<String, String>| {
+        let problems = read_plan("plan.yaml", text, &KNOWLEDGE, files).err().unwrap().problems;
+        problems.iter().filter_map(|one| one.help.clone()).collect::<Vec<_>>().join("; ")
+    };
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/audit");
+    let files = |name: &str| std::fs::read_to_string(folder.join(name)).map_err(|error| error.to_string());
+    assert!(help(&with("depth: 40", "depth: ４0"), &files).contains("digits 0 to 9"));
+    let binary = |_: &str| String::from_utf8(vec![0, 0xff]).map_err(|error| error.to_string());
+    assert!(help("part: x.yaml\n", &binary).contains("no text"));
+    let missing = |_: &str| Err("No such file or directory (os error 2)".to_owned());
+    assert!(help("part: x.yaml\n", &missing).contains("relative"));
+}
+
+#[test]
+fn a_cyrillic_letter_that_looks_like_the_latin_one_is_meant_as_that() {
+    let before = findings(&right());
+    let text = right().replace("hole: A,", "hole: А,");
+    assert_ne!(text, right());
+    assert_eq!(findings(&text), before);
+}
+
+/// Every way of writing the same plan has the same findings.
+#[test]
+fn a_plan_may_be_written_in_several_ways() {
+    let sound = findings(&right());
+    for (from, to) in [
+        ("operation: drill,", "operation: свердління,"),
+        ("operation: drill,", "operation: Свердлити,"),
+        ("for: [3, 4]", "for: T2"),
+        ("for: [3, 4]", "for: [T2]"),
+        ("for: [3, 4]", "for: Т2"),
+    ] {
+        let text = with(from, to);
+        assert_eq!(findings(&text), sound, "{to}");
+    }
+    for (name, operation) in Operation::NAMES {
+        use technolog::report::{Lang, operation_named, operation_noun, operation_verb};
+        for called in [operation_noun(name, Lang::Uk), operation_verb(name, Lang::Uk)] {
+            assert_eq!(operation_named(called, Lang::Uk), Some(operation), "{called}");
+        }
+    }
+}
+
+#[test]
+fn one_holder_is_written_once() {
+    let part = "part: {part: x, material: Сталь 45, blank: {kind: plate, length: 100, width: 100, thickness: 20}, \
+                machine: gf2171, holes: [{name: A, diameter: 10H12, through: true, roughness: Ra 12.5, \
+                centre_tolerance: 0.5, at: [[0, 0]]}]}\n";
+    let holder = "holder: {designation: \"191113040\", clamp_min: 5, clamp_max: 25, length: 61.6}";
+    let text =
+        |second: &str| format!("{part}tools:\n  T1: {{overhang: 10, {holder}}}\n  T2: {{overhang: 12, {second}}}\n");
+    let figures = |text: &str| {
+        let stated = read(text).unwrap_or_else(|why| panic!("{why:?}"));
+        let tool = &stated.tools[1];
+        let figures: Vec<_> = tool.figures.iter().map(|(quantity, figure)| (*quantity, figure.text.clone())).collect();
+        (tool.holder.as_ref().map(|holder| holder.value.clone()), figures)
+    };
+    assert_eq!(figures(&text("holder: T1")), figures(&text(holder)));
+    for wrong in ["holder: T2", "holder: T9", "holder: x"] {
+        assert_eq!(read(&text(wrong)).err().unwrap().problems.len(), 1, "{wrong}");
+    }
+}
+
+#[test]
+fn a_tool_without_rows_and_several_rows_for_a_clamping_are_told() {
+    for (from, to, code) in [("for: [3, 4]", "for: T9", "unknown-row"), ("  for: 5\n", "  for: [4, 5]\n", "bad-value")]
+    {
+        let text = with(from, to);
+        let problems = read(&text).err().unwrap_or_else(|| panic!("{to}")).problems;
+        assert_eq!(problems.iter().map(|one| one.code).collect::<Vec<_>>(), [code], "{to}");
+    }
+}

@@ -1,0 +1,24 @@
+//! Parts with holes: reading them, routes, cutting conditions, order, whole plans.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "clippy allows it in tests, but not in the functions they share"
+)]
+
+mod bad_parts;
+mod cells;
+mod cutting;
+mod every_hole;
+mod laws;
+mod many_holes;
+mod mistakes;
+mod order;
+mod part_fuzz;
+mod parts;
+mod plan_figures;
+mod practice;
+mod route_laws;
+mod routes;
+mod torque;

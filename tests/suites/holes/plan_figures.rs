@@ -1,0 +1,182 @@
+//! Figures of whole plans against hand computations, and what a plan says of the rows behind them.
+
+use technolog::cutting::{self, Cut, Surface};
+use technolog::machine::Machine;
+use technolog::material::Material;
+use technolog::note::Severity;
+use technolog::plan::{Conditions, CuttingMethod, Operation, Plan};
+use technolog::shop::Shop;
+use technolog::turning::operation::plan as turned;
+use technolog::turning::workpiece::{Turned, Workpiece, read_turned};
+use technolog::units::Micrometres;
+use technolog_testing::cuts::plain_cut;
+use technolog_testing::{KNOWLEDGE, plan_of_hole, planned, read};
+
+/// Within the rounding of the printed figures.
+#[track_caller]
+fn near(found: f64, expected: f64) {
+    assert!((found - expected).abs() <= 0.005 * expected.abs(), "{found}, not {expected}");
+}
+
+/// Whether the plan says that a row is not confirmed.
+fn doubts(plan: &Plan, table: &str, row: usize) -> bool {
+    let row = row.to_string();
+    plan.findings.iter().any(|finding| {
+        let param = |name: &str| finding.note.params.get(name).map(String::as_str);
+        finding.note.code == "unconfirmed" && param("table") == Some(table) && param("row") == Some(row.as_str())
+    })
+}
+
+fn two_drilled_holes(clamps: &str) -> Plan {
+    planned(
+        &read(&format!(
+            "part: P\nmaterial: steel-45\nmachine: gf2171\n\
+             blank: {{kind: plate, length: 400, width: 200, thickness: 20}}\nfixture:\n  height: 40\n  clamps: {clamps}\n\
+             holes:\n  \
+             - {{name: far, diameter: 20H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.6, at: [[0, 0]]}}\n  \
+             - {{name: near, diameter: 10H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.6, \
+             at: [[-145, 0]]}}\n"
+        )),
+        CuttingMethod::Formula,
+    )
+}
+
+/// Steel 45, Kp = 0.8459. Ø20 drilled out from 10 at 0.76 mm/rev: M = 10·0.09·20·5^0.9·0.76^0.8·0.8459
+/// = 18·4.257·0.8029·0.8459 = 52.04 N·m, 180 mm from its clamp: W = 2.5·52.04/(0.25·0.18) = 2891 N. Ø10 at 0.25:
+/// M = 10·0.0345·10²·0.25^0.8·0.8459 = 9.63 N·m, 35 mm from it: W = 2.5·9.63/(0.25·0.035) = 2751 N; at 30 mm 3209 N,
+/// more than the larger torque asks for.
+#[test]
+fn the_clamping_tells_the_hole_that_needs_the_largest_force_and_its_torque() {
+    for (x, hole, torque, distance, force) in [(180, "far", 52.04, 180.0, 2891.0), (175, "near", 9.63, 30.0, 3209.0)] {
+        let plan = two_drilled_holes(&format!("[{{at: [-{x}, 0], screw: M8}}, {{at: [{x}, 0], screw: M8}}]"));
+        let clamping = plan.clamping.unwrap();
+        assert_eq!(clamping.hole, hole);
+        near(clamping.torque_n_m.0, torque);
+        near(clamping.distance_mm.to_mm(), distance);
+        near(clamping.force_n.0, force);
+    }
+}
+
+/// The same with M6: 3209/2 = 1605 N on each clamp, and the screw bears 1469 N at 80 MPa.
+#[test]
+fn clamps_that_are_too_weak_are_shown_with_the_inequality_that_fails() {
+    let plan = two_drilled_holes("[{at: [-175, 0], screw: M6}, {at: [175, 0], screw: M6}]");
+    let clamping = plan.clamping.as_ref().unwrap();
+    assert_eq!(clamping.screw, "M6");
+    near(clamping.force_per_clamp_n.0, 1605.0);
+    near(clamping.screw_bears_n.0, 1469.0);
+    let weak: Vec<_> = plan.findings.iter().filter(|finding| finding.note.code == "screw-too-weak").collect();
+    assert_eq!(weak.len(), 1);
+    assert_eq!(weak[0].severity, Severity::Error);
+    let page = technolog::report::sheet::page(&plan, &KNOWLEDGE, technolog::report::Lang::En);
+    assert!(page.contains("4. Clamping") && page.contains("too weak: bears 1469 < 1605 N"), "{page}");
+}
+
+/// A cast hole of iron milled to IT11, Ra 3.2 and then bored: rough boring leaves IT17, Ra 100 by itself, but what only
+/// prepares the next transition makes nothing worse, and no transition takes a grade back.
+#[test]
+fn what_is_achieved_never_gets_worse() {
+    let keys = "diameter: 60H7, through: true, roughness: Ra 2.5, centre_tolerance: 0.1, state: cast, \
+                state_diameter: 52, at: [[0, 0]]";
+    let plan = plan_of_hole("SCh20", "gf2171", "45", keys);
+    let operations: Vec<Operation> = plan.holes[0].transitions.iter().map(|one| one.operation).collect();
+    assert!(operations.starts_with(&[Operation::Mill, Operation::RoughBore]), "{operations:?}");
+    let achieved: Vec<_> = plan.holes[0].transitions.iter().filter_map(|one| one.achieved).collect();
+    assert_eq!((achieved[1].it, achieved[1].roughness), (achieved[0].it, achieved[0].roughness));
+    for pair in achieved.windows(2) {
+        assert!(pair[1].it <= pair[0].it, "{achieved:?}");
+    }
+}
+
+/// (material, keys of the hole, rows that its figures rest on and nobody confirms).
+#[test]
+fn every_row_that_nobody_confirms_is_a_finding() {
+    let bored = "diameter: 20H7, through: true, roughness: Ra 1.25, centre_tolerance: 0.1, at: [[0, 0]]";
+    let blind = "thread: M10-6H, depth: 18, centre_tolerance: 0.3, at: [[0, 0]]";
+    let drilled = "diameter: 10H13, through: true, roughness: Ra 12.5, centre_tolerance: 0.6, at: [[0, 0]]";
+    for (material, keys, rows) in [
+        ("steel-45", bored, &[("boring-parameters", 2)][..]),
+        ("steel-45", blind, &[("hole-defaults", 14), ("hole-defaults", 15)]),
+        ("steel-30hgsa", drilled, &[("materials", 12)]),
+        ("steel-40x", drilled, &[("materials", 11)]),
+        ("brass-l63", drilled, &[("materials", 35)]),
+    ] {
+        let plan = plan_of_hole(material, "gf2171", "30", keys);
+        for (table, row) in rows {
+            assert!(doubts(&plan, table, *row), "{material}: {table}, row {row}: {:#?}", plan.findings);
+        }
+    }
+}
+
+fn by_card(cut: &Cut) -> Conditions {
+    let knowledge = &*KNOWLEDGE;
+    let shop = Shop {
+        knowledge,
+        machine: Machine::find(knowledge, "gf2171").unwrap(),
+        material: Material::find(knowledge, "steel-45").unwrap(),
+        method: CuttingMethod::Card,
+    };
+    cutting::conditions(cut, &shop).unwrap()
+}
+
+/// Ø10 by the card: s = 0.25·1.3 = 0.325, V = 25.86·0.928·1.144 = 27.45 m/min (facts 2.1, Appendix Г).
+///
+/// - under a rolled skin 0.9 of the speed: 24.71;
+/// - before reaming half of the feed: 0.1625 mm/rev; then V = 7·10^0.4/(25^0.2·0.125^0.7)·0.928·1.144
+///   = 7·2.512/(1.9037·0.2333)·1.0616 = 42.03;
+/// - 3.5 diameters deep both stay, and the plan says that the handbook's factors are left out.
+#[test]
+fn the_card_takes_what_the_part_is_like() {
+    let mm = Micrometres::from_mm_rounded;
+    let plain = plain_cut(Operation::Drill, Micrometres::ZERO, mm(10.0));
+    let deep = Cut { depth: mm(35.0), ..plain };
+    let skin = Cut { surface: Surface::Rolled, ..plain };
+    let reamed = Cut { reamer_follows: true, ..plain };
+    for (cut, feed, speed) in
+        [(plain, 0.325, 27.45), (skin, 0.325, 24.71), (reamed, 0.1625, 42.03), (deep, 0.325, 27.45)]
+    {
+        let found = by_card(&cut);
+        near(found.feed_mm_per_rev.0, feed);
+        near(found.computed_speed_m_per_min.0, speed);
+        let left_out = found.because.iter().filter(|because| because.note.code == "card-without-depth").count();
+        assert_eq!(left_out, if cut.depth > mm(30.0) { 2 } else { 0 });
+    }
+}
+
+const STEPPED: &str = "shaft: T\nmaterial: steel-45\nblank: {kind: bar, diameter: 65, length: 103, face: 1.5, \
+                       length_tolerance: 0.6}\nmachine: 16k20f3\nholding: chuck\nouter:\n  - {from: {d: 0, z: 0}}\n  \
+                       - {face: 36}\n  - {chamfer: 2}\n  - {cylinder: -30, name: A, grade: h6, roughness: Ra 1.25}\n  \
+                       - {face: 50}\n  - {cylinder: -60, grade: h9}\n  - {face: 60}\n  - {cylinder: -100}\n";
+
+fn stepped() -> Workpiece {
+    match read_turned("shaft.yaml", STEPPED, &KNOWLEDGE).unwrap() {
+        Turned::Contoured(workpiece) => *workpiece,
+        Turned::Stepped(shaft) => Workpiece::from(&shaft),
+    }
+}
+
+/// The bar Ø65 over Ø36.014: the stock of (65 - 36.014)/2 = 14.493 mm is two passes. The edge of the insert bears
+/// 7.8 mm, the least of the bounds at 0.5 mm/rev: that is the limit, and 14.493/7.8 = 1.86 is two passes as well. The
+/// first work takes 1.95 mm to Ø61.1; over it the second is reckoned there: n = 400, V = π·61.1·400/1000 = 76.8 m/min,
+/// not 81.7 of Ø65.
+#[test]
+fn the_limit_is_what_a_pass_may_take_and_each_work_is_reckoned_where_it_begins() {
+    let found = turned(&stepped(), &KNOWLEDGE).unwrap();
+    let (.., zone) = found.zones().find(|(.., zone)| zone.works.len() == 2).unwrap();
+    let depth = zone.depth.as_ref().unwrap();
+    let least = depth.limit.as_ref().unwrap().bounds.iter().filter_map(|bound| bound.depth_mm).min().unwrap();
+    assert_eq!(least, Micrometres::from_mm_rounded(7.8));
+    assert_eq!(depth.limiting_depth_mm.diameter(), least + least);
+    let [first, second] = &zone.works[..] else { panic!("{} works", zone.works.len()) };
+    near(first.levels.depth.to_mm(), 1.95);
+    let conditions = second.pace.conditions.as_ref().unwrap();
+    near(conditions.spindle_rpm.0, 400.0);
+    assert!((conditions.speed_m_per_min.0 - 76.78).abs() < 0.05, "{}", conditions.speed_m_per_min.0);
+    // N = Pz·V/60000 of that speed.
+    let force = conditions.main_force_n.unwrap().0;
+    near(conditions.power_kw.unwrap().0, force * 76.78 / 60_000.0);
+    // Every stand takes the fewest passes that the limit allows.
+    for stand in second.levels.sections.iter().flat_map(|section| &section.stands) {
+        assert_eq!(stand.passes, (stand.stock.to_mm() / 7.8).ceil() as i64, "{stand:?}");
+    }
+}

@@ -1,0 +1,12 @@
+//! The tables and what is asked of them: `table`, `lookup`, `lint`, and readings by somebody else.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "clippy allows it in tests, but not in the functions they share"
+)]
+
+mod commands;
+mod index;
+mod readings;

@@ -1,0 +1,221 @@
+//! Every program of `tests/programs` (2С42-65), `tests/programs-linuxcnc` and `tests/programs-fanuc` is read and run as
+//! the file beside it says.
+//!
+//! A folder holds `program.nc` (or `.ngc`), `expected` and, where they matter, `setting.yaml` and `machine` (an id of the
+//! catalog).
+//! `expected` names every finding as `line:column code` and then the trace. A case is added by adding a folder;
+//! `PROGRAMS=write cargo test --test programs cases::` writes what the program says today, to be read before it is kept.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::LazyLock;
+
+use proptest::prelude::*;
+use technolog::machine::Machine;
+use technolog::motion::Step;
+use technolog::motion::trace::Trace;
+use technolog::program::{Fault, Language, Setting};
+use technolog_testing::KNOWLEDGE;
+
+static CONTROL: LazyLock<Language> = LazyLock::new(|| Language::read("2c42-65", &KNOWLEDGE).unwrap());
+
+/// A folder of programs: its control, the name of a program in it, the machine where none is named, and how many programs
+/// there are at least.
+const FOLDERS: [(&str, &str, &str, &str, usize); 3] = [
+    ("tests/programs", "2c42-65", "program.nc", "gf2171", 60),
+    ("tests/programs-linuxcnc", "linuxcnc", "program.ngc", "ir500pmf4", 100),
+    ("tests/programs-fanuc", "fanuc", "program.nc", "ir500pmf4", 40),
+];
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).to_path_buf()
+}
+
+/// What is said of a folder today.
+fn said(folder: &Path, language: &Language, program: &str, machine: &str) -> String {
+    let read = |name: &str| fs::read_to_string(folder.join(name)).ok();
+    let machine = read("machine").map_or(machine.to_owned(), |id| id.trim().to_owned());
+    let machine = Machine::find(&KNOWLEDGE, &machine).unwrap();
+    let setting =
+        read("setting.yaml").map_or_else(Setting::default, |text| language.setting("setting.yaml", &text).unwrap());
+    let mut trace = Trace::default();
+    let faults = language.check(&read(program).unwrap(), &machine, &setting, &mut trace);
+    let mut text = String::new();
+    for fault in &faults {
+        let figures: String = fault.note.params.iter().map(|(name, value)| format!(" {name}={value}")).collect();
+        let calls = if fault.calls.is_empty() { String::new() } else { format!(" {}", fault.path().unwrap()) };
+        writeln!(text, "{}:{} {}{figures}{calls}", fault.span.line, fault.span.column, fault.code).unwrap();
+    }
+    text.push_str("trace\n");
+    text.push_str(trace.text());
+    text
+}
+
+#[test]
+fn every_program_does_what_the_file_beside_it_says() {
+    let write = std::env::var("PROGRAMS").is_ok_and(|value| value == "write");
+    let mut wrong = Vec::new();
+    for (root_of, control, program, machine, least) in FOLDERS {
+        let language = Language::read(control, &KNOWLEDGE).unwrap();
+        let mut folders: Vec<PathBuf> =
+            fs::read_dir(root().join(root_of)).unwrap().map(|entry| entry.unwrap().path()).collect();
+        folders.retain(|path| path.is_dir());
+        if control == "2c42-65" {
+            folders.push(root().join("examples/appendix-g"));
+        }
+        folders.sort();
+        for folder in &folders {
+            let said = said(folder, &language, program, machine);
+            let expected = fs::read_to_string(folder.join("expected")).unwrap_or_default();
+            if write {
+                fs::write(folder.join("expected"), &said).unwrap();
+            } else if said != expected {
+                wrong.push(format!("{}\n--- expected\n{expected}\n--- said\n{said}", folder.display()));
+            }
+        }
+        assert!(folders.len() >= least, "only {} programs in {root_of}", folders.len());
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
+}
+
+/// Every rule of the control is broken by some program of the folder, but those that need a program too long to keep.
+#[test]
+fn every_rule_is_broken_by_some_program() {
+    let page = fs::read_to_string(root().join("docs/control-2c42-65.md")).unwrap();
+    let mut seen = String::new();
+    for entry in fs::read_dir(root().join("tests/programs")).unwrap() {
+        seen.push_str(&fs::read_to_string(entry.unwrap().path().join("expected")).unwrap_or_default());
+    }
+    seen.push_str("memory-full too-many-programs");
+    // The rows of the page's table of rules begin with the code.
+    let rules: Vec<&str> = page.lines().filter_map(|line| line.strip_prefix("| `")?.split('`').next()).collect();
+    assert!(rules.len() > 50, "the page names {} rules", rules.len());
+    let unbroken: Vec<&&str> = rules.iter().filter(|code| !seen.contains(**code)).collect();
+    assert!(unbroken.is_empty(), "no program breaks {unbroken:?}");
+}
+
+#[test]
+fn the_memory_and_the_number_of_programs_are_limited() {
+    let codes = |text: &str| -> Vec<&str> { run(text).0.iter().map(|fault| fault.code).collect() };
+    assert!(codes(&"N1 M02\n".repeat(5000)).contains(&"memory-full"));
+    let many: String = (0..=100).map(|number| format!(":{:02}\nN1 M99\n", number % 100)).collect();
+    assert!(codes(&many).contains(&"too-many-programs"));
+}
+
+/// Programs that would repeat for ever end by the budget, whatever they repeat.
+#[test]
+fn no_repetition_lasts() {
+    let nothing = ":01\nN1 L65535 P02\nN2 M02\n:02\nN1 L65535 P03\nN2 M99\n:03\nN1 L65535 G80\nN2 M99\n";
+    let waiting = ":01\nN1 S500 M3 F100 G41 D1 X10\nN2 L65535 P02\nN3 M02\n:02\nN1 L65535 G04 E1 G91 Z-0.01\nN2 M99\n";
+    let cycle =
+        ":01\nN1 S500 M3 F100 G41 D1 X10\nN2 L65535 P02\nN3 M02\n:02\nN1 L65535 G83 U-1 Z-9999 V0.001 W0.001\nN2 M99\n";
+    // A finding of every repeat.
+    let finding = ":01\nN1 S500 M3 F100\nN2 L65535 P02\nN3 M02\n:02\nN1 L65535 X0 G81 U-1 Z-2\nN2 M99\n";
+    for text in [nothing, waiting, cycle, finding] {
+        let begin = std::time::Instant::now();
+        let setting =
+            Setting { correctors: [(1, technolog::units::Micrometres::from_mm(5))].into(), ..Setting::default() };
+        let machine = Machine::find(&KNOWLEDGE, "gf2171").unwrap();
+        let faults = CONTROL.check(text, &machine, &setting, &mut Vec::<Step>::new());
+        assert!(faults.iter().any(Fault::is_error), "{text}");
+        // Not a measurement: what is not held by the budget takes hours.
+        assert!(begin.elapsed().as_secs() < 60, "{text}");
+    }
+}
+
+fn run(text: &str) -> (Vec<Fault>, Vec<Step>) {
+    let machine = Machine::find(&KNOWLEDGE, "gf2171").unwrap();
+    let mut steps = Vec::new();
+    let faults = CONTROL.check(text, &machine, &Setting::default(), &mut steps);
+    (faults, steps)
+}
+
+fn technolog(arguments: &[&str]) -> (Option<i32>, String) {
+    let output = Command::new(env!("CARGO_BIN_EXE_technolog")).args(arguments).current_dir(root()).output().unwrap();
+    let text = String::from_utf8([output.stdout, output.stderr].concat()).unwrap();
+    (output.status.code(), text)
+}
+
+#[test]
+fn the_command_tells_line_caret_and_rule_and_its_exit_code() {
+    let of = |name: &str| format!("tests/programs/{name}/program.nc");
+    let (code, text) = technolog(&["check", &of("bad-feed-zero"), "--control", "2c42-65", "--lang", "en"]);
+    assert_eq!(code, Some(1), "{text}");
+    for part in ["error[feed-zero]: N2: the feed is 0", "program.nc:3:7", "^^^", "(rule: 3.9.2*)"] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    let (code, text) = technolog(&["check", &of("arcs-absolute"), "--control", "2c42-65", "--format", "json"]);
+    assert_eq!(code, Some(0), "{text}");
+    let json: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(json["trace"][1]["motion"], "arc", "{text}");
+    assert!(json["time"]["total_min"].as_f64().unwrap() > 0.0);
+    for arguments in [
+        ["check", "no-such-file.nc", "--control", "2c42-65"].as_slice(),
+        &["check", &of("arcs-absolute"), "--control", "other"],
+        &["check", &of("arcs-absolute"), "--control", "2c42-65", "--machine", "other"],
+        &["check", &of("arcs-absolute"), "--control", "2c42-65", "--setting", "tests/programs/setting-bad.yaml"],
+    ] {
+        let (code, text) = technolog(arguments);
+        assert_eq!(code, Some(2), "{arguments:?}: {text}");
+    }
+}
+
+#[test]
+fn a_bad_setting_tells_all_its_mistakes() {
+    let text = fs::read_to_string(root().join("tests/programs/setting-bad.yaml")).unwrap();
+    let problems = CONTROL.setting("setting-bad.yaml", &text).unwrap_err();
+    let codes: Vec<&str> = problems.iter().map(|problem| problem.code).collect();
+    assert_eq!(codes, ["unknown-key", "bad-override", "bad-axis", "unknown-key", "bad-value", "bad-corrector"]);
+}
+
+/// Words as programs have them, in any order: they reach far more of the interpreter than any bytes do.
+fn program() -> impl Strategy<Value = String> {
+    let word = prop_oneof![
+        (0_u32..100).prop_map(|code| format!("G{code:02}")),
+        prop::sample::select(vec![
+            "G00", "G01", "G02", "G03", "G10", "G41", "G42", "G40", "G81", "G83", "G86", "G82", "G85", "G80", "G91",
+            "G90", "G18", "G19", "G54", "G92", "G45", "G48", "G28", "G30", "M03", "M05", "M06", "M99", "P01", "P02",
+            "/", "\n:01 ", "\n:02 ", "L3", "L65535", "S500", "F100", "T1", "D01", "H02", "G43", "G44", "G49",
+        ])
+        .prop_map(str::to_owned),
+        ("[XYZIJKUVWE]", -60_i32..60).prop_map(|(address, value)| format!("{address}{value}")),
+        "[A-Z]-?[0-9]{0,6}[.]?[0-9]{0,4}",
+        Just("\nN1 ".to_owned()),
+    ];
+    prop::collection::vec(word, 0..60).prop_map(|words| format!("N1 S500 M03 F100 {}\nN2 M02\n", words.join(" ")))
+}
+
+proptest! {
+    #![proptest_config(technolog_laws::cases!(400))]
+
+    #[test]
+    fn no_words_make_it_panic_and_every_place_is_in_the_text(text in program()) {
+        let (faults, _) = run(&text);
+        for fault in faults {
+            let line = text.lines().nth(fault.span.line as usize - 1);
+            prop_assert!(line.is_some_and(|line| fault.span.column as usize <= line.chars().count().max(1)));
+        }
+    }
+
+    #[test]
+    fn no_text_makes_it_panic(text in "\\PC{0,80}(\n\\PC{0,40}){0,4}") {
+        run(&text);
+    }
+
+    /// A contour in increments is the same contour in positions.
+    #[test]
+    fn increments_and_positions_agree(points in prop::collection::vec((-150_000_i64..150_000, -90_000_i64..90_000), 1..20)) {
+        let mm = technolog::units::Micrometres::new;
+        let (mut absolute, mut incremental) = (String::from("N0 S500 M3 F100 G90\n"), String::from("N0 S500 M3 F100 G91\n"));
+        let mut last = (0, 0);
+        for (index, (x, y)) in points.iter().map(|(x, y)| (x / 10 * 10, y / 10 * 10)).enumerate() {
+            writeln!(absolute, "N{index} X{} Y{}", mm(x), mm(y)).unwrap();
+            writeln!(incremental, "N{index} X{} Y{}", mm(x - last.0), mm(y - last.1)).unwrap();
+            last = (x, y);
+        }
+        let at = |text: String| -> Vec<_> { run(&(text + "N99 M02\n")).1.iter().map(|step| step.at).collect() };
+        prop_assert_eq!(at(absolute), at(incremental));
+    }
+}

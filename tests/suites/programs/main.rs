@@ -1,0 +1,15 @@
+//! Programs of machining centres: their interpreters, writers, proof and drawings.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "clippy allows it in tests, but not in the functions they share"
+)]
+
+mod cases;
+mod drawings;
+mod fuzz;
+mod iso;
+mod proof;
+mod written;

@@ -1,0 +1,204 @@
+//! Programs that are written: read back they make the part, whatever the control, and no word of them can be changed
+//! unnoticed.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use std::sync::LazyLock;
+
+use proptest::prelude::*;
+use technolog::note::Severity;
+use technolog::part::Point;
+use technolog::program::Language;
+use technolog_testing::held::Held;
+use technolog_testing::holes::part_files;
+use technolog_testing::mutants::{Score, score};
+use technolog_testing::{KNOWLEDGE, read};
+
+static LANGUAGES: LazyLock<Vec<(&str, Language)>> =
+    LazyLock::new(|| Language::NAMES.map(|name| (name, Language::read(name, &KNOWLEDGE).unwrap())).into());
+
+/// What the tests of this file are done with: the examples, and parts that need every cycle there is.
+const PARTS: [&str; 7] = [
+    "examples/plate.yaml",
+    "examples/variant-2.yaml",
+    "examples/variant-4.yaml",
+    "tests/parts/aluminium.yaml",
+    "tests/parts/large-bore.yaml",
+    "tests/parts/reamed-iron.yaml",
+    "tests/written/every-cycle.yaml",
+];
+
+/// Whether the part fits on its machine.
+fn fits(held: &Held) -> bool {
+    held.job.findings.iter().all(|finding| finding.severity > Severity::Wrong)
+}
+
+type Visits = Vec<(String, usize, u32, Point)>;
+
+/// The visits of the program of a control, after it was found right.
+fn visits(held: &Held, name: &str, language: &Language) -> Result<Visits, TestCaseError> {
+    let text = held.written(language);
+    let (faults, proof, _) = held.run(language, &text);
+    // A part that does not fit on the machine has a finding of its job, and its program leaves the travels.
+    let fits = fits(held);
+    let faults: Vec<_> = faults.iter().filter(|fault| fits || fault.code != "beyond-travel-of").collect();
+    prop_assert!(faults.is_empty(), "{name}: {faults:?}\n{text}");
+    // A control has peck clearances of its own; that is a note.
+    let told: Vec<_> = proof.findings.iter().filter(|finding| finding.severity < Severity::Note).collect();
+    prop_assert!(!fits || told.is_empty(), "{name}: {told:?}\n{text}");
+    Ok(proof.visits.iter().map(|visit| (visit.hole.clone(), visit.transition, visit.pass, visit.at)).collect())
+}
+
+/// All three programs of a part make the stops of its job, in its order.
+fn holds(held: &Held) -> Result<(), TestCaseError> {
+    let planned: Visits =
+        held.job.stops().map(|(.., stop)| (stop.hole.clone(), stop.transition, stop.pass, stop.at)).collect();
+    if !fits(held) {
+        return Ok(());
+    }
+    for (name, language) in &*LANGUAGES {
+        let visited = visits(held, name, language)?;
+        prop_assert_eq!(&visited, &planned, "{}", name);
+    }
+    Ok(())
+}
+
+#[test]
+fn all_three_programs_of_a_part_make_the_same_stops() {
+    for part in PARTS {
+        let held = Held::new(part);
+        assert!(!held.job.setups.is_empty() && fits(&held), "{part}: {:?}", held.job.findings);
+        holds(&held).unwrap_or_else(|error| panic!("{part}: {error}"));
+    }
+}
+
+/// Of what laws once found, too.
+#[test]
+fn programs_of_what_laws_found_make_their_stops() {
+    for (name, text) in technolog_testing::found() {
+        holds(&Held::of(&read(&text))).unwrap_or_else(|error| panic!("{name}: {error}"));
+    }
+}
+
+/// The part that is to have every cycle has it, and both set-ups.
+#[test]
+fn the_part_of_every_cycle_has_them_all() {
+    let held = Held::new("tests/written/every-cycle.yaml");
+    let kinds: Vec<String> = held
+        .job
+        .setups
+        .iter()
+        .flat_map(|setup| &setup.works)
+        .flat_map(|work| &work.cycles)
+        .map(|cycle| serde_json::to_value(&cycle.kind).unwrap()["cycle"].as_str().unwrap().to_owned())
+        .collect();
+    for kind in ["drill", "feed-out", "bore-stop", "peck", "chip-break", "circles"] {
+        assert!(kinds.iter().any(|known| known == kind), "no {kind} in {kinds:?}");
+    }
+    assert_eq!(held.job.setups.len(), 2);
+}
+
+#[test]
+fn programs_look_as_they_should() {
+    for part in ["examples/plate.yaml", "tests/written/every-cycle.yaml"] {
+        let held = Held::new(part);
+        let stem = Path::new(part).file_stem().unwrap().to_string_lossy().into_owned();
+        for (name, language) in &*LANGUAGES {
+            insta::assert_snapshot!(format!("{stem}-{name}"), held.written(language));
+        }
+    }
+}
+
+/// What section 3 asks of the form of a block: its length, its number, the cycle last (3.4, 3.7, 3.12.1).
+#[test]
+fn blocks_of_2c42_65_have_the_form_that_the_text_asks() {
+    let (_, language) = &LANGUAGES[0];
+    for part in PARTS {
+        let text = Held::new(part).written(language);
+        assert!(text.len() <= 32 * 1024, "{part}");
+        for line in text.lines() {
+            // With the end of the block.
+            assert!(line.chars().count() < 128, "{part}: {line}");
+            if line.starts_with(['%', ':']) {
+                continue;
+            }
+            let words: Vec<&str> = line.split(' ').collect();
+            assert!(words[0].starts_with('N') && words.len() > 1, "{part}: {line}");
+            let cycle = words.iter().position(|word| matches!(*word, "G81" | "G82" | "G83" | "G84" | "G85" | "G86"));
+            if let Some(at) = cycle {
+                let behind = &words[at + 1..];
+                assert!(behind.iter().all(|word| "UZIVWFEHM".contains(&word[..1])), "{part}: {line}");
+            }
+            // ГОСТ 20999: G, then ways, then feed, speed, tool, then M.
+            let order = ["N", "G", "XYZ", "IJK", "F", "S", "T", "DH", "M", "LP"];
+            let ranks: Vec<usize> = words[..cycle.unwrap_or(words.len())]
+                .iter()
+                .map(|word| order.iter().position(|letters| letters.contains(&word[..1])).unwrap())
+                .collect();
+            assert!(ranks.is_sorted(), "{part}: {line}");
+            // On the machine's grid of 0.01.
+            for word in &words {
+                assert!(word.split_once('.').is_none_or(|(_, fraction)| fraction.len() <= 2), "{part}: {line}");
+            }
+        }
+    }
+}
+
+/// Rows of a grid are repeated, so that a program stays short.
+#[test]
+fn rows_of_equal_steps_are_repeated() {
+    let part = "part: P\nmaterial: steel-45\nmachine: gf2171\nblank: {kind: plate, length: 600, width: 100, thickness: 20}\n\
+                holes:\n  - {name: A, diameter: 8H12, through: true, roughness: Rz 80, centre_tolerance: 0.46, \
+                pattern: {line: {start: [-250, 0], count: 26, step: 20}}}\n";
+    let text = Held::of(&read(part)).written(&LANGUAGES[0].1);
+    assert!(text.contains(" L25") || text.contains(" L24"), "{text}");
+    assert!(text.lines().count() < 45, "{text}");
+}
+
+/// Delete, swap or alter any one word of a written program, and something is said, or the program does the same.
+#[test]
+fn no_word_of_a_written_program_can_be_changed_unnoticed() {
+    let mut kinds: BTreeMap<(&str, &str), [usize; 3]> = BTreeMap::new();
+    let mut unnoticed = Vec::new();
+    for part in ["examples/plate.yaml", "tests/written/every-cycle.yaml"] {
+        let held = Held::new(part);
+        for (name, language) in &*LANGUAGES {
+            let label = format!("{part} {name}");
+            let text = held.written(language);
+            let Score { kinds: own, unnoticed: mut more } = score(&label, &text, |text| held.run(language, text).2);
+            for (kind, counts) in own {
+                let all = kinds.entry((name, kind)).or_default();
+                for (all, count) in all.iter_mut().zip(counts) {
+                    *all += count;
+                }
+            }
+            unnoticed.append(&mut more);
+        }
+    }
+    let mut report = String::from("control   kind          noticed  same  unnoticed\n");
+    for ((name, kind), [noticed, same, missed]) in &kinds {
+        report.push_str(&format!("{name:<9} {kind:<12} {noticed:>8} {same:>5} {missed:>10}\n"));
+    }
+    println!("{report}");
+    assert!(unnoticed.is_empty(), "{report}{}", unnoticed.join("\n"));
+}
+
+proptest! {
+    #![proptest_config(technolog_laws::cases!(32))]
+
+    /// Random parts: the program of every control, read back, makes the stops of the plan.
+    #[test]
+    fn programs_of_random_parts_make_their_stops(text in part_files()) {
+        let Ok(part) = technolog::part::read_part("part.yaml", &text, &KNOWLEDGE) else { return Ok(()) };
+        holds(&Held::of(&part))?;
+    }
+}
+
+/// The examples of the documentation stay what the program writes.
+#[test]
+fn parts_of_these_tests_are_there() {
+    for part in PARTS {
+        assert!(fs::exists(Path::new(env!("CARGO_MANIFEST_DIR")).join(part)).unwrap(), "{part}");
+    }
+}

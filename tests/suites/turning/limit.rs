@@ -1,0 +1,458 @@
+//! The limiting depth of cut and the cutting conditions of turning, held against figures worked by hand from the
+//! handbook's formulas and against the laws that both must obey.
+//!
+//! One case is worked in full: steel 45 (600 MPa), rolled, Ø65, PCLNR 2525M12 (φ 95, rake -6), 16К20Ф3, 0.6 mm/rev.
+//!
+//! - V = 350/(60^0.2·t^0.15·0.6^0.35) · 750/600 · 0.9 · 0.7; 60^0.2 = 2.26793, 0.6^0.35 = 0.83628, so at t = 1
+//!   V = 350/(2.26793·0.83628)·0.7875 = 184.536·0.7875 = 145.32 m/min; at 4 mm 145.32/4^0.15 = 145.32/1.23114 = 118.04.
+//! - n = 1000·118.04/(π·65) = 578.0; the step below is 560, V = π·65·560/1000 = 114.35 m/min.
+//! - Pz = 10·300·4·0.6^0.75·114.35^-0.15·0.8^0.75·0.89·1.25 = 12000·0.68173·0.49110·0.84590·1.1125 = 3781 N.
+//! - Px = 10·339·4·0.6^0.5·114.35^-0.4·0.8·1.17·2 = 13560·0.77460·0.15020·1.872 = 2953 N.
+//! - Py = 10·243·4^0.9·0.6^0.6·114.35^-0.3·0.8^1.35·0.5·2 = 2430·3.48220·0.73602·0.24118·0.73990 = 1111 N.
+//! - torque 3781·65/2000 = 122.9 N·m; power 3781·114.35/60000 = 7.21 kW.
+//! - power allowed 11·0.75 = 8.25 kW: Pz grows with t while the step stays at 560, so t = 4·8.25/7.207 = 4.58; 4.5 mm.
+//! - shank: 200·25·25²/6/(1.5·25) = 13889 N; 3·0.1·200000·(25·25³/12)/37.5³ = 60000·32552/52734 = 37037 N.
+//! - edge: 0.66·12·sin 95 = 7.89 mm.
+
+use proptest::prelude::*;
+use technolog::cutting::Surface;
+use technolog::error::Refusal;
+use technolog::knowledge::Knowledge;
+use technolog::material::Material;
+use technolog::report::Lang;
+use technolog::report::sentences::sentence;
+use technolog::turning::cutting::{
+    Bound, BoundTold, Cut, Direction, LimitingDepth, Load, Speed, conditions, finish_feed, limiting_depth, rough_feed,
+};
+use technolog::turning::tooling::{Lathe, TurningTool};
+use technolog::units::{MetresPerMinute, Micrometres, MillimetresPerRev, RevsPerMinute};
+use technolog_testing::KNOWLEDGE;
+
+/// What a case names.
+struct Case<'k> {
+    knowledge: &'k Knowledge,
+    lathe: Lathe<'k>,
+    tool: TurningTool<'k>,
+    material: Material<'k>,
+}
+
+impl<'k> Case<'k> {
+    fn new(knowledge: &'k Knowledge, lathe: &str, tool: &str, material: &str) -> Self {
+        Self {
+            knowledge,
+            lathe: Lathe::find(knowledge, lathe).unwrap(),
+            tool: TurningTool::find(knowledge, tool).unwrap().unwrap(),
+            material: Material::find(knowledge, material).unwrap(),
+        }
+    }
+
+    fn cut(&self, diameter: f64, direction: Direction) -> Cut<'_, 'k> {
+        Cut {
+            knowledge: self.knowledge,
+            lathe: &self.lathe,
+            tool: &self.tool,
+            material: &self.material,
+            diameter: Micrometres::from_mm_rounded(diameter),
+            direction,
+            surface: Surface::Rolled,
+        }
+    }
+}
+
+/// Read once: every test only looks at it.
+fn knowledge() -> &'static Knowledge {
+    &KNOWLEDGE
+}
+
+fn mm(value: f64) -> Micrometres {
+    Micrometres::from_mm_rounded(value)
+}
+
+fn bound(limit: &LimitingDepth, bound: Bound) -> &BoundTold {
+    limit.bounds.iter().find(|told| told.bound == bound).unwrap_or_else(|| panic!("{bound:?} is not told: {limit:?}"))
+}
+
+fn newtons(load: Load) -> f64 {
+    match load {
+        Load::ForceN(force) => force.0,
+        other => panic!("{other:?} is no force"),
+    }
+}
+
+fn near(is: f64, must: f64, share: f64) {
+    assert!((is / must - 1.0).abs() < share, "{is} is not {must}");
+}
+
+#[test]
+fn the_case_of_the_head_of_this_file() {
+    let knowledge = knowledge();
+    let case = Case::new(knowledge, "16k20f3", "PCLNR 2525M12", "steel-45");
+    let cut = case.cut(65.0, Direction::Longitudinal);
+    let limit = limiting_depth(&cut, MillimetresPerRev(0.6), Speed::ForToolLife).unwrap();
+    assert_eq!((limit.depth_mm, limit.decided_by), (Some(mm(4.5)), Bound::SpindlePower));
+    assert_eq!(limit.spindle_rpm, RevsPerMinute(560.0));
+    // At 4.5 mm every force that is linear in t is 4.5/4 of that worked out.
+    near(newtons(bound(&limit, Bound::ShankStrength).load), 3781.0 * 4.5 / 4.0, 0.002);
+    near(newtons(bound(&limit, Bound::ShankStrength).capacity), 13_889.0, 0.001);
+    near(newtons(bound(&limit, Bound::ShankStiffness).capacity), 37_037.0, 0.001);
+    near(newtons(bound(&limit, Bound::FeedForce).load), 2953.0 * 4.5 / 4.0, 0.002);
+    // 4.5^0.9/4^0.9 = 1.11183.
+    near(newtons(bound(&limit, Bound::SideForce).load), 1111.0 * 1.11183, 0.002);
+    assert_eq!(newtons(bound(&limit, Bound::FeedForce).capacity), 8000.0);
+    assert_eq!(newtons(bound(&limit, Bound::SideForce).capacity), 3600.0);
+    assert_eq!(bound(&limit, Bound::InsertEdge).depth_mm, Some(mm(7.8)));
+    assert_eq!(bound(&limit, Bound::Handbook).depth_mm, Some(mm(12.0)));
+    // The record of 16К20Ф3 has no torque: that bound is missing, and nothing else.
+    let missing: Vec<_> = limit.missing.iter().map(|missing| (missing.bound, missing.note.code.as_str())).collect();
+    assert_eq!(missing, [(Bound::SpindleTorque, "lathe-lacks")]);
+    assert_eq!(limit.findings()[0].note.params["of"], "16k20f3");
+    // Every row of low trust is told.
+    assert!(limit.because.iter().any(|why| why.table == "turning-force" && why.is_doubtful()));
+}
+
+#[test]
+fn conditions_of_that_case_at_four_millimetres() {
+    let knowledge = knowledge();
+    let case = Case::new(knowledge, "16k20f3", "PCLNR 2525M12", "steel-45");
+    let cut = case.cut(65.0, Direction::Longitudinal);
+    // Table 11, Ø61-100, 3 to 5 mm: 0.5 mm/rev. V = 118.04·(0.6/0.5)^0.35 = 118.04·1.06588 = 125.82; n = 616.1, step
+    // 560. Pz = 3781·(0.5/0.6)^0.75 = 3781·0.87220 = 3298 N. 560·0.5 = 280 mm/min. Life: 60·(125.82/114.35)^5 = 97 min.
+    let found = conditions(&cut, mm(4.0), None).unwrap();
+    assert_eq!((found.feed_mm_per_rev.0, found.spindle_rpm.0, found.feed_mm_per_min.0), (0.5, 560.0, 280.0));
+    near(found.computed_speed_m_per_min.0, 125.82, 0.001);
+    near(found.speed_m_per_min.0, 114.35, 0.001);
+    near(found.main_force_n.unwrap().0, 3298.0, 0.002);
+    near(found.torque_n_m.unwrap().0, 3298.0 * 65.0 / 2000.0, 0.002);
+    near(found.power_kw.unwrap().0, 3298.0 * 114.35 / 60_000.0, 0.002);
+    near(found.tool_life_min.0, 97.0, 0.01);
+    assert_eq!((found.limited_by.as_str(), found.exceeded.as_slice()), ("tool-life", [].as_slice()));
+    // A finish of Ra 2.5 with the nose of 0.8: 0.20 · 0.45 for steel of 600 MPa = 0.09 mm/rev.
+    let finish = conditions(&cut, mm(0.5), Some("Ra 2.5".parse().unwrap())).unwrap();
+    near(finish.feed_mm_per_rev.0, 0.09, 1e-9);
+}
+
+/// At 7 mm the same cut would need more than the 8.25 kW of the spindle, so it turns slower.
+#[test]
+fn short_of_power_the_spindle_turns_slower() {
+    let knowledge = knowledge();
+    let case = Case::new(knowledge, "16k20f3", "PCLNR 2525M12", "steel-45");
+    let cut = case.cut(65.0, Direction::Longitudinal);
+    // 0.5 mm/rev at up to 5 and up to 8 mm. At 7 mm: V = 125.82·(4/7)^0.15 = 115.7, n = 566.5, step 560; Pz = 3298·7/4 =
+    // 5772 N, 11.0 kW > 8.25. At 400 1/min (81.68 m/min) Pz = 5772·(81.68/114.35)^-0.15 = 6071 N, 8.265 kW > 8.25; so 355
+    // (72.49 m/min): 6180 N, 7.47 kW.
+    let found = conditions(&cut, mm(7.0), None).unwrap();
+    assert_eq!((found.spindle_rpm.0, found.limited_by.as_str()), (355.0, "spindle-power"));
+    near(found.main_force_n.unwrap().0, 6180.0, 0.003);
+    near(found.power_kw.unwrap().0, 7.47, 0.003);
+    assert!(found.exceeded.is_empty(), "{:?}", found.exceeded);
+    // 9 mm are more than the edge of the insert takes, and no speed helps.
+    assert_eq!(conditions(&cut, mm(9.0), None).unwrap().exceeded, [Bound::InsertEdge]);
+}
+
+/// On a stepless spindle the power is used to the last tenth of a revolution: 11·0.75 = 8.25 kW.
+#[test]
+fn a_stepless_spindle_slows_down_just_enough() {
+    let knowledge = knowledge();
+    let case = Case::new(knowledge, "16a20f3", "PCLNR 2525M12", "steel-45");
+    let found = conditions(&case.cut(65.0, Direction::Longitudinal), mm(7.0), None).unwrap();
+    assert_eq!(found.limited_by, "spindle-power");
+    let power = found.power_kw.unwrap().0;
+    assert!((8.23..=8.25).contains(&power), "{power}");
+    assert!(found.exceeded.is_empty(), "{:?}", found.exceeded);
+}
+
+/// 16А20Ф3 at 90 1/min, Ø200, 0.6 mm/rev: V = 56.55 m/min; Pz = 3000·0.68173·56.55^-0.15·0.84590·1.1125 = 1050.7 N for a
+/// millimetre, 105.07 N·m; 800/105.07 = 7.61 mm. The power would hold to 8.25·60000/(1050.7·56.55) = 8.33 mm, the edge to 7.89.
+#[test]
+fn at_low_speeds_the_torque_decides() {
+    let knowledge = knowledge();
+    let case = Case::new(knowledge, "16a20f3", "PCLNR 2525M12", "steel-45");
+    let cut = case.cut(200.0, Direction::Longitudinal);
+    let limit = limiting_depth(&cut, MillimetresPerRev(0.6), Speed::Spindle(RevsPerMinute(90.0))).unwrap();
+    assert_eq!((limit.depth_mm, limit.decided_by), (Some(mm(7.6)), Bound::SpindleTorque));
+    assert_eq!(bound(&limit, Bound::SpindlePower).depth_mm, Some(mm(8.3)));
+}
+
+/// The case of the head of this file again, the spindle slowing down where its 8.25 kW ask for it: then the edge decides,
+/// at 7.8 mm. Pz there, at V: 3000·7.8·0.68173·V^-0.15·0.84590·1.1125 = 15013·V^-0.15; at 355 1/min (72.49 m/min) 7896 N and
+/// 9.54 kW, at 280 (57.18 m/min) 8182 N and 7.80 kW, so it turns at 280. The power still decides where it may not slow down.
+#[test]
+fn a_slower_spindle_lets_the_edge_decide() {
+    let knowledge = knowledge();
+    let case = Case::new(knowledge, "16k20f3", "PCLNR 2525M12", "steel-45");
+    let cut = case.cut(65.0, Direction::Longitudinal);
+    let limit = limiting_depth(&cut, MillimetresPerRev(0.6), Speed::WithinPower).unwrap();
+    assert_eq!((limit.depth_mm, limit.decided_by), (Some(mm(7.8)), Bound::InsertEdge));
+    assert_eq!(limit.spindle_rpm, RevsPerMinute(280.0));
+    near(newtons(bound(&limit, Bound::ShankStrength).load), 8182.0, 0.002);
+}
+
+/// Grey iron has no power of the speed in its forces: Pz = 10·92·t·s^0.75·(199/190)^0.4·0.89·1.25.
+/// At 2 mm and 0.8 mm/rev: 920·2·0.84590·1.01869·1.1125 = 1763.9 N.
+#[test]
+fn forces_in_iron() {
+    let knowledge = knowledge();
+    let case = Case::new(knowledge, "16m30f3", "PCLNR 2525M12", "cast-iron-sch20");
+    let cut = case.cut(90.0, Direction::Longitudinal);
+    let found = conditions(&cut, mm(2.0), None).unwrap();
+    assert_eq!(found.feed_mm_per_rev.0, 0.8, "table 11: iron, Ø61-100, up to 3 mm");
+    near(found.main_force_n.unwrap().0, 1763.9, 0.001);
+    // Px = 10·46·2·0.8^0.4·(199/190)^0.8·1.17·2 = 920·0.91461·1.03774·2.34 = 2043.3 N.
+    near(found.axial_force_n.unwrap().0, 2043.3, 0.001);
+}
+
+/// A bar of 25 mm with an overhang of 100: 200·π·25³/32/100 = 3068 N; 3·0.1·200000·(π·25⁴/64)/100³ = 1150.5 N.
+#[test]
+fn a_boring_bar_is_held_by_its_stiffness() {
+    let knowledge = knowledge();
+    let case = Case::new(knowledge, "16m30f3", "S25T-PCLNR12", "steel-45");
+    let cut = case.cut(60.0, Direction::Longitudinal);
+    let limit = limiting_depth(&cut, MillimetresPerRev(0.25), Speed::Surface(MetresPerMinute(100.0))).unwrap();
+    near(newtons(bound(&limit, Bound::ShankStrength).capacity), 3068.0, 0.001);
+    near(newtons(bound(&limit, Bound::ShankStiffness).capacity), 1150.5, 0.001);
+    // Pz/t = 3000·0.25^0.75·V^-0.15·0.8459·1.1125 with V the speed told: the bar bears 1150.5 of it.
+    let per_mm = 3000.0 * 0.353_553 * libm::pow(limit.speed_m_per_min.0, -0.15) * 0.845_90 * 1.1125;
+    let steps = (1150.5 / per_mm * 10.0).floor() / 10.0;
+    assert_eq!((limit.depth_mm, limit.decided_by), (Some(mm(steps)), Bound::ShankStiffness));
+    assert!(limit.bounds.iter().all(|told| told.bound != Bound::PartRadius), "a bore has no radius to run out of");
+}
+
+/// Fed across the axis the edge behind the tip cuts, 5 degrees off the face: 0.66·12·cos 5 = 7.89 mm, for PDJNR with 32
+/// degrees 0.5·15·cos 32 = 6.36 mm; and the drive of X bears the feed, that of Z the side.
+#[test]
+fn across_the_axis_the_other_edge_and_the_other_drive() {
+    let knowledge = knowledge();
+    for (tool, depth) in [("PCLNR 2525M12", 7.8), ("PDJNR 2525M15", 6.3)] {
+        let case = Case::new(knowledge, "16k20f3", tool, "steel-45");
+        let cut = case.cut(65.0, Direction::Transverse);
+        let limit = limiting_depth(&cut, MillimetresPerRev(0.4), Speed::Spindle(RevsPerMinute(400.0))).unwrap();
+        assert_eq!(bound(&limit, Bound::InsertEdge).depth_mm, Some(mm(depth)), "{tool}");
+        assert_eq!(newtons(bound(&limit, Bound::FeedForce).capacity), 3600.0);
+        assert_eq!(newtons(bound(&limit, Bound::SideForce).capacity), 8000.0);
+    }
+}
+
+/// 16Б16Т1 names the largest force of its carriage, 6000 N, and none of its drives.
+#[test]
+fn what_a_record_does_not_have_is_missing_and_not_guessed() {
+    let knowledge = knowledge();
+    let case = Case::new(knowledge, "16b16t1", "PCLNR 2525M12", "steel-45");
+    let cut = case.cut(65.0, Direction::Longitudinal);
+    let limit = limiting_depth(&cut, MillimetresPerRev(0.6), Speed::ForToolLife).unwrap();
+    let missing: Vec<Bound> = limit.missing.iter().map(|missing| missing.bound).collect();
+    assert_eq!(missing, [Bound::FeedForce, Bound::SideForce]);
+    assert_eq!(newtons(bound(&limit, Bound::CuttingForce).capacity), 6000.0);
+    // Its record has no efficiency: 4.2·0.75 = 3.15 kW, and the row that stands in is told as such.
+    let power = bound(&limit, Bound::SpindlePower);
+    assert!(matches!(power.capacity, Load::PowerKw(kw) if (kw.0 - 3.15).abs() < 1e-9));
+    assert!(power.because.iter().any(|why| why.table == "turning-limits" && why.unconfirmed.is_some()));
+}
+
+/// The contouring tool of the lecture is two angles: nothing of its shank, insert and edge is known.
+#[test]
+fn the_tool_of_the_lecture_bears_nothing_that_is_known() {
+    let knowledge = knowledge();
+    let case = Case::new(knowledge, "16k20f3", "contour-95-30", "steel-45");
+    let cut = case.cut(65.0, Direction::Longitudinal);
+    let refused = |tool: &str, material: &str| {
+        let case = Case::new(knowledge, "16k20f3", tool, material);
+        let speed = Speed::Surface(MetresPerMinute(80.0));
+        match limiting_depth(&case.cut(65.0, Direction::Longitudinal), MillimetresPerRev(0.6), speed) {
+            Err(Refusal::Not(note)) => (note.code.clone(), note.params["what"].clone()),
+            other => panic!("{other:?}"),
+        }
+    };
+    let not_known = |what: &str| ("limit-not-known".to_owned(), what.to_owned());
+    assert_eq!(refused("contour-95-30", "steel-45"), not_known("shank_height"));
+    // For stainless steel there are no forces, and the edge of the insert alone is no limit.
+    assert_eq!(refused("PCLNR 2525M12", "stainless-12h18n10t"), not_known("boring-force"));
+    assert!(matches!(rough_feed(&cut, mm(2.0)), Err(Refusal::Not(note)) if note.code == "turning-tool-lacks"));
+}
+
+#[test]
+fn refusals_say_why() {
+    let knowledge = knowledge();
+    let refusal = |lathe: &str, tool: &str, material: &str, diameter: f64, depth: f64, ra: Option<&str>| {
+        let case = Case::new(knowledge, lathe, tool, material);
+        let cut = case.cut(diameter, Direction::Longitudinal);
+        match conditions(&cut, mm(depth), ra.map(|ra| ra.parse().unwrap())) {
+            Err(Refusal::Not(note)) => note.code,
+            other => panic!("{other:?}"),
+        }
+    };
+    let steel = "steel-45";
+    assert_eq!(refusal("16k20f3", "PCLNR 2525M12", steel, 65.0, 0.0, None), "nothing-to-cut");
+    assert_eq!(refusal("16k20f3", "PCLNR 2525M12", steel, 0.0, 1.0, None), "no-figure", "no feed for no diameter");
+    assert_eq!(refusal("16k20f3", "PCLNR 2525M12", steel, 15.0, 4.0, None), "no-figure", "too thin a part");
+    assert_eq!(refusal("16k20f3", "PCLNR 2020K12", steel, 65.0, 1.0, None), "no-figure", "too small a shank");
+    assert_eq!(refusal("16k20f3", "PCLNR 2525M12", "stainless-12h18n10t", 65.0, 1.0, None), "no-figure");
+    assert_eq!(refusal("16k20f3", "PCLNR 2525M12", steel, 65.0, 0.5, Some("Ra 0.63")), "too-fine-for-lathe");
+    assert_eq!(refusal("16k20f3", "SER 2525M16", steel, 65.0, 1.0, None), "threads-not-reckoned");
+    let case = Case::new(knowledge, "16k20f3", "MGEHR 2525-3", steel);
+    let groove = limiting_depth(&case.cut(65.0, Direction::Transverse), MillimetresPerRev(0.1), Speed::ForToolLife);
+    assert!(matches!(groove, Err(Refusal::Not(note)) if note.code == "tool-has-no-depth"));
+}
+
+/// Grooving steel at Ø65 with a blade of 3 mm: feed 0.16; V = 47/(60^0.2·0.16^0.8)·1.25·0.9 = 47/(2.26793·0.23082)·1.125 =
+/// 101.0 m/min, n = 494.6, step 400 (81.68 m/min); Pz = 10·408·3^0.72·0.16^0.8·0.8^0.75 = 4080·2.20558·0.23082·0.84590 =
+/// 1757.0 N; Py = 10·173·3^0.73·0.16^0.67·0.8^1.35 = 1730·2.22995·0.29292·0.73990 = 836.1 N.
+#[test]
+fn a_groove_is_cut_at_the_width_of_its_blade() {
+    let knowledge = knowledge();
+    let case = Case::new(knowledge, "16k20f3", "MGEHR 2525-3", "steel-45");
+    let found = conditions(&case.cut(65.0, Direction::Transverse), mm(1.0), None).unwrap();
+    assert_eq!((found.depth_mm, found.feed_mm_per_rev.0, found.spindle_rpm.0), (mm(3.0), 0.16, 400.0));
+    near(found.computed_speed_m_per_min.0, 101.0, 0.001);
+    near(found.main_force_n.unwrap().0, 1757.0, 0.001);
+    near(found.radial_force_n.unwrap().0, 836.1, 0.001);
+    assert_eq!(found.axial_force_n, None);
+}
+
+/// Beside another book: the specific cutting force of unalloyed steel of some 600 MPa is about kc1.1 = 1500 N/mm² with an
+/// exponent of 0.75 of the chip's thickness, so Fc = 1500·b·h^0.75. Both are fits to tests; they must not differ by a half.
+#[test]
+fn the_main_force_is_of_the_order_of_the_specific_cutting_force() {
+    let knowledge = knowledge();
+    let case = Case::new(knowledge, "1740rf3", "PCLNR 2525M12", "steel-45");
+    for (diameter, depth) in [(50.0, 2.0), (65.0, 4.0), (150.0, 6.0)] {
+        let found = conditions(&case.cut(diameter, Direction::Longitudinal), mm(depth), None).unwrap();
+        let lean = libm::sin(95.0_f64.to_radians());
+        let specific = 1500.0 * depth / lean * libm::pow(found.feed_mm_per_rev.0 * lean, 0.75);
+        let share = found.main_force_n.unwrap().0 / specific;
+        assert!((0.67..1.5).contains(&share), "Ø{diameter}, t {depth}: {share}");
+    }
+}
+
+/// Between two printed cells: the finer column and the smaller nose.
+#[test]
+fn finishing_takes_the_finer_column_and_the_smaller_nose() {
+    let knowledge = knowledge();
+    let feed = |tool: &str, material: &str, ra: &str| {
+        let case = Case::new(knowledge, "16k20f3", tool, material);
+        finish_feed(&case.cut(65.0, Direction::Longitudinal), ra.parse().unwrap()).unwrap().feed.0
+    };
+    // Iron needs no factor. Ra 5 lies between 3.2 and 6.3; Rz 20 is Ra 3.2; nose 0.8 has 0.33 there.
+    assert_eq!(feed("PCLNR 2525M12", "cast-iron-sch20", "Ra 5"), 0.33);
+    assert_eq!(feed("PCLNR 2525M12", "cast-iron-sch20", "Rz 20"), 0.33);
+    assert_eq!(feed("PCLNR 2525M12", "cast-iron-sch20", "Ra 2.5"), 0.2);
+    assert_eq!(feed("PSSNR 2525M12", "cast-iron-sch20", "Ra 2.5"), 0.246);
+}
+
+const LATHES: [&str; 5] = ["16k20f3", "16a20f3", "16b16t1", "16m30f3", "1740rf3"];
+const TOOLS: [&str; 9] = [
+    "PCLNR 2525M12",
+    "PCLNR 2020K12",
+    "PDJNL 2525M15",
+    "SVJBR 2525M16",
+    "PSSNR 2525M12",
+    "PTGNR 2525M16",
+    "S16R-SCLCR09",
+    "S25T-PCLNR12",
+    "S40V-PCLNL12",
+];
+const MATERIALS: [&str; 4] = ["steel-45", "steel-65g", "cast-iron-sch20", "bronze-brazh9-4"];
+
+/// How a load grows with the depth at a given spindle speed, by the handbook: Py as t^0.9, all else as t.
+fn exponent(bound: Bound) -> f64 {
+    if bound == Bound::SideForce { 0.9 } else { 1.0 }
+}
+
+fn figure(load: Load) -> f64 {
+    match load {
+        Load::ForceN(force) => force.0,
+        Load::TorqueNM(torque) => torque.0,
+        Load::PowerKw(power) => power.0,
+        Load::DepthMm(depth) => depth.to_mm(),
+    }
+}
+
+proptest! {
+    #![proptest_config(technolog_laws::cases!(64))]
+
+    /// No bound is passed at the limiting depth, and one is a step deeper; every depth of a bound is at least that one.
+    #[test]
+    fn the_limit_is_within_every_bound_and_the_next_step_is_not(
+        lathe in 0..LATHES.len(), tool in 0..TOOLS.len(), material in 0..MATERIALS.len(),
+        diameter in 20.0_f64..400.0, feed in 0.05_f64..1.2, rpm in 30.0_f64..1500.0, across in any::<bool>(),
+    ) {
+        let knowledge = knowledge();
+        let case = Case::new(knowledge, LATHES[lathe], TOOLS[tool], MATERIALS[material]);
+        let direction = if across { Direction::Transverse } else { Direction::Longitudinal };
+        let cut = case.cut(diameter, direction);
+        let limit = limiting_depth(&cut, MillimetresPerRev(feed), Speed::Spindle(RevsPerMinute(rpm))).unwrap();
+        let step = 0.1;
+        let depth = limit.depth_mm.map_or(0.0, Micrometres::to_mm);
+        let mut passed_beyond = false;
+        for told in &limit.bounds {
+            prop_assert!(told.depth_mm.map_or(0.0, Micrometres::to_mm) >= depth);
+            // Loads are told to their last printed digit, hence half a digit of room.
+            let (load, capacity) = (figure(told.load), figure(told.capacity));
+            let room = match told.load { Load::ForceN(_) => 0.5, Load::TorqueNM(_) => 0.05, Load::PowerKw(_) => 0.005, Load::DepthMm(_) => 0.0 };
+            if depth > 0.0 {
+                prop_assert!(load <= capacity + room, "{:?}: {load} > {capacity}", told.bound);
+            }
+            let told_at = if depth > 0.0 { depth } else { step };
+            let beyond = if matches!(told.load, Load::DepthMm(_)) { depth + step }
+                else { load * libm::pow((depth + step) / told_at, exponent(told.bound)) };
+            passed_beyond |= beyond + 2.0 * room >= capacity;
+        }
+        prop_assert!(passed_beyond, "a deeper cut would still hold: {limit:?}");
+        prop_assert!(bound(&limit, limit.decided_by).depth_mm == limit.depth_mm);
+    }
+
+    /// A larger feed allows no deeper cut, at a given spindle speed.
+    #[test]
+    fn the_limit_falls_with_the_feed(
+        lathe in 0..LATHES.len(), tool in 0..TOOLS.len(), material in 0..MATERIALS.len(),
+        diameter in 20.0_f64..400.0, feed in 0.05_f64..1.0, more in 1.0_f64..1.5, rpm in 30.0_f64..1500.0,
+    ) {
+        let knowledge = knowledge();
+        let case = Case::new(knowledge, LATHES[lathe], TOOLS[tool], MATERIALS[material]);
+        let cut = case.cut(diameter, Direction::Longitudinal);
+        let limit = |feed: f64| {
+            limiting_depth(&cut, MillimetresPerRev(feed), Speed::Spindle(RevsPerMinute(rpm))).unwrap().depth_mm
+        };
+        prop_assert!(limit(feed * more) <= limit(feed));
+    }
+
+    /// Every depth up to the limiting one holds too, and conditions at it pass no bound at that speed or a slower one
+    /// that the lathe itself would choose.
+    #[test]
+    fn smaller_depths_hold_as_well(
+        lathe in 0..LATHES.len(), diameter in 45.0_f64..300.0, share in 0.05_f64..1.0, slower in any::<bool>(),
+    ) {
+        let knowledge = knowledge();
+        let case = Case::new(knowledge, LATHES[lathe], "PCLNR 2525M12", "steel-45");
+        let cut = case.cut(diameter, Direction::Longitudinal);
+        let feed = rough_feed(&cut, mm(3.0)).unwrap().feed;
+        let speed = if slower { Speed::WithinPower } else { Speed::ForToolLife };
+        let limit = limiting_depth(&cut, feed, speed).unwrap();
+        if let Some(depth) = limit.depth_mm {
+            let depth = mm((depth.to_mm() * share * 10.0).ceil() / 10.0);
+            // Deeper cuts are fed no faster by the table, so the conditions are no harder than those of the limit.
+            let found = conditions(&cut, depth, None).unwrap();
+            prop_assert!(found.exceeded.is_empty(), "{depth} of {:?}: {:?}", limit.depth_mm, found.exceeded);
+        }
+    }
+}
+
+/// The whole answer as programs read it, and its findings as people do.
+#[test]
+fn the_answer_is_told_whole() {
+    let knowledge = knowledge();
+    let case = Case::new(knowledge, "16b16t1", "PDJNR 2525M15", "steel-45");
+    let cut = case.cut(65.0, Direction::Longitudinal);
+    let limit = limiting_depth(&cut, MillimetresPerRev(0.6), Speed::ForToolLife).unwrap();
+    let said: Vec<String> = limit
+        .findings()
+        .iter()
+        .flat_map(|finding| [Lang::Uk, Lang::En].map(|lang| sentence(&finding.note, lang)))
+        .collect();
+    assert_eq!(said[0], "обмеження «привод подачі» не враховано: 16b16t1 не має `feed-force-z`");
+    assert_eq!(said[1], "the bound feed drive is left out: 16b16t1 has no `feed-force-z`");
+    let back: LimitingDepth = serde_json::from_str(&serde_json::to_string(&limit).unwrap()).unwrap();
+    assert_eq!(back, limit, "the answer comes back from JSON without loss");
+    insta::assert_snapshot!("limiting_depth", serde_json::to_string_pretty(&limit).unwrap());
+    let found = conditions(&cut, mm(2.0), None).unwrap();
+    insta::assert_snapshot!("turning_conditions", serde_json::to_string_pretty(&found).unwrap());
+}

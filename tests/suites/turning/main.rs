@@ -1,0 +1,23 @@
+//! Turned parts: contours, zones, tools, ways, operations, passes and their programs.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "clippy allows it in tests, but not in the functions they share"
+)]
+
+mod allowances;
+mod elements;
+mod equidistant;
+mod limit;
+mod operation;
+mod operation_rules;
+mod pages;
+mod passes;
+mod programs;
+mod schemes;
+mod tools;
+mod transitions;
+mod workpiece;
+mod zones;

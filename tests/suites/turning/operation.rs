@@ -1,0 +1,431 @@
+//! The whole operation, worked off on paper: what a reader of its programs would see on the lathe. The way of metal is
+//! reckoned by columns (`crates/testing/src/section.rs`, `crates/testing/src/side.rs`) that share nothing with what makes the ways.
+
+use proptest::prelude::*;
+use serde_json::{Value, json};
+use technolog::note::Severity;
+use technolog::turning::contour::Side;
+use technolog::turning::operation::programs::{Form, programs};
+use technolog::turning::operation::work::{Work, ZoneWork};
+use technolog::turning::operation::{Operation, plan};
+use technolog::turning::way::Purpose;
+use technolog::turning::workpiece::{Turned, Workpiece, read_turned, read_workpiece};
+use technolog::turning::zones::Feed;
+use technolog::units::{RevsPerMinute, round_to};
+use technolog_testing::side::{Fault, work_off};
+use technolog_testing::told::told_piece;
+use technolog_testing::{KNOWLEDGE, shafts, turned};
+
+fn example(name: &str) -> Workpiece {
+    let path = format!("{}/examples/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(path).unwrap();
+    match read_turned("part", &text, &KNOWLEDGE).unwrap() {
+        Turned::Contoured(workpiece) => *workpiece,
+        Turned::Stepped(shaft) => Workpiece::from(&shaft),
+    }
+}
+
+fn planned(workpiece: &Workpiece) -> Operation {
+    plan(workpiece, &KNOWLEDGE).unwrap()
+}
+
+/// Codes of findings that say why a zone has no way: those that name it by its number, and those of the part.
+const NAMED: [&str; 4] = ["no-tool-for-zone", "zone-behind-standing", "scheme-not-possible", "zone-not-cleared"];
+const OF_THE_PART: [&str; 4] = ["no-limiting-depth", "no-depth-allowed", "no-figure", "flank-too-steep"];
+/// The same for a side without layers.
+const OF_A_SIDE: [&str; 3] = ["no-rough-contour", "no-intermediate-contour", "bore-too-narrow-to-drill"];
+
+/// What is not cleared, with nothing that says why.
+fn silent(operation: &Operation) -> Vec<String> {
+    let says = |codes: &[&str]| operation.findings.iter().any(|finding| codes.contains(&finding.note.code.as_str()));
+    let mut found = Vec::new();
+    for set_up in &operation.set_ups {
+        let wanted = [&set_up.set_up.outer, &set_up.set_up.inner].into_iter().flatten().count();
+        if set_up.sides.len() < wanted && !says(&OF_A_SIDE) {
+            found.push(format!("set-up {} lacks a side", set_up.set_up.number));
+        }
+    }
+    for (set_up, side, zone) in operation.zones() {
+        let cleared = !zone.works.is_empty() && zone.works.iter().all(|work| work.transition().is_some());
+        let number = zone.zone.number.to_string();
+        let named = operation.findings.iter().any(|finding| {
+            let note = &finding.note;
+            NAMED.contains(&note.code.as_str()) && note.params.get("zone") == Some(&number)
+        });
+        if !cleared && !named && !says(&OF_THE_PART) {
+            let refused: Vec<_> = zone
+                .works
+                .iter()
+                .flat_map(|work| &work.refused)
+                .map(|one| format!("{}: {} {:?}", one.scheme.name(), one.why.code, one.why.params))
+                .collect();
+            found.push(format!("set-up {} {:?} zone {number}: {refused:?}", set_up.set_up.number, side.side));
+        }
+    }
+    found
+}
+
+fn told(faults: &[Fault]) -> String {
+    let line = |fault: &Fault| format!("{}: {:.4} mm at Z {:.3}, {}", fault.law, fault.by, fault.z, fault.at);
+    faults.iter().map(line).collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn the_examples_are_worked_off_whole() {
+    let mut wrong = String::new();
+    for name in [
+        "turned-ball",
+        "turned-bushing",
+        "turned-forging",
+        "turned-pin",
+        "shaft",
+        "shaft-six-steps",
+        "shaft-three-cylinders",
+        "shaft-forging",
+    ] {
+        let operation = planned(&example(name));
+        let (faults, silent) = (work_off(&operation), silent(&operation));
+        if !faults.is_empty() || !silent.is_empty() {
+            wrong.push_str(&format!("{name}:\n{}\n{}\n", told(&faults), silent.join("\n")));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong}");
+}
+
+/// The files in `tests/operations`: parts that once broke a law, each with what went wrong.
+#[test]
+fn what_once_went_wrong_goes_right() {
+    let mut wrong = String::new();
+    let mut paths: Vec<_> =
+        std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/operations")).unwrap().collect();
+    paths.sort_by_key(|path| path.as_ref().unwrap().path());
+    assert!(!paths.is_empty());
+    for path in paths {
+        let path = path.unwrap().path();
+        let text = std::fs::read_to_string(&path).unwrap();
+        let workpiece =
+            read_workpiece("part", &text, &KNOWLEDGE).unwrap_or_else(|mistakes| panic!("{path:?} {mistakes:?}"));
+        let operation = planned(&workpiece);
+        let mut said = vec![told(&work_off(&operation)), silent(&operation).join("\n")];
+        said.retain(|one| !one.is_empty());
+        if operation.zones().any(|(_, _, zone)| zone.works.is_empty()) {
+            let grave = operation.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
+            said.push(format!("not planned whole: {:?}", grave.map(|one| &one.note.code).collect::<Vec<_>>()));
+        }
+        if !said.is_empty() {
+            wrong.push_str(&format!("{}: {}\n", path.file_name().unwrap().display(), said.join("\n")));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong}");
+}
+
+proptest! {
+    #![proptest_config(technolog_laws::cases!(60))]
+
+    #[test]
+    fn any_part_comes_to_an_operation(draft in turned::drafts()) {
+        let text = draft.text();
+        let read = read_workpiece("part", &text, &KNOWLEDGE);
+        prop_assume!(read.is_ok());
+        let operation = planned(&read.unwrap());
+        let silent = silent(&operation);
+        prop_assert!(silent.is_empty(), "{}", silent.join("\n"));
+        let faults = work_off(&operation);
+        prop_assert!(faults.is_empty(), "{}", told(&faults));
+    }
+
+    /// The short form, whose diameters are those after roughing.
+    #[test]
+    fn any_stepped_shaft_is_worked_off_whole(shaft in shafts::shafts(40)) {
+        let operation = planned(&Workpiece::from(&shaft));
+        prop_assert!(silent(&operation).is_empty());
+        let faults = work_off(&operation);
+        prop_assert!(faults.is_empty(), "{:?}\n{}", shaft, told(&faults));
+    }
+
+    /// Nothing of a plan depends on what is not in the file.
+    #[test]
+    fn the_same_part_gives_the_same_operation(draft in turned::drafts()) {
+        let plan = || {
+            let workpiece = read_workpiece("part", &draft.text(), &KNOWLEDGE).unwrap();
+            serde_json::to_string(&planned(&workpiece)).unwrap()
+        };
+        prop_assert_eq!(plan(), plan());
+    }
+
+    /// Every control and both forms: a file, or a reason.
+    #[test]
+    fn every_part_has_programs_or_reasons(draft in turned::drafts(), rpm in prop::option::of(20.0_f64..3000.0)) {
+        let operation = planned(&read_workpiece("part", &draft.text(), &KNOWLEDGE).unwrap());
+        for control in ["linuxcnc", "sinumerik", "nc-201"] {
+            for form in [Form::Motions, Form::Cycles] {
+                let written = programs(&operation, control, form, rpm.map(RevsPerMinute), &KNOWLEDGE).unwrap();
+                let cleared = operation.zones().filter(|(_, _, zone)| zone.works.iter().all(|work| work.transition().is_some()));
+                let zones: Vec<(u8, Side, usize)> = written
+                    .iter()
+                    .flat_map(|one| one.zones.iter().map(|zone| (one.set_up, one.side, *zone)))
+                    .collect();
+                for (set_up, side, zone) in cleared.filter(|(_, _, zone)| !zone.works.is_empty()) {
+                    let key = (set_up.set_up.number, side.side, zone.zone.number);
+                    prop_assert!(zones.contains(&key), "{control}: {key:?} has neither a program nor a reason");
+                }
+                for file in written.iter().flat_map(|one| one.files.iter().flatten()) {
+                    prop_assert!(!file.text.is_empty() && !file.name.is_empty());
+                }
+            }
+        }
+    }
+}
+
+/// So many random parts, always the same for a seed.
+fn parts(count: usize, seed: u8) -> Vec<String> {
+    use proptest::strategy::ValueTree;
+    use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+    let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &[seed; 32]);
+    let mut runner = TestRunner::new_with_rng(Config::default(), rng);
+    (0..count).map(|_| turned::drafts().new_tree(&mut runner).unwrap().current().text()).collect()
+}
+
+fn variable(name: &str, otherwise: usize) -> usize {
+    std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(otherwise)
+}
+
+/// The programs of random parts with their ways, one JSON object on a line, for the interpreter of LinuxCNC:
+/// `CASES=100 OUT=/tmp/parts.jsonl cargo test --test turning operation::programs_for_rs274 -- --ignored`, then
+/// `python3 tests/oracles/lathe.py /tmp/parts.jsonl`.
+#[test]
+#[ignore = "for the comparison with rs274: OUT says where to write"]
+fn programs_for_rs274() {
+    let Ok(out) = std::env::var("OUT") else { return };
+    let rpm = RevsPerMinute(500.0);
+    let mut lines = String::new();
+    for (number, text) in parts(variable("CASES", 100), u8::try_from(variable("SEED", 1)).unwrap()).iter().enumerate() {
+        let Ok(workpiece) = read_workpiece("part", text, &KNOWLEDGE) else { continue };
+        let operation = planned(&workpiece);
+        let works = |set_up: u8, side: Side, zones: &[usize]| -> Vec<(&ZoneWork, &Work)> {
+            let mine = operation
+                .zones()
+                .filter(|(a, b, c)| a.set_up.number == set_up && b.side == side && zones.contains(&c.zone.number));
+            mine.flat_map(|(_, _, zone)| zone.works.iter().map(move |work| (zone, work))).collect()
+        };
+        for written in programs(&operation, "linuxcnc", Form::Motions, Some(rpm), &KNOWLEDGE).unwrap() {
+            let name = format!("part {number} set-up {} {:?} zones {:?}", written.set_up, written.side, written.zones);
+            let files = match written.files {
+                Ok(files) => files,
+                Err(refused) => {
+                    lines.push_str(&format!("{}\n", json!({"name": name, "refused": format!("{refused:?}")})));
+                    continue;
+                }
+            };
+            let mine = works(written.set_up, written.side, &written.zones);
+            let of = |(zone, work): &&(&ZoneWork, &Work)| {
+                let place = zone.works.iter().position(|one| std::ptr::eq(one, *work)).unwrap();
+                written.works.contains(&(zone.zone.number, place))
+            };
+            let ways: Vec<Value> = mine
+                .iter()
+                .filter(of)
+                .filter_map(|(_, work)| Some((work, work.transition()?)))
+                .map(|(work, transition)| {
+                    let moves: Vec<Value> = transition
+                        .way
+                        .pieces()
+                        .map(|(piece, purpose)| {
+                            let mut told = told_piece(piece);
+                            let rate = work.pace.feeds.rate(purpose).0 / rpm.0;
+                            told["feed"] = json!((purpose != Purpose::Rapid).then_some(round_to(rate, 4)));
+                            told
+                        })
+                        .collect();
+                    json!({"from": [transition.way.from.radius.to_mm(), transition.way.from.z.to_mm()], "moves": moves})
+                })
+                .collect();
+            let program = files.iter().map(|file| file.text.as_str()).collect::<String>();
+            lines.push_str(&format!(
+                "{}\n",
+                json!({"name": name, "kind": "ways", "ways": ways, "program": program, "part": text})
+            ));
+        }
+        let mut seen: Vec<(u8, Side, Vec<usize>)> = Vec::new();
+        for written in programs(&operation, "linuxcnc", Form::Cycles, Some(rpm), &KNOWLEDGE).unwrap() {
+            let key = (written.set_up, written.side, written.zones.clone());
+            let place = seen.iter().filter(|one| **one == key).count();
+            let all = works(written.set_up, written.side, &written.zones);
+            let (zone, work) = all[place];
+            seen.push(key);
+            let name = format!(
+                "part {number} set-up {} {:?} zone {:?} work {place}",
+                written.set_up, written.side, written.zones
+            );
+            let blank = &work.stock.blank;
+            let (least, most) = blank.radii().unwrap();
+            let corner = if written.side == Side::Outer { most } else { least };
+            let mut line = json!({
+                "name": name,
+                "kind": "cycle",
+                "direction": if zone.zone.feed == Feed::Along { "longitudinal" } else { "facing" },
+                "outer": written.side == Side::Outer,
+                "corner": [corner.to_mm(), blank.start().unwrap().z.to_mm()],
+                "clearance": work.pace.approach_mm.to_mm(),
+                "depth": work.levels.depth.to_mm(),
+                "feed": round_to(work.pace.feeds.main.0 / rpm.0, 4),
+                "pieces": work.stock.rough.pieces.iter().map(|piece| told_piece(*piece)).collect::<Vec<_>>(),
+                "part": text,
+            });
+            match written.files {
+                Ok(files) => line["program"] = json!(files.first().map(|file| &file.text)),
+                Err(refused) => line["refused"] = json!(format!("{refused:?}")),
+            }
+            lines.push_str(&format!("{line}\n"));
+        }
+    }
+    std::fs::write(out, lines).unwrap();
+}
+
+/// How random parts fare, for reports: `CASES=200 cargo test --test turning operation::survey -- --ignored --nocapture`.
+#[test]
+#[ignore = "prints a survey: CASES says of how many parts"]
+fn survey() {
+    if std::env::var("CASES").is_err() {
+        return;
+    }
+    use std::collections::BTreeMap;
+    let mut seen: BTreeMap<String, (usize, String)> = BTreeMap::new();
+    let mut note = |what: String, text: &str| {
+        let entry = seen.entry(what).or_insert_with(|| (0, text.to_owned()));
+        entry.0 += 1;
+        if text.len() < entry.1.len() {
+            text.clone_into(&mut entry.1);
+        }
+    };
+    for text in parts(variable("CASES", 200), u8::try_from(variable("SEED", 1)).unwrap()) {
+        if std::env::var("ONLY").is_ok_and(|only| !text.contains(&only)) {
+            continue;
+        }
+        match read_workpiece("part", &text, &KNOWLEDGE) {
+            Err(mistakes) => {
+                for mistake in mistakes {
+                    note(format!("refused {}", mistake.code()), &text);
+                }
+            }
+            Ok(workpiece) => {
+                let made = std::panic::catch_unwind(|| {
+                    let operation = planned(&workpiece);
+                    let faults = work_off(&operation);
+                    let silent = silent(&operation);
+                    let grave = operation.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
+                    let grave: Vec<String> = grave.map(|finding| finding.note.code.clone()).collect();
+                    for control in ["linuxcnc"] {
+                        for form in [Form::Motions, Form::Cycles] {
+                            programs(&operation, control, form, Some(RevsPerMinute(500.0)), &KNOWLEDGE).unwrap();
+                        }
+                    }
+                    (faults, silent, grave)
+                });
+                match made {
+                    Err(_) => note("PANIC".to_owned(), &text),
+                    Ok((faults, silent, grave)) => {
+                        note("read".to_owned(), &text);
+                        let scheme = |at: &str| {
+                            at.split(' ')
+                                .skip(2)
+                                .take(4)
+                                .filter(|word| word.parse::<f64>().is_err())
+                                .take(3)
+                                .collect::<Vec<_>>()
+                                .join(" ")
+                        };
+                        for fault in &faults {
+                            note(
+                                format!("FAULT {} {}", fault.law, scheme(&fault.at)),
+                                &format!("# {}\n{text}", told(std::slice::from_ref(fault))),
+                            );
+                        }
+                        for one in silent {
+                            note("SILENT".to_owned(), &format!("# {one}\n{text}"));
+                        }
+                        for one in grave {
+                            note(format!("finding {one}"), &text);
+                        }
+                    }
+                }
+            }
+        }
+    }
+    for (what, (count, text)) in &seen {
+        println!("{count:5} {what}");
+        if !what.starts_with("read") && (!what.starts_with("finding") || std::env::var("ALL").is_ok()) {
+            println!("{text}\n");
+        }
+    }
+}
+
+/// Prints what becomes of a file: `FILE=part.yaml cargo test --test turning operation::trace -- --ignored --nocapture`.
+#[test]
+#[ignore = "prints what becomes of a file"]
+fn trace() {
+    let Ok(path) = std::env::var("FILE") else { return };
+    let text = std::fs::read_to_string(path).unwrap();
+    let operation =
+        planned(&read_workpiece("part", &text, &KNOWLEDGE).unwrap_or_else(|mistakes| panic!("{mistakes:?}")));
+    let corners = |contour: &technolog::turning::contour::Contour| {
+        let told = contour.corners().iter().map(|at| format!("({} {})", at.radius, at.z)).collect::<Vec<_>>();
+        told.join(" ")
+    };
+    for set_up in &operation.set_ups {
+        println!("set-up {} over {} faces {}", set_up.set_up.number, set_up.set_up.turned_over, set_up.set_up.faces);
+        for side in &set_up.sides {
+            println!(
+                " {:?}\n  blank {}\n  rough {}\n  main {}\n  part {}",
+                side.side,
+                corners(&side.layers.blank),
+                corners(&side.layers.rough),
+                corners(&side.layers.main),
+                corners(&side.layers.part)
+            );
+            println!(
+                "  {:?}",
+                side.layers.allowances.iter().map(|one| (&one.surface, one.allowance_mm)).collect::<Vec<_>>()
+            );
+            for zone in &side.zones {
+                let one = &zone.zone;
+                println!(
+                    "  zone {} {:?} {:?} {}..{} {} {:?}",
+                    one.number,
+                    one.feed,
+                    one.kind,
+                    one.from_z,
+                    one.to_z,
+                    one.scheme.parts_worked.name(),
+                    one.parts
+                        .iter()
+                        .map(|part| format!("{:?} {}..{}", part.kind, part.from_z, part.to_z))
+                        .collect::<Vec<_>>()
+                );
+                for work in &zone.works {
+                    println!(
+                        "   work {:?} t_p {}\n    blank {}\n    rough {}",
+                        work.taken,
+                        work.levels.depth,
+                        corners(&work.stock.blank),
+                        corners(&work.stock.rough)
+                    );
+                    for refused in &work.refused {
+                        println!("    refused {} {} {:?}", refused.scheme.name(), refused.why.code, refused.why.params);
+                    }
+                    if let Some(transition) = work.transition() {
+                        print!("    way ({} {})", transition.way.from.radius, transition.way.from.z);
+                        for one in &transition.way.moves {
+                            print!(" {:?}({} {})", one.purpose, one.to.radius, one.to.z);
+                        }
+                        println!();
+                    }
+                }
+            }
+        }
+    }
+    for finding in &operation.findings {
+        println!("{:?} {} {:?}", finding.severity, finding.note.code, finding.note.params);
+    }
+    println!("{}\n{}", told(&work_off(&operation)), silent(&operation).join("\n"));
+}

@@ -1,0 +1,80 @@
+//! The pages, drawings and programs of turned parts, whole.
+
+use std::process::Command;
+
+fn turn(arguments: &[&str]) -> (i32, String) {
+    let root = env!("CARGO_MANIFEST_DIR");
+    let run =
+        Command::new(env!("CARGO_BIN_EXE_technolog")).current_dir(root).arg("turn").args(arguments).output().unwrap();
+    (run.status.code().unwrap(), String::from_utf8(run.stdout).unwrap())
+}
+
+#[test]
+fn every_example_has_its_page() {
+    for (name, lang) in
+        [("turned-pin", "uk"), ("turned-ball", "en"), ("turned-bushing", "uk"), ("turned-forging", "en")]
+    {
+        let (code, page) = turn(&[&format!("examples/{name}.yaml"), "--lang", lang]);
+        assert_eq!(code, 0, "{name}");
+        insta::assert_snapshot!(format!("page_{name}_{lang}"), page);
+    }
+    let (_, page) = turn(&["examples/shaft-forging.yaml", "--show", "operation", "--lang", "en"]);
+    insta::assert_snapshot!("page_shaft_forging_operation_en", page);
+}
+
+/// Each way is drawn under its own title, each arc as an arc, and JSON tells every zone with its ways.
+#[test]
+fn the_drawing_and_the_answer_have_every_zone() {
+    let (_, json) = turn(&["examples/turned-pin.yaml", "--format", "json"]);
+    let answer: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let sides = || answer["set_ups"].as_array().unwrap().iter().flat_map(|one| one["sides"].as_array().unwrap());
+    let works: usize = sides()
+        .flat_map(|side| side["zones"].as_array().unwrap())
+        .map(|zone| zone["works"].as_array().unwrap().len())
+        .sum();
+    let (code, drawing) = turn(&["examples/turned-pin.yaml", "--format", "svg", "--lang", "en"]);
+    assert_eq!((code, works), (0, 5));
+    // Every text stands twice, first as its own white edge.
+    assert_eq!(drawing.matches("t_p = ").count(), 2 * works);
+    assert_eq!(drawing.matches("allowances and zones").count(), 2 * sides().count());
+    assert!(drawing.lines().any(|line| line.starts_with("<path") && line.contains(" 0 0 ")), "no arcs");
+    let (_, all) = turn(&["examples/turned-pin.yaml", "--show", "schemes", "--format", "svg", "--lang", "en"]);
+    let ways: usize = sides()
+        .flat_map(|side| side["zones"].as_array().unwrap())
+        .flat_map(|zone| zone["works"].as_array().unwrap())
+        .map(|work| work["transitions"].as_array().unwrap().len())
+        .sum();
+    assert!(ways > 3 * works);
+    assert_eq!(all.matches("t_p = ").count(), 2 * ways);
+    assert!(drawing.starts_with("<svg ") && drawing.ends_with("</svg>\n"));
+}
+
+/// The zones of the forging are planned for different spindle speeds, so each has a program of its own.
+#[test]
+fn programs_have_the_speed_of_their_zone() {
+    let rpm = |number: &str| {
+        let (code, text) = turn(&["examples/turned-forging.yaml", "--show", "program", "--number", number]);
+        assert_eq!(code, 0);
+        text.lines().find_map(|line| line.strip_prefix("G97 S")).unwrap().to_owned()
+    };
+    let (_, json) = turn(&["examples/turned-forging.yaml", "--format", "json"]);
+    let answer: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let zones = answer["set_ups"].as_array().unwrap().iter().flat_map(|one| one["sides"].as_array().unwrap());
+    let works =
+        zones.flat_map(|side| side["zones"].as_array().unwrap()).flat_map(|zone| zone["works"].as_array().unwrap());
+    for (index, work) in works.enumerate() {
+        let planned = work["pace"]["conditions"]["spindle_rpm"].as_f64().unwrap();
+        assert_eq!(rpm(&(index + 1).to_string()), format!("{planned} M3"));
+    }
+    let (code, cycle) = turn(&["examples/turned-forging.yaml", "--show", "cycle", "--number", "2"]);
+    assert_eq!(code, 0);
+    assert!(cycle.contains("\nG71 Q"), "{cycle}");
+    insta::assert_snapshot!(
+        "program_turned_forging_2",
+        turn(&["examples/turned-forging.yaml", "--show", "program", "--number", "2"]).1
+    );
+    // Without a lathe no speed is known.
+    assert_eq!(turn(&["examples/shaft.yaml", "--show", "program"]), (2, String::new()));
+    assert_eq!(turn(&["examples/turned-forging.yaml", "--show", "program", "--number", "9"]).0, 2);
+    assert_eq!(turn(&["examples/turned-forging.yaml", "--show", "map"]).0, 2);
+}
