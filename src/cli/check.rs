@@ -18,7 +18,7 @@ use technolog::report;
 use super::diagnostics::{Texts, render};
 use super::proof::{self, Held};
 use super::words::Word;
-use super::{CliError, Context, Format, Outcome, knowledge, words};
+use super::{CliError, Context, Format, Outcome, control, knowledge, words};
 
 /// Read and run an NC program: its mistakes, the trace of its motions, its time
 #[derive(Debug, clap::Args)]
@@ -26,9 +26,9 @@ pub struct Args {
     /// The program file
     #[arg(value_name = "PROGRAM")]
     program: PathBuf,
-    /// The control whose language it is
+    /// The control whose language it is; without it that of the machine
     #[arg(long, value_parser = Language::NAMES)]
-    control: String,
+    control: Option<String>,
     /// The machine, by its id in the catalog; without it the part's, or gf2171
     #[arg(long, value_name = "ID")]
     machine: Option<String>,
@@ -72,9 +72,18 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let format = context.format("check", &[Format::Text, Format::Json, Format::Svg])?;
     let knowledge = knowledge::load(context)?;
     let at_fault = |error: technolog::error::KnowledgeError| CliError::of_knowledge(&error, context.lang);
-    let language = Language::read(&args.control, &knowledge).map_err(at_fault)?;
     let shown = args.program.display().to_string();
     let text = read(&args.program, context)?;
+    let mut held = args.part.as_deref().map(|part| Held::make(part, &knowledge, context)).transpose()?;
+    let of_part = held.as_ref().map(|held| held.plan.part.machine.clone());
+    let id = args.machine.as_deref().or(of_part.as_deref()).unwrap_or("gf2171");
+    if let Some(own) = of_part.as_deref().filter(|own| *own != id) {
+        let message = words::other_machine(context.lang, id, own);
+        return Err(Diagnostic::error("other-machine", message, None).help(words::leave_machine(context.lang)).into());
+    }
+    let machine = machine(id, &knowledge, context)?;
+    let control = control::meant(args.control.as_deref(), &machine, context)?;
+    let language = Language::read(control, &knowledge).map_err(at_fault)?;
     let mut setting = match &args.setting {
         None => Setting::default(),
         Some(path) => {
@@ -85,14 +94,9 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             })?
         }
     };
-    let held = args.part.as_deref().map(|part| Held::make(part, &mut setting, &knowledge, context)).transpose()?;
-    let of_part = held.as_ref().map(|held| held.plan.part.machine.as_str());
-    let id = args.machine.as_deref().or(of_part).unwrap_or("gf2171");
-    if let Some(own) = of_part.filter(|own| *own != id) {
-        let message = words::other_machine(context.lang, id, own);
-        return Err(Diagnostic::error("other-machine", message, None).help(words::leave_machine(context.lang)).into());
+    if let Some(held) = &mut held {
+        held.set(&mut setting);
     }
-    let machine = machine(id, &knowledge, context)?;
     let mut sink = (Vec::<Step>::new(), Clock::new(&machine, setting.start));
     let faults = language.check(&text, &machine, &setting, &mut sink);
     let (steps, clock) = sink;
@@ -110,7 +114,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
                 .collect();
             context.emit_json(&Answer {
                 program: &shown,
-                control: &args.control,
+                control,
                 machine: id,
                 part: serious.iter().map(|finding| report::sentence(&finding.note, context.lang)).collect(),
                 findings,
@@ -140,9 +144,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
 }
 
 fn machine<'k>(id: &str, knowledge: &'k Knowledge, context: &Context) -> Result<Machine<'k>, CliError> {
-    if knowledge.table(&format!("machine-{id}")).is_err() {
-        let known: Vec<&str> = knowledge.tables().filter_map(|table| table.id.strip_prefix("machine-")).collect();
-        let known: Vec<&str> = known.into_iter().filter(|id| *id != "quantities").collect();
+    let known: Vec<&str> = Machine::ids(knowledge).collect();
+    if !known.contains(&id) {
         return Err(Diagnostic::error("unknown-machine", words::no_machine(context.lang, id), None)
             .help(words::known(context.lang, known.join(", ")))
             .into());

@@ -10,6 +10,7 @@
 
 mod audit;
 mod check;
+mod control;
 mod diagnostics;
 mod help;
 mod help_uk;

@@ -20,7 +20,7 @@ use technolog::shop::Shop;
 
 use super::diagnostics::{Texts, render};
 use super::proof::{self, Held};
-use super::{CliError, Context, Format, Outcome, check, knowledge, output, plan, words};
+use super::{CliError, Context, Format, Outcome, check, control, knowledge, output, plan, words};
 
 /// The NC program of a part: planned, written, and read back before it is shown
 #[derive(Debug, clap::Args)]
@@ -28,9 +28,9 @@ pub struct Args {
     /// The part file
     #[arg(value_name = "PART.yaml")]
     part: PathBuf,
-    /// The control it is for
+    /// The control it is for; without it that of the machine
     #[arg(long, value_parser = Language::NAMES)]
-    control: String,
+    control: Option<String>,
     /// What to show: the program, the operator's setting, the encoding sheet, or as SVG the backplot or the cycles
     #[arg(long, value_enum, default_value = "program", hide_possible_values = true)]
     show: Show,
@@ -87,7 +87,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let (plan, job) = (&held.plan, &held.job);
     let shop = Shop::new(&plan.part, plan.cutting, &knowledge).map_err(at_fault)?;
     let form = Form::read(&shop).map_err(at_fault)?;
-    let language = Language::read(&args.control, &knowledge).map_err(at_fault)?;
+    let control = control::meant(args.control.as_deref(), &shop.machine, context)?;
+    let language = Language::read(control, &knowledge).map_err(at_fault)?;
     let written = language.write(job, form);
     let setting = Setting::of_job(job);
     let mut sink = (Vec::<Step>::new(), Clock::new(&shop.machine, setting.start));
@@ -102,7 +103,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         output::complain(&render(&problems, &Texts::default(), context.lang));
         return Ok(Outcome::Findings);
     }
-    let sheet = || encoding_sheet(&written, job, plan, &args.control, &knowledge, context.lang).map_err(at_fault);
+    let sheet = || encoding_sheet(&written, job, plan, control, &knowledge, context.lang).map_err(at_fault);
     match (args.show, format) {
         (Show::Encoding, Format::Json) => context.emit_json(&sheet()?)?,
         (Show::Encoding, Format::Csv) => context.emit(&sheet()?.csv())?,
@@ -113,7 +114,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         (Show::Cycles, _) => context.emit(&report::cycles::page(job, plan, context.lang))?,
         (_, Format::Json) => context.emit_json(&Answer {
             part: &job.part,
-            control: &args.control,
+            control,
             machine: &job.machine,
             program: &text,
             lines: &written.lines,

@@ -50,30 +50,28 @@ struct Said<'a> {
 }
 
 impl Held {
-    /// Plans a part and makes its job. Zeros and correctors that the setting leaves out are set to those of the job; with
-    /// correctors of his own the operator may number and measure tools in his own way.
+    /// Plans a part and makes its job.
     ///
     /// # Errors
     /// The part cannot be used, or the knowledge has no answer.
-    pub fn make(
-        path: &Path,
-        setting: &mut Setting,
-        knowledge: &Knowledge,
-        context: &Context,
-    ) -> Result<Self, CliError> {
-        let mut held = Self::of(plan::make(path, CuttingMethod::default(), knowledge, context)?, knowledge, context)?;
-        let job = &held.job;
+    pub fn make(path: &Path, knowledge: &Knowledge, context: &Context) -> Result<Self, CliError> {
+        Self::of(plan::make(path, CuttingMethod::default(), knowledge, context)?, knowledge, context)
+    }
+
+    /// Zeros and correctors that the setting leaves out are set to those of the job; with correctors of his own the
+    /// operator may number and measure tools in his own way.
+    pub fn set(&mut self, setting: &mut Setting) {
+        let job = &self.job;
         for (setup, zero) in job.setups.iter().zip(&mut setting.zeros) {
             for axis in Axis::ALL {
                 zero[axis.index()].get_or_insert(setup.zero.get(axis));
             }
         }
         let correctors: BTreeMap<u32, Micrometres> = job.correctors.iter().copied().collect();
-        held.own_correctors = !setting.correctors.is_empty() && setting.correctors != correctors;
-        if !held.own_correctors {
+        self.own_correctors = !setting.correctors.is_empty() && setting.correctors != correctors;
+        if !self.own_correctors {
             setting.correctors = correctors;
         }
-        Ok(held)
     }
 
     /// A plan and its job, with the job's own zeros and correctors.

@@ -185,6 +185,13 @@ phrases! {
         "верстат {asked}, а деталь - для {own}", "the machine is {asked}, and the part is for {own}";
     leave_machine():
         "приберіть --machine або змініть machine у файлі деталі", "leave out --machine, or change the part's machine";
+    no_control(machine):
+        "запис верстата `{machine}` не каже, який на ньому ПЧПК",
+        "the record of the machine `{machine}` does not say which control it has";
+    alien_control(machine, control):
+        "на верстаті `{machine}` ПЧПК `{control}`, мови якого тут немає",
+        "the machine `{machine}` has the control `{control}`, whose language is not known here";
+    name_control(known): "назвіть його: --control, є {known}", "name one with --control: there are {known}";
     no_machine(id): "верстата `{id}` в каталозі немає", "the catalog has no machine `{id}`";
     by_rule(what, section): "{what} (правило: {section})", "{what} (rule: {section})";
     times(total, feed, rapid, dwell, change):

@@ -175,6 +175,11 @@ impl<'k> Machine<'k> {
         knowledge.tables_of::<MachineRecord<'_>>().filter_map(|table| table.id.strip_prefix("machine-"))
     }
 
+    /// Its id.
+    pub fn id(&self) -> &'k str {
+        self.table.id.strip_prefix("machine-").unwrap_or(&self.table.id)
+    }
+
     /// The machine of that id.
     ///
     /// # Errors

@@ -117,8 +117,7 @@ pub fn of_text(
         rows.push(Row { line: index + 1, transition: None, tool, code, meaning });
     }
     // A machine without a record is an error, so that nobody reads a sheet of another one.
-    Machine::find(knowledge, machine)?;
-    let named = &knowledge.table(&format!("machine-{machine}"))?.title;
+    let named = &Machine::find(knowledge, machine)?.table.title;
     let equipment =
         format!("{}, {} {}", lang.pick(&named.uk, &named.en), lang.pick("ПЧПК", "control"), name(control, lang));
     Ok(Sheet { form: FORM, part: None, equipment, instructions: Vec::new(), rows, supplied: SUPPLIED, lang })

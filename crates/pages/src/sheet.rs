@@ -1,6 +1,8 @@
 //! The plan as a page to pin to the wall: route, tools, conditions, clamping, corrections, time, findings.
 
 use crate::knowledge::Knowledge;
+use crate::machine::Machine;
+use crate::material::Material;
 use crate::note::{Because, Severity};
 use crate::plan::{Conditions, Limit, Plan, ToolPlan, Transition};
 use crate::units::{Micrometres, round_to};
@@ -55,15 +57,10 @@ fn mark(because: &[Because]) -> &'static str {
 
 fn head(plan: &Plan, knowledge: &Knowledge, lang: Lang) -> String {
     let part = &plan.part;
-    let material = knowledge
-        .table("materials")
-        .ok()
-        .and_then(|table| table.find("id", &part.material))
-        .and_then(|row| row.text("designation").ok())
-        .unwrap_or(&part.material);
-    let machine = knowledge
-        .table(&format!("machine-{}", part.machine))
-        .map_or(part.machine.as_str(), |table| lang.pick(&table.title.uk, &table.title.en));
+    let material = Material::find(knowledge, &part.material);
+    let material = material.map_or(part.material.as_str(), |material| material.designation());
+    let machine = Machine::find(knowledge, &part.machine).map(|machine| &machine.table.title);
+    let machine = machine.map_or(part.machine.as_str(), |title| lang.pick(&title.uk, &title.en));
     let blank = &part.blank;
     format!(
         "{}. {}. {} {} × {} × {} {}. {}.\n",
