@@ -11,7 +11,7 @@ use crate::plan::Plan;
 use crate::planner;
 use crate::program::{Fault, Language, Setting};
 use crate::tables::holders::HolderRow;
-use crate::tooling::named::{NamedCutter, cutter_names, holders};
+use crate::tooling::named::{self, NamedCutter};
 
 use super::finding::Audit;
 use super::near::Names;
@@ -44,12 +44,12 @@ impl<'k> Auditor<'k> {
     /// # Errors
     /// The table `audit-tolerance` lacks a quantity, or a row is not what its contract says.
     pub fn new(knowledge: &'k Knowledge) -> Result<Self, KnowledgeError> {
+        let cutters = named::cutter_names(knowledge)?.into_iter().map(|cutter| (cutter.designation, cutter));
+        let holders = named::holders(knowledge)?.into_iter().map(|holder| (holder.designation, holder));
         Ok(Self {
             knowledge,
-            cutters: Names::new(
-                cutter_names(knowledge)?.into_iter().map(|cutter| (cutter.clone(), cutter.designation)),
-            ),
-            holders: Names::new(holders(knowledge)?.into_iter().map(|holder| (holder.clone(), holder.designation))),
+            cutters: Names::new(cutters),
+            holders: Names::new(holders),
             tolerances: Tolerances::read(knowledge)?,
             plans: Memo::default(),
             runs: Memo::default(),

@@ -4,15 +4,15 @@
 use std::collections::BTreeMap;
 
 use crate::error::KnowledgeError;
-use crate::knowledge::units::Unit;
+use crate::knowledge::units::Percent;
 use crate::knowledge::vocabulary::Shank;
-use crate::knowledge::{Answer, Input};
+use crate::knowledge::{Asked, Question};
 use crate::part::{Hole, Point};
 use crate::plan::{Plan, Transition};
 use crate::shop::Shop;
 use crate::tables::holders::HolderRow;
 use crate::tooling::named::NamedCutter;
-use crate::units::{Decimal, Micrometres, RevsPerMinute};
+use crate::units::{Micrometres, RevsPerMinute};
 
 use super::auditor::Auditor;
 use super::near::{Near, same_table};
@@ -171,23 +171,19 @@ impl<'a> Context<'a> {
         Some((shown(below), shown(above)))
     }
 
-    /// What a rule of thresholds says of a stated value that is such a share of what it is held against, per cent in the
-    /// rule's column; `quantity` where the rule tells quantities apart. The share, and the answer.
+    /// What a rule of thresholds says of a stated value that is such a share of what it is held against: the share, per
+    /// cent, and the answer.
     ///
     /// # Errors
     /// The rule cannot answer.
-    pub fn by_share(
+    pub fn by_share<Q: Question>(
         &self,
-        rule: &str,
-        (column, share): (&str, f64),
-        quantity: Option<&str>,
-    ) -> Result<(f64, Answer<'a>), KnowledgeError> {
+        share: f64,
+        question: impl FnOnce(Percent) -> Q,
+    ) -> Result<(f64, Asked<'a, Q::Row<'a>>), KnowledgeError> {
         let percent = share * 100.0;
         // The columns begin at nothing, and beyond ten thousand times nothing is told apart.
-        let within = Decimal::from_f64_rounded(percent.clamp(0.0, 1e6));
-        let mut inputs = vec![(column, Input::Number(within, Unit::Percent))];
-        inputs.extend(quantity.map(|quantity| ("quantity", Input::Text(quantity))));
-        Ok((percent, self.shop.knowledge.table(rule)?.decide(&inputs)?))
+        Ok((percent, self.shop.knowledge.ask(&question(Percent(percent.clamp(0.0, 1e6))))?))
     }
 
     /// Whether the corrector of a tool is subtracted: as the plan says, else as its program calls it, else it is added.

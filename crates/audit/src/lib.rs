@@ -44,7 +44,6 @@ use technolog_cutting as cutting;
 use technolog_holes::{planner, route, sequence, tooling};
 use technolog_knowledge::{self as knowledge, units};
 use technolog_nc::{job, program};
-#[allow(unused_imports, reason = "until its reads are typed")]
 use technolog_tables as tables;
 
 use crate::error::KnowledgeError;

@@ -35,13 +35,18 @@ pub struct Names<'n, T> {
 
 impl<'n, T: Clone> Names<'n, T> {
     /// The names with what they name.
-    pub fn new(names: impl Iterator<Item = (T, &'n str)>) -> Self {
-        let all: Vec<(T, &str, Vec<char>)> = names.map(|(value, name)| (value, name, plain(name))).collect();
+    pub fn new(names: impl Iterator<Item = (&'n str, T)>) -> Self {
+        let all: Vec<(T, &str, Vec<char>)> = names.map(|(name, value)| (value, name, plain(name))).collect();
         let mut exact: BTreeMap<Vec<char>, Vec<usize>> = BTreeMap::new();
         for (at, (_, _, name)) in all.iter().enumerate() {
             exact.entry(name.clone()).or_default().push(at);
         }
         Self { all, exact }
+    }
+
+    /// What the names name, in their order.
+    pub fn values(&self) -> impl Iterator<Item = &T> {
+        self.all.iter().map(|(value, ..)| value)
     }
 
     /// Looks a name up among those that may be meant.

@@ -4,12 +4,13 @@ use std::collections::BTreeMap;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
-use crate::knowledge::contract::Word as _;
-use crate::knowledge::units::Unit;
 use crate::note::Severity;
+use crate::tables::audit::Tolerance as Row;
 
 use super::quantity::Quantity;
 use super::stated::Figure;
+
+pub use crate::tables::audit::Range;
 
 /// How far each quantity may differ from what it should be.
 #[derive(Clone, Debug, Default)]
@@ -19,6 +20,7 @@ pub struct Tolerances(BTreeMap<Quantity, Tolerance>);
 #[derive(Clone, Copy, Debug)]
 struct Tolerance {
     half_places: f64,
+    /// As a share.
     relative: f64,
     own_places: i64,
     rounded: bool,
@@ -27,25 +29,10 @@ struct Tolerance {
     whole: bool,
 }
 
-/// Which figures of a quantity there can be.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Range {
-    /// Above zero.
-    Positive,
-    /// Zero or above.
-    NotNegative,
-    /// Any.
-    Any,
-}
-
-impl Range {
-    /// Whether a figure is in it.
-    pub fn holds(self, value: f64) -> bool {
-        match self {
-            Self::Positive => value > 0.0,
-            Self::NotNegative => value >= 0.0,
-            Self::Any => true,
-        }
+impl Tolerance {
+    fn of(row: &Row<'_>) -> Self {
+        let &Row { half_places, own_places, rounded, severity, range, whole, .. } = row;
+        Self { half_places, relative: row.relative.0 / 100.0, own_places, rounded, severity, range, whole }
     }
 }
 
@@ -55,29 +42,13 @@ impl Tolerances {
     /// # Errors
     /// It is missing, or lacks a quantity.
     pub fn read(knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
-        let table = knowledge.table("audit-tolerance")?;
-        let mut read = BTreeMap::new();
-        for quantity in Quantity::ALL {
-            let row =
-                table.find("quantity", quantity.key()).ok_or_else(|| KnowledgeError::no_row(table, quantity.key()))?;
-            read.insert(
-                *quantity,
-                Tolerance {
-                    half_places: row.number_in("half_places", Unit::None)?,
-                    relative: row.number_in("relative", Unit::Percent)? / 100.0,
-                    own_places: row.int("own_places")?,
-                    rounded: row.flag("rounded"),
-                    severity: Severity::from_word(row.text("severity")?).unwrap_or(Severity::Wrong),
-                    range: match row.text("range")? {
-                        "any" => Range::Any,
-                        "not-negative" => Range::NotNegative,
-                        _ => Range::Positive,
-                    },
-                    whole: row.flag("whole"),
-                },
-            );
+        let table = knowledge.table_of::<Row<'_>>()?;
+        let rows = table.rows::<Row<'_>>().map(|row| row.map(|row| (row.quantity, Tolerance::of(&row))));
+        let read: BTreeMap<_, _> = rows.collect::<Result<_, _>>()?;
+        match Quantity::ALL.iter().find(|quantity| !read.contains_key(quantity)) {
+            Some(quantity) => Err(KnowledgeError::no_row(table, quantity.key())),
+            None => Ok(Self(read)),
         }
-        Ok(Self(read))
     }
 
     /// How far a stated figure may be from a value, in the unit of its quantity.

@@ -1,8 +1,7 @@
 //! Boring with a single-point tool.
 
 use crate::error::{Refusal, Tried};
-use crate::knowledge::Column;
-use crate::knowledge::{Question, Table};
+use crate::knowledge::{Column, Question, Table};
 use crate::note::{Because, Note};
 use crate::reason::Uncut;
 use crate::shop::Shop;

@@ -1,9 +1,8 @@
 //! Where a feed comes from: the rule `feed-choice` names the table and the multiple.
 
 use crate::error::{KnowledgeError, Tried};
-use crate::knowledge::Column;
 use crate::knowledge::units::Brinell;
-use crate::knowledge::{Question, Table};
+use crate::knowledge::{Column, Question, Table};
 use crate::note::{Because, Note};
 use crate::plan::Operation;
 use crate::reason::Uncut;
@@ -102,7 +101,7 @@ fn upper<'k>(choice: &FeedChoice<'_>, cut: &Cut, shop: &Shop<'k>) -> Tried<Upper
 
 /// The feed of one table; `column` is that of the diameter.
 fn at<'k, Q: Question>(
-    column: fn(&Table) -> Option<&Column>,
+    column: impl Fn(&Table) -> Option<&Column>,
     question: impl Fn(&'k str, Micrometres) -> Q,
     feed: impl FnOnce(Q::Row<'k>) -> MillimetresPerRev,
     (cut, shop): (&Cut, &Shop<'k>),

@@ -8,9 +8,9 @@ use crate::plan::{Limit, Operation};
 use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::tables::cutting::DrillStrength;
+use crate::tables::machines::MachineQuantity;
 use crate::tables::rules::{Neighbour, PracticeSpeedFor, SpindleStepFor};
 use crate::units::{MetresPerMinute, MillimetresPerRev, NewtonMetres, RevsPerMinute, round_to};
-use crate::tables::machines::MachineQuantity;
 
 use super::{Cut, Draft, PowerLaw, rpm_at, speed_at};
 

@@ -15,6 +15,7 @@ pub mod holes;
 pub mod lathes;
 pub mod machines;
 pub mod materials;
+pub mod quantity;
 pub mod rules;
 pub mod standards;
 pub mod tools;

@@ -28,36 +28,6 @@ rows! {
         overrun: Micrometres,
     }
 
-    /// A figure taken from a table beside the table.
-    pub struct AuditByTable of One("audit-by-table") asked by AuditByTableFor<'t> {
-        quantity: &'t str,
-        of_table: Percent,
-    } {
-        severity: &'t str,
-    }
-
-    /// A stated figure beside the handbook's formula.
-    pub struct AuditFormula of One("audit-formula") asked by AuditFormulaFor<'t> {
-        quantity: &'t str,
-        of_formula: Percent,
-    } {
-        severity: &'t str,
-    }
-
-    /// A force or torque beside the handbook's formula.
-    pub struct AuditLoad of One("audit-load") asked by AuditLoadFor {
-        of_formula: Percent,
-    } {
-        judgement: &'t str,
-    }
-
-    /// A spindle speed that is not the rule's.
-    pub struct AuditSpindle of One("audit-spindle") asked by AuditSpindleFor {
-        excess: Percent,
-    } {
-        severity: &'t str,
-    }
-
     /// Whether the position of the axis asks for boring.
     pub struct BoringForPosition of One("boring-for-position") asked by BoringForPositionFor {
         position: Micrometres,

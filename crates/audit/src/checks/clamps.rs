@@ -1,9 +1,8 @@
 //! The clamp: whether its standard and its screw are those of its designation, and whether the screw bears the force.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::RowRef;
-use crate::knowledge::units::Unit;
 use crate::note::{Because, Note, Severity};
+use crate::tables::materials::{ClampDesignations, ClampScrew};
 use crate::units::{Micrometres, round_to};
 
 use super::super::context::Context;
@@ -24,8 +23,7 @@ pub(super) fn check<'a>(
     let known = designation(context, clamping, findings)?;
     // A clamp whose screw is not stated has that of its designation.
     let own = clamping.screw.as_ref().map(|screw| (screw.value.as_str(), screw));
-    let of_clamp =
-        known.zip(clamping.designation.as_ref()).and_then(|(row, name)| Some((row.text("screw").ok()?, name)));
+    let of_clamp = known.zip(clamping.designation.as_ref()).map(|(clamp, name)| (clamp.screw, name));
     match own.or(of_clamp) {
         Some((thread, said)) => screw(context, graph, thread, said, findings),
         None => Ok(()),
@@ -79,27 +77,28 @@ fn designation<'k>(
     context: &Context<'k>,
     clamping: &Clamping,
     findings: &mut Vec<Finding>,
-) -> Result<Option<RowRef<'k>>, KnowledgeError> {
+) -> Result<Option<ClampDesignations<'k>>, KnowledgeError> {
     let Some(name) = &clamping.designation else { return Ok(None) };
-    let table = context.shop.knowledge.table("clamp-designations")?;
-    let same = |row: &RowRef<'_>| row.text("designation").is_ok_and(|own| plain(own) == plain(&name.value));
-    let Some(row) = table.all_rows().find(same) else {
+    let same = |clamp: &ClampDesignations<'_>| plain(clamp.designation) == plain(&name.value);
+    let Some(clamp) = context.shop.knowledge.find(same)? else {
         let note = Note::new("audit-no-catalog").with("designation", &name.value);
         findings.push(finding(Severity::Note, "designation", note, name));
         return Ok(None);
     };
-    let because = || [Because::row(row, Note::new("named"))];
-    let said =
-        [("standard", &clamping.standard, "audit-clamp-standard"), ("screw", &clamping.screw, "audit-clamp-screw")];
-    for (key, stated, code) in said {
-        let (Some(stated), right) = (stated, row.text(key)?) else { continue };
+    let because = || [Because::row(clamp.row, Note::new("named"))];
+    let said = [
+        ("standard", &clamping.standard, clamp.standard, "audit-clamp-standard"),
+        ("screw", &clamping.screw, clamp.screw, "audit-clamp-screw"),
+    ];
+    for (key, stated, right, code) in said {
+        let Some(stated) = stated else { continue };
         if likeness(&stated.value, right) != Likeness::Same {
             let note = Note::new(code).with(key, &stated.value).with("designation", &name.value).with("known", right);
             let finding = finding(Severity::Wrong, key, note, stated);
             findings.push(finding.beside(&stated.value, right).resting_on(because()));
         }
     }
-    Ok(Some(row))
+    Ok(Some(clamp))
 }
 
 /// The screw bears the force on its clamp; a smaller one that would bear it too is no fault.
@@ -110,10 +109,9 @@ fn screw(
     said: &Text,
     findings: &mut Vec<Finding>,
 ) -> Result<(), KnowledgeError> {
-    let table = context.shop.knowledge.table("clamp-screws")?;
-    let meant = |row: &RowRef<'_>| row.text("thread").is_ok_and(|own| plain(own) == plain(thread));
-    let Some(row) = table.all_rows().find(meant) else {
-        let known: Vec<&str> = table.all_rows().filter_map(|row| row.text("thread").ok()).collect();
+    let screws = context.shop.knowledge.rows::<ClampScrew<'_>>()?;
+    let Some(own) = screws.iter().find(|screw| plain(screw.thread) == plain(thread)) else {
+        let known: Vec<&str> = screws.iter().map(|screw| screw.thread).collect();
         let note = Note::new("audit-no-screw").with("screw", thread).with("known", known.join(", "));
         findings.push(finding(Severity::Wrong, "screw", note, said));
         return Ok(());
@@ -122,22 +120,22 @@ fn screw(
     // Where the division over the clamps is not stated, it is what the force and their number make.
     let whole = Id::new(Scope::Clamping, Q::ClampForce);
     let Some(force) = graph.right(each).or_else(|| graph.right(whole)) else { return Ok(()) };
-    let bears = row.number_in("force_80", Unit::Newton)?;
+    let bears = own.force_80.0;
     if bears + 0.5 >= force {
         // A plan of ours takes the smallest that bears the force, unless the drawing names its screws.
-        let smallest =
-            table.all_rows().find(|row| row.number_in("force_80", Unit::Newton).is_ok_and(|most| most + 0.5 >= force));
+        let smallest = screws.iter().find(|screw| screw.force_80.0 + 0.5 >= force);
         let named = context.stated.part.fixture.clamps.iter().any(|clamp| clamp.screw.is_some());
-        if let Some(smallest) = smallest.filter(|smallest| context.stated.own && !named && smallest.index < row.index) {
+        let smaller = |screw: &&ClampScrew<'_>| context.stated.own && !named && screw.row.index < own.row.index;
+        if let Some(smallest) = smallest.filter(smaller) {
             let note = Note::new("audit-screw-large").with("screw", thread).with("force", round_to(force, 0));
             let finding = finding(Severity::Doubtful, "screw", note, said);
-            findings.push(finding.beside(thread, smallest.text("thread")?));
+            findings.push(finding.beside(thread, smallest.thread));
         }
         return Ok(());
     }
     let note =
         Note::new("audit-screw-weak").with("screw", thread).with("bears", bears).with("force", round_to(force, 0));
     let finding = finding(Severity::Error, "screw", note, said);
-    findings.push(finding.resting_on([Because::row(row, Note::new("named"))]));
+    findings.push(finding.resting_on([Because::row(own.row, Note::new("named"))]));
     Ok(())
 }

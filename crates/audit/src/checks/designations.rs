@@ -10,9 +10,9 @@ use super::super::finding::{Finding, Kind, Section};
 use super::super::graph::Graph;
 use super::super::near::{Likeness, Near, likeness, plain, same_table};
 use super::super::quantity::Scope;
-use super::super::rules::tools::{COLUMNS, Column, DIMENSION, OVERHANG};
+use super::super::rules::tools::{DIMENSION, OVERHANG, dimensions as of_row};
 use super::super::stated::Text;
-use crate::tooling::named::{NamedCutter, cutter_names};
+use crate::tooling::named::NamedCutter;
 
 pub(super) fn check<'a>(
     context: &Context<'a>,
@@ -23,7 +23,7 @@ pub(super) fn check<'a>(
         let field = |key: &str| format!("tools.T{}.{key}", tool.number);
         let about = |finding: Finding| finding.about(context.subject(Scope::Tool(at)));
         let near = context.cutter_near(at);
-        dimensions(context, at, findings)?;
+        dimensions(context, at, findings);
         named(
             near,
             |cutter| cutter.row.row,
@@ -146,34 +146,33 @@ fn standard(
 }
 
 /// Dimensions that are none of the designation's, and all those of another one: it is the designation that is wrong.
-fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
+fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<Finding>) {
     let tool = &context.stated.tools[at];
-    let Some(name) = tool.designation.as_ref().filter(|_| context.cutter(at).is_some()) else { return Ok(()) };
+    let Some(name) = tool.designation.as_ref().filter(|_| context.cutter(at).is_some()) else { return };
     let of_tool = |finding: &Finding| finding.subject.tool == Some(tool.number);
     let off = findings.iter().filter(|one| one.kind.rule() == Some(&DIMENSION) && of_tool(one)).count();
     if off == 0 {
-        return Ok(());
+        return;
     }
-    let stated = COLUMNS.iter().filter_map(|(column, quantity)| Some((*column, tool.figures.get(quantity)?.value)));
-    let stated: Vec<(Column, f64)> = stated.collect();
     let fits = |cutter: &NamedCutter<'_>| {
-        stated
-            .iter()
-            .all(|(column, value)| column(&cutter.row).is_some_and(|length| (length.to_mm() - value).abs() < 1e-6))
+        of_row(&cutter.row).into_iter().all(|(quantity, length)| {
+            let stated = tool.figures.get(&quantity).map(|figure| figure.value);
+            stated.is_none_or(|value| length.is_some_and(|length| (length.to_mm() - value).abs() < 1e-6))
+        })
     };
     // Another tool of the same dimensions may be of another kind: it must do what the rows ask of this one.
     let does = |cutter: &NamedCutter<'_>| {
         let mut rows = context.stated.rows_of_tool(tool.number);
         rows.all(|(_, row)| cutter.head.operations.contains(&row.operation.value))
     };
-    let others = cutter_names(context.shop.knowledge)?;
-    let Some(other) = others.iter().find(|cutter| fits(cutter) && does(cutter)) else { return Ok(()) };
+    let mut others = context.auditor.cutters.values().filter(|cutter| fits(cutter) && does(cutter));
+    let Some(other) = others.next() else { return };
     // One dimension alone may be the slip; the rows of the tool say which of the two is meant.
     let of_size =
         |other: &OfOther| matches!(other, OfOther::Operation { .. } | OfOther::Angle { .. } | OfOther::Size { .. });
     let unsuited = |one: &Finding| of_tool(one) && matches!(&one.kind, Kind::OfOther(other) if of_size(other));
     if off < 2 && !findings.iter().any(unsuited) {
-        return Ok(());
+        return;
     }
     let field = format!("tools.T{}.designation", tool.number);
     for finding in findings.iter_mut().filter(|finding| of_tool(finding)) {
@@ -190,5 +189,4 @@ fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<Finding>) -> 
     let because = Because::row(other.row.row, Note::new("named"));
     let finding = finding.beside(&name.value, other.designation).resting_on([because]);
     findings.push(finding.about(context.subject(Scope::Tool(at))));
-    Ok(())
 }

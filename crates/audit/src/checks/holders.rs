@@ -44,8 +44,8 @@ pub(super) fn check<'a>(
         let operation = context.stated.rows_of_tool(tool.number).next().map(|(_, row)| row.operation.value);
         let operation = operation.unwrap_or(Operation::Drill);
         if let Some((family, rule)) = named::other_family(holder, cutter, operation, shop.knowledge)? {
-            let holders: Vec<HolderRow<'_>> = family.rows().collect::<Result<_, _>>()?;
-            let takes = holders.iter().filter(|holder| named::not_taken(holder, cutter, &shop.machine).is_none());
+            let rows = family.rows::<HolderRow<'_>>().collect::<Result<Vec<_>, _>>()?;
+            let takes = rows.iter().filter(|holder| named::not_taken(holder, cutter, &shop.machine).is_none());
             let known: Vec<&str> = takes.map(|holder| holder.designation).collect();
             let note = Note::new("holder-of-other-family").with("known", known.join(", "));
             let why = Because::row(rule.row, Note::new("named"));

@@ -3,7 +3,7 @@
 use crate::error::KnowledgeError;
 use crate::note::{Because, Note, Severity};
 use crate::plan::Operation;
-use crate::tables::machines::MachineQuantity;
+use crate::tables::machines::MachineQuantity as Bound;
 
 use super::super::context::Context;
 use super::super::figures::{beside, shown};
@@ -34,20 +34,20 @@ fn conditions(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), 
             continue;
         }
         let bounds = [
-            (Q::MinuteFeed, machine.feed_max.0, MachineQuantity::FeedMax),
-            (Q::Force, machine.thrust.0, MachineQuantity::ThrustZMax),
-            (Q::Torque, machine.spindle_torque.0, MachineQuantity::SpindleTorqueMax),
-            (Q::Power, machine.spindle_power.0, MachineQuantity::SpindlePower),
+            (Q::MinuteFeed, machine.feed_max.0, Bound::FeedMax),
+            (Q::Force, machine.thrust.0, Bound::ThrustZMax),
+            (Q::Torque, machine.spindle_torque.0, Bound::SpindleTorqueMax),
+            (Q::Power, machine.spindle_power.0, Bound::SpindlePower),
         ];
-        for (quantity, most, name) in bounds {
+        for (quantity, most, bound) in bounds {
             let Some(figure) = own.figures.get(&quantity).filter(|figure| figure.value > most * 1.001) else {
                 continue;
             };
-            let note = Note::new("audit-beyond-machine").with("limit", shown(most)).with("quantity", name.name());
+            let note = Note::new("audit-beyond-machine").with("limit", shown(most)).with("quantity", bound.name());
             let field = context.field(Id::new(Scope::Conditions(at), quantity));
             let finding = Finding::new(Severity::Error, Section::Conditions, field, note);
             let finding = beside(finding, figure, format!("<= {}", shown(most)), quantity);
-            let because = Because::row(machine.row(name)?, Note::new("audit-limit"));
+            let because = Because::row(machine.row(bound)?, Note::new("audit-limit"));
             findings.push(finding.about(context.subject(Scope::Conditions(at))).resting_on([because]));
         }
     }
@@ -63,7 +63,7 @@ fn series(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<Finding>)
         let Some((below, above)) = context.steps_around(figure.value) else { continue };
         let note = Note::new("audit-not-in-series").with("below", below).with("above", above);
         let finding = Finding::new(Severity::Wrong, Section::Conditions, context.field(id), note).at(&figure.place);
-        let because = Because::row(machine.row(MachineQuantity::SpindleSpeeds)?, Note::new("audit-series"));
+        let because = Because::row(machine.row(Bound::SpindleSpeeds)?, Note::new("audit-series"));
         let mut finding = finding.about(context.subject(Scope::Conditions(at))).resting_on([because]);
         finding.stated = Some(figure.text.clone());
         finding.quantity = Some(Q::Rpm);
@@ -78,7 +78,9 @@ fn lengths(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), Kno
     let most = machine.overhang_max.to_mm();
     for (at, tool) in context.stated.tools.iter().enumerate() {
         let Some(figure) = tool.figures.get(&Q::Assembly).filter(|figure| figure.value > most) else { continue };
-        let note = Note::new("audit-beyond-machine").with("limit", shown(most)).with("quantity", "tool-overhang-max");
+        let note = Note::new("audit-beyond-machine")
+            .with("limit", shown(most))
+            .with("quantity", Bound::ToolOverhangMax.name());
         let field = context.field(Id::new(Scope::Tool(at), Q::Assembly));
         let finding = beside(
             Finding::new(Severity::Error, Section::Lengths, field, note),
@@ -86,7 +88,7 @@ fn lengths(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), Kno
             format!("<= {}", shown(most)),
             Q::Assembly,
         );
-        let because = Because::row(machine.row(MachineQuantity::ToolOverhangMax)?, Note::new("audit-limit"));
+        let because = Because::row(machine.row(Bound::ToolOverhangMax)?, Note::new("audit-limit"));
         findings.push(finding.about(context.subject(Scope::Tool(at))).resting_on([because]));
     }
     Ok(())
@@ -139,7 +141,7 @@ fn magazine(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), Kn
     for (at, tool) in tools.iter().enumerate().filter(|(_, tool)| tool.number as usize > places) {
         let note = Note::new("audit-no-place").with("number", tool.number).with("places", places);
         let finding = Finding::new(Severity::Error, Section::Tools, format!("tools.T{}", tool.number), note);
-        let because = Because::row(machine.row(MachineQuantity::MagazinePlaces)?, Note::new("audit-limit"));
+        let because = Because::row(machine.row(Bound::MagazinePlaces)?, Note::new("audit-limit"));
         findings.push(finding.at(&tool.place).about(context.subject(Scope::Tool(at))).resting_on([because]));
     }
     Ok(())
@@ -156,11 +158,13 @@ fn drills(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), Know
         else {
             continue;
         };
-        let note = Note::new("audit-beyond-machine").with("limit", shown(most)).with("quantity", "drill-diameter-max");
+        let note = Note::new("audit-beyond-machine")
+            .with("limit", shown(most))
+            .with("quantity", Bound::DrillDiameterMax.name());
         let field = context.field(Id::new(Scope::Row(at), Q::Diameter));
         let finding = Finding::new(Severity::Error, Section::Route, field, note);
         let finding = beside(finding, figure, format!("<= {}", shown(most)), Q::Diameter);
-        let because = Because::row(machine.row(MachineQuantity::DrillDiameterMax)?, Note::new("audit-limit"));
+        let because = Because::row(machine.row(Bound::DrillDiameterMax)?, Note::new("audit-limit"));
         findings.push(finding.about(context.subject(Scope::Row(at))).resting_on([because]));
     }
     Ok(())

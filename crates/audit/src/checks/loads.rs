@@ -1,9 +1,11 @@
 //! Forces and torques beside the handbook's formulas at the feed that is taken: a part is clamped against them.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::units::Unit;
+use crate::knowledge::TableRow;
 use crate::note::{Because, Note, Severity};
 use crate::plan::Transition;
+use crate::tables::audit::{AuditLoadFor, Judgement};
+use crate::tables::cutting::TorqueAndThrust;
 use crate::units::round_to;
 
 use super::super::context::Context;
@@ -39,19 +41,20 @@ pub(super) fn check<'a>(
                 continue;
             }
             let Some((figure, by_formula)) = stated.figure(id).zip(by_formula) else { continue };
-            let (share, answer) = context.by_share("audit-load", ("of_formula", figure.value / by_formula), None)?;
-            let Some(winner) = answer.winner() else { continue };
-            let note = match winner.text("judgement")? {
-                "low" => Note::new("audit-load-low"),
-                "high" => Note::new("audit-load-high"),
-                _ => continue,
+            let question = |of_formula| AuditLoadFor { of_formula };
+            let (share, asked) = context.by_share(figure.value / by_formula, question)?;
+            let Some(rule) = asked.winner()? else { continue };
+            let note = match rule.judgement {
+                Judgement::Low => Note::new("audit-load-low"),
+                Judgement::High => Note::new("audit-load-high"),
+                Judgement::Fine => continue,
             };
             let note = note.with("share", round_to(share, 0)).with("load", shown(by_formula)).with("feed", shown(feed));
             let mut finding = Finding::new(Severity::Doubtful, section, context.field(id), note).at(&figure.place);
             finding.quantity = Some(id.quantity);
             finding.stated = Some(figure.text.clone());
             let finding = finding.about(context.subject(id.scope));
-            findings.push(finding.resting_on([by.because.clone(), Because::row(winner, Note::new("audit-limit"))]));
+            findings.push(finding.resting_on([by.because.clone(), Because::row(rule.row, Note::new("audit-limit"))]));
         }
     }
     Ok(())
@@ -67,14 +70,13 @@ struct Loads {
 /// The loads of our own transition at another feed: they are powers of it, by the row of `torque-and-thrust`.
 fn at_feed(context: &Context<'_>, reference: &Transition, feed: f64) -> Option<Loads> {
     let own = &reference.conditions;
-    let because = own.because.iter().find(|why| why.table == "torque-and-thrust")?;
-    let table = context.shop.knowledge.table("torque-and-thrust").ok()?;
-    let row = table.row(because.row?.checked_sub(1)?)?;
-    let ratio = feed / own.feed_mm_per_rev.0;
-    let scaled = |column: &str| row.number_in(column, Unit::None).ok().map(|exponent| libm::pow(ratio, exponent));
+    let table = context.shop.knowledge.table_of::<TorqueAndThrust<'_>>().ok()?;
+    let because = own.because.iter().find(|why| why.table == table.id)?;
+    let row = TorqueAndThrust::read(table.row(because.row?.checked_sub(1)?)?).ok()?;
+    let scale = |exponent| libm::pow(feed / own.feed_mm_per_rev.0, exponent);
     Some(Loads {
-        torque: own.torque_n_m.zip(scaled("ym")).map(|(torque, scale)| torque.0 * scale),
-        force: own.axial_force_n.zip(scaled("yp")).map(|(force, scale)| force.0 * scale),
+        torque: own.torque_n_m.map(|torque| torque.0 * scale(row.ym)),
+        force: own.axial_force_n.map(|force| force.0 * scale(row.yp)),
         because: because.clone(),
     })
 }

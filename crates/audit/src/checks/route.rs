@@ -3,10 +3,10 @@
 use std::collections::BTreeSet;
 
 use crate::error::KnowledgeError;
-use crate::knowledge::Input;
 use crate::note::{Because, Note, Severity};
 use crate::part::Hole;
 use crate::plan::Operation;
+use crate::tables::rules::TransitionOrderFor;
 use crate::units::{Micrometres, round_to};
 
 use super::super::context::Context;
@@ -50,17 +50,15 @@ pub(super) fn of_hole(hole: &Hole) -> Subject {
 
 /// The order of section 1.1.2: ranks of one cylinder never fall. What opens edges may stand between.
 fn order(context: &Context<'_>, rows: &[(usize, &Row)], findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
-    let rule = context.shop.knowledge.table("transition-order")?;
     let mut before: Option<(i64, &Row)> = None;
     for (at, row) in rows {
         let operation = row.operation.value;
         if operation.is_of_edge() || !row.of_main_cylinder() {
             continue;
         }
-        let inputs = [("operation", Input::Text(operation.name())), ("face", Input::Bool(false))];
-        let answer = rule.decide(&inputs)?;
-        let Some(winner) = answer.winner() else { continue };
-        let rank = winner.int("rank")?;
+        let asked = context.shop.knowledge.ask(&TransitionOrderFor { operation, face: false })?;
+        let Some(rule) = asked.winner()? else { continue };
+        let rank = rule.rank;
         if let Some((least, other)) = before
             && rank < least
         {
@@ -70,7 +68,7 @@ fn order(context: &Context<'_>, rows: &[(usize, &Row)], findings: &mut Vec<Findi
                 .with("row", other.number);
             let field = format!("route.{}.operation", row.number);
             let finding = Finding::new(Severity::Wrong, Section::Route, field, note).at(&row.operation.place);
-            let because = Because::row(winner, Note::new("audit-rank").with("rank", rank));
+            let because = Because::row(rule.row, Note::new("audit-rank").with("rank", rank));
             findings.push(finding.about(context.subject(Scope::Row(*at))).resting_on([because]));
         }
         if before.is_none_or(|(least, _)| rank >= least) {

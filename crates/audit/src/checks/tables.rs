@@ -2,8 +2,8 @@
 //! be off says the rule `audit-by-table`.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::contract::Word as _;
-use crate::note::{Because, Note, Severity};
+use crate::note::{Because, Note};
+use crate::tables::audit::{AuditByTableFor, Tabulated};
 use crate::units::round_to;
 
 use super::super::context::Context;
@@ -22,15 +22,15 @@ pub(super) fn check<'a>(
         return Ok(());
     }
     for (&id, &table) in graph.tables() {
-        let Some(kind) = kind(id.quantity).filter(|_| table > 0.0 && graph.formula(id).is_none()) else { continue };
+        let Some(quantity) = kind(id.quantity).filter(|_| table > 0.0 && graph.formula(id).is_none()) else { continue };
         let Some(figure) = context.stated.figure(id) else { continue };
-        let (share, answer) = context.by_share("audit-by-table", ("of_table", figure.value / table), Some(kind))?;
-        let Some(row) = answer.winner() else { continue };
-        let severity = Severity::from_word(row.text("severity")?).unwrap_or(Severity::Doubtful);
+        let question = |of_table| AuditByTableFor { quantity, of_table };
+        let (share, asked) = context.by_share(figure.value / table, question)?;
+        let Some(rule) = asked.winner()? else { continue };
         let note = Note::new("audit-by-table").with("share", round_to(share, 0)).with("value", shown(table));
         let finding =
-            Finding::new(severity, Context::section(id), context.field(id), note).about(context.subject(id.scope));
-        let why = Because::answer(&answer, Note::new("audit-limit"));
+            Finding::new(rule.severity, Context::section(id), context.field(id), note).about(context.subject(id.scope));
+        let why = Because::answer(&asked.answer, Note::new("audit-limit"));
         let finding = finding.resting_on(rows(context, id).into_iter().chain([why]));
         findings.push(beside(finding, figure, shown(table), id.quantity));
     }
@@ -38,12 +38,12 @@ pub(super) fn check<'a>(
 }
 
 /// As the rule calls a quantity; nothing for what it does not judge.
-const fn kind(quantity: Q) -> Option<&'static str> {
+const fn kind(quantity: Q) -> Option<Tabulated> {
     match quantity {
-        Q::Feed => Some("feed"),
-        Q::CardFeed | Q::CardSpeed | Q::CardForce | Q::CardPower => Some("card"),
-        Q::FactorFeed | Q::FactorSpeed | Q::FactorForce | Q::FactorPower => Some("factor"),
-        Q::RapidTime => Some("rapid"),
+        Q::Feed => Some(Tabulated::Feed),
+        Q::CardFeed | Q::CardSpeed | Q::CardForce | Q::CardPower => Some(Tabulated::Card),
+        Q::FactorFeed | Q::FactorSpeed | Q::FactorForce | Q::FactorPower => Some(Tabulated::Factor),
+        Q::RapidTime => Some(Tabulated::Rapid),
         _ => None,
     }
 }

@@ -7,6 +7,7 @@ use crate::part::{Hole, Thread};
 use crate::plan::Operation;
 use crate::tables::holes::HoleDefault;
 use crate::tables::machines::MachineQuantity;
+use crate::tables::standards::{CoarseThread, FineThread};
 use crate::units::Micrometres;
 
 use super::super::context::Context;
@@ -65,9 +66,10 @@ fn taps(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), Knowle
 
 /// The drill of a metric thread by its table.
 fn tap_drill<'a>(thread: &Thread, context: &Context<'a>) -> Option<(Micrometres, RowRef<'a>)> {
-    let tables = ["tap-drills", "tap-drills-fine"].into_iter().filter_map(|id| context.shop.knowledge.table(id).ok());
-    let row = tables.filter_map(|table| table.find("thread", &thread.id)).next()?;
-    Some((row.length_if_any("diameter")?, row))
+    let knowledge = context.shop.knowledge;
+    let coarse = knowledge.find(|row: &CoarseThread<'_>| row.thread == thread.id).ok()?;
+    let fine = || knowledge.find(|row: &FineThread<'_>| row.thread == thread.id).ok()?;
+    coarse.map(|row| (row.diameter, row.row)).or_else(|| fine().map(|row| (row.diameter, row.row)))
 }
 
 /// What stands under the tap: the drill of the table, or a hole within the limits of the thread.
@@ -115,7 +117,7 @@ fn depth(
         return Ok(());
     }
     let stated = Micrometres::from_mm_rounded(figure.value);
-    let pitches = |name| -> Result<Micrometres, KnowledgeError> {
+    let pitches = |name: HoleDefault| -> Result<Micrometres, KnowledgeError> {
         Ok(Micrometres::from_mm_rounded(thread.pitch.to_mm() * context.shop.share(name)?))
     };
     let tap = row.operation.value == Operation::Tap;

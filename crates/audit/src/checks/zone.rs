@@ -38,9 +38,10 @@ fn about_part(severity: Severity, field: &str, note: Note) -> Finding {
 /// A blank that stands out of the table.
 fn table(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), KnowledgeError> {
     let (blank, machine) = (context.stated.part.blank, &context.shop.machine);
+    let (length, width) = (machine.table_length, machine.table_width);
     let sides = [
-        (Axis::X, blank.length, machine.table_length, MachineQuantity::TableLength, "part.blank.length"),
-        (Axis::Y, blank.width, machine.table_width, MachineQuantity::TableWidth, "part.blank.width"),
+        (Axis::X, blank.length, length, MachineQuantity::TableLength, "part.blank.length"),
+        (Axis::Y, blank.width, width, MachineQuantity::TableWidth, "part.blank.width"),
     ];
     for (axis, size, most, quantity, field) in sides {
         // Not every record says how large its table is.

@@ -1,8 +1,8 @@
 //! Clamping: from the cut to the torque, the force, and its division over the clamps.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::units::Unit;
 use crate::note::{Because, Note, Severity};
+use crate::tables::materials::{Clamping, ClampingConstant};
 
 use super::super::context::Context;
 use super::super::graph::{Graph, Rule};
@@ -83,11 +83,14 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
     if !clamping.at.is_empty() {
         graph.add(given(&PLACES, id(Q::Clamps), clamping.at.len() as f64, []));
     }
-    let table = context.shop.knowledge.table("clamping")?;
-    for (name, quantity) in [("safety", Q::Safety), ("friction", Q::Friction), ("clamps", Q::Clamps)] {
-        let row = table.find("name", name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
-        let value = row.number_in("maximum", Unit::None)?;
-        let because = Because::row(row, Note::new(name).with("value", value));
+    for (name, quantity) in [
+        (ClampingConstant::Safety, Q::Safety),
+        (ClampingConstant::Friction, Q::Friction),
+        (ClampingConstant::Clamps, Q::Clamps),
+    ] {
+        let row = context.shop.knowledge.need(name.name(), |row: &Clamping<'_>| row.name.is(name))?;
+        let value = row.maximum;
+        let because = Because::row(row.row, Note::new(name.name()).with("value", value));
         if quantity != Q::Clamps {
             graph.add(given(&CONSTANT, id(quantity), value, [because]));
             continue;

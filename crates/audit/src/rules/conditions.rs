@@ -4,13 +4,14 @@ use std::collections::BTreeMap;
 
 use crate::cutting;
 use crate::error::KnowledgeError;
-use crate::knowledge::Input;
-use crate::knowledge::contract::Word as _;
-use crate::knowledge::units::Unit;
+use crate::knowledge::units::Percent;
 use crate::note::{Because, Note, Severity};
 use crate::plan::{CuttingMethod, Operation};
+use crate::tables::audit::{AuditSpindleFor, Constant as Known, Constants};
+use crate::tables::cutting::CardCorrections;
 use crate::tables::machines::MachineQuantity;
-use crate::units::{Decimal, RevsPerMinute, round_to};
+use crate::tables::rules::SpindleStep;
+use crate::units::{RevsPerMinute, round_to};
 
 use super::super::context::Context;
 use super::super::graph::{Constant, Formula, Graph, Judged, Rule};
@@ -91,9 +92,8 @@ pub(super) const RULES: &[Rule] =
 const PI: Id = Id::new(Scope::Constant, Q::Pi);
 
 pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), KnowledgeError> {
-    let constants = context.shop.knowledge.table("audit-constants")?;
-    let rows: Vec<_> = constants.all_rows().filter(|row| row.text("name") == Ok("pi")).collect();
-    let values = rows.iter().map(|row| row.number_in("value", Unit::None)).collect::<Result<Vec<f64>, _>>()?;
+    let rows = context.shop.knowledge.rows::<Constants<'_>>()?;
+    let values = rows.iter().filter(|row| row.name == Known::Pi).map(|row| row.value).collect();
     graph.constant(PI, Constant { values, because: Vec::new() });
     for at in 0..context.stated.conditions.len() {
         one(context, graph, at)?;
@@ -233,7 +233,7 @@ fn spindle<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Re
     let series = shop.machine.row(MachineQuantity::SpindleSpeeds)?;
     let mut own = formula(&STEP, id(Q::Rpm), vec![id(Q::RpmComputed)], "", step);
     own.because.push(Because::row(series, Note::new("audit-series")));
-    own.because.push(Because::table(shop.knowledge.table("spindle-step")?, Note::new("audit-step-rule")));
+    own.because.push(Because::table(shop.knowledge.table_of::<SpindleStep<'_>>()?, Note::new("audit-step-rule")));
     own.judge = Some(Box::new(move |value, values| {
         let computed = *values.first()?;
         // What holds the spindle back makes it slower, and leaves it a step of the machine.
@@ -257,16 +257,14 @@ fn judge_step(context: &Context<'_>, value: f64, computed: f64) -> Judged {
     if let Some((below, above)) = context.steps_around(value) {
         return Some((Severity::Wrong, note("audit-no-step").with("below", below).with("above", above)));
     }
-    let excess = Decimal::from_f64_rounded((value / computed - 1.0) * 100.0);
-    let rule = shop.knowledge.table("audit-spindle").ok()?;
-    let answer = rule.decide(&[("excess", Input::Number(excess, Unit::Percent))]).ok()?;
-    let severity = Severity::from_word(answer.winner()?.text("severity").ok()?)?;
-    Some((severity, note(if value > computed { "audit-step-fast" } else { "audit-step-slow" })))
+    let excess = Percent((value / computed - 1.0) * 100.0);
+    let rule = shop.knowledge.ask(&AuditSpindleFor { excess }).ok()?.winner().ok()??;
+    Some((rule.severity, note(if value > computed { "audit-step-fast" } else { "audit-step-slow" })))
 }
 
 /// What the tables give for figures of conditions that no formula computes: card points, factors, feeds, travels, spots.
 pub(super) fn by_tables(context: &Context<'_>) -> Result<BTreeMap<Id, f64>, KnowledgeError> {
-    let corrections = context.shop.knowledge.table("card-corrections")?;
+    let corrections = context.shop.knowledge.rows::<CardCorrections<'_>>()?;
     let group = context.shop.material.group;
     let mut known = BTreeMap::new();
     for (at, conditions) in context.stated.conditions.iter().enumerate() {
@@ -278,9 +276,8 @@ pub(super) fn by_tables(context: &Context<'_>) -> Result<BTreeMap<Id, f64>, Know
                 let name = factor.name.value.as_str();
                 let elsewhere = context.same_factor(at, *quantity, name);
                 let elsewhere = elsewhere.and_then(|id| Some(context.stated.figure(id)?.value));
-                let rows = corrections.all_rows().filter(|row| row.text("name") == Ok(name));
-                let row = rows.into_iter().find(|row| row.text("material_group") == Ok(group));
-                let table = row.and_then(|row| row.number_in("factor", Unit::None).ok());
+                let of_card = |row: &&CardCorrections<'_>| row.name.name() == name && row.material_group == group;
+                let table = corrections.iter().find(of_card).map(|row| row.factor);
                 known.extend(table.or(elsewhere).map(|value| (Id { scope, quantity: *quantity, index }, value)));
             }
         }

@@ -7,9 +7,9 @@ use crate::cutting::handbook::{self, Handbook};
 use crate::cutting::laws::LoadLaw;
 use crate::cutting::{self, Cut};
 use crate::error::{KnowledgeError, Refusal};
-use crate::knowledge::contract::Word as _;
 use crate::note::{Because, Note, Severity};
 use crate::plan::CuttingMethod;
+use crate::tables::audit::{AuditFormula, AuditFormulaFor};
 use crate::units::{Micrometres, MillimetresPerRev, RevsPerMinute, round_to};
 
 use super::super::context::Context;
@@ -88,7 +88,7 @@ fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result
         let at_step = formulas.as_ref().is_some_and(|own| is_at_step(context, at, own, cut.diameter, life));
         let by_life = formulas.as_ref().is_some_and(|own| is_by_life(context, at, own, cut.diameter, life));
         by_table = Some(life).filter(|_| at_step || by_life);
-        let table = Because::table(context.shop.knowledge.table("audit-formula")?, Note::new("audit-limit"));
+        let table = Because::table(context.shop.knowledge.table_of::<AuditFormula<'_>>()?, Note::new("audit-limit"));
         let mut own = given(&LIFE, id(Q::ToolLife), life, because.into_iter().chain([table]));
         own.judge = Some(Box::new(move |value, _| match at_step {
             true => None,
@@ -262,7 +262,7 @@ fn add<'a, 'b>(
     compute: impl Fn(&[f64]) -> Option<f64> + 'a,
     because: impl Iterator<Item = &'b Because>,
 ) -> Result<(), KnowledgeError> {
-    let table = context.shop.knowledge.table("audit-formula")?;
+    let table = context.shop.knowledge.table_of::<AuditFormula<'_>>()?;
     own.because.extend(because.cloned());
     own.because.push(Because::table(table, Note::new("audit-limit")));
     let quantity = own.output.quantity;
@@ -273,9 +273,9 @@ fn add<'a, 'b>(
 
 /// How a stated figure stands to what the handbook gives, by the rule `audit-formula`.
 fn judged(context: &Context<'_>, quantity: Q, value: f64, by_formula: f64) -> Judged {
-    let share = ("of_formula", value / by_formula);
-    let (share, answer) = context.by_share("audit-formula", share, Some(quantity.key())).ok()?;
-    let severity = Severity::from_word(answer.winner()?.text("severity").ok()?)?;
+    let question = |of_formula| AuditFormulaFor { quantity, of_formula };
+    let (share, asked) = context.by_share(value / by_formula, question).ok()?;
+    let severity = asked.winner().ok()??.severity;
     let nature = nature(value, by_formula);
     let code = match quantity {
         // A slip of the comma or of the sign is told as what it is.

@@ -3,7 +3,6 @@
 use crate::error::KnowledgeError;
 use crate::note::{Because, Note, Severity};
 use crate::plan::Operation;
-use crate::tables::holders::HolderRow;
 use crate::tables::holes::HoleDefault;
 use crate::tables::tools::CutterRow;
 use crate::tooling::named;
@@ -66,21 +65,16 @@ const BOOK: Rule = Rule {
 
 pub(super) const RULES: &[Rule] = &[DIMENSION, HOLDER, OVERHANG, HOLDER_USED, ASSEMBLY, REFERENCE, PLUS, MINUS, BOOK];
 
-/// A length of a cutter, where its row has it.
-pub(crate) type Column = fn(&CutterRow<'_>) -> Option<Micrometres>;
-
-/// Columns of the cutters' catalogs.
-pub(crate) const COLUMNS: [(Column, Q); 5] = [
-    (|row| row.diameter, Q::Diameter),
-    (|row| row.length, Q::Length),
-    (|row| row.flute_length, Q::FluteLength),
-    (|row| row.projection, Q::Projection),
-    (|row| row.shank_diameter, Q::ShankDiameter),
-];
-
-/// Columns of the holders' catalogs.
-const HOLDER_COLUMNS: [(fn(&HolderRow<'_>) -> Option<Micrometres>, Q); 3] =
-    [(|row| Some(row.length), Q::HolderLength), (|row| row.clamp_min, Q::ClampMin), (|row| row.clamp_max, Q::ClampMax)];
+/// The dimensions of a cutter, as far as its catalog has them.
+pub(crate) fn dimensions(row: &CutterRow<'_>) -> [(Q, Option<Micrometres>); 5] {
+    [
+        (Q::Diameter, row.diameter),
+        (Q::Length, row.length),
+        (Q::FluteLength, row.flute_length),
+        (Q::Projection, row.projection),
+        (Q::ShankDiameter, row.shank_diameter),
+    ]
+}
 
 pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), KnowledgeError> {
     let stated = context.stated;
@@ -89,10 +83,9 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
         let id = |quantity| Id::new(scope, quantity);
         let operation = stated.rows_of_tool(tool.number).next().map(|(_, row)| row.operation.value);
         if let Some(cutter) = context.cutter(at) {
-            let row = &cutter.row;
-            let because = || [Because::row(row.row, Note::new("named"))];
-            for (column, quantity) in COLUMNS {
-                let Some(length) = column(row) else { continue };
+            let because = || [Because::row(cutter.row.row, Note::new("named"))];
+            for (quantity, length) in dimensions(&cutter.row) {
+                let Some(length) = length else { continue };
                 // A core drill or a reamer may be ground, a bar set, to the size that the row makes.
                 let set = quantity == Q::Diameter
                     && !matches!(operation, Some(Operation::Drill | Operation::DrillOut | Operation::CentreDrill));
@@ -103,7 +96,7 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
                 dimension.judge = set.then(|| ground(context, tool.number, length));
                 graph.add(dimension);
             }
-            if let Some(morse) = row.morse {
+            if let Some(morse) = cutter.row.morse {
                 graph.add(given(&DIMENSION, id(Q::Morse), morse as f64, because()));
             }
             if let Some(angle) = named::point_angle(cutter) {
@@ -115,8 +108,13 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
         }
         if let Some(holder) = context.holder(at) {
             let because = || [Because::row(holder.row, Note::new("named"))];
-            for (column, quantity) in HOLDER_COLUMNS {
-                if let Some(length) = column(holder) {
+            let lengths = [
+                (Q::HolderLength, Some(holder.length)),
+                (Q::ClampMin, holder.clamp_min),
+                (Q::ClampMax, holder.clamp_max),
+            ];
+            for (quantity, length) in lengths {
+                if let Some(length) = length {
                     graph.add(given(&HOLDER, id(quantity), length.to_mm(), because()));
                 }
             }

@@ -112,6 +112,28 @@ vocabulary! {
         Second = "second",
     }
 
+    /// The tables of feeds.
+    pub enum FeedTable {
+        /// Of drills.
+        Drilling = "drilling-feed",
+        /// Of core drills.
+        CoreDrilling = "core-drilling-feed",
+        /// Of reamers.
+        Reaming = "reaming-feed",
+        /// Of boring bars, which is asked in a way of its own.
+        Boring = "boring-feed",
+        /// Of what widens the mouth of a hole.
+        Counterboring = "counterboring-feed",
+    }
+
+    /// Which of two neighbours is taken.
+    pub enum Neighbour {
+        /// The one above.
+        Above = "above",
+        /// The one below.
+        Below = "below",
+    }
+
     /// A machining cycle.
     pub enum HoleCycle {
         /// Down at feed, out at rapid.
@@ -138,25 +160,4 @@ vocabulary! {
         Conventional = "conventional",
     }
 
-    /// The tables of feeds.
-    pub enum FeedTable {
-        /// Of drills.
-        Drilling = "drilling-feed",
-        /// Of core drills.
-        CoreDrilling = "core-drilling-feed",
-        /// Of reamers.
-        Reaming = "reaming-feed",
-        /// Of boring bars, which is asked in a way of its own.
-        Boring = "boring-feed",
-        /// Of what widens the mouth of a hole.
-        Counterboring = "counterboring-feed",
-    }
-
-    /// Which of two neighbours is taken.
-    pub enum Neighbour {
-        /// The one above.
-        Above = "above",
-        /// The one below.
-        Below = "below",
-    }
 }

@@ -1,9 +1,8 @@
 //! Feeds of turning, by the tables.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::knowledge::Column;
 use crate::knowledge::units::Megapascals;
-use crate::knowledge::{Knowledge, Question};
+use crate::knowledge::{Column, Knowledge, Question};
 use crate::note::{Because, Note};
 use crate::tables::cutting::{BoringFinishFeedFor, GroovingFeedFor, TurningBoringFeedFor, TurningRoughFeedFor};
 use crate::tables::turning::tools::{TurningFinishFeedFor, TurningFinishFeedStrengthFor};
@@ -72,8 +71,8 @@ pub fn finish_feed(cut: &Cut<'_, '_>, roughness: Roughness) -> Tried<Feed, Lack>
     let rest = cut.knowledge.table(TurningFinishFeedFor::TABLE)?;
     let nose = cut.tool.nose_radius.ok_or_else(no_nose)?;
     let nose_radius = nose_of_table(cut.knowledge, nose)?.ok_or_else(no_nose)?;
-    let columns = TurningFinishFeedFor::roughness(rest).map(Column::roughness_points).unwrap_or_default();
-    let column = columns.into_iter().filter(|column| *column <= roughness).max();
+    let columns = TurningFinishFeedFor::roughness(rest).map(Column::roughness_points);
+    let column = columns.into_iter().flatten().filter(|column| *column <= roughness).max();
     let roughness = column.ok_or(Refusal::Not(Lack::TooFineToTurn { roughness, process }))?;
     let (mut feed, row) = match rest.ask(&TurningFinishFeedFor { roughness, nose_radius })?.winner()? {
         Some(found) => (found.feed.0, found.row),

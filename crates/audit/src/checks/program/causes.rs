@@ -4,9 +4,10 @@
 use std::collections::BTreeMap;
 
 use crate::error::KnowledgeError;
-use crate::knowledge::{Knowledge, RowRef};
+use crate::knowledge::Knowledge;
 use crate::program::proof::{self, Code, Figure, Name};
 use crate::program::{Fault, Subject};
+use crate::tables::audit::ProgramCauses;
 
 use super::super::super::finding::Finding;
 
@@ -117,22 +118,20 @@ struct Rule<'k> {
 }
 
 impl<'k> Rule<'k> {
-    fn read(row: RowRef<'k>) -> Result<Self, KnowledgeError> {
+    fn of(row: &ProgramCauses<'k>) -> Result<Self, KnowledgeError> {
         let one = |name: &str| match name {
             "code" => Ok(Alike::Code),
             "line" => Ok(Alike::Line),
             _ => Name::from_name(name).map(Alike::Figure).ok_or_else(|| {
-                KnowledgeError::lacks(&row.table.id, &format!("`{name}` in `alike` is no figure of a finding"))
+                KnowledgeError::lacks(&row.row.table.id, &format!("`{name}` in `alike` is no figure of a finding"))
             }),
         };
-        let names = if row.value("alike").is_some() { row.texts("alike")? } else { Vec::new() };
-        let both = |name: &&str| {
-            let (of_cause, of_consequence) = name.split_once('=').unwrap_or((*name, *name));
+        let both = |name: &&'k str| {
+            let (of_cause, of_consequence) = name.split_once('=').unwrap_or((name, name));
             Ok((one(of_cause)?, one(of_consequence)?))
         };
-        let alike = names.iter().map(both).collect::<Result<_, KnowledgeError>>()?;
-        let (cause, consequence) = (Who::named(row.text("cause")?), Who::named(row.text("consequence")?));
-        Ok(Self { cause, consequence, alike })
+        let alike = row.alike.iter().flatten().map(both).collect::<Result<_, KnowledgeError>>()?;
+        Ok(Self { cause: Who::named(row.cause), consequence: Who::named(row.consequence), alike })
     }
 
     /// Whether two findings agree: what one of them does not say agrees with anything.
@@ -149,8 +148,8 @@ impl<'k> Rule<'k> {
 /// # Errors
 /// The table cannot be read.
 pub(super) fn together(seen: Vec<Seen>, knowledge: &Knowledge) -> Result<Vec<Finding>, KnowledgeError> {
-    let table = knowledge.table("audit-program-causes")?;
-    let rules: Vec<Rule<'_>> = table.all_rows().map(Rule::read).collect::<Result<_, _>>()?;
+    let rows = knowledge.rows::<ProgramCauses<'_>>()?;
+    let rules: Vec<Rule<'_>> = rows.iter().map(Rule::of).collect::<Result<_, _>>()?;
     let causes: Vec<Option<usize>> = (0..seen.len()).map(|at| cause(at, &seen, &rules)).collect();
     // What a cause follows from, or else the cause itself.
     let fields: Vec<Vec<String>> = seen

@@ -3,14 +3,13 @@
 use std::sync::Arc;
 
 use crate::error::KnowledgeError;
-use crate::knowledge::contract::Word as _;
 use crate::knowledge::diagnostic::Place;
-use crate::knowledge::units::Unit;
 use crate::knowledge::yaml::{Node, parse};
 use crate::note::{Note, Severity};
 use crate::plan::{Operation, Plan, Transition};
 use crate::program::Setting;
 use crate::program::proof::{self, Code, Name};
+use crate::tables::audit::ProgramTolerance;
 
 use super::super::super::context::Context;
 use super::super::super::finding::{Finding, Section};
@@ -79,16 +78,13 @@ pub(super) fn deviation(
             Q::Rpm => transition.conditions.spindle_rpm.0,
             _ => transition.conditions.feed_mm_per_min.0,
         });
-        let table = context.shop.knowledge.table("audit-program-tolerance")?;
-        let key = quantity.key();
-        let row = table.find("quantity", key).ok_or_else(|| KnowledgeError::no_row(table, key))?;
-        let (whole, relative) =
-            (row.number_in("whole", Unit::None)?, row.number_in("relative", Unit::Percent)? / 100.0);
+        let of_quantity = |row: &ProgramTolerance<'_>| row.quantity == quantity;
+        let may = context.shop.knowledge.need(quantity.key(), of_quantity)?;
         let planned = planned.or(said.number(Name::Needed)).unwrap_or(made);
-        if (made - planned).abs() < whole + relative * planned {
+        if (made - planned).abs() < may.whole + may.relative.0 / 100.0 * planned {
             return Ok(());
         }
-        severity = severity.min(Severity::from_word(row.text("severity")?).unwrap_or(Severity::Wrong));
+        severity = severity.min(may.severity);
     }
     let mut place = said.block.map(|block| Place { file: file.clone(), line: block.line, column: 1, width: 1 });
     let mut name = field(said.block);
