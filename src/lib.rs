@@ -12,11 +12,13 @@
 //! - [`plan`] is the result, a value; [`report`] prints it;
 //! - [`job`] is the plan as work of a machine, [`program`] its language, written and read back as [`motion`].
 //! - [`audit`] holds a plan that anybody made against all of it;
+//! - [`cases`] are questions of every kind with what is expected of the answers;
 //! - [`turning`] is a room of its own: a shaft, and the passes that rough it.
 //!
 //! Architecture invariant: nothing in this library reads a file, prints or asks the time.
 
 pub use technolog_audit as audit;
+pub use technolog_cases as cases;
 pub use technolog_core::{error, machine, material, motion, note, parallel, part, plan, reason, shop, zone};
 pub use technolog_cutting as cutting;
 pub use technolog_holes::{planner, route, sequence, setup, tooling};

@@ -12,11 +12,12 @@ use technolog::machine::Machine;
 use technolog::motion::Step;
 use technolog::motion::time::{Clock, Times};
 use technolog::motion::trace;
+use technolog::program::proof::Held;
 use technolog::program::{Fault, Language, Setting};
 use technolog::report;
 
 use super::diagnostics::{Texts, render};
-use super::proof::{self, Held};
+use super::proof;
 use super::words::Word;
 use super::{CliError, Context, Format, Outcome, control, knowledge, words};
 
@@ -74,7 +75,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let at_fault = |error: technolog::error::KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let shown = args.program.display().to_string();
     let text = read(&args.program, context)?;
-    let mut held = args.part.as_deref().map(|part| Held::make(part, &knowledge, context)).transpose()?;
+    let mut held = args.part.as_deref().map(|part| proof::held(part, &knowledge, context)).transpose()?;
     let of_part = held.as_ref().map(|held| held.plan.part.machine.clone());
     let id = args.machine.as_deref().or(of_part.as_deref()).unwrap_or("gf2171");
     if let Some(own) = of_part.as_deref().filter(|own| *own != id) {
@@ -124,7 +125,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             })?;
         }
         Format::Svg => {
-            let frame = held.as_ref().map(Held::frame);
+            let frame = held.as_ref().map(proof::frame);
             context.emit(&report::backplot::backplot(&steps, frame.as_ref(), context.lang))?;
         }
         _ => {
@@ -134,7 +135,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             let mut made = String::new();
             if let (Some(held), Some(proof)) = (&held, &proof) {
                 problems.extend(proof::diagnostics(proof, &text, &file, context));
-                made = held.table(proof, context);
+                made = proof::table(held, proof, context);
             }
             context.emit(&page(&problems, &made, &steps, clock.times(), &shown, text, context))?;
         }

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::path::Path;
 
+pub use technolog::knowledge::alike::latin;
 use technolog::knowledge::diagnostic::nearest;
 use technolog::knowledge::{Diagnostic, Knowledge, SourceFile, Table};
 use technolog::shipped;
@@ -88,36 +89,6 @@ pub fn table<'k>(knowledge: &'k Knowledge, typed: &str, context: &Context) -> Re
         None => list,
     };
     Err(Diagnostic::error("unknown-table", words::unknown_table(context.lang, typed), None).help(help).into())
-}
-
-/// A text with Cyrillic letters that look like Latin ones written as those: on many keyboards nobody
-/// can tell `А.8` from `A.8`.
-pub fn latin(text: &str) -> String {
-    text.chars()
-        .map(|letter| match letter {
-            'А' => 'A',
-            'В' => 'B',
-            'Е' => 'E',
-            'І' => 'I',
-            'К' => 'K',
-            'М' => 'M',
-            'Н' => 'H',
-            'О' => 'O',
-            'Р' => 'P',
-            'С' => 'C',
-            'Т' => 'T',
-            'Х' => 'X',
-            'а' => 'a',
-            'е' => 'e',
-            'і' => 'i',
-            'о' => 'o',
-            'р' => 'p',
-            'с' => 'c',
-            'у' => 'y',
-            'х' => 'x',
-            other => other,
-        })
-        .collect()
 }
 
 /// A key that orders ids as people do: `A.2` before `A.10`.

@@ -26,6 +26,7 @@ mod proof;
 mod record;
 mod sheet;
 mod table;
+mod test;
 mod turn;
 mod turn_operation;
 mod usage;
@@ -62,7 +63,7 @@ struct Global {
     /// Folder with catalogs/ and rules/ instead of the embedded knowledge
     #[arg(long, global = true, value_name = "DIR")]
     knowledge: Option<PathBuf>,
-    /// Form of the answer: text, json, yaml, csv, svg, markdown or html, as far as the command has it
+    /// Form of the answer: text, json, yaml, csv, svg, markdown, html or junit, as far as the command has it
     #[arg(long, global = true, value_enum, hide_possible_values = true)]
     format: Option<Format>,
     /// Write the answer to a file, not to the screen
@@ -89,6 +90,7 @@ enum Command {
     Lookup(lookup::Args),
     Check(check::Args),
     Lint(lint::Args),
+    Test(test::Args),
 }
 
 impl Command {
@@ -104,6 +106,7 @@ impl Command {
             Self::Lookup(args) => lookup::run(args, context),
             Self::Check(args) => check::run(args, context),
             Self::Lint(args) => lint::run(args, context),
+            Self::Test(args) => test::run(args, context),
         }
     }
 }
@@ -127,6 +130,8 @@ pub enum Format {
     Html,
     /// A plan as somebody writes it by hand.
     Hand,
+    /// For continuous integration.
+    Junit,
 }
 
 impl Format {
@@ -141,6 +146,7 @@ impl Format {
             Self::Markdown => "markdown",
             Self::Html => "html",
             Self::Hand => "hand",
+            Self::Junit => "junit",
         }
     }
 }

@@ -11,7 +11,7 @@ use technolog::motion::Step;
 use technolog::motion::time::{Clock, Times};
 use technolog::note::{Finding, Severity};
 use technolog::plan::{CuttingMethod, Plan};
-use technolog::program::proof::Proof;
+use technolog::program::proof::{Held, Proof};
 use technolog::program::written::{Form, Line};
 use technolog::program::{Fault, Language, Setting};
 use technolog::report;
@@ -19,7 +19,7 @@ use technolog::report::encoding::encoding_sheet;
 use technolog::shop::Shop;
 
 use super::diagnostics::{Texts, render};
-use super::proof::{self, Held};
+use super::proof;
 use super::{CliError, Context, Format, Outcome, check, control, knowledge, output, plan, words};
 
 /// The NC program of a part: planned, written, and read back before it is shown
@@ -83,7 +83,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let knowledge = knowledge::load(context)?;
     let at_fault = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let plan = plan::make(&args.part, CuttingMethod::default(), &knowledge, context)?;
-    let held = Held::of(plan, &knowledge, context)?;
+    let held = Held::of(plan, &knowledge).map_err(at_fault)?;
     let (plan, job) = (&held.plan, &held.job);
     let shop = Shop::new(&plan.part, plan.cutting, &knowledge).map_err(at_fault)?;
     let form = Form::read(&shop).map_err(at_fault)?;
@@ -109,7 +109,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         (Show::Encoding, Format::Csv) => context.emit(&sheet()?.csv())?,
         (Show::Encoding, _) => context.emit(&sheet()?.text())?,
         (Show::Backplot, _) => {
-            context.emit(&report::backplot::backplot(&steps, Some(&held.frame()), context.lang))?;
+            context.emit(&report::backplot::backplot(&steps, Some(&proof::frame(&held)), context.lang))?;
         }
         (Show::Cycles, _) => context.emit(&report::cycles::page(job, plan, context.lang))?,
         (_, Format::Json) => context.emit_json(&Answer {

@@ -214,7 +214,8 @@ fn read(path: &Path, knowledge: &Knowledge, context: &Context) -> Result<Turned,
     })
 }
 
-fn problem(mistake: Mistake, context: &Context) -> Diagnostic {
+/// A mistake in the words of the reader.
+pub fn problem(mistake: Mistake, context: &Context) -> Diagnostic {
     match mistake {
         Mistake::Form(problem) => problem,
         Mistake::Meaning(code, note, place) => {

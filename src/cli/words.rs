@@ -209,7 +209,7 @@ phrases! {
 }
 
 /// A count with its noun: `3 рядки`, `3 rows`.
-fn counted(lang: Lang, count: usize, uk: [&str; 3], en: [&str; 2]) -> String {
+pub fn counted(lang: Lang, count: usize, uk: [&str; 3], en: [&str; 2]) -> String {
     let noun = match lang {
         Lang::En => en[usize::from(count != 1)],
         Lang::Uk => match (count % 100, count % 10) {

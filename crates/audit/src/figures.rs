@@ -172,7 +172,7 @@ pub(super) fn beside(finding: Finding, figure: &Figure, right: impl ToString, qu
 
 #[cfg(test)]
 mod tests {
-    use super::{nature, shown};
+    use super::{Nature, nature, shown};
 
     #[test]
     fn five_digits_are_shown() {

@@ -56,7 +56,7 @@ pub use file::schema;
 pub use finding::{Audit, Change, Counts, Finding, Lack, Section, Shown, Subject, Summary};
 pub use graph::Rule;
 pub use many::{Audited, Mistake, Unread, total};
-pub use read::{NamedText, Unreadable, read_if_plan, read_plan};
+pub use read::{Files, NamedText, Unreadable, read_if_plan, read_plan, read_plan_node};
 use stated::Stated;
 pub use write::by_hand;
 

@@ -1,5 +1,9 @@
 //! Sentences as data: a code and its parameters. The words stand in one place, `sentences` of the
 //! crate `pages`.
+//!
+//! A note is written and told, never read: what planning, checks and audits go by are types, such as
+//! [`crate::reason::Reason`], of which a note is made last. Code and figures are private, and `clippy.toml` forbids the
+//! methods that read them everywhere but where words are made of them.
 
 use std::collections::BTreeMap;
 
@@ -14,10 +18,10 @@ use crate::knowledge::{Answer, RowRef, Source, Table};
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 pub struct Note {
     /// Stable id, kebab-case.
-    pub code: String,
+    code: String,
     /// Its figures and names, each with its unit where it has one.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub params: BTreeMap<String, String>,
+    params: BTreeMap<String, String>,
 }
 
 impl Note {
@@ -26,20 +30,57 @@ impl Note {
         Self { code: code.to_owned(), params: BTreeMap::new() }
     }
 
+    /// Whether it says nothing: in the answer of a command that names only a row.
+    pub const fn is_empty(&self) -> bool {
+        self.code.is_empty()
+    }
+
     /// With one more figure.
     #[must_use]
     pub fn with(mut self, name: &str, value: impl ToString) -> Self {
         self.params.insert(name.to_owned(), value.to_string());
         self
     }
-}
 
-impl Note {
     /// Without a figure: what is left is the same of several.
     #[must_use]
     pub fn without(mut self, name: &str) -> Self {
         self.params.remove(name);
         self
+    }
+
+    /// Takes in another note that differs in nothing but the figures of these names: each becomes a list of both. Whether
+    /// it does.
+    pub fn join(&mut self, other: &Self, listed: &[&str]) -> bool {
+        let unlisted = |(name, _): &(&String, &String)| !listed.contains(&name.as_str());
+        let alike = self.params.iter().filter(unlisted).eq(other.params.iter().filter(unlisted));
+        if self.code != other.code || !alike {
+            return false;
+        }
+        for name in listed {
+            if let (Some(values), Some(value)) = (self.params.get_mut(*name), other.params.get(*name))
+                && !values.split(", ").any(|known| known == value)
+            {
+                values.push_str(", ");
+                values.push_str(value);
+            }
+        }
+        true
+    }
+
+    /// Its code, for the words of it; nothing may be decided by it.
+    pub fn code(&self) -> &str {
+        &self.code
+    }
+
+    /// A figure of it, for the words of it; nothing may be decided by it.
+    pub fn figure(&self, name: &str) -> Option<&str> {
+        self.params.get(name).map(String::as_str)
+    }
+
+    /// Its figures by their names, for the words of it; nothing may be decided by them.
+    pub fn figures(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.params.iter().map(|(name, value)| (name.as_str(), value.as_str()))
     }
 }
 
@@ -71,6 +112,25 @@ impl Finding {
     /// A finding about the whole part.
     pub fn of_part(severity: Severity, note: Note) -> Self {
         Self { severity, hole: None, note }
+    }
+
+    /// Puts findings in the order in which they are told, each once: the gravest first, those of a hole together, those of
+    /// one table by their rows.
+    pub fn in_order(findings: &mut Vec<Self>) {
+        findings.sort_by(|a, b| {
+            let of = |name: &str| [a, b].map(|one| one.note.params.get(name));
+            let ([table, other_table], rows) = (of("table"), of("row"));
+            let [row, other_row] = rows.map(|row| row.and_then(|row| row.parse::<usize>().ok()));
+            (a.severity, &a.hole, &a.note.code, table, row, &a.note).cmp(&(
+                b.severity,
+                &b.hole,
+                &b.note.code,
+                other_table,
+                other_row,
+                &b.note,
+            ))
+        });
+        findings.dedup();
     }
 }
 

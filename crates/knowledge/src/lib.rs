@@ -7,6 +7,7 @@
 //! Architecture invariant: this crate does no I/O but reading the folder it is told to read
 //! ([`Knowledge::read_folder`]), and it decides nothing: decisions are rows.
 
+pub mod alike;
 pub mod cell;
 pub mod column;
 pub mod contract;

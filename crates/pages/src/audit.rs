@@ -99,13 +99,14 @@ fn by_section(audit: &Audit) -> impl Iterator<Item = (Section, Vec<&Finding>)> {
 }
 
 /// What is wrong, in one sentence.
+#[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
 fn headline(finding: &Finding, lang: Lang) -> String {
     let about = words::block(finding).map_or_else(|| subject(&finding.subject, lang), str::to_owned);
     let said = said(finding, lang);
     let said = match (finding.quantity, &finding.stated, &finding.right) {
         (Some(_), Some(stated), Some(right)) => {
             let figure = figure(finding, stated, right, lang);
-            if finding.note.code == "audit-figure" || finding.note.code == "audit-follows" {
+            if matches!(finding.note.code(), "audit-figure" | "audit-follows") {
                 figure
             } else {
                 format!("{figure}; {said}")
@@ -132,6 +133,7 @@ fn figure(finding: &Finding, stated: &str, right: &str, lang: Lang) -> String {
 }
 
 /// What the finding rests on and what follows from it.
+#[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
 fn details(finding: &Finding, audit: &Audit, lang: Lang) -> Vec<String> {
     let mut lines = Vec::new();
     if !finding.formula.is_empty() {
@@ -141,7 +143,7 @@ fn details(finding: &Finding, audit: &Audit, lang: Lang) -> Vec<String> {
         let said = lang.pick("за написаними числами", "by the stated figures");
         lines.push(comma(&format!("{said}: {by_stated}"), lang));
     }
-    if finding.note.params.get("carried").is_some_and(|carried| carried == "no") {
+    if finding.note.figure("carried").is_some_and(|carried| carried == "no") {
         let said = lang.pick(
             "далі рахували з правильним значенням: описка",
             "the sums after it were made with the right value: a slip of the pen",

@@ -5,6 +5,7 @@
 //! be a sentence or a word of the table too. A sentence that is not in the table stays English, as the messages for
 //! authors of knowledge do. A test holds the table against every sentence in the rooms that read users' files.
 
+mod cases;
 mod files;
 mod parts;
 
@@ -23,7 +24,7 @@ fn pairs() -> impl Iterator<Item = Pair> {
         let (uk, en) = quantity.name();
         (en, uk)
     });
-    files::SENTENCES.iter().chain(parts::SENTENCES).copied().chain(names)
+    files::SENTENCES.iter().chain(parts::SENTENCES).chain(cases::SENTENCES).copied().chain(names)
 }
 
 /// Whether a sentence has a Ukrainian one; its places to fill in are numbered.

@@ -47,25 +47,27 @@ pub fn codes() -> impl Iterator<Item = &'static str> {
 }
 
 /// A note as a sentence. A code without words shows itself with its figures, so that nothing is lost.
+#[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
 pub fn sentence(note: &Note, lang: Lang) -> String {
-    let Some((_, uk, en)) = sentences().find(|(code, ..)| *code == note.code) else {
-        let figures: Vec<String> = note.params.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-        return format!("{} ({})", note.code, figures.join(", "));
+    let Some((_, uk, en)) = sentences().find(|(code, ..)| *code == note.code()) else {
+        let figures: Vec<String> = note.figures().map(|(name, value)| format!("{name} = {value}")).collect();
+        return format!("{} ({})", note.code(), figures.join(", "));
     };
     let mut text = lang.pick(uk, en).to_owned();
-    for (name, value) in &note.params {
+    for (name, value) in note.figures() {
         text = text.replace(&format!("{{{name}}}"), &shown(name, value, lang));
     }
-    if let Some(more) = note.params.get("more") {
+    if let Some(more) = note.figure("more") {
         text.push_str(&lang.pick(" (подібних іще {})", " (and {} more like it)").replace("{}", more));
     }
-    if let Some(scheme) = note.params.get("scheme").filter(|_| !uk.contains("{scheme}")) {
+    if let Some(scheme) = note.figure("scheme").filter(|_| !uk.contains("{scheme}")) {
         text = format!("{} {scheme}: {text}", lang.pick("схема", "scheme"));
     }
     text
 }
 
 /// What to do about a mistake of a program, of a list of points or of a shaft.
+#[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
 pub fn remedy(note: &Note, lang: Lang) -> Option<&'static str> {
     let mut remedies = programs::REMEDIES
         .iter()
@@ -76,8 +78,8 @@ pub fn remedy(note: &Note, lang: Lang) -> Option<&'static str> {
         .chain(lathe_programs::REMEDIES)
         .chain(operation::REMEDIES)
         .chain(workpiece::REMEDIES);
-    let of_program = remedies.find(|(code, ..)| *code == note.code).map(|(_, uk, en)| lang.pick(uk, en));
-    let of_proof = || proof::REMEDIES.iter().find(|(code, _)| *code == note.code);
+    let of_program = remedies.find(|(code, ..)| *code == note.code()).map(|(_, uk, en)| lang.pick(uk, en));
+    let of_proof = || proof::REMEDIES.iter().find(|(code, _)| *code == note.code());
     of_program.or_else(|| of_proof().map(|(_, (uk, en))| lang.pick(uk, en)))
 }
 

@@ -1,5 +1,6 @@
 //! What several tests share: reading, planning, and looking at the routes of a plan.
 
+#![allow(clippy::disallowed_methods, reason = "tests hold the codes of notes against what is expected")]
 pub mod cuts;
 pub mod held;
 pub mod holes;
@@ -62,8 +63,8 @@ pub fn routes(plan: &Plan) -> Vec<Found> {
     let hole = &plan.holes[0];
     let Some(route) = &hole.route else {
         let named = |finding: &technolog::note::Finding| {
-            let scheme = finding.note.params.get("scheme")?.clone();
-            let why = finding.note.code.clone();
+            let scheme = finding.note.figure("scheme")?.to_owned();
+            let why = finding.note.code().to_owned();
             Some(Found { way: None, scheme, operations: Vec::new(), carried_out: false, taken: false, why })
         };
         return plan.findings.iter().filter_map(named).collect();
@@ -82,7 +83,7 @@ pub fn routes(plan: &Plan) -> Vec<Found> {
         operations: other.operations.iter().map(|made| (made.operation, made.diameter_mm)).collect(),
         carried_out: other.time_min.is_some(),
         taken: false,
-        why: other.why.code.clone(),
+        why: other.why.code().to_owned(),
     });
     std::iter::once(taken).chain(others).collect()
 }

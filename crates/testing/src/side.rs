@@ -123,8 +123,8 @@ pub fn work_off(operation: &Operation) -> Vec<Fault> {
         let number = set_up.set_up.number.to_string();
         let cut_off = operation.findings.iter().map(|finding| &finding.note);
         if cut_off
-            .filter(|note| note.code == "far-face-not-planned")
-            .any(|note| note.params.get("number") == Some(&number))
+            .filter(|note| note.code() == "far-face-not-planned")
+            .any(|note| note.figure("number") == Some(number.as_str()))
         {
             metals.iter_mut().for_each(Metal::cut_off);
         }

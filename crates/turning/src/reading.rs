@@ -58,8 +58,13 @@ pub(super) struct Reader<'a> {
 impl<'a> Reader<'a> {
     /// A reader of a text, and the tree of it unless it is broken beyond reading.
     pub(super) fn open(file: &str, text: &str, knowledge: &'a Knowledge) -> (Self, Option<Node>) {
-        let (root, diagnostics) = parse(file, text);
-        (Self { knowledge, problems: Problems(diagnostics), meant: Vec::new() }, root)
+        let (root, problems) = parse(file, text);
+        (Self::over(problems, knowledge), root)
+    }
+
+    /// A reader of a tree, with what was wrong with its text.
+    pub(super) fn over(problems: Vec<Diagnostic>, knowledge: &'a Knowledge) -> Self {
+        Self { knowledge, problems: Problems(problems), meant: Vec::new() }
     }
 
     /// What was read, or every mistake in the order of the file.

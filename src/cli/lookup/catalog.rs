@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 
 use serde::Serialize;
+use technolog::knowledge::alike::has;
 use technolog::knowledge::diagnostic::nearest;
 use technolog::knowledge::table::Cell;
 use technolog::knowledge::{Column, RowRef, Table, Value};
 
 use super::near::{self, Near};
 use super::question::Question;
-use crate::cli::knowledge::latin;
 use crate::cli::words::{self, Word};
 use crate::cli::{CliError, Context, Format, Outcome, grid, record, sheet};
 
@@ -23,7 +23,7 @@ const FEW: usize = 12;
 pub fn answer(question: &Question<'_>, format: Format, context: &Context) -> Result<Outcome, CliError> {
     let table = question.table;
     let failed = |row: RowRef<'_>| -> Vec<usize> {
-        let fails = |(index, value): &&(usize, Value)| !holds(&table.columns[*index], &row.row().cells[*index], value);
+        let fails = |(index, value): &&(usize, Value)| !has(&table.columns[*index], &row.row().cells[*index], value);
         question.given.iter().filter(fails).map(|(index, _)| *index).collect()
     };
     let rows: Vec<RowRef<'_>> = table.all_rows().filter(|&row| failed(row).is_empty()).collect();
@@ -49,24 +49,6 @@ pub fn answer(question: &Question<'_>, format: Format, context: &Context) -> Res
     Ok(if rows.is_empty() { Outcome::Findings } else { Outcome::Done })
 }
 
-/// Whether a cell has the value; a list has each of its items.
-fn holds(column: &Column, cell: &Cell, wanted: &Value) -> bool {
-    match cell {
-        Cell::Value(value) => value.items().iter().any(|item| same(column, item, wanted)),
-        // A truth value left out is no, as everywhere.
-        Cell::Empty => *wanted == Value::Bool(false),
-        Cell::Test(..) => false,
-    }
-}
-
-/// Numbers are compared as numbers, texts up to letters that look alike in both alphabets.
-fn same(column: &Column, value: &Value, wanted: &Value) -> bool {
-    match (value, wanted) {
-        (Value::Text(value), Value::Text(wanted)) => value == wanted || latin(value) == latin(wanted),
-        _ => column.rank(value).is_some() && column.rank(value) == column.rank(wanted),
-    }
-}
-
 /// Why no row was found.
 #[derive(Default)]
 struct Missed<'a> {
@@ -85,7 +67,7 @@ struct Key<'a> {
 impl<'a> Key<'a> {
     fn of(table: &'a Table, index: usize, wanted: &'a Value) -> Self {
         let column = &table.columns[index];
-        let rows = table.rows.iter().filter(|row| holds(column, &row.cells[index], wanted)).count();
+        let rows = table.rows.iter().filter(|row| has(column, &row.cells[index], wanted)).count();
         let near = if rows == 0 { nearest_values(table, index, wanted) } else { Vec::new() };
         Self { column, wanted, rows, near }
     }

@@ -147,7 +147,7 @@ fn the_zone_says_what_would_work_and_what_it_does_not_know() {
     let wide = right.replace("width: 300", "width: 640").replace("[200, 100]]", "[200, 310]]");
     let found = audited(&wide);
     let travel = found.findings.iter().find(|one| one.rule == "beyond-travel").unwrap();
-    assert!(travel.reasons.iter().any(|why| why.code == "audit-zone-turned"), "{:?}", travel.reasons);
+    assert!(travel.reasons.iter().any(|why| why.code() == "audit-zone-turned"), "{:?}", travel.reasons);
     // Along both axes wider than the table travels: no turning helps.
     let wider =
         wide.replace("length: 500", "length: 1100").replace("[200, 0]", "[520, 0]").replace("[-200, 0]", "[-520, 0]");

@@ -1,5 +1,6 @@
 //! Plans that others made, held against the tables.
 
+#![allow(clippy::disallowed_methods, reason = "tests hold the codes of notes against what is expected")]
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,

@@ -299,7 +299,7 @@ fn judged(mutant: &Mutant, file: &str, part: &str, ours: &Plan) -> (bool, bool, 
         let said: Vec<String> = grave.iter().map(|one| format!("{} {}", one.rule, one.field)).collect();
         println!("{} {} {:?}: {line}\n    {}", mutant.kind, mutant.what, mutant.columns, said.join("; "));
     }
-    let ruled = grave.iter().any(|one| one.note.code != "audit-not-ours");
+    let ruled = grave.iter().any(|one| one.note.code() != "audit-not-ours");
     (!grave.is_empty(), ruled, first)
 }
 

@@ -1,5 +1,6 @@
 //! What docs/ and README say, held against the program.
 
+#![allow(clippy::disallowed_methods, reason = "tests hold the codes of notes against what is expected")]
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,
@@ -8,6 +9,7 @@
 )]
 
 mod architecture;
+mod cases;
 mod provenance;
 mod statements;
 mod testing;

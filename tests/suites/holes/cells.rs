@@ -190,7 +190,7 @@ fn main_holes(table: &str) -> (usize, usize, BTreeSet<String>, Vec<String>) {
                     && (row["state"].as_str(), row["outer_wall"].as_str()) == ("cast-or-pre-machined", "false");
                 let taken = plan.holes[0].route.as_ref().filter(|route| route.way == Way::Tables);
                 let ends_elsewhere = taken.is_some_and(|route| route.finish_elsewhere);
-                let told = plan.findings.iter().any(|finding| finding.note.code == "finish-elsewhere");
+                let told = plan.findings.iter().any(|finding| finding.note.code() == "finish-elsewhere");
                 if refused.len() == before && ends_elsewhere != (elsewhere || settled) {
                     wrong.push(format!("{}: finished on another machine: {ends_elsewhere}", asked.what));
                 }

@@ -24,7 +24,7 @@ fn a_thousand_holes_of_forty_kinds_are_planned() {
     assert_eq!(stops, made.sum::<usize>());
     // Forty kinds ask for more tools than the magazine holds: the plan says which are loaded by hand.
     assert!(plan.tools.len() > machine.magazine);
-    assert!(plan.findings.iter().any(|finding| finding.note.code == "magazine-reloaded"), "{:?}", plan.findings);
+    assert!(plan.findings.iter().any(|finding| finding.note.code() == "magazine-reloaded"), "{:?}", plan.findings);
     for load in 1..=plan.tools.iter().map(|tool| tool.load).max().unwrap_or_default() {
         let places = plan.tools.iter().filter(|tool| tool.load == load).count();
         assert!(places > 0 && places <= machine.magazine, "load {load} has {places}");

@@ -10,7 +10,7 @@ use technolog::report::{Lang, mistakes};
 use technolog_testing::KNOWLEDGE;
 
 /// The rooms that read what users write.
-const ROOMS: [&str; 7] = [
+const ROOMS: [&str; 12] = [
     "crates/knowledge/src/yaml.rs",
     "crates/knowledge/src/units",
     "crates/core/src/part",
@@ -18,6 +18,11 @@ const ROOMS: [&str; 7] = [
     "crates/audit/src/marks/read.rs",
     "crates/audit/src/own.rs",
     "crates/nc/src/program/setting.rs",
+    "crates/cases/src/asked.rs",
+    "crates/cases/src/expected.rs",
+    "crates/cases/src/plan.rs",
+    "crates/cases/src/read.rs",
+    "crates/cases/src/table.rs",
 ];
 
 /// Texts in those rooms that are no sentences about a mistake: formats of files and values, schema descriptions, what
@@ -27,6 +32,7 @@ const NO_MISTAKES: &[&str] = &[
     "Roughness limit in micrometres, `Ra 12.5` or `Rz 80`",
     "[Micrometres; 2]",
     ", ",
+    " *",
     "{0} {1}",
     "{0} {1}/{2}",
     "{0}: {1}",

@@ -22,8 +22,8 @@ fn near(found: f64, expected: f64) {
 fn doubts(plan: &Plan, table: &str, row: usize) -> bool {
     let row = row.to_string();
     plan.findings.iter().any(|finding| {
-        let param = |name: &str| finding.note.params.get(name).map(String::as_str);
-        finding.note.code == "unconfirmed" && param("table") == Some(table) && param("row") == Some(row.as_str())
+        let param = |name: &str| finding.note.figure(name);
+        finding.note.code() == "unconfirmed" && param("table") == Some(table) && param("row") == Some(row.as_str())
     })
 }
 
@@ -65,7 +65,7 @@ fn clamps_that_are_too_weak_are_shown_with_the_inequality_that_fails() {
     assert_eq!(clamping.screw, "M6");
     near(clamping.force_per_clamp_n.0, 1605.0);
     near(clamping.screw_bears_n.0, 1469.0);
-    let weak: Vec<_> = plan.findings.iter().filter(|finding| finding.note.code == "screw-too-weak").collect();
+    let weak: Vec<_> = plan.findings.iter().filter(|finding| finding.note.code() == "screw-too-weak").collect();
     assert_eq!(weak.len(), 1);
     assert_eq!(weak[0].severity, Severity::Error);
     let page = technolog::report::sheet::page(&plan, &KNOWLEDGE, technolog::report::Lang::En);
@@ -138,7 +138,7 @@ fn the_card_takes_what_the_part_is_like() {
         let found = by_card(&cut);
         near(found.feed_mm_per_rev.0, feed);
         near(found.computed_speed_m_per_min.0, speed);
-        let left_out = found.because.iter().filter(|because| because.note.code == "card-without-depth").count();
+        let left_out = found.because.iter().filter(|because| because.note.code() == "card-without-depth").count();
         assert_eq!(left_out, if cut.depth > mm(30.0) { 2 } else { 0 });
     }
 }

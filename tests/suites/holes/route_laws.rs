@@ -82,7 +82,7 @@ fn nearly_every_plain_hole_has_a_route() {
             .findings
             .iter()
             .filter(|finding| finding.severity == Severity::Error)
-            .map(|finding| finding.note.code.as_str())
+            .map(|finding| finding.note.code())
             .collect();
         let route = plan.holes[0].route.as_ref();
         if route.is_some_and(|route| !route.finish_elsewhere) && errors.is_empty() {
@@ -120,7 +120,7 @@ fn a_hole_without_a_route_says_what_is_missing() {
             continue;
         };
         // A route that does not hold what is asked, or ends on another machine, is told of.
-        let told = |code: &str| plan.findings.iter().any(|finding| finding.note.code.starts_with(code));
+        let told = |code: &str| plan.findings.iter().any(|finding| finding.note.code().starts_with(code));
         assert!(route.meets || told("misses-"), "{keys}: {:?}", plan.findings);
         assert!(!route.finish_elsewhere || told("finish-elsewhere"), "{keys}: {:?}", plan.findings);
         planned += 1;
@@ -206,7 +206,7 @@ fn ranked(plan: &Plan) -> Result<(), TestCaseError> {
         let Some(route) = &hole.route else { continue };
         let timed: Vec<_> =
             route.alternatives.iter().filter_map(|other| Some((other.meets, other.time_min?.0, other))).collect();
-        let crowded = timed.iter().any(|(.., other)| other.why.code == "lost-by-places");
+        let crowded = timed.iter().any(|(.., other)| other.why.code() == "lost-by-places");
         for (meets, time, other) in &timed {
             prop_assert!(route.meets || !meets, "{}: {other:?} meets, {} does not", hole.name, route.scheme);
             let slower = route.time_min.0 <= time + 1.5e-3 || (route.meets && !meets);

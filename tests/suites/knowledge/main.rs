@@ -1,5 +1,6 @@
 //! The tables and what is asked of them: `table`, `lookup`, `lint`, and readings by somebody else.
 
+#![allow(clippy::disallowed_methods, reason = "tests hold the codes of notes against what is expected")]
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,

@@ -1,5 +1,6 @@
 //! Programs of machining centres: their interpreters, writers, proof and drawings.
 
+#![allow(clippy::disallowed_methods, reason = "tests hold the codes of notes against what is expected")]
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,

@@ -255,15 +255,14 @@ fn appendix_g_is_held_against_its_part() {
     let mut said: Vec<(String, &str, Option<u32>, String)> = Vec::new();
     for finding in held.run(&CONTROL, &text).1.findings {
         let severity = format!("{:?}", finding.severity).to_lowercase();
-        let params = &finding.note.params;
         // What tells one from another: the points, how many more, the corrector, the place.
-        let which = ["points", "more", "at", "corrector"].map(|name| params.get(name).cloned());
-        let which = match (finding.code, which) {
+        let which = ["points", "more", "at", "corrector"].map(|name| finding.note.figure(name).map(str::to_owned));
+        let which = match (finding.code.name(), which) {
             ("other-order", _) => String::new(),
             ("correction-otherwise", [.., corrector]) => corrector.unwrap(),
             (_, [points, more, at, _]) => points.or(more).or(at).unwrap(),
         };
-        said.push((severity, finding.code, finding.block.and_then(|block| block.number), which));
+        said.push((severity, finding.code.name(), finding.block.and_then(|block| block.number), which));
     }
     let mut expected: Vec<(String, &str, Option<u32>, String)> = APPENDIX
         .iter()

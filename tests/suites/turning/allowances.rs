@@ -65,7 +65,7 @@ fn what_the_lathe_cannot_finish_is_found() {
     // Without a lathe nothing is decided, and that is said.
     let (nothing, findings) = elsewhere(&shaft(), None, mm(63), &KNOWLEDGE).unwrap();
     assert_eq!(nothing, []);
-    assert_eq!(findings[0].note.code, "no-lathe-to-compare");
+    assert_eq!(findings[0].note.code(), "no-lathe-to-compare");
 }
 
 /// 12.2-2: an intermediate allowance for what is finished elsewhere.
@@ -74,7 +74,7 @@ fn what_is_finished_elsewhere_gets_an_intermediate_allowance() {
     let (found, findings) = elsewhere(&shaft(), Some(&holds()), mm(63), &KNOWLEDGE).unwrap();
     // grinding-allowance, Ø(30..50] up to 100 mm: 0.3 on the diameter.
     assert_eq!(found[0].allowance_mm, Half::from(0.15));
-    let codes: Vec<&str> = findings.iter().map(|finding| finding.note.code.as_str()).collect();
+    let codes: Vec<&str> = findings.iter().map(|finding| finding.note.code()).collect();
     assert_eq!(codes, ["no-grade-to-compare", "unconfirmed", "no-grade-to-compare"]);
 }
 
@@ -105,10 +105,10 @@ fn the_table_gives_allowances_by_diameter_and_length() {
     let sides: Vec<Option<Half>> = found.iter().map(|allowance| allowance.allowance_mm).collect();
     // Faces (50..120] long: 0.7 up to Ø50; cylinders Ø(30..50] up to 100: 1.0 on the diameter; the relief is bridged.
     assert_eq!(sides, [Some(0.7), Some(0.5), None, Some(0.7), Some(0.5)].map(|side| side.map(Half::from)));
-    assert!(findings.iter().all(|finding| finding.note.code == "unconfirmed"));
+    assert!(findings.iter().all(|finding| finding.note.code() == "unconfirmed"));
     let (found, findings) = finishing(&shaft(), Method::Table, mm(1300), &KNOWLEDGE).unwrap();
     assert!(found.iter().all(|allowance| allowance.allowance_mm.is_none()));
-    assert_eq!(findings.iter().filter(|finding| finding.note.code == "no-finishing-allowance").count(), 4);
+    assert_eq!(findings.iter().filter(|finding| finding.note.code() == "no-finishing-allowance").count(), 4);
     // What a surface states goes before.
     let mut stated = shaft();
     stated.surfaces[1].stated_allowance = Some(Half::from(0.3));

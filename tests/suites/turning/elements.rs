@@ -202,7 +202,7 @@ fn an_arc_that_is_main_in_part_is_additional_as_a_whole() {
     let (classes, main) = judged(&drawn.to(Cylinder, 10.0, 40.0).to(Face, 30.0, 40.0).to(Cylinder, 30.0, 50.0));
     assert_eq!((classes[1].ground, classes[1].partly), (Ground::Fall, true));
     assert!((classes[1].fall.0 - 90.0).abs() < 0.01);
-    assert_eq!(classes[1].notes[0].code, "element-partly");
+    assert_eq!(classes[1].notes[0].code(), "element-partly");
     assert_eq!(corners(&main), [at(20.0, 0.0), at(20.0, 40.0), at(30.0, 40.0), at(30.0, 50.0)]);
 }
 

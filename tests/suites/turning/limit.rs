@@ -22,7 +22,8 @@ use technolog::material::Material;
 use technolog::report::Lang;
 use technolog::report::sentences::sentence;
 use technolog::turning::cutting::{
-    Bound, BoundTold, Cut, Direction, LimitingDepth, Load, Speed, conditions, finish_feed, limiting_depth, rough_feed,
+    Bound, BoundTold, Cut, Direction, Lack, LimitingDepth, Load, Speed, conditions, finish_feed, limiting_depth,
+    rough_feed,
 };
 use technolog::turning::tooling::{Lathe, TurningTool};
 use technolog::units::{MetresPerMinute, Micrometres, MillimetresPerRev, RevsPerMinute};
@@ -103,9 +104,10 @@ fn the_case_of_the_head_of_this_file() {
     assert_eq!(bound(&limit, Bound::InsertEdge).depth_mm, Some(mm(7.8)));
     assert_eq!(bound(&limit, Bound::Handbook).depth_mm, Some(mm(12.0)));
     // The record of 16К20Ф3 has no torque: that bound is missing, and nothing else.
-    let missing: Vec<_> = limit.missing.iter().map(|missing| (missing.bound, missing.note.code.as_str())).collect();
-    assert_eq!(missing, [(Bound::SpindleTorque, "lathe-lacks")]);
-    assert_eq!(limit.findings()[0].note.params["of"], "16k20f3");
+    let missing: Vec<_> =
+        limit.missing.iter().map(|missing| (missing.bound, missing.why.note().code().to_owned())).collect();
+    assert_eq!(missing, [(Bound::SpindleTorque, "lathe-lacks".to_owned())]);
+    assert_eq!(limit.findings()[0].note.figure("of"), Some("16k20f3"));
     // Every row of low trust is told.
     assert!(limit.because.iter().any(|why| why.table == "turning-force" && why.is_doubtful()));
 }
@@ -258,7 +260,10 @@ fn the_tool_of_the_lecture_bears_nothing_that_is_known() {
         let case = Case::new(knowledge, "16k20f3", tool, material);
         let speed = Speed::Surface(MetresPerMinute(80.0));
         match limiting_depth(&case.cut(65.0, Direction::Longitudinal), MillimetresPerRev(0.6), speed) {
-            Err(Refusal::Not(note)) => (note.code.clone(), note.params["what"].clone()),
+            Err(Refusal::Not(why)) => {
+                let note = why.note();
+                (note.code().to_owned(), note.figure("what").unwrap_or_default().to_owned())
+            }
             other => panic!("{other:?}"),
         }
     };
@@ -266,7 +271,7 @@ fn the_tool_of_the_lecture_bears_nothing_that_is_known() {
     assert_eq!(refused("contour-95-30", "steel-45"), not_known("shank_height"));
     // For stainless steel there are no forces, and the edge of the insert alone is no limit.
     assert_eq!(refused("PCLNR 2525M12", "stainless-12h18n10t"), not_known("boring-force"));
-    assert!(matches!(rough_feed(&cut, mm(2.0)), Err(Refusal::Not(note)) if note.code == "turning-tool-lacks"));
+    assert!(matches!(rough_feed(&cut, mm(2.0)), Err(Refusal::Not(why)) if why.note().code() == "turning-tool-lacks"));
 }
 
 #[test]
@@ -276,7 +281,7 @@ fn refusals_say_why() {
         let case = Case::new(knowledge, lathe, tool, material);
         let cut = case.cut(diameter, Direction::Longitudinal);
         match conditions(&cut, mm(depth), ra.map(|ra| ra.parse().unwrap())) {
-            Err(Refusal::Not(note)) => note.code,
+            Err(Refusal::Not(why)) => why.note().code().to_owned(),
             other => panic!("{other:?}"),
         }
     };
@@ -290,7 +295,7 @@ fn refusals_say_why() {
     assert_eq!(refusal("16k20f3", "SER 2525M16", steel, 65.0, 1.0, None), "threads-not-reckoned");
     let case = Case::new(knowledge, "16k20f3", "MGEHR 2525-3", steel);
     let groove = limiting_depth(&case.cut(65.0, Direction::Transverse), MillimetresPerRev(0.1), Speed::ForToolLife);
-    assert!(matches!(groove, Err(Refusal::Not(note)) if note.code == "tool-has-no-depth"));
+    assert!(matches!(groove, Err(Refusal::Not(Lack::NoDepth { .. }))));
 }
 
 /// Grooving steel at Ø65 with a blade of 3 mm: feed 0.16; V = 47/(60^0.2·0.16^0.8)·1.25·0.9 = 47/(2.26793·0.23082)·1.125 =

@@ -1,5 +1,6 @@
 //! Turned parts: contours, zones, tools, ways, operations, passes and their programs.
 
+#![allow(clippy::disallowed_methods, reason = "tests hold the codes of notes against what is expected")]
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,

@@ -37,7 +37,7 @@ const OF_A_SIDE: [&str; 3] = ["no-rough-contour", "no-intermediate-contour", "bo
 
 /// What is not cleared, with nothing that says why.
 fn silent(operation: &Operation) -> Vec<String> {
-    let says = |codes: &[&str]| operation.findings.iter().any(|finding| codes.contains(&finding.note.code.as_str()));
+    let says = |codes: &[&str]| operation.findings.iter().any(|finding| codes.contains(&finding.note.code()));
     let mut found = Vec::new();
     for set_up in &operation.set_ups {
         let wanted = [&set_up.set_up.outer, &set_up.set_up.inner].into_iter().flatten().count();
@@ -50,14 +50,14 @@ fn silent(operation: &Operation) -> Vec<String> {
         let number = zone.zone.number.to_string();
         let named = operation.findings.iter().any(|finding| {
             let note = &finding.note;
-            NAMED.contains(&note.code.as_str()) && note.params.get("zone") == Some(&number)
+            NAMED.contains(&note.code()) && note.figure("zone") == Some(number.as_str())
         });
         if !cleared && !named && !says(&OF_THE_PART) {
             let refused: Vec<_> = zone
                 .works
                 .iter()
                 .flat_map(|work| &work.refused)
-                .map(|one| format!("{}: {} {:?}", one.scheme.name(), one.why.code, one.why.params))
+                .map(|one| format!("{}: {:?}", one.scheme.name(), one.why))
                 .collect();
             found.push(format!("set-up {} {:?} zone {number}: {refused:?}", set_up.set_up.number, side.side));
         }
@@ -110,7 +110,7 @@ fn what_once_went_wrong_goes_right() {
         said.retain(|one| !one.is_empty());
         if operation.zones().any(|(_, _, zone)| zone.works.is_empty()) {
             let grave = operation.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
-            said.push(format!("not planned whole: {:?}", grave.map(|one| &one.note.code).collect::<Vec<_>>()));
+            said.push(format!("not planned whole: {:?}", grave.map(|one| one.note.code()).collect::<Vec<_>>()));
         }
         if !said.is_empty() {
             wrong.push_str(&format!("{}: {}\n", path.file_name().unwrap().display(), said.join("\n")));
@@ -314,7 +314,7 @@ fn survey() {
                     let faults = work_off(&operation);
                     let silent = silent(&operation);
                     let grave = operation.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
-                    let grave: Vec<String> = grave.map(|finding| finding.note.code.clone()).collect();
+                    let grave: Vec<String> = grave.map(|finding| finding.note.code().to_owned()).collect();
                     for control in ["linuxcnc"] {
                         for form in [Form::Motions, Form::Cycles] {
                             programs(&operation, control, form, Some(RevsPerMinute(500.0)), &KNOWLEDGE).unwrap();
@@ -411,7 +411,7 @@ fn trace() {
                         corners(&work.stock.rough)
                     );
                     for refused in &work.refused {
-                        println!("    refused {} {} {:?}", refused.scheme.name(), refused.why.code, refused.why.params);
+                        println!("    refused {} {:?}", refused.scheme.name(), refused.why);
                     }
                     if let Some(transition) = work.transition() {
                         print!("    way ({} {})", transition.way.from.radius, transition.way.from.z);
@@ -425,7 +425,7 @@ fn trace() {
         }
     }
     for finding in &operation.findings {
-        println!("{:?} {} {:?}", finding.severity, finding.note.code, finding.note.params);
+        println!("{:?} {:?}", finding.severity, finding.note);
     }
     println!("{}\n{}", told(&work_off(&operation)), silent(&operation).join("\n"));
 }

@@ -47,7 +47,7 @@ fn the_skin_of_the_blank_is_a_row() {
     let speed = |operation: &Operation| {
         let conditions = zone(operation).works[0].pace.conditions.clone().unwrap();
         let row = conditions.because.iter().find(|because| because.table == "turning-skin").unwrap();
-        (conditions.computed_speed_m_per_min.0, row.note.params["surface"].clone())
+        (conditions.computed_speed_m_per_min.0, row.note.figure("surface").unwrap().to_owned())
     };
     let (rolled, surface) = speed(&planned("bar", &shipped_knowledge()));
     assert_eq!(surface, "rolled");
@@ -75,7 +75,7 @@ fn the_drill_before_boring_is_a_row() {
     assert_eq!(drilled(&with("bore-drill", "least_stock: 1, step: 1", "least_stock: 1.5, step: 1")), "20");
     assert_eq!(drilled(&with("bore-drill", "least_stock: 1, step: 1", "least_stock: 1.5, step: 3")), "18");
     let none = planned("bar", &with("bore-drill", "drilled: true", "drilled: false"));
-    assert!(none.findings.iter().any(|finding| finding.note.code == "bore-too-narrow-to-drill"));
+    assert!(none.findings.iter().any(|finding| finding.note.code() == "bore-too-narrow-to-drill"));
 }
 
 /// The first of the tools that fit is that of the least φ1, and of these the one with the thickest shank.

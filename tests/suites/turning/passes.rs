@@ -159,7 +159,7 @@ fn where_one_direction_per_step_beats_the_model_it_is_the_optimum_and_it_is_told
     let found = find(&shaft, Objective::Path, &KNOWLEDGE).unwrap();
     let of = |name: &str| found.variants.iter().find(|one| one.name == name).unwrap().cutting_path_mm.to_string();
     assert_eq!((of("per-step").as_str(), of("optimal").as_str()), ("3", "3"));
-    assert_eq!(found.findings[0].note.code, "variant-beyond-model");
+    assert_eq!(found.findings[0].note.code(), "variant-beyond-model");
     assert_eq!(CostToGo::of(&Grid::of(&shaft), Objective::Path).optimum().main, 2 * 4_000);
 }
 

@@ -240,7 +240,7 @@ fn what_cannot_be_written_is_refused_with_its_reason() {
         ),
     ] {
         let note = refused.note();
-        assert_eq!(note.code, code, "{refused:?}");
+        assert_eq!(note.code(), code, "{refused:?}");
         for lang in [Lang::Uk, Lang::En] {
             assert!(!sentence(&note, lang).contains('{'), "{}", sentence(&note, lang));
             assert!(remedy(&note, lang).is_some(), "{code}");

@@ -5,6 +5,7 @@ use proptest::prelude::*;
 use technolog::error::{Refusal, Tried};
 use technolog::turning::contour::{Contour, Curve, Piece, Side, Turn};
 use technolog::turning::length::Half;
+use technolog::turning::transitions::check::Unsuited;
 use technolog::turning::transitions::course::Role;
 use technolog::turning::transitions::measures::best;
 use technolog::turning::transitions::{Scheme, Settings, Stock, Transition, finishing_must_follow, work};
@@ -12,7 +13,7 @@ use technolog::turning::way::{Purpose, Way};
 use technolog_testing::section::{ROUNDING, at, mm, settings, steps, steps_beside, tool, valleys, work_off, zones};
 use technolog_testing::{KNOWLEDGE, section};
 
-fn tried(stock: &Stock, settings: &Settings, scheme: Scheme, nose: f64) -> Tried<Transition> {
+fn tried(stock: &Stock, settings: &Settings, scheme: Scheme, nose: f64) -> Tried<Transition, Unsuited> {
     work(stock, &tool(nose), settings, scheme, &steps_beside, &KNOWLEDGE)
 }
 
@@ -292,7 +293,7 @@ fn pick_up_is_the_last_up_to_rz_40() {
     let follows = |scheme, asked: &str| finishing_must_follow(scheme, asked.parse().unwrap(), &KNOWLEDGE).unwrap();
     assert_eq!(follows(Scheme::PickUp, "Rz 40"), None);
     assert_eq!(follows(Scheme::PickUp, "Rz 80"), None);
-    assert_eq!(follows(Scheme::PickUp, "Rz 20").unwrap().note.code, "finishing-must-follow");
+    assert_eq!(follows(Scheme::PickUp, "Rz 20").unwrap().note.code(), "finishing-must-follow");
     assert_eq!(follows(Scheme::SemiFinishing, "Rz 20"), None, "the lecture gives no limit");
 }
 
@@ -301,7 +302,7 @@ fn pick_up_is_the_last_up_to_rz_40() {
 fn what_cannot_be_worked_is_refused() {
     let stock = figure_a();
     let code = |stock: &Stock, settings: &Settings, scheme| match tried(stock, settings, scheme, 0.8) {
-        Err(Refusal::Not(note)) => note.code,
+        Err(Refusal::Not(why)) => why.note().code().to_owned(),
         other => panic!("{other:?}"),
     };
     let good = settings(2.0);
@@ -318,11 +319,12 @@ fn what_cannot_be_worked_is_refused() {
     narrow.secondary = technolog::units::Degrees(30.0);
     let refused = work(&fallen, &narrow, &good, Scheme::Loop, &steps_beside, &KNOWLEDGE);
     // atan(6/5) = 50.19°.
-    let Err(Refusal::Not(note)) = refused else { panic!() };
-    assert_eq!((note.code.as_str(), note.params["angle"].as_str()), ("flank-too-steep", "50.19"));
+    let Err(Refusal::Not(why)) = refused else { panic!() };
+    let note = why.note();
+    assert_eq!((note.code(), note.figure("angle")), ("flank-too-steep", Some("50.19")));
     let none = |_: &Contour, _: Half| None;
     let refused = work(&stock, &tool(0.8), &good, Scheme::Equidistant, &none, &KNOWLEDGE);
-    assert!(matches!(refused, Err(Refusal::Not(note)) if note.code == "no-equidistant"));
+    assert!(matches!(refused, Err(Refusal::Not(Unsuited::NoEquidistant { .. }))));
 }
 
 fn radius_of(curve: Curve) -> Option<Half> {

@@ -165,7 +165,7 @@ fn a_bore_is_mirrored() {
 fn advised(workpiece: &Workpiece) -> Vec<(Severity, String)> {
     let advice = blank::advice(workpiece, &KNOWLEDGE).unwrap();
     assert!(advice.iter().all(|one| one.because.row.is_some() && one.because.place.starts_with("lecture 12.1")));
-    advice.into_iter().map(|one| (one.finding.severity, one.finding.note.code)).collect()
+    advice.into_iter().map(|one| (one.finding.severity, one.finding.note.code().to_owned())).collect()
 }
 
 fn pin(blank: &str, more: &str) -> Workpiece {

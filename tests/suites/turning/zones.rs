@@ -298,7 +298,7 @@ fn a_flange_takes_two_set_ups() {
     let hold = Hold::Surface { name: "outer 4".into(), diameter_mm: mm(40.0).diameter(), length_mm: mm(20.0) };
     assert_eq!(second.holds_at, Some(hold));
     // 11 mm of Ø84 are left to hold the blank by, and 20 are needed.
-    assert_eq!((first.holds_at.clone(), first.because.note.code.as_str()), (None, "hold-blank-short"));
+    assert_eq!((first.holds_at.clone(), first.because.note.code()), (None, "hold-blank-short"));
     let said: Vec<String> = second.notes.iter().map(|note| sentence(note, Lang::En)).collect();
     assert_eq!(said.len(), 2);
     assert_eq!(
@@ -317,7 +317,7 @@ fn one_set_up_makes_what_it_reaches() {
     );
     let found = made(&part, None, &outer(&[(0.0, 0.0), (25.0, 0.0), (25.0, 50.0)]), 50.0);
     assert_eq!(found.len(), 1);
-    assert_eq!(found[0].notes.last().unwrap().code, "setup-only");
+    assert_eq!(found[0].notes.last().unwrap().code(), "setup-only");
     // What falls gently behind the largest radius is reached too.
     let gentle = profile(Side::Outer, (10.0, 0.0), &[(Cone, 20.0, 20.0), (Cone, 10.0, 50.0)]);
     assert_eq!(made(&gentle, None, &outer(&[(25.0, 0.0), (25.0, 50.0)]), 50.0).len(), 1);
@@ -347,7 +347,7 @@ fn a_bore_is_bored_from_the_side_it_opens_to() {
     assert_eq!(names(found[0].inner.as_ref()), ["inner 1", "inner 2", "inner 3"]);
     assert_eq!(names(found[1].inner.as_ref()), ["inner 6", "inner 5", "inner 4"]);
     assert!(found[1].outer.is_none());
-    assert_eq!(found[1].notes[0].code, "setup-bore-widens");
+    assert_eq!(found[1].notes[0].code(), "setup-bore-widens");
 }
 
 /// Monotone contours: how far out or in, how far on; 0 on is a face, in falls by a cone.

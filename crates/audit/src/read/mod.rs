@@ -41,6 +41,14 @@ pub fn read_plan(file: &str, text: &str, knowledge: &Knowledge, files: Files<'_>
     read_tree(parse(file, text), file, text, knowledge, files)
 }
 
+/// Reads a plan that stands inside another file. Files that it names are read as of [`read_plan`].
+///
+/// # Errors
+/// Every mistake of the plan, each with its place in that file.
+pub fn read_plan_node(node: &Node, file: &str, knowledge: &Knowledge, files: Files<'_>) -> Result<Stated, Unreadable> {
+    read_tree((Some(node.clone()), Vec::new()), file, "", knowledge, files)
+}
+
 /// The same of a file that may be something else, one of a folder: nothing, where it is readable but no plan.
 ///
 /// # Errors

@@ -101,20 +101,7 @@ pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result
         findings,
     };
     unconfirmed(&mut plan);
-    plan.findings.sort_by(|a, b| {
-        let key = |finding: &Finding| {
-            let row = finding.note.params.get("row").and_then(|row| row.parse::<usize>().ok());
-            (
-                finding.severity,
-                finding.hole.clone(),
-                finding.note.code.clone(),
-                finding.note.params.get("table").cloned(),
-                row,
-            )
-        };
-        key(a).cmp(&key(b)).then_with(|| a.note.cmp(&b.note))
-    });
-    plan.findings.dedup();
+    Finding::in_order(&mut plan.findings);
     Ok(plan)
 }
 

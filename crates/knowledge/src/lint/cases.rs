@@ -5,7 +5,9 @@
 //! tests:
 //!   - {given: {it: 12, diameter: 10}, expect: {centre: true}, because: textbook 1.2.1}
 //! ```
-//! `expect: none` states that no row applies.
+//! `expect: none` states that no row applies. `source` says where the expectation comes from, `because` why it follows from
+//! there; one of the two must be said. Such a file is a file of cases for `technolog test` too, which knows more
+//! (docs/cases.md).
 
 use crate::column::Column;
 use crate::diagnostic::{Diagnostic, Place, Severity};
@@ -73,8 +75,15 @@ fn case(node: &Node, problems: &mut Problems) -> Option<Case> {
         pairs
     });
     let expect = fields.need("expect", problems).and_then(|node| expectation(node, problems));
-    let because = fields.need("because", problems).and_then(|node| problems.text(node)).map(str::to_owned);
-    fields.finish(&["given", "expect", "because"], problems);
+    let _ = fields.take("name");
+    let source = fields.take("source").and_then(|node| problems.text(node)).map(str::to_owned);
+    let because = match source.is_some() {
+        true => fields.take("because"),
+        false => fields.need("because", problems),
+    };
+    let because = because.and_then(|node| problems.text(node)).map(str::to_owned);
+    let because = source.into_iter().chain(because).reduce(|source, because| format!("{source}: {because}"));
+    fields.finish(&["given", "expect", "because", "source", "name"], problems);
     Some(Case { given: given?, expect: expect?, because: because?, place: node.place.clone() })
 }
 

@@ -129,18 +129,19 @@ pub(super) fn fields<'a>(fields: impl Iterator<Item = (&'a str, String)>, audit:
 }
 
 /// What a finding says, with what its note has for programs put into words.
+#[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
 pub(super) fn said(finding: &Finding, lang: Lang) -> String {
-    let note = match finding.note.code.as_str() {
+    let note = match finding.note.code() {
         "audit-missing" => Note::new("audit-missing")
             .with("section", keys::words(&finding.field, lang).unwrap_or_default())
             .with("what", missing(&finding.missing, &finding.field, lang)),
         "audit-not-ours" => {
-            let of = |name: &str| value(finding.note.params.get(name).map_or("", String::as_str), lang);
+            let of = |name: &str| value(finding.note.figure(name).unwrap_or_default(), lang);
             let field = keys::words(&finding.field, lang).unwrap_or_else(|| lang.pick("число", "a figure").to_owned());
             Note::new("audit-not-ours").with("field", field).with("stated", of("stated")).with("right", of("right"))
         }
         "audit-beyond-machine" => {
-            let bound = finding.note.params.get("quantity").map_or("", String::as_str);
+            let bound = finding.note.figure("quantity").unwrap_or_default();
             finding.note.clone().with("quantity", value(bound, lang))
         }
         _ => finding.note.clone(),

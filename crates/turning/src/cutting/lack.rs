@@ -118,9 +118,10 @@ impl From<Lacking> for Note {
 impl TryFrom<Note> for Lacking {
     type Error = String;
 
+    #[expect(clippy::disallowed_methods, reason = "it is read back into a type here")]
     fn try_from(note: Note) -> Result<Self, String> {
-        let figure = |name: &str| note.params.get(name).cloned().unwrap_or_default();
-        let of = match note.code.as_str() {
+        let figure = |name: &str| note.figure(name).unwrap_or_default().to_owned();
+        let of = match note.code() {
             "turning-tool-lacks" => Of::Tool { tool: figure("tool"), quantity: figure("quantity") },
             "lathe-lacks" => Of::Lathe { lathe: figure("lathe"), quantity: figure("quantity") },
             "no-figure" => Of::Cutting(Uncut::NoFigure { table: figure("table"), material: figure("material") }),

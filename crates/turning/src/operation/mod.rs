@@ -167,33 +167,17 @@ fn sides(set_up: &SetUp, bench: &Bench<'_, '_>, findings: &mut Vec<Finding>) -> 
     Ok(sides)
 }
 
+/// What findings that are told as one may differ in.
+const LISTED: [&str; 2] = ["surface", "row"];
+
 /// Each finding once, in the order in which it came; those that differ in nothing but a surface or a row as one.
 fn told_once(findings: Vec<Finding>) -> Vec<Finding> {
     let mut kept: Vec<Finding> = Vec::new();
     for finding in findings {
-        match kept.iter_mut().find(|other| rest(other) == rest(&finding)) {
-            Some(other) => LISTED.iter().for_each(|name| list(&mut other.note, &finding.note, name)),
-            None => kept.push(finding),
+        let mut alike = kept.iter_mut().filter(|other| other.severity == finding.severity);
+        if !alike.any(|other| other.note.join(&finding.note, &LISTED)) {
+            kept.push(finding);
         }
     }
     kept
-}
-
-/// What findings that are told as one may differ in.
-const LISTED: [&str; 2] = ["surface", "row"];
-
-/// A finding without what is listed.
-fn rest(finding: &Finding) -> (Severity, &str, Vec<(&String, &String)>) {
-    let params = finding.note.params.iter().filter(|(name, _)| !LISTED.contains(&name.as_str()));
-    (finding.severity, &finding.note.code, params.collect())
-}
-
-/// Puts a value of another note into the list of this one.
-fn list(note: &mut Note, other: &Note, name: &str) {
-    if let (Some(values), Some(value)) = (note.params.get_mut(name), other.params.get(name))
-        && !values.split(", ").any(|known| known == value)
-    {
-        values.push_str(", ");
-        values.push_str(value);
-    }
 }

@@ -41,7 +41,7 @@ struct PlacedBlank {
 }
 
 impl Reader<'_> {
-    fn shaft(&mut self, root: &Node) -> Option<Shaft> {
+    pub(crate) fn shaft(&mut self, root: &Node) -> Option<Shaft> {
         let mut fields = self.problems.map(root)?;
         let name = fields.need("shaft", &mut self.problems).and_then(|node| self.name(node));
         let material = fields.need("material", &mut self.problems).and_then(|node| self.material(node));

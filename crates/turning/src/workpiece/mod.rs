@@ -38,7 +38,7 @@ pub use crate::tables::turning::passes::Scheme;
 pub use blank::{Blank, StockKind};
 pub use file::schema;
 pub use preparation::{Advice, advice};
-pub use read::{read_turned, read_workpiece};
+pub use read::{read_turned, read_turned_node, read_workpiece};
 
 /// What a file of a turned part holds.
 #[derive(Clone, Debug, PartialEq, Serialize)]

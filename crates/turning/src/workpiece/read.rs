@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use crate::knowledge::Knowledge;
 use crate::knowledge::diagnostic::nearest;
 use crate::knowledge::yaml::{Node, NodeKind, missing_key, parse};
+use crate::knowledge::{Diagnostic, Knowledge};
 use crate::turning::contour::Side;
 use crate::turning::reading::{Mistake, Placed, Reader};
-use crate::turning::shaft::{Holding, read_shaft};
+use crate::turning::shaft::Holding;
 
 use super::check;
 use super::items::Whose;
@@ -20,7 +20,19 @@ use super::{Allowances, HeatTreatment, Roughing, Turned, Workpiece};
 /// # Errors
 /// Every mistake of the file, each with its place, in the order of the file; a file with both or neither is one.
 pub fn read_turned(file: &str, text: &str, knowledge: &Knowledge) -> Result<Turned, Vec<Mistake>> {
-    let (root, _) = parse(file, text);
+    let (root, problems) = parse(file, text);
+    turned(root, problems, knowledge)
+}
+
+/// The same of a turned part that stands inside another file.
+///
+/// # Errors
+/// As of [`read_turned`].
+pub fn read_turned_node(node: &Node, knowledge: &Knowledge) -> Result<Turned, Vec<Mistake>> {
+    turned(Some(node.clone()), Vec::new(), knowledge)
+}
+
+fn turned(root: Option<Node>, problems: Vec<Diagnostic>, knowledge: &Knowledge) -> Result<Turned, Vec<Mistake>> {
     let keys: Vec<&str> = match root.as_ref().map(|root| &root.kind) {
         Some(NodeKind::Map(entries)) => entries.iter().map(|(key, _)| key.text.as_str()).collect(),
         _ => Vec::new(),
@@ -29,10 +41,13 @@ pub fn read_turned(file: &str, text: &str, knowledge: &Knowledge) -> Result<Turn
     let nearly = |key: &str| keys.iter().any(|typed| nearest(typed, [key]).is_some());
     let contour =
         has("outer") || !has("steps") && !nearly("steps") && ONLY_CONTOUR.iter().any(|key| has(key) || nearly(key));
+    let mut reader = Reader::over(problems, knowledge);
     if contour {
-        return read_workpiece(file, text, knowledge).map(|workpiece| Turned::Contoured(Box::new(workpiece)));
+        let workpiece = root.and_then(|root| reader.workpiece(&root));
+        return reader.close(workpiece).map(|workpiece| Turned::Contoured(Box::new(workpiece)));
     }
-    let read = read_shaft(file, text, knowledge).map(Turned::Stepped);
+    let shaft = root.as_ref().and_then(|root| reader.shaft(root));
+    let read = reader.close(shaft).map(Turned::Stepped);
     // A file without either is told so, rather than that it lacks the key of one form.
     read.map_err(|mut mistakes| {
         let Some(place) = root.map(|root| root.place) else { return mistakes };

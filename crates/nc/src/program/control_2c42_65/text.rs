@@ -277,6 +277,7 @@ pub(in crate::program) fn latin(letter: char) -> Option<char> {
 }
 
 #[cfg(test)]
+#[allow(clippy::disallowed_methods, reason = "tests hold the codes of notes against what is expected")]
 mod tests {
     use super::*;
     use crate::shipped;
@@ -299,7 +300,8 @@ mod tests {
     #[test]
     fn characters_that_do_not_show_are_named_and_a_mark_of_encoding_is_none() {
         let told = |text: &str| -> Vec<(String, u32)> {
-            let figure = |fault: &Fault| fault.note.params.values().next().cloned().unwrap_or_default();
+            let figure =
+                |fault: &Fault| fault.note.figures().next().map(|(_, value)| value.to_owned()).unwrap_or_default();
             read(text).1.iter().map(|fault| (format!("{} {}", fault.code, figure(fault)), fault.span.column)).collect()
         };
         assert_eq!(told("\u{feff}%\r\nN1 X1\r\n"), []);
@@ -321,7 +323,7 @@ mod tests {
     #[test]
     fn reading_goes_on_behind_a_fault() {
         let (blocks, faults) = read("N1 Х10 X Y0.0001 G1.5 b2 S100000 Y7");
-        let codes: Vec<&str> = faults.iter().map(|fault| fault.note.code.as_str()).collect();
+        let codes: Vec<&str> = faults.iter().map(|fault| fault.note.code()).collect();
         assert_eq!(
             codes,
             [

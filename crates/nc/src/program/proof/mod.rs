@@ -21,6 +21,7 @@
 mod around;
 mod compare;
 mod cuts;
+mod held;
 mod matching;
 mod milled;
 mod said;
@@ -45,6 +46,7 @@ use crate::tables::controls::Convention;
 use crate::units::Micrometres;
 
 use cuts::{Cut, TOLERANCE};
+pub use held::Held;
 pub use said::{Code, Figure, Finding, Name};
 use walk::{Frame, Walk};
 

@@ -1,0 +1,90 @@
+//! The answer to a question as the JSON value that its command gives out, without its sentences.
+
+use serde::Serialize;
+use serde_json::Value;
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+use crate::machine::Machine;
+use crate::motion::Step;
+use crate::motion::time::Clock;
+use crate::plan::CuttingMethod;
+use crate::planner;
+use crate::program::proof::Held;
+use crate::turning::passes;
+use crate::turning::schemes;
+use crate::turning::shaft::Shaft;
+use crate::turning::workpiece::{Turned, Workpiece};
+use crate::turning::{operation, passes::cost::Objective};
+
+use super::question::{Program, Question};
+use super::{Asker, planned, table};
+
+/// Answers.
+///
+/// # Errors
+/// The knowledge base lacks what the answer asks of it.
+pub fn answer(question: &Question, asker: &Asker<'_>) -> Result<Value, KnowledgeError> {
+    let knowledge = asker.knowledge;
+    Ok(match question {
+        Question::Table(asked) => table::json(&asked.rows(knowledge.table(&asked.table)?)),
+        Question::Part { part, method } => planned::json(&planner::plan(part, *method, knowledge)?),
+        Question::Turned { part, operation, objective } => match part.as_ref() {
+            Turned::Stepped(shaft) if !operation => sequences(shaft, *objective, knowledge)?,
+            Turned::Stepped(shaft) => value(&operation::plan(&Workpiece::from(shaft), knowledge)?),
+            Turned::Contoured(workpiece) => value(&operation::plan(workpiece, knowledge)?),
+        },
+        Question::Program(program) => checked(program, knowledge)?,
+        Question::Audit(stated) => value(&asker.auditor()?.audit(stated)?),
+    })
+}
+
+fn value(answer: &impl Serialize) -> Value {
+    // Our own answers have no keys that JSON cannot have.
+    serde_json::to_value(answer).unwrap_or_default()
+}
+
+/// Passes and schemes as one answer.
+fn sequences(shaft: &Shaft, objective: Objective, knowledge: &Knowledge) -> Result<Value, KnowledgeError> {
+    let mut found = passes::find(shaft, objective, knowledge)?;
+    let schemes = schemes::find(shaft, knowledge)?;
+    found.findings.extend(schemes.findings.iter().cloned());
+    let mut answer = value(&found);
+    if let (Some(answer), Value::Object(schemes)) = (answer.as_object_mut(), value(&schemes)) {
+        for (key, inner) in schemes {
+            answer.entry(key).or_insert(inner);
+        }
+    }
+    Ok(answer)
+}
+
+/// What a program does, as `technolog check` tells it.
+fn checked(program: &Program, knowledge: &Knowledge) -> Result<Value, KnowledgeError> {
+    let mut setting = program.setting.clone();
+    let held = match &program.part {
+        None => None,
+        Some(part) => {
+            let mut held = Held::of(planner::plan(part, CuttingMethod::default(), knowledge)?, knowledge)?;
+            held.set(&mut setting);
+            Some(held)
+        }
+    };
+    let of_part = held.as_ref().map(|held| held.plan.part.machine.as_str());
+    let id = program.machine.as_deref().or(of_part).unwrap_or("gf2171");
+    let machine = Machine::find(knowledge, id)?;
+    let mut sink = (Vec::<Step>::new(), Clock::new(&machine, setting.start));
+    let faults = program.language.check(&program.text, &machine, &setting, &mut sink);
+    let (trace, clock) = sink;
+    let mut answer = serde_json::json!({
+        "control": program.control,
+        "machine": id,
+        "findings": value(&faults),
+        "trace": value(&trace),
+        "time": value(&clock.times()),
+    });
+    if let (Some(held), Some(answer)) = (&held, answer.as_object_mut()) {
+        answer.insert("part".to_owned(), value(&held.serious()));
+        answer.insert("proof".to_owned(), value(&held.prove(&trace, &setting)));
+    }
+    Ok(answer)
+}

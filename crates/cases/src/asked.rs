@@ -1,0 +1,277 @@
+//! Reading what a case asks: one of the kinds of questions, and what belongs to it.
+
+use crate::audit::{read_plan, read_plan_node, stated::Stated};
+use crate::knowledge::diagnostic::{Diagnostic, Place};
+use crate::knowledge::yaml::{Fields, Key, Node, NodeKind};
+use crate::machine::Machine;
+use crate::part::{Part, read_part, read_part_node};
+use crate::plan::CuttingMethod;
+use crate::program::{Language, Setting};
+use crate::turning::passes::cost::Objective;
+use crate::turning::workpiece::{Turned, read_turned, read_turned_node};
+
+use super::question::{Program, Question};
+use super::read::{AUDIT, Around, PROGRAM, Reader, TABLE, TURN};
+use super::{merge, table};
+
+/// Keys of a case that asks about a part, and of one that asks nothing yet.
+const ASKED: &[&str] = &["part", "hole", "cutting", "table", "turn", "program", "audit"];
+
+/// Keys that say by themselves what a case asks; `part` goes with `program` too.
+pub(super) const ASKING: [(&str, &[&str]); 4] =
+    [("table", TABLE), ("turn", TURN), ("program", PROGRAM), ("audit", AUDIT)];
+
+/// What a question is about: a file that is named, or what stands here.
+enum Input<'n> {
+    File(String, String),
+    Here(&'n Node),
+}
+
+impl Reader<'_> {
+    /// What is asked, and the keys that belong to it.
+    pub(super) fn question(&mut self, fields: &mut Fields<'_>) -> (Option<Question>, &'static [&'static str]) {
+        let asked: Vec<(&Node, &str, &'static [&'static str])> =
+            ASKING.iter().filter_map(|(key, keys)| Some((fields.take(key)?, *key, *keys))).collect();
+        if let [(_, first, _), (second, name, _), ..] = asked.as_slice() {
+            let message = format!("two questions in one case: `{first}` and `{name}`");
+            return (self.problems.error_help("two-questions", message, &second.place, "make two cases of it"), ASKED);
+        }
+        match asked.first() {
+            Some((node, "table", keys)) => {
+                let given = fields.take("given");
+                let knowledge = self.around.knowledge;
+                let question = table::Question::read(node, given, knowledge, &mut self.problems);
+                (question.map(Question::Table), keys)
+            }
+            Some((node, "turn", keys)) => (self.turned(node, fields), keys),
+            Some((node, "program", keys)) => (self.program(node, fields), keys),
+            Some((node, _, keys)) => (self.audit(node).map(Box::new).map(Question::Audit), keys),
+            None => (self.planned(fields), ASKED),
+        }
+    }
+
+    fn planned(&mut self, fields: &mut Fields<'_>) -> Option<Question> {
+        let (part, hole) = (fields.take("part"), fields.take("hole"));
+        let method = fields.take("cutting");
+        let methods = [("formula", CuttingMethod::Formula), ("card", CuttingMethod::Card)];
+        let method = method.map_or(Some(CuttingMethod::default()), |node| self.choice(node, &methods));
+        let part = match (part, hole) {
+            (None, None) => None,
+            (Some(part), None) => self.part(part),
+            (part, Some(hole)) => {
+                let whole = self.part_of_hole(part, hole);
+                whole.and_then(|whole| self.part(&whole))
+            }
+        };
+        part.zip(method).map(|(part, method)| Question::Part { part: Box::new(part), method })
+    }
+
+    /// A part of one group of holes, of which the case writes only what is not usual.
+    fn part_of_hole(&mut self, part: Option<&Node>, hole: &Node) -> Option<Node> {
+        let _ = self.problems.map(hole)?;
+        let at = |kind: NodeKind| Node { kind, place: hole.place.clone() };
+        let key = |text: &str| Key { text: text.to_owned(), place: hole.place.clone() };
+        let text = |text: &str| at(NodeKind::Scalar { text: text.to_owned(), quoted: true });
+        let origin = at(NodeKind::Seq(vec![at(NodeKind::Seq(vec![text("0"), text("0")]))]));
+        let mut usual = vec![(key("name"), text("A"))];
+        if hole.get("pattern").is_none() {
+            usual.push((key("at"), origin));
+        }
+        let hole = merge::over(hole, &at(NodeKind::Map(usual)));
+        let part = match part {
+            None => at(NodeKind::Map(Vec::new())),
+            Some(part) => {
+                let _ = self.problems.map(part)?;
+                if let Some(holes) = part.get("holes") {
+                    let message = "the part has `holes`, and the case has a `hole`";
+                    return self.problems.error_help("two-questions", message, &holes.place, "leave one of them out");
+                }
+                part.clone()
+            }
+        };
+        let own = vec![(key("part"), text("A")), (key("holes"), at(NodeKind::Seq(vec![hole])))];
+        Some(merge::over(&part, &at(NodeKind::Map(own))))
+    }
+
+    fn part(&mut self, node: &Node) -> Option<Part> {
+        let knowledge = self.around.knowledge;
+        match self.input(node)? {
+            Input::Here(node) => read_part_node(node, knowledge, &mut self.problems),
+            Input::File(path, text) => match read_part(&path, &text, knowledge) {
+                Ok(part) => Some(part),
+                Err(problems) => self.faults(problems),
+            },
+        }
+    }
+
+    fn turned(&mut self, node: &Node, fields: &mut Fields<'_>) -> Option<Question> {
+        let knowledge = self.around.knowledge;
+        let show = fields.take("show");
+        let operation = match show {
+            None => Some(false),
+            Some(node) => self.choice(node, &[("passes", false), ("operation", true)]),
+        };
+        let aim = fields.take("objective");
+        let read = match self.input(node)? {
+            Input::Here(node) => read_turned_node(node, knowledge),
+            Input::File(path, text) => read_turned(&path, &text, knowledge),
+        };
+        let part = match read {
+            Ok(part) => part,
+            Err(mistakes) => {
+                self.meant.extend(mistakes);
+                return None;
+            }
+        };
+        let objective = match aim {
+            None => Some(Objective::Path),
+            Some(node) => self.objective(node, &part),
+        };
+        Some(Question::Turned { part: Box::new(part), operation: operation?, objective: objective? })
+    }
+
+    fn objective(&mut self, node: &Node, part: &Turned) -> Option<Objective> {
+        let rates = match part {
+            Turned::Stepped(shaft) => shaft.rates,
+            Turned::Contoured(_) => None,
+        };
+        match self.choice(node, &[("path", 0), ("passes", 1), ("time", 2)])? {
+            0 => Some(Objective::Path),
+            1 => Some(Objective::Passes),
+            _ => match rates {
+                Some(rates) => Some(Objective::Time { rates }),
+                None => {
+                    let help = "give the shaft its `rates`";
+                    self.problems.error_help("no-rates", "without rates there is no time", &node.place, help)
+                }
+            },
+        }
+    }
+
+    fn program(&mut self, node: &Node, fields: &mut Fields<'_>) -> Option<Question> {
+        let knowledge = self.around.knowledge;
+        let control = fields.need("control", &mut self.problems);
+        let names = Language::NAMES.map(|name| (name, name));
+        let control = control.and_then(|node| self.choice(node, &names));
+        let machine = fields.take("machine");
+        let (setting, part) = (fields.take("setting"), fields.take("part"));
+        let text = self.named_or_text(node).map(|(_, text)| text);
+        let part = match part {
+            Some(node) => self.part(node).map(Some),
+            None => Some(None),
+        };
+        let language = control.map(|control| Language::read(control, knowledge));
+        let language = match language? {
+            Ok(language) => language,
+            Err(error) => return self.problems.error("knowledge", error.to_string(), &node.place),
+        };
+        let setting = match setting {
+            None => Some(Setting::default()),
+            Some(node) => self.named_or_text(node).and_then(|(name, text)| match language.setting(&name, &text) {
+                Ok(setting) => Some(setting),
+                Err(problems) => self.faults(problems),
+            }),
+        };
+        let machine = match machine {
+            Some(node) => Some(self.machine(node, part.as_ref()?.as_ref())?),
+            None => None,
+        };
+        let control = control?.to_owned();
+        Some(Question::Program(Box::new(Program {
+            text: text?,
+            language,
+            control,
+            machine,
+            setting: setting?,
+            part: part?,
+        })))
+    }
+
+    fn machine(&mut self, node: &Node, part: Option<&Part>) -> Option<String> {
+        let id = self.problems.text(node)?;
+        if let Err(error) = Machine::find(self.around.knowledge, id) {
+            return self.problems.error("unknown-machine", error.to_string(), &node.place);
+        }
+        match part.filter(|part| part.machine != id) {
+            Some(part) => {
+                let message = format!("the machine is {id}, and the part is for {}", part.machine);
+                self.problems.error_help("other-machine", message, &node.place, "leave out `machine`")
+            }
+            None => Some(id.to_owned()),
+        }
+    }
+
+    fn audit(&mut self, node: &Node) -> Option<Stated> {
+        let Around { knowledge, files, .. } = self.around;
+        let read = match self.input(node)? {
+            Input::Here(node) => read_plan_node(node, self.file, knowledge, files),
+            Input::File(path, text) => {
+                // What the plan names lies beside the plan.
+                let beside = |name: &str| files(&beside(&path, name));
+                read_plan(&path, &text, knowledge, &beside)
+            }
+        };
+        match read {
+            Ok(stated) => Some(stated),
+            Err(unreadable) => {
+                self.texts.extend(unreadable.texts);
+                self.faults(unreadable.problems)
+            }
+        }
+    }
+
+    fn faults<T>(&mut self, problems: Vec<Diagnostic>) -> Option<T> {
+        self.problems.0.extend(problems);
+        None
+    }
+
+    fn input<'n>(&mut self, node: &'n Node) -> Option<Input<'n>> {
+        if matches!(node.kind, NodeKind::Map(_)) {
+            return Some(Input::Here(node));
+        }
+        let path = self.problems.text(node)?.to_owned();
+        let text = self.named(&path, &node.place)?;
+        Some(Input::File(path, text))
+    }
+
+    /// A file that is named, or, where it has several lines, the text itself; with the name for places.
+    fn named_or_text(&mut self, node: &Node) -> Option<(String, String)> {
+        let text = self.problems.text(node)?.to_owned();
+        if text.contains('\n') {
+            return Some((format!("{}:{}", self.file, node.place.line), text));
+        }
+        let content = self.named(&text, &node.place)?;
+        Some((text, content))
+    }
+
+    fn named(&mut self, path: &str, place: &Place) -> Option<String> {
+        match (self.around.files)(path) {
+            Ok(text) => {
+                self.texts.push((path.to_owned(), text.clone()));
+                Some(text)
+            }
+            Err(why) => {
+                let message = format!("cannot read `{path}`: {why}");
+                self.problems.error_help("unreadable", message, place, "paths are relative to the file of cases")
+            }
+        }
+    }
+
+    fn choice<T: Copy>(&mut self, node: &Node, choices: &[(&str, T)]) -> Option<T> {
+        let text = self.problems.text(node)?;
+        if let Some((_, value)) = choices.iter().find(|(name, _)| *name == text) {
+            return Some(*value);
+        }
+        let known = choices.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
+        let message = format!("`{text}` is none of the choices");
+        self.problems.error_help("bad-value", message, &node.place, format!("known here: {known}"))
+    }
+}
+
+/// A name relative to the folder of a file.
+fn beside(path: &str, name: &str) -> String {
+    match path.rsplit_once('/') {
+        Some((folder, _)) if !name.starts_with('/') => format!("{folder}/{name}"),
+        _ => name.to_owned(),
+    }
+}

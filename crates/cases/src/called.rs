@@ -1,0 +1,196 @@
+//! What things of an answer are called in short: `drill 9.8`, `doubtful unconfirmed`, the designation of a tool.
+
+use serde_json::{Map, Value};
+
+use crate::knowledge::alike::latin;
+use crate::knowledge::diagnostic::nearest;
+use crate::part::Face;
+use crate::plan::{Feature, Operation};
+
+use super::expected::number_of;
+use super::written;
+
+type Object = Map<String, Value>;
+
+/// A word that no such thing can be called by.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Slip {
+    /// The word.
+    pub word: String,
+    /// The word that was perhaps meant.
+    pub near: Option<String>,
+}
+
+/// What a finding may be called by, in any order.
+const OF_FINDING: [&str; 5] = ["severity", "rule", "code", "field", "hole"];
+
+/// Whether an object is called so.
+///
+/// # Errors
+/// No object of this kind can be.
+pub fn is_called(object: &Object, text: &str) -> Result<bool, Slip> {
+    let has = |key: &str, text: &str| object.get(key).and_then(Value::as_str).is_some_and(|own| same(own, text));
+    if is_transition(object) {
+        return Ok(Pattern::read(text)?.fits(object));
+    }
+    if object.contains_key("designation") {
+        let whole = |(designation, table): (&str, &str)| same(&format!("{designation} {table}"), text);
+        let both = texts(object, "designation").zip(texts(object, "table"));
+        return Ok(has("designation", text) || both.is_some_and(whole));
+    }
+    if object.contains_key("code") {
+        // Its whole name may have a field with spaces in it.
+        let whole = name(object).is_some_and(|name| same(&name, text));
+        return Ok(whole || text.split_whitespace().all(|word| OF_FINDING.iter().any(|key| has(key, word))));
+    }
+    Ok(NAMES.iter().any(|key| has(key, text)))
+}
+
+/// Turning has operations of its own.
+fn is_transition(object: &Object) -> bool {
+    object.contains_key("diameter_mm") && texts(object, "operation").and_then(Operation::from_name).is_some()
+}
+
+/// The keys by whose values the items of a list are named, and picked: the first that an item has.
+pub const NAMES: [&str; 5] = ["name", "number", "surface", "side", "motion"];
+
+/// Whether two texts are the same up to letters that look alike in both alphabets.
+pub fn same(one: &str, other: &str) -> bool {
+    one == other || latin(one) == latin(other)
+}
+
+fn texts<'o>(object: &'o Object, key: &str) -> Option<&'o str> {
+    object.get(key).and_then(Value::as_str)
+}
+
+/// A transition in short: `drill 9.8`, `chamfer chamfer 22`, `counterbore step step:1 14 back`, `drill 12 also:18`,
+/// `finish-bore|finish-ream 25`. What is not said is what is usual: the main cylinder, from the entry face, on this
+/// machine; the diameter alone may be any.
+pub struct Pattern<'t> {
+    operations: Vec<&'t str>,
+    diameter: Option<f64>,
+    feature: &'static str,
+    step: Option<f64>,
+    also: Option<f64>,
+    back: bool,
+    elsewhere: bool,
+}
+
+impl<'t> Pattern<'t> {
+    /// Reads it.
+    ///
+    /// # Errors
+    /// A word that means nothing.
+    pub fn read(text: &'t str) -> Result<Self, Slip> {
+        let mut words = text.split_whitespace();
+        let operations: Vec<&str> = words.next().unwrap_or_default().split('|').collect();
+        let known = || Operation::NAMES.iter().map(|(name, _)| *name);
+        if let Some(word) = operations.iter().find(|word| Operation::from_name(word).is_none()) {
+            let near = nearest(word, known()).map(str::to_owned);
+            return Err(Slip { word: (*word).to_owned(), near });
+        }
+        let mut own = Self {
+            operations,
+            diameter: None,
+            feature: Feature::Bore.name(),
+            step: None,
+            also: None,
+            back: false,
+            elsewhere: false,
+        };
+        for word in words {
+            let of = |prefix: &str| word.strip_prefix(prefix).and_then(number_of);
+            if let Some(diameter) = number_of(word) {
+                own.diameter = Some(diameter);
+            } else if let Some(step) = of("step:") {
+                own.step = Some(step);
+            } else if let Some(also) = of("also:") {
+                own.also = Some(also);
+            } else if let Some((name, _)) = Feature::NAMES.iter().find(|(name, _)| *name == word) {
+                own.feature = name;
+            } else {
+                match word {
+                    "back" => own.back = true,
+                    "elsewhere" => own.elsewhere = true,
+                    _ => {
+                        let features = Feature::NAMES.iter().map(|(name, _)| *name);
+                        let near = nearest(word, features.chain(["back", "elsewhere"])).map(str::to_owned);
+                        return Err(Slip { word: word.to_owned(), near });
+                    }
+                }
+            }
+        }
+        Ok(own)
+    }
+
+    fn fits(&self, object: &Object) -> bool {
+        let number = |key: &str| object.get(key).and_then(Value::as_f64);
+        let operation = texts(object, "operation").is_some_and(|own| self.operations.contains(&own));
+        let diameter = self.diameter.is_none_or(|diameter| number("diameter_mm") == Some(diameter));
+        // A transition of a route that was not taken has no more than these two.
+        let rest = match texts(object, "feature") {
+            None => self.is_plain(),
+            Some(feature) => {
+                feature == self.feature
+                    && number("step") == self.step
+                    && number("also_diameter_mm") == self.also
+                    && is_back(object) == self.back
+                    && is_elsewhere(object) == self.elsewhere
+            }
+        };
+        operation && diameter && rest
+    }
+
+    fn is_plain(&self) -> bool {
+        let usual = self.feature == Feature::Bore.name() && !self.back && !self.elsewhere;
+        usual && self.step.is_none() && self.also.is_none()
+    }
+}
+
+fn is_back(object: &Object) -> bool {
+    serde_json::to_value(Face::Back).is_ok_and(|back| object.get("face") == Some(&back))
+}
+
+fn is_elsewhere(object: &Object) -> bool {
+    object.get("elsewhere") == Some(&Value::Bool(true))
+}
+
+/// A value in short, for people: what it is called by where it is called by anything.
+pub fn brief(value: &Value) -> String {
+    match value {
+        Value::Array(items) => format!("[{}]", items.iter().map(brief).collect::<Vec<_>>().join(", ")),
+        Value::Object(object) => name(object).unwrap_or_else(|| {
+            let pair = |(key, value): (&String, &Value)| format!("{key}: {}", brief(value));
+            let told = object.iter().filter(|(key, _)| !key.starts_with("because"));
+            format!("{{{}}}", told.map(pair).collect::<Vec<_>>().join(", "))
+        }),
+        other => written::value(other),
+    }
+}
+
+/// What an object is called by.
+pub fn name(object: &Object) -> Option<String> {
+    let number = |key: &str| object.get(key).filter(|value| value.is_number()).map(Value::to_string);
+    if let Some(operation) = texts(object, "operation").filter(|_| is_transition(object)) {
+        let feature = texts(object, "feature").filter(|feature| *feature != Feature::Bore.name());
+        let words = [
+            Some(operation.to_owned()),
+            feature.map(str::to_owned),
+            number("step").map(|step| format!("step:{step}")),
+            number("diameter_mm"),
+            number("also_diameter_mm").map(|also| format!("also:{also}")),
+            is_back(object).then(|| "back".to_owned()),
+            is_elsewhere(object).then(|| "elsewhere".to_owned()),
+        ];
+        return Some(words.into_iter().flatten().collect::<Vec<_>>().join(" "));
+    }
+    if let Some(designation) = texts(object, "designation") {
+        return Some(designation.to_owned());
+    }
+    if let (Some(severity), Some(code)) = (texts(object, "severity"), texts(object, "code")) {
+        let what = texts(object, "rule").filter(|_| object.contains_key("field")).unwrap_or(code);
+        let words = [Some(severity), Some(what), texts(object, "field")];
+        return Some(words.into_iter().flatten().collect::<Vec<_>>().join(" "));
+    }
+    texts(object, "code").map(str::to_owned)
+}

@@ -1,0 +1,148 @@
+//! What of an answer is worth expecting: what `technolog test --write` writes for a person to review.
+
+use serde_json::{Map, Value, json};
+
+use crate::note::Severity;
+
+use super::called::name;
+use super::hold::is_from;
+use super::question::Question;
+
+/// The expectation that an answer would fulfil, without its reasons and its bookkeeping.
+pub fn digest(question: &Question, answer: &Value) -> Value {
+    match question {
+        Question::Table(_) => table(answer),
+        Question::Part { .. } => plan(answer),
+        Question::Turned { .. } => turned(answer),
+        Question::Program(_) => {
+            let mut told = picked(answer, &["time.total_min"]);
+            told.insert("findings".to_owned(), findings(answer));
+            if let Some(proof) = answer.get("proof") {
+                told.insert("proof.findings".to_owned(), findings(proof));
+            }
+            Value::Object(told)
+        }
+        Question::Audit(_) => json!({"findings": findings(answer)}),
+    }
+}
+
+/// A value as somebody would expect it: by its name where it has one, else without the reasons in it.
+pub fn bare(value: &Value) -> Value {
+    match value {
+        Value::Array(items) => items.iter().map(bare).collect(),
+        Value::Object(object) => {
+            if let Some(name) = name(object) {
+                return name.into();
+            }
+            let told = object.iter().filter(|(key, inner)| !key.starts_with("because") && !inner.is_null());
+            Value::Object(told.map(|(key, inner)| (key.clone(), bare(inner))).collect())
+        }
+        other => other.clone(),
+    }
+}
+
+fn table(answer: &Value) -> Value {
+    match answer {
+        Value::Array(rows) => match rows.as_slice() {
+            [] => Value::from("none"),
+            [row] => table(row),
+            rows => rows.iter().map(table).collect(),
+        },
+        Value::Object(row) => {
+            let own = ["row", "source", "place", "reason", "unconfirmed"];
+            let told = row.iter().filter(|(key, value)| !own.contains(&key.as_str()) && !value.is_null());
+            Value::Object(told.map(|(key, value)| (key.clone(), value.clone())).collect())
+        }
+        other => other.clone(),
+    }
+}
+
+fn plan(answer: &Value) -> Value {
+    let mut told = Map::new();
+    let mut holes = Map::new();
+    for hole in list(answer, "holes") {
+        let mut own = Map::new();
+        own.insert("scheme".to_owned(), hole.get("scheme").cloned().unwrap_or_default());
+        own.insert("transitions".to_owned(), list(hole, "transitions").iter().map(transition).collect());
+        if let Some(name) = hole.get("name").and_then(Value::as_str) {
+            holes.insert(name.to_owned(), Value::Object(own));
+        }
+    }
+    // The keys of the only group may stand at the top.
+    match (holes.len(), holes.values().next()) {
+        (1, Some(Value::Object(only))) => told.extend(only.clone()),
+        _ => {
+            told.insert("holes".to_owned(), Value::Object(holes));
+        }
+    }
+    told.extend(picked(answer, &["clamping.screw", "time.total_min"]));
+    told.insert("findings".to_owned(), findings(answer));
+    Value::Object(told)
+}
+
+fn transition(step: &Value) -> Value {
+    let mut told = picked(step, &["operation", "feature", "step", "diameter_mm", "also_diameter_mm"]);
+    told.retain(|key, value| key != "feature" || value != "bore");
+    if step.get("face").is_some_and(|face| face != "entry") {
+        told.insert("face".to_owned(), step["face"].clone());
+    }
+    if step.get("elsewhere") == Some(&Value::Bool(true)) {
+        told.insert("elsewhere".to_owned(), Value::Bool(true));
+    } else {
+        told.extend(picked(step, &["tool.designation", "conditions.feed_mm_per_rev", "conditions.spindle_rpm"]));
+    }
+    Value::Object(told)
+}
+
+fn turned(answer: &Value) -> Value {
+    let mut told = picked(answer, &["recommended.variant"]);
+    let variants = list(answer, "variants").iter().filter_map(|variant| {
+        Some((variant.get("name")?.as_str()?.to_owned(), Value::Object(picked(variant, &["cutting_path_mm"]))))
+    });
+    let variants: Map<String, Value> = variants.collect();
+    if !variants.is_empty() {
+        told.insert("variants".to_owned(), Value::Object(variants));
+    }
+    told.insert("findings".to_owned(), findings(answer));
+    Value::Object(told)
+}
+
+/// So many findings are written one by one.
+const FEW: usize = 6;
+
+/// The findings by their names: all of them, or, where they are many or one name stands for several, which there are.
+fn findings(answer: &Value) -> Value {
+    let all = list(answer, "findings");
+    let mut names: Vec<String> = Vec::new();
+    for called in all.iter().filter_map(|finding| name(finding.as_object()?)) {
+        if !names.contains(&called) {
+            names.push(called);
+        }
+    }
+    if names.len() == all.len() && names.len() <= FEW {
+        return names.into();
+    }
+    let mut told = Map::new();
+    told.insert("contains".to_owned(), names.into());
+    told.extend(free(all).map(|severity| ("none_from".to_owned(), severity.into())));
+    Value::Object(told)
+}
+
+/// The least grave severity that no finding has, nor a graver one.
+fn free(findings: &[Value]) -> Option<&'static str> {
+    let mut lightest_first = Severity::NAMES.iter().rev();
+    lightest_first.find(|(_, severity)| !findings.iter().any(|one| is_from(one, *severity))).map(|(name, _)| *name)
+}
+
+fn list<'v>(value: &'v Value, key: &str) -> &'v [Value] {
+    value.get(key).and_then(Value::as_array).map(Vec::as_slice).unwrap_or_default()
+}
+
+/// What a value has under keys, those inside others with a dot.
+fn picked(value: &Value, keys: &[&str]) -> Map<String, Value> {
+    let found = keys.iter().filter_map(|key| {
+        let inner = key.split('.').try_fold(value, |value, step| value.get(step))?;
+        (!inner.is_null()).then(|| ((*key).to_owned(), inner.clone()))
+    });
+    found.collect()
+}

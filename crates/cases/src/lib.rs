@@ -1,0 +1,145 @@
+//! Cases: questions, parts, programs and audits with what is expected of them, as people write them in YAML
+//! (docs/cases.md).
+//!
+//! ```text
+//! case.test.yaml → read → Case { question, expected } → answer (a JSON value, that of the command) → hold → failures
+//! ```
+//!
+//! One matcher holds every answer ([`hold`]): there is no form of expectation for each kind of question, only the keys that
+//! the commands' own JSON has. What is called something may be called so in short ([`called`]).
+//!
+//! Architecture invariant: nothing passes by mistake. A key or a word that no answer can have is a fault of the file or a
+//! failure, also where something is expected not to be there; a case that expects nothing fails; and where a case says
+//! nothing of findings, none of severity `error` or `wrong` may come.
+
+mod answer;
+mod asked;
+mod called;
+mod digest;
+pub mod expected;
+mod file;
+pub mod hold;
+mod merge;
+mod planned;
+mod question;
+mod read;
+pub mod reasons;
+mod table;
+pub mod write;
+mod written;
+
+// The rooms below, under the names that the whole program uses.
+use technolog_audit as audit;
+use technolog_core::{error, machine, motion, note, part, plan};
+use technolog_holes::planner;
+use technolog_knowledge::{self as knowledge, units};
+use technolog_nc::program;
+use technolog_turning as turning;
+
+use std::sync::OnceLock;
+
+use serde_json::Value;
+
+use crate::audit::{Auditor, NamedText};
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+use crate::knowledge::diagnostic::Place;
+use crate::turning::shaft::Mistake;
+
+pub use called::{brief, name as called};
+pub use expected::Expected;
+pub use file::schema;
+pub use hold::{Came, Failure};
+pub use read::{Around, read_cases};
+pub use reasons::Why;
+
+use question::Question;
+
+/// A file of cases, as far as it could be read.
+#[derive(Debug)]
+pub struct CaseFile {
+    /// The file as the user named it.
+    pub file: String,
+    /// The cases that can be asked, in the order of the file.
+    pub cases: Vec<Case>,
+    /// Every mistake of the file and of the files it names.
+    pub mistakes: Vec<Mistake>,
+    /// The texts of the files it names, for the places of mistakes.
+    pub texts: Vec<NamedText>,
+}
+
+/// A case.
+#[derive(Clone, Debug)]
+pub struct Case {
+    /// Its number among the cases of its file, from 1.
+    pub number: usize,
+    /// Its name, or its question on one line.
+    pub name: String,
+    /// Where it stands.
+    pub place: Place,
+    /// Where its expectation comes from: a table, a page, a computation.
+    pub source: Option<String>,
+    /// Why the expectation follows from there.
+    pub because: Option<String>,
+    question: Question,
+    /// What is expected; absent: nothing yet.
+    pub expected: Option<Expected>,
+}
+
+/// Whoever answers: the tables, and what audits share, made when the first plan is audited.
+#[derive(Debug)]
+pub struct Asker<'k> {
+    /// The tables.
+    pub knowledge: &'k Knowledge,
+    auditor: OnceLock<Auditor<'k>>,
+}
+
+impl<'k> Asker<'k> {
+    /// One that answers from these tables.
+    pub fn new(knowledge: &'k Knowledge) -> Self {
+        Self { knowledge, auditor: OnceLock::new() }
+    }
+
+    /// What audits of many plans share.
+    fn auditor(&self) -> Result<&Auditor<'k>, KnowledgeError> {
+        match self.auditor.get() {
+            Some(auditor) => Ok(auditor),
+            None => {
+                let auditor = Auditor::new(self.knowledge)?;
+                Ok(self.auditor.get_or_init(|| auditor))
+            }
+        }
+    }
+}
+
+impl Case {
+    /// The answer to the question, as the JSON of its command.
+    ///
+    /// # Errors
+    /// The knowledge base lacks what answering asks of it.
+    pub fn answer(&self, asker: &Asker<'_>) -> Result<Value, KnowledgeError> {
+        answer::answer(&self.question, asker)
+    }
+
+    /// Asks the question and holds the answer against what is expected: every way in which it is not so.
+    ///
+    /// # Errors
+    /// As of [`Self::answer`].
+    pub fn run(&self, asker: &Asker<'_>) -> Result<Vec<Failure>, KnowledgeError> {
+        Ok(self.against(&self.answer(asker)?, asker.knowledge))
+    }
+
+    /// Holds an answer to the question against what is expected.
+    pub fn against(&self, answer: &Value, knowledge: &Knowledge) -> Vec<Failure> {
+        match &self.expected {
+            Some(expected) => self.question.hold(expected, answer, &self.place, knowledge),
+            None => vec![Failure {
+                place: self.place.clone(),
+                path: String::new(),
+                expected: String::new(),
+                came: Came::Open(Some(digest::digest(&self.question, answer))),
+                why: Vec::new(),
+            }],
+        }
+    }
+}

@@ -1,0 +1,23 @@
+//! What stands at the head of a file holds for each of its cases, as far as the case does not say otherwise.
+
+use crate::knowledge::yaml::{Node, NodeKind};
+
+/// A mapping with what it lacks of another; mappings inside both are put together in the same way.
+pub fn over(own: &Node, head: &Node) -> Node {
+    let (NodeKind::Map(own_entries), NodeKind::Map(head_entries)) = (&own.kind, &head.kind) else { return own.clone() };
+    let mut entries = own_entries.clone();
+    for (key, inherited) in head_entries {
+        match entries.iter_mut().find(|(known, _)| known.text == key.text) {
+            Some((_, own)) => *own = over(own, inherited),
+            None => entries.push((key.clone(), inherited.clone())),
+        }
+    }
+    Node { kind: NodeKind::Map(entries), place: own.place.clone() }
+}
+
+/// A mapping without some keys.
+pub fn without(node: &Node, keys: &[&str]) -> Node {
+    let NodeKind::Map(entries) = &node.kind else { return node.clone() };
+    let entries = entries.iter().filter(|(key, _)| !keys.contains(&key.text.as_str())).cloned().collect();
+    Node { kind: NodeKind::Map(entries), place: node.place.clone() }
+}

@@ -1,0 +1,211 @@
+//! The plan of a part as an answer: its own JSON, with a few short keys beside them.
+//!
+//! - `scheme` of a hole is `route.scheme`;
+//! - `by_tables` of a hole is the route that the scheme tables give, whether it was taken or another was quicker;
+//! - where the part has one group of holes, the keys of that group stand at the top too.
+
+use std::sync::LazyLock;
+
+use schemars::{JsonSchema, SchemaGenerator};
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+use crate::knowledge::diagnostic::nearest;
+use crate::knowledge::yaml::{Key, Problems};
+use crate::plan::{HolePlan, Made, Plan, Way};
+
+use super::called::Pattern;
+use super::expected::{Expected, What};
+
+/// The short keys of a group of holes.
+#[derive(Serialize, JsonSchema)]
+struct Short {
+    scheme: Option<String>,
+    by_tables: Option<ByTables>,
+}
+
+/// The route that the scheme tables A.6 to A.10 give, where it can be carried out.
+#[derive(Serialize, JsonSchema)]
+struct ByTables {
+    /// Its scheme.
+    scheme: String,
+    /// Its transitions.
+    operations: Vec<Made>,
+    /// Whether it is finished on another machine.
+    finish_elsewhere: bool,
+    /// Whether it is the one that was taken.
+    taken: bool,
+}
+
+impl Short {
+    fn of(hole: &HolePlan) -> Self {
+        let route = hole.route.as_ref();
+        let made = |hole: &HolePlan| {
+            hole.transitions
+                .iter()
+                .map(|step| Made { operation: step.operation, diameter_mm: step.diameter_mm })
+                .collect()
+        };
+        let by_tables = route.and_then(|route| {
+            if route.way == Way::Tables {
+                let (scheme, finish_elsewhere) = (route.scheme.clone(), route.finish_elsewhere);
+                return Some(ByTables { scheme, operations: made(hole), finish_elsewhere, taken: true });
+            }
+            let carried_out = |other: &&crate::plan::Alternative| other.way == Way::Tables && other.time_min.is_some();
+            let other = route.alternatives.iter().find(carried_out)?;
+            let (scheme, operations) = (other.scheme.clone(), other.operations.clone());
+            Some(ByTables { scheme, operations, finish_elsewhere: false, taken: false })
+        });
+        Self { scheme: route.map(|route| route.scheme.clone()), by_tables }
+    }
+}
+
+/// The plan as a value.
+pub fn json(plan: &Plan) -> Value {
+    let mut value = serde_json::to_value(plan).unwrap_or_default();
+    let Some(holes) = value.get_mut("holes").and_then(Value::as_array_mut) else { return value };
+    for (hole, planned) in holes.iter_mut().zip(&plan.holes) {
+        if let (Some(hole), Ok(Value::Object(short))) = (hole.as_object_mut(), serde_json::to_value(Short::of(planned)))
+        {
+            hole.extend(short);
+        }
+    }
+    if let ([Value::Object(hole)], [_]) = (holes.as_slice(), plan.holes.as_slice()) {
+        let hole = hole.clone();
+        if let Some(plan) = value.as_object_mut() {
+            for (key, inner) in hole {
+                plan.entry(key).or_insert(inner);
+            }
+        }
+    }
+    value
+}
+
+/// The form of such answers: a JSON schema, and where it has the keys of a group of holes.
+static SCHEMA: LazyLock<Value> = LazyLock::new(|| {
+    let mut generator = SchemaGenerator::default();
+    let _ = generator.subschema_for::<Short>();
+    serde_json::to_value(generator.into_root_schema_for::<Plan>()).unwrap_or_default()
+});
+
+/// Holds the keys of an expectation against those that a plan may have, so that a misspelt one is told before anything is
+/// planned. `groups` is the number of groups of holes.
+pub fn fit(expected: &Expected, groups: usize, problems: &mut Problems) {
+    let definition = |name: &str| SCHEMA.get("$defs").and_then(|all| all.get(name));
+    let holes: Vec<&Value> = ["HolePlan", "Short"].into_iter().filter_map(definition).collect();
+    let mut top = vec![&*SCHEMA];
+    if groups == 1 {
+        top.extend(&holes);
+    }
+    Walk { holes, problems }.fit(expected, &top);
+}
+
+struct Walk<'s, 'p> {
+    /// What describes a group of holes.
+    holes: Vec<&'s Value>,
+    problems: &'p mut Problems,
+}
+
+impl<'s> Walk<'s, '_> {
+    fn fit(&mut self, expected: &Expected, schemas: &[&'s Value]) {
+        let forms = self.forms(schemas);
+        match &expected.what {
+            What::Open | What::Absent | What::Present | What::Near { .. } => {}
+            What::Is(text) => self.called(expected, text, &forms),
+            What::Range { keys, .. } => {
+                if is_object(&forms) {
+                    self.keys(keys, &forms);
+                }
+            }
+            What::OneOf(several) => several.iter().for_each(|one| self.fit(one, &forms)),
+            What::Not(one) => self.fit(one, &forms),
+            What::List(items) => {
+                let inner = inner(&forms);
+                items.iter().for_each(|item| self.fit(&item.expected, &inner));
+            }
+            What::Some(part) => {
+                let inner = inner(&forms);
+                for one in part.all() {
+                    // The number of items is no item.
+                    if part.how_many.as_ref().is_none_or(|count| !std::ptr::eq(count, one)) {
+                        self.fit(one, &inner);
+                    }
+                }
+            }
+            What::Map(keys) if is_object(&forms) => self.keys(keys, &forms),
+            // Items by their names.
+            What::Map(names) => {
+                let inner = inner(&forms);
+                names.iter().for_each(|(_, one)| self.fit(one, &inner));
+            }
+        }
+    }
+
+    /// The schemas that these mean: references followed, alternatives side by side.
+    fn forms(&self, schemas: &[&'s Value]) -> Vec<&'s Value> {
+        let mut forms = Vec::new();
+        let mut open: Vec<&Value> = schemas.to_vec();
+        while let Some(schema) = open.pop() {
+            if let Some(name) = schema.get("$ref").and_then(Value::as_str).and_then(|way| way.rsplit('/').next()) {
+                open.extend(SCHEMA.get("$defs").and_then(|all| all.get(name)));
+                if name == "HolePlan" {
+                    open.extend(&self.holes);
+                    continue;
+                }
+            }
+            for key in ["allOf", "anyOf", "oneOf"] {
+                open.extend(schema.get(key).and_then(Value::as_array).into_iter().flatten());
+            }
+            forms.push(schema);
+        }
+        forms
+    }
+
+    fn keys(&mut self, keys: &[(Key, Expected)], forms: &[&'s Value]) {
+        let named = |form: &&'s Value| form.get("properties").and_then(Value::as_object);
+        let properties: Vec<&'s Map<String, Value>> = forms.iter().filter_map(named).collect();
+        for (key, expected) in keys {
+            let of_key: Vec<&Value> = properties.iter().filter_map(|own| own.get(&key.text)).collect();
+            // Figures of a note have names of their own.
+            let free: Vec<&Value> = forms
+                .iter()
+                .filter_map(|form| form.get("additionalProperties"))
+                .filter(|form| form.is_object())
+                .collect();
+            if !of_key.is_empty() {
+                self.fit(expected, &of_key);
+            } else if free.is_empty() {
+                let known = || properties.iter().flat_map(|own| own.keys()).map(String::as_str);
+                let help = match nearest(&key.text, known()) {
+                    Some(near) => format!("did you mean `{near}`?"),
+                    None => format!("known here: {}", known().collect::<Vec<_>>().join(", ")),
+                };
+                let message = format!("unknown key `{}`", key.text);
+                self.problems.error_help::<()>("unknown-key", message, &key.place, help);
+            } else {
+                self.fit(expected, &free);
+            }
+        }
+    }
+
+    /// A short text about a transition must be one.
+    fn called(&mut self, expected: &Expected, text: &str, forms: &[&'s Value]) {
+        let is_transition = |form: &&Value| form.pointer("/properties/operation").is_some();
+        if let (true, Err(slip)) = (forms.iter().any(is_transition), Pattern::read(text)) {
+            let message = format!("`{}` is no word of a transition", slip.word);
+            let help = match slip.near {
+                Some(near) => format!("did you mean `{near}`?"),
+                None => "write the operation, then what is known of it: `drill 9.8`".to_owned(),
+            };
+            self.problems.error_help::<()>("bad-value", message, &expected.place, help);
+        }
+    }
+}
+
+fn is_object(forms: &[&Value]) -> bool {
+    forms.iter().any(|form| form.get("properties").is_some() || form.get("additionalProperties").is_some())
+}
+
+fn inner<'s>(forms: &[&'s Value]) -> Vec<&'s Value> {
+    forms.iter().filter_map(|form| form.get("items").or_else(|| form.get("prefixItems"))).collect()
+}

@@ -1,0 +1,111 @@
+//! What a case asks.
+
+use serde_json::Value;
+
+use crate::audit::stated::Stated;
+use crate::knowledge::Knowledge;
+use crate::knowledge::diagnostic::Place;
+use crate::note::Severity;
+use crate::part::Part;
+use crate::plan::CuttingMethod;
+use crate::program::{Language, Setting};
+use crate::turning::passes::cost::Objective;
+use crate::turning::workpiece::Turned;
+
+use super::expected::Expected;
+use super::hold::{Answer, Came, Failure, hold, is_from};
+use super::reasons::Why;
+use super::table;
+
+/// A question, read and sound.
+#[derive(Clone, Debug)]
+pub enum Question {
+    /// To a table: `technolog lookup`.
+    Table(table::Question),
+    /// How a part is made: `technolog plan`.
+    Part {
+        /// The part.
+        part: Box<Part>,
+        /// How cutting conditions are found.
+        method: CuttingMethod,
+    },
+    /// How a part is turned: `technolog turn`.
+    Turned {
+        /// The part.
+        part: Box<Turned>,
+        /// Whether the operation is asked for where the file is of a stepped shaft.
+        operation: bool,
+        /// What the passes of a stepped shaft make small.
+        objective: Objective,
+    },
+    /// What a program does: `technolog check`.
+    Program(Box<Program>),
+    /// What is wrong with a plan: `technolog audit`.
+    Audit(Box<Stated>),
+}
+
+/// A program and what it is run with.
+#[derive(Clone, Debug)]
+pub struct Program {
+    /// Its text.
+    pub text: String,
+    /// The language of its control.
+    pub language: Language,
+    /// The name of the control.
+    pub control: String,
+    /// The machine, where one is named.
+    pub machine: Option<String>,
+    /// What the operator sets.
+    pub setting: Setting,
+    /// The part that it must make.
+    pub part: Option<Part>,
+}
+
+impl Question {
+    /// The lists of findings of its answers.
+    fn findings(&self) -> &'static [&'static [&'static str]] {
+        match self {
+            Self::Table(_) => &[],
+            Self::Part { .. } | Self::Turned { .. } | Self::Audit(_) => &[&["findings"]],
+            Self::Program(_) => &[&["findings"], &["part"], &["proof", "findings"]],
+        }
+    }
+
+    /// Every way in which an answer is not as expected. A list of findings of which nothing is said must have none that is
+    /// wrong.
+    pub fn hold(&self, expected: &Expected, answer: &Value, case: &Place, knowledge: &Knowledge) -> Vec<Failure> {
+        if let (Self::Table(question), Ok(found)) = (self, knowledge.table(self.table())) {
+            let mut said = expected.clone();
+            let about = table::about(&mut said, answer, found);
+            let mut failures = hold(&said, Answer { value: about, vouched: true });
+            let why = if failures.is_empty() { Vec::new() } else { question.why(found, expected) };
+            failures.iter_mut().for_each(|failure| failure.why.clone_from(&why));
+            return failures;
+        }
+        let vouched = matches!(self, Self::Part { .. });
+        let mut failures = hold(expected, Answer { value: answer, vouched });
+        for way in self.findings() {
+            let said = way.iter().try_fold(expected, |expected, key| expected.get(key)).is_some();
+            let list = way.iter().try_fold(answer, |answer, key| answer.get(key)).and_then(Value::as_array);
+            if said {
+                continue;
+            }
+            let wrong = list.into_iter().flatten().filter(|finding| is_from(finding, Severity::Wrong));
+            failures.extend(wrong.map(|finding| Failure {
+                place: case.clone(),
+                path: way.join("."),
+                expected: "none_from: wrong".to_owned(),
+                came: Came::Unwanted(finding.clone()),
+                why: Vec::<Why>::new(),
+            }));
+        }
+        failures
+    }
+
+    fn table(&self) -> &str {
+        match self {
+            Self::Table(question) => &question.table,
+            _ => "",
+        }
+    }
+}

@@ -1,0 +1,194 @@
+//! The file of cases: YAML to [`Case`], collecting every mistake.
+
+use crate::audit::{Files, NamedText, rules};
+use crate::knowledge::Knowledge;
+use crate::knowledge::diagnostic::nearest;
+use crate::knowledge::yaml::{Node, Problems, parse};
+use crate::knowledge::Word;
+use crate::note::Severity;
+use crate::turning::shaft::Mistake;
+
+use super::asked::ASKING;
+use super::expected::{self, Expected, What};
+use super::question::Question;
+use super::written::node as written;
+use super::{Case, CaseFile, merge, planned, table};
+
+/// What reading a file of cases needs beside its text.
+#[derive(Clone, Copy)]
+pub struct Around<'a> {
+    /// The tables that are asked.
+    pub knowledge: &'a Knowledge,
+    /// Every code that a finding can have.
+    pub codes: &'a [&'a str],
+    /// Reads the files that cases name, relative to the file of cases.
+    pub files: Files<'a>,
+}
+
+impl std::fmt::Debug for Around<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Around").finish_non_exhaustive()
+    }
+}
+
+/// Keys that every case may have.
+pub(super) const COMMON: &[&str] = &["name", "source", "because", "expect"];
+pub(super) const TABLE: &[&str] = &["table", "given"];
+pub(super) const PART: &[&str] = &["part", "hole", "cutting"];
+pub(super) const TURN: &[&str] = &["turn", "show", "objective"];
+pub(super) const PROGRAM: &[&str] = &["program", "control", "machine", "setting", "part"];
+pub(super) const AUDIT: &[&str] = &["audit"];
+
+/// Reads a file of cases. What can be asked is there beside the mistakes.
+pub fn read_cases(file: &str, text: &str, around: Around<'_>) -> CaseFile {
+    let (root, diagnostics) = parse(file, text);
+    let mut reader = Reader { around, problems: Problems(diagnostics), meant: Vec::new(), texts: Vec::new(), file };
+    let cases = root.map(|root| reader.file(&root)).unwrap_or_default();
+    let Reader { problems, meant, texts, .. } = reader;
+    let mut mistakes: Vec<Mistake> = Vec::new();
+    for mistake in problems.0.into_iter().map(Mistake::Form).chain(meant) {
+        // What stands at the head is read for each case.
+        if !mistakes.iter().any(|known| same(known, &mistake)) {
+            mistakes.push(mistake);
+        }
+    }
+    mistakes.sort_by(|a, b| a.place().cmp(&b.place()));
+    CaseFile { file: file.to_owned(), cases, mistakes, texts }
+}
+
+fn same(one: &Mistake, other: &Mistake) -> bool {
+    match (one, other) {
+        (Mistake::Form(one), Mistake::Form(other)) => one == other,
+        _ => one.code() == other.code() && one.place() == other.place(),
+    }
+}
+
+/// Reads one file.
+pub(super) struct Reader<'a> {
+    pub(super) around: Around<'a>,
+    pub(super) problems: Problems,
+    /// Mistakes of turned parts, which have their own words.
+    pub(super) meant: Vec<Mistake>,
+    pub(super) texts: Vec<NamedText>,
+    pub(super) file: &'a str,
+}
+
+impl Reader<'_> {
+    fn file(&mut self, root: &Node) -> Vec<Case> {
+        let Some(mut fields) = self.problems.map(root) else { return Vec::new() };
+        let tests = fields.need("tests", &mut self.problems);
+        let asking = ASKING.iter().flat_map(|(_, keys)| *keys).chain(PART);
+        let known: Vec<&str> = asking.copied().chain(["source", "because", "tests"]).collect();
+        for key in &known {
+            let _ = fields.take(key);
+        }
+        fields.finish(&known, &mut self.problems);
+        let Some(tests) = tests.and_then(|tests| self.problems.list(tests)) else { return Vec::new() };
+        if tests.is_empty() {
+            let message = "there are no cases here";
+            self.problems.error_help::<()>("no-cases", message, &root.place, "write them under `tests`");
+        }
+        let head = merge::without(root, &["tests", "name", "expect"]);
+        let cases = tests.iter().enumerate();
+        cases.filter_map(|(index, own)| self.case(index + 1, own, &head)).collect()
+    }
+
+    fn case(&mut self, number: usize, own: &Node, head: &Node) -> Option<Case> {
+        let mistakes = self.mistakes();
+        let _ = self.problems.map(own)?;
+        let whole = merge::over(own, head);
+        let mut fields = self.problems.map(&whole)?;
+        let name = fields.take("name").and_then(|node| self.problems.text(node)).map(str::to_owned);
+        let mut text = |key: &str| fields.take(key).and_then(|node| self.problems.text(node)).map(str::to_owned);
+        let (source, because) = (text("source"), text("because"));
+        let expected = fields.take("expect").map(|node| expected::read(node, &mut self.problems));
+        let title = name.unwrap_or_else(|| title(own));
+        let (question, known) = self.question(&mut fields);
+        let known: Vec<&str> = COMMON.iter().chain(known).copied().collect();
+        fields.finish(&known, &mut self.problems);
+        if question.is_none() && self.mistakes() == mistakes {
+            let help = "one of `table`, `part`, `hole`, `turn`, `program`, `audit`";
+            self.problems.error_help::<()>("no-question", "this case asks nothing", &own.place, help);
+        }
+        let expected = match expected {
+            Some(expected) => {
+                let mut expected = expected?;
+                match &question {
+                    Some(question) => self.fit(&mut expected, question),
+                    // The faults of both are told at once.
+                    None if whole.get("hole").is_some() => planned::fit(&expected, 1, &mut self.problems),
+                    None => {}
+                }
+                self.codes_of(&expected);
+                Some(expected)
+            }
+            None => None,
+        };
+        let question = question?;
+        let sound = self.mistakes() == mistakes;
+        sound.then(|| Case { number, name: title, place: own.place.clone(), source, because, question, expected })
+    }
+
+    fn mistakes(&self) -> usize {
+        self.problems.0.len() + self.meant.len()
+    }
+
+    /// Holds an expectation against what such answers can have.
+    fn fit(&mut self, expected: &mut Expected, question: &Question) {
+        match question {
+            Question::Table(question) => {
+                if let Ok(table) = self.around.knowledge.table(&question.table) {
+                    table::fit(expected, table, &mut self.problems);
+                }
+            }
+            Question::Part { part, .. } => planned::fit(expected, part.holes.len(), &mut self.problems),
+            Question::Turned { .. } | Question::Program(_) | Question::Audit(_) => {}
+        }
+    }
+
+    /// The codes of findings that must not be there.
+    fn codes_of(&mut self, expected: &Expected) {
+        for list in [expected.get("findings"), expected.get("proof").and_then(|proof| proof.get("findings"))] {
+            list.into_iter().for_each(|list| self.codes(list));
+        }
+    }
+
+    /// A misspelt code would never be found among findings that must not be there.
+    fn codes(&mut self, findings: &Expected) {
+        let What::Some(part) = &findings.what else { return };
+        let said = part.lacks.iter().map(|one| one.get("code").unwrap_or(one));
+        let texts = said.filter_map(|one| match &one.what {
+            What::Is(text) => Some((one, text)),
+            _ => None,
+        });
+        for (one, text) in texts {
+            let is_code = |word: &&str| word.bytes().all(|byte| byte.is_ascii_lowercase() || byte == b'-');
+            for word in text.split_whitespace().filter(is_code) {
+                let rule = || rules::all().any(|rule| rule.id == word);
+                if Severity::from_word(word).is_none() && !self.around.codes.contains(&word) && !rule() {
+                    let near = nearest(word, self.around.codes.iter().copied());
+                    let help = near.map_or_else(
+                        || "write a severity, or a code as the findings of --format json have it".to_owned(),
+                        |near| format!("did you mean `{near}`?"),
+                    );
+                    let message = format!("no finding has the code `{word}`");
+                    self.problems.error_help::<()>("unknown-code", message, &one.place, help);
+                }
+            }
+        }
+    }
+}
+
+/// What a case without a name is called: what it says of its question.
+fn title(own: &Node) -> String {
+    let keys = |node: &Node| {
+        let text = written(node);
+        text.strip_prefix('{').and_then(|text| text.strip_suffix('}')).map_or(text.clone(), str::to_owned)
+    };
+    let told = ["given", "hole", "part", "turn", "program", "audit"].iter().find_map(|key| own.get(key)).map(keys);
+    match (own.get("table").and_then(Node::text), told) {
+        (Some(table), Some(given)) => format!("{table}: {given}"),
+        (Some(table), None) => table.to_owned(),
+        (None, told) => told.unwrap_or_default(),
+    }
+}

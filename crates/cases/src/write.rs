@@ -1,0 +1,297 @@
+//! Filling in what a case does not expect yet, in the text of its file: nothing else of it changes by a byte.
+
+use serde_json::Value;
+
+use crate::error::KnowledgeError;
+use crate::knowledge::diagnostic::{Diagnostic, Place};
+use crate::knowledge::yaml::{Key, Node, NodeKind, parse};
+
+use super::hold::Came;
+use super::{Around, Asker, Case, CaseFile, Failure, digest, read_cases, written};
+
+/// The most that a line of written YAML holds.
+const WIDTH: usize = 110;
+
+/// A file with its open expectations filled in.
+#[derive(Debug, Default)]
+pub struct Filled {
+    /// The new text; absent where nothing was open.
+    pub text: Option<String>,
+    /// The numbers of the cases that were filled in.
+    pub cases: Vec<usize>,
+    /// Cases that cannot be filled in where they stand.
+    pub problems: Vec<Diagnostic>,
+}
+
+/// Fills in what is open of the cases with what is not as expected of them. The new text is read and its cases are run before it is given
+/// out: what was filled in passes, and every other case is as it was.
+///
+/// # Errors
+/// The knowledge base lacks what a case asks of it.
+pub fn fill(
+    text: &str,
+    file: &CaseFile,
+    failures: &[Vec<Failure>],
+    around: Around<'_>,
+    asker: &Asker<'_>,
+) -> Result<Filled, KnowledgeError> {
+    let mut filled = Filled::default();
+    let (Some(root), _) = parse(&file.file, text) else { return Ok(filled) };
+    let Some(NodeKind::Seq(tests)) = root.get("tests").map(|tests| &tests.kind) else { return Ok(filled) };
+    let writer = Writer { text, lines: text.split_inclusive('\n').collect() };
+    let mut made: Vec<(usize, Vec<Edit>)> = Vec::new();
+    for (case, failures) in file.cases.iter().zip(failures) {
+        let Some(own) = case.number.checked_sub(1).and_then(|index| tests.get(index)) else { continue };
+        match writer.edits(own, case, failures) {
+            Some(edits) if edits.is_empty() => {}
+            Some(edits) => made.push((case.number, edits)),
+            None => filled.problems.push(unfilled(case)),
+        }
+    }
+    // What does not read back as it was meant is left out, and the rest is tried again.
+    while !made.is_empty() {
+        let new = writer.apply(made.iter().flat_map(|(_, edits)| edits));
+        let numbers: Vec<usize> = made.iter().map(|(number, _)| *number).collect();
+        let again = read_cases(&file.file, &new, around);
+        let mut wrong = Vec::new();
+        for (case, failures) in file.cases.iter().zip(failures) {
+            if !stands(case, failures, &again, numbers.contains(&case.number), asker)? {
+                wrong.push(case);
+            }
+        }
+        if wrong.is_empty() {
+            filled.cases = numbers;
+            filled.text = Some(new);
+            return Ok(filled);
+        }
+        let before = made.len();
+        made.retain(|(number, _)| !wrong.iter().any(|case| case.number == *number));
+        filled.problems.extend(wrong.into_iter().map(unfilled));
+        if made.len() == before {
+            break;
+        }
+    }
+    Ok(filled)
+}
+
+/// Whether a case is in the new text as it should be: filled in, it fails only where it did before; else it is as it was.
+fn stands(
+    case: &Case,
+    failures: &[Failure],
+    again: &CaseFile,
+    filled: bool,
+    asker: &Asker<'_>,
+) -> Result<bool, KnowledgeError> {
+    let Some(new) = again.cases.iter().find(|new| new.number == case.number) else { return Ok(false) };
+    if !filled {
+        let written = |case: &Case| case.expected.as_ref().map(|expected| expected.written.clone());
+        return Ok(written(new) == written(case));
+    }
+    let standing = failures.iter().filter(|failure| !failure.is_open()).count();
+    let now = new.run(asker)?;
+    Ok(now.len() == standing && !now.iter().any(Failure::is_open))
+}
+
+fn unfilled(case: &Case) -> Diagnostic {
+    let message = format!("case {} cannot be filled in where it stands", case.number);
+    Diagnostic::error("not-filled", message, case.place.clone()).help("write `expect: ~` on a line of its own")
+}
+
+/// A change of the text at a byte.
+struct Edit {
+    at: usize,
+    removed: usize,
+    put: String,
+}
+
+struct Writer<'t> {
+    text: &'t str,
+    lines: Vec<&'t str>,
+}
+
+impl Writer<'_> {
+    /// What fills a case in; none where one of its open places cannot be found.
+    fn edits(&self, own: &Node, case: &Case, failures: &[Failure]) -> Option<Vec<Edit>> {
+        if let (None, [Failure { came: Came::Open(Some(digest)), .. }]) = (&case.expected, failures) {
+            return Some(vec![self.whole(own, digest)]);
+        }
+        let open = failures.iter().filter_map(|failure| match &failure.came {
+            Came::Open(came) => Some((&failure.place, came.as_ref().map(digest::bare).unwrap_or_default())),
+            _ => None,
+        });
+        open.map(|(place, came)| self.empty(place, &written::value(&came))).collect()
+    }
+
+    /// The byte of a line and a column, from 1.
+    fn byte(&self, line: u32, column: u32) -> usize {
+        let (line, column) = (line as usize, column as usize);
+        let before: usize = self.lines.iter().take(line.saturating_sub(1)).map(|line| line.len()).sum();
+        let inside = self.lines.get(line.saturating_sub(1)).copied().unwrap_or_default();
+        let inside: usize = inside.chars().take(column.saturating_sub(1)).map(char::len_utf8).sum();
+        before + inside
+    }
+
+    fn at(&self, place: &Place) -> usize {
+        self.byte(place.line, place.column)
+    }
+
+    fn rest(&self, at: usize) -> &str {
+        self.text.get(at..).unwrap_or_default()
+    }
+
+    /// The whole expectation of a case.
+    fn whole(&self, case: &Node, value: &Value) -> Edit {
+        let flow = self.rest(self.at(&case.place)).starts_with('{');
+        let indent = case.place.column as usize - 1;
+        let told = |flow: bool| if flow { format!(" {}", written::value(value)) } else { block(value, indent + 2) };
+        let NodeKind::Map(entries) = &case.kind else { return Edit { at: 0, removed: 0, put: String::new() } };
+        let find = |name: &str| entries.iter().find(|(key, _)| key.text == name);
+        if let Some((key, node)) = find("expect") {
+            if let Some(edit) = self.explicit(&node.place, told(flow).trim_start()) {
+                return edit;
+            }
+            let end = self.at(&key.place) + key_length(self.rest(self.at(&key.place)), key);
+            return self.behind_colon(end, told(flow));
+        }
+        // In front of what says where it comes from, else behind everything.
+        let first = entries.iter().find(|(key, _)| ["source", "because"].contains(&key.text.as_str()));
+        if let Some((key, _)) = first {
+            let then = if flow { ", ".to_owned() } else { format!("\n{}", " ".repeat(indent)) };
+            return Edit {
+                at: self.at(&key.place),
+                removed: 0,
+                put: self.lined(format!("expect:{}{then}", told(flow))),
+            };
+        }
+        if flow {
+            let at = self.at(&case.place) + last_of_flow(self.rest(self.at(&case.place))).unwrap_or_default();
+            let comma = if self.text.get(..at).is_some_and(|head| head.ends_with(',')) { " " } else { ", " };
+            return Edit { at, removed: 0, put: self.lined(format!("{comma}expect:{}", told(true))) };
+        }
+        let put = format!("\n{}expect:{}", " ".repeat(indent), told(false));
+        Edit { at: self.end_of_block(case.place.line as usize, indent), removed: 0, put: self.lined(put) }
+    }
+
+    /// An empty value inside an expectation.
+    fn empty(&self, place: &Place, value: &str) -> Option<Edit> {
+        let at = self.at(place);
+        self.explicit(place, value).or_else(|| {
+            let is_key = self.rest(at).trim_start_matches(' ').starts_with(':');
+            is_key.then(|| self.behind_colon(at, format!(" {value}")))
+        })
+    }
+
+    /// A `~` or `null` that stands there.
+    fn explicit(&self, place: &Place, value: &str) -> Option<Edit> {
+        let at = self.at(place);
+        let word = ["~", "null"].into_iter().find(|word| self.rest(at).starts_with(word))?;
+        Some(Edit { at, removed: word.len(), put: self.lined(value.to_owned()) })
+    }
+
+    fn behind_colon(&self, at: usize, value: String) -> Edit {
+        let colon = self.rest(at).find(|letter: char| letter != ' ').map_or(at, |spaces| at + spaces);
+        let at = if self.rest(colon).starts_with(':') { colon + 1 } else { colon };
+        Edit { at, removed: 0, put: self.lined(value) }
+    }
+
+    /// The end of the last line of a mapping in block style.
+    fn end_of_block(&self, line: usize, indent: usize) -> usize {
+        let mut last = line;
+        for (index, text) in self.lines.iter().enumerate().skip(line) {
+            let content = text.trim();
+            let own = text.len() - text.trim_start_matches(' ').len();
+            if content.is_empty() || own < indent && content.starts_with('#') {
+                continue;
+            }
+            if own < indent {
+                break;
+            }
+            last = index + 1;
+        }
+        let before: usize = self.lines.iter().take(last.saturating_sub(1)).map(|line| line.len()).sum();
+        before + self.lines.get(last.saturating_sub(1)).map_or(0, |line| line.trim_end_matches(['\n', '\r']).len())
+    }
+
+    /// With the line ends of the file.
+    fn lined(&self, text: String) -> String {
+        if self.text.contains("\r\n") { text.replace('\n', "\r\n") } else { text }
+    }
+
+    fn apply<'e>(&self, edits: impl Iterator<Item = &'e Edit>) -> String {
+        let mut edits: Vec<&Edit> = edits.collect();
+        edits.sort_by_key(|edit| edit.at);
+        let mut text = self.text.to_owned();
+        for edit in edits.iter().rev() {
+            text.replace_range(edit.at..edit.at + edit.removed, &edit.put);
+        }
+        text
+    }
+}
+
+/// How long a key is as it stands, with its quotes.
+fn key_length(text: &str, key: &Key) -> usize {
+    match text.chars().next() {
+        Some(quote @ ('"' | '\'')) => text[1..].find(quote).map_or(key.text.len(), |end| end + 2),
+        _ => key.text.len(),
+    }
+}
+
+/// Where the last value ends in the mapping with whose brace a text begins, with a comma that may stand behind it.
+fn last_of_flow(text: &str) -> Option<usize> {
+    let mut depth = 0_usize;
+    let mut last = 0;
+    let mut before = ' ';
+    let mut letters = text.char_indices();
+    while let Some((at, letter)) = letters.next() {
+        match letter {
+            '{' | '[' => depth += 1,
+            '}' | ']' => {
+                depth = depth.checked_sub(1)?;
+                if depth == 0 {
+                    return Some(last);
+                }
+            }
+            // A quote opens a text only where a value begins.
+            '"' | '\'' if "{[,:".contains(before) || before.is_whitespace() => {
+                while let Some((end, inner)) = letters.next() {
+                    if inner == '\\' && letter == '"' {
+                        letters.next();
+                    } else if inner == letter {
+                        last = end + 1;
+                        break;
+                    }
+                }
+            }
+            '#' if before.is_whitespace() => {
+                letters.by_ref().find(|(_, inner)| *inner == '\n');
+                before = '\n';
+                continue;
+            }
+            _ => {}
+        }
+        if !letter.is_whitespace() {
+            last = last.max(at + letter.len_utf8());
+        }
+        before = letter;
+    }
+    None
+}
+
+/// A value behind a colon: on the same line where it fits, else on lines of its own.
+fn block(value: &Value, indent: usize) -> String {
+    let flow = written::value(value);
+    if indent + flow.chars().count() <= WIDTH {
+        return format!(" {flow}");
+    }
+    let margin = " ".repeat(indent);
+    match value {
+        Value::Object(entries) => {
+            let line = |(key, inner): (&String, &Value)| {
+                format!("\n{margin}{}:{}", written::scalar(key), block(inner, indent + 2))
+            };
+            written::in_order(entries).into_iter().map(line).collect()
+        }
+        Value::Array(items) => items.iter().map(|item| format!("\n{margin}- {}", written::value(item))).collect(),
+        _ => format!(" {flow}"),
+    }
+}

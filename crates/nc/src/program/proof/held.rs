@@ -1,0 +1,80 @@
+//! A part with its plan and job, to hold programs against.
+
+use std::collections::BTreeMap;
+
+use crate::error::KnowledgeError;
+use crate::job::{self, Job};
+use crate::knowledge::Knowledge;
+use crate::motion::{Axis, Position, Step};
+use crate::note;
+use crate::plan::Plan;
+use crate::program::Setting;
+use crate::shop::Shop;
+use crate::units::Micrometres;
+
+use super::{Asked, Proof, Tolerated, prove};
+
+/// A part with its plan and job, to hold programs against.
+#[derive(Debug)]
+pub struct Held {
+    /// The plan.
+    pub plan: Plan,
+    /// Its job.
+    pub job: Job,
+    tolerated: Tolerated,
+    own_correctors: bool,
+}
+
+impl Held {
+    /// A plan and its job, with the job's own zeros and correctors.
+    ///
+    /// # Errors
+    /// The knowledge has no answer.
+    pub fn of(plan: Plan, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
+        let shop = Shop::new(&plan.part, plan.cutting, knowledge)?;
+        let job = job::make(&plan, &shop)?;
+        let tolerated = Tolerated::read(&plan.part, knowledge)?;
+        Ok(Self { plan, job, tolerated, own_correctors: false })
+    }
+
+    /// Zeros and correctors that the setting leaves out are set to those of the job; with correctors of his own the
+    /// operator may number and measure tools in his own way.
+    pub fn set(&mut self, setting: &mut Setting) {
+        for (setup, zero) in self.job.setups.iter().zip(&mut setting.zeros) {
+            for axis in Axis::ALL {
+                zero[axis.index()].get_or_insert(setup.zero.get(axis));
+            }
+        }
+        let correctors: BTreeMap<u32, Micrometres> = self.job.correctors.iter().copied().collect();
+        self.own_correctors = !setting.correctors.is_empty() && setting.correctors != correctors;
+        if !self.own_correctors {
+            setting.correctors = correctors;
+        }
+    }
+
+    /// What keeps any program from making the part: holes without a route, a part that does not fit on the machine.
+    pub fn serious(&self) -> Vec<&note::Finding> {
+        let grave = |finding: &&note::Finding| finding.severity <= note::Severity::Wrong;
+        let of_holes = self.plan.findings.iter().filter(|finding| finding.hole.is_some());
+        of_holes.filter(grave).chain(self.job.findings.iter().filter(grave)).collect()
+    }
+
+    /// Holds the steps of a program against the job.
+    pub fn prove(&self, steps: &[Step], setting: &Setting) -> Proof {
+        let zero = |zero: &[Option<Micrometres>; 3]| {
+            Position::of(Axis::ALL.map(|axis| zero[axis.index()].unwrap_or_default() + setting.shift.get(axis)))
+        };
+        let zeros: Vec<Position> = setting.zeros.iter().take(self.job.setups.len()).map(zero).collect();
+        prove(
+            steps,
+            &Asked {
+                plan: &self.plan,
+                job: &self.job,
+                zeros: &zeros,
+                start: setting.start,
+                tolerated: self.tolerated,
+                own_correctors: self.own_correctors,
+            },
+        )
+    }
+}

@@ -1,0 +1,135 @@
+//! The files of cases, and the files that they name.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use technolog::audit::Files;
+use technolog::cases::{Around, CaseFile, read_cases};
+use technolog::knowledge::yaml::text_of;
+use technolog::knowledge::{Diagnostic, Knowledge};
+use technolog::report::sentences;
+
+use super::super::words::{cannot_read, check_path};
+use super::super::{CliError, Context};
+use super::words;
+
+/// What a file of cases in a folder is called.
+const ENDING: &str = ".test.yaml";
+
+/// A file of cases.
+pub struct Found {
+    pub path: PathBuf,
+    /// As the user knows it.
+    pub shown: String,
+    pub text: String,
+    /// Why it is no text.
+    pub problem: Option<Diagnostic>,
+}
+
+/// Every file of cases, each once: those that are named, and those of folders in the order of their names.
+///
+/// # Errors
+/// A path cannot be read, or a folder has no cases.
+pub fn collect(paths: &[PathBuf], context: &Context) -> Result<Vec<Found>, CliError> {
+    let unreadable = |path: &Path, error: io::Error| {
+        let message = cannot_read(context.lang, path.display(), error);
+        CliError::from(Diagnostic::error("unreadable", message, None).help(check_path(context.lang)))
+    };
+    let mut files: Vec<PathBuf> = Vec::new();
+    for path in paths {
+        let mut found = Vec::new();
+        if path.is_dir() {
+            walk(path, &mut found).map_err(|error| unreadable(path, error))?;
+            if found.is_empty() {
+                let message = words::no_cases(context.lang, path.display());
+                return Err(Diagnostic::error("no-cases", message, None)
+                    .help(words::what_is_a_case(context.lang))
+                    .into());
+            }
+        } else {
+            found.push(path.clone());
+        }
+        for file in found {
+            if !files.contains(&file) {
+                files.push(file);
+            }
+        }
+    }
+    let read = |path: PathBuf| {
+        let shown = path.display().to_string();
+        let bytes = std::fs::read(&path).map_err(|error| unreadable(&path, error))?;
+        let (text, problem) = match text_of(&shown, bytes) {
+            Ok(text) => (text, None),
+            Err(problem) => (String::new(), Some(problem)),
+        };
+        Ok(Found { path, shown, text, problem })
+    };
+    files.into_iter().map(read).collect()
+}
+
+/// Hidden files are left out, and links to folders, which could go round.
+fn walk(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
+    let mut entries = std::fs::read_dir(folder)?.collect::<io::Result<Vec<_>>>()?;
+    entries.sort_by_key(std::fs::DirEntry::file_name);
+    for entry in entries {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if name.starts_with('.') {
+            continue;
+        }
+        if entry.file_type()?.is_dir() {
+            walk(&entry.path(), files)?;
+        } else if name.ends_with(ENDING) {
+            files.push(entry.path());
+        }
+    }
+    Ok(())
+}
+
+/// Sees to it that -o replaces no file of cases, and that a copy is one of one file.
+///
+/// # Errors
+/// It would, or there are several.
+pub fn spare_inputs(found: &[Found], write: bool, context: &Context) -> Result<(), CliError> {
+    let Some(output) = context.output.as_deref().filter(|output| *output != Path::new("-")) else { return Ok(()) };
+    let place = |path: &Path| std::fs::canonicalize(path).ok();
+    let refused = |code: &'static str, message: String, help: &str| -> Result<(), CliError> {
+        Err(Diagnostic::error(code, message, None).help(help).into())
+    };
+    if place(output).is_some() && found.iter().any(|file| place(&file.path) == place(output)) {
+        let message = words::would_replace(context.lang, output.display());
+        return refused("replaces-input", message, words::another_file(context.lang));
+    }
+    if write && found.len() != 1 {
+        return refused("several-files", words::one_copy(context.lang).to_owned(), words::one_by_one(context.lang));
+    }
+    Ok(())
+}
+
+/// Reads a file of cases.
+pub fn read(found: &Found, knowledge: &Knowledge) -> CaseFile {
+    if found.problem.is_some() {
+        let (cases, mistakes, texts) = (Vec::new(), Vec::new(), Vec::new());
+        return CaseFile { file: found.shown.clone(), cases, mistakes, texts };
+    }
+    let (files, codes) = (beside(&found.path), codes());
+    read_cases(&found.shown, &found.text, around(knowledge, &codes, &files))
+}
+
+/// What reading cases needs.
+pub fn around<'a>(knowledge: &'a Knowledge, codes: &'a [&'a str], files: Files<'a>) -> Around<'a> {
+    Around { knowledge, codes, files }
+}
+
+/// Every code that a finding can have.
+pub fn codes() -> Vec<&'static str> {
+    sentences::codes().collect()
+}
+
+/// Reads files beside a file.
+pub fn beside(path: &Path) -> impl Fn(&str) -> Result<String, String> {
+    let folder = path.parent().unwrap_or(Path::new("")).to_owned();
+    move |name: &str| {
+        let bytes = std::fs::read(folder.join(name)).map_err(|error| error.to_string())?;
+        String::from_utf8(bytes).map_err(|error| error.to_string())
+    }
+}

@@ -1,0 +1,99 @@
+//! Cases that were run as JUnit XML, which continuous integration reads. There are no times in it: the same cases give the
+//! same file.
+
+use super::super::Context;
+use super::super::diagnostics::render;
+use super::{Ran, Run, page};
+
+/// The document.
+pub fn document(runs: &[Run], context: &Context) -> String {
+    let cases: usize = runs.iter().map(|run| run.cases.len() + errors(run)).sum();
+    let failed: usize = runs.iter().map(Run::failed).sum();
+    let unusable: usize = runs.iter().map(errors).sum();
+    let mut text = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    text.push_str(&format!(
+        "<testsuites name=\"technolog test\" tests=\"{cases}\" failures=\"{failed}\" errors=\"{unusable}\">\n"
+    ));
+    for run in runs {
+        text.push_str(&suite(run, context));
+    }
+    text + "</testsuites>\n"
+}
+
+/// A file that cannot be used is one case with an error.
+fn errors(run: &Run) -> usize {
+    usize::from(!run.mistakes.is_empty())
+}
+
+fn suite(run: &Run, context: &Context) -> String {
+    let (file, errors) = (escaped(&run.file), errors(run));
+    let mut text = format!(
+        "  <testsuite name=\"{file}\" tests=\"{}\" failures=\"{}\" errors=\"{errors}\">\n",
+        run.cases.len() + errors,
+        run.failed()
+    );
+    for ran in &run.cases {
+        text.push_str(&case(ran, &file, context));
+    }
+    if let Some(first) = run.mistakes.first() {
+        let all = render(&run.mistakes, &run.texts, context.lang);
+        text.push_str(&format!(
+            "    <testcase name=\"{file}\" classname=\"{file}\" file=\"{file}\">\n      \
+             <error type=\"{}\" message=\"{}\">{}</error>\n    </testcase>\n",
+            escaped(first.code),
+            escaped(&first.message),
+            escaped(&all)
+        ));
+    }
+    text + "  </testsuite>\n"
+}
+
+fn case(ran: &Ran, file: &str, context: &Context) -> String {
+    let name = escaped(&format!("{}. {}", ran.case.number, ran.case.name));
+    let line = ran.case.place.line;
+    let head = format!("    <testcase name=\"{name}\" classname=\"{file}\" file=\"{file}\" line=\"{line}\"");
+    let Some(first) = ran.failures.first() else { return head + "/>\n" };
+    let mut told: String = ran.failures.iter().map(|failure| page::told(failure, context.lang)).collect();
+    for (head, text) in page::origin(ran, context.lang) {
+        told.push_str(&format!("    {head}: {text}\n"));
+    }
+    format!(
+        "{head}>\n      <failure type=\"expectation\" message=\"{}\">{}</failure>\n    </testcase>\n",
+        escaped(&page::short(first, context.lang)),
+        escaped(&told)
+    )
+}
+
+/// A text between tags or in an attribute, whatever signs are in it.
+fn escaped(text: &str) -> String {
+    let mut shown = String::with_capacity(text.len());
+    for letter in text.chars() {
+        match letter {
+            '&' => shown.push_str("&amp;"),
+            '<' => shown.push_str("&lt;"),
+            '>' => shown.push_str("&gt;"),
+            '"' => shown.push_str("&quot;"),
+            '\'' => shown.push_str("&apos;"),
+            '\n' => shown.push_str("&#10;"),
+            '\t' => shown.push_str("&#9;"),
+            // XML 1.0 has no such signs, not even written as numbers.
+            '\0'..='\u{1f}' | '\u{fffe}' | '\u{ffff}' => shown.push('\u{fffd}'),
+            other => shown.push(other),
+        }
+    }
+    shown
+}
+
+#[cfg(test)]
+mod tests {
+    use super::escaped;
+
+    #[test]
+    fn no_sign_of_a_text_is_one_of_xml() {
+        assert_eq!(
+            escaped("<a b='c'>\"&\"\u{7}\r\n"),
+            "&lt;a b=&apos;c&apos;&gt;&quot;&amp;&quot;\u{fffd}\u{fffd}&#10;"
+        );
+        assert_eq!(escaped("Ø9,8 ± 0,1"), "Ø9,8 ± 0,1");
+    }
+}

@@ -1,0 +1,158 @@
+//! `technolog test`: files of cases, asked and held against what they expect.
+
+mod answer;
+mod files;
+mod junit;
+mod page;
+mod words;
+
+use std::borrow::Cow;
+use std::path::PathBuf;
+
+use technolog::cases::write::fill;
+use technolog::cases::{Asker, Case, CaseFile, Failure};
+use technolog::error::KnowledgeError;
+use technolog::knowledge::Diagnostic;
+use technolog::parallel;
+
+use self::files::{Found, around, collect};
+use super::diagnostics::{Texts, render};
+use super::progress::Progress;
+use super::{CliError, Context, Format, Outcome, knowledge, output, turn};
+
+/// Run cases: questions to tables, parts, programs, audits, with what is expected of the answers (docs/cases.md)
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// Files of cases, or folders: of these every file that ends in .test.yaml
+    #[arg(value_name = "FILE|DIR", required = true)]
+    paths: Vec<PathBuf>,
+    /// Fill in what comes today where nothing is expected yet, an `expect` that is absent or empty or an empty value in it,
+    /// for you to review: in the file itself, or with -o in a copy. What is expected already, and every other byte, stays
+    #[arg(long)]
+    write: bool,
+}
+
+/// A file that was run.
+pub struct Run {
+    /// Its name, as the user knows it.
+    file: String,
+    cases: Vec<Ran>,
+    /// What is wrong with the file itself, and with the files it names.
+    mistakes: Vec<Diagnostic>,
+    texts: Texts,
+}
+
+/// A case that was run.
+pub struct Ran {
+    case: Case,
+    failures: Vec<Failure>,
+    /// Whether its expectation was just written.
+    written: bool,
+}
+
+impl Ran {
+    fn passed(&self) -> bool {
+        self.failures.is_empty()
+    }
+}
+
+impl Run {
+    fn failed(&self) -> usize {
+        self.cases.iter().filter(|case| !case.passed()).count()
+    }
+
+    fn passed(&self) -> usize {
+        self.cases.len() - self.failed()
+    }
+
+    fn written(&self) -> usize {
+        self.cases.iter().filter(|case| case.written).count()
+    }
+}
+
+/// Runs every case of the files.
+///
+/// # Errors
+/// A file of cases, or one that it names, cannot be used, which the answer has said; or there are no cases at all.
+pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
+    let format = context.format("test", &[Format::Text, Format::Json, Format::Junit])?;
+    let knowledge = knowledge::load(context)?;
+    let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
+    let asker = Asker::new(&knowledge);
+    let found = collect(&args.paths, context)?;
+    files::spare_inputs(&found, args.write, context)?;
+    let mut read: Vec<CaseFile> = parallel::map(&found, |file| files::read(file, &knowledge), |_| ());
+    let all: Vec<&Case> = read.iter().flat_map(|file| &file.cases).collect();
+    let progress = Progress::new(all.len());
+    let failures = parallel::map(&all, |case| case.run(&asker), |done| progress.show(done));
+    progress.clear();
+    let mut failures = failures.into_iter().collect::<Result<Vec<_>, _>>().map_err(lacking)?.into_iter();
+    let mut runs = Vec::new();
+    for (found, read) in found.iter().zip(&mut read) {
+        let failures: Vec<Vec<Failure>> = failures.by_ref().take(read.cases.len()).collect();
+        let written = if args.write { write(found, read, &failures, &asker, context)? } else { Vec::new() };
+        runs.push(told(found, read, failures, &written, context));
+    }
+    // With --write the file of -o is the copy of the cases.
+    let screen = if args.write { None } else { context.output.as_deref() };
+    let text = match format {
+        Format::Json => answer::json(&runs, context)?,
+        Format::Junit => junit::document(&runs, context),
+        _ => page::page(&runs, context),
+    };
+    output::write(text.as_bytes(), screen, context.lang)?;
+    let mistakes: String = runs.iter().map(|run| render(&run.mistakes, &run.texts, context.lang)).collect();
+    if !mistakes.is_empty() {
+        output::complain(&mistakes);
+        return Err(CliError::Shown);
+    }
+    Ok(if runs.iter().all(|run| run.failed() == 0) { Outcome::Done } else { Outcome::Findings })
+}
+
+/// Writes what a file does not expect yet; the numbers of the cases it was written for.
+fn write(
+    found: &Found,
+    read: &mut CaseFile,
+    failures: &[Vec<Failure>],
+    asker: &Asker<'_>,
+    context: &Context,
+) -> Result<Vec<usize>, CliError> {
+    let at_fault = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
+    let files = files::beside(&found.path);
+    let codes = files::codes();
+    let around = around(asker.knowledge, &codes, &files);
+    let filled = fill(&found.text, read, failures, around, asker).map_err(at_fault)?;
+    read.mistakes.extend(filled.problems.into_iter().map(technolog::turning::shaft::Mistake::Form));
+    let copy = context.output.as_deref();
+    match filled.text {
+        Some(text) => {
+            output::write(text.as_bytes(), copy.or(Some(&found.path)), context.lang)?;
+            Ok(filled.cases)
+        }
+        None => {
+            // A copy that was asked for is there, also where nothing was open.
+            if copy.is_some() {
+                output::write(found.text.as_bytes(), copy, context.lang)?;
+            }
+            Ok(Vec::new())
+        }
+    }
+}
+
+fn told(found: &Found, read: &mut CaseFile, failures: Vec<Vec<Failure>>, written: &[usize], context: &Context) -> Run {
+    let mut texts = Texts::default().with(&found.shown, found.shown.clone(), Cow::Owned(found.text.clone()));
+    for (name, text) in std::mem::take(&mut read.texts) {
+        let shown = found.path.with_file_name(&name).display().to_string();
+        texts = texts.with(&name, shown, Cow::Owned(text));
+    }
+    let mistakes = std::mem::take(&mut read.mistakes);
+    let mut mistakes: Vec<Diagnostic> = mistakes.into_iter().map(|mistake| turn::problem(mistake, context)).collect();
+    mistakes.extend(found.problem.clone());
+    let cases = std::mem::take(&mut read.cases).into_iter().zip(failures);
+    let cases = cases.map(|(case, failures)| {
+        let written = written.contains(&case.number);
+        let stands = |failure: &Failure| !written || !failure.is_open();
+        Ran { failures: failures.into_iter().filter(stands).collect(), case, written }
+    });
+    Run { file: found.shown.clone(), cases: cases.collect(), mistakes, texts }
+}
