@@ -55,7 +55,7 @@ pub(super) fn draft(
     shop: &Shop<'_>,
 ) -> Result<Draft, KnowledgeError> {
     let mut calibrated = |ratio: CardRatio| -> Result<f64, KnowledgeError> {
-        let row = shop.knowledge.need(ratio.name(), |row: &CardCalibration<'_>| row.name == ratio)?;
+        let row = shop.knowledge.need(ratio.name(), |row: &CardCalibration<'_>| row.name.is(ratio))?;
         let note = Note::new("card-calibration").with("name", ratio.name()).with("factor", row.factor);
         because.push(Because::row(row.row, note));
         Ok(row.factor)

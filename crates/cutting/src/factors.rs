@@ -229,7 +229,7 @@ pub fn internal(knowledge: &Knowledge) -> Result<Factor, KnowledgeError> {
 }
 
 fn boring_constant(name: BoringConstant, knowledge: &Knowledge) -> Result<BoringParameters<'_>, KnowledgeError> {
-    knowledge.need(name.name(), |row: &BoringParameters<'_>| row.name == name)
+    knowledge.need(name.name(), |row: &BoringParameters<'_>| row.name.is(name))
 }
 
 /// How long a tool lasts, in words.

@@ -56,7 +56,7 @@ pub(super) fn tabulated(cut: &Cut, shop: &Shop<'_>) -> Tried<Feed, Uncut> {
         doubts.extend(left_out);
         if cut.reamer_follows {
             let condition = FeedCondition::BeforeFinishing;
-            let row = knowledge.need(condition.name(), |row: &FeedFactor<'_>| row.condition == condition)?;
+            let row = knowledge.need(condition.name(), |row: &FeedFactor<'_>| row.condition.is(condition))?;
             feed *= row.factor;
             because.push(Because::row(row.row, Note::new("feed-before-finishing").with("factor", row.factor)));
         }

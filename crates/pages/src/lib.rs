@@ -25,5 +25,4 @@ use crate as report;
 use technolog_core::{error, machine, material, motion, note, part, plan};
 use technolog_knowledge::{self as knowledge, units};
 use technolog_nc::{job, program};
-#[allow(unused_imports, reason = "until its reads are typed")]
 use technolog_tables as tables;

@@ -1,5 +1,6 @@
 //! Row types: cutting.
 
+use technolog_knowledge::contract::{Named, Use};
 use technolog_knowledge::units::{
     Brinell, Kilowatts, Megapascals, MetresPerMinute, Micrometres, MillimetresPerRev, MillimetresPerTooth, Minutes,
     Newtons, Roughness,
@@ -100,12 +101,6 @@ vocabulary! {
         ToolLife = "tool-life",
         /// What the speed of turning is multiplied by in a bore.
         InternalFactor = "internal-factor",
-        /// For people: the table `allowances` has what is planned with.
-        RoughStock = "rough-stock",
-        /// As of `RoughStock`.
-        SemiFinishStock = "semi-finish-stock",
-        /// As of `RoughStock`.
-        FinishStock = "finish-stock",
     }
 
     /// What of the cards is a ratio to the formulas.
@@ -116,10 +111,6 @@ vocabulary! {
         Thrust = "thrust",
         /// The power of drilling.
         Power = "power",
-        /// For people: nothing is calibrated on the one point of drilling out.
-        DrillOutThrust = "drill-out-thrust",
-        /// As of `DrillOutThrust`.
-        DrillOutPower = "drill-out-power",
     }
 
     /// What the worked example corrects the speed of the cards for.
@@ -146,16 +137,6 @@ vocabulary! {
     pub enum FeedCondition {
         /// Before accurate finishing or tapping.
         BeforeFinishing = "before-accurate-finishing-or-tapping",
-        /// For people: the tabulated feed.
-        Otherwise = "otherwise",
-        /// For people: of the set-up's rigidity nothing is known.
-        MediumRigidity = "medium-rigidity",
-        /// As of `MediumRigidity`.
-        LowRigidity = "low-rigidity",
-        /// For people: no drills of carbide are planned.
-        CarbideDrill = "carbide-drill",
-        /// For people: `reaming-feed-factor` has what is planned with.
-        CarbideReamer = "carbide-reamer",
     }
 
     /// How often the tabulated feed is taken.
@@ -218,9 +199,10 @@ rows! {
 
     /// Constants of boring.
     pub struct BoringParameters of One("boring-parameters") complete name {
-        name: BoringConstant,
+        name: Named<'t, BoringConstant>,
         time: Option<Minutes>,
         factor: Option<f64>,
+        use_ as "use": Use,
     } shown { stock_min, stock_max }
 
     /// Speed formula coefficients: boring.
@@ -237,8 +219,9 @@ rows! {
 
     /// Ratios of the cards to the formulas.
     pub struct CardCalibration of One("card-calibration") complete name {
-        name: CardRatio,
+        name: Named<'t, CardRatio>,
         factor: f64,
+        use_ as "use": Use,
     }
 
     /// Speed corrections of the worked example.
@@ -333,8 +316,9 @@ rows! {
 
     /// Feed factors Kos, Kjs, Kis.
     pub struct FeedFactor of One("feed-factor") complete condition {
-        condition: FeedCondition,
+        condition: Named<'t, FeedCondition>,
         factor: f64,
+        use_ as "use": Use,
     } shown { name }
 
     /// Drill-out feed over drilling feed.

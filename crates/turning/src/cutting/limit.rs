@@ -161,7 +161,7 @@ pub fn limiting_depth(cut: &Cut<'_, '_>, feed: MillimetresPerRev, speed: Speed) 
     Ok(LimitingDepth {
         tool: cut.tool.designation.to_owned(),
         lathe: cut.lathe.id().to_owned(),
-        material: cut.material.row.text("id")?.to_owned(),
+        material: cut.material.id.to_owned(),
         diameter_mm: cut.diameter,
         feed_mm_per_rev: feed.rounded(4),
         depth_mm: (least > 0).then(|| depth_at(least)),
