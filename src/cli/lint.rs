@@ -1,8 +1,9 @@
 //! `technolog lint`: proves the knowledge base.
 
+use serde_json::json;
 use technolog::knowledge::{Diagnostic, Knowledge, Severity, lint};
 use technolog::report::grid;
-use technolog::tables;
+use technolog::tables::{self, ForPeople};
 
 use super::{CliError, Context, Format, Outcome, diagnostics, knowledge, words};
 
@@ -52,15 +53,15 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     }
 }
 
-/// A table a line, with its columns that no code reads.
+/// A table a line, with its columns that no code reads and its rows that are documentation.
 fn documentation(knowledge: &Knowledge, format: Format, context: &Context) -> Result<Outcome, CliError> {
     let listed = tables::documentation(knowledge);
     if format == Format::Json {
-        let rows = listed.iter().map(|(table, columns)| serde_json::json!({"table": table, "columns": columns}));
+        let rows = listed.iter().map(|of| json!({"table": of.table, "columns": of.columns, "rows": of.rows}));
         context.emit_json(&rows.collect::<Vec<_>>())?;
     } else {
-        let rows: Vec<Vec<String>> =
-            listed.iter().map(|(table, columns)| vec![(*table).to_owned(), columns.join(", ")]).collect();
+        let line = |of: &ForPeople<'_>| vec![of.table.to_owned(), of.columns.join(", "), of.rows.join(", ")];
+        let rows: Vec<Vec<String>> = listed.iter().map(line).collect();
         context.emit(&grid::columns(&rows, 0))?;
     }
     Ok(Outcome::Done)

@@ -24,7 +24,7 @@ pub mod vocabularies;
 
 use technolog_knowledge::contract::Contract;
 use technolog_knowledge::lint::contracts;
-use technolog_knowledge::{Diagnostic, Knowledge, SourceFile, Table};
+use technolog_knowledge::{Diagnostic, Knowledge, SourceFile};
 
 /// The contract of every table.
 pub fn all() -> Vec<&'static Contract> {
@@ -73,16 +73,28 @@ pub fn load(files: &[SourceFile<'_>]) -> Result<Knowledge, Vec<Diagnostic>> {
     if problems.is_empty() { Ok(knowledge) } else { Err(problems) }
 }
 
-/// What is for people only, by table: columns that steer nothing, and for a table that nobody reads all of them.
-pub fn documentation<'k>(knowledge: &'k Knowledge) -> Vec<(&'k str, Vec<&'k str>)> {
+/// What of a table is for people only: nothing reckons with it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ForPeople<'k> {
+    /// The table's id.
+    pub table: &'k str,
+    /// Columns that steer nothing; of a table that nobody reads all of them.
+    pub columns: Vec<&'k str>,
+    /// Rows that say of themselves that they are documentation, by name.
+    pub rows: Vec<String>,
+}
+
+/// What is for people only, by table; a table that is read as a whole is not listed.
+pub fn documentation(knowledge: &Knowledge) -> Vec<ForPeople<'_>> {
     let contracts = all();
-    let columns = |table: &'k Table| -> Vec<&'k str> {
+    let listed = knowledge.tables().map(|table| {
         let contract = contracts.iter().find(|contract| contract.is_of(table));
         let is_shown = |name: &&str| contract.is_none_or(|contract| contract.shown.contains(name));
-        table.columns.iter().map(|column| column.name.as_str()).filter(is_shown).collect()
-    };
-    let listed = knowledge.tables().map(|table| (table.id.as_str(), columns(table)));
-    listed.filter(|(_, columns)| !columns.is_empty()).collect()
+        let columns = table.columns.iter().map(|column| column.name.as_str()).filter(is_shown).collect();
+        let rows = contract.map(|contract| contracts::for_people(table, contract)).unwrap_or_default();
+        ForPeople { table: &table.id, columns, rows }
+    });
+    listed.filter(|of| !of.columns.is_empty() || !of.rows.is_empty()).collect()
 }
 
 #[cfg(test)]

@@ -127,3 +127,62 @@ fn a_table_that_is_asked_and_absent_is_named() {
     assert_eq!(findings.iter().map(|finding| finding.code).collect::<Vec<_>>(), ["absent-table"]);
     assert!(findings[0].message.contains("clamp-screws"));
 }
+
+/// Names of which code reads some.
+mod names {
+    use crate::contract::{Named, Use};
+    use crate::lint::contracts;
+    use crate::{Knowledge, SourceFile};
+
+    crate::vocabulary! {
+        /// A constant that code reads.
+        pub enum Constant {
+            /// Of one face on another.
+            Friction = "friction",
+        }
+    }
+
+    crate::rows! {
+        /// A constant.
+        pub struct ConstantRow of One("constants") complete name {
+            name: Named<'t, Constant>,
+            use_ as "use": Use,
+        } shown { value }
+    }
+
+    const CONSTANTS: &str = r#"table: constants
+title: {uk: т, en: t}
+kind: catalog
+place: test
+key: [name]
+columns:
+  - {name: name, type: text}
+  - {name: value, type: number, unit: "1"}
+  - {name: use, type: enum, values: [planning, documentation]}
+rows:
+  - {name: friction, value: 0.25, use: planning, source: seed}
+  - {name: mass, value: 2, use: documentation, source: seed}
+"#;
+
+    fn read(text: &str) -> Knowledge {
+        Knowledge::from_sources(&[SourceFile { path: "constants.yaml", text }]).unwrap()
+    }
+
+    #[test]
+    fn what_a_named_row_is_for_is_what_code_reads() {
+        let knowledge = read(CONSTANTS);
+        assert_eq!(contracts::check(&knowledge, CONTRACTS), []);
+        let rows: Vec<ConstantRow<'_>> = knowledge.rows().unwrap();
+        assert!(rows[0].name.is(Constant::Friction) && rows[1].name == Named::Other("mass"));
+        assert_eq!(contracts::for_people(knowledge.table("constants").unwrap(), CONTRACTS[0]), ["mass"]);
+        for (from, to, code, named) in [
+            ("use: documentation", "use: planning", "wrong-use", "`mass`"),
+            ("use: planning", "use: documentation", "wrong-use", "`friction`"),
+            ("name: friction", "name: fricton", "missing-row", "`friction`"),
+        ] {
+            let findings = contracts::check(&read(&CONSTANTS.replace(from, to)), CONTRACTS);
+            let found = findings.iter().any(|finding| finding.code == code && finding.message.contains(named));
+            assert!(found, "{to}: {findings:?}");
+        }
+    }
+}

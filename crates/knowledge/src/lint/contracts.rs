@@ -222,17 +222,31 @@ fn complete(table: &Table, contract: &Contract, name: &str, findings: &mut Vec<D
         findings
             .push(Diagnostic::error("missing-row", message, place(table, column)).help("add the row, or restore it"));
     }
-    let of_use = contract.fields.iter().find(|asked| asked.shape.holds == Holds::Word(Use::WORDS));
-    let of_use = of_use.and_then(|asked| table.columns.iter().find(|column| column.name == asked.name));
-    let (Holds::Name(_), Some(of_use)) = (asked.shape.holds, of_use) else { return };
-    for (row, (name, stated)) in listed.iter().zip(texts(table, of_use)).enumerate() {
+    for (row, (name, stated)) in named(table, contract).enumerate() {
         let read = words.contains(&name.as_str());
         let right = if read { Use::Planning } else { Use::Documentation };
         if stated != right.word() {
             let who = if read { "reads" } else { "does not read" };
             let message = format!("table {}: `{name}` is for {stated}, and {} {who} it", table.id, contract.row);
-            let help = format!("write `{}: {}`", of_use.name, right.word());
+            let help = format!("it is for {}", right.word());
             findings.push(Diagnostic::error("wrong-use", message, super::rows::row_place(table, row)).help(help));
         }
     }
+}
+
+/// The names of a table with what each is for; none where its contract has no such columns.
+fn named(table: &Table, contract: &Contract) -> impl Iterator<Item = (String, String)> {
+    let of = |is: fn(Holds) -> bool| {
+        let asked = contract.fields.iter().find(|asked| is(asked.shape.holds))?;
+        table.columns.iter().find(|column| column.name == asked.name)
+    };
+    let names = of(|holds| matches!(holds, Holds::Name(_)));
+    let columns = names.zip(of(|holds| holds == Holds::Word(Use::WORDS)));
+    columns.into_iter().flat_map(|(names, uses)| texts(table, names).zip(texts(table, uses)))
+}
+
+/// The rows of a table that say of themselves that they are documentation, by name.
+pub fn for_people(table: &Table, contract: &Contract) -> Vec<String> {
+    let documentation = named(table, contract).filter(|(_, stated)| stated == Use::Documentation.word());
+    documentation.map(|(name, _)| name).collect()
 }

@@ -150,10 +150,6 @@ pub(super) const SENTENCES: &[Pair] = &[
     ("the table tap-drills is empty", "таблиця tap-drills порожня"),
     ("`{0}` does not belong to its size in inches", "`{0}` не належить до її розміру в дюймах"),
     (
-        "the catalogs have no conical threads: the table conical-threads is not there",
-        "у каталогах немає конічних різей: таблиці conical-threads бракує",
-    ),
-    (
         "the nearest known is `{0}`; `technolog table conical-threads` lists them",
         "найближча відома - `{0}`; їх перелічує `technolog table conical-threads`",
     ),
@@ -182,7 +178,6 @@ pub(super) const SENTENCES: &[Pair] = &[
         "Ø{0} is outside Ø{1} to Ø{2}, which the drills of the catalogs begin",
         "Ø{0} - поза Ø{1}…Ø{2}, які починають свердла каталогів",
     ),
-    ("the table hole-defaults has no `{0}`", "таблиця hole-defaults не має `{0}`"),
     ("no IT {0} at {1} mm in the table it-grades", "у таблиці it-grades немає IT {0} для {1} мм"),
     // What does not fit together.
     ("the {0} is {1} deep, and Ø{2} only to {3}", "{0} має глибину {1}, а Ø{2} - лише до {3}"),
