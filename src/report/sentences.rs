@@ -119,7 +119,8 @@ mod tests {
     use std::collections::BTreeSet;
     use std::path::Path;
 
-    /// Codes as the program writes them: `Note::new("code")`, and `note("code")` of local helpers.
+    /// Codes as the program writes them: `Note::new("code")`, and `note("code")`, `new("code")`, `done("code")` of local
+    /// helpers.
     fn codes_in(folder: &Path, codes: &mut BTreeSet<String>) {
         for entry in std::fs::read_dir(folder).unwrap() {
             let path = entry.unwrap().path();
@@ -128,9 +129,17 @@ mod tests {
                 continue;
             }
             let text = std::fs::read_to_string(&path).unwrap();
-            for opening in
-                ["Note::new(\"", " note(\"", "series(\"", "shown(\"", "fault(\"", "fault::<()>(\"", "tell(\""]
-            {
+            for opening in [
+                "Note::new(\"",
+                " note(\"",
+                " new(\"",
+                "done(\"",
+                "series(\"",
+                "shown(\"",
+                "fault(\"",
+                "fault::<()>(\"",
+                "tell(\"",
+            ] {
                 for rest in text.split(opening).skip(1) {
                     let code = rest.split('"').next().unwrap();
                     if !code.is_empty() && code.chars().all(|c| c.is_ascii_lowercase() || c == '-') {
@@ -144,7 +153,7 @@ mod tests {
     #[test]
     fn every_code_of_the_program_has_its_words() {
         let mut codes = BTreeSet::new();
-        for room in ["audit", "route", "tooling", "cutting", "planner", "job", "program", "turning"] {
+        for room in ["audit", "route", "tooling", "cutting", "planner", "job", "program", "reason", "turning"] {
             codes_in(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src").join(room), &mut codes);
         }
         assert!(codes.len() > 50, "the search for codes finds too few: {}", codes.len());
