@@ -3,9 +3,9 @@
 //! A scalar is a value, a list is the whole list, a mapping is some keys of an object. A mapping of the words in
 //! [`WORDS`] says less than a value: a tolerance, a range, some of a list. A key `a.b` is the key `b` in `a`.
 
+use crate::knowledge::Word;
 use crate::knowledge::diagnostic::{Place, nearest};
 use crate::knowledge::yaml::{Fields, Key, Node, NodeKind, Problems};
-use crate::knowledge::Word;
 use crate::note::Severity;
 
 use super::written::node;

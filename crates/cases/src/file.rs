@@ -130,8 +130,8 @@ enum Control {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::read::{AUDIT, COMMON, PART, PROGRAM, TABLE, TURN};
     use crate::program::Language;
+    use crate::read::{AUDIT, COMMON, PART, PROGRAM, TABLE, TURN};
 
     #[test]
     fn the_schema_in_docs_is_the_generated_one() {

@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 
 use serde_json::{Map, Value};
 
+use crate::knowledge::Word;
 use crate::knowledge::diagnostic::{Place, nearest};
 use crate::knowledge::yaml::Key;
-use crate::knowledge::Word;
 use crate::note::Severity;
 
 use super::called::{self, NAMES, Slip};

@@ -2,9 +2,9 @@
 
 use crate::audit::{Files, NamedText, rules};
 use crate::knowledge::Knowledge;
+use crate::knowledge::Word;
 use crate::knowledge::diagnostic::nearest;
 use crate::knowledge::yaml::{Node, Problems, parse};
-use crate::knowledge::Word;
 use crate::note::Severity;
 use crate::turning::shaft::Mistake;
 
