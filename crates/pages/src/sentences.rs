@@ -119,7 +119,8 @@ mod tests {
     use std::collections::BTreeSet;
     use std::path::Path;
 
-    /// Codes as the program writes them: `Note::new("code")`, and `note("code")` of local helpers.
+    /// Codes as the program writes them: `Note::new("code")`, and `note("code")`, `new("code")`, `done("code")` of local
+    /// helpers.
     fn codes_in(folder: &Path, codes: &mut BTreeSet<String>) {
         for entry in std::fs::read_dir(folder).unwrap() {
             let path = entry.unwrap().path();
@@ -128,9 +129,17 @@ mod tests {
                 continue;
             }
             let text = std::fs::read_to_string(&path).unwrap();
-            for opening in
-                ["Note::new(\"", " note(\"", "series(\"", "shown(\"", "fault(\"", "fault::<()>(\"", "tell(\""]
-            {
+            for opening in [
+                "Note::new(\"",
+                " note(\"",
+                " new(\"",
+                "done(\"",
+                "series(\"",
+                "shown(\"",
+                "fault(\"",
+                "fault::<()>(\"",
+                "tell(\"",
+            ] {
                 for rest in text.split(opening).skip(1) {
                     let code = rest.split('"').next().unwrap();
                     if !code.is_empty() && code.chars().all(|c| c.is_ascii_lowercase() || c == '-') {

@@ -103,7 +103,7 @@ fn a_plan_may_be_written_in_several_ways() {
     for (name, operation) in Operation::NAMES {
         use technolog::report::{Lang, operation_named, operation_noun, operation_verb};
         for called in [operation_noun(name, Lang::Uk), operation_verb(name, Lang::Uk)] {
-            assert_eq!(operation_named(called, Lang::Uk), Some(operation), "{called}");
+            assert_eq!(operation_named(called, Lang::Uk), Some(*operation), "{called}");
         }
     }
 }

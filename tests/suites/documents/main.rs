@@ -11,6 +11,7 @@
 mod architecture;
 mod cases;
 mod provenance;
+mod reasons;
 mod statements;
 mod testing;
 mod worked_example;

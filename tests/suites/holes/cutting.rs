@@ -17,12 +17,12 @@ use technolog_testing::cuts::plain_cut;
 
 fn shop(material: &str) -> Shop<'static> {
     let knowledge = &*KNOWLEDGE;
-    Shop {
+    Shop::with(
+        Machine::find(knowledge, "gf2171").unwrap(),
+        Material::find(knowledge, material).unwrap(),
+        CuttingMethod::Formula,
         knowledge,
-        machine: Machine::find(knowledge, "gf2171").unwrap(),
-        material: Material::find(knowledge, material).unwrap(),
-        method: CuttingMethod::Formula,
-    }
+    )
 }
 
 fn mm(length: f64) -> Micrometres {

@@ -110,12 +110,12 @@ fn every_row_that_nobody_confirms_is_a_finding() {
 
 fn by_card(cut: &Cut) -> Conditions {
     let knowledge = &*KNOWLEDGE;
-    let shop = Shop {
+    let shop = Shop::with(
+        Machine::find(knowledge, "gf2171").unwrap(),
+        Material::find(knowledge, "steel-45").unwrap(),
+        CuttingMethod::Card,
         knowledge,
-        machine: Machine::find(knowledge, "gf2171").unwrap(),
-        material: Material::find(knowledge, "steel-45").unwrap(),
-        method: CuttingMethod::Card,
-    };
+    );
     cutting::conditions(cut, &shop).unwrap()
 }
 

@@ -58,12 +58,12 @@ fn tungaloy(drill: &Drill) -> (f64, f64) {
 
 /// The program's own, for steel 45 (600 MPa, HB 229), at the feed of the table, which is the one above.
 fn ours(drill: &Drill) -> (f64, f64) {
-    let shop = Shop {
-        knowledge: &KNOWLEDGE,
-        machine: Machine::find(&KNOWLEDGE, "gf2171").unwrap(),
-        material: Material::find(&KNOWLEDGE, "steel-45").unwrap(),
-        method: CuttingMethod::Formula,
-    };
+    let shop = Shop::with(
+        Machine::find(&KNOWLEDGE, "gf2171").unwrap(),
+        Material::find(&KNOWLEDGE, "steel-45").unwrap(),
+        CuttingMethod::Formula,
+        &KNOWLEDGE,
+    );
     let diameter = Micrometres::from_mm_rounded(drill.diameter);
     let cut = plain_cut(Operation::Drill, Micrometres::ZERO, diameter);
     let found = cutting::conditions(&cut, &shop).unwrap();
