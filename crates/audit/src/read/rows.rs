@@ -35,7 +35,7 @@ impl Reader<'_> {
         let operation = fields.need("operation", &mut self.problems).and_then(|node| {
             // By its name in tables, or as the report calls it: `drill`, `свердління`, `свердлити`.
             let named = node.text().and_then(|text| operation_named(text, Lang::Uk));
-            let value = named.or_else(|| self.choice(node, &Operation::NAMES))?;
+            let value = named.or_else(|| self.choice(node, Operation::NAMES))?;
             Some(Said { value, place: node.place.clone() })
         });
         let hole = self.hole(&mut fields, part);
