@@ -109,6 +109,14 @@ pub enum Reason {
 }
 
 impl Reason {
+    /// No cutter with a holder for a transition: one reason stands for all, how many there were is said with it; the first
+    /// that is about the cutter and not about a holder that takes other shanks.
+    pub fn no_tool(operation: Operation, why: Vec<Unfit>) -> Self {
+        let more = why.len().saturating_sub(1);
+        let telling = why.iter().position(|one| !one.is_of_other_holder()).unwrap_or_default();
+        Self::NoTool { operation, first: why.into_iter().nth(telling).map(Box::new), more }
+    }
+
     /// Whether a mill cannot make the flat floor of a hole.
     pub fn is_of_milled_floor(&self) -> bool {
         match self {

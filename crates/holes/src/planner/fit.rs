@@ -12,7 +12,7 @@ use crate::knowledge::vocabulary::ToolMaterial;
 use crate::note::{Because, Note};
 use crate::part::{Hole, Part};
 use crate::plan::{Conditions, Feature, Operation};
-use crate::reason::{Reason, Unfit};
+use crate::reason::Reason;
 use crate::route::bores::Edge;
 use crate::route::{Place, Step};
 use crate::shop::Shop;
@@ -250,7 +250,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             }
             None => tooling::find_tool(&need, shop)?,
         };
-        let (cutter, assembly) = found.map_err(|why| Refusal::Not(no_tool(why, step.operation)))?;
+        let (cutter, assembly) = found.map_err(|why| Refusal::Not(Reason::no_tool(step.operation, why)))?;
         // A step drill goes on until its wide part is as deep as the opening.
         let travel = match (step.also, cutter.row.step_length) {
             (Some(_), Some(pilot)) => self.travels(step.place.through).0 + self.opening_depth() + pilot,
@@ -413,12 +413,4 @@ fn cutter_shape(cutter: &tooling::Cutter<'_>) -> Option<cutting::CutterShape> {
     let teeth = u32::try_from(cutter.row.teeth?).ok()?;
     let cutting_length = cutter.row.cutting_length?;
     Some(cutting::CutterShape { diameter: cutter.diameter, teeth, cutting_length })
-}
-
-/// One reason stands for all, how many there were is said with it: the first that is about the cutter and
-/// not about a holder that takes other shanks.
-fn no_tool(why: Vec<Unfit>, operation: Operation) -> Reason {
-    let more = why.len().saturating_sub(1);
-    let telling = why.iter().position(|one| !one.is_of_other_holder()).unwrap_or_default();
-    Reason::NoTool { operation, first: why.into_iter().nth(telling).map(Box::new), more }
 }
