@@ -20,7 +20,7 @@ const ROOMS: [&str; 12] = [
     "crates/nc/src/program/setting.rs",
     "crates/cases/src/asked.rs",
     "crates/cases/src/expected.rs",
-    "crates/cases/src/plan.rs",
+    "crates/cases/src/planned.rs",
     "crates/cases/src/read.rs",
     "crates/cases/src/table.rs",
 ];
