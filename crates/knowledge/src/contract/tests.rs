@@ -80,7 +80,8 @@ fn a_row_is_a_value_and_a_question_is_typed() {
 #[test]
 fn a_table_that_is_not_what_the_code_reads_is_named_with_its_place() {
     let thread = [("name: thread", "name: threat"), ("[thread]", "[threat]"), ("{thread:", "{threat:")];
-    let cases: [(&str, &[(&str, &str)], &str, &str); 11] = [
+    type Case<'a> = (&'a str, &'a [(&'a str, &'a str)], &'a str, &'a str);
+    let cases: [Case<'_>; 11] = [
         (APPROACH, &[("overrun", "overran")], "missing-column", "6:1"),
         (APPROACH, &[("name: overrun, type: length", "name: overrun, type: number")], "broken-contract", "8:5"),
         (APPROACH, &[("[machined, rough]", "[machined, rough, cast]")], "broken-contract", "6:5"),
