@@ -31,6 +31,10 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     if tables::is_to_plan_with(&knowledge) {
         problems.extend(tables::check(&knowledge));
     }
+    if unusable {
+        // It may stand in the file that could not be read.
+        problems.retain(|problem| problem.code != "absent-table");
+    }
     match format {
         Format::Json => {
             context.emit_json(&problems.iter().map(|it| diagnostics::Json::of(it, &texts)).collect::<Vec<_>>())?;

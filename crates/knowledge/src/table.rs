@@ -258,7 +258,7 @@ pub struct RowRef<'t> {
 
 /// A table does not hold what the program asks of it.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{file}: table {table}{row}: {problem}")]
+#[error("{}table {table}{row}: {problem}", if file.is_empty() { String::new() } else { format!("{file}: ") })]
 pub struct TableError {
     /// The table's id.
     pub table: String,

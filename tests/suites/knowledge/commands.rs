@@ -404,6 +404,17 @@ fn finds(folder: &Path, exit: i32, code: &str, (file, line, column): (String, us
     assert!(found["message"].as_str().unwrap().contains(says), "{found}");
 }
 
+/// What refers to a table that could not be read is no fault of its own: the file is mended first.
+#[test]
+fn a_broken_file_is_one_finding_though_others_refer_to_it() {
+    let unreadable = Change { file: SCHEMES, line: "scheme: \"09\"", from: "source: seed", to: "source: sed" };
+    let folder = planted("referred-to", &[unreadable]);
+    let output = technolog(&folder, &["lint", "--knowledge", "base", "--lang", "en"]).output().unwrap();
+    let text = stdout(&output);
+    assert_eq!(output.status.code(), Some(2), "{text}");
+    assert!(text.contains("`sed`") && text.ends_with(" 1 finding\n"), "{text}");
+}
+
 #[test]
 fn sound_tables_are_proven_beside_broken_ones_and_nothing_else_starts() {
     let folder = planted(

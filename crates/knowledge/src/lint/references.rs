@@ -40,7 +40,8 @@ pub(super) fn check(table: &Table, knowledge: &Knowledge, findings: &mut Vec<Dia
                 "{}: table {}, column `{}` refers to {other}/{field}, which does not exist",
                 table.file, table.id, column.name
             );
-            findings.push(Diagnostic::error("dangling-reference", message, None));
+            let code = if knowledge.table(other).is_ok() { "dangling-reference" } else { "absent-table" };
+            findings.push(Diagnostic::error(code, message, None));
             continue;
         };
         let known: BTreeSet<String> = target
