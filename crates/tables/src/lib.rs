@@ -9,6 +9,7 @@
 
 pub mod audit;
 pub mod controls;
+pub mod cutters;
 pub mod cutting;
 pub mod holders;
 pub mod holes;
@@ -51,9 +52,11 @@ pub fn all() -> Vec<&'static Contract> {
     .concat()
 }
 
-/// Holds every table against what the code reads in it.
+/// Holds every table against what the code reads in it, and every cutter against what planning asks of it.
 pub fn check(knowledge: &Knowledge) -> Vec<Diagnostic> {
-    contracts::check(knowledge, &all())
+    let mut findings = contracts::check(knowledge, &all());
+    findings.extend(cutters::check(knowledge));
+    findings
 }
 
 /// Whether a folder is one to plan with, and not a few tables of somebody's own: it has at least half of the tables that

@@ -3,10 +3,12 @@
 use technolog_knowledge::contract::Contract;
 use technolog_knowledge::knowledge::Knowledge;
 use technolog_knowledge::lint::contracts::hold;
+use technolog_knowledge::table::Cell;
 use technolog_knowledge::units::Unit;
-use technolog_knowledge::{ColumnType, Table};
+use technolog_knowledge::{ColumnType, SourceFile, Table};
 use technolog_shipped::SOURCES;
 
+use super::cutters::lacking;
 use super::{all, check};
 
 fn shipped() -> Knowledge {
@@ -92,5 +94,63 @@ fn every_column_of_another_type_or_unit_is_found_where_it_is_read() {
                 table.columns[index].unit = unit;
             }
         }
+    }
+}
+
+/// The shipped sources with one changed.
+fn changed(path: &str, change: impl Fn(&str) -> String) -> Knowledge {
+    let files: Vec<(String, String)> = SOURCES
+        .iter()
+        .map(|file| (file.path.to_owned(), if file.path == path { change(file.text) } else { file.text.to_owned() }))
+        .collect();
+    let files: Vec<SourceFile<'_>> = files.iter().map(|(path, text)| SourceFile { path, text }).collect();
+    Knowledge::from_sources(&files).unwrap()
+}
+
+/// The codes and messages of what is found.
+fn found(knowledge: &Knowledge) -> Vec<String> {
+    check(knowledge).into_iter().map(|finding| format!("{}: {}", finding.code, finding.message)).collect()
+}
+
+#[test]
+fn a_record_that_does_not_say_what_it_is_of_is_found() {
+    let knowledge = changed("catalogs/machines/gf2171.yaml", |text| {
+        text.replace("laws:\n  - {law: record, schema: machine-quantities}\n", "")
+    });
+    assert_eq!(found(&knowledge), ["no-record: table machine-gf2171: it has no law `record`, so that nobody reads it"]);
+}
+
+#[test]
+fn a_table_that_is_none_of_cutters_is_found_where_the_rule_names_it() {
+    let path = "catalogs/tools/drills-small-cylindrical.yaml";
+    let knowledge = changed(path, |text| {
+        let tool = text.lines().find(|line| line.starts_with("tool:")).unwrap();
+        text.replace(&format!("{tool}\n"), "")
+    });
+    assert_eq!(
+        found(&knowledge),
+        ["no-cutters: table tool-tables, row 2: drills-small-cylindrical is no table of cutters"]
+    );
+}
+
+#[test]
+fn a_cutter_that_lacks_what_planning_asks_is_found() {
+    for (path, column, lack) in [
+        ("a11-drills-cylindrical-shank", "flute_length", "without `reach`, `flute_length`"),
+        ("a11-drills-cylindrical-shank", "designation", "without `designation`"),
+        ("a12-drills-morse-shank", "diameter", "without `diameter`"),
+        ("a12-drills-morse-shank", "morse", "without `morse`, and"),
+        ("a13-step-drills-screw-head-cylindrical-shank", "step_length", "without `step_diameter` and"),
+        ("a19-core-drills-shell", "bore", "without `bore` and"),
+        ("a21-countersinks-conical", "cone_angle", "without `cone_angle` and"),
+        ("boring-bars", "bar_diameter", "without `diameter_min`"),
+        ("taps-machine", "shank_diameter", "without `thread`, `shank_diameter`"),
+    ] {
+        let mut table =
+            shipped().into_tables().find(|table| table.file == format!("catalogs/tools/{path}.yaml")).unwrap();
+        let index = table.column_index(column).unwrap();
+        table.rows[0].cells[index] = Cell::Empty;
+        let findings = lacking(&table, table.tool.as_ref().unwrap());
+        assert!(findings.iter().any(|finding| finding.message.contains(lack)), "{path} {column}: {findings:?}");
     }
 }

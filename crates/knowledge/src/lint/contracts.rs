@@ -26,8 +26,27 @@ pub fn check(knowledge: &Knowledge, contracts: &[&Contract]) -> Vec<Diagnostic> 
         for table in tables {
             findings.extend(hold(table, contract));
         }
+        if let Which::Record(schema) = contract.which {
+            findings.extend(without_law(knowledge, schema, contracts));
+        }
     }
     findings
+}
+
+/// Tables that are called as records of a schema are (`machine-…` of `machine-quantities`) and look like one, but do not say
+/// that they are: nobody finds them.
+fn without_law(knowledge: &Knowledge, schema: &str, contracts: &[&Contract]) -> Vec<Diagnostic> {
+    let family = schema.trim_end_matches(|letter| letter != '-');
+    let is_record = |id: &&str| id.starts_with(family) && !family.is_empty();
+    let unread = unread(knowledge, contracts).into_iter().filter(is_record);
+    let tables = unread.filter_map(|id| knowledge.table(id).ok());
+    let records = tables.filter(|table| ["name", "value"].iter().all(|name| table.column_index(name).is_some()));
+    let finding = |table: &Table| {
+        let message = format!("table {}: it has no law `record`, so that nobody reads it", table.id);
+        let finding = Diagnostic::error("no-record", message, super::rows::head_place(table));
+        finding.help(format!("say `laws: [{{law: record, schema: {schema}}}]`"))
+    };
+    records.map(finding).collect()
 }
 
 /// The tables of a knowledge base that no contract is of, by id: nobody reads them.

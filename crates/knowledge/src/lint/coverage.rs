@@ -1,16 +1,16 @@
 //! Proof: every input of the domain has a row or a declared gap, and no declaration is wider than its gap.
 
-use super::region;
+use super::region::{self, Region};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::table::{Kind, Table};
 
 /// More gaps than this of one table are counted, not listed.
 const LISTED: usize = 5;
 
-/// Gaps with a witness input, and declarations of gaps that are not gaps.
-pub(super) fn check(table: &Table, findings: &mut Vec<Diagnostic>) {
+/// Gaps with a witness input, and declarations of gaps that are not gaps. Gives the gaps.
+pub(super) fn check(table: &Table, findings: &mut Vec<Diagnostic>) -> Vec<Region> {
     if table.kind != Kind::Decision || table.inputs().any(|(_, column)| column.is_unbounded()) {
-        return;
+        return Vec::new();
     }
     let rows = region::of_rows(table);
     for (index, gap) in table.uncovered.iter().enumerate() {
@@ -49,6 +49,7 @@ pub(super) fn check(table: &Table, findings: &mut Vec<Diagnostic>) {
         let message = format!("table {}: and {} more gaps", table.id, gaps.len() - LISTED);
         findings.push(Diagnostic::error("gap", message, rows_place(table)));
     }
+    gaps
 }
 
 /// Where the rows of a table begin.

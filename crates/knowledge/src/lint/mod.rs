@@ -15,21 +15,24 @@ mod region;
 mod rows;
 mod vocabularies;
 
+pub use rows::row_place;
+
 use crate::diagnostic::Diagnostic;
 use crate::knowledge::Knowledge;
 
 /// Every finding of every proof over the whole knowledge base, by file and line.
 pub fn lint(knowledge: &Knowledge) -> Vec<Diagnostic> {
     let mut findings = Vec::new();
+    let mut gaps = Vec::new();
     for table in knowledge.tables() {
         rows::check(table, &mut findings);
         overlap::check(table, &mut findings);
-        coverage::check(table, &mut findings);
+        gaps.push((table, coverage::check(table, &mut findings)));
         references::check(table, knowledge, &mut findings);
         laws::check(table, knowledge, &mut findings);
     }
     names::check(knowledge, &mut findings);
-    vocabularies::check(knowledge, &mut findings);
+    vocabularies::check(knowledge, &gaps, &mut findings);
     cases::check(knowledge, &mut findings);
     findings.sort_by(|a, b| a.place.cmp(&b.place).then_with(|| a.message.cmp(&b.message)));
     findings

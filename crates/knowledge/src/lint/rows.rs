@@ -37,8 +37,8 @@ fn marks(table: &Table, findings: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Where a row begins.
-pub(super) fn row_place(table: &Table, row: usize) -> Place {
+/// Where a row begins; `row` counts from 0.
+pub fn row_place(table: &Table, row: usize) -> Place {
     let row = &table.rows[row];
     let first = row.places.iter().flatten().min();
     Place { file: table.file.as_str().into(), line: row.line, column: first.map_or(1, |place| place.column), width: 1 }

@@ -235,3 +235,53 @@ fn partial_overlaps_contradict_under_every_hit_policy() {
     let nested = row("[0..5]", "[0..5]", 1, "") + &row("-", "-", 2, "");
     assert_eq!(base("first", &nested), 0);
 }
+
+/// A vocabulary of three words, and tables that answer for two of them: one leaves the third out, one answers it in part.
+#[test]
+fn a_word_that_no_row_names_is_listed_with_every_table_that_it_leaves_a_gap_in() {
+    const WORDS: &str = r#"table: groups
+title: {uk: г, en: g}
+kind: catalog
+place: test
+key: [word]
+columns:
+  - {name: word, type: text}
+rows:
+  - {word: steel, source: seed}
+  - {word: iron, source: seed}
+  - {word: titanium, source: seed}
+"#;
+    const HEAD: &str = r#"title: {uk: п, en: r}
+kind: decision
+place: test
+columns:
+  - {name: group, type: enum, of: groups, role: input}
+  - {name: through, type: bool, role: input}
+  - {name: answer, type: int, role: output}
+rows:
+"#;
+    let none = format!("table: none\n{HEAD}  - {{group: steel | iron, answer: 1, source: seed}}\n");
+    let part = format!(
+        "table: part\n{HEAD}  - {{through: \"true\", answer: 1, source: seed}}\n  \
+         - {{group: steel | iron, through: \"false\", answer: 2, source: seed}}\n"
+    );
+    let whole = format!(
+        "table: whole\n{HEAD}  - {{group: not(iron), answer: 1, source: seed}}\n  \
+         - {{group: iron, answer: 2, source: seed}}\n"
+    );
+    let named = format!(
+        "table: named\n{HEAD}  - {{group: steel | iron, answer: 1, source: seed}}\n  \
+         - {{group: titanium, through: \"true\", answer: 2, source: seed}}\n"
+    );
+    let files = [
+        SourceFile { path: "catalogs/vocabularies/groups.yaml", text: WORDS },
+        SourceFile { path: "none.yaml", text: &none },
+        SourceFile { path: "part.yaml", text: &part },
+        SourceFile { path: "whole.yaml", text: &whole },
+        SourceFile { path: "named.yaml", text: &named },
+    ];
+    let findings = lint(&Knowledge::from_sources(&files).unwrap());
+    let of = |code: &str| findings.iter().filter(|it| it.code == code).map(|it| it.message.clone()).collect::<Vec<_>>();
+    assert_eq!(of("word-without-rows"), ["groups: `titanium` has no row of its own and leaves a gap in none, part"]);
+    assert_eq!(of("gap").len(), 3);
+}
