@@ -5,10 +5,11 @@
 //! [`crate::reason::Reason`], of which a note is made last. Code and figures are private, and `clippy.toml` forbids the
 //! methods that read them everywhere but where words are made of them.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 pub use crate::knowledge::vocabulary::Severity;
 
@@ -18,27 +19,80 @@ use crate::knowledge::{Answer, RowRef, Source, Table};
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 pub struct Note {
     /// Stable id, kebab-case.
-    code: String,
+    code: Cow<'static, str>,
     /// Its figures and names, each with its unit where it has one.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    params: BTreeMap<String, String>,
+    #[serde(default, skip_serializing_if = "Params::is_empty")]
+    #[schemars(with = "BTreeMap<String, String>")]
+    params: Params,
+}
+
+/// Figures by their names, in the order of the names: a map whose names are for the most part those of the code.
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+struct Params(Vec<(Cow<'static, str>, String)>);
+
+impl Params {
+    const fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    fn at(&self, name: &str) -> Result<usize, usize> {
+        self.0.binary_search_by(|(known, _)| (**known).cmp(name))
+    }
+
+    fn get(&self, name: &str) -> Option<&String> {
+        self.at(name).ok().map(|at| &self.0[at].1)
+    }
+
+    fn get_mut(&mut self, name: &str) -> Option<&mut String> {
+        self.at(name).ok().map(|at| &mut self.0[at].1)
+    }
+
+    fn insert(&mut self, name: Cow<'static, str>, value: String) {
+        match self.at(&name) {
+            Ok(at) => self.0[at].1 = value,
+            Err(at) => self.0.insert(at, (name, value)),
+        }
+    }
+
+    fn remove(&mut self, name: &str) {
+        if let Ok(at) = self.at(name) {
+            self.0.remove(at);
+        }
+    }
+
+    fn iter(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.0.iter().map(|(name, value)| (&**name, value.as_str()))
+    }
+}
+
+impl Serialize for Params {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.iter())
+    }
+}
+
+impl<'de> Deserialize<'de> for Params {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let map = BTreeMap::<String, String>::deserialize(deserializer)?;
+        Ok(Self(map.into_iter().map(|(name, value)| (Cow::Owned(name), value)).collect()))
+    }
 }
 
 impl Note {
     /// A sentence without figures.
-    pub fn new(code: &str) -> Self {
-        Self { code: code.to_owned(), params: BTreeMap::new() }
+    pub fn new(code: impl Into<Cow<'static, str>>) -> Self {
+        Self { code: code.into(), params: Params::default() }
     }
 
     /// Whether it says nothing: in the answer of a command that names only a row.
-    pub const fn is_empty(&self) -> bool {
+    pub fn is_empty(&self) -> bool {
         self.code.is_empty()
     }
 
     /// With one more figure.
     #[must_use]
-    pub fn with(mut self, name: &str, value: impl ToString) -> Self {
-        self.params.insert(name.to_owned(), value.to_string());
+    pub fn with(mut self, name: impl Into<Cow<'static, str>>, value: impl ToString) -> Self {
+        self.params.insert(name.into(), value.to_string());
         self
     }
 
@@ -52,7 +106,7 @@ impl Note {
     /// Takes in another note that differs in nothing but the figures of these names: each becomes a list of both. Whether
     /// it does.
     pub fn join(&mut self, other: &Self, listed: &[&str]) -> bool {
-        let unlisted = |(name, _): &(&String, &String)| !listed.contains(&name.as_str());
+        let unlisted = |(name, _): &(&str, &str)| !listed.contains(name);
         let alike = self.params.iter().filter(unlisted).eq(other.params.iter().filter(unlisted));
         if self.code != other.code || !alike {
             return false;
@@ -80,7 +134,7 @@ impl Note {
 
     /// Its figures by their names, for the words of it; nothing may be decided by them.
     pub fn figures(&self) -> impl Iterator<Item = (&str, &str)> {
-        self.params.iter().map(|(name, value)| (name.as_str(), value.as_str()))
+        self.params.iter()
     }
 }
 
@@ -144,7 +198,7 @@ pub struct Because {
     pub row: Option<usize>,
     /// Where the row's figures come from: `seed`, `standard` or `reconstructed`.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub source: Option<String>,
+    pub source: Option<Source>,
     /// Where it stands.
     pub place: String,
     /// From what the row was inferred, where it was.
@@ -168,7 +222,7 @@ impl Because {
         Self {
             table: row.table.id.clone(),
             row: Some(row.number()),
-            source: Some(content.source.to_string()),
+            source: Some(content.source),
             place: row.place().to_owned(),
             reason: content.reason.clone(),
             unconfirmed: content.unconfirmed.clone(),
@@ -224,7 +278,7 @@ impl Because {
 
     /// Whether the row was inferred or is not fully trusted.
     pub fn is_doubtful(&self) -> bool {
-        self.unconfirmed.is_some() || self.source.as_deref() == Some(Source::NAMES[2].0)
+        self.unconfirmed.is_some() || self.source == Some(Source::Reconstructed)
     }
 }
 

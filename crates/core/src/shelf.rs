@@ -61,7 +61,7 @@ impl<'k> CutterTable<'k> {
 impl<'k> Shelf<'k> {
     /// With nothing read yet.
     pub fn new(knowledge: &'k Knowledge) -> Self {
-        let cutters = knowledge.tables().filter_map(|table| {
+        let cutters = knowledge.tables_of_cutters().filter_map(|table| {
             let head = table.tool.as_ref()?;
             Some(CutterTable { table, head, rows: Rows::unread() })
         });

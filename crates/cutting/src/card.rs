@@ -39,7 +39,7 @@ impl CardDoubt {
 }
 
 /// What a point of the card prints: speed, thrust and power.
-fn point(code: &str, [speed, thrust, power]: [f64; 3]) -> Note {
+fn point(code: &'static str, [speed, thrust, power]: [f64; 3]) -> Note {
     Note::new(code).with("speed", speed).with("thrust", thrust).with("power", power)
 }
 

@@ -175,7 +175,7 @@ fn depth_ratio(cut: &Cut) -> f64 {
 /// The cards have their own factors of depth, which are not at hand; the worked example takes 1 at 3.5 diameters, where
 /// the handbook does not. By the card method the factor is therefore 1, and the reason tells which one was left out.
 fn by_depth<'k>(
-    table: &str,
+    table: &'static str,
     depth_ratio: f64,
     found: Option<(f64, RowRef<'k>)>,
     shop: &Shop<'k>,
@@ -256,6 +256,6 @@ pub fn surface<'k>(surface: Surface, shop: &impl Asking<'k>) -> Tried<Factor, Un
     Ok((row.factor, Because::row(row.row, shown("surface-factor", row.factor))))
 }
 
-fn shown(code: &str, factor: f64) -> Note {
+fn shown(code: &'static str, factor: f64) -> Note {
     Note::new(code).with("factor", round_to(factor, 3))
 }

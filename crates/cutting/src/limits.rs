@@ -236,7 +236,7 @@ pub fn spindle_step(wanted: RevsPerMinute, shop: &Shop<'_>) -> Result<(RevsPerMi
     let steps = &shop.machine.spindle_steps;
     let below = steps.iter().rev().find(|step| step.0 <= wanted.0);
     let above = steps.iter().find(|step| step.0 >= wanted.0);
-    let series = |code: &str, step: RevsPerMinute| -> Result<Because, KnowledgeError> {
+    let series = |code: &'static str, step: RevsPerMinute| -> Result<Because, KnowledgeError> {
         let note = Note::new(code).with("computed", round_to(wanted.0, 1)).with("step", step.0);
         Ok(Because::row(shop.machine.row(MachineQuantity::SpindleSpeeds)?, note))
     };

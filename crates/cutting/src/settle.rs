@@ -82,7 +82,7 @@ fn at(cut: &Cut, feed: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Foun
 
 /// That the figures are those of the feed taken, which is not that of the tables.
 fn told(
-    code: &str,
+    code: &'static str,
     feed: MillimetresPerRev,
     found: &Found,
     before: Option<MetresPerMinute>,

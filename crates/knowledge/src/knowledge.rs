@@ -31,13 +31,30 @@ pub struct SourceFile<'a> {
 struct Stored {
     packed: &'static [u8],
     table: OnceLock<Result<Table, TableError>>,
+    family: Family<'static>,
+}
+
+/// What is asked of a table without unpacking it: the tables of which family it is one.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+struct Family<'a> {
     /// Whether it is a table of cutters.
     of_cutters: bool,
+    /// The schema whose record it is.
+    #[serde(borrow)]
+    record_of: Option<Cow<'a, str>>,
+}
+
+impl<'a> Family<'a> {
+    fn of(table: &'a Table) -> Self {
+        Self { of_cutters: table.tool.is_some(), record_of: table.record_of().map(Cow::Borrowed) }
+    }
 }
 
 impl Stored {
     fn read(table: Table) -> Self {
-        Self { packed: &[], of_cutters: table.tool.is_some(), table: OnceLock::from(Ok(table)) }
+        let Family { of_cutters, record_of } = Family::of(&table);
+        let family = Family { of_cutters, record_of: record_of.map(|schema| Cow::Owned(schema.into_owned())) };
+        Self { packed: &[], family, table: OnceLock::from(Ok(table)) }
     }
 
     fn table(&self) -> Result<&Table, TableError> {
@@ -58,7 +75,8 @@ fn unpacked(bytes: &[u8]) -> Result<Table, TableError> {
 #[derive(Serialize, Deserialize)]
 struct Packed<'a> {
     id: &'a str,
-    of_cutters: bool,
+    #[serde(borrow)]
+    family: Family<'a>,
     #[serde(borrow)]
     bytes: Cow<'a, [u8]>,
 }
@@ -154,7 +172,16 @@ impl Knowledge {
 
     /// The tables of cutters, by id.
     pub fn tables_of_cutters(&self) -> impl Iterator<Item = &Table> {
-        self.tables.values().filter(|stored| stored.of_cutters).filter_map(|stored| stored.table().ok())
+        self.of_family(|family| family.of_cutters)
+    }
+
+    /// The tables that are records of a schema, by id.
+    pub fn records_of(&self, schema: &str) -> impl Iterator<Item = &Table> {
+        self.of_family(move |family| family.record_of.as_deref() == Some(schema))
+    }
+
+    fn of_family(&self, is: impl Fn(&Family<'static>) -> bool) -> impl Iterator<Item = &Table> {
+        self.tables.values().filter(move |stored| is(&stored.family)).filter_map(|stored| stored.table().ok())
     }
 
     /// The ids of the tables, in their order.
@@ -178,7 +205,7 @@ impl Knowledge {
         let pack = |table: &Table| postcard::to_stdvec(table).map_err(|error| error.to_string());
         let packed = self
             .tables()
-            .map(|table| Ok(Packed { id: &table.id, of_cutters: table.tool.is_some(), bytes: pack(table)?.into() }))
+            .map(|table| Ok(Packed { id: &table.id, family: Family::of(table), bytes: pack(table)?.into() }))
             .collect::<Result<Vec<_>, String>>()?;
         postcard::to_stdvec(&packed).map_err(|error| error.to_string())
     }
@@ -189,9 +216,9 @@ impl Knowledge {
     /// The bytes are not of this version of the program.
     pub fn from_bytes(bytes: &'static [u8]) -> Result<Self, String> {
         let packed: Vec<Packed<'static>> = postcard::from_bytes(bytes).map_err(|error| error.to_string())?;
-        let stored = packed.into_iter().map(|Packed { id, of_cutters, bytes }| {
+        let stored = packed.into_iter().map(|Packed { id, family, bytes }| {
             let Cow::Borrowed(packed) = bytes else { return Err("the tables are not embedded".to_owned()) };
-            Ok((Cow::Borrowed(id), Stored { packed, table: OnceLock::new(), of_cutters }))
+            Ok((Cow::Borrowed(id), Stored { packed, table: OnceLock::new(), family }))
         });
         Ok(Self { tables: stored.collect::<Result<_, _>>()?, cases: Vec::new() })
     }

@@ -9,7 +9,7 @@ use std::fmt;
 use std::marker::PhantomData;
 
 use crate::column::{Column, ColumnType};
-use crate::contract::{Question, TableRow};
+use crate::contract::{Question, TableRow, Which};
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::set::Set;
@@ -223,9 +223,6 @@ pub struct Answer<'t> {
     winners: Vec<u32>,
     /// Rows that match but that the hit policy does not take.
     passed_over: Vec<u32>,
-    /// For each input column, the rows it was the first to reject; `words` words each.
-    rejected: Vec<u64>,
-    words: usize,
 }
 
 impl Table {
@@ -266,16 +263,14 @@ impl Table {
             return Err(self.unknown_input(inputs));
         }
         let mut alive = all_rows(self.rows.len(), words);
-        let mut rejected = Vec::with_capacity(ranks.len() * words);
         for (compiled, &rank) in index.columns.iter().zip(&ranks) {
             for (alive, matching) in alive.iter_mut().zip(compiled.matching(rank, words)) {
-                rejected.push(*alive & !matching);
                 *alive &= matching;
             }
         }
         let matched: Vec<u32> = rows_of(&alive).collect();
         let (winners, passed_over) = self.apply_policy(matched)?;
-        Ok(Answer { table: self, ranks, winners, passed_over, rejected, words })
+        Ok(Answer { table: self, ranks, winners, passed_over })
     }
 
     fn apply_policy(&self, matched: Vec<u32>) -> Result<(Vec<u32>, Vec<u32>), QueryError> {
@@ -394,10 +389,16 @@ impl<'t> Answer<'t> {
 
     /// Every rejected row with the first column whose test failed, column by column.
     pub fn rejected(&self) -> impl Iterator<Item = (RowRef<'t>, &'t Column)> + '_ {
-        let index = self.table.index();
-        self.rejected.chunks(self.words).zip(&index.columns).flat_map(move |(bits, compiled)| {
-            let column = &self.table.columns[compiled.column];
-            rows_of(bits).map(move |row| (RowRef { table: self.table, index: row as usize }, column))
+        // Made here, not when the table is asked: most answers are taken without asking why the others lost.
+        let (table, index) = (self.table, self.table.index());
+        let mut alive = all_rows(table.rows.len(), index.words);
+        index.columns.iter().zip(&self.ranks).flat_map(move |(compiled, &rank)| {
+            let column = &table.columns[compiled.column];
+            let matching = compiled.matching(rank, index.words);
+            let lost: Vec<u64> = alive.iter().zip(matching).map(|(alive, matching)| alive & !matching).collect();
+            alive.iter_mut().zip(matching).for_each(|(alive, matching)| *alive &= matching);
+            let rows: Vec<u32> = rows_of(&lost).collect();
+            rows.into_iter().map(move |row| (RowRef { table, index: row as usize }, column))
         })
     }
 
@@ -469,8 +470,17 @@ impl Knowledge {
     }
 
     /// Every table of a row type, by id.
-    pub fn tables_of<'k, R: TableRow<'k>>(&'k self) -> impl Iterator<Item = &'k Table> {
-        self.tables().filter(|table| R::CONTRACT.is_of(table))
+    pub fn tables_of<'k, R: TableRow<'k>>(&'k self) -> Box<dyn Iterator<Item = &'k Table> + 'k> {
+        match R::CONTRACT.which {
+            Which::One(id) => Box::new(self.table(id).into_iter()),
+            Which::Each(ids) => {
+                let mut ids = ids.to_vec();
+                ids.sort_unstable();
+                Box::new(ids.into_iter().filter_map(|id| self.table(id).ok()))
+            }
+            Which::Record(schema) => Box::new(self.records_of(schema)),
+            Which::Tools => Box::new(self.tables_of_cutters()),
+        }
     }
 
     /// Every row of the one table of a row type.

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::sync::OnceLock;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::column::{Column, Label, Role};
@@ -50,7 +51,7 @@ impl HitPolicy {
 }
 
 /// Where a row's figures come from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Source {
     /// Read off the source text as it stands.
@@ -211,6 +212,11 @@ pub struct Table {
 }
 
 impl Table {
+    /// The schema of which the table is a record, where it is one: by its law `record`.
+    pub fn record_of(&self) -> Option<&str> {
+        self.laws.iter().find(|law| law.name == "record")?.get("schema")
+    }
+
     /// The position of a column.
     pub fn column_index(&self, name: &str) -> Option<usize> {
         self.columns.iter().position(|column| column.name == name)

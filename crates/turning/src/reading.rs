@@ -86,10 +86,10 @@ impl<'a> Reader<'a> {
     pub(super) fn fault<T>(
         &mut self,
         code: &'static str,
-        figures: &[(&str, &dyn Display)],
+        figures: &[(&'static str, &dyn Display)],
         place: &Place,
     ) -> Option<T> {
-        let note = figures.iter().fold(Note::new(code), |note, (name, value)| note.with(name, value));
+        let note = figures.iter().fold(Note::new(code), |note, (name, value)| note.with(*name, value));
         self.meant.push(Mistake::Meaning(code, note, place.clone()));
         None
     }

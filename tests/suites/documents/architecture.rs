@@ -52,3 +52,21 @@ fn a_crate_knows_only_what_stands_above_its_row() {
         below.insert(name);
     }
 }
+
+/// A crate that is not built by default would not be tested by default either.
+#[test]
+fn what_is_no_tool_of_tests_is_built_by_default() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let manifest = fs::read_to_string(root.join("Cargo.toml")).unwrap();
+    let (_, members) = manifest.split_once("default-members = [").unwrap();
+    let members = members.split(']').next().unwrap();
+    let by_default: BTreeSet<String> = members
+        .split('"')
+        .skip(1)
+        .step_by(2)
+        .filter_map(|member| member.strip_prefix("crates/"))
+        .map(str::to_owned)
+        .collect();
+    let rooms = told().into_iter().map(|(name, _)| name).filter(|name| name != "technolog");
+    assert_eq!(by_default, rooms.collect());
+}

@@ -107,7 +107,7 @@ fn made(
     if spot.is_some_and(|spot| Micrometres::from_mm_rounded(spot) >= opening.diameter) {
         return;
     }
-    let note = |code: &str| {
+    let note = |code: &'static str| {
         let note = Note::new(code).with("feature", opening.feature.name());
         note.with("diameter", opening.diameter).with("hole", &hole.name)
     };

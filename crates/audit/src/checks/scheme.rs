@@ -2,6 +2,7 @@
 //! beside the others.
 
 use crate::error::KnowledgeError;
+use crate::knowledge::Source;
 use crate::note::{Because, Note, Severity};
 use crate::part::Hole;
 use crate::plan::{Alternative, Operation, Route, Way};
@@ -118,7 +119,7 @@ impl Group<'_, '_> {
 
     /// The cell has the scheme, but its hole is centred first: by the text, or only by our reading of it.
     fn uncentred(&self, row: &Row, name: &str) -> Finding {
-        let by_text = self.asked.centring.source.as_deref() == Some("seed");
+        let by_text = self.asked.centring.source == Some(Source::Seed);
         let severity = if by_text { Severity::Wrong } else { Severity::Doubtful };
         let printed = self.asked.row.map_or_else(String::new, |row| row.table.id.clone());
         let note = Note::new("audit-scheme-uncentred").with("stated", name).with("printed", printed);

@@ -250,7 +250,7 @@ fn judge_step(context: &Context<'_>, value: f64, computed: f64) -> Judged {
     if (right.0 - value).abs() < 1e-6 {
         return None;
     }
-    let note = |code: &str| {
+    let note = |code: &'static str| {
         let excess = round_to((value / computed - 1.0) * 100.0, 1);
         Note::new(code).with("excess", excess).with("computed", round_to(computed, 1)).with("step", right.0)
     };

@@ -132,7 +132,7 @@ impl Reason {
     /// The sentence.
     pub fn note(&self) -> Note {
         let new = Note::new;
-        let done = |code: &str, operation: Operation| new(code).with("operation", operation.name());
+        let done = |code: &'static str, operation: Operation| new(code).with("operation", operation.name());
         match self {
             Self::GradeWithoutDistance { it } => new("grade-without-distance").with("it", it),
             Self::GradeOutsideTable { it, distance, why } => {

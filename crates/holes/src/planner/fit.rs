@@ -5,6 +5,7 @@ mod reach;
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 use crate::cutting::{self, CardDoubt, Cut, Surface};
 use crate::error::{KnowledgeError, Refusal, Tried};
@@ -29,10 +30,10 @@ use reach::point_angle;
 pub(super) struct Fitted {
     pub step: Step,
     /// Absent for centring until the whole part is known.
-    pub tool: Option<FittedTool>,
+    pub tool: Option<Rc<FittedTool>>,
     pub travel: Micrometres,
     pub approach: Micrometres,
-    pub conditions: Conditions,
+    pub conditions: Rc<Conditions>,
     /// What the cards could not give for them.
     pub doubts: Vec<CardDoubt>,
     /// Whether it is a spot that makes an edge of the hole too.
@@ -52,12 +53,12 @@ pub(super) struct FittedTool {
     pub because: Vec<Because>,
 }
 
-/// The cutter, conditions and travel of a step, without its own reasons.
+/// The cutter, conditions and travel of a step, without its own reasons; shared by the routes that take the step.
 #[derive(Clone, Debug)]
-struct Outfit {
-    tool: FittedTool,
-    travel: Micrometres,
-    conditions: Conditions,
+pub(super) struct Outfit {
+    tool: Rc<FittedTool>,
+    pub travel: Micrometres,
+    pub conditions: Rc<Conditions>,
     doubts: Vec<CardDoubt>,
 }
 
@@ -138,13 +139,12 @@ impl<'p, 'k> Fitting<'p, 'k> {
     pub fn fit(&self, steps: Vec<Step>, finish_elsewhere: bool) -> Tried<Vec<Fitted>> {
         let drill = steps.iter().find(|step| step.operation == Operation::Drill).map(|step| step.diameter);
         let mut fitted = Vec::with_capacity(steps.len());
-        for index in 0..steps.len() {
-            let step = &steps[index];
+        let mut left = steps.into_iter();
+        while let Some(step) = left.next() {
             // What follows on the same cylinder.
-            let own = (cylinder(step), step.place.step);
-            let follows = steps[index + 1..].iter().find(|next| (cylinder(next), next.place.step) == own);
+            let own = (cylinder(&step), step.place.step);
+            let follows = left.as_slice().iter().find(|next| (cylinder(next), next.place.step) == own);
             let follows = follows.map(|step| step.operation);
-            let step = step.clone();
             fitted.push(if step.operation == Operation::CentreDrill {
                 self.centre(step, drill.unwrap_or(self.hole.diameter.nominal))?
             } else {
@@ -155,8 +155,8 @@ impl<'p, 'k> Fitting<'p, 'k> {
         Ok(fitted)
     }
 
-    /// One step that is not centring.
-    pub fn one(&self, step: Step, follows: Option<Operation>, last: bool) -> Tried<Fitted> {
+    /// The cutter, conditions and travel of a step that is not centring.
+    pub fn outfit(&self, step: &Step, follows: Option<Operation>, last: bool) -> Tried<Outfit> {
         let key = Key {
             operation: step.operation,
             place: step.place,
@@ -177,17 +177,21 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let outfit = match known {
             Some(outfit) => outfit,
             None => {
-                let outfit = Refusal::split(self.outfit(&step, follows, last))?;
+                let outfit = Refusal::split(self.new_outfit(step, follows, last))?;
                 self.known.borrow_mut().insert(key, outfit.clone());
                 outfit
             }
         };
-        let outfit = outfit.map_err(Refusal::Not)?;
+        outfit.map_err(Refusal::Not)
+    }
+
+    /// One step that is not centring.
+    pub fn one(&self, step: Step, follows: Option<Operation>, last: bool) -> Tried<Fitted> {
+        let Outfit { tool, travel, conditions, doubts } = self.outfit(&step, follows, last)?;
         let mut because = step.because.clone();
         let (approach, _, reason) = self.travels(step.place.through);
         because.push(reason.clone());
         because.extend(self.conventions(&step)?);
-        let Outfit { tool, travel, conditions, doubts } = outfit;
         let (tool, approach) = (Some(tool), *approach);
         Ok(Fitted { step, tool, travel, approach, conditions, doubts, makes_edge: false, because })
     }
@@ -217,7 +221,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         Ok(because)
     }
 
-    fn outfit(&self, step: &Step, follows: Option<Operation>, last: bool) -> Tried<Outfit> {
+    fn new_outfit(&self, step: &Step, follows: Option<Operation>, last: bool) -> Tried<Outfit> {
         // Another machine has other limits, which are not known here.
         let other = step.elsewhere.then(|| self.shop.without_limits());
         let shop = other.as_ref().unwrap_or(self.shop);
@@ -272,7 +276,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             cut
         };
         let (conditions, doubts) = cutting::with_doubts(&cut, shop)?;
-        let mut because = vec![cutter.order.clone(), cutter.because.clone()];
+        let mut because = vec![cutter.order(), cutter.because()];
         // A reamer or core drill of the catalogs, wider than asked, is ground down.
         let grinds = step.operation.is_reaming() || step.operation == Operation::CoreDrill;
         if grinds && cutter.diameter > step.nominal {
@@ -288,7 +292,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             assembly,
             because,
         };
-        Ok(Outfit { tool, travel, conditions, doubts })
+        Ok(Outfit { tool: Rc::new(tool), travel, conditions: Rc::new(conditions), doubts })
     }
 
     /// A milled cylinder is as round as the machine makes it, which may take a share of the tolerance.

@@ -1,5 +1,7 @@
 //! The tools of the whole part: one centre drill, numbers in the order of work, length corrections.
 
+use std::rc::Rc;
+
 use crate::error::{KnowledgeError, Refusal};
 use crate::note::{Because, Finding, Note, Severity};
 use crate::part::{Face, Part};
@@ -43,16 +45,16 @@ pub(super) fn choose_centre_drill(
     let need = CutterNeed::plain(Operation::CentreDrill, needed);
     let fitted = tooling::find_tool(&need, shop)?.map(|(cutter, assembly)| {
         let why = Note::new("centre-drill-for-all").with("needed", &shown);
-        let mut because = vec![Because { note: why, ..cutter.because.clone() }];
+        let mut because = vec![Because { note: why, ..cutter.because() }];
         because.extend(assembly.because.clone());
-        FittedTool {
+        Rc::new(FittedTool {
             designation: cutter.designation.to_owned(),
             table: cutter.row.row.table.id.clone(),
             diameter: cutter.diameter,
             size: cutter.diameter,
             assembly,
             because,
-        }
+        })
     });
     for (draft, hole) in drafts.iter_mut().zip(&part.holes) {
         let Some(centre) = draft.steps.iter_mut().find(|one| one.step.operation == Operation::CentreDrill) else {
@@ -63,10 +65,10 @@ pub(super) fn choose_centre_drill(
                 // What a spot lets through is a matter of the tool that makes it.
                 let fitting = Fitting::new(hole, &[], part, shop)?;
                 match Refusal::split(fitting.spotting(&centre.step, centre.travel, tool.diameter))? {
-                    Ok(conditions) => centre.conditions = conditions,
+                    Ok(conditions) => centre.conditions = conditions.into(),
                     Err(why) => findings.push(Finding::of_hole(Severity::Error, &hole.name, why.note())),
                 }
-                centre.tool = Some(tool.clone());
+                centre.tool = Some(Rc::clone(tool));
             }
             Err(why) => {
                 findings.extend(why.iter().map(|one| Finding::of_hole(Severity::Error, &hole.name, one.note())));
@@ -90,12 +92,12 @@ pub(super) fn number_tools(
     shop: &Shop<'_>,
     findings: &mut Vec<Finding>,
 ) -> (Vec<HolePlan>, Vec<ToolPlan>) {
-    let mut tools: Vec<(usize, FittedTool)> = Vec::new();
+    let mut tools: Vec<(usize, Rc<FittedTool>)> = Vec::new();
     for fitted in drafts.iter().flat_map(|draft| &draft.steps).filter(|fitted| !fitted.step.elsewhere) {
         if let Some(tool) = &fitted.tool
             && !tools.iter().any(|(_, known)| same(known, tool))
         {
-            tools.push((0, tool.clone()));
+            tools.push((0, Rc::clone(tool)));
         }
     }
     rank(&mut tools, &drafts);
@@ -105,7 +107,7 @@ pub(super) fn number_tools(
         !entry.filter_map(|one| one.tool.as_ref()).any(|known| same(known, tool))
     };
     tools.sort_by_key(|(rank, tool)| (of_back(tool), *rank));
-    let tools: Vec<FittedTool> = tools.into_iter().map(|(_, tool)| tool).collect();
+    let tools: Vec<Rc<FittedTool>> = tools.into_iter().map(|(_, tool)| tool).collect();
     let places = shop.machine.magazine.max(1);
     if tools.len() > places {
         // What is used last is loaded by hand, when the tools before it are done with.
@@ -154,7 +156,7 @@ pub(super) fn number_tools(
 }
 
 /// A tool's rank is the longest chain of tools before it in any hole.
-fn rank(tools: &mut [(usize, FittedTool)], drafts: &[Draft]) {
+fn rank(tools: &mut [(usize, Rc<FittedTool>)], drafts: &[Draft]) {
     // Every pass can lengthen a chain by one; a chain longer than the tools would be a circle.
     for _ in 0..tools.len() {
         for draft in drafts {
@@ -171,8 +173,8 @@ fn rank(tools: &mut [(usize, FittedTool)], drafts: &[Draft]) {
     }
 }
 
-fn transition(fitted: Fitted, tools: &[FittedTool]) -> Option<Transition> {
-    let tool = fitted.tool?;
+fn transition(fitted: Fitted, tools: &[Rc<FittedTool>]) -> Option<Transition> {
+    let tool = Rc::unwrap_or_clone(fitted.tool?);
     let number = tools.iter().zip(1..).find(|(known, _)| same(known, &tool)).map(|(_, number)| number);
     // What is done on another machine has no place here.
     let number = if fitted.step.elsewhere { 0 } else { number? };
@@ -199,7 +201,7 @@ fn transition(fitted: Fitted, tools: &[FittedTool]) -> Option<Transition> {
             table: tool.assembly.holder_table,
             length_mm: tool.assembly.holder_length,
         },
-        conditions: fitted.conditions,
+        conditions: Rc::unwrap_or_clone(fitted.conditions),
         because,
     })
 }

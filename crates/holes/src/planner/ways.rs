@@ -109,7 +109,7 @@ impl Finder<'_, '_> {
 
     fn search(&self, options: &mut Options) -> Result<(), KnowledgeError> {
         let main = &self.task.main;
-        let cost = |steps: Vec<Step>| self.cost(steps);
+        let cost = |steps: &[Step]| self.cost(steps);
         match Refusal::split(search::candidates(main, &self.sizes, &cost, self.shop))? {
             Err(why) => options.refused.push(none(Way::Search, "next-transition", why)),
             Ok(routes) => {

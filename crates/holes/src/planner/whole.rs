@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Because, Note};
 use crate::part::{Face, Hole};
-use crate::plan::{Feature, Operation};
+use crate::plan::{Conditions, Feature, Operation};
 use crate::reason::Reason;
 use crate::route::bores::{self, Bore, Task};
 use crate::route::diameters::{self, Sizes};
@@ -47,26 +47,30 @@ pub(super) struct Finder<'a, 'k> {
 
 impl Finder<'_, '_> {
     /// Time of steps for all holes of the group, each step with a tool change of its own.
-    pub fn cost(&self, steps: Vec<Step>) -> Tried<Minutes> {
+    pub fn cost(&self, steps: &[Step]) -> Tried<Minutes> {
         let mut minutes = 0.0;
         for step in steps {
             minutes += self.shop.machine.tool_change.0 + self.hops.0;
             if step.operation == Operation::CentreDrill {
                 continue;
             }
-            let fitted = self.fitting.one(step, None, false)?;
-            minutes += self.time(&fitted);
+            let outfit = self.fitting.outfit(step, None, false)?;
+            minutes += self.time_of(step, outfit.travel, &outfit.conditions);
         }
         Ok(Minutes(minutes))
     }
 
     /// Cutting and withdrawal of a step in all holes of the group, min.
     pub fn time(&self, fitted: &Fitted) -> f64 {
-        if fitted.step.elsewhere {
+        self.time_of(&fitted.step, fitted.travel, &fitted.conditions)
+    }
+
+    fn time_of(&self, step: &Step, travel: Micrometres, conditions: &Conditions) -> f64 {
+        if step.elsewhere {
             return 0.0;
         }
-        let back = fitted.travel.to_mm() * f64::from(fitted.step.passes) / self.shop.machine.rapid.0;
-        (fitted.conditions.machine_time_min.0 + back) * self.hole.at.len() as f64
+        let back = travel.to_mm() * f64::from(step.passes) / self.shop.machine.rapid.0;
+        (conditions.machine_time_min.0 + back) * self.hole.at.len() as f64
     }
 
     /// The steps of the whole hole by a candidate: as the rules prefer, else with one drill, else bored.
@@ -231,7 +235,7 @@ impl Finder<'_, '_> {
     fn opening(&self, bore: &Bore, start: Micrometres) -> Tried<Vec<Step>> {
         let question = Question { bore, ..self.question };
         let sizes = Sizes { start: Some(start), ..self.sizes };
-        let cost = |steps: Vec<Step>| self.cost(steps);
+        let cost = |steps: &[Step]| self.cost(steps);
         let asked = self.boring_asked()?;
         let mut best: Option<((bool, bool, Minutes), Vec<Step>)> = None;
         let mut why = None;
@@ -257,7 +261,7 @@ impl Finder<'_, '_> {
                     for step in &mut steps {
                         step.elsewhere |= step.operation == Operation::Tap && !self.shop.machine.can_tap;
                     }
-                    Ok((self.cost(steps.clone())?, steps))
+                    Ok((self.cost(&steps)?, steps))
                 });
                 match Refusal::split(made)? {
                     Ok((minutes, mut steps)) => {

@@ -134,7 +134,7 @@ pub fn stages(
     let sigma = shop.machine.position_accuracy;
     let position = if delta > sigma { PositionAsked::Above } else { PositionAsked::NotAbove };
     let answer = shop.knowledge.ask(&RouteStagesFor { hole, it, diameter, position })?;
-    let note = |code: &str| Note::new(code).with("delta", delta).with("sigma", sigma).with("it", it);
+    let note = |code: &'static str| Note::new(code).with("delta", delta).with("sigma", sigma).with("it", it);
     Ok(match answer.winner()? {
         None => (Because::answer(&answer.answer, note("no-stages")), false),
         Some(row) => {

@@ -8,6 +8,7 @@
 //! by their time.
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::rc::Rc;
 
 use petgraph::Direction;
@@ -52,7 +53,7 @@ struct Edge {
 type Found = (f64, Vec<Operation>, Vec<usize>);
 
 /// What an edge costs: the time of its steps, or why they cannot be done.
-pub type Cost<'a> = dyn Fn(Vec<Step>) -> Tried<Minutes> + 'a;
+pub type Cost<'a> = dyn Fn(&[Step]) -> Tried<Minutes> + 'a;
 
 /// The routes of the search, fastest first.
 ///
@@ -154,6 +155,7 @@ fn candidate(transitions: Vec<Operation>, rows: &[usize], shop: &Shop<'_>) -> Tr
 struct Graph<'a, 'k> {
     states: DiGraph<State, Edge>,
     known: BTreeMap<(HoleState, Micrometres), NodeIndex>,
+    answers: BTreeMap<(HoleState, Micrometres), Vec<usize>>,
     start: Option<NodeIndex>,
     failed: Vec<Reason>,
     /// The rows of the rule `next-transition`.
@@ -176,6 +178,7 @@ impl<'a, 'k> Graph<'a, 'k> {
         Ok(Self {
             states: DiGraph::new(),
             known: BTreeMap::new(),
+            answers: BTreeMap::new(),
             start: None,
             failed: Vec::new(),
             rule: shop.knowledge.rows()?.into(),
@@ -218,8 +221,7 @@ impl<'a, 'k> Graph<'a, 'k> {
             }
             // A centring spot has no diameter of its own: the rule is asked with the cylinder's.
             let asked = if after > Micrometres::ZERO { after } else { self.bore.diameter.nominal };
-            let answer = accuracy::after(state, asked, self.shop)?;
-            if !answer.answer.winners().any(|winner| winner.index == row.row.index) {
+            if !self.follows(state, asked)?.contains(&row.row.index) {
                 continue;
             }
             let question =
@@ -235,7 +237,7 @@ impl<'a, 'k> Graph<'a, 'k> {
                     return Err(Refusal::Not(Reason::BoredByAnother { operation }));
                 }
                 let before = steps.first().map_or(after, |first| first.from);
-                (self.cost)(steps).map(|minutes| (before, minutes))
+                (self.cost)(&steps).map(|minutes| (before, minutes))
             });
             let (before, minutes) = match Refusal::split(made)? {
                 Ok(made) => made,
@@ -248,6 +250,17 @@ impl<'a, 'k> Graph<'a, 'k> {
             self.states.add_edge(from, node, Edge { operation, minutes: minutes.0, row: row.row.index });
         }
         Ok(())
+    }
+
+    /// The rows of the rule whose transitions may follow a state; every transition into a node asks it again.
+    fn follows(&mut self, state: HoleState, diameter: Micrometres) -> Result<&[usize], KnowledgeError> {
+        match self.answers.entry((state, diameter)) {
+            Entry::Occupied(known) => Ok(known.into_mut()),
+            Entry::Vacant(new) => {
+                let answer = accuracy::after(state, diameter, self.shop)?.answer;
+                Ok(new.insert(answer.winners().map(|winner| winner.index).collect()))
+            }
+        }
     }
 
     /// The node of a state, with everything that leads to it.

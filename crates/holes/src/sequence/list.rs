@@ -139,15 +139,20 @@ impl Reader {
         }
     }
 
-    fn slip(&mut self, code: &'static str, figures: &[(&str, String)], place: Option<Place>) {
+    fn slip(&mut self, code: &'static str, figures: &[(&'static str, String)], place: Option<Place>) {
         if self.problems.len() < SHOWN {
-            let note = figures.iter().fold(Note::new(code), |note, (name, value)| note.with(name, value));
+            let note = figures.iter().fold(Note::new(code), |note, (name, value)| note.with(*name, value));
             self.problems.push(Slip { code, note, place });
         }
     }
 
     /// A slip in a line, `(number, word, line)`.
-    fn wrong(&mut self, code: &'static str, figures: &[(&str, String)], (number, word, line): (usize, &str, &str)) {
+    fn wrong(
+        &mut self,
+        code: &'static str,
+        figures: &[(&'static str, String)],
+        (number, word, line): (usize, &str, &str),
+    ) {
         let place = self.place(number, word, line);
         self.slip(code, figures, Some(place));
     }

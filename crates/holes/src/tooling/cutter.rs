@@ -2,14 +2,17 @@
 //! for every row of the right size that does not, the inequality that fails. Which rows are of the right size stands in
 //! [`super::sizes`], what else rules one out in [`super::reach`].
 
+use std::rc::Rc;
+
 use crate::error::KnowledgeError;
+use crate::knowledge::Table;
 use crate::knowledge::table::ToolHead;
 use crate::knowledge::units::Micrometres;
 use crate::note::{Because, Note};
 use crate::plan::Operation;
 use crate::reason::{CutterFault, NoSize, Unfit};
 use crate::shop::Shop;
-use crate::tables::rules::{Lead, ToolTablesFor};
+use crate::tables::rules::{Lead, ToolTables, ToolTablesFor};
 use crate::tables::tools::CutterRow;
 
 use super::reach::refuse;
@@ -26,10 +29,72 @@ pub struct Cutter<'k> {
     pub designation: &'k str,
     /// Its own diameter; for a boring bar the diameter it is set to.
     pub diameter: Micrometres,
+    /// By what it was chosen.
+    pub by: By<'k>,
+    /// What was passed over for it.
+    pub over: Vec<Note>,
+}
+
+/// By what a cutter was chosen: most are looked at and not taken, so that the words are made of it last.
+#[derive(Clone, Debug)]
+pub enum By<'k> {
+    /// The order of the tables for a transition; `ground`: the size its row has, where it is ground down from that.
+    Order {
+        /// The rule that names the tables.
+        rule: Rc<ToolTables<'k>>,
+        /// The transition.
+        operation: Operation,
+        /// The size of the catalog, where it is ground down.
+        ground: Option<Micrometres>,
+        /// The size that is asked.
+        size: Micrometres,
+    },
+    /// Both diameters of a step drill.
+    Steps {
+        /// The table of step drills.
+        table: &'k Table,
+        /// The narrow diameter.
+        narrow: Micrometres,
+        /// The wide one.
+        wide: Micrometres,
+    },
+    /// A plan names it.
+    Named,
+}
+
+impl Cutter<'_> {
     /// How it was chosen.
-    pub because: Because,
+    pub fn because(&self) -> Because {
+        let because = match &self.by {
+            By::Order { ground: Some(own), size, .. } => Because {
+                unconfirmed: Some("the catalogs have no cutter of this size; it must be ground to order".to_owned()),
+                ..Because::row(self.row.row, Note::new("cutter-ground-down").with("own", own).with("size", size))
+            },
+            By::Order { rule, operation, ground: None, .. } => {
+                Because::row(self.row.row, ordered("cutter", rule, *operation))
+            }
+            By::Steps { narrow, wide, .. } => Because::row(self.row.row, steps(*narrow, *wide)),
+            By::Named => Because::row(self.row.row, Note::new("named")),
+        };
+        because.over(self.over.clone())
+    }
+
     /// Why its table is asked in this order.
-    pub order: Because,
+    pub fn order(&self) -> Because {
+        match &self.by {
+            By::Order { rule, operation, .. } => Because::row(rule.row, ordered("tool-tables", rule, *operation)),
+            By::Steps { table, narrow, wide } => Because::table(table, steps(*narrow, *wide)),
+            By::Named => Because::row(self.row.row, Note::new("named")),
+        }
+    }
+}
+
+fn ordered(code: &'static str, rule: &ToolTables<'_>, operation: Operation) -> Note {
+    Note::new(code).with("operation", operation.name()).with("order", rule.tables.join(", "))
+}
+
+fn steps(narrow: Micrometres, wide: Micrometres) -> Note {
+    Note::new("step-drill").with("narrow", narrow).with("wide", wide)
 }
 
 /// What is asked of a cutter.
@@ -98,7 +163,7 @@ pub(super) fn cutters<'k>(
     shop: &Shop<'k>,
 ) -> Result<(Vec<Cutter<'k>>, Vec<Unfit>), KnowledgeError> {
     let question = ToolTablesFor { operation: need.operation, diameter: need.nominal };
-    let rule = shop.knowledge.ask(&question)?.need(need.operation.name())?;
+    let rule = Rc::new(shop.knowledge.ask(&question)?.need(need.operation.name())?);
     let mut tables: Tables<'_, 'k> = Vec::with_capacity(rule.tables.len());
     for id in &rule.tables {
         let cutters = shop.shelf.cutters_of(id)?;
@@ -116,22 +181,18 @@ pub(super) fn cutters<'k>(
                 rejected.push(why);
                 continue;
             }
-            let order = rule.tables.join(", ");
-            let note = |code: &str| Note::new(code).with("operation", need.operation.name()).with("order", &order);
-            let mut because = Because::row(candidate.row, note("cutter"));
-            if ground {
-                let own = candidate.diameter.unwrap_or_default();
-                because.note = Note::new("cutter-ground-down").with("own", own).with("size", need.diameter);
-                because.unconfirmed =
-                    Some("the catalogs have no cutter of this size; it must be ground to order".to_owned());
-            }
             cutters.push(Cutter {
                 row: candidate.clone(),
                 head,
                 designation: designation(candidate, need)?,
                 diameter: candidate.diameter.unwrap_or(need.diameter),
-                because,
-                order: Because::row(rule.row, note("tool-tables")),
+                by: By::Order {
+                    rule: Rc::clone(&rule),
+                    operation: need.operation,
+                    ground: ground.then(|| candidate.diameter.unwrap_or_default()),
+                    size: need.diameter,
+                },
+                over: Vec::new(),
             });
         }
     }
@@ -167,14 +228,13 @@ pub(super) fn step_drills<'k>(
                 rejected.push(Unfit::Cutter { tool: designation.to_owned(), table: table.id.clone(), fault });
                 continue;
             }
-            let note = Note::new("step-drill").with("narrow", need.diameter).with("wide", wide);
             cutters.push(Cutter {
                 row: row.clone(),
                 head,
                 designation,
                 diameter: need.diameter,
-                because: Because::row(row.row, note.clone()),
-                order: Because::table(table, note),
+                by: By::Steps { table, narrow: need.diameter, wide },
+                over: Vec::new(),
             });
         }
     }

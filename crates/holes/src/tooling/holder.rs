@@ -4,7 +4,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::table::ToolHead;
 use crate::knowledge::units::Micrometres;
 use crate::knowledge::vocabulary::Shank;
-use crate::knowledge::{Knowledge, TableRow};
+use crate::knowledge::{Knowledge, RowRef, TableRow};
 use crate::machine::Machine;
 use crate::note::{Because, Note};
 use crate::plan::{Link, Operation};
@@ -45,16 +45,18 @@ pub struct Assembly {
 ///
 /// # Errors
 /// The knowledge cannot answer. That no holder fits is not an error: the inner `Err` says why.
-pub fn assemble(
-    cutter: &Cutter<'_>,
+pub fn assemble<'k>(
+    cutter: &Cutter<'k>,
     need: &CutterNeed<'_>,
-    shop: &Shop<'_>,
+    shop: &Shop<'k>,
 ) -> Result<Result<Assembly, Vec<Unfit>>, KnowledgeError> {
-    let machine = &shop.machine;
-    let (overhang, overhang_because) = overhang(cutter, need, shop)?;
+    let held = match hold(cutter, need, shop)? {
+        Ok(held) => held,
+        Err(why) => return Ok(Err(why)),
+    };
     let taper = Link {
         kind: "taper-7-24".to_owned(),
-        designation: machine.taper.to_string(),
+        designation: shop.machine.taper.to_string(),
         table: Taper724::CONTRACT.which.id().to_owned(),
         length_mm: Micrometres::ZERO,
     };
@@ -62,20 +64,68 @@ pub fn assemble(
         kind: "cutter".to_owned(),
         designation: cutter.designation.to_owned(),
         table: cutter.row.row.table.id.clone(),
-        length_mm: overhang,
+        length_mm: held.overhang.length,
     };
-    if cutter.head.shank == Shank::Taper {
-        let assembly = Assembly {
+    let Held { holder, overhang, length, mass_kg } = held;
+    let stands_out = overhang.because();
+    Ok(Ok(match holder {
+        None => Assembly {
             holder: cutter.designation.to_owned(),
             holder_table: cutter.row.row.table.id.clone(),
             holder_length: Micrometres::ZERO,
-            overhang,
-            length: overhang,
+            overhang: overhang.length,
+            length,
             links: vec![taper, tip],
-            mass_kg: cutter.row.mass.map(|own| own.0),
-            because: vec![overhang_because],
-        };
-        return Ok(within_limits(assembly, cutter, machine));
+            mass_kg,
+            because: vec![stands_out],
+        },
+        Some((row, passed_over)) => {
+            let table = &row.row.table.id;
+            let over = passed_over.iter().map(|(holder, fault)| fault.note().with("holder", holder)).collect();
+            let note = Note::new("holder").with("shank", cutter.head.shank.name());
+            let link = Link {
+                kind: "holder".to_owned(),
+                designation: row.designation.to_owned(),
+                table: table.clone(),
+                length_mm: row.length,
+            };
+            Assembly {
+                holder: row.designation.to_owned(),
+                holder_table: table.clone(),
+                holder_length: row.length,
+                overhang: overhang.length,
+                length,
+                links: vec![taper, link, tip],
+                mass_kg,
+                because: vec![Because::row(row.row, note).over(over), stands_out],
+            }
+        }
+    }))
+}
+
+/// A cutter in its holder, before words are made of it.
+pub(super) struct Held<'k> {
+    /// The holder, and those before it that do not take the cutter; none where the cutter has the machine's taper.
+    holder: Option<(HolderRow<'k>, Vec<(&'k str, HolderFault)>)>,
+    pub overhang: Overhang<'k>,
+    /// From the spindle's face to the tip.
+    length: Micrometres,
+    /// Of holder and cutter, kg.
+    mass_kg: Option<f64>,
+}
+
+/// Looks for the first holder that takes a cutter, as [`assemble`] does.
+pub(super) fn hold<'k>(
+    cutter: &Cutter<'k>,
+    need: &CutterNeed<'_>,
+    shop: &Shop<'k>,
+) -> Result<Result<Held<'k>, Vec<Unfit>>, KnowledgeError> {
+    let machine = &shop.machine;
+    let overhang = overhang(cutter, need, shop)?;
+    if cutter.head.shank == Shank::Taper {
+        let mass_kg = cutter.row.mass.map(|own| own.0);
+        let held = Held { holder: None, length: overhang.length, overhang, mass_kg };
+        return Ok(within_limits(held, cutter, machine));
     }
     let family = family(cutter.head, need.operation, shop.knowledge)?;
     let holders = family.holders.ok_or_else(|| KnowledgeError::lacks(&family.row.table.id, "holders of this shank"))?;
@@ -83,34 +133,15 @@ pub fn assemble(
     let mut rejected = Vec::new();
     for row in table.rows::<HolderRow<'_>>() {
         let row = row?;
-        let (designation, length) = (row.designation, row.length);
-        let why = refuse(&row, cutter, machine).or_else(|| too_short(&row, cutter, overhang, need));
+        let why = refuse(&row, cutter, machine).or_else(|| too_short(&row, cutter, overhang.length, need));
         if let Some(fault) = why {
-            rejected.push((designation, fault));
+            rejected.push((row.designation, fault));
             continue;
         }
-        let over = rejected.iter().map(|(holder, fault)| fault.note().with("holder", holder)).collect();
-        let note = Note::new("holder").with("shank", cutter.head.shank.name());
-        let assembly = Assembly {
-            holder: designation.to_owned(),
-            holder_table: table.id.clone(),
-            holder_length: length,
-            overhang,
-            length: length + overhang,
-            links: vec![
-                taper,
-                Link {
-                    kind: "holder".to_owned(),
-                    designation: designation.to_owned(),
-                    table: table.id.clone(),
-                    length_mm: length,
-                },
-                tip,
-            ],
-            mass_kg: row.mass.map(|holder| holder.0 + bar_mass(cutter)),
-            because: vec![Because::row(row.row, note).over(over), overhang_because],
-        };
-        return Ok(within_limits(assembly, cutter, machine));
+        let length = row.length + overhang.length;
+        let mass_kg = row.mass.map(|holder| holder.0 + bar_mass(cutter));
+        let held = Held { holder: Some((row, rejected)), overhang, length, mass_kg };
+        return Ok(within_limits(held, cutter, machine));
     }
     Ok(Err(rejected.into_iter().map(|(holder, fault)| unfit(cutter, holder, fault)).collect()))
 }
@@ -132,16 +163,17 @@ fn unfit(cutter: &Cutter<'_>, holder: &str, fault: HolderFault) -> Unfit {
     Unfit::Holder { tool: cutter.designation.to_owned(), holder: holder.to_owned(), fault }
 }
 
-fn within_limits(assembly: Assembly, cutter: &Cutter<'_>, machine: &Machine<'_>) -> Result<Assembly, Vec<Unfit>> {
-    if assembly.length > machine.overhang_max {
-        let fault = HolderFault::TooLong { length: assembly.length, limit: machine.overhang_max };
-        return Err(vec![unfit(cutter, &assembly.holder, fault)]);
+fn within_limits<'k>(held: Held<'k>, cutter: &Cutter<'_>, machine: &Machine<'_>) -> Result<Held<'k>, Vec<Unfit>> {
+    let holder = held.holder.as_ref().map_or(cutter.designation, |(row, _)| row.designation);
+    if held.length > machine.overhang_max {
+        let fault = HolderFault::TooLong { length: held.length, limit: machine.overhang_max };
+        return Err(vec![unfit(cutter, holder, fault)]);
     }
-    if let Some(mass) = assembly.mass_kg.filter(|mass| *mass > machine.tool_mass_max_kg) {
+    if let Some(mass) = held.mass_kg.filter(|mass| *mass > machine.tool_mass_max_kg) {
         let fault = HolderFault::TooHeavy { mass, limit: machine.tool_mass_max_kg };
-        return Err(vec![unfit(cutter, &assembly.holder, fault)]);
+        return Err(vec![unfit(cutter, holder, fault)]);
     }
-    Ok(assembly)
+    Ok(held)
 }
 
 /// Mass of a steel bar as thick and long as the cutter, kg: above the cutter's own, which has flutes.
@@ -208,18 +240,18 @@ pub(super) fn is_ranged(shank: Shank, operation: Operation) -> bool {
 ///
 /// With a cylindrical shank L − seat + 2…3 mm (textbook 5.2 item 5); with a Morse shank the length
 /// outside the taper; a shell cutter sits on its arbor; a tool with the machine's taper stands out whole.
-pub(super) fn overhang(
-    cutter: &Cutter<'_>,
+pub(super) fn overhang<'k>(
+    cutter: &Cutter<'k>,
     need: &CutterNeed<'_>,
-    shop: &Shop<'_>,
-) -> Result<(Micrometres, Because), KnowledgeError> {
+    shop: &Shop<'k>,
+) -> Result<Overhang<'k>, KnowledgeError> {
     let row = &cutter.row;
     let length = || stated(row, "length", row.length);
     if need.operation == Operation::Tap {
         let clamped = shop.default_row(HoleDefault::TapClampDiameters)?;
         let held = stated(row, "shank_diameter", row.shank_diameter)?.to_mm() * clamped.value;
         let free = length()? - Micrometres::from_mm_rounded(held);
-        return Ok((free, Because::row(clamped.row, Note::new("overhang-tap").with("free", free))));
+        return Ok(Overhang { length: free, row: clamped.row, by: ByShank::Tap });
     }
     match cutter.head.shank {
         Shank::Cylindrical => {
@@ -229,19 +261,50 @@ pub(super) fn overhang(
                 Some(shank) => stated(row, "length", row.length.or(row.cutting_length))? - shank,
                 None => stated(row, "flute_length", row.flute_length.or(row.cutting_length))?,
             };
-            let note = Note::new("overhang-cylindrical").with("free", free).with("extra", extra);
-            Ok((free + extra, Because::row(addition.row, note)))
+            Ok(Overhang { length: free + extra, row: addition.row, by: ByShank::Cylindrical { free, extra } })
         }
         Shank::Morse => {
-            let note = Note::new("overhang-morse");
             let projection = match row.projection {
                 Some(projection) => projection,
                 None => length()? - taper_shank(row, shop.knowledge)?,
             };
-            Ok((projection, Because::row(row.row, note.with("projection", projection))))
+            Ok(Overhang { length: projection, row: row.row, by: ByShank::Morse })
         }
-        Shank::Shell => Ok((length()?, Because::row(row.row, Note::new("overhang-shell")))),
-        Shank::Taper => Ok((length()?, Because::row(row.row, Note::new("overhang-taper")))),
+        Shank::Shell => Ok(Overhang { length: length()?, row: row.row, by: ByShank::Shell }),
+        Shank::Taper => Ok(Overhang { length: length()?, row: row.row, by: ByShank::Taper }),
+    }
+}
+
+/// How far a cutter stands out, by which row.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Overhang<'k> {
+    /// From the holder's face to the tip; of a shell cutter its own length.
+    pub length: Micrometres,
+    row: RowRef<'k>,
+    by: ByShank,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum ByShank {
+    Tap,
+    Cylindrical { free: Micrometres, extra: Micrometres },
+    Morse,
+    Shell,
+    Taper,
+}
+
+impl Overhang<'_> {
+    pub fn because(&self) -> Because {
+        let note = match self.by {
+            ByShank::Tap => Note::new("overhang-tap").with("free", self.length),
+            ByShank::Cylindrical { free, extra } => {
+                Note::new("overhang-cylindrical").with("free", free).with("extra", extra)
+            }
+            ByShank::Morse => Note::new("overhang-morse").with("projection", self.length),
+            ByShank::Shell => Note::new("overhang-shell"),
+            ByShank::Taper => Note::new("overhang-taper"),
+        };
+        Because::row(self.row, note)
     }
 }
 

@@ -57,8 +57,8 @@ fn first_that_fits<'k>(
     for cutter in cutters {
         match holder::assemble(&cutter, need, shop)? {
             Ok(assembly) => {
-                let because = cutter.because.clone().over(rejected.iter().map(Unfit::note).collect());
-                return Ok(Ok((Cutter { because, ..cutter }, assembly)));
+                let over = rejected.iter().map(Unfit::note).collect();
+                return Ok(Ok((Cutter { over, ..cutter }, assembly)));
             }
             Err(why) => rejected.extend(why),
         }

@@ -14,7 +14,7 @@ use crate::tables::holders::HolderRow;
 use crate::tables::rules::HolderForShank;
 use crate::tables::tools::{BoringStage, CutterRow};
 
-use super::cutter::{Cutter, CutterNeed};
+use super::cutter::{By, Cutter, CutterNeed};
 use super::holder;
 use super::reach::refuse;
 use super::sizes::size_fits;
@@ -36,7 +36,7 @@ pub struct NamedCutter<'k> {
 /// A row is not what its contract says; never of tables that were checked.
 pub fn cutter_names(knowledge: &Knowledge) -> Result<Vec<NamedCutter<'_>>, TableError> {
     let mut names = Vec::new();
-    for table in knowledge.tables() {
+    for table in knowledge.tables_of_cutters() {
         let Some(head) = &table.tool else { continue };
         let rows: Vec<CutterRow<'_>> = table.rows().collect::<Result<_, _>>()?;
         // One kind of designation after the other, as the columns of the table are read.
@@ -135,13 +135,14 @@ pub fn not_taken(holder: &HolderRow<'_>, cutter: &NamedCutter<'_>, machine: &Mac
 ///
 /// # Errors
 /// The knowledge cannot answer.
-pub fn overhang(
-    cutter: &NamedCutter<'_>,
+pub fn overhang<'k>(
+    cutter: &NamedCutter<'k>,
     operation: Operation,
-    shop: &Shop<'_>,
+    shop: &Shop<'k>,
 ) -> Result<(Micrometres, Micrometres, Because), KnowledgeError> {
     let need = CutterNeed::plain(operation, cutter.row.diameter.unwrap_or_default());
-    let (most, because) = holder::overhang(&as_cutter(cutter), &need, shop)?;
+    let overhang = holder::overhang(&as_cutter(cutter), &need, shop)?;
+    let (most, because) = (overhang.length, overhang.because());
     if !holder::is_ranged(cutter.head.shank, operation) {
         return Ok((most, most, because));
     }
@@ -155,13 +156,12 @@ pub fn point_angle(cutter: &NamedCutter<'_>) -> Option<f64> {
 }
 
 fn as_cutter<'k>(named: &NamedCutter<'k>) -> Cutter<'k> {
-    let because = Because::row(named.row.row, Note::new("named"));
     Cutter {
         row: named.row.clone(),
         head: named.head,
         designation: named.designation,
         diameter: named.row.diameter.unwrap_or_default(),
-        because: because.clone(),
-        order: because,
+        by: By::Named,
+        over: Vec::new(),
     }
 }

@@ -126,8 +126,8 @@ pub fn drill_sizes(shop: &Shop<'_>) -> Result<Vec<DrillSize>, KnowledgeError> {
         let (cutters, _) = cutters(&need, shop)?;
         let mut reach = Micrometres::ZERO;
         for cutter in cutters {
-            if let Ok(assembly) = super::holder::assemble(&cutter, &need, shop)? {
-                reach = reach.max(reach_of(&cutter.row).unwrap_or_default().min(assembly.overhang));
+            if let Ok(held) = super::holder::hold(&cutter, &need, shop)? {
+                reach = reach.max(reach_of(&cutter.row).unwrap_or_default().min(held.overhang.length));
             }
         }
         if reach > Micrometres::ZERO {

@@ -77,9 +77,7 @@ impl Contract {
         match self.which {
             Which::One(id) => table.id == id,
             Which::Each(ids) => ids.contains(&table.id.as_str()),
-            Which::Record(schema) => {
-                table.laws.iter().any(|law| law.name == "record" && law.get("schema") == Some(schema))
-            }
+            Which::Record(schema) => table.record_of() == Some(schema),
             Which::Tools => table.tool.is_some(),
         }
     }

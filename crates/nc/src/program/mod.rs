@@ -177,7 +177,7 @@ impl Fault {
 
     /// With one more figure.
     #[must_use]
-    fn with(mut self, name: &str, value: impl ToString) -> Self {
+    fn with(mut self, name: &'static str, value: impl ToString) -> Self {
         self.note = self.note.with(name, value);
         self
     }

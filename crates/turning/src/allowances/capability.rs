@@ -84,7 +84,7 @@ fn compare(
     knowledge: &Knowledge,
     findings: &mut Vec<Finding>,
 ) -> Result<Option<Elsewhere>, KnowledgeError> {
-    let mut find = |severity: Severity, code: &str| {
+    let mut find = |severity: Severity, code: &'static str| {
         findings.push(Finding::of_part(severity, Note::new(code).with("surface", &surface.name)));
     };
     if surface.grade.is_none() && surface.roughness.is_none() {

@@ -185,7 +185,7 @@ fn angle<'k, Q: Question>(
     cut: &Cut<'_, 'k>,
     question: &Q,
     factor: impl FnOnce(Q::Row<'k>) -> f64,
-    code: &str,
+    code: &'static str,
 ) -> Tried<(f64, Because), Lacking> {
     let angle = cut.edge_angle();
     let outside = || Refusal::Not(Of::Angle { table: Q::TABLE.to_owned(), angle }.into());
@@ -219,6 +219,6 @@ fn degrees(angle: Decimal) -> Degrees {
     Degrees(angle.to_f64())
 }
 
-fn shown(code: &str, factor: f64) -> Note {
+fn shown(code: &'static str, factor: f64) -> Note {
     Note::new(code).with("factor", round_to(factor, 3))
 }

@@ -160,7 +160,7 @@ fn told(
         name: scheme.name(),
         measures: told::measure(&path, rates),
         points: told::points(&path, levels),
-        because: Because::row(rule.row, Note::new(&format!("scheme-{}", scheme.name()))),
+        because: Because::row(rule.row, Note::new(format!("scheme-{}", scheme.name()))),
         path,
     };
     Ok((rule.preference, told))

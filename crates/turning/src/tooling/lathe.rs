@@ -1,7 +1,6 @@
 //! A lathe's limits, from its record in `catalogs/lathes`.
 
 use crate::error::KnowledgeError;
-use crate::knowledge::contract::TableRow;
 use crate::knowledge::{Knowledge, RowRef, Table};
 use crate::note::Note;
 use crate::tables::lathes::{LatheQuantity as Q, LatheRecord};
@@ -114,8 +113,7 @@ impl<'k> Record<'k> {
 impl<'k> Lathe<'k> {
     /// Every lathe's id, as files name it.
     pub fn ids(knowledge: &'k Knowledge) -> Vec<&'k str> {
-        let is_lathe = |table: &&Table| LatheRecord::CONTRACT.is_of(table);
-        knowledge.tables().filter(is_lathe).filter_map(|table| table.id.strip_prefix("lathe-")).collect()
+        knowledge.tables_of::<LatheRecord<'_>>().filter_map(|table| table.id.strip_prefix("lathe-")).collect()
     }
 
     /// The lathe of that id, such as `16k20f3`.

@@ -318,7 +318,7 @@ fn outer(
     let course = course.home();
     let edge = (scheme == Scheme::Descent).then_some(settings.depth);
     let ridges_mm = course.standing.ridge(&zone.ground);
-    let note = Note::new(&format!("transition-{}", scheme.name()));
+    let note = Note::new(format!("transition-{}", scheme.name()));
     Ok(Transition {
         scheme,
         points: told::points(&course.way, &course.roles),

@@ -53,7 +53,7 @@ pub fn advice(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Vec<Advice
     let (holding, heat_treatment) = (workpiece.holding, workpiece.heat_treatment);
     for rule in knowledge.ask(&TurningBlankPreparationFor { stock, holding, heat_treatment })?.winners()? {
         let severity = if rule.contradicts { Severity::Wrong } else { Severity::Note };
-        let note = Note::new(&format!("blank-{}", rule.action));
+        let note = Note::new(format!("blank-{}", rule.action));
         say(severity, note.clone(), Because::row(rule.row, note));
     }
     Ok(said)

@@ -81,7 +81,7 @@ fn z_of(measure: &Measure) -> Option<Half> {
 }
 
 impl Walk<'_, '_, '_> {
-    pub fn fault(&mut self, code: &'static str, figures: &[(&str, &dyn Display)], place: &Place) {
+    pub fn fault(&mut self, code: &'static str, figures: &[(&'static str, &dyn Display)], place: &Place) {
         self.reader.fault::<()>(code, figures, place);
         self.walked.whole = false;
     }

@@ -82,7 +82,7 @@ pub(super) fn held(
     Ok(Ok(plan))
 }
 
-fn lacks(row: &Row, code: &str) -> NotHeld {
+fn lacks(row: &Row, code: &'static str) -> NotHeld {
     let note = Note::new(code).with("row", row.number).with("operation", row.operation.value.name());
     NotHeld { note, place: Some(row.place.clone()) }
 }

@@ -76,7 +76,7 @@ impl<'k> Fitting<'_, 'k> {
         let mut because = step.because.clone();
         because.push(Because::row(rule.row, note));
         let (approach, doubts, makes_edge) = (self.travels(false).0, Vec::new(), edge.is_some());
-        Ok(Fitted { step, tool: None, travel, approach, conditions, doubts, makes_edge, because })
+        Ok(Fitted { step, tool: None, travel, approach, conditions: conditions.into(), doubts, makes_edge, because })
     }
 
     /// The conditions of centring with a drill of that diameter.

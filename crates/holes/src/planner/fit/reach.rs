@@ -89,7 +89,7 @@ impl Fitting<'_, '_> {
 /// one of them clears the hole. 180, a flat end, where no table names an angle.
 pub(super) fn point_angle(knowledge: &Knowledge, operation: Operation) -> f64 {
     knowledge
-        .tables()
+        .tables_of_cutters()
         .filter_map(|table| table.tool.as_ref())
         .filter(|head| head.operations.contains(&operation))
         .filter_map(|head| head.point_angle)

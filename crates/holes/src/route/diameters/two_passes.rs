@@ -38,7 +38,7 @@ pub(super) fn two_passes(
     let at_hand = inside(sizes.in_magazine);
     let in_magazine = at_hand.is_some() && !sizes.single_drill;
     let answer = shop.knowledge.ask(&TwoPassDrillingFor { diameter, first_drill_in_magazine: in_magazine })?;
-    let note = |code: &str| Note::new(code).with("diameter", diameter).with("low", low).with("high", high);
+    let note = |code: &'static str| Note::new(code).with("diameter", diameter).with("low", low).with("high", high);
     if answer.need("this drill")?.passes < 2 {
         steps[index].because.push(Because::answer(&answer.answer, note("one-pass")));
         return Ok(());

@@ -62,8 +62,8 @@ impl Maker<'_> {
     }
 
     /// Tells a breach of a rule with its figures.
-    pub(super) fn tell(&mut self, code: &'static str, span: Span, figures: &[(&str, String)]) {
-        let note = figures.iter().fold(Note::new(code), |note, (name, value)| note.with(name, value));
+    pub(super) fn tell(&mut self, code: &'static str, span: Span, figures: &[(&'static str, String)]) {
+        let note = figures.iter().fold(Note::new(code), |note, (name, value)| note.with(*name, value));
         self.tell_note(code, span, note);
     }
 
