@@ -112,7 +112,7 @@ impl Note {
             return false;
         }
         for name in listed {
-            if let (Some(values), Some(value)) = (self.params.get_mut(*name), other.params.get(*name))
+            if let (Some(values), Some(value)) = (self.params.get_mut(name), other.params.get(name))
                 && !values.split(", ").any(|known| known == value)
             {
                 values.push_str(", ");
