@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use technolog::knowledge::contract::Named;
 use technolog::knowledge::{Input, Knowledge, Value};
 use technolog::tables::lathes::LatheRecord;
-use technolog::turning::tooling::{Hand, Lathe, Shank, Spindle, ToolKind, TurningTool, Works};
+use technolog::turning::tooling::{Hand, Lathe, Place, Shank, Spindle, ToolKind, TurningTool};
 use technolog::units::{Decimal, Micrometres, RevsPerMinute, Unit};
 use technolog_testing::KNOWLEDGE;
 
@@ -107,7 +107,7 @@ fn every_turning_tool_is_what_its_designation_says() {
                     Micrometres::from_mm(length_of(figures.as_bytes()[4].into())),
                     "{what}"
                 );
-                assert_eq!(tool.works, Works::Outer, "{what}");
+                assert_eq!(tool.works, Place::Outer, "{what}");
             }
             Shank::Round { diameter } => {
                 assert_eq!(what[1..3].parse::<i64>().unwrap(), diameter.micrometres() / 1000, "{what}");
@@ -117,7 +117,7 @@ fn every_turning_tool_is_what_its_designation_says() {
                     "{what}"
                 );
                 assert!(tool.min_bore.unwrap() > diameter, "{what}: the bar must enter its bore");
-                assert_eq!(tool.works, Works::Inner, "{what}");
+                assert_eq!(tool.works, Place::Inner, "{what}");
             }
         }
     }
