@@ -11,7 +11,7 @@ use crate::contract::TableRow;
 use crate::diagnostic::Place;
 use crate::query::Index;
 use crate::set::Set;
-use crate::units::{Decimal, ItGrade, Micrometres, Roughness, Unit};
+use crate::units::Decimal;
 use crate::value::Value;
 use crate::vocabulary::{Operation, Shank, ToolMaterial};
 
@@ -248,7 +248,7 @@ impl Table {
     }
 
     /// The first row whose text column has that value.
-    pub fn find(&self, column: &str, value: &str) -> Option<RowRef<'_>> {
+    pub(crate) fn find(&self, column: &str, value: &str) -> Option<RowRef<'_>> {
         self.all_rows().find(|row| row.value(column).and_then(Value::as_text) == Some(value))
     }
 }
@@ -310,102 +310,12 @@ impl<'t> RowRef<'t> {
         }
     }
 
-    fn typed<T>(self, column: &str, what: &str, pick: impl Fn(&'t Value) -> Option<T>) -> Result<T, TableError> {
-        self.value(column)
-            .and_then(pick)
-            .ok_or_else(|| self.problem(format!("the column `{column}` must hold {what} here")))
-    }
-
     /// A text.
     ///
     /// # Errors
     /// The row has no text there.
     pub fn text(self, column: &str) -> Result<&'t str, TableError> {
-        self.typed(column, "a text", Value::as_text)
-    }
-
-    /// A list of texts; a single text is a list of one.
-    ///
-    /// # Errors
-    /// The row has something else there.
-    pub fn texts(self, column: &str) -> Result<Vec<&'t str>, TableError> {
-        self.typed(column, "a list of texts", |value| value.items().iter().map(Value::as_text).collect())
-    }
-
-    /// The numbers of a cell, in the unit of its column; empty where the row has none.
-    pub fn numbers(self, column: &str) -> Vec<f64> {
-        let number = |value: &Value| match value {
-            Value::Number(number, _) => Some(number.to_f64()),
-            _ => None,
-        };
-        self.value(column).map(Value::items).unwrap_or_default().iter().filter_map(number).collect()
-    }
-
-    /// A length.
-    ///
-    /// # Errors
-    /// The row has no length there.
-    pub fn length(self, column: &str) -> Result<Micrometres, TableError> {
-        self.typed(column, "a length", |value| match value {
-            Value::Length(length) => Some(*length),
-            _ => None,
-        })
-    }
-
-    /// A length, where the row may have none: asked of thousands of rows, it makes no sentence of a miss.
-    pub fn length_if_any(self, column: &str) -> Option<Micrometres> {
-        match self.value(column) {
-            Some(Value::Length(length)) => Some(*length),
-            _ => None,
-        }
-    }
-
-    /// A decimal in that unit.
-    ///
-    /// # Errors
-    /// The row has no such number there.
-    pub fn number_in(self, column: &str, unit: Unit) -> Result<f64, TableError> {
-        match self.value(column) {
-            Some(Value::Number(number, given)) if *given == unit => Ok(number.to_f64()),
-            _ => Err(self.problem(format!("the column `{column}` must hold a number in `{unit}` here"))),
-        }
-    }
-
-    /// A whole number.
-    ///
-    /// # Errors
-    /// The row has no whole number there.
-    pub fn int(self, column: &str) -> Result<i64, TableError> {
-        self.typed(column, "a whole number", |value| match value {
-            Value::Int(number) => Some(*number),
-            _ => None,
-        })
-    }
-
-    /// Yes or no; a cell left out is no.
-    pub fn flag(self, column: &str) -> bool {
-        matches!(self.value(column), Some(Value::Bool(true)))
-    }
-
-    /// A tolerance grade.
-    ///
-    /// # Errors
-    /// The row has none there.
-    pub fn grade(self, column: &str) -> Result<ItGrade, TableError> {
-        self.typed(column, "a tolerance grade", |value| match value {
-            Value::Grade(grade) => Some(*grade),
-            _ => None,
-        })
-    }
-
-    /// A roughness limit.
-    ///
-    /// # Errors
-    /// The row has none there.
-    pub fn roughness(self, column: &str) -> Result<Roughness, TableError> {
-        self.typed(column, "a roughness", |value| match value {
-            Value::Roughness(roughness) => Some(*roughness),
-            _ => None,
-        })
+        let text = self.value(column).and_then(Value::as_text);
+        text.ok_or_else(|| self.problem(format!("the column `{column}` must hold a text here")))
     }
 }

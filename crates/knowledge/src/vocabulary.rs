@@ -58,6 +58,66 @@ crate::vocabulary! {
         Carbide = "carbide",
     }
 
+    /// Controls of mills that read the language of ISO 6983.
+    pub enum IsoControl {
+        /// LinuxCNC 2.9.
+        LinuxCnc = "linuxcnc",
+        /// Fanuc 0i.
+        Fanuc = "fanuc",
+    }
+
+    /// Controls of lathes.
+    pub enum LatheControl {
+        /// LinuxCNC 2.9.
+        LinuxCnc = "linuxcnc",
+        /// Sinumerik 840D.
+        Sinumerik = "sinumerik",
+        /// Balt-System NC-201.
+        Nc201 = "nc-201",
+    }
+
+    /// Kinds of blanks of turned parts.
+    #[derive(Serialize, Deserialize, JsonSchema)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum StockKind {
+        /// Bar: a full cylinder.
+        Bar = "bar",
+        /// Tube: a cylinder with a bore.
+        Tube = "tube",
+        /// A forging, near the shape of the part.
+        Forging = "forging",
+        /// A casting, near the shape of the part.
+        Casting = "casting",
+    }
+
+    /// Where a surface of a turned part lies, and where a tool of the lathe works.
+    #[derive(Serialize, Deserialize, JsonSchema)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum Place {
+        /// Outside.
+        Outer = "outer",
+        /// In a bore.
+        Inner = "inner",
+        /// Across the axis.
+        Face = "face",
+    }
+
+    /// The surface of the metal before the cut.
+    pub enum Surface {
+        /// Machined before, without a skin.
+        None = "none",
+        /// As rolled.
+        Rolled = "rolled",
+        /// As forged.
+        Forged = "forged",
+        /// As cast.
+        Cast = "cast",
+        /// As cast and badly soiled.
+        CastDirty = "cast-dirty",
+        /// As cast, of copper and aluminium alloys.
+        CastCopperAluminium = "cast-copper-aluminium",
+    }
+
     /// How cutting conditions are found.
     #[derive(Default, Serialize, Deserialize, JsonSchema)]
     #[serde(rename_all = "lowercase")]
@@ -118,6 +178,11 @@ impl Vocabularies {
             of("operations", Operation::WORDS),
             of("shanks", Shank::WORDS),
             of("tool-materials", ToolMaterial::WORDS),
+            of("iso-controls", IsoControl::WORDS),
+            of("lathe-controls", LatheControl::WORDS),
+            of("stock-kinds", StockKind::WORDS),
+            of("places", Place::WORDS),
+            of("surfaces", Surface::WORDS),
         ]))
     }
 

@@ -5,6 +5,7 @@ use technolog_knowledge::units::{
     Brinell, Kilowatts, Megapascals, MetresPerMinute, Micrometres, MillimetresPerRev, MillimetresPerTooth, Minutes,
     Newtons, Roughness,
 };
+pub use technolog_knowledge::vocabulary::Surface;
 use technolog_knowledge::vocabulary::{Operation, ToolMaterial};
 use technolog_knowledge::{rows, vocabulary};
 
@@ -61,22 +62,6 @@ vocabulary! {
         Hardness150 = "hardness-150",
         /// Nothing: alloys have a factor by their class.
         None = "none",
-    }
-
-    /// The surface of the metal before the cut.
-    pub enum Surface {
-        /// Machined before, without a skin.
-        None = "none",
-        /// As rolled.
-        Rolled = "rolled",
-        /// As forged.
-        Forged = "forged",
-        /// As cast.
-        Cast = "cast",
-        /// As cast and badly soiled.
-        CastDirty = "cast-dirty",
-        /// As cast, of copper and aluminium alloys.
-        CastCopperAluminium = "cast-copper-aluminium",
     }
 
     /// The kind of a mill.

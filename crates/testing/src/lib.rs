@@ -19,7 +19,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::LazyLock;
 
-use technolog::knowledge::Knowledge;
+use technolog::knowledge::{Knowledge, RowRef, Value};
 use technolog::part::{Part, read_part};
 use technolog::plan::{CuttingMethod, Operation, Plan, Way};
 use technolog::units::Micrometres;
@@ -120,4 +120,12 @@ pub fn csv_rows(path: &str) -> Vec<BTreeMap<String, String>> {
 /// Transitions as a table lists them, separated by spaces.
 pub fn operations(written: &str) -> Vec<Operation> {
     written.split(' ').map(|name| Operation::from_name(name).unwrap_or_else(|| panic!("no operation {name}"))).collect()
+}
+
+/// The number of a cell, in the unit of its column.
+pub fn number(row: RowRef<'_>, column: &str) -> f64 {
+    match row.value(column) {
+        Some(Value::Number(number, _)) => number.to_f64(),
+        other => panic!("{column}: {other:?}"),
+    }
 }

@@ -117,7 +117,7 @@ impl Columns {
         }
     }
 
-    /// Works a motion off. Tells every column that it takes from: its place, how high it was, and how high it is.
+    /// Place a motion off. Tells every column that it takes from: its place, how high it was, and how high it is.
     pub fn cut(&mut self, piece: &Piece, edge: Option<Half>) -> Vec<(usize, f64, f64)> {
         let mut taken = Vec::new();
         let (from, to) = (piece.from.z.min(piece.to.z), piece.from.z.max(piece.to.z));
@@ -172,7 +172,7 @@ pub struct Worked {
     pub left: f64,
 }
 
-/// Works a whole way off.
+/// Place a whole way off.
 pub fn work_off(stock: &Stock, way: &Way, edge: Option<Half>) -> Worked {
     let mut columns = Columns::of(stock, way);
     let (mut below, mut hit, mut depth) = (f64::NEG_INFINITY, f64::NEG_INFINITY, 0.0_f64);

@@ -106,7 +106,7 @@ impl Metal {
     }
 }
 
-/// Works an operation off and tells every fault.
+/// Place an operation off and tells every fault.
 pub fn work_off(operation: &Operation) -> Vec<Fault> {
     let mut faults = Vec::new();
     let top = operation.workpiece.blank.outer.radii().unwrap().1;

@@ -16,7 +16,8 @@ use std::path::{Path, PathBuf};
 use technolog::knowledge::units::Roughness;
 use technolog::knowledge::{Knowledge, Source, Table};
 use technolog::shipped;
-use technolog::units::{Decimal, Unit};
+use technolog::units::Decimal;
+use technolog_testing::number;
 
 /// What the first word after a name's `·` can be; no other text in back quotes has it.
 const FIRST: [&str; 2] = [" · rows ", " · tables "];
@@ -150,9 +151,9 @@ fn the_roughness_pairs_of_the_code_are_those_of_the_table() {
     let table = knowledge.table("ra-rz").unwrap();
     assert!(!table.rows.is_empty());
     for row in table.all_rows() {
-        let rz = Decimal::from_f64_rounded(row.number_in("rz", Unit::Micrometre).unwrap());
+        let rz = Decimal::from_f64_rounded(number(row, "rz"));
         let by_code: Roughness = format!("Rz {rz}").parse().unwrap();
-        let by_table = row.number_in("ra_preferred", Unit::Micrometre).unwrap();
+        let by_table = number(row, "ra_preferred");
         assert!(
             (by_code.ra_um() - by_table).abs() < 1e-9,
             "Rz {rz}: {} in the code, {by_table} in the table",

@@ -6,9 +6,9 @@ use std::collections::BTreeSet;
 use technolog::knowledge::contract::Named;
 use technolog::knowledge::{Input, Knowledge, Value};
 use technolog::tables::lathes::LatheRecord;
-use technolog::turning::tooling::{Hand, Lathe, Shank, Spindle, ToolKind, TurningTool, Works};
-use technolog::units::{Decimal, Micrometres, RevsPerMinute, Unit};
-use technolog_testing::KNOWLEDGE;
+use technolog::turning::tooling::{Hand, Lathe, Place, Shank, Spindle, ToolKind, TurningTool};
+use technolog::units::{Decimal, Micrometres, RevsPerMinute};
+use technolog_testing::{KNOWLEDGE, number};
 
 /// Read once: every test only looks at it.
 fn knowledge() -> &'static Knowledge {
@@ -107,7 +107,7 @@ fn every_turning_tool_is_what_its_designation_says() {
                     Micrometres::from_mm(length_of(figures.as_bytes()[4].into())),
                     "{what}"
                 );
-                assert_eq!(tool.works, Works::Outer, "{what}");
+                assert_eq!(tool.works, Place::Outer, "{what}");
             }
             Shank::Round { diameter } => {
                 assert_eq!(what[1..3].parse::<i64>().unwrap(), diameter.micrometres() / 1000, "{what}");
@@ -117,7 +117,7 @@ fn every_turning_tool_is_what_its_designation_says() {
                     "{what}"
                 );
                 assert!(tool.min_bore.unwrap() > diameter, "{what}: the bar must enter its bore");
-                assert_eq!(tool.works, Works::Inner, "{what}");
+                assert_eq!(tool.works, Place::Inner, "{what}");
             }
         }
     }
@@ -255,7 +255,7 @@ fn rough_feeds_fall_with_the_depth_and_rise_with_the_diameter() {
             ("diameter", Input::Length(Micrometres::from_mm(diameter))),
             ("depth", Input::Length(Micrometres::from_mm(depth))),
         ];
-        table.decide(&inputs).unwrap().winner().map(|row| row.number_in("feed_min", Unit::MillimetrePerRev).unwrap())
+        table.decide(&inputs).unwrap().winner().map(|row| number(row, "feed_min"))
     };
     for group in ["steel", "grey-iron"] {
         for diameter in [20, 40, 60, 100, 400, 500, 600] {
@@ -283,7 +283,7 @@ fn finishing_feeds_leave_the_roughness_they_are_given_for() {
         let cell = [("roughness", Input::Roughness(ra.parse().unwrap())), ("nose_radius", Input::Text(nose))];
         let found = tables.iter().filter_map(|table| {
             let row = table.decide(&cell).ok()?.winner()?;
-            Some(row.number_in("feed", Unit::MillimetrePerRev).unwrap())
+            Some(number(row, "feed"))
         });
         let found: Vec<f64> = found.collect();
         assert_eq!(found.len(), 1, "{ra}, {nose}: a cell stands in one table and not in two");

@@ -265,7 +265,7 @@ fn record(table: &Table, law: &Law, knowledge: &Knowledge) -> Broken {
     for wanted in schema.all_rows() {
         let name = wanted.text("name").map_err(|error| error.to_string())?;
         match table.find("name", name) {
-            None if wanted.flag("required") => {
+            None if wanted.value("required") == Some(&Value::Bool(true)) => {
                 let message = format!("table {}: the quantity `{name}` is missing", table.id);
                 found.push(Diagnostic::error("broken-law", message, law.place.clone()));
             }

@@ -1,18 +1,11 @@
 //! The language of LinuxCNC and Fanuc.
 
+pub use technolog_knowledge::vocabulary::IsoControl;
 use technolog_knowledge::{rows, vocabulary};
 
 use super::{Acts, Letter};
 
 vocabulary! {
-    /// Which dialect it is, where that is no figure of a table.
-    pub enum Kind {
-        /// LinuxCNC 2.9.
-        LinuxCnc = "linuxcnc",
-        /// Fanuc 0i.
-        Fanuc = "fanuc",
-    }
-
     /// How an address is written.
     pub enum Written {
         Whole = "whole",
@@ -148,14 +141,14 @@ rows! {
     /// Addresses of LinuxCNC and Fanuc.
     pub struct Addresses of One("iso-addresses") {
         address: Letter,
-        controls: Vec<Kind>,
+        controls: Vec<IsoControl>,
         kind: Written,
     } shown { meaning_uk, meaning_en }
 
     /// Fixed cycles of LinuxCNC and Fanuc.
     pub struct Cycles of One("iso-cycles") {
         code: &'t str,
-        controls: Vec<Kind>,
+        controls: Vec<IsoControl>,
         required: Vec<Letter>,
         optional_words: Option<Vec<Letter>>,
         inwards: Inwards,
@@ -166,16 +159,16 @@ rows! {
     /// G functions of LinuxCNC and Fanuc.
     pub struct GFunctions of One("iso-g-functions") {
         code: &'t str,
-        controls: Vec<Kind>,
+        controls: Vec<IsoControl>,
         group: Group,
-        power_on: Option<Vec<Kind>>,
+        power_on: Option<Vec<IsoControl>>,
         effect: Effect,
     } shown { meaning_uk, meaning_en }
 
     /// M functions of LinuxCNC and Fanuc.
     pub struct MFunctions of One("iso-m-functions") {
         code: &'t str,
-        controls: Vec<Kind>,
+        controls: Vec<IsoControl>,
         action: Action,
         group: MGroup,
         acts: Acts,

@@ -1,17 +1,11 @@
 //! Controls of lathes: their words and their roughing cycles.
 
+pub use technolog_knowledge::vocabulary::LatheControl;
 use technolog_knowledge::{rows, vocabulary};
 
 use crate::turning::part::Side;
 
 vocabulary! {
-    /// The controls.
-    pub enum LatheControl {
-        LinuxCnc = "linuxcnc",
-        Sinumerik = "sinumerik",
-        Nc201 = "nc-201",
-    }
-
     /// The direction of the passes.
     pub enum Direction {
         /// Along the axis, from the free end towards the chuck.

@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use technolog_knowledge::units::{Degrees, Micrometres, Microns};
+pub use technolog_knowledge::vocabulary::{Place, StockKind};
 use technolog_knowledge::{rows, vocabulary};
 
 use crate::cutting::Surface;
@@ -87,20 +88,6 @@ vocabulary! {
         OtherSide = "other-side",
     }
 
-    /// Kinds of blanks in the contour form.
-    #[derive(Serialize, Deserialize, JsonSchema)]
-    #[serde(rename_all = "kebab-case")]
-    pub enum StockKind {
-        /// Bar: a full cylinder.
-        Bar = "bar",
-        /// Tube: a cylinder with a bore.
-        Tube = "tube",
-        /// A forging, near the shape of the part.
-        Forging = "forging",
-        /// A casting, near the shape of the part.
-        Casting = "casting",
-    }
-
     /// The shape of a blank.
     pub enum BlankShape {
         /// As it is rolled.
@@ -139,18 +126,6 @@ vocabulary! {
         Before = "before",
         /// After it.
         After = "after",
-    }
-
-    /// Where a surface lies, for the tables of allowances.
-    #[derive(Serialize)]
-    #[serde(rename_all = "kebab-case")]
-    pub enum Place {
-        /// Turned from outside.
-        Outer = "outer",
-        /// Bored.
-        Inner = "inner",
-        /// Faced.
-        Face = "face",
     }
 
     /// What a surface is to a later operation.
@@ -206,12 +181,12 @@ impl SurfaceKind {
     }
 }
 
-impl StockKind {
-    /// Its shape.
-    pub const fn shape(self) -> BlankShape {
-        match self {
-            Self::Bar | Self::Tube => BlankShape::Bar,
-            Self::Forging | Self::Casting => BlankShape::NearPart,
+impl BlankShape {
+    /// The shape of a kind of blank.
+    pub const fn of(kind: StockKind) -> Self {
+        match kind {
+            StockKind::Bar | StockKind::Tube => Self::Bar,
+            StockKind::Forging | StockKind::Casting => Self::NearPart,
         }
     }
 }

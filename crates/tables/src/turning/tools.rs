@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use technolog_knowledge::units::{Degrees, Megapascals, Micrometres, MillimetresPerRev, Roughness};
+pub use technolog_knowledge::vocabulary::Place;
 use technolog_knowledge::{rows, vocabulary};
 
 vocabulary! {
@@ -20,18 +21,6 @@ vocabulary! {
         FaceGrooving = "face-grooving",
         /// Threads.
         Threading = "threading",
-    }
-
-    /// Where a tool works.
-    #[derive(Serialize, Deserialize, JsonSchema)]
-    #[serde(rename_all = "kebab-case")]
-    pub enum Works {
-        /// On outer surfaces.
-        Outer = "outer",
-        /// In a bore.
-        Inner = "inner",
-        /// In a face.
-        Face = "face",
     }
 
     /// Which way a tool cuts.
@@ -96,7 +85,7 @@ rows! {
     pub struct TurningToolRow of Each(&TOOL_TABLES) {
         designation: &'t str,
         kind: ToolKind,
-        place_of_work: Works,
+        place_of_work: Place,
         hand: Hand,
         lead_angle: Degrees,
         trail_angle: Degrees,

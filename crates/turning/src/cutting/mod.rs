@@ -22,7 +22,7 @@ use crate::material::Material;
 use crate::reason::Uncut;
 use crate::tables::cutting::Surface;
 use crate::tables::lathes::LatheQuantity;
-use crate::turning::tooling::{Lathe, TurningTool, Works};
+use crate::turning::tooling::{Lathe, Place, TurningTool};
 use crate::units::{Decimal, MetresPerMinute, Micrometres, RevsPerMinute};
 use technolog_cutting::figures::Asking;
 
@@ -97,7 +97,7 @@ impl Cut<'_, '_> {
 
     /// Whether the cut is in a bore.
     fn is_inner(&self) -> bool {
-        self.tool.works == Works::Inner
+        self.tool.works == Place::Inner
     }
 
     /// A refusal that names what was being done.

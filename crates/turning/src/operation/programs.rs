@@ -42,7 +42,7 @@ pub struct Written {
     pub files: Result<Vec<ProgramFile>, NotWritten>,
 }
 
-/// Works that follow each other with one tool, speed and feeds.
+/// Place that follow each other with one tool, speed and feeds.
 struct Run<'a> {
     set_up: u8,
     side: Side,

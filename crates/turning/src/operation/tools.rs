@@ -13,7 +13,7 @@ use crate::turning::allowances::capability::Elsewhere;
 use crate::turning::contour::Side;
 use crate::turning::elements::{self, Angles};
 use crate::turning::length::Half;
-use crate::turning::tooling::{Hand, Lathe, Shank, ToolKind, TurningTool, Works};
+use crate::turning::tooling::{Hand, Lathe, Place, Shank, ToolKind, TurningTool};
 use crate::turning::workpiece::Workpiece;
 use crate::turning::zones::{ToolAngles, Zone, fit};
 use crate::units::{Degrees, Micrometres};
@@ -89,8 +89,8 @@ fn put_in_order(tools: &mut [TurningTool<'_>], kind: ToolKind, knowledge: &Knowl
 /// A table of tools is broken.
 pub fn candidates<'k>(side: Side, bench: &Bench<'_, 'k>) -> Result<Vec<TurningTool<'k>>, KnowledgeError> {
     let wanted = match side {
-        Side::Outer => (ToolKind::Turning, Works::Outer),
-        Side::Inner => (ToolKind::Boring, Works::Inner),
+        Side::Outer => (ToolKind::Turning, Place::Outer),
+        Side::Inner => (ToolKind::Boring, Place::Inner),
     };
     let mut tools = TurningTool::all(bench.knowledge)?;
     tools.retain(|tool| (tool.kind, tool.works) == wanted && tool.hand != Hand::L && tool.nose_radius.is_some());
@@ -106,8 +106,8 @@ pub fn candidates<'k>(side: Side, bench: &Bench<'_, 'k>) -> Result<Vec<TurningTo
 /// A table of tools is broken.
 pub fn for_valleys<'k>(side: Side, bench: &Bench<'_, 'k>) -> Result<Vec<TurningTool<'k>>, KnowledgeError> {
     let works = match side {
-        Side::Outer => Works::Outer,
-        Side::Inner => Works::Inner,
+        Side::Outer => Place::Outer,
+        Side::Inner => Place::Inner,
     };
     let mut plunging = TurningTool::all(bench.knowledge)?;
     plunging.retain(|tool| {

@@ -106,7 +106,7 @@ pub fn zones(
     let knowledge = bench.knowledge;
     let candidates = tools::candidates(layers.rough.side, bench)?;
     let angles: Vec<_> = candidates.iter().map(tools::angles).collect();
-    let near_part = bench.workpiece.blank.kind.shape() == BlankShape::NearPart;
+    let near_part = BlankShape::of(bench.workpiece.blank.kind) == BlankShape::NearPart;
     let stock = zones::Stock { rough: &layers.rough, blank: &layers.blank, near_part, against_stop: false };
     let zones = zones::find(stock, &angles, knowledge)?;
     let taken = tools::assign(&zones, &angles);

@@ -80,7 +80,7 @@ pub struct CostToGo<'g> {
 const KINDS: [Kind; 2] = [Kind::Longitudinal, Kind::Transverse];
 
 impl<'g> CostToGo<'g> {
-    /// Works backwards over all states.
+    /// Place backwards over all states.
     pub fn of(grid: &'g Grid, objective: Objective) -> Self {
         let width = grid.slices.len() + 1;
         let mut all = Self { grid, objective, costs: vec![[Cost::ZERO; 2]; (grid.levels.len() + 1) * width], width };

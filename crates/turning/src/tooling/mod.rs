@@ -7,4 +7,4 @@ mod lathe;
 mod tool;
 
 pub use lathe::{Lathe, Share, Spindle};
-pub use tool::{Hand, Shank, ToolKind, TurningTool, Works};
+pub use tool::{Hand, Place, Shank, ToolKind, TurningTool};

@@ -5,7 +5,7 @@ use crate::knowledge::{Knowledge, RowRef};
 use crate::tables::turning::tools::{TOOL_TABLES, TurningToolRow};
 use crate::units::{Decimal, Micrometres};
 
-pub use crate::tables::turning::tools::{Hand, ToolKind, Works};
+pub use crate::tables::turning::tools::{Hand, Place, ToolKind};
 
 /// What of a tool is clamped, and bends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,7 +34,7 @@ pub struct TurningTool<'k> {
     /// What it is for.
     pub kind: ToolKind,
     /// Where it works.
-    pub works: Works,
+    pub works: Place,
     /// Which way it cuts.
     pub hand: Hand,
     /// φ, between the main edge and the feed along the axis, degrees.

@@ -11,7 +11,7 @@ use crate::tables::controls::Acts;
 use crate::tables::controls::iso::{Addresses, Characteristic, Cycles, GFunctions, MFunctions, MGroup, Record};
 use crate::units::Micrometres;
 
-pub use crate::tables::controls::iso::Kind;
+pub use crate::tables::controls::iso::IsoControl as Kind;
 pub(super) use crate::tables::controls::iso::{Action, Bottom, Effect, Group, Inwards, Outwards, Written};
 
 /// A G function.
