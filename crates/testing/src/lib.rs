@@ -2,6 +2,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "tests hold the codes of notes against what is expected")]
 pub mod cuts;
+pub mod extremes;
 pub mod held;
 pub mod holes;
 pub mod kinds;
