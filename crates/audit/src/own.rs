@@ -81,6 +81,10 @@ pub(super) fn read(
             return problems.error_help("bad-plan", format!("no plan of ours: {error}"), &root.place, help);
         }
     };
+    if let Some((message, help)) = head.part.outside_tables(knowledge) {
+        let place = &root.get("part").unwrap_or(root).place;
+        return problems.error_help("bad-value", message, place, help);
+    }
     let tolerances: Result<Tolerances, KnowledgeError> = Tolerances::read(knowledge);
     let Ok(tolerances) = tolerances else {
         return problems.error("knowledge", "the table `audit-tolerance` cannot be used", &root.place);

@@ -10,6 +10,7 @@
 //! What fails is printed as proptest has shrunk it and is not kept in a file of seeds, because a seed means another case as
 //! soon as its strategy changes: the printed case becomes a test of its own.
 
+use std::collections::BTreeMap;
 use std::str::FromStr;
 
 use proptest::test_runner::{Config, RngSeed};
@@ -51,6 +52,17 @@ pub fn every(usual: usize) -> usize {
     scaled(usual, 1.0 / times())
 }
 
+/// Of a long list a share of every kind: each so manieth of it as [`every`] says, from the first on, so that none is left out.
+pub fn share<T, K: Ord>(all: impl IntoIterator<Item = T>, usual: usize, kind: impl Fn(&T) -> K) -> Vec<T> {
+    let (each, mut seen) = (every(usual), BTreeMap::<K, usize>::new());
+    let mut taken = |one: &T| {
+        let before = seen.entry(kind(one)).or_default();
+        *before += 1;
+        (*before - 1).is_multiple_of(each)
+    };
+    all.into_iter().filter(|one| taken(one)).collect()
+}
+
 /// The seed of something drawn, by its name: another for every name and every `TECHNOLOG_SEED`.
 pub fn seed_of(name: &str) -> u64 {
     let seed: u64 = variable("TECHNOLOG_SEED").unwrap_or(0);
@@ -85,6 +97,13 @@ mod tests {
             prop_assert!(scaled(usual, times) <= scaled(usual, times * 2.0));
             prop_assert_eq!(scaled(usual, 1.0), usual);
         }
+    }
+
+    #[test]
+    fn a_share_has_every_kind() {
+        let all = [(1, 'a'), (2, 'a'), (3, 'b'), (4, 'a'), (5, 'a'), (6, 'c')];
+        let few = share(all, 1_000_000, |(_, kind)| *kind);
+        assert_eq!(few, [(1, 'a'), (3, 'b'), (6, 'c')]);
     }
 
     #[test]

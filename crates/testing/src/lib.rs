@@ -2,6 +2,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "tests hold the codes of notes against what is expected")]
 pub mod cuts;
+pub mod extremes;
 pub mod held;
 pub mod holes;
 pub mod kinds;
@@ -19,6 +20,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::LazyLock;
 
+use technolog::audit::Auditor;
 use technolog::knowledge::{Knowledge, RowRef, Value};
 use technolog::part::{Part, read_part};
 use technolog::plan::{CuttingMethod, Operation, Plan, Way};
@@ -26,6 +28,9 @@ use technolog::units::Micrometres;
 use technolog::{planner, shipped};
 
 pub static KNOWLEDGE: LazyLock<Knowledge> = LazyLock::new(|| shipped::knowledge().unwrap());
+
+/// Audits of many plans: our own plan of a part is made once for all of them.
+pub static AUDITOR: LazyLock<Auditor<'static>> = LazyLock::new(|| Auditor::new(&KNOWLEDGE).unwrap());
 
 pub fn read(text: &str) -> Part {
     read_part("part.yaml", text, &KNOWLEDGE).unwrap_or_else(|problems| panic!("{problems:?}\n{text}"))

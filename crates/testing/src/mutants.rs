@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use technolog::motion::{Axis, Motion, Position, Step, trace};
+use technolog_laws::share;
 
 /// A program with one fault.
 #[derive(Clone, Debug)]
@@ -205,11 +206,11 @@ pub struct Score {
     pub unnoticed: Vec<String>,
 }
 
-/// Runs every mutant of a program.
-pub fn score(name: &str, text: &str, run: impl Fn(&str) -> Run) -> Score {
+/// Runs the mutants of a program, a share of every kind: usually each so manieth.
+pub fn score(name: &str, text: &str, usual: usize, run: impl Fn(&str) -> Run) -> Score {
     let right = run(text);
     let mut score = Score::default();
-    for mutant in mutants(text) {
+    for mutant in share(mutants(text), usual, |mutant| mutant.kind) {
         let made = run(&mutant.text);
         let place = match (made.does_as(&right), made.says_more_than(&right)) {
             (_, true) => 0,

@@ -6,10 +6,10 @@ use std::process::Command;
 
 use proptest::prelude::*;
 use serde::Deserialize;
-use technolog::audit::{Audit, Finding, audit, audit_beside, read_plan};
+use technolog::audit::{Audit, Finding, read_plan};
 use technolog::note::Severity;
 use technolog::plan::CuttingMethod;
-use technolog_testing::{KNOWLEDGE, planned, read};
+use technolog_testing::{AUDITOR, KNOWLEDGE, planned, read};
 
 /// A change of a plan without a slip.
 #[derive(Deserialize)]
@@ -76,7 +76,7 @@ fn root(path: &str) -> std::path::PathBuf {
 fn audited(text: &str) -> Audit {
     let files = |name: &str| std::fs::read_to_string(root("tests/audit").join(name)).map_err(|error| error.to_string());
     let stated = read_plan("plan.yaml", text, &KNOWLEDGE, &files).unwrap_or_else(|why| panic!("{why:?}"));
-    audit(&stated, &KNOWLEDGE).unwrap()
+    AUDITOR.audit(&stated).unwrap()
 }
 
 /// The slips themselves: neither notes nor what follows from others.
@@ -166,7 +166,7 @@ fn own(part: &technolog::part::Part, method: CuttingMethod) -> Vec<String> {
     let text = serde_json::to_string_pretty(&ours).unwrap();
     let none = |_: &str| Err("no files here".to_owned());
     let stated = read_plan("plan.json", &text, &KNOWLEDGE, &none).unwrap_or_else(|why| panic!("{why:?}"));
-    let audit = audit_beside(&stated, &ours, &KNOWLEDGE).unwrap();
+    let audit = AUDITOR.audit_beside(&stated, &ours).unwrap();
     audit.findings.iter().filter(|one| one.is_wrong()).map(|one| format!("{} {:?}", said(one), one.note)).collect()
 }
 
@@ -189,7 +189,7 @@ fn by_hand(text: &str, method: CuttingMethod) -> Vec<String> {
     let part = |_: &str| Ok(text.to_owned());
     let written = technolog::audit::by_hand(&ours, "part.yaml");
     let stated = read_plan("plan.yaml", &written, &KNOWLEDGE, &part).unwrap_or_else(|why| panic!("{why:?}\n{written}"));
-    let audit = audit_beside(&stated, &ours, &KNOWLEDGE).unwrap();
+    let audit = AUDITOR.audit_beside(&stated, &ours).unwrap();
     audit.findings.iter().filter(|one| one.is_wrong()).map(|one| format!("{} {:?}", said(one), one.note)).collect()
 }
 
@@ -217,7 +217,7 @@ fn a_tool_is_taken_up_anew_in_the_second_set_up() {
 }
 
 proptest! {
-    #![proptest_config(technolog_laws::cases!(24))]
+    #![proptest_config(technolog_laws::cases!(12))]
 
     /// Whatever the holes, what we plan is right by the audit, also as somebody would write it by hand.
     #[test]
@@ -244,7 +244,7 @@ proptest! {
         }
         let files = |name: &str| std::fs::read_to_string(root("tests/audit").join(name)).map_err(|error| error.to_string());
         match read_plan("plan.yaml", &text, &KNOWLEDGE, &files) {
-            Ok(stated) => { audit(&stated, &KNOWLEDGE).unwrap(); }
+            Ok(stated) => { AUDITOR.audit(&stated).unwrap(); }
             Err(why) => prop_assert!(!why.problems.is_empty()),
         }
     }

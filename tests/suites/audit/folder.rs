@@ -138,7 +138,7 @@ fn the_worked_example_for_the_browser() {
 /// The figures of Appendix Г, a different one spoilt in each plan:
 /// `cargo test --release --test audit a_thousand_plans -- --ignored --nocapture`.
 #[test]
-#[ignore = "a measurement"]
+#[ignore = "takes long: a thousand plans"]
 fn a_thousand_plans() {
     let folder = folder("audit-folder-thousand");
     let source = root("examples/appendix-g");

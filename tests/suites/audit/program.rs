@@ -4,9 +4,9 @@ use std::path::Path;
 
 use serde::Deserialize;
 use technolog::audit::marks::read_scheme;
-use technolog::audit::{Audit, Finding, Section, audit, read_plan};
+use technolog::audit::{Audit, Finding, Section, read_plan};
 use technolog::note::Severity;
-use technolog_testing::KNOWLEDGE;
+use technolog_testing::{AUDITOR, KNOWLEDGE};
 
 /// A change of one of the files of a plan.
 #[derive(Deserialize)]
@@ -43,7 +43,7 @@ fn audited(fault: &Fault) -> Audit {
     };
     let plan = format!("{}.yaml", fault.base);
     let stated = read_plan(&plan, &files(&plan).unwrap(), &KNOWLEDGE, &files).unwrap_or_else(|why| panic!("{why:?}"));
-    audit(&stated, &KNOWLEDGE).unwrap()
+    AUDITOR.audit(&stated).unwrap()
 }
 
 fn said(finding: &Finding) -> String {
@@ -100,7 +100,7 @@ fn a_route_that_is_not_ours_is_compared_too() {
     let audited = |program: &dyn Fn(String) -> String| {
         let files = |name: &str| text(name).map(|text| if name.ends_with(".nc") { program(text) } else { text });
         let stated = read_plan("plan.yaml", &other, &KNOWLEDGE, &files).unwrap_or_else(|why| panic!("{why:?}"));
-        let audit = audit(&stated, &KNOWLEDGE).unwrap();
+        let audit = AUDITOR.audit(&stated).unwrap();
         let grave = audit.findings.into_iter().filter(|one| one.section == Section::Program && one.is_wrong());
         grave.map(|one| said(&one)).collect::<Vec<_>>()
     };

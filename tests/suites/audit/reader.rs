@@ -4,8 +4,8 @@ use std::path::Path;
 
 use technolog::audit::stated::Stated;
 use technolog::audit::{Unreadable, audit, read_plan};
-use technolog::plan::Operation;
-use technolog_testing::KNOWLEDGE;
+use technolog::plan::{CuttingMethod, Operation};
+use technolog_testing::{KNOWLEDGE, planned, read as read_part};
 
 fn right() -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/audit/right.yaml");
@@ -54,6 +54,20 @@ fn a_figure_that_cannot_be_is_a_mistake_of_the_file() {
         assert_eq!(problem.place.as_ref().unwrap().line as usize, line, "{to}");
         assert!(problem.help.is_some(), "{to}");
     }
+}
+
+/// What the reader of parts refuses is refused of the part in a stored plan, too.
+#[test]
+fn a_roughness_beyond_the_tables_is_a_mistake_of_a_stored_plan() {
+    let part = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/plate.yaml")).unwrap();
+    let plan = serde_json::to_string_pretty(&planned(&read_part(&part), CuttingMethod::Formula)).unwrap();
+    let text = plan.replacen("\"roughness\": \"Ra 12.5\"", "\"roughness\": \"Ra 1205\"", 1);
+    assert_ne!(plan, text);
+    let none = |_: &str| Err("no files here".to_owned());
+    let problems = read_plan("plan.json", &text, &KNOWLEDGE, &none).unwrap_err().problems;
+    let [problem] = problems.as_slice() else { panic!("{problems:?}") };
+    assert!(problem.message.starts_with("`Ra 1205` is outside Ra 0.008 to Ra 100"), "{}", problem.message);
+    assert!(problem.place.is_some() && problem.help.is_some());
 }
 
 #[test]

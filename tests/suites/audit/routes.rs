@@ -6,10 +6,10 @@ use std::path::Path;
 
 use proptest::prelude::*;
 use serde::Deserialize;
-use technolog::audit::{Audit, Finding, audit, by_hand, read_plan};
+use technolog::audit::{Audit, Finding, by_hand, read_plan};
 use technolog::note::Severity;
 use technolog::plan::CuttingMethod;
-use technolog_testing::{KNOWLEDGE, planned, read};
+use technolog_testing::{AUDITOR, KNOWLEDGE, planned, read};
 
 /// Changes of a plan, and what must be said.
 #[derive(Deserialize)]
@@ -44,7 +44,7 @@ fn audited(text: &str) -> Audit {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/audit");
     let files = |name: &str| std::fs::read_to_string(folder.join(name)).map_err(|error| error.to_string());
     let stated = read_plan("plan.yaml", text, &KNOWLEDGE, &files).unwrap_or_else(|why| panic!("{why:?}"));
-    audit(&stated, &KNOWLEDGE).unwrap()
+    AUDITOR.audit(&stated).unwrap()
 }
 
 fn said(finding: &Finding) -> String {
@@ -128,7 +128,7 @@ fn choices_are_right(part: &str) -> Result<(), TestCaseError> {
     let plan = planned(&read(part), CuttingMethod::Formula);
     let files = |name: &str| if name == "part.yaml" { Ok(part.to_owned()) } else { Err("no such file".to_owned()) };
     let stated = read_plan("plan.yaml", &by_hand(&plan, "part.yaml"), &KNOWLEDGE, &files).unwrap();
-    let audit = audit(&stated, &KNOWLEDGE).unwrap();
+    let audit = AUDITOR.audit(&stated).unwrap();
     let choice =
         |one: &&Finding| one.severity < Severity::Note && CHOICES.iter().any(|rule| one.rule.starts_with(rule));
     let found: Vec<String> = audit.findings.iter().filter(choice).map(with_figures).collect();
@@ -144,7 +144,7 @@ fn choices_for_what_laws_found_are_right() {
 }
 
 proptest! {
-    #![proptest_config(technolog_laws::cases!(24))]
+    #![proptest_config(technolog_laws::cases!(12))]
 
     /// Whatever the holes.
     #[test]

@@ -92,7 +92,7 @@ fn what_laws_found_can_be_planned() {
 }
 
 proptest! {
-    #![proptest_config(technolog_laws::cases!(64))]
+    #![proptest_config(technolog_laws::cases!(24))]
 
     #[test]
     fn every_part_that_can_be_read_can_be_planned(text in part_files()) {

@@ -12,6 +12,7 @@ mod bad_parts;
 mod cells;
 mod cutting;
 mod every_hole;
+mod extremes;
 mod laws;
 mod many_holes;
 mod mistakes;

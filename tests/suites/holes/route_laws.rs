@@ -62,7 +62,7 @@ fn plain_hole(random: &mut Random) -> (String, Micrometres) {
 }
 
 /// Holes tried, and how many of them must have a route.
-const TRIED: usize = 400;
+const TRIED: usize = 160;
 const ENOUGH: f64 = 0.95;
 
 #[test]
@@ -106,7 +106,7 @@ fn nearly_every_plain_hole_has_a_route() {
 fn a_hole_without_a_route_says_what_is_missing() {
     let mut random = Random(seed_of("fine surfaces"));
     let (mut planned, mut refused) = (0, 0);
-    for _ in 0..count(150) {
+    for _ in 0..count(80) {
         let (keys, thickness) = plain_hole(&mut random);
         let (size, _) = keys.split_once(", roughness").unwrap();
         // Surfaces and positions that nobody promises for the grade.
@@ -319,7 +319,7 @@ fn there_before(hole: &Hole, plan: &HolePlan) -> Result<(), TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(technolog_laws::cases!(16))]
+    #![proptest_config(technolog_laws::cases!(8))]
 
     #[test]
     fn the_ranking_does_not_depend_on_the_order_of_a_file(
@@ -404,7 +404,7 @@ fn what_laws_found_has_lawful_plans() {
 }
 
 proptest! {
-    #![proptest_config(technolog_laws::cases!(32))]
+    #![proptest_config(technolog_laws::cases!(20))]
 
     #[test]
     fn holes_with_any_features_have_lawful_plans(text in holes::part_files()) {

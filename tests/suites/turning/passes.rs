@@ -349,6 +349,7 @@ fn by_recursion(
 
 /// No sequence on the grid is below 89 mm: not with rich moves either.
 #[test]
+#[ignore = "takes long: a whole proof"]
 fn the_optimum_of_the_paper_s_shaft_stays_with_rich_moves() {
     let grid = Grid::of(&example("shaft"));
     let (better, proof) = rich::find(&grid, Objective::Path, 2 * 89_000, 4_000_000);

@@ -393,7 +393,7 @@ fn the_laws_hold_over(stock: &Stock, depth: f64, nose: f64) -> Result<(), TestCa
 }
 
 proptest! {
-    #![proptest_config(technolog_laws::cases!(300))]
+    #![proptest_config(technolog_laws::cases!(150))]
 
     #[test]
     fn over_any_zone_the_ways_keep_the_laws(stock in zones(), depth in 0.7_f64..6.0, nose in 0.0_f64..2.0) {
@@ -518,10 +518,14 @@ fn the_best_of_the_schemes_is_told_with_its_margin() {
     assert!(best(&ways[..1]).is_none());
 }
 
-/// Prints the figures that docs/turning-lecture.md tells: `cargo test --test turning transitions::figures -- --ignored --nocapture`.
+/// Prints the figures that docs/turning-lecture.md tells:
+/// `FIGURES=1 cargo test --test turning transitions::figures -- --ignored --nocapture`.
 #[test]
-#[ignore = "prints a table for docs/turning-lecture.md"]
+#[ignore = "prints a table for docs/turning-lecture.md where FIGURES is set"]
 fn figures() {
+    if std::env::var_os("FIGURES").is_none() {
+        return;
+    }
     let steps = under_bar(
         Contour::through(Side::Outer, &[at(22.0, 0.0), at(22.0, 30.0), at(27.0, 30.0), at(27.0, 60.0), at(32.0, 60.0)]),
         32.0,

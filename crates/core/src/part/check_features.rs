@@ -6,6 +6,7 @@ use crate::units::Micrometres;
 use super::check::Span;
 use super::read::Reader;
 use super::read_features::Features;
+use super::{Blank, Point};
 
 impl Reader<'_> {
     /// Holds the features against the hole's cylinders, given from the entry face inwards; `too_wide` is
@@ -62,6 +63,18 @@ impl Reader<'_> {
             let message = format!("the hole in the blank is Ø{diameter}, and the finished one may be Ø{too_wide}");
             let help = "give the diameter that stands in the blank; it leaves something to cut";
             self.problems.error_help::<()>("bad-diameter", message, place, help);
+        }
+    }
+
+    /// A face may hang over an edge, but one that is wider than the blank is a slip: nothing mills it.
+    pub(super) fn face_on_blank(&mut self, features: &Features, blank: Option<&Blank>) {
+        let (Some((diameter, place)), Some(blank)) = (&features.face, blank) else { return };
+        let corner = Point { x: Micrometres::ZERO, y: Micrometres::ZERO };
+        let across = corner.distance(Point { x: blank.length, y: blank.width });
+        if *diameter > across {
+            let message = format!("the face is Ø{diameter}, and the blank measures {across} across its corners");
+            let help = "give the diameter of the face around the hole, in mm";
+            self.problems.error_help::<()>("outside-blank", message, place, help);
         }
     }
 

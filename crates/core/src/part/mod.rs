@@ -6,6 +6,7 @@
 mod arrange_steps;
 mod check;
 mod check_features;
+mod domain;
 pub mod file;
 mod keys;
 mod read;

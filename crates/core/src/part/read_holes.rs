@@ -60,7 +60,7 @@ impl Reader<'_> {
         // A thread has a roughness of its own, and steps may each have one.
         let free = stepped || node.get("thread").is_some_and(|thread| !thread.is_null());
         let roughness = if free { fields.take("roughness") } else { fields.need("roughness", self.problems) };
-        let roughness = roughness.map(|node| self.problems.scalar(node));
+        let roughness = roughness.map(|node| self.roughness(node));
         let centre_tolerance =
             fields.need("centre_tolerance", self.problems).and_then(|node| self.centre_tolerance(node));
         let chamfer_node = fields.take("chamfer");
@@ -95,6 +95,7 @@ impl Reader<'_> {
             let threaded = cylinders.as_ref().is_some_and(|known| known.thread.is_some());
             let too_wide = if threaded { diameter.largest() + Micrometres::new(1) } else { diameter.smallest() };
             self.fit_features(&features, &spans, too_wide);
+            self.face_on_blank(&features, blank);
             spans.extend(features.spans());
         }
 

@@ -69,7 +69,7 @@ impl Reader<'_> {
         let sized = self.sized(&mut fields, true);
         let end = self.step_end(&mut fields, number, last, start, whole);
         let roughness = match (fields.take("roughness"), whole.roughness) {
-            (Some(node), _) => self.problems.scalar(node),
+            (Some(node), _) => self.roughness(node),
             (None, Some(default)) => default,
             (None, None) => match &sized {
                 Some(Sized { thread: Some(_), place, .. }) => self.thread_roughness(place),

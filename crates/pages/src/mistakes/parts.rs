@@ -46,6 +46,16 @@ pub(super) const SENTENCES: &[Pair] = &[
         "`{0}` - поза IT5…IT14, які є в таблиці it-grades",
     ),
     (
+        "`{0}` is outside {1} to {2}, which the table {3} covers",
+        "`{0}` - поза межами від {1} до {2}, які є в таблиці {3}",
+    ),
+    ("roughness is in micrometres, `Ra 12.5` or `Rz 80`", "шорсткість - у мікрометрах, `Ra 12.5` чи `Rz 80`"),
+    (
+        "the face is Ø{0}, and the blank measures {1} across its corners",
+        "торець має Ø{0}, а заготовка - {1} від кута до кута",
+    ),
+    ("give the diameter of the face around the hole, in mm", "дайте діаметр торця навколо отвору, у мм"),
+    (
         "{0} mm is coarser than any tolerance of the tables A.8 and A.9",
         "{0} мм - грубше за будь-який допуск таблиць А.8 і А.9",
     ),

@@ -54,7 +54,7 @@ fn each_once(order: &[usize], count: usize) -> bool {
 }
 
 proptest! {
-    #![proptest_config(technolog_laws::cases!(16))]
+    #![proptest_config(technolog_laws::cases!(8))]
 
     #[test]
     fn few_points_are_solved_as_trying_all_orders_solves_them(points in points(7)) {
