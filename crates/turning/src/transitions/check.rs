@@ -13,8 +13,9 @@ use super::{Scheme, Settings, Stock, Tool};
 /// What is let pass of an angle whatever the piece, degrees.
 const ROUNDING_DEGREES: f64 = 0.01;
 
-/// More passes than this over one zone are a slip of the keyboard: a shift would not turn them.
-pub const MOST_PASSES: i64 = 2000;
+/// More passes than this over one zone are a slip of the keyboard: a shift would not turn them, and the time to
+/// find them grows with their square.
+pub const MOST_PASSES: i64 = 1000;
 
 /// What the rounding of its ends to half a micrometre may do to the direction of a piece, degrees: it turns the chord, and
 /// moves the centre of an arc.
