@@ -11,6 +11,7 @@
 mod allowances;
 mod elements;
 mod equidistant;
+mod extremes;
 mod limit;
 mod operation;
 mod operation_rules;

@@ -30,7 +30,8 @@ fn planned(workpiece: &Workpiece) -> Operation {
 }
 
 /// Codes of findings that say why a zone has no way: those that name it by its number, and those of the part.
-const NAMED: [&str; 4] = ["no-tool-for-zone", "zone-behind-standing", "scheme-not-possible", "zone-not-cleared"];
+const NAMED: [&str; 5] =
+    ["no-tool-for-zone", "zone-behind-standing", "scheme-not-possible", "zone-not-cleared", "too-many-passes"];
 const OF_THE_PART: [&str; 4] = ["no-limiting-depth", "no-depth-allowed", "no-figure", "flank-too-steep"];
 /// The same for a side without layers.
 const OF_A_SIDE: [&str; 3] = ["no-rough-contour", "no-intermediate-contour", "bore-too-narrow-to-drill"];

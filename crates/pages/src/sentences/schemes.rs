@@ -126,6 +126,11 @@ pub(super) const SENTENCES: &[(&str, &str, &str)] = &[
         "контуру на відстані {distance} мм не побудовано",
         "there is no contour at a distance of {distance} mm",
     ),
+    (
+        "too-many-passes",
+        "проходів забагато: {passes}, а можна не більше {most}",
+        "too many passes: {passes}, at most {most} are made",
+    ),
     // What a zone is.
     ("zone-is", "зона: {kind}", "zone: {kind}"),
     ("zone-scheme", "схема для зони: {kind}", "scheme for the zone: {kind}"),
@@ -158,6 +163,11 @@ pub(super) const REMEDIES: &[(&str, &str, &str)] = &[
         "no-equidistant",
         "візьміть меншу глибину ходу або контурну схему",
         "take a smaller depth of a pass, or the contour scheme",
+    ),
+    (
+        "too-many-passes",
+        "перевірте розміри заготовки і граничну глибину ходу",
+        "check the size of the blank and the limiting depth of a pass",
     ),
     (
         "bar-with-steps",

@@ -11,6 +11,7 @@ use crate::turning::cutting::Direction;
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::tooling::TurningTool;
+use crate::turning::transitions::check::{MOST_PASSES, Unsuited};
 use crate::turning::transitions::measures::{Best, best};
 use crate::turning::transitions::split::Split;
 use crate::turning::transitions::{self, Scheme, Settings, Stock, Transition};
@@ -239,6 +240,13 @@ fn zone_work(
     let task = Task { tool, diameter, direction, stock };
     work.depth = depth::depth(task, bench, findings)?;
     let Some(limit) = work.depth.as_ref().map(|depth| depth.limiting_depth_mm) else { return Ok(work) };
+    // Before the levels are made: there may be more than anything holds.
+    let passes = stock.parts(limit);
+    if passes > MOST_PASSES {
+        let note = Unsuited::TooManyPasses { passes }.note().with("zone", zone.number);
+        findings.push(Finding::of_part(Severity::Error, note));
+        return Ok(work);
+    }
     let mut left: Option<Contour> = None;
     for (mut stock, scheme) in stocks {
         // What the work before has left stands before this one, its ridges too.

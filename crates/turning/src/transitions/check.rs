@@ -13,6 +13,10 @@ use super::{Scheme, Settings, Stock, Tool};
 /// What is let pass of an angle whatever the piece, degrees.
 const ROUNDING_DEGREES: f64 = 0.01;
 
+/// More passes than this over one zone are a slip of the keyboard: a shift would not turn them, and the time to
+/// find them grows with their square.
+pub const MOST_PASSES: i64 = 1000;
+
 /// What the rounding of its ends to half a micrometre may do to the direction of a piece, degrees: it turns the chord, and
 /// moves the centre of an arc.
 fn rounding_degrees(piece: &Piece) -> f64 {
@@ -40,6 +44,8 @@ pub enum Unsuited {
     TooSteep { z: Half, angle: f64, limit: f64 },
     /// The contour has none beside it at that distance.
     NoEquidistant { distance: Half },
+    /// More passes than anybody would turn.
+    TooManyPasses { passes: i64 },
 }
 
 impl Unsuited {
@@ -55,6 +61,9 @@ impl Unsuited {
                 Note::new("flank-too-steep").with("z", z).with("angle", round_to(*angle, 2)).with("limit", limit)
             }
             Self::NoEquidistant { distance } => Note::new("no-equidistant").with("distance", distance),
+            Self::TooManyPasses { passes } => {
+                Note::new("too-many-passes").with("passes", passes).with("most", MOST_PASSES)
+            }
         }
     }
 }
@@ -87,6 +96,12 @@ pub fn check(
     }
     if let Some(z) = above(ground, blank) {
         return not(Unsuited::RoughAboveBlank { z: Half::ZERO - z });
+    }
+    let across = scheme == Scheme::Descent;
+    let stock_high = || Some(blank.highest(blank.from(), blank.to())? - ground.lowest(ground.from(), ground.to())?);
+    let high = if across { Some(stock.to - stock.from) } else { stock_high() };
+    if let Some(passes) = high.map(|high| high.parts(settings.depth)).filter(|passes| *passes > MOST_PASSES) {
+        return not(Unsuited::TooManyPasses { passes });
     }
     if scheme == Scheme::LoopAgainstStop && !is_roller(&stock.rough, ground) {
         return not(Unsuited::StopNeedsSteps);
