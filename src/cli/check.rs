@@ -75,16 +75,16 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let at_fault = |error: technolog::error::KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let shown = args.program.display().to_string();
     let text = read(&args.program, context)?;
-    let mut held = args.part.as_deref().map(|part| proof::held(part, &knowledge, context)).transpose()?;
+    let mut held = args.part.as_deref().map(|part| proof::held(part, knowledge, context)).transpose()?;
     let of_part = held.as_ref().map(|held| held.plan.part.machine.clone());
     let id = args.machine.as_deref().or(of_part.as_deref()).unwrap_or("gf2171");
     if let Some(own) = of_part.as_deref().filter(|own| *own != id) {
         let message = words::other_machine(context.lang, id, own);
         return Err(Diagnostic::error("other-machine", message, None).help(words::leave_machine(context.lang)).into());
     }
-    let machine = machine(id, &knowledge, context)?;
+    let machine = machine(id, knowledge, context)?;
     let control = control::meant(args.control.as_deref(), &machine, context)?;
-    let language = Language::read(control, &knowledge).map_err(at_fault)?;
+    let language = Language::read(control, knowledge).map_err(at_fault)?;
     let mut setting = match &args.setting {
         None => Setting::default(),
         Some(path) => {

@@ -15,7 +15,7 @@ use super::{CliError, Context, words};
 ///
 /// # Errors
 /// A file cannot be read, says something that no table can say, or breaks the contract with the code that reads it.
-pub fn load(context: &Context) -> Result<Knowledge, CliError> {
+pub fn load(context: &Context) -> Result<&'static Knowledge, CliError> {
     loaded(context, technolog::tables::load)
 }
 
@@ -23,22 +23,26 @@ pub fn load(context: &Context) -> Result<Knowledge, CliError> {
 ///
 /// # Errors
 /// A file cannot be read, or says something that no table can say.
-pub fn load_to_read(context: &Context) -> Result<Knowledge, CliError> {
+pub fn load_to_read(context: &Context) -> Result<&'static Knowledge, CliError> {
     loaded(context, Knowledge::from_sources)
 }
 
 fn loaded(
     context: &Context,
     read_tables: impl Fn(&[SourceFile<'_>]) -> Result<Knowledge, Vec<Diagnostic>>,
-) -> Result<Knowledge, CliError> {
-    let Some(folder) = &context.knowledge else {
-        return shipped::knowledge().map_err(|error| {
+) -> Result<&'static Knowledge, CliError> {
+    let knowledge = match &context.knowledge {
+        None => shipped::knowledge().map_err(|error| {
             let message = words::broken_build(context.lang, error);
-            Diagnostic::error("broken-build", message, None).help(words::rebuild(context.lang)).into()
-        });
+            CliError::from(Diagnostic::error("broken-build", message, None).help(words::rebuild(context.lang)))
+        })?,
+        Some(folder) => {
+            let texts = read(folder)?;
+            read_tables(&sources(&texts)).map_err(|problems| CliError::Unusable { problems, texts })?
+        }
     };
-    let texts = read(folder)?;
-    read_tables(&sources(&texts)).map_err(|problems| CliError::Unusable { problems, texts })
+    // It lives as long as the process: taking thousands of rows apart at the end would cost a tenth of a plan.
+    Ok(Box::leak(Box::new(knowledge)))
 }
 
 /// The texts of the tables, with the places that `lint` wants.

@@ -30,7 +30,7 @@ pub struct Args {
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let format = context.format("lookup", &[Format::Text, Format::Json])?;
     let knowledge = knowledge::load_to_read(context)?;
-    let table = knowledge::table(&knowledge, &args.table, context)?;
+    let table = knowledge::table(knowledge, &args.table, context)?;
     let question = Question::read(table, args, context)?;
     match table.kind {
         Kind::Decision => decision::answer(&question, args.all, format, context),

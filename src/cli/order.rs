@@ -62,7 +62,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let format = context.format("order", &[Format::Text, Format::Json, Format::Svg])?;
     let knowledge = knowledge::load(context)?;
     let part = args.file.extension().is_some_and(|kind| kind == "yaml" || kind == "yml");
-    if part { of_part(args, format, &knowledge, context) } else { of_list(args, format, &knowledge, context) }
+    if part { of_part(args, format, knowledge, context) } else { of_list(args, format, knowledge, context) }
 }
 
 /// The order of a part, for programs.

@@ -1,6 +1,7 @@
 //! `technolog plan` and `technolog explain`: the plan of a part, and the reasons behind one hole.
 
 use std::borrow::Cow;
+use std::mem::ManuallyDrop;
 use std::path::{Path, PathBuf};
 
 use technolog::knowledge::diagnostic::nearest;
@@ -44,12 +45,13 @@ impl Method {
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let format = context.format("plan", &[Format::Text, Format::Json, Format::Yaml, Format::Hand])?;
     let knowledge = knowledge::load(context)?;
-    let plan = make(&args.part, args.method.method(), &knowledge, context)?;
+    // As the knowledge it is not taken apart at the end of the process.
+    let plan = ManuallyDrop::new(make(&args.part, args.method.method(), knowledge, context)?);
     match format {
-        Format::Json => context.emit_json(&plan)?,
-        Format::Yaml => context.emit_yaml(&plan)?,
+        Format::Json => context.emit_json(&*plan)?,
+        Format::Yaml => context.emit_yaml(&*plan)?,
         Format::Hand => context.emit(&audit::by_hand(&plan, &context.beside_answer(&args.part)))?,
-        _ => context.emit(&report::sheet::page(&plan, &knowledge, context.lang))?,
+        _ => context.emit(&report::sheet::page(&plan, knowledge, context.lang))?,
     }
     Ok(if plan.has_errors() { Outcome::Findings } else { Outcome::Done })
 }
@@ -74,7 +76,7 @@ pub struct ExplainArgs {
 pub fn explain(args: &ExplainArgs, context: &Context) -> Result<Outcome, CliError> {
     let format = context.format("explain", &[Format::Text, Format::Json])?;
     let knowledge = knowledge::load(context)?;
-    let plan = make(&args.part, args.method.method(), &knowledge, context)?;
+    let plan = make(&args.part, args.method.method(), knowledge, context)?;
     let Some(hole) = plan.holes.iter().find(|hole| hole.name == args.hole) else {
         let names: Vec<&str> = plan.holes.iter().map(|hole| hole.name.as_str()).collect();
         let message = words::no_hole(context.lang, args.part.display(), &args.hole);

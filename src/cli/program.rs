@@ -82,13 +82,13 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let format = context.format("program", formats)?;
     let knowledge = knowledge::load(context)?;
     let at_fault = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
-    let plan = plan::make(&args.part, CuttingMethod::default(), &knowledge, context)?;
-    let held = Held::of(plan, &knowledge).map_err(at_fault)?;
+    let plan = plan::make(&args.part, CuttingMethod::default(), knowledge, context)?;
+    let held = Held::of(plan, knowledge).map_err(at_fault)?;
     let (plan, job) = (&held.plan, &held.job);
-    let shop = Shop::new(&plan.part, plan.cutting, &knowledge).map_err(at_fault)?;
+    let shop = Shop::new(&plan.part, plan.cutting, knowledge).map_err(at_fault)?;
     let form = Form::read(&shop).map_err(at_fault)?;
     let control = control::meant(args.control.as_deref(), &shop.machine, context)?;
-    let language = Language::read(control, &knowledge).map_err(at_fault)?;
+    let language = Language::read(control, knowledge).map_err(at_fault)?;
     let written = language.write(job, form);
     let setting = Setting::of_job(job);
     let mut sink = (Vec::<Step>::new(), Clock::new(&shop.machine, setting.start));
@@ -103,7 +103,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         output::complain(&render(&problems, &Texts::default(), context.lang));
         return Ok(Outcome::Findings);
     }
-    let sheet = || encoding_sheet(&written, job, plan, control, &knowledge, context.lang).map_err(at_fault);
+    let sheet = || encoding_sheet(&written, job, plan, control, knowledge, context.lang).map_err(at_fault);
     match (args.show, format) {
         (Show::Encoding, Format::Json) => context.emit_json(&sheet()?)?,
         (Show::Encoding, Format::Csv) => context.emit(&sheet()?.csv())?,

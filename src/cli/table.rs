@@ -31,7 +31,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         }
         return Ok(Outcome::Done);
     };
-    let table = knowledge::table(&knowledge, id, context)?;
+    let table = knowledge::table(knowledge, id, context)?;
     match format {
         Format::Json => context.emit_json(&table_json(table, context))?,
         Format::Csv => context.emit(&table_csv(table))?,

@@ -98,7 +98,7 @@ enum MovesName {
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let format = context.format("turn", &[Format::Text, Format::Json, Format::Yaml, Format::Svg])?;
     let knowledge = knowledge::load(context)?;
-    let read = read(&args.shaft, &knowledge, context)?;
+    let read = read(&args.shaft, knowledge, context)?;
     if let Some(form) = args.show.program() {
         let workpiece = match &read {
             Turned::Stepped(shaft) => Workpiece::from(shaft),
@@ -106,14 +106,14 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         };
         let spindle = args.spindle.map(|speed| RevsPerMinute(f64::from(speed)));
         let wanted = Wanted { control: args.control, form, number: args.number, spindle };
-        return turn_operation::program(&workpiece, wanted, &knowledge, context);
+        return turn_operation::program(&workpiece, wanted, knowledge, context);
     }
     let mut shaft = match read {
         Turned::Stepped(shaft) if matches!(args.show, Show::Operation | Show::Schemes) => {
             return turn_operation::page(
                 &Workpiece::from(&shaft),
                 args.show == Show::Schemes,
-                &knowledge,
+                knowledge,
                 format,
                 context,
             );
@@ -123,7 +123,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             return Err(refused("only-for-steps", context));
         }
         Turned::Contoured(workpiece) => {
-            return turn_operation::page(&workpiece, args.show == Show::Schemes, &knowledge, format, context);
+            return turn_operation::page(&workpiece, args.show == Show::Schemes, knowledge, format, context);
         }
     };
     if let Some(moves) = args.moves {
@@ -141,14 +141,14 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         return Ok(Outcome::Done);
     }
     let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
-    let found = passes::find(&shaft, objective, &knowledge).map_err(lacking)?;
-    let schemes = schemes::find(&shaft, &knowledge).map_err(lacking)?;
+    let found = passes::find(&shaft, objective, knowledge).map_err(lacking)?;
+    let schemes = schemes::find(&shaft, knowledge).map_err(lacking)?;
     match format {
         Format::Json => context.emit_json(&Answer::of(found, &schemes))?,
         Format::Yaml => context.emit_yaml(&Answer::of(found, &schemes))?,
         Format::Svg if args.show == Show::Steps => context.emit(&report::turning::frames(&found, context.lang))?,
         Format::Svg => context.emit(&report::turning::drawing(&found, &schemes, context.lang))?,
-        _ => context.emit(&report::turning::page(&found, &schemes, &knowledge, context.lang))?,
+        _ => context.emit(&report::turning::page(&found, &schemes, knowledge, context.lang))?,
     }
     Ok(Outcome::Done)
 }

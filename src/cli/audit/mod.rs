@@ -37,7 +37,7 @@ const FORMATS: [Format; 5] = [Format::Text, Format::Json, Format::Yaml, Format::
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let format = context.format("audit", &FORMATS)?;
     let knowledge = knowledge::load(context)?;
-    let auditor = Auditor::new(&knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
+    let auditor = Auditor::new(knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
     let scheme = args.marks.as_deref().map(|path| file::scheme(path, context)).transpose()?;
     if args.plan.is_dir() {
         if args.against.is_some() {

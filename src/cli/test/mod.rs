@@ -78,10 +78,10 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let format = context.format("test", &[Format::Text, Format::Json, Format::Junit])?;
     let knowledge = knowledge::load(context)?;
     let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
-    let asker = Asker::new(&knowledge);
+    let asker = Asker::new(knowledge);
     let found = collect(&args.paths, context)?;
     files::spare_inputs(&found, args.write, context)?;
-    let mut read: Vec<CaseFile> = parallel::map(&found, |file| files::read(file, &knowledge), |_| ());
+    let mut read: Vec<CaseFile> = parallel::map(&found, |file| files::read(file, knowledge), |_| ());
     let all: Vec<&Case> = read.iter().flat_map(|file| &file.cases).collect();
     let progress = Progress::new(all.len());
     let failures = parallel::map(&all, |case| case.run(&asker), |done| progress.show(done));
