@@ -237,6 +237,12 @@ impl Table {
     /// rows of the table contradict each other. No row that matches is not an error: the answer then
     /// has no winner and says why each row lost.
     pub fn decide<'t>(&'t self, inputs: &[(&str, Input<'_>)]) -> Result<Answer<'t>, QueryError> {
+        let given: Vec<(&str, Option<Input<'_>>)> = inputs.iter().map(|&(name, input)| (name, Some(input))).collect();
+        self.decided(&given)
+    }
+
+    /// As [`Self::decide`]; an input that is none is left to the table's default.
+    fn decided<'t>(&'t self, inputs: &[(&str, Option<Input<'_>>)]) -> Result<Answer<'t>, QueryError> {
         if self.kind != Kind::Decision {
             return Err(QueryError::NotADecision { table: self.id.clone() });
         }
@@ -247,7 +253,7 @@ impl Table {
         for compiled in &index.columns {
             let column = &self.columns[compiled.column];
             let rank = match inputs.iter().find(|(name, _)| *name == column.name) {
-                Some((_, input)) => {
+                Some((_, Some(input))) => {
                     used += 1;
                     let rank = input.rank(column).ok_or_else(|| self.ill_typed(column, input))?;
                     if compiled.domain.as_ref().is_some_and(|domain| !domain.contains(rank)) {
@@ -255,11 +261,11 @@ impl Table {
                     }
                     rank
                 }
-                None => compiled.default.ok_or_else(|| self.missing(column))?,
+                _ => compiled.default.ok_or_else(|| self.missing(column))?,
             };
             ranks.push(rank);
         }
-        if used != inputs.len() {
+        if used != inputs.iter().filter(|(_, input)| input.is_some()).count() {
             return Err(self.unknown_input(inputs));
         }
         let mut alive = all_rows(self.rows.len(), words);
@@ -323,7 +329,7 @@ impl Table {
         QueryError::Missing { table: self.id.clone(), name: column.name.clone(), what: describe(column) }
     }
 
-    fn unknown_input(&self, inputs: &[(&str, Input<'_>)]) -> QueryError {
+    fn unknown_input(&self, inputs: &[(&str, Option<Input<'_>>)]) -> QueryError {
         let known: Vec<&str> = self.inputs().map(|(_, column)| column.name.as_str()).collect();
         let name = inputs.iter().map(|(name, _)| *name).find(|name| !known.contains(name)).unwrap_or("(given twice)");
         QueryError::UnknownInput { table: self.id.clone(), name: name.to_owned(), known: known.join(", ") }
@@ -448,7 +454,7 @@ impl Table {
     /// # Errors
     /// As [`Self::decide`].
     pub fn ask<'t, Q: Question>(&'t self, question: &Q) -> Result<Asked<'t, Q::Row<'t>>, QueryError> {
-        Ok(Asked { answer: self.decide(&question.inputs())?, rows: PhantomData })
+        Ok(Asked { answer: question.put(|inputs| self.decided(inputs))?, rows: PhantomData })
     }
 }
 

@@ -138,9 +138,8 @@ macro_rules! question {
             type Row<'k> = $name<'k>;
             const TABLE: &'static str = <$name<'static> as $crate::contract::TableRow<'static>>::CONTRACT.which.id();
 
-            fn inputs(&self) -> Vec<(&'static str, $crate::Input<'_>)> {
-                let given = [$(($crate::column!($input $($column)?), $crate::contract::AsInput::as_input(&self.$input)),)*];
-                given.into_iter().filter_map(|(name, input)| input.map(|input| (name, input))).collect()
+            fn put<T>(&self, ask: impl FnOnce(&[(&'static str, Option<$crate::Input<'_>>)]) -> T) -> T {
+                ask(&[$(($crate::column!($input $($column)?), $crate::contract::AsInput::as_input(&self.$input)),)*])
             }
         }
     };

@@ -192,8 +192,9 @@ pub trait Question {
     /// The table.
     const TABLE: &'static str;
 
-    /// The inputs by name; those left to the table's default are not among them.
-    fn inputs(&self) -> Vec<(&'static str, Input<'_>)>;
+    /// Asks with the inputs by name; none is left to the table's default. Thousands of times for a plan, so without a list
+    /// on the heap.
+    fn put<T>(&self, ask: impl FnOnce(&[(&'static str, Option<Input<'_>>)]) -> T) -> T;
 }
 
 /// Reads the cells of one row, field by field in the order of the contract.
