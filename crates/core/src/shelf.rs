@@ -6,6 +6,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::table::ToolHead;
 use crate::knowledge::vocabulary::Operation;
 use crate::knowledge::{Knowledge, Table, TableError, TableRow};
+use crate::tables::holders::HolderRow;
 use crate::tables::holes::{HoleConvention, Scheme};
 use crate::tables::tools::CutterRow;
 
@@ -14,6 +15,7 @@ use crate::tables::tools::CutterRow;
 pub struct Shelf<'k> {
     knowledge: &'k Knowledge,
     cutters: Vec<CutterTable<'k>>,
+    holders: Vec<(&'static str, Rows<HolderRow<'k>>)>,
     conventions: Rows<HoleConvention<'k>>,
     schemes: Rows<Scheme<'k>>,
 }
@@ -65,7 +67,14 @@ impl<'k> Shelf<'k> {
             let head = table.tool.as_ref()?;
             Some(CutterTable { table, head, rows: Rows::unread() })
         });
-        Self { knowledge, cutters: cutters.collect(), conventions: Rows::unread(), schemes: Rows::unread() }
+        let holders = HolderRow::TABLES.iter().map(|id| (*id, Rows::unread()));
+        Self {
+            knowledge,
+            cutters: cutters.collect(),
+            holders: holders.collect(),
+            conventions: Rows::unread(),
+            schemes: Rows::unread(),
+        }
     }
 
     /// Every table of cutters, by id.
@@ -92,6 +101,16 @@ impl<'k> Shelf<'k> {
             found.extend(tables.rows()?);
         }
         Ok(found)
+    }
+
+    /// The holders of the table of that id, as the rule `holder-for-shank` names it.
+    ///
+    /// # Errors
+    /// There is no such table, or it is none of holders.
+    pub fn holders_of(&self, id: &str) -> Result<&[HolderRow<'k>], KnowledgeError> {
+        let found = self.holders.iter().find(|(known, _)| *known == id);
+        let (_, rows) = found.ok_or_else(|| KnowledgeError::lacks(id, "there is no such table of holders"))?;
+        Ok(rows.of(|| self.knowledge.table(id))?)
     }
 
     /// The conventions on holes.

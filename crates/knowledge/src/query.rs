@@ -250,9 +250,11 @@ impl Table {
         let words = index.words;
         let mut ranks = Vec::with_capacity(index.columns.len());
         let mut used = 0;
-        for compiled in &index.columns {
+        for (at, compiled) in index.columns.iter().enumerate() {
             let column = &self.columns[compiled.column];
-            let rank = match inputs.iter().find(|(name, _)| *name == column.name) {
+            // Most questions name the inputs in the order of the columns.
+            let in_order = inputs.get(at).filter(|(name, _)| *name == column.name);
+            let rank = match in_order.or_else(|| inputs.iter().find(|(name, _)| *name == column.name)) {
                 Some((_, Some(input))) => {
                     used += 1;
                     let rank = input.rank(column).ok_or_else(|| self.ill_typed(column, input))?;

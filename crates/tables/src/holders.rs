@@ -3,9 +3,23 @@
 use technolog_knowledge::rows;
 use technolog_knowledge::units::{Kilograms, Micrometres};
 
+/// The tables of holders.
+const TABLES: &[&str] = &[
+    "holders-collet-chucks",
+    "holders-morse-drawbar-sleeves",
+    "holders-morse-sleeves",
+    "holders-shell-arbors",
+    "holders-tap-chucks",
+];
+
+impl HolderRow<'_> {
+    /// The tables that hold such rows.
+    pub const TABLES: &'static [&'static str] = TABLES;
+}
+
 rows! {
     /// A holder of cutters.
-    pub struct HolderRow of Each(&["holders-collet-chucks", "holders-morse-drawbar-sleeves", "holders-morse-sleeves", "holders-shell-arbors", "holders-tap-chucks"]) {
+    pub struct HolderRow of Each(TABLES) {
         designation: &'t str,
         taper: i64,
         clamp_min: Option<Micrometres>,

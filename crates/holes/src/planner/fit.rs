@@ -76,9 +76,9 @@ struct Key {
     angle: Option<u32>,
     within: Option<Micrometres>,
     elsewhere: bool,
-    asks: Option<(ItGrade, Roughness)>,
+    /// What the last single pass must leave.
+    leaves: Option<(ItGrade, Roughness)>,
     eased: bool,
-    last: bool,
 }
 
 /// What every step of a hole shares.
@@ -101,7 +101,12 @@ pub(super) struct Fitting<'p, 'k> {
     /// Lead of a tap, pitches.
     tap_lead: f64,
     known: RefCell<BTreeMap<Key, Result<Outfit, Reason>>>,
+    /// The conditions of the spots that were asked for.
+    spots: RefCell<BTreeMap<SpotKey, Rc<Conditions>>>,
 }
+
+/// What the conditions of a spot depend on: its step's place, its diameter and that before it, its passes, and the travel.
+type SpotKey = (Place, Micrometres, Micrometres, u32, Micrometres);
 
 impl<'p, 'k> Fitting<'p, 'k> {
     /// Approach, overrun, surface and reamer lead by their rules.
@@ -132,6 +137,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             grind_limit: shop.convention(HoleDefault::CutterGrindLimit)?,
             tap_lead: shop.share(HoleDefault::TapLeadPitches)?,
             known: RefCell::new(BTreeMap::new()),
+            spots: RefCell::new(BTreeMap::new()),
         })
     }
 
@@ -169,9 +175,8 @@ impl<'p, 'k> Fitting<'p, 'k> {
             angle: step.angle_millideg,
             within: step.within,
             elsewhere: step.elsewhere,
-            asks: step.asks,
-            eased: follows.is_some_and(eases),
-            last,
+            leaves: left_by(step, last),
+            eased: matches!(step.operation, Operation::Drill | Operation::DrillOut) && follows.is_some_and(eases),
         };
         let known = self.known.borrow().get(&key).cloned();
         let outfit = match known {
@@ -260,9 +265,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             (Some(_), Some(pilot)) => self.travels(step.place.through).0 + self.opening_depth() + pilot,
             _ => travel,
         };
-        // The surface asked for is left by a last single pass; passes before it, and stock for another
-        // machine, need no finish feed.
-        let roughness = step.asks.filter(|_| last && step.passes == 1).map(|(_, roughness)| roughness);
+        let roughness = left_by(step, last).map(|(_, roughness)| roughness);
         let cut = Cut {
             nose_radius: cutter.row.nose_radius,
             roughness,
@@ -387,6 +390,12 @@ pub fn way(
 ) -> Result<(Micrometres, Micrometres), KnowledgeError> {
     let fitting = Fitting::new(hole, &[], part, shop)?;
     Ok((fitting.travel(step).0, fitting.travels(step.place.through).0))
+}
+
+/// The grade and surface that a step must leave: by a last single pass; passes before it, and stock for another machine, need
+/// no finish feed.
+fn left_by(step: &Step, last: bool) -> Option<(ItGrade, Roughness)> {
+    step.asks.filter(|_| last && step.passes == 1)
 }
 
 /// The cylinder a step works on: a thread is that of its hole.

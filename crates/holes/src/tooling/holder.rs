@@ -129,18 +129,16 @@ pub(super) fn hold<'k>(
     }
     let family = family(cutter.head, need.operation, shop.knowledge)?;
     let holders = family.holders.ok_or_else(|| KnowledgeError::lacks(&family.row.table.id, "holders of this shank"))?;
-    let table = shop.knowledge.table(holders)?;
     let mut rejected = Vec::new();
-    for row in table.rows::<HolderRow<'_>>() {
-        let row = row?;
-        let why = refuse(&row, cutter, machine).or_else(|| too_short(&row, cutter, overhang.length, need));
+    for row in shop.shelf.holders_of(holders)? {
+        let why = refuse(row, cutter, machine).or_else(|| too_short(row, cutter, overhang.length, need));
         if let Some(fault) = why {
             rejected.push((row.designation, fault));
             continue;
         }
         let length = row.length + overhang.length;
         let mass_kg = row.mass.map(|holder| holder.0 + bar_mass(cutter));
-        let held = Held { holder: Some((row, rejected)), overhang, length, mass_kg };
+        let held = Held { holder: Some((row.clone(), rejected)), overhang, length, mass_kg };
         return Ok(within_limits(held, cutter, machine));
     }
     Ok(Err(rejected.into_iter().map(|(holder, fault)| unfit(cutter, holder, fault)).collect()))

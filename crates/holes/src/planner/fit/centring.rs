@@ -1,5 +1,7 @@
 //! Centring: how wide its spot is, by the rule `centre-spot`, and which edge it makes.
 
+use std::rc::Rc;
+
 use crate::cutting::{self, Cut};
 use crate::error::{KnowledgeError, Tried};
 use crate::knowledge::vocabulary::ToolMaterial;
@@ -72,11 +74,20 @@ impl<'k> Fitting<'_, 'k> {
         let place = Place { depth, through: false, ..step.place };
         let step = Step { diameter: spot, nominal: spot, place, ..step };
         // Until the tool is chosen for the whole part it is the widest of the catalogs.
-        let conditions = self.spotting(&step, travel, self.widest_spot)?;
+        let key = (step.place, step.diameter, step.from, step.passes, travel);
+        let known = self.spots.borrow().get(&key).cloned();
+        let conditions = match known {
+            Some(conditions) => conditions,
+            None => {
+                let conditions = Rc::new(self.spotting(&step, travel, self.widest_spot)?);
+                self.spots.borrow_mut().insert(key, Rc::clone(&conditions));
+                conditions
+            }
+        };
         let mut because = step.because.clone();
         because.push(Because::row(rule.row, note));
         let (approach, doubts, makes_edge) = (self.travels(false).0, Vec::new(), edge.is_some());
-        Ok(Fitted { step, tool: None, travel, approach, conditions: conditions.into(), doubts, makes_edge, because })
+        Ok(Fitted { step, tool: None, travel, approach, conditions, doubts, makes_edge, because })
     }
 
     /// The conditions of centring with a drill of that diameter.
