@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::knowledge::diagnostic::Place;
+use crate::error::KnowledgeError;
+use crate::knowledge::diagnostic::{Diagnostic, Place};
 use crate::knowledge::yaml::Node;
 use crate::part::Part;
 use crate::plan::{CuttingMethod, Feature, Operation};
@@ -67,6 +68,17 @@ pub struct Stated {
     pub times: Figures,
     /// The numbers of the tools in the order of their changes, where the plan states it apart from the rows.
     pub changes: Option<Vec<u32>>,
+}
+
+impl Stated {
+    /// What knowledge lacks for it, as a mistake of its file where that is the reason: tables that were checked lack nothing
+    /// for a part that was read, so it is a figure of the part inside a plan of ours.
+    pub fn at_fault(&self, error: &KnowledgeError) -> Option<Diagnostic> {
+        let part = self.tree.as_ref()?.get("part")?;
+        let message = format!("the part of this plan cannot be planned: {error}");
+        let help = "mend the part in the plan, or write the plan anew with `technolog plan PART.yaml --format json`";
+        Some(Diagnostic::error("bad-plan", message, part.place.clone()).help(help))
+    }
 }
 
 /// A row of the route: one transition of one group of holes.

@@ -7,6 +7,7 @@ use technolog::audit::marks::{Scheme, read_scheme};
 use technolog::audit::rules;
 use technolog::audit::stated::Stated;
 use technolog::audit::{Auditor, Unreadable, read_if_plan, read_plan};
+use technolog::error::KnowledgeError;
 use technolog::knowledge::Diagnostic;
 use technolog::knowledge::yaml::text_of;
 use technolog::report::sentences::codes;
@@ -34,6 +35,21 @@ pub fn read_any(path: &Path, auditor: &Auditor<'_>, context: &Context) -> Result
     let text = content(path, &shown, context)?;
     let stated = read_if_plan(&shown, &text, auditor.knowledge, &|name: &str| named(path, name));
     stated.map_err(|unreadable| unusable(path, shown, text, unreadable))
+}
+
+/// What stopped an audit: the part inside a plan of ours, at its place, or the tables.
+pub fn at_fault(stated: &Stated, error: &KnowledgeError, context: &Context) -> CliError {
+    match stated.at_fault(error) {
+        // The text again, for the line that the message shows.
+        Some(problem) => CliError::Unusable {
+            problems: vec![problem],
+            texts: match std::fs::read_to_string(&stated.file) {
+                Ok(text) => Texts::default().with(&stated.file.clone(), stated.file.clone(), Cow::Owned(text)),
+                Err(_) => Texts::default(),
+            },
+        },
+        None => CliError::of_knowledge(error, context.lang),
+    }
 }
 
 /// A marking scheme.

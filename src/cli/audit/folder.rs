@@ -72,15 +72,24 @@ fn one(path: &Path, auditor: &Auditor<'_>, scheme: Option<&Scheme>, context: &Co
         Ok(Some(stated)) => stated,
         Ok(None) => return Ok(Seen::NoPlan),
         Err(CliError::Unusable { problems, .. }) => {
-            let problems: Vec<Diagnostic> = problems.iter().map(|problem| told(problem, context.lang)).collect();
-            let unread = Unread::new(&path.display().to_string(), &problems);
-            return Ok(Seen::Plan(Audited::Unreadable(unread)));
+            return Ok(unreadable(path, &problems, context));
         }
         Err(error) => return Err(error),
     };
-    let mut found = auditor.audit(&stated).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
+    let mut found = match auditor.audit(&stated) {
+        Ok(found) => found,
+        Err(error) => {
+            let problem = stated.at_fault(&error).ok_or_else(|| CliError::of_knowledge(&error, context.lang))?;
+            return Ok(unreadable(path, &[problem], context));
+        }
+    };
     found.marks = scheme.map(|scheme| scheme.mark(&found));
     Ok(Seen::Plan(Audited::Plan(Box::new(found))))
+}
+
+fn unreadable(path: &Path, problems: &[Diagnostic], context: &Context) -> Seen {
+    let problems: Vec<Diagnostic> = problems.iter().map(|problem| told(problem, context.lang)).collect();
+    Seen::Plan(Audited::Unreadable(Unread::new(&path.display().to_string(), &problems)))
 }
 
 /// The files that may be plans. Hidden ones are left out, and links to folders, which could go round.

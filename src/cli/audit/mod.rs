@@ -62,7 +62,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         }
         return Ok(Outcome::Done);
     }
-    let mut found = auditor.audit(&stated).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
+    let mut found = auditor.audit(&stated).map_err(|error| file::at_fault(&stated, &error, context))?;
     found.marks = scheme.map(|scheme| scheme.mark(&found));
     give_out(&found, format, context)?;
     Ok(if found.has_errors() { Outcome::Findings } else { Outcome::Done })

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use technolog::audit::stated::Stated;
 use technolog::audit::{Unreadable, audit, read_plan};
+use technolog::note::Severity;
 use technolog::plan::{CuttingMethod, Operation};
 use technolog_testing::{KNOWLEDGE, planned, read as read_part};
 
@@ -68,6 +69,47 @@ fn a_roughness_beyond_the_tables_is_a_mistake_of_a_stored_plan() {
     let [problem] = problems.as_slice() else { panic!("{problems:?}") };
     assert!(problem.message.starts_with("`Ra 1205` is outside Ra 0.008 to Ra 100"), "{}", problem.message);
     assert!(problem.place.is_some() && problem.help.is_some());
+}
+
+/// A part inside a stored plan that nothing can be planned for is told where it stands, whatever makes it so; the tables are
+/// not at fault.
+#[test]
+fn a_part_that_cannot_be_planned_is_a_mistake_of_the_stored_plan() {
+    let part = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/plate.yaml")).unwrap();
+    let plan = serde_json::to_value(planned(&read_part(&part), CuttingMethod::Formula)).unwrap();
+    for (field, value) in [
+        ("/part/material", "unobtainium".into()),
+        ("/part/machine", "no-machine".into()),
+        ("/part/holes/0/diameter/nominal", 0.into()),
+        ("/part/holes/0/diameter/nominal", (-10).into()),
+        ("/part/holes/0/diameter/nominal", 600.into()),
+        ("/part/holes/0/diameter/it", 5.into()),
+        ("/part/holes/0/depth", 0.into()),
+        ("/part/holes/0/depth", (-1).into()),
+        ("/part/holes/0/centre_tolerance", 0.into()),
+        ("/part/holes/0/centre_tolerance", 1000.into()),
+    ] as [(&str, serde_json::Value); 10]
+    {
+        let mut plan = plan.clone();
+        *plan.pointer_mut(field).unwrap() = value.clone();
+        let text = serde_json::to_string_pretty(&plan).unwrap();
+        let none = |_: &str| Err("no files here".to_owned());
+        let problem = match read_plan("plan.json", &text, &KNOWLEDGE, &none) {
+            Err(unreadable) => unreadable.problems.into_iter().next().unwrap(),
+            Ok(stated) => match audit(&stated, &KNOWLEDGE) {
+                // Planned as it stands: the audit says what of the plan does not belong to such a part.
+                Ok(found) if found.findings.iter().any(|one| one.severity <= Severity::Wrong) => continue,
+                Ok(_) => panic!("{field} {value}: nothing is said"),
+                Err(error) => stated.at_fault(&error).unwrap(),
+            },
+        };
+        let line = text.lines().position(|line| line.trim_start().starts_with("\"part\": {")).unwrap() + 1;
+        assert!(
+            problem.place.as_ref().is_some_and(|place| place.line as usize >= line),
+            "{field} {value}: {problem:?}"
+        );
+        assert!(problem.help.is_some(), "{field} {value}");
+    }
 }
 
 #[test]

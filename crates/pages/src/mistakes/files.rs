@@ -124,6 +124,11 @@ pub(super) const SENTENCES: &[Pair] = &[
         "запишіть його знову: `technolog plan PART.yaml --format json`",
     ),
     ("no plan of ours: {0}", "це не план цієї програми: {0}"),
+    ("the part of this plan cannot be planned: {0}", "деталь цього плану неможливо спланувати: {0}"),
+    (
+        "mend the part in the plan, or write the plan anew with `technolog plan PART.yaml --format json`",
+        "виправте деталь у плані або запишіть план знову: `technolog plan PART.yaml --format json`",
+    ),
     ("the table `audit-tolerance` cannot be used", "таблиця `audit-tolerance` непридатна"),
     ("no operation `{0}`", "немає переходу `{0}`"),
     // Settings.
