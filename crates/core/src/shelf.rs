@@ -8,6 +8,8 @@ use crate::knowledge::vocabulary::Operation;
 use crate::knowledge::{Knowledge, Table, TableError, TableRow};
 use crate::tables::holders::HolderRow;
 use crate::tables::holes::{HoleConvention, Scheme};
+use crate::tables::materials::Clamping;
+use crate::tables::standards::MorseTaper;
 use crate::tables::tools::CutterRow;
 
 /// Tables taken down and read when they are first asked.
@@ -18,6 +20,8 @@ pub struct Shelf<'k> {
     holders: Vec<(&'static str, Rows<HolderRow<'k>>)>,
     conventions: Rows<HoleConvention<'k>>,
     schemes: Rows<Scheme<'k>>,
+    clamping: Rows<Clamping<'k>>,
+    morse: Rows<MorseTaper<'k>>,
 }
 
 /// A table of cutters.
@@ -74,6 +78,8 @@ impl<'k> Shelf<'k> {
             holders: holders.collect(),
             conventions: Rows::unread(),
             schemes: Rows::unread(),
+            clamping: Rows::unread(),
+            morse: Rows::unread(),
         }
     }
 
@@ -111,6 +117,22 @@ impl<'k> Shelf<'k> {
         let found = self.holders.iter().find(|(known, _)| *known == id);
         let (_, rows) = found.ok_or_else(|| KnowledgeError::lacks(id, "there is no such table of holders"))?;
         Ok(rows.of(|| self.knowledge.table(id))?)
+    }
+
+    /// The constants of clamping.
+    ///
+    /// # Errors
+    /// There is no such table.
+    pub fn clamping(&self) -> Result<&[Clamping<'k>], TableError> {
+        self.clamping.of(|| self.knowledge.table_of::<Clamping<'k>>())
+    }
+
+    /// The Morse tapers.
+    ///
+    /// # Errors
+    /// There is no such table.
+    pub fn morse_tapers(&self) -> Result<&[MorseTaper<'k>], TableError> {
+        self.morse.of(|| self.knowledge.table_of::<MorseTaper<'k>>())
     }
 
     /// The conventions on holes.

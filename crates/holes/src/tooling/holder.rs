@@ -253,7 +253,7 @@ pub(super) fn overhang<'k>(
     }
     match cutter.head.shank {
         Shank::Cylindrical => {
-            let addition = overhang_addition(shop.knowledge)?;
+            let addition = overhang_addition(shop)?;
             let extra = Micrometres::from_mm_rounded(addition.maximum);
             let free = match row.shank_length {
                 Some(shank) => stated(row, "length", row.length.or(row.cutting_length))? - shank,
@@ -264,7 +264,7 @@ pub(super) fn overhang<'k>(
         Shank::Morse => {
             let projection = match row.projection {
                 Some(projection) => projection,
-                None => length()? - taper_shank(row, shop.knowledge)?,
+                None => length()? - taper_shank(row, shop)?,
             };
             Ok(Overhang { length: projection, row: row.row, by: ByShank::Morse })
         }
@@ -307,14 +307,16 @@ impl Overhang<'_> {
 }
 
 /// What a cutter with a cylindrical shank stands out beyond its flutes: least and most, mm.
-pub(super) fn overhang_addition(knowledge: &Knowledge) -> Result<Clamping<'_>, KnowledgeError> {
+pub(super) fn overhang_addition<'s, 'k>(shop: &'s Shop<'k>) -> Result<&'s Clamping<'k>, KnowledgeError> {
     let wanted = ClampingConstant::OverhangAddition;
-    knowledge.need(wanted.name(), |row: &Clamping<'_>| row.name.is(wanted))
+    let found = shop.shelf.clamping()?.iter().find(|row| row.name.is(wanted));
+    found.ok_or_else(|| KnowledgeError::lacks(Clamping::CONTRACT.which.id(), wanted.name()))
 }
 
 /// The length of a Morse shank with tang, by the table `morse-tapers`.
-fn taper_shank(row: &CutterRow<'_>, knowledge: &Knowledge) -> Result<Micrometres, KnowledgeError> {
+fn taper_shank(row: &CutterRow<'_>, shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
     let number = stated(row, "morse", row.morse)?;
-    let taper = knowledge.need(&number.to_string(), |taper: &MorseTaper<'_>| taper.morse == number)?;
-    Ok(taper.tang_length)
+    let taper = shop.shelf.morse_tapers()?.iter().find(|taper| taper.morse == number);
+    let lacks = || KnowledgeError::lacks(MorseTaper::CONTRACT.which.id(), &format!("there is no row for {number}"));
+    Ok(taper.ok_or_else(lacks)?.tang_length)
 }

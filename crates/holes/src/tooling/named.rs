@@ -146,7 +146,7 @@ pub fn overhang<'k>(
     if !holder::is_ranged(cutter.head.shank, operation) {
         return Ok((most, most, because));
     }
-    let addition = holder::overhang_addition(shop.knowledge)?;
+    let addition = holder::overhang_addition(shop)?;
     Ok((most - Micrometres::from_mm_rounded(addition.maximum - addition.minimum), most, because))
 }
 

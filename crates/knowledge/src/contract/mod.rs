@@ -202,13 +202,15 @@ pub trait Question {
 pub struct Reader<'t> {
     row: RowRef<'t>,
     contract: &'static Contract,
+    /// Where the fields stand among the columns, if the table was first read by this contract.
+    layout: Option<&'t [Option<usize>]>,
     next: usize,
 }
 
 impl<'t> Reader<'t> {
     /// At the first field of a row.
     pub fn new(row: RowRef<'t>, contract: &'static Contract) -> Self {
-        Self { row, contract, next: 0 }
+        Self { row, contract, layout: row.table.layout_of(contract), next: 0 }
     }
 
     /// The next field.
@@ -219,7 +221,11 @@ impl<'t> Reader<'t> {
         let position = self.next;
         self.next += 1;
         // A table of a family may lack a column that its rows may leave out.
-        let cell = match self.row.table.position(self.contract, position) {
+        let column = match self.layout {
+            Some(layout) => layout.get(position).copied().flatten(),
+            None => self.contract.fields.get(position).and_then(|asked| self.row.table.column_index(asked.name)),
+        };
+        let cell = match column {
             Some(column) => &self.row.row().cells[column],
             None => &Cell::Empty,
         };
@@ -231,14 +237,11 @@ impl<'t> Reader<'t> {
 }
 
 impl Table {
-    /// Where a field of its contract stands among its columns.
-    fn position(&self, contract: &'static Contract, field: usize) -> Option<usize> {
+    /// Where the fields of a contract stand among its columns; none where another contract was asked first.
+    fn layout_of(&self, contract: &'static Contract) -> Option<&[Option<usize>]> {
         let find = |asked: &Asked| self.column_index(asked.name);
         let (row, positions) =
             self.layout.get_or_init(|| (contract.row, contract.fields.iter().map(find).collect::<Vec<_>>()));
-        match *row == contract.row {
-            true => positions.get(field).copied().flatten(),
-            false => contract.fields.get(field).and_then(find),
-        }
+        (*row == contract.row).then_some(positions)
     }
 }
