@@ -314,7 +314,7 @@ impl<'t> RowRef<'t> {
     ///
     /// # Errors
     /// The row has no text there.
-    pub fn text(self, column: &str) -> Result<&'t str, TableError> {
+    pub(crate) fn text(self, column: &str) -> Result<&'t str, TableError> {
         let text = self.value(column).and_then(Value::as_text);
         text.ok_or_else(|| self.problem(format!("the column `{column}` must hold a text here")))
     }

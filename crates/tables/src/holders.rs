@@ -3,23 +3,20 @@
 use technolog_knowledge::rows;
 use technolog_knowledge::units::{Kilograms, Micrometres};
 
-/// The tables of holders.
-const TABLES: &[&str] = &[
-    "holders-collet-chucks",
-    "holders-morse-drawbar-sleeves",
-    "holders-morse-sleeves",
-    "holders-shell-arbors",
-    "holders-tap-chucks",
-];
-
 impl HolderRow<'_> {
     /// The tables that hold such rows.
-    pub const TABLES: &'static [&'static str] = TABLES;
+    pub const TABLES: &'static [&'static str] = &[
+        "holders-collet-chucks",
+        "holders-morse-drawbar-sleeves",
+        "holders-morse-sleeves",
+        "holders-shell-arbors",
+        "holders-tap-chucks",
+    ];
 }
 
 rows! {
     /// A holder of cutters.
-    pub struct HolderRow of Each(TABLES) {
+    pub struct HolderRow of Each(HolderRow::TABLES) {
         designation: &'t str,
         taper: i64,
         clamp_min: Option<Micrometres>,

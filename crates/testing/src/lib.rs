@@ -127,6 +127,11 @@ pub fn operations(written: &str) -> Vec<Operation> {
     written.split(' ').map(|name| Operation::from_name(name).unwrap_or_else(|| panic!("no operation {name}"))).collect()
 }
 
+/// The text of a cell.
+pub fn text<'t>(row: RowRef<'t>, column: &str) -> &'t str {
+    row.value(column).and_then(Value::as_text).unwrap_or_else(|| panic!("{column} holds no text"))
+}
+
 /// The number of a cell, in the unit of its column.
 pub fn number(row: RowRef<'_>, column: &str) -> f64 {
     match row.value(column) {

@@ -43,8 +43,12 @@ fn group() -> impl Strategy<Value = String> {
 /// A valid part file: up to five groups on a grid of 100 mm, so that even Ø80 keeps apart.
 fn part_files() -> impl Strategy<Value = String> {
     let grid: Vec<(i64, i64)> = (-4..=4).flat_map(|x| (-1..=1).map(move |y| (x * 100, y * 100))).collect();
-    let materials: Vec<String> =
-        KNOWLEDGE.table("materials").unwrap().all_rows().map(|row| row.text("id").unwrap().to_owned()).collect();
+    let materials: Vec<String> = KNOWLEDGE
+        .table("materials")
+        .unwrap()
+        .all_rows()
+        .map(|row| technolog_testing::text(row, "id").to_owned())
+        .collect();
     let heads = prop::sample::select(vec![
         "",
         "entry: rough\n",

@@ -180,7 +180,7 @@ fn what_is_known_of_nc_201_are_names() {
 #[test]
 fn the_controls_are_those_of_the_table() {
     let table = KNOWLEDGE.table("lathe-controls").unwrap();
-    let rows: Vec<&str> = table.all_rows().map(|row| row.text("control").unwrap()).collect();
+    let rows: Vec<&str> = table.all_rows().map(|row| technolog_testing::text(row, "control")).collect();
     assert_eq!(rows, Control::NAMES);
     assert!(Control::NAMES.iter().all(|name| Control::read(name, &KNOWLEDGE).is_ok()));
 }

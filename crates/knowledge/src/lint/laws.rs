@@ -264,8 +264,11 @@ fn record(table: &Table, law: &Law, knowledge: &Knowledge) -> Broken {
     let mut found = Vec::new();
     for wanted in schema.all_rows() {
         let name = wanted.text("name").map_err(|error| error.to_string())?;
+        let Some(Value::Bool(required)) = wanted.value("required") else {
+            return Err(format!("table {}, row {}: `required` must be true or false", schema.id, wanted.number()));
+        };
         match table.find("name", name) {
-            None if wanted.value("required") == Some(&Value::Bool(true)) => {
+            None if *required => {
                 let message = format!("table {}: the quantity `{name}` is missing", table.id);
                 found.push(Diagnostic::error("broken-law", message, law.place.clone()));
             }

@@ -1,7 +1,7 @@
 //! Arcs and helices: G2 and G3 with I, J, K or R.
 
 use super::block::Maker;
-use super::control::{Group, Kind};
+use super::control::{Group, IsoControl};
 use super::moves::Target;
 use super::words::{Given, Words};
 use crate::motion::geometry::{Point, distance, in_plane};
@@ -34,7 +34,7 @@ impl Maker<'_> {
             (Some(_), Some(radius)) => self.by_radius(start, end, radius, sense),
             (Some(_), None) => self.by_centre([a, b], centre, &target, span),
         };
-        let turns = if self.control.kind == Kind::LinuxCnc { self.take(words, 'P') } else { None };
+        let turns = if self.control.kind == IsoControl::LinuxCnc { self.take(words, 'P') } else { None };
         if let Some(given) = turns.filter(|given| given.millionths < 1_000_000 || given.millionths % 1_000_000 != 0) {
             let figures = [("address", "P".to_owned()), ("low", "1".to_owned()), ("high", "99999".to_owned())];
             self.tell("number-out-of-range", given.span, &figures);

@@ -5,7 +5,7 @@
 //! the dwell; modal functions; length correction; the motion or the cycle; functions of the end of a block; the call of a
 //! subprogram. It is that of LinuxCNC; Fanuc's manual leaves most of it to the machine.
 
-use super::control::{Action, Control, Effect, Group, Kind};
+use super::control::{Action, Control, Effect, Group, IsoControl};
 use super::rules::fault;
 use super::state::State;
 use super::words::{Function, Given, Words, place};
@@ -221,13 +221,13 @@ impl Maker<'_> {
     fn dwell(&mut self, function: Function, words: &Words) {
         let pause = self.take(words, 'P').map(|given| given.value() * self.control.dwell_unit_s);
         let pause = match pause {
-            None if self.control.kind == Kind::Fanuc => self.take(words, 'X').map(Given::value),
+            None if self.control.kind == IsoControl::Fanuc => self.take(words, 'X').map(Given::value),
             other => other,
         };
         match pause.filter(|seconds| *seconds >= 0.0) {
             Some(seconds) => self.wait(seconds),
             None => {
-                let address = if self.control.kind == Kind::Fanuc { "P, X" } else { "P" };
+                let address = if self.control.kind == IsoControl::Fanuc { "P, X" } else { "P" };
                 self.tell("dwell-time-missing", function.span, &[("words", address.to_owned())]);
             }
         }
@@ -246,7 +246,7 @@ impl Maker<'_> {
                 Some(Effect::Mode) => self.state.set(group, Some(function.code)),
                 Some(Effect::Noted) => {
                     // The tolerance of G64.
-                    if function.code == 640 && self.control.kind == Kind::LinuxCnc {
+                    if function.code == 640 && self.control.kind == IsoControl::LinuxCnc {
                         self.take(words, 'P');
                     }
                     self.push(Motion::Auxiliary { word: function.name() });

@@ -11,7 +11,7 @@ use crate::tables::controls::Acts;
 use crate::tables::controls::iso::{Addresses, Characteristic, Cycles, GFunctions, MFunctions, MGroup, Record};
 use crate::units::Micrometres;
 
-pub use crate::tables::controls::iso::IsoControl as Kind;
+pub use crate::tables::controls::iso::IsoControl;
 pub(super) use crate::tables::controls::iso::{Action, Bottom, Effect, Group, Inwards, Outwards, Written};
 
 /// A G function.
@@ -44,7 +44,7 @@ pub(super) struct Cycle {
 /// The language of a control.
 #[derive(Clone, Debug)]
 pub struct Control {
-    pub(in crate::program) kind: Kind,
+    pub(in crate::program) kind: IsoControl,
     /// G functions by their codes in tenths: 911 is G91.1.
     pub(super) g: BTreeMap<i64, GFunction>,
     /// Those that hold after power-on.
@@ -78,7 +78,7 @@ impl Control {
     pub fn read(control: &str, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
         let table = knowledge.table(&format!("control-{control}"))?;
         let lacks = || KnowledgeError::lacks(&table.id, &format!("an interpreter of {control}"));
-        let kind = Kind::from_word(control).ok_or_else(lacks)?;
+        let kind = IsoControl::from_word(control).ok_or_else(lacks)?;
         let record: Vec<Record<'_>> = table.rows().collect::<Result<_, _>>()?;
         let figures = |name| figures(&record, name, table);
         let number = |name| figures(name).map(|(first, _)| first);

@@ -16,7 +16,7 @@
 //! it crosses at the level where this hole will end. Fanuc crosses at the level where it is.
 
 use super::block::Maker;
-use super::control::{Bottom, Cycle, Group, Inwards, Kind, Outwards};
+use super::control::{Bottom, Cycle, Group, Inwards, IsoControl, Outwards};
 use super::programs::calls;
 use super::words::{Function, Words, place};
 use crate::motion::{Axis, Motion, Position, Turning};
@@ -41,7 +41,7 @@ impl Maker<'_> {
     }
 
     fn forget(&mut self) {
-        let kept = self.state.parameters[place('P')].filter(|_| self.control.kind == Kind::LinuxCnc);
+        let kept = self.state.parameters[place('P')].filter(|_| self.control.kind == IsoControl::LinuxCnc);
         self.state.parameters = [None; 26];
         self.state.parameters[place('P')] = kept;
     }
@@ -50,7 +50,7 @@ impl Maker<'_> {
     pub(super) fn cycle(&mut self, code: i64, given: Option<Function>, words: &Words) {
         let Some(cycle) = self.control.cycles.get(&code).cloned() else { return };
         let span = given.map_or(self.span, |function| function.span);
-        let linuxcnc = self.control.kind == Kind::LinuxCnc;
+        let linuxcnc = self.control.kind == IsoControl::LinuxCnc;
         if linuxcnc && self.state.mode(Group::Cycle) != Some(code) {
             self.forget();
             if cycle.required.contains(&'P') {
@@ -121,14 +121,14 @@ impl Maker<'_> {
 
     /// L of LinuxCNC, K of Fanuc; K0 only takes the parameters.
     fn repeats(&mut self, words: &Words, named: bool) -> i64 {
-        let address = if self.control.kind == Kind::LinuxCnc { 'L' } else { 'K' };
+        let address = if self.control.kind == IsoControl::LinuxCnc { 'L' } else { 'K' };
         let Some(given) = words.get(address).filter(|_| named) else { return 1 };
         self.take(words, address);
         if given.millionths % 1_000_000 != 0 {
             self.tell("number-not-whole", given.span, &[("address", address.to_string())]);
         }
         let repeats = given.millionths / 1_000_000;
-        if repeats < i64::from(self.control.kind == Kind::LinuxCnc) {
+        if repeats < i64::from(self.control.kind == IsoControl::LinuxCnc) {
             self.tell("cycle-step-not-positive", given.span, &[("address", address.to_string())]);
         }
         repeats
@@ -145,8 +145,8 @@ impl Maker<'_> {
         }
         let clear = match (self.state.to_initial_level(), self.control.kind) {
             (false, _) => r,
-            (true, Kind::LinuxCnc) => initial.max(r),
-            (true, Kind::Fanuc) => initial,
+            (true, IsoControl::LinuxCnc) => initial.max(r),
+            (true, IsoControl::Fanuc) => initial,
         };
         Some(Levels { r, bottom, clear })
     }
@@ -166,13 +166,13 @@ impl Maker<'_> {
 
     fn holes(&mut self, cycle: &Cycle, levels: Levels, words: &Words, repeats: i64, span: Span) {
         let feed = Motion::Feed { feed_mm_per_min: self.feed(span) };
-        if self.control.kind == Kind::LinuxCnc && self.initial() < levels.r {
+        if self.control.kind == IsoControl::LinuxCnc && self.initial() < levels.r {
             self.set_floating();
             self.climb(Motion::Rapid, levels.r, span);
         }
         for _ in 0..repeats {
             let here = self.state.at.get(Axis::Z);
-            let low = self.control.kind == Kind::LinuxCnc && here <= levels.r;
+            let low = self.control.kind == IsoControl::LinuxCnc && here <= levels.r;
             let crossing = if low { levels.clear } else { here };
             let target = self.target(words, false);
             self.set_floating();
@@ -205,7 +205,7 @@ impl Maker<'_> {
         let pause = self.parameter('P').filter(|_| waits).map(|millionths| millionths as f64 / 1e6);
         let pause = pause.map(|value| value * self.control.dwell_unit_s).filter(|seconds| *seconds > 0.0);
         // LinuxCNC waits with the tap turning back already, Fanuc before it.
-        let back_first = cycle.bottom == Bottom::Reversed && self.control.kind == Kind::LinuxCnc;
+        let back_first = cycle.bottom == Bottom::Reversed && self.control.kind == IsoControl::LinuxCnc;
         if back_first {
             self.spindle(Turning::Counterclockwise);
         }

@@ -8,7 +8,7 @@
 //! - `run` the way through the blocks; `rules` every rule;
 //! - `writer` a job as a program.
 //!
-//! Where the dialects differ in figures or words the tables say so. Where they differ in what a word does, [`Kind`]
+//! Where the dialects differ in figures or words the tables say so. Where they differ in what a word does, [`IsoControl`]
 //! decides, and there are few such places: the levels of a cycle, the way to write a call, the time of G4.
 
 mod arc;
@@ -24,6 +24,6 @@ mod text;
 mod words;
 mod writer;
 
-pub use control::{Control, Kind};
+pub use control::{Control, IsoControl};
 pub use run::check;
 pub use writer::write;

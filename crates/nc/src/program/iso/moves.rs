@@ -1,7 +1,7 @@
 //! Motions of a block: positioning and lines, in the system or on the machine (G53), and the returns G28 and G30.
 
 use super::block::Maker;
-use super::control::{Effect, Group, Kind};
+use super::control::{Effect, Group, IsoControl};
 use super::words::{Function, Words};
 use crate::motion::{Axis, Motion, Position};
 use crate::program::Span;
@@ -37,7 +37,7 @@ impl Maker<'_> {
         }
         if let Some(function) = words.one_shot(Effect::Return, self.control) {
             let other = words.function(Group::Motion).or(cycle.filter(|_| !off));
-            if let Some(other) = other.filter(|_| self.control.kind == Kind::LinuxCnc) {
+            if let Some(other) = other.filter(|_| self.control.kind == IsoControl::LinuxCnc) {
                 let figures = [("first", other.name()), ("second", function.name())];
                 self.tell("axes-taken-twice", function.span, &figures);
                 return;
@@ -45,7 +45,7 @@ impl Maker<'_> {
             return self.returning(function, words);
         }
         // G4 of Fanuc moves nothing, and its X is a time.
-        if self.control.kind == Kind::Fanuc && words.one_shot(Effect::Dwell, self.control).is_some() {
+        if self.control.kind == IsoControl::Fanuc && words.one_shot(Effect::Dwell, self.control).is_some() {
             return;
         }
         if let Some(function) = words.one_shot(Effect::MachinePosition, self.control) {
@@ -114,7 +114,7 @@ impl Maker<'_> {
         }
         let target = self.target(words, true);
         let Some(span) = target.span else { return };
-        let code = if self.control.kind == Kind::Fanuc { Some(0) } else { self.state.mode(Group::Motion) };
+        let code = if self.control.kind == IsoControl::Fanuc { Some(0) } else { self.state.mode(Group::Motion) };
         let motion = match code.filter(|_| words.function(Group::Cycle).is_none()) {
             Some(0) => Motion::Rapid,
             Some(10) => Motion::Feed { feed_mm_per_min: self.feed(span) },
@@ -132,7 +132,7 @@ impl Maker<'_> {
         let goal = if function.code == 280 { Some(Position::default()) } else { self.setting.fixed_point };
         // P2 of Fanuc is the point of G30 alone.
         let second = function.code == 280
-            || self.control.kind == Kind::LinuxCnc
+            || self.control.kind == IsoControl::LinuxCnc
             || self.take(words, 'P').is_none_or(|point| point.millionths == 2_000_000);
         let Some(goal) = goal.filter(|_| second) else {
             self.tell("fixed-point-unknown", function.span, &[("function", function.name())]);
@@ -140,7 +140,7 @@ impl Maker<'_> {
         };
         let named: Vec<Axis> = Axis::ALL.into_iter().filter(|axis| words.get(axis.letter()).is_some()).collect();
         let through = self.target(words, false);
-        if named.is_empty() && self.control.kind == Kind::Fanuc {
+        if named.is_empty() && self.control.kind == IsoControl::Fanuc {
             self.tell("axes-missing", function.span, &[("function", function.name())]);
             return;
         }

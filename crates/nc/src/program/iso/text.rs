@@ -1,7 +1,7 @@
 //! The text of a program as words and blocks, each with its place. Nothing is understood here; reading recovers: a word
 //! that cannot be read is told and left out, and the reading goes on behind it.
 
-use super::control::{Control, Kind, Written};
+use super::control::{Control, IsoControl, Written};
 use super::rules::fault;
 use crate::program::control_2c42_65::latin;
 use crate::program::{Fault, Span};
@@ -50,7 +50,7 @@ pub(super) fn blocks(text: &str, control: &Control) -> (Vec<Block>, bool, Vec<Fa
     let mut faults = Vec::new();
     let mut blocks = Vec::new();
     let mut opened = false;
-    let fanuc = control.kind == Kind::Fanuc;
+    let fanuc = control.kind == IsoControl::Fanuc;
     let mut pointless = fanuc;
     // Fanuc reads nothing before the first of two signs %.
     let sign = |line: &str| line.trim_start().starts_with('%');
@@ -98,7 +98,8 @@ impl Line<'_> {
             block.skipped = true;
             at = 1;
             // The number of the switch: there is one switch here.
-            while self.control.kind == Kind::Fanuc && characters.get(at).is_some_and(|(_, c)| c.is_ascii_digit()) {
+            while self.control.kind == IsoControl::Fanuc && characters.get(at).is_some_and(|(_, c)| c.is_ascii_digit())
+            {
                 at += 1;
             }
         }

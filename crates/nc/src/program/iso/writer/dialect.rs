@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::job::{self, Cycle};
 use crate::program::block::Block;
-use crate::program::iso::control::Kind;
+use crate::program::iso::control::IsoControl;
 use crate::units::{Micrometres, Seconds};
 
 /// A block behind its number.
@@ -18,33 +18,33 @@ impl fmt::Display for Numbered {
 
 /// How a control writes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Dialect(pub Kind);
+pub(super) struct Dialect(pub IsoControl);
 
 impl Dialect {
     /// A length, mm. Fanuc counts a number without a point in micrometres, unless it is set otherwise.
     pub(super) fn length(self, value: Micrometres) -> String {
         let text = value.to_string();
-        if self.0 == Kind::Fanuc && !text.contains('.') { text + ".0" } else { text }
+        if self.0 == IsoControl::Fanuc && !text.contains('.') { text + ".0" } else { text }
     }
 
     /// A feed, mm/min.
     pub(super) fn feed(self, cycle: &Cycle) -> String {
         let text = cycle.feed_mm_per_min.0.to_string();
-        if self.0 == Kind::Fanuc && !text.contains('.') { text + "." } else { text }
+        if self.0 == IsoControl::Fanuc && !text.contains('.') { text + "." } else { text }
     }
 
     fn dwell(self, time: Seconds) -> String {
         match self.0 {
-            Kind::LinuxCnc => time.0.to_string(),
-            Kind::Fanuc => libm::round(time.0 * 1000.0).to_string(),
+            IsoControl::LinuxCnc => time.0.to_string(),
+            IsoControl::Fanuc => libm::round(time.0 * 1000.0).to_string(),
         }
     }
 
     /// The lines before the first block.
     pub(super) fn head(self, part: &str) -> Vec<String> {
         match self.0 {
-            Kind::LinuxCnc => vec![format!("({part})")],
-            Kind::Fanuc => vec![format!("O0001 ({part})")],
+            IsoControl::LinuxCnc => vec![format!("({part})")],
+            IsoControl::Fanuc => vec![format!("O0001 ({part})")],
         }
     }
 
@@ -56,22 +56,22 @@ impl Dialect {
 
     pub(super) fn subprogram_begins(self, number: u32) -> String {
         match self.0 {
-            Kind::LinuxCnc => format!("o{number} sub"),
-            Kind::Fanuc => format!("O{number:04}"),
+            IsoControl::LinuxCnc => format!("o{number} sub"),
+            IsoControl::Fanuc => format!("O{number:04}"),
         }
     }
 
     pub(super) fn subprogram_ends(self, number: u32) -> String {
         match self.0 {
-            Kind::LinuxCnc => format!("o{number} endsub"),
-            Kind::Fanuc => "M99".to_owned(),
+            IsoControl::LinuxCnc => format!("o{number} endsub"),
+            IsoControl::Fanuc => "M99".to_owned(),
         }
     }
 
     pub(super) fn call(self, number: usize, called: u32) -> String {
         match self.0 {
-            Kind::LinuxCnc => format!("o{called} call"),
-            Kind::Fanuc => Numbered(number, format!("M98 P{called:04}")).to_string(),
+            IsoControl::LinuxCnc => format!("o{called} call"),
+            IsoControl::Fanuc => Numbered(number, format!("M98 P{called:04}")).to_string(),
         }
     }
 
@@ -94,7 +94,7 @@ impl Dialect {
             words += &format!(" Q{}", self.length(lengths(step)));
         }
         // LinuxCNC does not run G86 without a dwell.
-        let needed = (code == 86 && self.0 == Kind::LinuxCnc).then(|| "0".to_owned());
+        let needed = (code == 86 && self.0 == IsoControl::LinuxCnc).then(|| "0".to_owned());
         if let Some(dwell) = dwell.or(needed) {
             words += &format!(" P{dwell}");
         }

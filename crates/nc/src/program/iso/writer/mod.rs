@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 
 use crate::job::{Job, Pause};
 use crate::program::block::Block;
-use crate::program::iso::control::Kind;
+use crate::program::iso::control::IsoControl;
 use crate::program::written::{Form, Line, Role, WorkRef, Written};
 use technolog_core::ascii::ascii;
 
@@ -44,7 +44,7 @@ enum Piece {
 }
 
 /// The program of a job.
-pub fn write(job: &Job, kind: Kind, form: Form) -> Written {
+pub fn write(job: &Job, kind: IsoControl, form: Form) -> Written {
     let dialect = Dialect(kind);
     let mut sheet = Sheet { form, dialect, main: Vec::new(), subprograms: Vec::new() };
     let axis = |value| sheet.dialect.length(form.grid(value));
@@ -126,7 +126,7 @@ impl Sheet {
         let mut before = Vec::new();
         let mut after = Vec::new();
         // LinuxCNC wants a subprogram before its call, Fanuc behind the main program.
-        let place = if dialect.0 == Kind::LinuxCnc { &mut before } else { &mut after };
+        let place = if dialect.0 == IsoControl::LinuxCnc { &mut before } else { &mut after };
         for (number, (blocks, work)) in (FIRST_SUBPROGRAM..).zip(&subprograms) {
             let line = |text: String, role| Line { text, role, work: *work, cycle: None };
             place.push(line(dialect.subprogram_begins(number), Role::Frame));
