@@ -39,7 +39,7 @@ pub fn one_check(bytes: &[u8]) {
         let line = lines.get(fault.span.line as usize - 1).map_or(0, |line| line.chars().count());
         let end = (fault.span.column + fault.span.width - 1) as usize;
         assert!(fault.span.column >= 1 && end <= line.max(1), "{fault:?} is outside its line");
-        for lang in [Lang::Uk, Lang::En] {
+        for lang in [Lang::UK, Lang::EN] {
             let sentence = report::sentence(&fault.note, lang);
             assert!(!sentence.contains('{') || text.contains('{'), "{sentence}");
             assert!(report::remedy(&fault.note, lang).is_some(), "{} has no remedy", fault.code);

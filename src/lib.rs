@@ -28,3 +28,4 @@ pub use technolog_pages as report;
 pub use technolog_shipped as shipped;
 pub use technolog_tables as tables;
 pub use technolog_turning as turning;
+pub use technolog_words as words;

@@ -18,25 +18,19 @@ use technolog::report;
 
 use super::diagnostics::{Texts, render};
 use super::proof;
-use super::words::Word;
 use super::{CliError, Context, Format, Outcome, control, knowledge, words};
 
-/// Read and run an NC program: its mistakes, the trace of its motions, its time
+// Read and run an NC program: its mistakes, the trace of its motions, its time
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// The program file
     #[arg(value_name = "PROGRAM")]
     program: PathBuf,
-    /// The control whose language it is; without it that of the machine
     #[arg(long, value_parser = Language::NAMES)]
     control: Option<String>,
-    /// The machine, by its id in the catalog; without it the part's, or gf2171
     #[arg(long, value_name = "ID")]
     machine: Option<String>,
-    /// What the operator sets: zeros, correctors, switches (docs/control-….md)
     #[arg(long, value_name = "FILE.yaml")]
     setting: Option<PathBuf>,
-    /// The part that the program must make: every hole, every transition (docs/proof.md)
     #[arg(long, value_name = "PART.yaml")]
     part: Option<PathBuf>,
 }
@@ -60,7 +54,7 @@ struct Answer<'a> {
 #[derive(Serialize)]
 struct Finding<'a> {
     message: String,
-    help: Option<&'static str>,
+    help: Option<String>,
     #[serde(flatten)]
     fault: &'a Fault,
 }
@@ -183,7 +177,7 @@ fn page(
         page.push('\n');
     }
     if !steps.is_empty() {
-        page.push_str(context.word(Word::Trace));
+        page.push_str(context.word("cli-trace"));
         page.push('\n');
         for step in steps {
             page.push_str(&trace::line(step));

@@ -9,7 +9,7 @@ use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet}
 use serde::Serialize;
 use technolog::knowledge::{Diagnostic, Place, Severity};
 
-use super::words::{Lang, Word};
+use super::words::Lang;
 use technolog::report::grid::WIDTH;
 use technolog::report::mistakes::told;
 
@@ -61,9 +61,9 @@ pub fn render_as_said(problems: &[Diagnostic], texts: &Texts, lang: Lang) -> Str
 
 fn one(problem: &Diagnostic, texts: &Texts, lang: Lang) -> String {
     let level = match problem.severity {
-        Severity::Error => Level::ERROR.with_name(Word::Error.text(lang)),
-        Severity::Warning => Level::WARNING.with_name(Word::Warning.text(lang)),
-        Severity::Note => Level::NOTE.with_name(Word::Note.text(lang)),
+        Severity::Error => Level::ERROR.with_name(lang.word("cli-error")),
+        Severity::Warning => Level::WARNING.with_name(lang.word("cli-warning")),
+        Severity::Note => Level::NOTE.with_name(lang.word("cli-note")),
     };
     let title = level.primary_title(problem.message.as_str()).id(problem.code);
     let mut group = Group::with_title(title);
@@ -84,7 +84,7 @@ fn one(problem: &Diagnostic, texts: &Texts, lang: Lang) -> String {
         };
     }
     let mut reports = Vec::new();
-    let level = Level::HELP.with_name(Word::Help.text(lang));
+    let level = Level::HELP.with_name(lang.word("cli-help"));
     match (&problem.help, &problem.place) {
         // Under a line of a file the help hangs on its frame; without one it stands on its own.
         (Some(help), Some(_)) => reports.push(group.element(level.message(help.as_str()))),
@@ -151,7 +151,7 @@ mod tests {
 
     #[test]
     fn a_place_counts_characters_and_the_caret_stands_under_them() {
-        insta::assert_snapshot!(render(&[problem(2, 12, 4)], &texts("ключ: 1\nназва: {є: bad1}\n"), Lang::Uk), @r"
+        insta::assert_snapshot!(render(&[problem(2, 12, 4)], &texts("ключ: 1\nназва: {є: bad1}\n"), Lang::UK), @r"
         помилка[x]: щось не так
          --> тека/a.yaml:2:12
           |
@@ -166,7 +166,7 @@ mod tests {
     fn a_place_outside_its_text_still_says_where() {
         let texts = texts("a: 1\n");
         for (line, column) in [(1, 1), (1, 5), (1, 6), (1, 400), (2, 1), (0, 0), (u32::MAX, u32::MAX)] {
-            let shown = render(&[problem(line, column, u32::MAX)], &texts, Lang::En);
+            let shown = render(&[problem(line, column, u32::MAX)], &texts, Lang::EN);
             assert!(shown.contains("тека/a.yaml:"), "{line}:{column}: {shown}");
             assert!(shown.contains("зробіть інакше"), "{line}:{column}: {shown}");
         }

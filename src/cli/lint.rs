@@ -7,10 +7,9 @@ use technolog::tables::{self, ForPeople};
 
 use super::{CliError, Context, Format, Outcome, diagnostics, knowledge, words};
 
-/// Prove the knowledge base: gaps, contradictions, dead rows, references, laws, examples
+// Prove the knowledge base: gaps, contradictions, dead rows, references, laws, examples
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// List what is for people only: columns and tables that steer nothing
     #[arg(long)]
     documentation: bool,
 }

@@ -10,15 +10,12 @@ use technolog::knowledge::Kind;
 use super::{CliError, Context, Format, Outcome, knowledge};
 use question::Question;
 
-/// One query against one table, with the reason of its answer
+// One query against one table, with the reason of its answer
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// The table, such as A.8
     table: String,
-    /// What is known, by the names of columns: it=7 diameter=12 roughness="Ra 2.5"
     #[arg(value_name = "KEY=VALUE")]
     query: Vec<String>,
-    /// Every rejected row on its own, however many there are
     #[arg(long)]
     all: bool,
 }

@@ -13,7 +13,6 @@ mod check;
 mod control;
 mod diagnostics;
 mod help;
-mod help_uk;
 mod knowledge;
 mod lint;
 mod lookup;
@@ -42,9 +41,9 @@ use technolog::knowledge::Diagnostic;
 use technolog::report::grid;
 
 use diagnostics::Texts;
-use words::{Lang, Word};
+use words::Lang;
 
-/// Knowledge base and rule engine for planning the machining of holes and shafts
+// Knowledge base and rule engine for planning the machining of holes and shafts
 #[derive(Debug, Parser)]
 #[command(name = "technolog", version, disable_help_flag = true, disable_version_flag = true)]
 struct Cli {
@@ -54,27 +53,26 @@ struct Cli {
     global: Global,
 }
 
-/// What every command understands.
+// What every command understands.
 #[derive(Debug, clap::Args)]
 struct Global {
-    /// Language of the answers: uk or en (else by the variable LANG, else uk)
-    #[arg(long, global = true)]
+    #[arg(long, global = true, value_parser = language_named)]
     lang: Option<Lang>,
-    /// Folder with catalogs/ and rules/ instead of the embedded knowledge
     #[arg(long, global = true, value_name = "DIR")]
     knowledge: Option<PathBuf>,
-    /// Form of the answer: text, json, yaml, csv, svg, markdown, html or junit, as far as the command has it
     #[arg(long, global = true, value_enum, hide_possible_values = true)]
     format: Option<Format>,
-    /// Write the answer to a file, not to the screen
     #[arg(short, long, global = true, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Show this help
     #[arg(short, long, global = true, action = ArgAction::Help)]
     help: Option<bool>,
-    /// Show the version
     #[arg(short = 'V', long, action = ArgAction::Version)]
     version: Option<bool>,
+}
+
+/// A language by its tag; which there are, else.
+fn language_named(tag: &str) -> Result<Lang, String> {
+    tag.parse().map_err(|fault: technolog::note::Note| help::language(Lang::of_environment(None)).say(&fault))
 }
 
 /// The commands.
@@ -221,8 +219,8 @@ impl Context {
     }
 
     /// A word in the language of the answers.
-    pub const fn word(&self, word: Word) -> &'static str {
-        word.text(self.lang)
+    pub fn word<'k>(&self, word: &'k str) -> &'k str {
+        self.lang.word(word)
     }
 }
 

@@ -21,25 +21,19 @@ use technolog::sequence::{bound, sequence, tool_change_point, visit_bound};
 use technolog::units::{Micrometres, Minutes, round_to};
 
 use super::diagnostics::Texts;
-use super::words::Word;
 use super::{CliError, Context, Format, Outcome, knowledge, plan, words};
 
-/// The order of tools and the path over the holes, with its length, time and a lower bound; also of a list of points
+// The order of tools and the path over the holes, with its length, time and a lower bound; also of a list of points
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// The part file, or a list of points: CSV (x,y in mm) or TSPLIB (EUC_2D)
     #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// Of a list: straight distance (euclid, without it) or the time of rapids (rapid)
     #[arg(long, value_enum, hide_possible_values = true)]
     metric: Option<MetricName>,
-    /// Of a list: return to the first point
     #[arg(long)]
     closed: bool,
-    /// How hard to look, tries per point: 100 for a list without it; a part's order is then that of its plan
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(..=100_000))]
     effort: Option<u32>,
-    /// Of a list with rapids: the machine whose rapids they are, gf2171 without it
     #[arg(long, value_name = "ID")]
     machine: Option<String>,
 }
@@ -142,7 +136,8 @@ fn part_text(plan: &Plan, machine: &Machine<'_>, home: Point, context: &Context)
     let lang = context.lang;
     let at = |point: Point| words::point(lang, point.x, point.y);
     let mut text = words::order_of(lang, &plan.part.part, at(home)) + "\n\n";
-    let head = [Word::Tool, Word::Stops, Word::PathMm, Word::RapidsMin, Word::NearestMin, Word::Saved, Word::BoundMin];
+    let head =
+        ["cli-tool", "cli-stops", "cli-path-mm", "cli-rapids-min", "cli-nearest-min", "cli-saved", "cli-bound-min"];
     let head: Vec<String> = head.map(|word| context.word(word).to_owned()).into();
     let mut rows = Vec::new();
     for visit in &plan.sequence {
@@ -169,7 +164,7 @@ fn part_text(plan: &Plan, machine: &Machine<'_>, home: Point, context: &Context)
         text.push_str(&grid::paragraph(&format!("T{}: {}", visit.tool, stops.join(", ")), 0));
     }
     if !plan.visiting.is_empty() {
-        text.push_str(&format!("\n{}\n", context.word(Word::VisitingHead)));
+        text.push_str(&format!("\n{}\n", context.word("cli-visiting-head")));
     }
     for visiting in &plan.visiting {
         let why = visiting.because.iter().map(|why| sentence(&why.note, lang)).collect::<Vec<_>>().join("; ");
@@ -184,7 +179,7 @@ fn part_text(plan: &Plan, machine: &Machine<'_>, home: Point, context: &Context)
         let quickest = visiting.book_parallel_min.0.min(visiting.sequential_min.0);
         let mixture = visiting.mixture.map(|mixture| {
             let saves = mixture.time_min.0 < quickest;
-            let both = context.word(if saves { Word::QuickerThanBoth } else { Word::NotQuicker });
+            let both = context.word(if saves { "cli-quicker-than-both" } else { "cli-not-quicker" });
             words::mixture(lang, mixture.sequential_tools, decimal(mixture.time_min.0, 2, context), both)
         });
         let line = mixture.map_or_else(|| line.clone(), |mixture| format!("{line}; {mixture}"));
@@ -285,27 +280,27 @@ fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
 fn list_text(answer: &ListAnswer<'_>, context: &Context) -> String {
     let mm = |value: Micrometres| decimal(value.to_mm(), 3, context);
     let mut rows = vec![
-        vec![context.word(Word::Points).to_owned(), answer.points.to_string()],
-        vec![context.word(Word::PathMm).to_owned(), mm(answer.length_mm)],
+        vec![context.word("cli-points").to_owned(), answer.points.to_string()],
+        vec![context.word("cli-path-mm").to_owned(), mm(answer.length_mm)],
     ];
     if let Some(time) = answer.time_min {
-        rows.push(vec![context.word(Word::RapidsMin).to_owned(), decimal(time.0, 4, context)]);
+        rows.push(vec![context.word("cli-rapids-min").to_owned(), decimal(time.0, 4, context)]);
     }
-    rows.push(vec![context.word(Word::NearestMm).to_owned(), mm(answer.nearest_length_mm)]);
+    rows.push(vec![context.word("cli-nearest-mm").to_owned(), mm(answer.nearest_length_mm)]);
     // Where axes speed up the shortest time is looked for, not the shortest way.
     let saved = match (answer.time_min, answer.nearest_time_min) {
         (Some(time), Some(book)) => {
-            rows.push(vec![context.word(Word::NearestMin).to_owned(), decimal(book.0, 4, context)]);
+            rows.push(vec![context.word("cli-nearest-min").to_owned(), decimal(book.0, 4, context)]);
             saving(time.0, book.0, context)
         }
         _ => saving(answer.length_mm.to_mm(), answer.nearest_length_mm.to_mm(), context),
     };
-    rows.push(vec![context.word(Word::Saved).to_owned(), saved]);
+    rows.push(vec![context.word("cli-saved").to_owned(), saved]);
     if let Some(bound) = answer.bound_mm {
-        rows.push(vec![context.word(Word::BoundMm).to_owned(), mm(bound)]);
+        rows.push(vec![context.word("cli-bound-mm").to_owned(), mm(bound)]);
     }
     if let Some(bound) = answer.bound_min {
-        rows.push(vec![context.word(Word::BoundMin).to_owned(), decimal(bound.0, 4, context)]);
+        rows.push(vec![context.word("cli-bound-min").to_owned(), decimal(bound.0, 4, context)]);
     }
     let order: Vec<String> = answer.order.iter().map(u64::to_string).collect();
     format!("{}\n{}", grid::columns(&rows, 0), grid::paragraph(&order.join(" "), 0))

@@ -14,20 +14,18 @@ use technolog::{audit, planner, report};
 use super::diagnostics::Texts;
 use super::{CliError, Context, Format, Outcome, knowledge, words};
 
-/// The whole plan of a part: route, tools, conditions, clamping, corrections, times
+// The whole plan of a part: route, tools, conditions, clamping, corrections, times
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// The part file
     #[arg(value_name = "PART.yaml")]
     part: PathBuf,
     #[command(flatten)]
     method: Method,
 }
 
-/// How cutting conditions are found.
+// How cutting conditions are found.
 #[derive(Debug, clap::Args)]
 struct Method {
-    /// Cutting conditions by formula or by the worked example's card
     #[arg(long, value_parser = ["formula", "card"], default_value = "formula")]
     cutting: String,
 }
@@ -56,13 +54,11 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     Ok(if plan.has_errors() { Outcome::Findings } else { Outcome::Done })
 }
 
-/// Why one hole is made as it is, and why not otherwise
+// Why one hole is made as it is, and why not otherwise
 #[derive(Debug, clap::Args)]
 pub struct ExplainArgs {
-    /// The part file
     #[arg(value_name = "PART.yaml")]
     part: PathBuf,
-    /// The name of the group of holes
     #[arg(long, value_name = "NAME")]
     hole: String,
     #[command(flatten)]

@@ -22,16 +22,13 @@ use super::diagnostics::{Texts, render};
 use super::proof;
 use super::{CliError, Context, Format, Outcome, check, control, knowledge, output, plan, words};
 
-/// The NC program of a part: planned, written, and read back before it is shown
+// The NC program of a part: planned, written, and read back before it is shown
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// The part file
     #[arg(value_name = "PART.yaml")]
     part: PathBuf,
-    /// The control it is for; without it that of the machine
     #[arg(long, value_parser = Language::NAMES)]
     control: Option<String>,
-    /// What to show: the program, the operator's setting, the encoding sheet, or as SVG the backplot or the cycles
     #[arg(long, value_enum, default_value = "program", hide_possible_values = true)]
     show: Show,
 }

@@ -11,7 +11,6 @@ use technolog::program::proof::{Finding, Held, Missing, Proof, Superfluous, Visi
 use technolog::report::backplot::Frame;
 use technolog::report::{self, grid};
 
-use super::words::Word;
 use super::{CliError, Context, plan};
 
 /// The answer for programs.
@@ -26,7 +25,7 @@ pub struct Answer<'a> {
 #[derive(Serialize)]
 struct Said<'a> {
     message: String,
-    help: Option<&'static str>,
+    help: Option<String>,
     #[serde(flatten)]
     finding: &'a Finding,
 }
@@ -64,9 +63,9 @@ pub fn table(held: &Held, proof: &Proof, context: &Context) -> String {
             }
         }
     }
-    let head = [Word::Hole, Word::Transition, Word::Tool, Word::Made].map(|word| context.word(word).to_owned());
+    let head = ["cli-hole", "cli-transition", "cli-tool", "cli-made"].map(|word| context.word(word).to_owned());
     let table = grid::table(&head, &rows, 2);
-    format!("{}\n{table}", context.word(Word::ProofHead))
+    format!("{}\n{table}", context.word("cli-proof-head"))
 }
 
 /// How grave a finding is, as a diagnostic.
@@ -119,7 +118,7 @@ pub fn diagnostics(proof: &Proof, text: &str, file: &Arc<str>, context: &Context
             None => sentence,
         };
         let severity = shown(finding.severity);
-        let help = report::remedy(&finding.note, context.lang).map(str::to_owned);
+        let help = report::remedy(&finding.note, context.lang);
         Diagnostic { severity, code: finding.code.name(), message, place, help }
     };
     proof.findings.iter().map(one).collect()

@@ -6,7 +6,7 @@ use technolog::knowledge::table::Cell;
 use technolog::knowledge::{Column, ColumnType, Role, RowRef, Source, Table, Value};
 use technolog::units::Unit;
 
-use super::words::{self, Lang, Word};
+use super::words::{self, Lang};
 
 /// The title of a table.
 pub fn title(lang: Lang, table: &Table) -> &str {
@@ -64,11 +64,11 @@ pub fn label(lang: Lang, column: &Column) -> Option<&str> {
 }
 
 /// Where the figures of a row come from, in words.
-pub const fn source(lang: Lang, source: Source) -> &'static str {
+pub fn source(lang: Lang, source: Source) -> &'static str {
     match source {
-        Source::Seed => Word::Seed.text(lang),
-        Source::Standard => Word::Standard.text(lang),
-        Source::Reconstructed => Word::Reconstructed.text(lang),
+        Source::Seed => lang.word("cli-seed"),
+        Source::Standard => lang.word("cli-standard"),
+        Source::Reconstructed => lang.word("cli-reconstructed"),
     }
 }
 

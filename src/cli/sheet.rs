@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use technolog::knowledge::{Column, Role, Row, RowRef, Table};
 
-use super::words::{self, Word};
+use super::words;
 use super::{Context, grid, record};
 
 /// One table: title, source, rows, then everything the rows cannot say in their cells.
@@ -12,14 +12,14 @@ pub fn whole(table: &Table, context: &Context) -> String {
     let all: Vec<RowRef<'_>> = table.all_rows().collect();
     let mut text = title(table, context);
     let standard = table.standard.as_deref().map(|standard| format!("; {standard}")).unwrap_or_default();
-    text.push_str(&grid::paragraph(&format!("{}: {}{standard}", context.word(Word::Source), table.place), 0));
+    text.push_str(&grid::paragraph(&format!("{}: {}{standard}", context.word("cli-source"), table.place), 0));
     text.push('\n');
     let (drawn, numbered) = rows(table, &all, context);
     text.push_str(&drawn);
     text.push_str(&columns(table, numbered, context));
     text.push_str(&said(&all, context));
-    text.push_str(&section(Word::Gaps, context, table.uncovered.iter().map(|gap| gap.reason.as_str())));
-    text.push_str(&section(Word::Notes, context, table.notes.iter().map(String::as_str)));
+    text.push_str(&section("cli-gaps", context, table.uncovered.iter().map(|gap| gap.reason.as_str())));
+    text.push_str(&section("cli-notes", context, table.notes.iter().map(String::as_str)));
     text
 }
 
@@ -45,10 +45,10 @@ pub fn rows(table: &Table, rows: &[RowRef<'_>], context: &Context) -> (String, b
         })
         .collect();
     let head = |name: &dyn Fn(usize, &Column) -> String| {
-        let mut head = vec![context.word(Word::RowNumber).to_owned()];
+        let mut head = vec![context.word("cli-row-number").to_owned()];
         head.extend(table.columns.iter().enumerate().map(|(index, column)| name(index, column)));
         if !one_source {
-            head.push(context.word(Word::RowSource).to_owned());
+            head.push(context.word("cli-row-source").to_owned());
         }
         head
     };
@@ -82,7 +82,7 @@ fn one_by_one(table: &Table, rows: &[Vec<String>], context: &Context) -> String 
     let mut text = String::new();
     for row in rows {
         let mut cells = row.iter();
-        text.push_str(&format!("{} {}\n", context.word(Word::RowNumber), cells.next().map_or("", String::as_str)));
+        text.push_str(&format!("{} {}\n", context.word("cli-row-number"), cells.next().map_or("", String::as_str)));
         let lines: Vec<Vec<String>> = table
             .columns
             .iter()
@@ -108,16 +108,16 @@ pub fn columns(table: &Table, numbered: bool, context: &Context) -> String {
             about.extend(record::label(lang, column).map(str::to_owned));
             match column.role {
                 Role::Field => {}
-                Role::Input => about.push(context.word(Word::Input).to_owned()),
-                Role::Output => about.push(context.word(Word::Output).to_owned()),
+                Role::Input => about.push(context.word("cli-input").to_owned()),
+                Role::Output => about.push(context.word("cli-output").to_owned()),
             }
             about.push(words::expected(lang, column));
             about.extend(column.domain_text.clone());
             if column.list {
-                about.push(context.word(Word::List).to_owned());
+                about.push(context.word("cli-list").to_owned());
             }
             if column.optional {
-                about.push(context.word(Word::Optional).to_owned());
+                about.push(context.word("cli-optional").to_owned());
             }
             about.extend(column.default.as_ref().map(|value| words::default_is(lang, record::bare(column, value))));
             about.extend(column.refers.as_ref().map(|(table, column)| words::refers_to(lang, table, column)));
@@ -129,7 +129,7 @@ pub fn columns(table: &Table, numbered: bool, context: &Context) -> String {
             cells
         })
         .collect();
-    format!("\n{}\n{}", context.word(Word::Columns), grid::columns(&rows, 2))
+    format!("\n{}\n{}", context.word("cli-columns"), grid::columns(&rows, 2))
 }
 
 /// What these rows say beside their cells: corrections, doubts, reasons, places, notes. Rows that say
@@ -142,16 +142,16 @@ pub fn said(rows: &[RowRef<'_>], context: &Context) -> String {
     };
     let one = |text: &Option<String>| -> Vec<String> { text.iter().cloned().collect() };
     [
-        said_by_rows(rows, Word::Corrections, context, &corrections),
-        said_by_rows(rows, Word::Unconfirmed, context, &|row| one(&row.unconfirmed)),
-        said_by_rows(rows, Word::Reasons, context, &|row| one(&row.reason)),
-        said_by_rows(rows, Word::Places, context, &|row| one(&row.place)),
-        said_by_rows(rows, Word::RowNotes, context, &|row| one(&row.note)),
+        said_by_rows(rows, "cli-corrections", context, &corrections),
+        said_by_rows(rows, "cli-unconfirmed", context, &|row| one(&row.unconfirmed)),
+        said_by_rows(rows, "cli-reasons", context, &|row| one(&row.reason)),
+        said_by_rows(rows, "cli-places", context, &|row| one(&row.place)),
+        said_by_rows(rows, "cli-row-notes", context, &|row| one(&row.note)),
     ]
     .concat()
 }
 
-fn said_by_rows(rows: &[RowRef<'_>], word: Word, context: &Context, said: &dyn Fn(&Row) -> Vec<String>) -> String {
+fn said_by_rows(rows: &[RowRef<'_>], word: &str, context: &Context, said: &dyn Fn(&Row) -> Vec<String>) -> String {
     let mut rows_of: BTreeMap<String, Vec<usize>> = BTreeMap::new();
     for row in rows {
         for sentence in said(row.row()) {
@@ -166,7 +166,7 @@ fn said_by_rows(rows: &[RowRef<'_>], word: Word, context: &Context, said: &dyn F
 }
 
 /// A heading with its lines; nothing without lines.
-pub fn section<'a>(word: Word, context: &Context, lines: impl Iterator<Item = &'a str>) -> String {
+pub fn section<'a>(word: &str, context: &Context, lines: impl Iterator<Item = &'a str>) -> String {
     let lines: Vec<String> = lines.map(|line| grid::paragraph(line, 2)).collect();
     if lines.is_empty() { String::new() } else { format!("\n{}\n{}", context.word(word), lines.concat()) }
 }

@@ -4,13 +4,11 @@ use serde::Serialize;
 use technolog::knowledge::{Column, Kind, Table};
 use technolog::units::Unit;
 
-use super::words::Word;
 use super::{CliError, Context, Format, Outcome, grid, knowledge, record, sheet};
 
-/// The list of tables, or one table as its source prints it
+// The list of tables, or one table as its source prints it
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// The table, such as A.8; without it, the list
     table: Option<String>,
 }
 
@@ -48,13 +46,13 @@ const fn kind(table: &Table) -> &'static str {
 }
 
 fn list_text(tables: &[&Table], context: &Context) -> String {
-    let head = [Word::Table, Word::RowCount, Word::Kind, Word::Title].map(|word| context.word(word).to_owned());
+    let head = ["cli-table", "cli-row-count", "cli-kind", "cli-title"].map(|word| context.word(word).to_owned());
     let rows: Vec<Vec<String>> = tables
         .iter()
         .map(|table| {
             let kind = match table.kind {
-                Kind::Catalog => Word::Catalog,
-                Kind::Decision => Word::Decision,
+                Kind::Catalog => "cli-catalog",
+                Kind::Decision => "cli-decision",
             };
             vec![
                 table.id.clone(),

@@ -23,31 +23,23 @@ use super::diagnostics::Texts;
 use super::turn_operation::{self, Control, Wanted};
 use super::{CliError, Context, Format, Outcome, knowledge, words};
 
-/// The roughing of a shaft: the shortest sequence of passes, beside longitudinal, transverse and one direction per step; levels, zones and removal schemes with their tool paths
+// The roughing of a shaft: the shortest sequence of passes, beside longitudinal, transverse and one direction per step; levels, zones and removal schemes with their tool paths
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// The shaft file
     #[arg(value_name = "SHAFT.yaml")]
     shaft: PathBuf,
-    /// What to make small: path, path-and-passes, time or passes
     #[arg(long, value_enum, hide_possible_values = true, default_value = "path")]
     objective: Aim,
-    /// With path-and-passes: what each pass adds to the path, mm
     #[arg(long, value_name = "MM", default_value = "1", value_parser = per_pass)]
     per_pass: Micrometres,
-    /// Moves: basic, as the paper has them, or rich: stopping anywhere and with less depth; else as the file says
     #[arg(long, value_enum, hide_possible_values = true)]
     moves: Option<MovesName>,
-    /// What to show: passes (of a contour: the operation), operation (zones, tools, the seven schemes), schemes (the same, drawn with the way of each scheme), steps (the optimum pass by pass, --format svg), map (the variants over length to diameter), program (motions) or cycle (the roughing cycle of the control)
     #[arg(long, value_enum, hide_possible_values = true, default_value = "passes")]
     show: Show,
-    /// With program and cycle: the control, linuxcnc, sinumerik or nc-201
     #[arg(long, value_enum, hide_possible_values = true, default_value = "linuxcnc")]
     control: Control,
-    /// With program and cycle: which of the programs, from 1; the list stands on the error stream
     #[arg(long, value_name = "N", default_value = "1")]
     number: usize,
-    /// With program and cycle: the spindle speed, 1/min, where no lathe tells it
     #[arg(long, value_name = "RPM", value_parser = clap::value_parser!(u32).range(1..=20_000))]
     spindle: Option<u32>,
 }

@@ -3,55 +3,56 @@
 use clap::Command;
 use clap::error::{ContextKind, ContextValue, Error, ErrorKind};
 
+use technolog::note::Note;
+
 use super::words::Lang;
 
-/// What is wrong with the arguments and what to do; none where clap's own text is to be shown: help, version, English,
-/// and kinds of mistakes that this command line cannot meet.
+/// What is wrong with the arguments and what to do; none where clap's own text is to be shown: help, version, and kinds of
+/// mistakes that this command line cannot meet.
 pub fn message(error: &Error, command: &mut Command, lang: Lang) -> Option<String> {
-    if lang == Lang::En {
-        return None;
-    }
     let of = |kind| error.get(kind).map(text).unwrap_or_default();
     let (argument, value) = (of(ContextKind::InvalidArg), of(ContextKind::InvalidValue));
-    let mut said = match error.kind() {
-        ErrorKind::MissingRequiredArgument => format!("бракує аргументів: {argument}"),
-        ErrorKind::UnknownArgument => format!("невідомий аргумент `{argument}`"),
-        ErrorKind::InvalidSubcommand => format!("немає команди `{}`", of(ContextKind::InvalidSubcommand)),
-        ErrorKind::MissingSubcommand => "не вказано команди".to_owned(),
-        ErrorKind::InvalidValue if value.is_empty() => format!("аргумент `{argument}` потребує значення"),
+    let about = |code: &'static str| Note::new(code).with("argument", &argument).with("value", &value);
+    let note = match error.kind() {
+        ErrorKind::MissingRequiredArgument => about("usage-missing"),
+        ErrorKind::UnknownArgument => about("usage-unknown"),
+        ErrorKind::InvalidSubcommand => {
+            Note::new("usage-no-command").with("command", of(ContextKind::InvalidSubcommand))
+        }
+        ErrorKind::MissingSubcommand => Note::new("usage-command-missing"),
+        ErrorKind::InvalidValue if value.is_empty() => about("usage-value-missing"),
         ErrorKind::InvalidValue | ErrorKind::ValueValidation => match std::error::Error::source(error) {
-            Some(why) => format!("значення `{value}` не годиться для `{argument}`: {why}"),
-            None => format!("значення `{value}` не годиться для `{argument}`"),
+            Some(why) => about("usage-bad-value-because").with("why", why.to_string()),
+            None => about("usage-bad-value"),
         },
         ErrorKind::ArgumentConflict => {
             let other = of(ContextKind::PriorArg);
             if other == argument || other.is_empty() {
-                format!("аргумент `{argument}` вказано більше одного разу")
+                about("usage-twice")
             } else {
-                format!("аргумент `{argument}` не поєднується з `{other}`")
+                about("usage-conflict").with("other", other)
             }
         }
         ErrorKind::NoEquals | ErrorKind::TooManyValues | ErrorKind::TooFewValues | ErrorKind::WrongNumberOfValues => {
-            format!("аргумент `{argument}` має не стільки значень, скільки треба")
+            about("usage-count")
         }
-        ErrorKind::InvalidUtf8 => "аргумент не є текстом UTF-8".to_owned(),
+        ErrorKind::InvalidUtf8 => Note::new("usage-not-utf8"),
         _ => return None,
     };
-    said.insert_str(0, "помилка: ");
-    let known = of(ContextKind::ValidValue);
-    if !known.is_empty() {
-        said.push_str(&format!("\n  можливі значення: {known}"));
-    }
-    for kind in [ContextKind::SuggestedArg, ContextKind::SuggestedSubcommand, ContextKind::SuggestedValue] {
-        let like = of(kind);
-        if !like.is_empty() {
-            said.push_str(&format!("\n  підказка: схоже є: {like}"));
+    let mut said = format!("{}: {}", lang.word("cli-error"), lang.say(&note));
+    let mut more = |code: &'static str, values: String| {
+        if !values.is_empty() {
+            said.push_str(&format!("\n  {}", lang.say(&Note::new(code).with("values", values))));
         }
+    };
+    more("usage-possible-values", of(ContextKind::ValidValue));
+    for kind in [ContextKind::SuggestedArg, ContextKind::SuggestedSubcommand, ContextKind::SuggestedValue] {
+        more("usage-similar", of(kind));
     }
     let usage = of(ContextKind::Usage);
     let usage = if usage.is_empty() { command.render_usage().to_string() } else { usage };
     let usage = usage.trim().trim_start_matches("Usage:").trim();
-    Some(format!("{said}\n\nВикористання: {usage}\n\nДокладніше: `--help`.\n"))
+    Some(format!("{said}\n\n{}: {usage}\n\n{}\n", lang.word("help-usage"), lang.word("usage-more")))
 }
 
 /// A value of an error's context as text.
@@ -73,9 +74,9 @@ mod tests {
     use super::*;
 
     fn said(arguments: &[&str]) -> String {
-        let mut command = help::command(Lang::Uk);
+        let mut command = help::command(Lang::UK);
         let error = command.clone().try_get_matches_from(arguments).unwrap_err();
-        message(&error, &mut command, Lang::Uk).unwrap_or_default()
+        message(&error, &mut command, Lang::UK).unwrap_or_default()
     }
 
     #[test]
@@ -109,8 +110,8 @@ mod tests {
 
     #[test]
     fn help_and_version_stay_what_they_are() {
-        let mut command = help::command(Lang::Uk);
+        let mut command = help::command(Lang::UK);
         let error = command.clone().try_get_matches_from(["technolog", "--version"]).unwrap_err();
-        assert_eq!(message(&error, &mut command, Lang::Uk), None);
+        assert_eq!(message(&error, &mut command, Lang::UK), None);
     }
 }

@@ -20,7 +20,7 @@ pub struct Around<'a> {
     /// The tables that are asked.
     pub knowledge: &'a Knowledge,
     /// Every code that a finding can have.
-    pub codes: &'a [&'a str],
+    pub codes: &'a [String],
     /// Reads the files that cases name, relative to the file of cases.
     pub files: Files<'a>,
 }
@@ -165,8 +165,9 @@ impl Reader<'_> {
             let is_code = |word: &&str| word.bytes().all(|byte| byte.is_ascii_lowercase() || byte == b'-');
             for word in text.split_whitespace().filter(is_code) {
                 let rule = || rules::all().any(|rule| rule.id == word);
-                if Severity::from_word(word).is_none() && !self.around.codes.contains(&word) && !rule() {
-                    let near = nearest(word, self.around.codes.iter().copied());
+                if Severity::from_word(word).is_none() && !self.around.codes.iter().any(|code| code == word) && !rule()
+                {
+                    let near = nearest(word, self.around.codes.iter().map(String::as_str));
                     let help = near.map_or_else(
                         || "write a severity, or a code as the findings of --format json have it".to_owned(),
                         |near| format!("did you mean `{near}`?"),

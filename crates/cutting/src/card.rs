@@ -6,7 +6,7 @@
 //! one point only; the formula's are kept there, being the safe side, and the plan says so.
 
 use crate::error::KnowledgeError;
-use crate::note::{Because, Note};
+use crate::note::{Because, Figure, Note};
 use crate::plan::{CardPoint, Operation};
 use crate::shop::Shop;
 use crate::tables::cutting::{CardCalibration, CardCorrections, CardFactor, CardPoints, CardRatio};
@@ -56,7 +56,7 @@ pub(super) fn draft(
 ) -> Result<Draft, KnowledgeError> {
     let mut calibrated = |ratio: CardRatio| -> Result<f64, KnowledgeError> {
         let row = shop.knowledge.need(ratio.name(), |row: &CardCalibration<'_>| row.name.is(ratio))?;
-        let note = Note::new("card-calibration").with("name", ratio.name()).with("factor", row.factor);
+        let note = Note::new("card-calibration").with("name", Figure::word(ratio.name())).with("factor", row.factor);
         because.push(Because::row(row.row, note));
         Ok(row.factor)
     };

@@ -6,7 +6,7 @@ use crate::knowledge::contract::{Question, TableRow};
 use crate::knowledge::vocabulary::ToolMaterial;
 use crate::knowledge::{Knowledge, QueryError, RowRef};
 use crate::material::Material;
-use crate::note::{Because, Note};
+use crate::note::{Because, Figure, Note};
 use crate::plan::Operation;
 use crate::reason::Uncut;
 use crate::shop::Shop;
@@ -132,7 +132,9 @@ pub(crate) fn stand_in_operation<'k>(
     shop: &impl Asking<'k>,
 ) -> Tried<(Operation, Because), Uncut> {
     let rule = shop.knowledge().ask(&StandInOperationFor { operation })?.need(operation.name())?;
-    let note = Note::new("stand-in-operation").with("operation", operation.name()).with("instead", rule.instead.name());
+    let note = Note::new("stand-in-operation")
+        .with("operation", Figure::operation(operation.name()))
+        .with("instead", Figure::operation(rule.instead.name()));
     Ok((rule.instead, Because::row(rule.row, note)))
 }
 

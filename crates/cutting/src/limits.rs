@@ -3,7 +3,7 @@
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::RowRef;
 use crate::knowledge::units::Percent;
-use crate::note::{Because, Note};
+use crate::note::{Because, Figure, Note};
 use crate::plan::{Limit, Operation};
 use crate::reason::Uncut;
 use crate::shop::Shop;
@@ -101,7 +101,7 @@ fn within(bounds: &[Option<Bound<'_>>], asked: MillimetresPerRev, speed: MetresP
         {
             let feed = law.feed_at(bound.limit, speed);
             let note = Note::new("feed-reduced")
-                .with("by", bound.kind.name())
+                .with("by", Figure::word(bound.kind.name()))
                 .with("from", round_to(before.0, 3))
                 .with("to", round_to(feed.0, 3))
                 .with("limit", round_to(bound.limit, 1));

@@ -4,6 +4,8 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
+use technolog_note::{Figure, Told};
+
 use crate::units::{Decimal, ItGrade, Micrometres, Roughness, Unit};
 
 /// A typed value of a cell.
@@ -41,6 +43,16 @@ impl Value {
         match self {
             Self::List(items) => items,
             single => std::slice::from_ref(single),
+        }
+    }
+}
+
+impl Told for Value {
+    fn told(self) -> Figure {
+        match self {
+            Self::Int(_) | Self::Number(..) | Self::Length(_) | Self::Grade(_) => Figure::number(self.to_string()),
+            Self::List(items) => Figure::list(items.into_iter().map(Told::told)),
+            Self::Text(_) | Self::Bool(_) | Self::Roughness(_) => self.to_string().told(),
         }
     }
 }

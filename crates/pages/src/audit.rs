@@ -77,11 +77,11 @@ fn title(audit: &Audit, lang: Lang) -> String {
 fn summary(audit: &Audit, lang: Lang) -> String {
     let own = audit.summary.all;
     match lang {
-        Lang::Uk => format!(
+        _ if lang == Lang::UK => format!(
             "помилок {}, хибного {}, сумнівного {}, зауважень {}; з них наслідків інших {}",
             own.error, own.wrong, own.doubtful, own.note, own.follow
         ),
-        Lang::En => format!(
+        _ => format!(
             "{} errors, {} wrong, {} doubtful, {} notes; of these {} follow from others",
             own.error, own.wrong, own.doubtful, own.note, own.follow
         ),
@@ -143,7 +143,7 @@ fn details(finding: &Finding, audit: &Audit, lang: Lang) -> Vec<String> {
         let said = lang.pick("за написаними числами", "by the stated figures");
         lines.push(comma(&format!("{said}: {by_stated}"), lang));
     }
-    if finding.note.figure("carried").is_some_and(|carried| carried == "no") {
+    if finding.note.figure("carried").is_some_and(|carried| carried.text() == "no") {
         let said = lang.pick(
             "далі рахували з правильним значенням: описка",
             "the sums after it were made with the right value: a slip of the pen",

@@ -42,8 +42,8 @@ pub fn told(problem: &Diagnostic, lang: Lang) -> Diagnostic {
 /// A sentence about a mistake in the language of the reader.
 pub fn said(english: &str, lang: Lang) -> Cow<'_, str> {
     match lang {
-        Lang::En => Cow::Borrowed(english),
-        Lang::Uk => ukrainian(english).map_or(Cow::Borrowed(english), Cow::Owned),
+        _ if lang == Lang::UK => ukrainian(english).map_or(Cow::Borrowed(english), Cow::Owned),
+        _ => Cow::Borrowed(english),
     }
 }
 
@@ -61,7 +61,7 @@ fn ukrainian(english: &str) -> Option<String> {
             from.get(1..2).and_then(|digit| digit.parse::<usize>().ok()).filter(|_| from.get(2..3) == Some("}"));
         match number.and_then(|number| values.get(number)) {
             Some(value) => {
-                text.push_str(&said(value, Lang::Uk));
+                text.push_str(&said(value, Lang::UK));
                 rest = &from[3..];
             }
             None => {
@@ -123,8 +123,8 @@ mod tests {
             ("`-5` cannot be the depth: it must be above zero", "`-5` - не глибина: має бути більше нуля"),
             ("nobody knows this sentence", "nobody knows this sentence"),
         ] {
-            assert_eq!(said(english, Lang::Uk), uk);
-            assert_eq!(said(english, Lang::En), english);
+            assert_eq!(said(english, Lang::UK), uk);
+            assert_eq!(said(english, Lang::EN), english);
         }
     }
 
@@ -135,7 +135,7 @@ mod tests {
                 let place = format!("{{{number}}}");
                 assert_eq!(en.matches(&place).count(), uk.matches(&place).count(), "{en}");
             }
-            assert!(!said(en, Lang::Uk).is_empty());
+            assert!(!said(en, Lang::UK).is_empty());
         }
     }
 }

@@ -138,7 +138,7 @@ fn conditions(plan: &Plan, lang: Lang) -> String {
         return String::new();
     }
     let head: [&str; 12] = match lang {
-        Lang::Uk => [
+        _ if lang == Lang::UK => [
             "Отв.",
             "Перехід",
             "Ø, мм",
@@ -152,7 +152,7 @@ fn conditions(plan: &Plan, lang: Lang) -> String {
             "N, кВт",
             "To, хв",
         ],
-        Lang::En => [
+        _ => [
             "Hole",
             "Transition",
             "Ø, mm",
@@ -251,14 +251,14 @@ fn clamping(plan: &Plan, lang: Lang) -> String {
     let weak = if bears < each {
         let (bears, each) = (number(bears, 0, lang), number(each, 0, lang));
         match lang {
-            Lang::Uk => format!(" (заслабкий: витримує {bears} < {each} Н)"),
-            Lang::En => format!(" (too weak: bears {bears} < {each} N)"),
+            _ if lang == Lang::UK => format!(" (заслабкий: витримує {bears} < {each} Н)"),
+            _ => format!(" (too weak: bears {bears} < {each} N)"),
         }
     } else {
         String::new()
     };
     let lines = match lang {
-        Lang::Uk => [
+        _ if lang == Lang::UK => [
             format!(
                 "Найбільшої сили потребує отвір {}: M = {} Н·м, до прихоплювача {} мм, W = k·M/(f·d) = {} Н",
                 clamping.hole,
@@ -275,7 +275,7 @@ fn clamping(plan: &Plan, lang: Lang) -> String {
                 mm(clamping.safe_distance_mm, lang)
             ),
         ],
-        Lang::En => [
+        _ => [
             format!(
                 "Hole {} needs the largest force: M = {} N·m, {} mm from its clamp, W = k·M/(f·d) = {} N",
                 clamping.hole,
@@ -329,8 +329,10 @@ fn time(plan: &Plan, lang: Lang) -> String {
         [time.machine_min, time.rapid_min, time.tool_change_min, time.total_min].map(|value| number(value.0, 2, lang));
     let [machine, rapid, change, total] = values;
     let line = match lang {
-        Lang::Uk => format!("Машинний {machine} + холості ходи {rapid} + заміна інструмента {change} = {total} хв"),
-        Lang::En => format!("Machine {machine} + rapids {rapid} + tool changes {change} = {total} min"),
+        _ if lang == Lang::UK => {
+            format!("Машинний {machine} + холості ходи {rapid} + заміна інструмента {change} = {total} хв")
+        }
+        _ => format!("Machine {machine} + rapids {rapid} + tool changes {change} = {total} min"),
     };
     grid::paragraph(&line, 2)
 }

@@ -63,8 +63,8 @@ fn holes(hole: &Hole, transition: &Transition, count: usize, lang: Lang) -> Stri
         _ => format!(" {} Ø{}", lang.pick("до", "to"), mm(transition.diameter_mm, lang)),
     };
     let number = match lang {
-        Lang::Uk => format!("{count}-{} отв.", ending(count)),
-        Lang::En => format!("of {count} {}", if count == 1 { "hole" } else { "holes" }),
+        _ if lang == Lang::UK => format!("{count}-{} отв.", ending(count)),
+        _ => format!("of {count} {}", if count == 1 { "hole" } else { "holes" }),
     };
     format!("{number} {size}{to} ({})", hole.name)
 }
@@ -92,16 +92,16 @@ fn capital(text: &str) -> String {
 pub(super) fn pause(pause: Pause, part: &Part, lang: Lang) -> String {
     match pause {
         Pause::LoadTool { tool, place } => match lang {
-            Lang::Uk => format!("Встановити інструмент {tool} у гніздо {place} магазину"),
-            Lang::En => format!("Put tool {tool} into place {place} of the magazine"),
+            _ if lang == Lang::UK => format!("Встановити інструмент {tool} у гніздо {place} магазину"),
+            _ => format!("Put tool {tool} into place {place} of the magazine"),
         },
         Pause::TurnOver => match lang {
-            Lang::Uk => format!("Перевернути деталь {} навколо осі Y", part.part),
-            Lang::En => format!("Turn the part {} over about Y", part.part),
+            _ if lang == Lang::UK => format!("Перевернути деталь {} навколо осі Y", part.part),
+            _ => format!("Turn the part {} over about Y", part.part),
         },
         Pause::SetBar { diameter_mm } => match lang {
-            Lang::Uk => format!("Налагодити різець оправки на Ø{}", mm(diameter_mm, lang)),
-            Lang::En => format!("Set the boring bar to Ø{}", mm(diameter_mm, lang)),
+            _ if lang == Lang::UK => format!("Налагодити різець оправки на Ø{}", mm(diameter_mm, lang)),
+            _ => format!("Set the boring bar to Ø{}", mm(diameter_mm, lang)),
         },
     }
 }

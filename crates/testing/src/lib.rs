@@ -68,7 +68,7 @@ pub fn routes(plan: &Plan) -> Vec<Found> {
     let hole = &plan.holes[0];
     let Some(route) = &hole.route else {
         let named = |finding: &technolog::note::Finding| {
-            let scheme = finding.note.figure("scheme")?.to_owned();
+            let scheme = finding.note.figure("scheme")?.text().into_owned();
             let why = finding.note.code().to_owned();
             Some(Found { way: None, scheme, operations: Vec::new(), carried_out: false, taken: false, why })
         };

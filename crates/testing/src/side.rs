@@ -124,7 +124,7 @@ pub fn work_off(operation: &Operation) -> Vec<Fault> {
         let cut_off = operation.findings.iter().map(|finding| &finding.note);
         if cut_off
             .filter(|note| note.code() == "far-face-not-planned")
-            .any(|note| note.figure("number") == Some(number.as_str()))
+            .any(|note| note.figure("number").is_some_and(|figure| figure.text() == number))
         {
             metals.iter_mut().for_each(Metal::cut_off);
         }

@@ -92,6 +92,8 @@ impl fmt::Display for Half {
     }
 }
 
+technolog_note::told_as_number!(Half);
+
 impl From<f64> for Half {
     fn from(millimetres: f64) -> Self {
         Self((millimetres * 2000.0).round() as i64)

@@ -1,12 +1,10 @@
 //! What every file of a turned part is read with: its mistakes, names, materials, choices and lengths.
 
-use std::fmt::Display;
-
 use crate::knowledge::Knowledge;
 use crate::knowledge::diagnostic::{Diagnostic, Place, Severity};
 use crate::knowledge::yaml::{Fields, Node, Problems, parse};
 use crate::material;
-use crate::note::Note;
+use crate::note::{Note, Tell};
 use crate::turning::tooling::Lathe;
 use crate::units::Micrometres;
 
@@ -86,10 +84,10 @@ impl<'a> Reader<'a> {
     pub(super) fn fault<T>(
         &mut self,
         code: &'static str,
-        figures: &[(&'static str, &dyn Display)],
+        figures: &[(&'static str, &dyn Tell)],
         place: &Place,
     ) -> Option<T> {
-        let note = figures.iter().fold(Note::new(code), |note, (name, value)| note.with(*name, value));
+        let note = figures.iter().fold(Note::new(code), |note, (name, value)| note.with(*name, value.tell()));
         self.meant.push(Mistake::Meaning(code, note, place.clone()));
         None
     }
@@ -142,7 +140,7 @@ impl<'a> Reader<'a> {
             return self.fault("not-above-zero", &[("key", &key), ("length", &length)], &node.place);
         }
         if length > LARGEST {
-            let figures: [(&str, &dyn Display); 3] = [("key", &key), ("length", &length), ("most", &LARGEST)];
+            let figures: [(&str, &dyn Tell); 3] = [("key", &key), ("length", &length), ("most", &LARGEST)];
             return self.fault("length-too-large", &figures, &node.place);
         }
         Some((length, node.place.clone()))

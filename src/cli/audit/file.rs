@@ -10,7 +10,7 @@ use technolog::audit::{Auditor, Unreadable, read_if_plan, read_plan};
 use technolog::error::KnowledgeError;
 use technolog::knowledge::Diagnostic;
 use technolog::knowledge::yaml::text_of;
-use technolog::report::sentences::codes;
+use technolog::report::Lang;
 
 use super::super::diagnostics::Texts;
 use super::super::{CliError, Context, words};
@@ -60,7 +60,8 @@ pub fn scheme(path: &Path, context: &Context) -> Result<Scheme, CliError> {
     let shown = path.display().to_string();
     let text = content(path, &shown, context)?;
     // A check is named by the code of its sentence.
-    let known: Vec<&str> = rules::all().map(|rule| rule.id).chain(codes()).collect();
+    let codes = Lang::codes();
+    let known: Vec<&str> = rules::all().map(|rule| rule.id).chain(codes.iter().map(String::as_str)).collect();
     read_scheme(&shown, &text, &known).map_err(|problems| {
         let texts = Texts::default().with(&shown.clone(), shown, Cow::Owned(text));
         CliError::Unusable { problems, texts }

@@ -12,16 +12,13 @@ use technolog::report;
 
 use super::{CliError, Context, Format, Outcome, knowledge};
 
-/// Hold somebody's plan, or a folder of plans, against the knowledge: every figure, every choice, the program
+// Hold somebody's plan, or a folder of plans, against the knowledge: every figure, every choice, the program
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// The plan file (docs/audit.md), a plan of `technolog plan --format json`, or a folder of plans
     #[arg(value_name = "PLAN.yaml")]
     plan: PathBuf,
-    /// Another plan: show where the two differ, and what the difference costs
     #[arg(long, value_name = "PLAN.yaml")]
     against: Option<PathBuf>,
-    /// A marking scheme (docs/audit.md): what each finding costs, and the score
     #[arg(long, value_name = "FILE", conflicts_with = "against")]
     marks: Option<PathBuf>,
 }

@@ -10,7 +10,7 @@ use technolog::knowledge::{Column, RowRef, Table, Value};
 
 use super::near::{self, Near};
 use super::question::Question;
-use crate::cli::words::{self, Word};
+use crate::cli::words;
 use crate::cli::{CliError, Context, Format, Outcome, grid, record, sheet};
 
 /// So many values of a text column are all named where none is near.
@@ -117,7 +117,7 @@ fn found_text(table: &Table, rows: &[RowRef<'_>], context: &Context) -> String {
     let mut text = sheet::title(table, context);
     let results: Vec<String> = rows.iter().map(|&row| record::results_text(lang, row)).collect();
     text.push('\n');
-    text.push_str(&grid::paragraph(&format!("{}: {}", context.word(Word::Result), results.join("; ")), 0));
+    text.push_str(&grid::paragraph(&format!("{}: {}", context.word("cli-result"), results.join("; ")), 0));
     text.push('\n');
     let (drawn, numbered) = sheet::rows(table, rows, context);
     text.push_str(&drawn);
@@ -131,7 +131,7 @@ fn found_text(table: &Table, rows: &[RowRef<'_>], context: &Context) -> String {
 fn missed_text(table: &Table, missed: &Missed<'_>, context: &Context) -> String {
     let lang = context.lang;
     let mut text = sheet::title(table, context);
-    text.push_str(&format!("\n{}: {}\n", context.word(Word::Result), context.word(Word::NoRow)));
+    text.push_str(&format!("\n{}: {}\n", context.word("cli-result"), context.word("cli-no-row")));
     let keys: Vec<Vec<String>> = missed
         .keys
         .iter()
@@ -139,7 +139,7 @@ fn missed_text(table: &Table, missed: &Missed<'_>, context: &Context) -> String 
             let near: Vec<String> = key.near.iter().map(|value| record::bare(key.column, value)).collect();
             let near = match near.len() {
                 0 => String::new(),
-                _ => format!("{}: {}", context.word(Word::NearestValues), near.join(", ")),
+                _ => format!("{}: {}", context.word("cli-nearest-values"), near.join(", ")),
             };
             vec![
                 key.column.name.clone(),
@@ -149,7 +149,7 @@ fn missed_text(table: &Table, missed: &Missed<'_>, context: &Context) -> String 
             ]
         })
         .collect();
-    text.push_str(&format!("\n{}\n{}", context.word(Word::EachAlone), grid::columns(&keys, 2)));
+    text.push_str(&format!("\n{}\n{}", context.word("cli-each-alone"), grid::columns(&keys, 2)));
     text.push_str(&near::text(&missed.near, context));
     text
 }

@@ -7,7 +7,7 @@ use technolog::knowledge::{Column, Diagnostic, Input, RowRef, Table, Value};
 
 use super::near::{self, Near};
 use super::question::Question;
-use crate::cli::words::{self, Word};
+use crate::cli::words;
 use crate::cli::{CliError, Context, Format, Outcome, grid, record, sheet};
 
 /// More rejected rows than this are grouped by column, unless all are asked for.
@@ -98,13 +98,13 @@ impl<'a> Told<'a> {
         let lang = context.lang;
         let mut text = sheet::title(self.table, context);
         let result = match &self.winners[..] {
-            [] => context.word(Word::NoRow).to_owned(),
+            [] => context.word("cli-no-row").to_owned(),
             rows => rows.iter().map(|&row| record::results_text(lang, row)).collect::<Vec<_>>().join("; "),
         };
         text.push('\n');
-        text.push_str(&grid::paragraph(&format!("{}: {result}", context.word(Word::Result)), 0));
+        text.push_str(&grid::paragraph(&format!("{}: {result}", context.word("cli-result")), 0));
         if let Some(gap) = self.gap {
-            text.push_str(&grid::paragraph(&format!("{}: {}", context.word(Word::Gap), gap.reason), 0));
+            text.push_str(&grid::paragraph(&format!("{}: {}", context.word("cli-gap"), gap.reason), 0));
         }
         for &row in &self.winners {
             text.push_str(&self.winner(row, context));
@@ -112,7 +112,7 @@ impl<'a> Told<'a> {
         if self.winners.is_empty() {
             text.push_str(&format!(
                 "\n{}\n{}",
-                context.word(Word::Question),
+                context.word("cli-question"),
                 grid::columns(&self.question(context), 2)
             ));
             text.push_str(&near::text(&self.near, context));
@@ -127,7 +127,7 @@ impl<'a> Told<'a> {
                     vec![words::rows_named(lang, &[row.number()]), format!("→ {result}")]
                 })
                 .collect();
-            text.push_str(&format!("\n{}\n{}", context.word(Word::PassedOver), grid::columns(&rows, 2)));
+            text.push_str(&format!("\n{}\n{}", context.word("cli-passed-over"), grid::columns(&rows, 2)));
         }
         text.push_str(&self.rejected(all, context));
         text
@@ -138,7 +138,7 @@ impl<'a> Told<'a> {
         self.asked
             .iter()
             .map(|asked| {
-                let default = if asked.by_default { context.word(Word::ByDefault) } else { "" };
+                let default = if asked.by_default { context.word("cli-by-default") } else { "" };
                 let value = record::with_unit(context.lang, asked.column, asked.value);
                 vec![asked.column.name.clone(), value, default.to_owned()]
             })
@@ -171,7 +171,7 @@ impl<'a> Told<'a> {
             })
             .collect();
         if !others.is_empty() {
-            text.push_str(&format!("\n{}\n{}", context.word(Word::AlsoSays), grid::columns(&others, 2)));
+            text.push_str(&format!("\n{}\n{}", context.word("cli-also-says"), grid::columns(&others, 2)));
         }
         text
     }
@@ -182,7 +182,7 @@ impl<'a> Told<'a> {
         if self.rejected.is_empty() {
             return String::new();
         }
-        let heading = context.word(Word::Rejected);
+        let heading = context.word("cli-rejected");
         if all || self.rejected.len() <= LISTED {
             let rows: Vec<Vec<String>> = self
                 .rejected
@@ -211,7 +211,7 @@ impl<'a> Told<'a> {
                 (total > 0).then(|| vec![asked.column.name.clone(), words::rows(lang, total), tests.join(", ")])
             })
             .collect();
-        format!("\n{heading} ({})\n{}", context.word(Word::AllRejected), grid::columns(&rows, 2))
+        format!("\n{heading} ({})\n{}", context.word("cli-all-rejected"), grid::columns(&rows, 2))
     }
 
     fn json(&self) -> Json<'_> {

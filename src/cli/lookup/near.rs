@@ -3,7 +3,7 @@
 use serde::Serialize;
 use technolog::knowledge::{Column, RowRef};
 
-use crate::cli::words::{self, Word};
+use crate::cli::words;
 use crate::cli::{Context, grid, record};
 
 /// More rows than this are counted, not listed.
@@ -46,7 +46,7 @@ pub fn text(near: &[Near<'_>], context: &Context) -> String {
         .map(|near| {
             let failed: Vec<String> = failed(near)
                 .map(|(column, cell)| {
-                    let cell = if cell.is_empty() { context.word(Word::EmptyCell).to_owned() } else { cell };
+                    let cell = if cell.is_empty() { context.word("cli-empty-cell").to_owned() } else { cell };
                     format!("{} {cell}", column.name)
                 })
                 .collect();
@@ -54,7 +54,7 @@ pub fn text(near: &[Near<'_>], context: &Context) -> String {
             vec![words::rows_named(lang, &[near.row.number()]), failed.join(", "), format!("→ {result}")]
         })
         .collect();
-    let mut text = format!("\n{}\n{}", context.word(Word::Nearest), grid::columns(&rows, 2));
+    let mut text = format!("\n{}\n{}", context.word("cli-nearest"), grid::columns(&rows, 2));
     if near.len() > LISTED {
         text.push_str(&grid::paragraph(&words::and_more(lang, near.len() - LISTED), 2));
     }

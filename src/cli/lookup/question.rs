@@ -7,7 +7,7 @@ use technolog::knowledge::{Column, Diagnostic, Kind, Place, Role, Table, Value};
 
 use super::Args;
 use crate::cli::diagnostics::Texts;
-use crate::cli::words::{self, Word};
+use crate::cli::words;
 use crate::cli::{CliError, Context, record};
 
 /// A question to a table, in which every key is a column and every value is of its type.
@@ -72,7 +72,7 @@ impl CommandLine {
         };
         let table = add(&plain(&args.table));
         let pairs = args.query.iter().map(|pair| add(&quoted(&plain(pair)))).collect();
-        Self { name: context.word(Word::CommandLine), text, table, pairs }
+        Self { name: context.word("cli-command-line"), text, table, pairs }
     }
 
     fn place(&self, at: At) -> Place {

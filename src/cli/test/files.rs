@@ -7,7 +7,7 @@ use technolog::audit::Files;
 use technolog::cases::{Around, CaseFile, read_cases};
 use technolog::knowledge::yaml::text_of;
 use technolog::knowledge::{Diagnostic, Knowledge};
-use technolog::report::sentences;
+use technolog::report::Lang;
 
 use super::super::words::{cannot_read, check_path};
 use super::super::{CliError, Context};
@@ -116,13 +116,13 @@ pub fn read(found: &Found, knowledge: &Knowledge) -> CaseFile {
 }
 
 /// What reading cases needs.
-pub fn around<'a>(knowledge: &'a Knowledge, codes: &'a [&'a str], files: Files<'a>) -> Around<'a> {
+pub fn around<'a>(knowledge: &'a Knowledge, codes: &'a [String], files: Files<'a>) -> Around<'a> {
     Around { knowledge, codes, files }
 }
 
 /// Every code that a finding can have.
-pub fn codes() -> Vec<&'static str> {
-    sentences::codes().collect()
+pub fn codes() -> Vec<String> {
+    Lang::codes()
 }
 
 /// Reads files beside a file.

@@ -20,14 +20,11 @@ use super::diagnostics::{Texts, render};
 use super::progress::Progress;
 use super::{CliError, Context, Format, Outcome, knowledge, output, turn};
 
-/// Run cases: questions to tables, parts, programs, audits, with what is expected of the answers (docs/cases.md)
+// Run cases: questions to tables, parts, programs, audits, with what is expected of the answers (docs/cases.md)
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// Files of cases, or folders: of these every file that ends in .test.yaml
     #[arg(value_name = "FILE|DIR", required = true)]
     paths: Vec<PathBuf>,
-    /// Fill in what comes today where nothing is expected yet, an `expect` that is absent or empty or an empty value in it,
-    /// for you to review: in the file itself, or with -o in a copy. What is expected already, and every other byte, stays
     #[arg(long)]
     write: bool,
 }

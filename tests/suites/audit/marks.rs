@@ -7,19 +7,19 @@ use std::sync::LazyLock;
 use proptest::prelude::*;
 use technolog::audit::marks::{Ground, Marks, Scheme, read_scheme};
 use technolog::audit::{Audit, audit, read_plan, rules};
-use technolog::report::sentences::codes;
+use technolog::words::Lang;
 use technolog_testing::KNOWLEDGE;
 
 fn root(path: &str) -> std::path::PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
 }
 
-fn known() -> Vec<&'static str> {
-    rules::all().map(|rule| rule.id).chain(codes()).collect()
+fn known() -> Vec<String> {
+    rules::all().map(|rule| rule.id.to_owned()).chain(Lang::codes()).collect()
 }
 
 fn scheme(text: &str) -> Scheme {
-    read_scheme("marks.yaml", text, &known()).unwrap()
+    read_scheme("marks.yaml", text, &known().iter().map(String::as_str).collect::<Vec<_>>()).unwrap()
 }
 
 /// The plan without a slip but for one: the clamping force twice too large, and with it the force per clamp.

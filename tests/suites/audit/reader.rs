@@ -158,8 +158,8 @@ fn a_plan_may_be_written_in_several_ways() {
     }
     for (name, operation) in Operation::NAMES {
         use technolog::report::{Lang, operation_named, operation_noun, operation_verb};
-        for called in [operation_noun(name, Lang::Uk), operation_verb(name, Lang::Uk)] {
-            assert_eq!(operation_named(called, Lang::Uk), Some(*operation), "{called}");
+        for called in [operation_noun(name, Lang::UK), operation_verb(name, Lang::UK)] {
+            assert_eq!(operation_named(called, Lang::UK), Some(*operation), "{called}");
         }
     }
 }

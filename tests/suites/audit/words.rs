@@ -12,7 +12,6 @@ use technolog::audit::{Audit, Audited, Unread, read_plan, rules};
 use technolog::plan::CuttingMethod;
 use technolog::report::Lang;
 use technolog::report::audit::{against, html, many, markdown, page};
-use technolog::report::sentences::codes;
 use technolog_laws::share;
 use technolog_testing::{AUDITOR, KNOWLEDGE, planned, read};
 
@@ -129,7 +128,8 @@ fn pages(audit: &Audit, lang: Lang) -> Vec<String> {
 
 /// Every plan with its audit.
 static PLANS: LazyLock<Vec<(Stated, Audit)>> = LazyLock::new(|| {
-    let known: Vec<&str> = rules::all().map(|rule| rule.id).chain(codes()).collect();
+    let codes = Lang::codes();
+    let known: Vec<&str> = rules::all().map(|rule| rule.id).chain(codes.iter().map(String::as_str)).collect();
     let scheme = "{points: 1000, deduct: {error: 5, wrong: 4, doubtful: 3, note: 2}, consequences: 1}";
     let scheme = read_scheme("marks.yaml", scheme, &known).unwrap();
     let marked = |stated: Stated| {
@@ -200,14 +200,14 @@ fn without_names(plan: &str, page: &str) -> Vec<String> {
 /// Ids of tables, for `technolog table`, and of rules, for marking schemes.
 static IDS: LazyLock<BTreeSet<String>> = LazyLock::new(|| {
     let tables = KNOWLEDGE.tables().map(|table| table.id.clone());
-    tables.chain(rules::all().map(|rule| rule.id).chain(codes()).map(str::to_owned)).collect()
+    tables.chain(rules::all().map(|rule| rule.id).map(str::to_owned).chain(Lang::codes())).collect()
 });
 
 /// Groups of holes of the plans.
 const HOLES: [&str; 3] = ["dowel", "screw", "flange"];
 
-static UKRAINIAN: LazyLock<Vec<(String, String)>> = LazyLock::new(|| everything(Lang::Uk));
-static ENGLISH: LazyLock<Vec<(String, String)>> = LazyLock::new(|| everything(Lang::En));
+static UKRAINIAN: LazyLock<Vec<(String, String)>> = LazyLock::new(|| everything(Lang::UK));
+static ENGLISH: LazyLock<Vec<(String, String)>> = LazyLock::new(|| everything(Lang::EN));
 
 #[test]
 fn the_ukrainian_pages_have_no_english() {

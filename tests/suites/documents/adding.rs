@@ -111,7 +111,7 @@ fn plate(knowledge: &Knowledge) -> Plan {
 }
 
 fn sheet_of(plan: &Plan, knowledge: &Knowledge) -> String {
-    sheet::page(plan, knowledge, Lang::En)
+    sheet::page(plan, knowledge, Lang::EN)
 }
 
 static SHIPPED: LazyLock<Knowledge> = LazyLock::new(|| shipped::knowledge().unwrap());
@@ -146,7 +146,7 @@ fn a_rule_and_the_rust_that_asks_it() {
         } else {
             "plug-gauge) [hole-gauge, row 2"
         };
-        let told = explain(&plan, hole, Lang::En);
+        let told = explain(&plan, hole, Lang::EN);
         assert!(told.contains(&format!("hole-gauge (gauge = {gauge}")), "{told}");
     }
 }
@@ -192,7 +192,7 @@ fn a_word_or_a_limit_of_a_control() {
 #[test]
 fn a_page_has_what_it_is_made_of() {
     let plan = plate(&SHIPPED);
-    let page = kit::page(&plan, Lang::En);
+    let page = kit::page(&plan, Lang::EN);
     assert!(page.contains("Cutter") && !plan.tools.is_empty());
     for tool in &plan.tools {
         let line = page.lines().find(|line| line.contains(&format!("T{} ", tool.number))).unwrap();

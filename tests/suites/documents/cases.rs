@@ -13,7 +13,7 @@ use technolog::knowledge::diagnostic::Place;
 use technolog::knowledge::yaml::{Node, NodeKind, parse};
 use technolog::parallel;
 use technolog::plan::Operation;
-use technolog::report::sentences;
+use technolog::words::Lang;
 use technolog_testing::KNOWLEDGE;
 
 fn root(path: &str) -> PathBuf {
@@ -21,7 +21,7 @@ fn root(path: &str) -> PathBuf {
 }
 
 fn read(path: &Path, text: &str) -> CaseFile {
-    let codes: Vec<&str> = sentences::codes().collect();
+    let codes = Lang::codes();
     let files = |name: &str| fs::read_to_string(path.with_file_name(name)).map_err(|error| error.to_string());
     read_cases(&path.display().to_string(), text, Around { knowledge: &KNOWLEDGE, codes: &codes, files: &files })
 }

@@ -112,7 +112,7 @@ fn every_sentence_of_the_readers_is_in_both_languages() {
     let superfluous: Vec<&&str> = NO_MISTAKES.iter().filter(|text| !found.contains(**text)).collect();
     assert!(superfluous.is_empty(), "{superfluous:?}");
     found.retain(|text| !text.starts_with('^') && !NO_MISTAKES.contains(&text.as_str()));
-    let known = |text: &str| mistakes::is_known(text) || mistakes::said(text, Lang::Uk) != text;
+    let known = |text: &str| mistakes::is_known(text) || mistakes::said(text, Lang::UK) != text;
     let missing: Vec<String> = found.into_iter().filter(|text| !known(text)).collect();
     assert!(missing.is_empty(), "without a Ukrainian sentence in crates/pages/src/mistakes:\n{}", missing.join("\n"));
 }
@@ -135,8 +135,8 @@ fn the_mistakes_of_the_bad_files_are_told_in_ukrainian() {
         let plan = read_plan("plan.yaml", &text, &KNOWLEDGE, &none).err().map(|why| why.problems).unwrap_or_default();
         for problem in problems.iter().chain(&plan) {
             told += 1;
-            assert_eq!(mistakes::told(problem, Lang::En), *problem);
-            let uk = mistakes::told(problem, Lang::Uk);
+            assert_eq!(mistakes::told(problem, Lang::EN), *problem);
+            let uk = mistakes::told(problem, Lang::UK);
             let cyrillic = |text: &str| text.chars().any(|letter| ('а'..='ї').contains(&letter));
             for (said, text) in [(Some(&uk.message), Some(&problem.message)), (uk.help.as_ref(), problem.help.as_ref())]
             {

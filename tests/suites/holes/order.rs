@@ -166,7 +166,7 @@ fn codes_of_list(text: &str) -> Vec<String> {
         .iter()
         .map(|problem| {
             let at = problem.place.as_ref().map_or(String::new(), |at| format!(" {}:{}", at.line, at.column));
-            for lang in [Lang::Uk, Lang::En] {
+            for lang in [Lang::UK, Lang::EN] {
                 assert!(remedy(&problem.note, lang).is_some(), "{problem:?}");
                 assert!(!sentence(&problem.note, lang).contains(['{', '}']), "{problem:?}");
             }

@@ -136,7 +136,7 @@ fn written() -> Written {
 #[test]
 fn the_encoding_sheet_says_every_transition_once_and_every_word() {
     let (plan, job) = of_file("examples/plate.yaml");
-    for (name, lang) in [("uk", Lang::Uk), ("en", Lang::En)] {
+    for (name, lang) in [("uk", Lang::UK), ("en", Lang::EN)] {
         let sheet = encoding_sheet(&written(), &job, &plan, "2c42-65", &KNOWLEDGE, lang).unwrap();
         insta::assert_snapshot!(format!("encoding-plate-{name}"), sheet.text());
         if name == "uk" {
@@ -176,13 +176,13 @@ fn no_transition_is_lost_or_said_twice() {
                 put("X0 Y0", Role::Cycle, Some(stop.cycle).filter(|_| names_cycles));
             }
         }
-        let sheet = encoding_sheet(&Written { lines }, &job, &plan, "2c42-65", &KNOWLEDGE, Lang::En).unwrap();
+        let sheet = encoding_sheet(&Written { lines }, &job, &plan, "2c42-65", &KNOWLEDGE, Lang::EN).unwrap();
         let said: Vec<&str> = sheet.rows.iter().filter_map(|row| row.transition.as_deref()).collect();
         let said = said.join("; ").to_lowercase();
         for hole in &plan.holes {
             for transition in &hole.transitions {
                 // Both millings of D are one noun, so it is counted as often as the plan has it.
-                let noun = technolog::report::operation_noun(transition.operation.name(), Lang::En);
+                let noun = technolog::report::operation_noun(transition.operation.name(), Lang::EN);
                 let count = |text: &str| {
                     let of_hole = text.split("; ").filter(|part| part.starts_with(noun));
                     of_hole.map(|part| part.matches(&format!("({})", hole.name.to_lowercase())).count()).sum::<usize>()
@@ -198,7 +198,7 @@ fn no_transition_is_lost_or_said_twice() {
 #[test]
 fn the_worked_example_has_no_word_without_a_meaning() {
     let text = fs::read_to_string(root().join("examples/appendix-g/program.nc")).unwrap();
-    for lang in [Lang::Uk, Lang::En] {
+    for lang in [Lang::UK, Lang::EN] {
         let sheet = encoding::of_text(&text, "gf2171", "2c42-65", &KNOWLEDGE, lang).unwrap();
         for row in &sheet.rows {
             assert!(!row.meaning.contains("не знають") && !row.meaning.contains("not know"), "{row:?}");
@@ -242,7 +242,7 @@ fn words_mean_what_the_manuals_say() {
         ("fanuc", "N1 G82 Z-5. R1. P500", vec!["P500: dwell at the bottom = 500 ms"]),
         ("fanuc", "M98 P1001", vec!["M98: subprogram call"]),
     ] {
-        let sheet = encoding::of_text(line, "gf2171", control, &KNOWLEDGE, Lang::En).unwrap();
+        let sheet = encoding::of_text(line, "gf2171", control, &KNOWLEDGE, Lang::EN).unwrap();
         for part in expected {
             let said: Vec<&str> = sheet.rows[0].meaning.split("; ").collect();
             assert!(said.contains(&part), "{control} {line}: {part} is not in {said:?}");
@@ -313,7 +313,7 @@ const PARTS: [(&str, &str); 4] = [
 fn every_drawing_of_every_part_is_readable() {
     for (name, path) in PARTS {
         let (plan, job) = of_file(path);
-        for lang in [Lang::En, Lang::Uk] {
+        for lang in [Lang::EN, Lang::UK] {
             readable(name, &seen(&format!("{name}-backplot"), of_job(&plan, &job, lang)));
             readable(name, &seen(&format!("{name}-cycles"), cycles::page(&job, &plan, lang)));
             let diagrams = cycles::diagrams(&job, &plan, lang);
@@ -329,7 +329,7 @@ fn the_order_can_be_read_with_few_holes_and_with_many() {
     for (columns, rows) in [(3, 2), (10, 5), (20, 15)] {
         let (plan, job) = planned_job(&grid(columns, rows));
         let count = columns * rows;
-        let svg = seen(&format!("grid-{count}"), of_job(&plan, &job, Lang::En));
+        let svg = seen(&format!("grid-{count}"), of_job(&plan, &job, Lang::EN));
         readable(&format!("{count} holes"), &svg);
         let numbers: Vec<u32> = labels(&svg).iter().filter_map(|label| label.text.parse().ok()).collect();
         for number in 1..=count {
@@ -342,7 +342,7 @@ fn the_order_can_be_read_with_few_holes_and_with_many() {
 /// Any program can be drawn, without a part: the worked example's, and those that show the rules of the control.
 #[test]
 fn programs_without_a_part_are_drawn() {
-    let svg = seen("appendix-g", backplot(&appendix_g(), None, Lang::Uk));
+    let svg = seen("appendix-g", backplot(&appendix_g(), None, Lang::UK));
     readable("appendix-g", &svg);
     insta::assert_snapshot!("backplot-appendix-g", svg);
     // The tool that is changed for the second time gets a second panel; what the check does not carry out has none.
@@ -350,7 +350,7 @@ fn programs_without_a_part_are_drawn() {
     let mut drawn = 0;
     for entry in fs::read_dir(root().join("tests/programs")).unwrap().map(|entry| entry.unwrap().path()) {
         let Ok(text) = fs::read_to_string(entry.join("program.nc")) else { continue };
-        let svg = backplot(&steps_of(&text), None, Lang::En);
+        let svg = backplot(&steps_of(&text), None, Lang::EN);
         readable(&entry.display().to_string(), &svg);
         drawn += 1;
     }
@@ -370,7 +370,7 @@ fn steps_of(text: &str) -> Vec<Step> {
 fn an_arc_is_drawn_as_an_arc_of_its_sense() {
     let flags = |sense: &str| -> Vec<String> {
         let text = format!(":01\nN1 S500 M3 F100 G0 X10 Y0\nN2 {sense} X0 Y10 I-10 J0\nN3 M02\n");
-        let svg = backplot(&steps_of(&text), None, Lang::En);
+        let svg = backplot(&steps_of(&text), None, Lang::EN);
         let arc = svg.lines().find(|line| line.contains(" A")).unwrap().to_owned();
         // Behind the two radii: rotation, the larger arc, the sense in which angles grow on the page.
         arc.split(" A").nth(1).unwrap().split(' ').skip(3).take(2).map(str::to_owned).collect()
@@ -384,10 +384,10 @@ fn an_arc_is_drawn_as_an_arc_of_its_sense() {
 #[test]
 fn drawings_stay_as_they_are() {
     let (plan, job) = of_file("examples/plate.yaml");
-    insta::assert_snapshot!("backplot-plate", of_job(&plan, &job, Lang::Uk));
-    insta::assert_snapshot!("cycles-plate", cycles::page(&job, &plan, Lang::En));
+    insta::assert_snapshot!("backplot-plate", of_job(&plan, &job, Lang::UK));
+    insta::assert_snapshot!("cycles-plate", cycles::page(&job, &plan, Lang::EN));
     let (plan, job) = of_file("tests/drawings/part.yaml");
-    let diagrams = cycles::diagrams(&job, &plan, Lang::Uk);
+    let diagrams = cycles::diagrams(&job, &plan, Lang::UK);
     for tool in [2, 4, 6, 9, 11] {
         let diagram = diagrams.iter().find(|diagram| diagram.tool == tool).unwrap();
         insta::assert_snapshot!(format!("cycles-mixed-t{tool}"), diagram.svg);
@@ -403,7 +403,7 @@ fn the_second_set_up_lies_the_other_way() {
                 length: 10, bottom: flat}]}\n";
     let (plan, job) = planned_job(text);
     assert_eq!(job.setups.len(), 2);
-    let svg = seen("turned-over", of_job(&plan, &job, Lang::En));
+    let svg = seen("turned-over", of_job(&plan, &job, Lang::EN));
     readable("turned over", &svg);
     let (one, two) = svg.split_at(svg.find("set-up 2").unwrap());
     // Holes are the circles with the pen of a hole; points those without a pen.
@@ -431,9 +431,9 @@ fn written_programs_are_drawn_and_told_in_words() {
             let written = language.write(&job, form);
             let mut steps: Vec<Step> = Vec::new();
             language.check(&written.text(), &shop.machine, &Setting::of_job(&job), &mut steps);
-            let svg = backplot(&steps, Some(&Frame::of(&job, &plan.part)), Lang::Uk);
+            let svg = backplot(&steps, Some(&Frame::of(&job, &plan.part)), Lang::UK);
             readable(name, &seen(&format!("{name}-{control}"), svg));
-            let sheet = encoding_sheet(&written, &job, &plan, control, &KNOWLEDGE, Lang::Uk).unwrap();
+            let sheet = encoding_sheet(&written, &job, &plan, control, &KNOWLEDGE, Lang::UK).unwrap();
             seen(&format!("{name}-{control}-sheet"), sheet.text());
             for row in &sheet.rows {
                 assert!(!row.meaning.contains("не знають"), "{control} {name}: {row:?}");
@@ -463,7 +463,7 @@ proptest! {
     #[test]
     fn no_text_makes_a_sheet_panic(text in "([A-Za-z#%;/(\\[\\]<>).0-9 -]{0,30}|\\PC{0,40})(\n[GMXZTHODNP/(#.0-9 -]{0,40}){0,4}") {
         for control in ["2c42-65", "linuxcnc", "fanuc"] {
-            let sheet = encoding::of_text(&text, "gf2171", control, &KNOWLEDGE, Lang::Uk).unwrap();
+            let sheet = encoding::of_text(&text, "gf2171", control, &KNOWLEDGE, Lang::UK).unwrap();
             let lines = text.lines().filter(|line| !line.trim().is_empty()).count();
             prop_assert_eq!(sheet.rows.len(), lines);
             prop_assert_eq!(sheet.csv().is_empty(), false);

@@ -45,7 +45,7 @@ fn a_blank_of_a_hundred_metres_has_too_many_passes() {
     let graves: Vec<_> =
         findings.iter().filter(|one| one.severity == Severity::Error).map(|one| one.note.code()).collect();
     assert!(graves.contains(&"too-many-passes"), "{graves:?}");
-    for lang in [Lang::Uk, Lang::En] {
+    for lang in [Lang::UK, Lang::EN] {
         let told = findings.iter().find(|one| one.note.code() == "too-many-passes").unwrap();
         assert!(remedy(&told.note, lang).is_some());
     }

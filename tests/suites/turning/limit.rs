@@ -451,7 +451,7 @@ fn the_answer_is_told_whole() {
     let said: Vec<String> = limit
         .findings()
         .iter()
-        .flat_map(|finding| [Lang::Uk, Lang::En].map(|lang| sentence(&finding.note, lang)))
+        .flat_map(|finding| [Lang::UK, Lang::EN].map(|lang| sentence(&finding.note, lang)))
         .collect();
     assert_eq!(said[0], "обмеження «привод подачі» не враховано: 16b16t1 не має `feed-force-z`");
     assert_eq!(said[1], "the bound feed drive is left out: 16b16t1 has no `feed-force-z`");

@@ -241,14 +241,14 @@ fn what_cannot_be_written_is_refused_with_its_reason() {
     ] {
         let note = refused.note();
         assert_eq!(note.code(), code, "{refused:?}");
-        for lang in [Lang::Uk, Lang::En] {
+        for lang in [Lang::UK, Lang::EN] {
             assert!(!sentence(&note, lang).contains('{'), "{}", sentence(&note, lang));
             assert!(remedy(&note, lang).is_some(), "{code}");
         }
     }
     // The same hollow is no obstacle along the axis: G71 and CYCLE95 clear it.
     assert!(cycle(&linuxcnc, &hollow, corner, along, &setting()).is_ok());
-    let text = sentence(&bad_way(&arc(4.9, Purpose::Cut), &as_is).note(), Lang::En);
+    let text = sentence(&bad_way(&arc(4.9, Purpose::Cut), &as_is).note(), Lang::EN);
     assert_eq!(text, "the radius of arc 1 is 4.9 mm, and its end needs at least 5 mm");
 }
 

@@ -49,7 +49,7 @@ fn listed(workpiece: &Workpiece) -> String {
         lines.push(format!("{} ({}): {}", surface.name, surface.kind.name(), pieces(&surface.pieces)));
     }
     for advice in blank::advice(workpiece, &KNOWLEDGE).unwrap() {
-        lines.push(format!("{:?}: {}", advice.finding.severity, sentence(&advice.finding.note, Lang::Uk)));
+        lines.push(format!("{:?}: {}", advice.finding.severity, sentence(&advice.finding.note, Lang::UK)));
     }
     let mut rest = workpiece.clone();
     rest.outer.surfaces.clear();
@@ -141,7 +141,7 @@ fn surfaces_carry_what_the_drawing_says() {
     let corners: Vec<Point> = relief.pieces.iter().map(|piece| piece.to).collect();
     assert_eq!(corners, [at(33.0, -23.5), at(33.0, -27.0), at(36.0, -27.0)]);
     assert_eq!(pin.findings.len(), 1);
-    assert!(sentence(&pin.findings[0].note, Lang::En).contains("thread-relief"));
+    assert!(sentence(&pin.findings[0].note, Lang::EN).contains("thread-relief"));
 }
 
 /// A bore counts its metal outwards: what is hollow bends the other way, grooves go outwards.

@@ -4,7 +4,7 @@
 //! then judged by the diameter that would have done, so that one wrong diameter is told once.
 
 use crate::error::KnowledgeError;
-use crate::note::{Because, Note, Severity};
+use crate::note::{Because, Figure, Note, Severity};
 use crate::part::Hole;
 use crate::plan::Operation;
 use crate::route::diameters::{Range, range};
@@ -154,7 +154,7 @@ fn finding(
 ) -> Finding {
     let high = permitted(row, range);
     let note = Note::new("audit-allowance")
-        .with("operation", row.operation.value.name())
+        .with("operation", Figure::operation(row.operation.value.name()))
         .with("row", row.number)
         .with("stock", stock)
         .with("low", range.low)

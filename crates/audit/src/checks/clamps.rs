@@ -1,7 +1,7 @@
 //! The clamp: whether its standard and its screw are those of its designation, and whether the screw bears the force.
 
 use crate::error::KnowledgeError;
-use crate::note::{Because, Note, Severity};
+use crate::note::{Because, Figure, Note, Severity};
 use crate::tables::materials::{ClampDesignations, ClampScrew};
 use crate::units::{Micrometres, round_to};
 
@@ -61,8 +61,8 @@ fn largest(context: &Context<'_>, graph: &Graph<'_>, clamping: &Clamping, findin
     if need(&most) <= need(&own) * (1.0 + share) {
         return;
     }
-    let note = Note::new("audit-clamp-not-largest").with("torque", shown(own.3)).with("row", most.1);
-    let note = note.with("other", shown(most.3));
+    let note = Note::new("audit-clamp-not-largest").with("torque", Figure::number(shown(own.3))).with("row", most.1);
+    let note = note.with("other", Figure::number(shown(most.3)));
     let finding = Finding::new(Severity::Wrong, Section::Clamping, format!("clamping.{key}"), note).at(place);
     findings.push(finding.beside(own.1, most.1));
 }

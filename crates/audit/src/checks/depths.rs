@@ -2,7 +2,7 @@
 //! the hole, centring as deep as its spot is wide, and nothing goes through a part that the drawing closes.
 
 use crate::error::KnowledgeError;
-use crate::note::{Note, Severity};
+use crate::note::{self, Note, Severity};
 use crate::part::Hole;
 use crate::plan::Operation;
 use crate::tooling::named;
@@ -38,7 +38,9 @@ pub(super) fn check<'a>(
         };
         if let Some(end) = breaks_through(context, graph, at, row, hole, figure) {
             let thickness = context.stated.part.blank.thickness;
-            let note = Note::new("audit-breaks-through").with("end", shown(end)).with("thickness", thickness);
+            let note = Note::new("audit-breaks-through")
+                .with("end", note::Figure::number(shown(end)))
+                .with("thickness", thickness);
             findings.retain(|finding| finding.field != field());
             // The tip of a drill alone leaves a small hole.
             let whole = figure.value >= thickness.to_mm();

@@ -2,7 +2,7 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
-use crate::note::{Because, Note, Severity};
+use crate::note::{Because, Figure, Note, Severity};
 use crate::reason::OfOther;
 
 use super::super::context::Context;
@@ -40,7 +40,9 @@ pub(super) fn check<'a>(
             if let Some(shank) = &tool.shank
                 && shank.value != cutter.head.shank.name()
             {
-                let note = Note::new("audit-shank").with("shank", &shank.value).with("name", cutter.head.shank.name());
+                let note = Note::new("audit-shank")
+                    .with("shank", Figure::word(shank.value.clone()))
+                    .with("name", Figure::word(cutter.head.shank.name()));
                 let finding = Finding::new(Severity::Wrong, Section::Tools, field("shank"), note).at(&shank.place);
                 let finding = finding.beside(&shank.value, cutter.head.shank.name());
                 findings.push(about(finding.resting_on([Because::row(row, Note::new("named"))])));

@@ -1,7 +1,7 @@
 //! The machine's limits, the correctors.
 
 use crate::error::KnowledgeError;
-use crate::note::{Because, Note, Severity};
+use crate::note::{self, Because, Note, Severity};
 use crate::plan::Operation;
 use crate::tables::machines::MachineQuantity as Bound;
 
@@ -43,7 +43,9 @@ fn conditions(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), 
             let Some(figure) = own.figures.get(&quantity).filter(|figure| figure.value > most * 1.001) else {
                 continue;
             };
-            let note = Note::new("audit-beyond-machine").with("limit", shown(most)).with("quantity", bound.name());
+            let note = Note::new("audit-beyond-machine")
+                .with("limit", note::Figure::number(shown(most)))
+                .with("quantity", bound.name());
             let field = context.field(Id::new(Scope::Conditions(at), quantity));
             let finding = Finding::new(Severity::Error, Section::Conditions, field, note);
             let finding = beside(finding, figure, format!("<= {}", shown(most)), quantity);
@@ -79,7 +81,7 @@ fn lengths(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), Kno
     for (at, tool) in context.stated.tools.iter().enumerate() {
         let Some(figure) = tool.figures.get(&Q::Assembly).filter(|figure| figure.value > most) else { continue };
         let note = Note::new("audit-beyond-machine")
-            .with("limit", shown(most))
+            .with("limit", note::Figure::number(shown(most)))
             .with("quantity", Bound::ToolOverhangMax.name());
         let field = context.field(Id::new(Scope::Tool(at), Q::Assembly));
         let finding = beside(
@@ -159,7 +161,7 @@ fn drills(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), Know
             continue;
         };
         let note = Note::new("audit-beyond-machine")
-            .with("limit", shown(most))
+            .with("limit", note::Figure::number(shown(most)))
             .with("quantity", Bound::DrillDiameterMax.name());
         let field = context.field(Id::new(Scope::Row(at), Q::Diameter));
         let finding = Finding::new(Severity::Error, Section::Route, field, note);

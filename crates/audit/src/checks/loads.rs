@@ -2,7 +2,7 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::TableRow;
-use crate::note::{Because, Note, Severity};
+use crate::note::{Because, Figure, Note, Severity};
 use crate::plan::Transition;
 use crate::tables::audit::{AuditLoadFor, Judgement};
 use crate::tables::cutting::TorqueAndThrust;
@@ -49,7 +49,10 @@ pub(super) fn check<'a>(
                 Judgement::High => Note::new("audit-load-high"),
                 Judgement::Fine => continue,
             };
-            let note = note.with("share", round_to(share, 0)).with("load", shown(by_formula)).with("feed", shown(feed));
+            let note = note
+                .with("share", round_to(share, 0))
+                .with("load", Figure::number(shown(by_formula)))
+                .with("feed", Figure::number(shown(feed)));
             let mut finding = Finding::new(Severity::Doubtful, section, context.field(id), note).at(&figure.place);
             finding.quantity = Some(id.quantity);
             finding.stated = Some(figure.text.clone());

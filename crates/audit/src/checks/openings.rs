@@ -2,7 +2,7 @@
 //! at its diameter and depth, and whether the rows cut what it asks for.
 
 use crate::error::KnowledgeError;
-use crate::note::{Note, Severity};
+use crate::note::{Figure, Note, Severity};
 use crate::part::Hole;
 use crate::plan::{Feature, Operation, Transition};
 use crate::route::bores;
@@ -108,13 +108,13 @@ fn made(
         return;
     }
     let note = |code: &'static str| {
-        let note = Note::new(code).with("feature", opening.feature.name());
+        let note = Note::new(code).with("feature", Figure::word(opening.feature.name()));
         note.with("diameter", opening.diameter).with("hole", &hole.name)
     };
     // A spot that was to be as wide, or a row that lacks.
     let finding = match centring.zip(spot) {
         Some(((at, row), spot)) => {
-            let note = note("audit-opening-not-centred").with("spot", shown(spot));
+            let note = note("audit-opening-not-centred").with("spot", Figure::number(shown(spot)));
             let field = format!("route.{}.diameter", row.number);
             let finding = Finding::new(Severity::Wrong, Section::Route, field, note).at(&row.place);
             match row.figures.get(&Q::Diameter) {
@@ -158,7 +158,7 @@ fn asked_for(
         stated.map_or(Micrometres::ZERO, |own| (opening.diameter - Micrometres::from_mm_rounded(own.value)).abs())
     };
     let Some(opening) = openings.iter().filter(like).min_by_key(away) else {
-        let note = Note::new("audit-opening-unasked").with("operation", row.operation.value.name());
+        let note = Note::new("audit-opening-unasked").with("operation", Figure::operation(row.operation.value.name()));
         let finding = Finding::new(Severity::Doubtful, Section::Route, field("operation"), note);
         findings.push(about(finding.at(&row.operation.place)));
         return;
@@ -166,7 +166,7 @@ fn asked_for(
     if let Some(figure) = stated.filter(|_| graph.formula(id(Q::Diameter)).is_none())
         && Micrometres::from_mm_rounded(figure.value) != opening.diameter
     {
-        let note = Note::new("audit-opening-diameter").with("feature", opening.feature.name());
+        let note = Note::new("audit-opening-diameter").with("feature", Figure::word(opening.feature.name()));
         let finding = Finding::new(Severity::Wrong, Section::Route, field("diameter"), note);
         findings.push(about(beside(finding, figure, opening.diameter, Q::Diameter)));
         right_by_drawing(context, at, opening.diameter, findings);
@@ -176,7 +176,7 @@ fn asked_for(
         // A cone's depth is computed: half of the last printed place is rounding.
         && (figure.value - depth.to_mm()).abs() > figure.last_place / 2.0 + 1e-6
     {
-        let note = Note::new("audit-opening-depth").with("feature", opening.feature.name());
+        let note = Note::new("audit-opening-depth").with("feature", Figure::word(opening.feature.name()));
         let finding = Finding::new(Severity::Wrong, Section::Route, field("depth"), note);
         findings.push(about(beside(finding, figure, depth, Q::Depth)));
     }

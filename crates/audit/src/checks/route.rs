@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::error::KnowledgeError;
-use crate::note::{Because, Note, Severity};
+use crate::note::{Because, Figure, Note, Severity};
 use crate::part::Hole;
 use crate::plan::Operation;
 use crate::tables::rules::TransitionOrderFor;
@@ -63,8 +63,8 @@ fn order(context: &Context<'_>, rows: &[(usize, &Row)], findings: &mut Vec<Findi
             && rank < least
         {
             let note = Note::new("audit-order")
-                .with("operation", operation.name())
-                .with("instead", other.operation.value.name())
+                .with("operation", Figure::operation(operation.name()))
+                .with("instead", Figure::operation(other.operation.value.name()))
                 .with("row", other.number);
             let field = format!("route.{}.operation", row.number);
             let finding = Finding::new(Severity::Wrong, Section::Route, field, note).at(&row.operation.place);

@@ -3,7 +3,7 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Source;
-use crate::note::{Because, Note, Severity};
+use crate::note::{Because, Figure, Note, Severity};
 use crate::part::Hole;
 use crate::plan::{Alternative, Operation, Route, Way};
 use crate::route::asked::{self, Asked};
@@ -78,8 +78,10 @@ impl Group<'_, '_> {
     fn say(&self, severity: Severity, row: &Row, key: &str, note: Note) -> Finding {
         let said = if key == "table" { &row.table } else { &row.scheme };
         let place = said.as_ref().map_or(&row.place, |said| &said.place);
-        let note =
-            note.with("hole", &self.hole.name).with("scheme", &self.route.scheme).with("table", &self.route.table);
+        let note = note
+            .with("hole", &self.hole.name)
+            .with("scheme", Figure::scheme(&self.route.scheme))
+            .with("table", &self.route.table);
         let finding = Finding::new(severity, Section::Route, format!("route.{}.{key}", row.number), note).at(place);
         finding.about(of_hole(self.hole)).resting_on(self.route.because.iter().take(3).cloned())
     }
@@ -174,9 +176,15 @@ impl Group<'_, '_> {
         let row = self.named();
         let [names, ours] = [&stated, &self.ours]
             .map(|list| list.iter().map(|operation| operation.name()).collect::<Vec<_>>().join(", "));
+        let figure = |list: &[Operation]| Figure::operations(list.iter().map(|operation| operation.name()));
         let finding = |severity, note: Note| {
-            self.say(severity, row, "scheme", note.with("transitions", &names).with("better", &ours))
-                .beside(&names, &ours)
+            self.say(
+                severity,
+                row,
+                "scheme",
+                note.with("transitions", figure(&stated)).with("better", figure(&self.ours)),
+            )
+            .beside(&names, &ours)
         };
         let alike = |other: &Alternative| {
             let made: Vec<Operation> = other.operations.iter().map(|made| made.operation).collect();

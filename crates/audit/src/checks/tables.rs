@@ -2,7 +2,7 @@
 //! be off says the rule `audit-by-table`.
 
 use crate::error::KnowledgeError;
-use crate::note::{Because, Note};
+use crate::note::{Because, Figure, Note};
 use crate::tables::audit::{AuditByTableFor, Tabulated};
 use crate::units::round_to;
 
@@ -27,7 +27,8 @@ pub(super) fn check<'a>(
         let question = |of_table| AuditByTableFor { quantity, of_table };
         let (share, asked) = context.by_share(figure.value / table, question)?;
         let Some(rule) = asked.winner()? else { continue };
-        let note = Note::new("audit-by-table").with("share", round_to(share, 0)).with("value", shown(table));
+        let note =
+            Note::new("audit-by-table").with("share", round_to(share, 0)).with("value", Figure::number(shown(table)));
         let finding =
             Finding::new(rule.severity, Context::section(id), context.field(id), note).about(context.subject(id.scope));
         let why = Because::answer(&asked.answer, Note::new("audit-limit"));

@@ -34,7 +34,7 @@ impl Reader<'_> {
         let own = fields.take("row").and_then(|node| self.problems.scalar::<u32>(node));
         let operation = fields.need("operation", &mut self.problems).and_then(|node| {
             // By its name in tables, or as the report calls it: `drill`, `свердління`, `свердлити`.
-            let named = node.text().and_then(|text| operation_named(text, Lang::Uk));
+            let named = node.text().and_then(|text| operation_named(text, Lang::UK));
             let value = named.or_else(|| self.choice(node, Operation::NAMES))?;
             Some(Said { value, place: node.place.clone() })
         });

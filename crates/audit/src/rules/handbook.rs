@@ -7,7 +7,7 @@ use crate::cutting::handbook::{self, Handbook};
 use crate::cutting::laws::LoadLaw;
 use crate::cutting::{self, Cut};
 use crate::error::{KnowledgeError, Refusal};
-use crate::note::{Because, Note, Severity};
+use crate::note::{Because, Figure, Note, Severity};
 use crate::plan::CuttingMethod;
 use crate::tables::audit::{AuditFormula, AuditFormulaFor};
 use crate::units::{Micrometres, MillimetresPerRev, RevsPerMinute, round_to};
@@ -283,7 +283,7 @@ fn judged(context: &Context<'_>, quantity: Q, value: f64, by_formula: f64) -> Ju
         Q::ToolLife => "audit-tool-life",
         _ => "audit-by-formula",
     };
-    Some((severity, Note::new(code).with("share", round_to(share, 0)).with("value", shown(by_formula))))
+    Some((severity, Note::new(code).with("share", round_to(share, 0)).with("value", Figure::number(shown(by_formula)))))
 }
 
 /// The formula of a load with `{0}` for the feed, `{1}` for the depth of cut and `{2}` for the diameter.

@@ -33,6 +33,8 @@ impl fmt::Display for ToleratedDiameter {
     }
 }
 
+technolog_note::told_as_text!(ToleratedDiameter);
+
 impl ToleratedDiameter {
     /// The diameter to aim at: the nominal where the limits permit it, else the middle between them.
     pub fn target(&self) -> Micrometres {

@@ -10,7 +10,7 @@ mod tools;
 pub use cutting::Uncut;
 pub use tools::{CutterFault, HolderFault, NoSize, OfOther, Unfit};
 
-use crate::note::Note;
+use crate::note::{Figure, Note};
 use crate::plan::Operation;
 use crate::units::{ItGrade, Micrometres, Roughness};
 
@@ -132,7 +132,8 @@ impl Reason {
     /// The sentence.
     pub fn note(&self) -> Note {
         let new = Note::new;
-        let done = |code: &'static str, operation: Operation| new(code).with("operation", operation.name());
+        let done =
+            |code: &'static str, operation: Operation| new(code).with("operation", Figure::operation(operation.name()));
         match self {
             Self::GradeWithoutDistance { it } => new("grade-without-distance").with("it", it),
             Self::GradeOutsideTable { it, distance, why } => {
@@ -221,15 +222,15 @@ impl Reason {
             Self::ChamferedByCentring => new("chamfered-by-centring"),
             Self::NoTool { operation, first, more } => {
                 let note = first.as_ref().map_or_else(|| new("no-cutter"), |first| first.note());
-                let note = note.with("operation", operation.name());
+                let note = note.with("operation", Figure::operation(operation.name()));
                 if *more > 0 { note.with("more", more) } else { note }
             }
-            Self::NoConditions { operation, why } => why.note().with("operation", operation.name()),
+            Self::NoConditions { operation, why } => why.note().with("operation", Figure::operation(operation.name())),
             Self::DrillsTooShort { diameter, reach, needed } => {
                 new("drills-too-short").with("diameter", diameter).with("reach", reach).with("needed", needed)
             }
             Self::RankedLater { first } => new("ranked-later").with("first", first),
-            Self::SameAs { table, scheme } => new("same-as").with("table", table).with("same", scheme),
+            Self::SameAs { table, scheme } => new("same-as").with("table", table).with("same", Figure::scheme(scheme)),
             Self::BoringAsked { position } => new("position-asks-boring").with("position", position),
             Self::BoringNotAsked { position } => new("boring-not-asked").with("position", position),
         }

@@ -1,7 +1,7 @@
 //! Why a cutter or a holder does not do.
 
 use crate::knowledge::units::Decimal;
-use crate::note::Note;
+use crate::note::{Figure, Note};
 use crate::plan::Operation;
 use crate::units::{Micrometres, round_to};
 
@@ -144,7 +144,7 @@ impl NoSize {
         let new = Note::new;
         match self {
             Self::NoCutter { operation, diameter, below, above, tables } => new("no-cutter-of-size")
-                .with("operation", operation.name())
+                .with("operation", Figure::operation(operation.name()))
                 .with("diameter", diameter)
                 .with("below", size(*below))
                 .with("above", size(*above))
@@ -231,9 +231,9 @@ impl OfOther {
     fn note(&self) -> Note {
         let new = Note::new;
         match self {
-            Self::Operation { operation, transitions } => {
-                new("tool-of-other-operation").with("operation", operation.name()).with("transitions", transitions)
-            }
+            Self::Operation { operation, transitions } => new("tool-of-other-operation")
+                .with("operation", Figure::operation(operation.name()))
+                .with("transitions", transitions),
             Self::Stage { rough: true } => new("bar-of-other-stage-rough"),
             Self::Stage { rough: false } => new("bar-of-other-stage-finish"),
             Self::Range { low, high, needed } => {

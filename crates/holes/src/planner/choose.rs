@@ -11,7 +11,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::note::Note;
+use crate::note::{Figure, Note};
 use crate::part::Part;
 use crate::plan::{Alternative, Operation};
 use crate::shop::Shop;
@@ -294,8 +294,8 @@ impl<'a, 'k> Chooser<'a, 'k> {
             let more = total.0 - time.0;
             let why = match (winner.meets(), other.meets()) {
                 (true, false) => other.misses.first().cloned().unwrap_or_else(|| Note::new("misses-unknown")),
-                _ if more > 5e-4 => Note::new("lost-by-time").with("slower", format!("{more:.3}")),
-                _ if more < -5e-4 => Note::new("lost-by-places").with("quicker", format!("{:.3}", -more)),
+                _ if more > 5e-4 => Note::new("lost-by-time").with("slower", Figure::fixed(more, 3)),
+                _ if more < -5e-4 => Note::new("lost-by-places").with("quicker", Figure::fixed(-more, 3)),
                 _ => Note::new("lost-by-order"),
             };
             alternatives.push(Alternative {

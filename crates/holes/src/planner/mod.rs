@@ -19,7 +19,7 @@ mod whole;
 
 use crate::error::{KnowledgeError, Refusal};
 use crate::knowledge::Knowledge;
-use crate::note::{Because, Finding, Note, Severity, doubtful_row};
+use crate::note::{Because, Figure, Finding, Note, Severity, doubtful_row};
 use crate::part::{Face, Hole, Part};
 use crate::plan::{Clamping, CuttingMethod, Operation, Plan, Route};
 use crate::route::Remark;
@@ -133,20 +133,24 @@ fn draft(
             Note::new("no-route").with("diameter", &hole.diameter).with("tried", options.refused.len()),
         );
         for (note, schemes) in by_reason(options) {
-            let note = if schemes.is_empty() { note } else { note.with("scheme", schemes.join(", ")) };
+            let note = if schemes.is_empty() {
+                note
+            } else {
+                note.with("scheme", Figure::list(schemes.iter().map(|scheme| Figure::scheme(scheme))))
+            };
             report(Severity::Error, note);
         }
         return Ok(Draft { route: None, steps: Vec::new() });
     };
     let steps = choice.steps.clone();
     if choice.candidate.finish_elsewhere {
-        report(Severity::Note, Note::new("finish-elsewhere").with("scheme", &choice.candidate.scheme));
+        report(Severity::Note, Note::new("finish-elsewhere").with("scheme", Figure::scheme(&choice.candidate.scheme)));
     }
     if options.not_bored {
         report(Severity::Doubtful, Note::new("not-bored"));
     }
     for missed in &choice.misses {
-        report(Severity::Wrong, missed.clone().with("scheme", &choice.candidate.scheme));
+        report(Severity::Wrong, missed.clone().with("scheme", Figure::scheme(&choice.candidate.scheme)));
     }
     if steps.iter().any(|fitted| fitted.step.operation.is_boring() && fitted.step.passes > 1) {
         report(Severity::Note, Note::new("bar-set-by-hand"));

@@ -1,7 +1,7 @@
 //! Table A.10: schemes for threaded, counterbored and countersunk holes.
 
 use crate::error::{Refusal, Tried};
-use crate::note::{Because, Note};
+use crate::note::{Because, Figure, Note};
 use crate::part::{Hole, ThreadKind};
 use crate::plan::{Operation, Way};
 use crate::reason::Reason;
@@ -99,7 +99,9 @@ pub fn candidates(question: &Question<'_>, kind: Kind, shop: &Shop<'_>) -> Tried
         if starred.contains(&scheme) && drill {
             continue;
         }
-        let note = Note::new("auxiliary-scheme").with("scheme", scheme).with("kind", name.name());
+        let note = Note::new("auxiliary-scheme")
+            .with("scheme", Figure::scheme(scheme))
+            .with("kind", Figure::word(name.name()));
         let candidate = Candidate {
             way: Way::Tables,
             table: row.row.table.id.clone(),

@@ -2,7 +2,7 @@
 
 use crate::error::{Refusal, Tried};
 use crate::knowledge::QueryError;
-use crate::note::{Because, Note};
+use crate::note::{Because, Figure, Note};
 use crate::plan::{Operation, Way};
 use crate::reason::Reason;
 use crate::shop::Shop;
@@ -65,7 +65,7 @@ pub fn candidates(question: &Question<'_>, openings: Openings, shop: &Shop<'_>) 
             .into_iter()
             .filter(|operation| !matches!(operation, Operation::Chamfer | Operation::Counterbore))
             .collect();
-        let note = Note::new("complex").with("complex", number).with("kind", kind.name());
+        let note = Note::new("complex").with("complex", number).with("kind", Figure::word(kind.name()));
         let mut because = vec![Because::answer(&answer.answer, note), centring.clone()];
         let mut scheme = number.to_owned();
         if centred && transitions.first() != Some(&Operation::CentreDrill) {

@@ -3,7 +3,7 @@
 //! and milling in `boring`, what removes an allowance in `finishing`; `two_passes` splits the drilling.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::note::{Because, Note};
+use crate::note::{Because, Figure, Note};
 use crate::part::{ThreadKind, ToleratedDiameter};
 use crate::plan::Operation;
 use crate::reason::Reason;
@@ -228,10 +228,10 @@ impl Backwards<'_, '_> {
             }
         };
         let note = Note::new("bored-by-stand-in")
-            .with("operation", operation.name())
+            .with("operation", Figure::operation(operation.name()))
             .with("diameter", after)
             .with("smallest", smallest)
-            .with("instead", instead.name());
+            .with("instead", Figure::operation(instead.name()));
         Ok((instead, Some(Because::row(rule.row, note))))
     }
 

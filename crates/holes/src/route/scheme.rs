@@ -3,7 +3,7 @@
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::query::Asked;
 use crate::knowledge::{Column, Knowledge};
-use crate::note::{Because, Note};
+use crate::note::{Because, Figure, Note};
 use crate::plan::{Operation, Way};
 use crate::reason::Reason;
 use crate::shop::Shop;
@@ -89,7 +89,7 @@ pub fn candidates(question: &Question<'_>, shop: &Shop<'_>) -> Tried<Vec<Candida
             columns: own.table_columns,
         }));
     }
-    let taken = Because::answer(&answer.answer, Note::new("cell").with("take", take.name()));
+    let taken = Because::answer(&answer.answer, Note::new("cell").with("take", Figure::word(take.name())));
 
     let mut schemes = Vec::new();
     for cell in own.filled.into_iter().chain(finer) {
@@ -97,8 +97,10 @@ pub fn candidates(question: &Question<'_>, shop: &Shop<'_>) -> Tried<Vec<Candida
         because.push(taken.clone());
         for (scheme, reason) in in_order(&cell, question, knowledge)? {
             let mut because = because.clone();
-            let note =
-                Note::new("scheme").with("scheme", &scheme).with("it", cell.grade).with("roughness", cell.roughness);
+            let note = Note::new("scheme")
+                .with("scheme", Figure::scheme(&scheme))
+                .with("it", cell.grade)
+                .with("roughness", cell.roughness);
             because.push(Because::answer(&cell.answer.answer, note));
             because.extend(reason);
             let candidate = Candidate {
@@ -138,8 +140,8 @@ pub fn stages(
     Ok(match answer.winner()? {
         None => (Because::answer(&answer.answer, note("no-stages")), false),
         Some(row) => {
-            let stages: Vec<&str> = row.stages.iter().map(|stage| stage.name()).collect();
-            let note = note("stages").with("stages", stages.join(" + "));
+            let stages = Figure::sum_of_words(row.stages.iter().map(|stage| stage.name()));
+            let note = note("stages").with("stages", stages);
             (Because::answer(&answer.answer, note), row.stages.contains(&Stage::FinalElsewhere))
         }
     })
@@ -231,7 +233,7 @@ fn in_order(
         position: question.position,
     })?;
     let take = answer.need("this cell")?.take;
-    let note = Note::new("which-of-two").with("schemes", schemes.join(", ")).with("take", take.name());
+    let note = Note::new("which-of-two").with("schemes", schemes.join(", ")).with("take", Figure::word(take.name()));
     if take == SchemeTaken::Second {
         schemes.reverse();
     }
@@ -254,19 +256,21 @@ pub(super) fn with_transitions(
     candidate.because.push(reason);
     if centre && transitions.first() != Some(&Operation::CentreDrill) {
         if let Some(twin) = twin(&scheme, shop)? {
-            let note = Note::new("twin").with("scheme", &scheme).with("centred", twin.centred);
+            let note = Note::new("twin").with("scheme", Figure::scheme(&scheme)).with("centred", twin.centred);
             candidate.because.push(Because::row(twin.row, note));
             twin.centred.clone_into(&mut candidate.scheme);
             row = needed(twin.centred, shop)?;
             transitions.clone_from(&row.transitions);
         } else {
             let twins = shop.knowledge.table_of::<CentredTwin<'_>>()?;
-            candidate.because.push(Because::table(twins, Note::new("no-twin").with("scheme", &scheme)));
+            candidate.because.push(Because::table(twins, Note::new("no-twin").with("scheme", Figure::scheme(&scheme))));
             candidate.scheme = format!("{scheme} + centre");
             transitions.insert(0, Operation::CentreDrill);
         }
     }
-    candidate.because.push(Because::row(row.row, Note::new("transitions").with("scheme", &candidate.scheme)));
+    candidate
+        .because
+        .push(Because::row(row.row, Note::new("transitions").with("scheme", Figure::scheme(&candidate.scheme))));
     candidate.transitions = transitions;
     Ok(candidate)
 }

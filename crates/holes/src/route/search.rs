@@ -17,7 +17,7 @@ use petgraph::graph::{DiGraph, NodeIndex};
 use petgraph::visit::EdgeRef;
 
 use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::note::{Because, Note};
+use crate::note::{Because, Figure, Note};
 use crate::plan::{Operation, Way};
 use crate::reason::Reason;
 use crate::shop::Shop;
@@ -142,12 +142,12 @@ fn candidate(transitions: Vec<Operation>, rows: &[usize], shop: &Shop<'_>) -> Tr
         Some(row) => (row.row.table.id.clone(), row.scheme.to_owned()),
         None => (rule.id.clone(), names.join(" + ")),
     };
-    let mut because = vec![Because::table(rule, Note::new("searched").with("transitions", names.join(", ")))];
+    let mut because = vec![Because::table(rule, Note::new("searched").with("transitions", Figure::operations(names)))];
     // Each transition is that of its row.
     let steps = rows.iter().filter_map(|index| rule.row(*index)).zip(&transitions);
-    because.extend(
-        steps.map(|(row, operation)| Because::row(row, Note::new("searched-step").with("operation", operation.name()))),
-    );
+    because.extend(steps.map(|(row, operation)| {
+        Because::row(row, Note::new("searched-step").with("operation", Figure::operation(operation.name())))
+    }));
     Ok(Candidate { way: Way::Search, table, scheme, transitions, finish_elsewhere: false, promise: None, because })
 }
 

@@ -2,7 +2,7 @@
 
 use crate::error::KnowledgeError;
 use crate::machine::Machine;
-use crate::note::{Because, Finding, Note, Severity};
+use crate::note::{Because, Figure, Finding, Note, Severity};
 use crate::part::{Hole, Part, Point};
 use crate::plan::{HolePlan, Mixture, Operation, Visiting, VisitingMethod};
 use crate::shop::Shop;
@@ -113,7 +113,7 @@ fn of_group(part: &Part, plan: &HolePlan, hole: &Hole, shop: &Shop<'_>) -> Resul
     let answer = shop.knowledge.ask(&question)?;
     let method = answer.need("this group")?.method;
     let note = Note::new("visiting-method")
-        .with("method", method.name())
+        .with("method", Figure::word(method.name()))
         .with("it", it)
         .with("centre", route.centre_tolerance_mm)
         .with("ratio", round_to(k_t, 3));

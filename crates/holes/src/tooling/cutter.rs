@@ -8,7 +8,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Table;
 use crate::knowledge::table::ToolHead;
 use crate::knowledge::units::Micrometres;
-use crate::note::{Because, Note};
+use crate::note::{Because, Figure, Note};
 use crate::plan::Operation;
 use crate::reason::{CutterFault, NoSize, Unfit};
 use crate::shop::Shop;
@@ -90,7 +90,7 @@ impl Cutter<'_> {
 }
 
 fn ordered(code: &'static str, rule: &ToolTables<'_>, operation: Operation) -> Note {
-    Note::new(code).with("operation", operation.name()).with("order", rule.tables.join(", "))
+    Note::new(code).with("operation", Figure::operation(operation.name())).with("order", rule.tables.join(", "))
 }
 
 fn steps(narrow: Micrometres, wide: Micrometres) -> Note {

@@ -6,7 +6,7 @@ use crate::knowledge::units::Micrometres;
 use crate::knowledge::vocabulary::Shank;
 use crate::knowledge::{Knowledge, RowRef, TableRow};
 use crate::machine::Machine;
-use crate::note::{Because, Note};
+use crate::note::{Because, Figure, Note};
 use crate::plan::{Link, Operation};
 use crate::reason::{HolderFault, Unfit};
 use crate::shop::Shop;
@@ -82,7 +82,7 @@ pub fn assemble<'k>(
         Some((row, passed_over)) => {
             let table = &row.row.table.id;
             let over = passed_over.iter().map(|(holder, fault)| fault.note().with("holder", holder)).collect();
-            let note = Note::new("holder").with("shank", cutter.head.shank.name());
+            let note = Note::new("holder").with("shank", Figure::word(cutter.head.shank.name()));
             let link = Link {
                 kind: "holder".to_owned(),
                 designation: row.designation.to_owned(),

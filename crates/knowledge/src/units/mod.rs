@@ -22,6 +22,9 @@ pub use quantity::{
 pub use roughness::Roughness;
 pub use unit::Unit;
 
+technolog_note::told_as_number!(Decimal, ItGrade, Micrometres);
+technolog_note::told_as_text!(Roughness, Unit);
+
 /// Why a text is not the quantity it should be: says what was read and what is expected.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{0}")]

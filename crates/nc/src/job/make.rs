@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::error::KnowledgeError;
 use crate::motion::Position;
-use crate::note::{Because, Note};
+use crate::note::{Because, Figure, Note};
 use crate::part::{Face, Part, Point};
 use crate::plan::{Plan, ToolPlan, Transition, Visit};
 use crate::shop::Shop;
@@ -154,7 +154,7 @@ fn coolant(transition: &Transition, shop: &Shop<'_>) -> Result<(bool, Option<Bec
     let operation = transition.operation;
     let asked = shop.knowledge.ask(&CoolantFor { operation, material_group: shop.material.group })?;
     let cooled = asked.need(operation.name())?.coolant;
-    let note = Note::new(if cooled { "cooled" } else { "dry" }).with("operation", operation.name());
+    let note = Note::new(if cooled { "cooled" } else { "dry" }).with("operation", Figure::operation(operation.name()));
     Ok((cooled, Some(Because::answer(&asked.answer, note))))
 }
 

@@ -25,7 +25,7 @@ use crate::knowledge::diagnostic::Diagnostic;
 use crate::knowledge::{Knowledge, RowRef};
 use crate::machine::Machine;
 use crate::motion::{BlockRef, Sink};
-use crate::note::{Note, Severity};
+use crate::note::{Note, Severity, Told};
 use crate::tables::controls::Letter;
 use written::{Form, Written};
 
@@ -177,7 +177,7 @@ impl Fault {
 
     /// With one more figure.
     #[must_use]
-    fn with(mut self, name: &'static str, value: impl ToString) -> Self {
+    fn with(mut self, name: &'static str, value: impl Told) -> Self {
         self.note = self.note.with(name, value);
         self
     }

@@ -21,8 +21,8 @@ pub(super) fn table(audit: &Audit, lang: Lang) -> (Vec<String>, Vec<Vec<String>>
 /// Heads of columns of counts.
 pub(super) fn severities(lang: Lang) -> [&'static str; 4] {
     match lang {
-        Lang::Uk => ["помилки", "хибне", "сумнівне", "зауваження"],
-        Lang::En => ["errors", "wrong", "doubtful", "notes"],
+        _ if lang == Lang::UK => ["помилки", "хибне", "сумнівне", "зауваження"],
+        _ => ["errors", "wrong", "doubtful", "notes"],
     }
 }
 

@@ -205,8 +205,8 @@ mod tests {
             ("clamping.clamps.1.2", "місце притискача"),
             ("tools.T1.holder.designation", "позначення допоміжного інструмента"),
         ] {
-            assert_eq!(words(path, Lang::Uk).as_deref(), Some(uk), "{path}");
+            assert_eq!(words(path, Lang::UK).as_deref(), Some(uk), "{path}");
         }
-        assert_eq!(words("route.A", Lang::Uk), None);
+        assert_eq!(words("route.A", Lang::UK), None);
     }
 }

@@ -64,7 +64,7 @@ fn row(audit: &Audit, lang: Lang) -> Vec<String> {
 fn mistaken(mistake: &Mistake, file: &str, lang: Lang) -> String {
     let place = mistake.place.as_deref().map(|place| place.strip_prefix(&format!("{file}:")).unwrap_or(place));
     let at = place.map(|place| format!("{place} ")).unwrap_or_default();
-    if lang == Lang::En {
+    if lang == Lang::EN {
         return format!("{at}cannot be read: {}", mistake.message);
     }
     let kind = match mistake.code {
@@ -100,10 +100,10 @@ pub(super) fn summary(audited: &[Audited], lang: Lang) -> String {
     let unread = audited.iter().filter(|one| one.audit().is_none()).count();
     let (plans, Counts { error, wrong, doubtful, note, .. }) = (audited.len(), total(audited));
     match lang {
-        Lang::Uk => format!(
+        _ if lang == Lang::UK => format!(
             "планів {plans}, з них не читається {unread}; помилок {error}, хибного {wrong}, сумнівного {doubtful}, зауважень {note}"
         ),
-        Lang::En => format!(
+        _ => format!(
             "{plans} plans, {unread} of them unreadable; {error} errors, {wrong} wrong, {doubtful} doubtful, {note} notes"
         ),
     }

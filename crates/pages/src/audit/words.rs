@@ -1,6 +1,6 @@
 //! The words of an audit: a plan's parts, figures and keys as people call them. Paths of a plan file are for programs.
 
-use crate::note::{Note, Severity};
+use crate::note::{Figure, Note, Severity};
 use technolog_audit::quantity::Quantity;
 use technolog_audit::{Audit, Finding, Lack, Section, Subject};
 
@@ -136,13 +136,13 @@ pub(super) fn said(finding: &Finding, lang: Lang) -> String {
             .with("section", keys::words(&finding.field, lang).unwrap_or_default())
             .with("what", missing(&finding.missing, &finding.field, lang)),
         "audit-not-ours" => {
-            let of = |name: &str| value(finding.note.figure(name).unwrap_or_default(), lang);
+            let of = |name: &str| figure_value(finding.note.figure(name), lang);
             let field = keys::words(&finding.field, lang).unwrap_or_else(|| lang.pick("число", "a figure").to_owned());
             Note::new("audit-not-ours").with("field", field).with("stated", of("stated")).with("right", of("right"))
         }
         "audit-beyond-machine" => {
-            let bound = finding.note.figure("quantity").unwrap_or_default();
-            finding.note.clone().with("quantity", value(bound, lang))
+            let bound = finding.note.figure("quantity");
+            finding.note.clone().with("quantity", figure_value(bound, lang))
         }
         _ => finding.note.clone(),
     };
@@ -184,6 +184,15 @@ fn missing(missing: &[Lack], section: &str, lang: Lang) -> String {
     groups.iter().map(group).collect::<Vec<_>>().join(if whole { ", " } else { "; " })
 }
 
+/// A figure of a note, of which a text may be an id.
+fn figure_value(figure: Option<&Figure>, lang: Lang) -> String {
+    match figure {
+        Some(Figure::Text(text)) => value(text, lang),
+        Some(figure) => lang.figure(figure),
+        None => String::new(),
+    }
+}
+
 /// A value that a file has as an id: `drill`, `morse`, `true`; anything else is as it is.
 pub(super) fn value(text: &str, lang: Lang) -> String {
     let known = match text {
@@ -201,7 +210,7 @@ pub(super) fn value(text: &str, lang: Lang) -> String {
 
 /// Decimal points as the language writes them: a point between two digits.
 pub(super) fn comma(text: &str, lang: Lang) -> String {
-    if lang == Lang::En {
+    if lang == Lang::EN {
         return text.to_owned();
     }
     let letters: Vec<char> = text.chars().collect();

@@ -8,8 +8,10 @@ impl Sheet {
     /// The names of the columns; those that the textbook's sheet does not have carry a `*`.
     pub fn head(&self) -> [String; 4] {
         let names = match self.lang {
-            Lang::Uk => ["Зміст переходу", "Інструмент / коректор*", "Код (кадр)", "Зміст кадру словами*"],
-            Lang::En => ["Transition", "Tool / corrector*", "Code (block)", "The block in words*"],
+            _ if self.lang == Lang::UK => {
+                ["Зміст переходу", "Інструмент / коректор*", "Код (кадр)", "Зміст кадру словами*"]
+            }
+            _ => ["Transition", "Tool / corrector*", "Code (block)", "The block in words*"],
         };
         names.map(str::to_owned)
     }

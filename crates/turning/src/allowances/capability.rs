@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
-use crate::note::{Because, Finding, Note, Severity, doubtful_row};
+use crate::note::{Because, Figure, Finding, Note, Severity, doubtful_row};
 use crate::tables::turning::part::{FinishedSurface, GrindingAllowanceFor, LaterOperation, TurningFinishElsewhereFor};
 use crate::turning::contour::{Profile, Surface, SurfaceKind};
 use crate::turning::length::Half;
@@ -111,7 +111,9 @@ fn compare(
     }
     let because = Because::answer(
         &rule.answer,
-        Note::new("finished-elsewhere").with("surface", &surface.name).with("operation", operation.name()),
+        Note::new("finished-elsewhere")
+            .with("surface", &surface.name)
+            .with("operation", Figure::operation(operation.name())),
     );
     let (diameter, length) = (asked(diameter(surface)), asked(length));
     let told = knowledge.ask(&GrindingAllowanceFor { place_on: place, diameter, length })?;

@@ -6,6 +6,7 @@
 //! at a corner which bulges are joined there; at a hollow corner they overlap. The rough contour is the outer boundary of
 //! all strips together (`union` finds it). Arcs keep their centres.
 
+use crate::note::{Figure, Note, Told};
 use crate::turning::contour::{Contour, Curve, Piece, Side, Turn};
 use crate::turning::length::Half;
 use crate::turning::point::Vector;
@@ -61,6 +62,23 @@ pub enum EquidistantError {
     /// The strips did not come together.
     #[error("the strips over the contour did not join into one outline; report the contour, it is a defect of ours")]
     NotJoined,
+}
+
+impl Told for EquidistantError {
+    fn told(self) -> Figure {
+        let note = match self {
+            Self::Empty => Note::new("equidistant-empty"),
+            Self::Count { pieces, distances } => {
+                Note::new("equidistant-count").with("pieces", pieces).with("distances", distances)
+            }
+            Self::Broken => Note::new("equidistant-broken"),
+            Self::LeadsBack => Note::new("equidistant-leads-back"),
+            Self::Negative { piece } => Note::new("equidistant-negative").with("piece", piece),
+            Self::Vanished => Note::new("equidistant-vanished"),
+            Self::NotJoined => Note::new("equidistant-not-joined"),
+        };
+        note.told()
+    }
 }
 
 /// A piece of an equidistant, with the piece of the contour that it lies over.

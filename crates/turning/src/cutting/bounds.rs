@@ -1,12 +1,10 @@
 //! What tool and lathe bear. Every bound is a load that grows with the depth of cut and a capacity that it must not pass.
 
-use std::fmt::Display;
-
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::note::{Because, Finding, Note, Severity};
+use crate::note::{Because, Figure, Finding, Note, Severity, Told};
 use crate::tables::lathes::LatheQuantity as Q;
 use crate::tables::turning::tools::{InsertEdgeShare, Limit, TurningLimits};
 use crate::turning::tooling::Shank;
@@ -117,7 +115,7 @@ impl Missing {
     /// A sentence with the bound, what is missing, and of what.
     pub(super) fn told(&self, note: Note) -> Note {
         let (of, what) = self.why.names();
-        note.with("bound", self.bound.name()).with("of", of).with("what", what)
+        note.with("bound", Figure::word(self.bound.name())).with("of", of).with("what", what)
     }
 }
 
@@ -250,7 +248,7 @@ pub(super) fn checks(cut: &Cut<'_, '_>, forces: &Forces) -> Result<(Vec<Check>, 
 }
 
 /// A constant of `turning-limits`, of which `of` takes the figure it must have, and why.
-fn constant<T: Display>(
+fn constant<T: Told + Clone>(
     cut: &Cut<'_, '_>,
     name: Limit,
     of: impl Fn(&TurningLimits<'_>) -> Option<T>,
@@ -258,7 +256,7 @@ fn constant<T: Display>(
     let row = cut.knowledge.need(name.name(), |row: &TurningLimits<'_>| row.name == name)?;
     let lacks = || KnowledgeError::lacks(&row.row.table.id, &format!("{} has no figure of its kind", name.name()));
     let value = of(&row).ok_or_else(lacks)?;
-    let note = Note::new("turning-limit").with("name", name.name()).with("value", &value);
+    let note = Note::new("turning-limit").with("name", Figure::word(name.name())).with("value", &value);
     Ok((value, Because::row(row.row, note)))
 }
 

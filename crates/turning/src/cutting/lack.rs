@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::note::Note;
+use crate::note::{Figure, Note};
 use crate::reason::Uncut;
 use crate::units::{Decimal, Micrometres, MillimetresPerRev, Roughness};
 
@@ -102,7 +102,7 @@ impl Lacking {
             Of::Angle { table, angle } => Note::new("angle-beyond-table").with("table", table).with("angle", angle),
         };
         match self.process {
-            Some(process) => note.with("operation", process.name()),
+            Some(process) => note.with("operation", Figure::operation(process.name())),
             None => note,
         }
     }
@@ -120,7 +120,7 @@ impl TryFrom<Note> for Lacking {
 
     #[expect(clippy::disallowed_methods, reason = "it is read back into a type here")]
     fn try_from(note: Note) -> Result<Self, String> {
-        let figure = |name: &str| note.figure(name).unwrap_or_default().to_owned();
+        let figure = |name: &str| note.figure(name).map(|figure| figure.text().into_owned()).unwrap_or_default();
         let of = match note.code() {
             "turning-tool-lacks" => Of::Tool { tool: figure("tool"), quantity: figure("quantity") },
             "lathe-lacks" => Of::Lathe { lathe: figure("lathe"), quantity: figure("quantity") },
@@ -152,14 +152,14 @@ impl Lack {
                 };
                 new("nothing-to-cut").with("quantity", quantity).with("is", is)
             }
-            Self::TooFineToTurn { roughness, process } => {
-                new("too-fine-to-turn").with("roughness", roughness).with("operation", process.name())
-            }
+            Self::TooFineToTurn { roughness, process } => new("too-fine-to-turn")
+                .with("roughness", roughness)
+                .with("operation", Figure::operation(process.name())),
             Self::TooFineForLathe { lathe, roughness, best } => {
                 new("too-fine-for-lathe").with("lathe", lathe).with("roughness", roughness).with("best", best)
             }
             Self::Threads { tool, process } => {
-                new("threads-not-reckoned").with("tool", tool).with("operation", process.name())
+                new("threads-not-reckoned").with("tool", tool).with("operation", Figure::operation(process.name()))
             }
             Self::NoDepth { tool } => new("tool-has-no-depth").with("tool", tool),
             Self::LimitNotKnown(missing) => {

@@ -2,7 +2,7 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
-use crate::note::{Because, Note};
+use crate::note::{Because, Figure, Note};
 use crate::tables::turning::part::TurningElementFor;
 use crate::turning::contour::Surface;
 use crate::units::{Degrees, round_to};
@@ -117,7 +117,7 @@ fn ask(
         floor_reached: reached,
     })?;
     let rule = asked.need(surface.kind.name())?;
-    let because = Because::answer(&asked.answer, note.with("take", rule.tool));
+    let because = Because::answer(&asked.answer, note.with("take", Figure::word(rule.tool.to_owned())));
     Ok((rule.element, rule.tool.to_owned(), because))
 }
 

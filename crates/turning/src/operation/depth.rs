@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::note::{Because, Finding, Note, Severity};
+use crate::note::{Because, Figure, Finding, Note, Severity};
 use crate::tables::turning::part::TurningSkinFor;
 use crate::turning::cutting::{
     Cut, Direction, Lack, LimitingDepth, Speed, TurningConditions, conditions, limiting_depth, rough_feed,
@@ -78,7 +78,7 @@ pub fn depth(
             findings.extend(limit.findings());
             if depth <= Half::ZERO {
                 let note = Note::new("no-depth-allowed").with("tool", task.tool.designation);
-                let note = note.with("bound", limit.decided_by.name());
+                let note = note.with("bound", Figure::word(limit.decided_by.name()));
                 findings.push(Finding::of_part(Severity::Error, note));
                 return Ok(None);
             }
@@ -160,7 +160,7 @@ fn cut<'a, 'k>(task: Task<'a, 'k>, bench: &'a Bench<'_, 'k>) -> Result<Option<(C
     let (knowledge, stock) = (bench.knowledge, bench.workpiece.blank.kind);
     let asked = knowledge.ask(&TurningSkinFor { stock, group: bench.material.group })?;
     let surface = asked.need(stock.name())?.surface;
-    let note = Note::new("turning-skin").with("kind", stock.name()).with("surface", surface.name());
+    let note = Note::new("turning-skin").with("kind", Figure::word(stock.name())).with("surface", surface.name());
     let because = Because::answer(&asked.answer, note);
     let (tool, material) = (task.tool, &bench.material);
     let (diameter, direction) = (task.diameter, task.direction);

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::error::{KnowledgeError, Refusal};
-use crate::note::{Because, Finding, Note, Severity};
+use crate::note::{Because, Figure, Finding, Note, Severity};
 use crate::tables::turning::part::BlankShape;
 use crate::turning::allowances::equidistant;
 use crate::turning::contour::{Contour, Profile, Side};
@@ -308,7 +308,8 @@ fn clear(
     let wanted = wanted(zone, scheme, bench);
     let taken = wanted.filter(|wanted| found.iter().any(|one| one.scheme == *wanted));
     if let (Some(wanted), None) = (wanted, taken) {
-        let note = Note::new("scheme-not-possible").with("scheme", wanted.name()).with("zone", zone.number);
+        let note =
+            Note::new("scheme-not-possible").with("scheme", Figure::scheme(wanted.name())).with("zone", zone.number);
         findings.push(Finding::of_part(if found.is_empty() { Severity::Error } else { Severity::Doubtful }, note));
         if let Some(refused) = refused.iter().find(|one| one.scheme == wanted) {
             findings.push(Finding::of_part(Severity::Note, refused.why.clone()));

@@ -16,7 +16,7 @@ use serde::Serialize;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
-use crate::note::{Because, Finding, Note, Severity};
+use crate::note::{Because, Figure, Finding, Note, Severity};
 use crate::tables::turning::passes::{PassDirectionFor, Passes};
 use crate::units::{Micrometres, Minutes};
 
@@ -142,7 +142,10 @@ pub fn find(shaft: &Shaft, objective: Objective, knowledge: &Knowledge) -> Resul
     let best = total(&optimal, objective, &grid);
     // Only one direction per step lets a longitudinal pass end before its shoulder, so it can win (docs/turning.md).
     if let Some((name, passes)) = named.iter().find(|(_, passes)| total(passes, objective, &grid) < best) {
-        findings.push(Finding::of_part(Severity::Note, Note::new("variant-beyond-model").with("variant", name)));
+        findings.push(Finding::of_part(
+            Severity::Note,
+            Note::new("variant-beyond-model").with("variant", Figure::word(*name)),
+        ));
         optimal.clone_from(passes);
     }
     let mut proof = None;

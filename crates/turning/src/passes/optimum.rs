@@ -8,7 +8,7 @@
 //! A general search over a graph (petgraph's Dijkstra, which the tests hold this against) keeps a queue and marks that a
 //! grid without cycles does not need; benches/turning.rs has both.
 
-use crate::note::Note;
+use crate::note::{Figure, Note};
 use crate::turning::length::Half;
 
 use super::cost::{Cost, Objective};
@@ -168,7 +168,7 @@ fn reason(objective: Objective, each: [Cost; 2], taken: usize) -> Note {
         (Objective::Time { .. }, _) => "pass-quicker",
         (Objective::Passes, _) => "pass-fewer",
     };
-    Note::new(code).with("left", shown(own)).with("otherwise", shown(other))
+    Note::new(code).with("left", Figure::number(shown(own))).with("otherwise", Figure::number(shown(other)))
 }
 
 /// A move of the grid as a pass.

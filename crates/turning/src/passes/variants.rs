@@ -1,6 +1,6 @@
 //! The variants that the optimum is shown beside: longitudinal only, transverse only, and one direction per step.
 
-use crate::note::Note;
+use crate::note::{Figure, Note};
 use crate::turning::length::Half;
 
 use super::cost::{Cost, Objective};
@@ -25,7 +25,13 @@ pub fn one_direction(grid: &Grid, kind: Kind) -> Vec<Pass> {
     let (mut levels, mut slices, mut passes) = (0, 0, Vec::new());
     while let Some([longitudinal, transverse]) = moves(grid, levels, slices) {
         let made = if kind == Kind::Longitudinal { longitudinal } else { transverse };
-        passes.push(pass(grid, levels, slices, made, Note::new("pass-of-variant").with("direction", kind.name())));
+        passes.push(pass(
+            grid,
+            levels,
+            slices,
+            made,
+            Note::new("pass-of-variant").with("direction", Figure::word(kind.name())),
+        ));
         if kind == Kind::Longitudinal { levels += 1 } else { slices += 1 }
     }
     passes
@@ -65,7 +71,7 @@ pub fn per_step(grid: &Grid, objective: Objective) -> Vec<Pass> {
 
 /// The passes that clear one step over its own length.
 fn of_step(grid: &Grid, index: usize, cylinder: &Cylinder, kind: Kind) -> Vec<Pass> {
-    let reason = Note::new("pass-of-step").with("step", index + 1).with("direction", kind.name());
+    let reason = Note::new("pass-of-step").with("step", index + 1).with("direction", Figure::word(kind.name()));
     let rectangle = |near, far| vec![(near, far)];
     match kind {
         Kind::Longitudinal => {

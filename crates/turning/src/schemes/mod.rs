@@ -13,7 +13,7 @@ use serde::Serialize;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
-use crate::note::{Because, Finding, Note};
+use crate::note::{Because, Figure, Finding, Note};
 use crate::tables::turning::passes::RemovalSchemeFor;
 use crate::units::{Micrometres, Minutes, round_to};
 
@@ -176,8 +176,8 @@ fn best(ranked: &[(i64, SchemeTold)]) -> Option<Best> {
     let percent = if time(next) > 0.0 { margin / time(next) * 100.0 } else { 0.0 };
     let tied = if margin > 0.0 { "scheme-quickest" } else { "scheme-as-quick" };
     let note = Note::new(tied)
-        .with("variant", best.name)
-        .with("rival", next.name)
+        .with("variant", Figure::word(best.name))
+        .with("rival", Figure::word(next.name))
         .with("margin", round_to(margin, 4))
         .with("percent", round_to(percent, 1));
     Some(Best {

@@ -1,6 +1,6 @@
 //! What a shaft file says, held against itself: the steps against each other and against the blank.
 
-use std::fmt::Display;
+use crate::note::Tell;
 
 use crate::knowledge::diagnostic::Place;
 use crate::turning::passes::grid::{MOST_STATES, states};
@@ -22,12 +22,12 @@ pub(super) fn steps(
         let Some((diameter, place)) = &step.diameter else { continue };
         let (diameter, number) = (*diameter, index + 1);
         if let Some((blank, _)) = blank_diameter.filter(|(blank, _)| diameter > *blank) {
-            let figures: [(&str, &dyn Display); 3] = [("step", &number), ("diameter", &diameter), ("blank", blank)];
+            let figures: [(&str, &dyn Tell); 3] = [("step", &number), ("diameter", &diameter), ("blank", blank)];
             reader.fault::<()>("step-beyond-blank", &figures, place);
         }
         match largest {
             Some((before, other)) if diameter < before => {
-                let figures: [(&str, &dyn Display); 4] =
+                let figures: [(&str, &dyn Tell); 4] =
                     [("step", &number), ("diameter", &diameter), ("before", &before), ("other", &other)];
                 reader.fault::<()>("step-rises-to-the-free-end", &figures, place);
             }

@@ -1,6 +1,6 @@
 //! The steps of a blank (a forging or casting near the shape of the shaft), held against its cylinder and the shaft.
 
-use std::fmt::Display;
+use crate::note::Tell;
 
 use crate::knowledge::diagnostic::Place;
 use crate::turning::reading::{Placed, Reader};
@@ -35,11 +35,11 @@ pub(crate) fn check(
         let (Some((diameter, place)), Some((long, _))) = (&step.diameter, &step.length) else { return };
         let number = index + 1;
         if *diameter < before {
-            let figures: [(&str, &dyn Display); 3] = [("step", &number), ("diameter", diameter), ("before", &before)];
+            let figures: [(&str, &dyn Tell); 3] = [("step", &number), ("diameter", diameter), ("before", &before)];
             reader.fault::<()>("blank-step-rises-to-the-free-end", &figures, place);
         }
         if let Some((around, _)) = around.filter(|(around, _)| diameter > around) {
-            let figures: [(&str, &dyn Display); 3] = [("step", &number), ("diameter", diameter), ("blank", around)];
+            let figures: [(&str, &dyn Tell); 3] = [("step", &number), ("diameter", diameter), ("blank", around)];
             reader.fault::<()>("blank-step-beyond-blank", &figures, place);
         }
         before = before.max(*diameter);
@@ -54,7 +54,7 @@ pub(crate) fn check(
         let (Some((diameter, place)), Some((long, _))) = (&step.diameter, &step.length) else { return };
         let over = ends.iter().find(|(end, _)| from < *end).map(|(_, over)| *over);
         if let Some(over) = over.filter(|over| diameter > over) {
-            let figures: [(&str, &dyn Display); 3] = [("step", &(index + 1)), ("diameter", diameter), ("blank", &over)];
+            let figures: [(&str, &dyn Tell); 3] = [("step", &(index + 1)), ("diameter", diameter), ("blank", &over)];
             reader.fault::<()>("step-beyond-blank", &figures, place);
         }
         from = from + *long;

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::note::Note;
+use crate::note::{Figure, Note};
 use crate::turning::length::Half;
 use crate::turning::way::{Purpose, Way};
 use crate::units::{Minutes, round_to};
@@ -104,8 +104,8 @@ pub fn best<'t>(ways: impl IntoIterator<Item = &'t Transition>) -> Option<Best> 
     let margin = time(next) - time(best);
     let percent = if time(next) > 0.0 { margin / time(next) * 100.0 } else { 0.0 };
     let note = Note::new(if margin > 0.0 { "scheme-quickest" } else { "transition-as-quick" })
-        .with("variant", best.scheme.name())
-        .with("rival", next.scheme.name())
+        .with("variant", Figure::word(best.scheme.name()))
+        .with("rival", Figure::word(next.scheme.name()))
         .with("margin", round_to(margin, 4))
         .with("percent", round_to(percent, 1));
     Some(Best {

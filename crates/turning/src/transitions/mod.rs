@@ -36,7 +36,7 @@ use serde::Serialize;
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::Knowledge;
-use crate::note::{Because, Finding, Note, Severity};
+use crate::note::{Because, Figure, Finding, Note, Severity};
 use crate::tables::turning::passes::TurningSchemes;
 use crate::units::{Degrees, MillimetresPerMinute, Roughness};
 
@@ -352,7 +352,9 @@ pub fn finishing_must_follow(
     knowledge: &Knowledge,
 ) -> Result<Option<Finding>, KnowledgeError> {
     let Some(finest) = scheme.told(knowledge)?.finest else { return Ok(None) };
-    let note =
-        Note::new("finishing-must-follow").with("scheme", scheme.name()).with("finest", finest).with("asked", asked);
+    let note = Note::new("finishing-must-follow")
+        .with("scheme", Figure::scheme(scheme.name()))
+        .with("finest", finest)
+        .with("asked", asked);
     Ok((asked < finest).then(|| Finding::of_part(Severity::Note, note)))
 }

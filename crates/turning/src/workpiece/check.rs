@@ -1,6 +1,6 @@
 //! The contours of a workpiece, held against themselves, each other and the blank.
 
-use std::fmt::Display;
+use crate::note::Tell;
 
 use crate::knowledge::diagnostic::Place;
 use crate::turning::contour::{Contour, Side, Surface};
@@ -39,7 +39,7 @@ pub(super) fn ends(outer: &Walked, inner: Option<&Walked>, blank: Option<&Blank>
     match inner {
         Some(inner) => {
             if let Some((bore, place)) = inner.start.as_ref().filter(|(bore, _)| bore != start) {
-                let figures: [(&str, &dyn Display); 4] = [
+                let figures: [(&str, &dyn Tell); 4] = [
                     ("d", &bore.radius.diameter()),
                     ("z", &(Half::ZERO - bore.z)),
                     ("outer_d", &start.radius.diameter()),
@@ -51,7 +51,7 @@ pub(super) fn ends(outer: &Walked, inner: Option<&Walked>, blank: Option<&Blank>
             if let (Some(end), Some(far), Some(place)) = (inner.end(), outer.end(), last)
                 && (inner.whole && outer.whole && end.radius != Half::ZERO && end.z != far.z)
             {
-                let figures: [(&str, &dyn Display); 2] = [("z", &(Half::ZERO - end.z)), ("far", &(Half::ZERO - far.z))];
+                let figures: [(&str, &dyn Tell); 2] = [("z", &(Half::ZERO - end.z)), ("far", &(Half::ZERO - far.z))];
                 reader.fault::<()>("bore-ends-nowhere", &figures, place);
             }
         }
@@ -59,7 +59,7 @@ pub(super) fn ends(outer: &Walked, inner: Option<&Walked>, blank: Option<&Blank>
             let Some(blank) = blank else { return };
             let bore = blank.inner.as_ref().and_then(Contour::start).map_or(Half::ZERO, |start| start.radius);
             if start.radius != bore {
-                let figures: [(&str, &dyn Display); 2] = [("d", &start.radius.diameter()), ("bore", &bore.diameter())];
+                let figures: [(&str, &dyn Tell); 2] = [("d", &start.radius.diameter()), ("bore", &bore.diameter())];
                 reader.fault::<()>("does-not-begin-on-the-axis", &figures, place);
             }
         }
@@ -92,7 +92,7 @@ pub(super) fn walls(outer: &Walked, inner: &Walked, reader: &mut Reader<'_>) {
     let turned_out = bore.zip(around).is_some_and(|((bore, _), (_, around))| bore >= around);
     let ends_beyond = inner.end().zip(end).is_some_and(|(inner, outer)| inner.z > outer.z);
     if (turned_out || ends_beyond) && start.is_some() {
-        let figures: [(&str, &dyn Display); 2] = [("surface", &first.0.name), ("other", &"outer")];
+        let figures: [(&str, &dyn Tell); 2] = [("surface", &first.0.name), ("other", &"outer")];
         reader.fault::<()>("no-wall", &figures, &first.1);
     }
 }
@@ -107,13 +107,13 @@ pub(super) fn within_blank(outer: &Walked, inner: Option<&Walked>, blank: &Blank
     for (surface, place) in &outer.surfaces {
         let end = surface.pieces.iter().map(|piece| piece.to.z).max().unwrap_or(Half::ZERO);
         if end > blank.end() {
-            let figures: [(&str, &dyn Display); 3] =
+            let figures: [(&str, &dyn Tell); 3] =
                 [("surface", &surface.name), ("z", &(Half::ZERO - end)), ("blank", &(Half::ZERO - blank.end()))];
             reader.fault::<()>("part-longer-than-blank", &figures, place);
             break;
         }
         if let Some((z, part, limit)) = outside(surface, &blank.outer) {
-            let figures: [(&str, &dyn Display); 4] = [
+            let figures: [(&str, &dyn Tell); 4] = [
                 ("surface", &surface.name),
                 ("z", &(Half::ZERO - z)),
                 ("diameter", &part.diameter()),
@@ -125,7 +125,7 @@ pub(super) fn within_blank(outer: &Walked, inner: Option<&Walked>, blank: &Blank
     let (Some(bore), Some(inner)) = (&blank.inner, inner) else { return };
     for (surface, place) in &inner.surfaces {
         if let Some((z, part, limit)) = outside(surface, bore) {
-            let figures: [(&str, &dyn Display); 4] = [
+            let figures: [(&str, &dyn Tell); 4] = [
                 ("surface", &surface.name),
                 ("z", &(Half::ZERO - z)),
                 ("diameter", &part.diameter()),

@@ -1,6 +1,6 @@
 //! The blank of the contour form: a bar or tube by its sizes, a forging or casting by steps or contours.
 
-use std::fmt::Display;
+use crate::note::Tell;
 
 use crate::knowledge::yaml::{Fields, Node};
 use crate::turning::contour::{Contour, Side};
@@ -93,7 +93,7 @@ impl Reader<'_> {
         if let (Some(Some((bore, place))), Some((diameter, _))) = (&bore, &diameter)
             && bore >= diameter
         {
-            let figures: [(&str, &dyn Display); 2] = [("bore", bore), ("diameter", diameter)];
+            let figures: [(&str, &dyn Tell); 2] = [("bore", bore), ("diameter", diameter)];
             return self.fault("bore-beyond-diameter", &figures, place);
         }
         if let (Some(face), Some((length, place))) = (face, &length)
@@ -120,12 +120,12 @@ impl Reader<'_> {
         if let (Some((start, place)), expected) = (&outside.start, bore.as_ref().map(|bore| &bore.start)) {
             match expected {
                 None if start.radius != Half::ZERO => {
-                    let figures: [(&str, &dyn Display); 2] =
+                    let figures: [(&str, &dyn Tell); 2] =
                         [("d", &start.radius.diameter()), ("bore", &Micrometres::ZERO)];
                     self.fault::<()>("does-not-begin-on-the-axis", &figures, place);
                 }
                 Some(Some((bore, place))) if bore != start => {
-                    let figures: [(&str, &dyn Display); 4] = [
+                    let figures: [(&str, &dyn Tell); 4] = [
                         ("d", &bore.radius.diameter()),
                         ("z", &(Half::ZERO - bore.z)),
                         ("outer_d", &start.radius.diameter()),

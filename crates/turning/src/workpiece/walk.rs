@@ -1,6 +1,6 @@
 //! Along the items of a contour: each becomes a surface, if it leads where a contour can go.
 
-use std::fmt::Display;
+use crate::note::Tell;
 
 use crate::knowledge::diagnostic::Place;
 use crate::note::Finding;
@@ -81,7 +81,7 @@ fn z_of(measure: &Measure) -> Option<Half> {
 }
 
 impl Walk<'_, '_, '_> {
-    pub fn fault(&mut self, code: &'static str, figures: &[(&'static str, &dyn Display)], place: &Place) {
+    pub fn fault(&mut self, code: &'static str, figures: &[(&'static str, &dyn Tell)], place: &Place) {
         self.reader.fault::<()>(code, figures, place);
         self.walked.whole = false;
     }
@@ -258,7 +258,7 @@ impl Walk<'_, '_, '_> {
             let (least, most) = named.diameters(self.walked.side);
             let diameter = radius.diameter();
             if !(least..=most).contains(&diameter) {
-                let figures: [(&str, &dyn Display); 4] =
+                let figures: [(&str, &dyn Tell); 4] =
                     [("thread", &named.written), ("diameter", &diameter), ("least", &least), ("most", &most)];
                 let code = if least == most { "thread-on-another-diameter" } else { "thread-in-another-bore" };
                 self.fault(code, &figures, place);

@@ -1,6 +1,6 @@
 //! The grooves of a walk: their sizes, from the file or a standard, and how they lie on the contour.
 
-use std::fmt::Display;
+use crate::note::Tell;
 
 use crate::knowledge::diagnostic::Place;
 use crate::turning::contour::{Piece, Side, SurfaceKind};
@@ -28,7 +28,7 @@ impl Walk<'_, '_, '_> {
             return None;
         };
         if frame.on_cylinder && frame.radial < 0 && sizes.depth >= here.radius {
-            let figures: [(&str, &dyn Display); 2] = [("depth", &sizes.depth), ("radius", &here.radius)];
+            let figures: [(&str, &dyn Tell); 2] = [("depth", &sizes.depth), ("radius", &here.radius)];
             self.fault("groove-deeper-than-radius", &figures, &item.place);
             return None;
         }
@@ -39,7 +39,7 @@ impl Walk<'_, '_, '_> {
             }
             Ok(pieces) => Some((written.kind.surface(), pieces)),
             Err(code) => {
-                let figures: [(&str, &dyn Display); 2] = [("width", &sizes.width), ("depth", &sizes.depth)];
+                let figures: [(&str, &dyn Tell); 2] = [("width", &sizes.width), ("depth", &sizes.depth)];
                 self.fault(code, &figures, &item.place);
                 None
             }

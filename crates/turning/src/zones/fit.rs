@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::note::Note;
+use crate::note::{Figure, Note};
 use crate::turning::elements::{Angles, Hand};
 use crate::turning::length::Half;
 use crate::units::{Degrees, Micrometres, round_to};
@@ -64,7 +64,7 @@ pub fn fit(zone: &Zone, tools: &[ToolAngles]) -> Fit {
         let mut why =
             if zone.feed == Feed::Across { Vec::new() } else { refusals(zone.needs, zone.passage, floor, tool) };
         if tool.width.is_some() && zone.kind != Kind::Closed {
-            why.push(Note::new("tool-only-for-grooves").with("kind", zone.kind.name()));
+            why.push(Note::new("tool-only-for-grooves").with("kind", Figure::word(zone.kind.name())));
         }
         if why.is_empty() {
             found.fitting.push(tool.name.clone());

@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
-use crate::note::{Because, Note};
+use crate::note::{Because, Figure, Note};
 use crate::tables::turning::part::BlankShape;
 use crate::tables::turning::passes::{ContourShape, PartsWorked, TurningSchemeFor, TurningZoneFor, ZoneParts};
 use crate::turning::workpiece::Scheme;
@@ -63,7 +63,7 @@ fn kind(parts: ZoneParts, bounds: Bounds, knowledge: &Knowledge) -> Result<KindF
     let question = TurningZoneFor { parts, face_ahead: bounds.ahead, face_behind: bounds.behind };
     let asked = knowledge.ask(&question)?;
     let kind = asked.need(parts.name())?.zone;
-    let because = Because::answer(&asked.answer, Note::new("zone-is").with("kind", kind.name()));
+    let because = Because::answer(&asked.answer, Note::new("zone-is").with("kind", Figure::word(kind.name())));
     Ok(KindFound { kind, parts, because })
 }
 
@@ -117,6 +117,6 @@ pub fn scheme(
         also: rule.also.unwrap_or_default(),
         parts_worked: rule.parts_worked,
         return_way: rule.return_way.to_owned(),
-        because: Because::answer(&asked.answer, Note::new("zone-scheme").with("kind", name)),
+        because: Because::answer(&asked.answer, Note::new("zone-scheme").with("kind", Figure::word(name))),
     })
 }

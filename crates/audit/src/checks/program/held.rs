@@ -3,7 +3,7 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::diagnostic::Place;
-use crate::note::Note;
+use crate::note::{Figure, Note};
 use crate::part::{Face, Hole};
 use crate::plan::{
     Conditions, Feature, HolderRef, HolePlan, Limit, Operation, Plan, Rounds, ToolPlan, ToolRef, Transition,
@@ -83,7 +83,7 @@ pub(super) fn held(
 }
 
 fn lacks(row: &Row, code: &'static str) -> NotHeld {
-    let note = Note::new(code).with("row", row.number).with("operation", row.operation.value.name());
+    let note = Note::new(code).with("row", row.number).with("operation", Figure::operation(row.operation.value.name()));
     NotHeld { note, place: Some(row.place.clone()) }
 }
 

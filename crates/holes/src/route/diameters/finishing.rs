@@ -1,7 +1,7 @@
 //! The diameter before a transition that removes an allowance of section 1.2.1.
 
 use crate::error::{Refusal, Tried};
-use crate::note::{Because, Note};
+use crate::note::{Because, Figure, Note};
 use crate::plan::Operation;
 use crate::reason::Reason;
 use crate::tables::holes::HoleDefault;
@@ -58,7 +58,7 @@ impl Backwards<'_, '_> {
             set.max(smallest).min(largest)
         };
         let note = Note::new("allowance")
-            .with("operation", operation.name())
+            .with("operation", Figure::operation(operation.name()))
             .with("low", allowance.low)
             .with("high", allowance.high)
             .with("taken", after - before);

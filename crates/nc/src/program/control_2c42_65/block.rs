@@ -17,7 +17,7 @@ use super::state::{CYCLE, LENGTH, MOTION, ONE_SHOT, PLANE, RADIUS, SYSTEM, State
 use super::words::{Function, Given, Words, letter};
 use crate::machine::Machine;
 use crate::motion::{Axis, BlockRef, Motion, Position, Side, Step, Turning};
-use crate::note::Note;
+use crate::note::{Figure, Note, Told};
 use crate::program::limits::{Spans, speed_off_steps};
 use crate::program::{Call, Fault, Setting, Span, Subject};
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute};
@@ -62,7 +62,7 @@ impl Maker<'_> {
     }
 
     /// Tells a breach of a rule with its figures.
-    pub(super) fn tell(&mut self, code: &'static str, span: Span, figures: &[(&'static str, String)]) {
+    pub(super) fn tell(&mut self, code: &'static str, span: Span, figures: &[(&'static str, Figure)]) {
         let note = figures.iter().fold(Note::new(code), |note, (name, value)| note.with(*name, value));
         self.tell_note(code, span, note);
     }
@@ -152,7 +152,7 @@ impl Maker<'_> {
     pub(super) fn take_feed(&mut self, feed: Given) {
         let limit = self.machine.feed_max.0;
         if feed.thousandths as f64 / 1000.0 > limit {
-            self.tell("feed-beyond-machine", feed.span, &[("limit", limit.to_string())]);
+            self.tell("feed-beyond-machine", feed.span, &[("limit", limit.told())]);
         }
         self.state.feed = feed.thousandths;
     }
@@ -237,7 +237,11 @@ impl Maker<'_> {
         let actual = self.state.actual;
         if self.state.floating.iter().all(Option::is_none) && actual != place {
             let shown = |at: Position| crate::motion::trace::position(at);
-            self.tell("change-elsewhere", function.span, &[("at", shown(actual)), ("place", shown(place))]);
+            self.tell(
+                "change-elsewhere",
+                function.span,
+                &[("at", shown(actual).told()), ("place", shown(place).told())],
+            );
         }
         if self.state.turning != Turning::Stopped {
             self.spindle(Turning::Stopped);
@@ -273,7 +277,7 @@ impl Maker<'_> {
         match self.setting.correctors.get(&number) {
             Some(value) => *value,
             None => {
-                self.tell("corrector-unknown", span, &[("number", number.to_string())]);
+                self.tell("corrector-unknown", span, &[("number", number.told())]);
                 Micrometres::ZERO
             }
         }
@@ -321,7 +325,11 @@ impl Maker<'_> {
         let changed = changed.or(words.get('D').filter(|_| active).map(|word| word.span));
         let offset = words.g[ONE_SHOT].filter(|function| self.control.offsets.has(function.code));
         if let Some(offset) = offset.filter(|_| active && words.g[RADIUS].is_none()) {
-            self.tell("offset-with-radius-correction", offset.span, &[("function", format!("G{:02}", offset.code))]);
+            self.tell(
+                "offset-with-radius-correction",
+                offset.span,
+                &[("function", format!("G{:02}", offset.code).told())],
+            );
         }
         let Some(span) = changed else { return };
         let plane = self.control.plane(self.state.groups[PLANE]).plane;

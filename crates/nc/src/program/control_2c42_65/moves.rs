@@ -5,6 +5,7 @@ use super::state::{ONE_SHOT, PLANE, SYSTEM};
 use super::words::{Function, Given, Words};
 use crate::motion::geometry::{distance, in_plane, sweep};
 use crate::motion::{Axis, Motion, Position, Sense};
+use crate::note::Told;
 use crate::program::Span;
 use crate::program::limits::Floating;
 use crate::units::Micrometres;
@@ -42,7 +43,7 @@ impl Maker<'_> {
             _ => {}
         }
         if let Some(stray) = words.centre.iter().flatten().next().filter(|_| !arc) {
-            self.tell("word-unused", stray.span, &[("word", "I, J, K".to_owned())]);
+            self.tell("word-unused", stray.span, &[("word", "I, J, K".to_owned().told())]);
         }
         let moves = words.any_axis() || (arc && centred);
         if !moves {
@@ -86,7 +87,7 @@ impl Maker<'_> {
     pub(super) fn may_move(&mut self, axis: Axis, span: Span) -> bool {
         let homed = self.state.homed[axis.index()];
         if !homed {
-            self.tell("not-homed", span, &[("axis", axis.letter().to_string())]);
+            self.tell("not-homed", span, &[("axis", axis.letter().told())]);
         }
         homed
     }
@@ -122,7 +123,7 @@ impl Maker<'_> {
         let Some(factor) = self.control.offsets.get(function.code).copied() else { return };
         if self.cycle_in_force() {
             let name = format!("G{:02}", function.code);
-            self.tell("offset-in-cycle", function.span, &[("function", name)]);
+            self.tell("offset-in-cycle", function.span, &[("function", name.told())]);
             return;
         }
         let value = self.corrector(self.state.radius_corrector, function.span).micrometres() * factor;
@@ -175,7 +176,7 @@ impl Maker<'_> {
         // Start, end and centre are each rounded to the machine's step; two of them is what honest rounding can differ.
         if (radius - other).abs() > 2.0 * self.machine.resolution.to_mm() {
             let shown = |value: f64| Micrometres::from_mm_rounded(value).to_string();
-            self.tell("arc-radius", span, &[("start", shown(radius)), ("end", shown(other))]);
+            self.tell("arc-radius", span, &[("start", shown(radius).told()), ("end", shown(other).told())]);
             return None;
         }
         let helix = words.g[ONE_SHOT].filter(|function| function.code == 10);
@@ -221,7 +222,7 @@ impl Maker<'_> {
         let made = (whole + angle / std::f64::consts::TAU) * value as f64 / 1000.0;
         if (made - climb.to_mm()).abs() > 2.0 * self.machine.resolution.to_mm() {
             let made = Micrometres::from_mm_rounded(made).to_string();
-            self.tell("helix-pitch", pitch.span, &[("climb", climb.to_string()), ("made", made)]);
+            self.tell("helix-pitch", pitch.span, &[("climb", climb.told()), ("made", made.told())]);
             return None;
         }
         Some(whole as u32)
@@ -246,7 +247,7 @@ impl Maker<'_> {
             _ => self.setting.fixed_point,
         };
         let Some(goal) = goal else {
-            self.tell("fixed-point-unknown", function.span, &[("function", format!("G{:02}", function.code))]);
+            self.tell("fixed-point-unknown", function.span, &[("function", format!("G{:02}", function.code).told())]);
             return;
         };
         let through = if function.code == 30 {

@@ -12,6 +12,7 @@ use super::text::{self, Block};
 use super::words::Words;
 use crate::machine::Machine;
 use crate::motion::{BlockRef, Sink, Step};
+use crate::note::Told;
 use crate::program::running::{BUDGET, Running, Way};
 use crate::program::{Call, Fault, Setting};
 
@@ -153,7 +154,7 @@ impl Maker<'_> {
         let step = self.machine.resolution.micrometres().max(1);
         let finer = words.axes.iter().flatten().find(|word| word.thousandths % step != 0);
         if let Some(word) = finer {
-            self.tell("finer-than-machine", word.span, &[("step", self.machine.resolution.to_string())]);
+            self.tell("finer-than-machine", word.span, &[("step", self.machine.resolution.told())]);
         }
     }
 }

@@ -6,6 +6,7 @@ use super::moves::Target;
 use super::words::{Given, Words};
 use crate::motion::geometry::{Point, distance, in_plane};
 use crate::motion::{Axis, Motion, Sense};
+use crate::note::Told;
 use crate::program::Span;
 use crate::units::Micrometres;
 
@@ -28,7 +29,7 @@ impl Maker<'_> {
                 None
             }
             (Some(_), Some(radius)) if centre.iter().any(Option::is_some) => {
-                self.tell("word-unused", radius.span, &[("word", "R".to_owned())]);
+                self.tell("word-unused", radius.span, &[("word", "R".to_owned().told())]);
                 None
             }
             (Some(_), Some(radius)) => self.by_radius(start, end, radius, sense),
@@ -36,7 +37,7 @@ impl Maker<'_> {
         };
         let turns = if self.control.kind == IsoControl::LinuxCnc { self.take(words, 'P') } else { None };
         if let Some(given) = turns.filter(|given| given.millionths < 1_000_000 || given.millionths % 1_000_000 != 0) {
-            let figures = [("address", "P".to_owned()), ("low", "1".to_owned()), ("high", "99999".to_owned())];
+            let figures = [("address", "P".told()), ("low", 1_u32.told()), ("high", 99_999_u32.told())];
             self.tell("number-out-of-range", given.span, &figures);
         }
         let turns = turns.map_or(0, |given| u32::try_from(given.millionths / 1_000_000 - 1).unwrap_or_default());
@@ -72,7 +73,7 @@ impl Maker<'_> {
             if part > 0.0 { off > 100.0 * near || (off > near && off > part * radius.max(other)) } else { off > near };
         if wrong {
             let shown = |value: f64| Micrometres::from_mm_rounded(value).to_string();
-            self.tell("arc-radius", span, &[("start", shown(radius)), ("end", shown(other))]);
+            self.tell("arc-radius", span, &[("start", shown(radius).told()), ("end", shown(other).told())]);
             return None;
         }
         Some(middle)
@@ -89,7 +90,11 @@ impl Maker<'_> {
         let half = chord / 2.0;
         if half > radius.abs() + self.control.arc_tolerance.0 {
             let shown = |value: f64| Micrometres::from_mm_rounded(value).to_string();
-            self.tell("arc-radius-short", given.span, &[("radius", shown(radius.abs())), ("needed", shown(half))]);
+            self.tell(
+                "arc-radius-short",
+                given.span,
+                &[("radius", shown(radius.abs()).told()), ("needed", shown(half).told())],
+            );
             return None;
         }
         let height = libm::sqrt((radius * radius - half * half).max(0.0));

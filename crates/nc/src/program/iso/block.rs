@@ -11,7 +11,7 @@ use super::state::State;
 use super::words::{Function, Given, Words, place};
 use crate::machine::Machine;
 use crate::motion::{Axis, BlockRef, Motion, Position, Step, Turning, geometry};
-use crate::note::Note;
+use crate::note::{Figure, Note, Told};
 use crate::program::limits::{Floating, Spans, beyond_travel, speed_off_steps};
 use crate::program::{Fault, Setting, Span, Subject};
 use crate::units::{Decimal, Micrometres, MillimetresPerMinute, RevsPerMinute};
@@ -55,7 +55,7 @@ impl Maker<'_> {
     }
 
     /// Tells one with its figures.
-    pub(super) fn tell(&mut self, code: &'static str, span: Span, figures: &[(&'static str, String)]) {
+    pub(super) fn tell(&mut self, code: &'static str, span: Span, figures: &[(&'static str, Figure)]) {
         let note = figures.iter().fold(Note::new(code), |note, (name, value)| note.with(*name, value));
         self.fault(code, span).note = note;
     }
@@ -90,7 +90,7 @@ impl Maker<'_> {
         for (letter, given) in
             unused.into_iter().flatten().filter(|(letter, _)| !self.used[place(*letter)]).collect::<Vec<_>>()
         {
-            self.tell("word-unused", given.span, &[("word", letter.to_string())]);
+            self.tell("word-unused", given.span, &[("word", letter.told())]);
         }
         after
     }
@@ -101,7 +101,7 @@ impl Maker<'_> {
             self.state.feed = feed.value() * if self.state.inches() { 25.4 } else { 1.0 };
             let limit = self.machine.feed_max.0;
             if self.state.feed > limit {
-                self.tell("feed-beyond-machine", feed.span, &[("limit", limit.to_string())]);
+                self.tell("feed-beyond-machine", feed.span, &[("limit", limit.told())]);
             }
         }
         if let Some(speed) = self.take(words, 'S') {
@@ -208,7 +208,7 @@ impl Maker<'_> {
         let at = self.state.at;
         if self.state.floating.iter().all(Option::is_none) && at != place {
             let shown = crate::motion::trace::position;
-            self.tell("change-elsewhere", function.span, &[("at", shown(at)), ("place", shown(place))]);
+            self.tell("change-elsewhere", function.span, &[("at", shown(at).told()), ("place", shown(place).told())]);
         }
         if self.state.turning != Turning::Stopped {
             self.spindle(Turning::Stopped);
@@ -228,7 +228,7 @@ impl Maker<'_> {
             Some(seconds) => self.wait(seconds),
             None => {
                 let address = if self.control.kind == IsoControl::Fanuc { "P, X" } else { "P" };
-                self.tell("dwell-time-missing", function.span, &[("words", address.to_owned())]);
+                self.tell("dwell-time-missing", function.span, &[("words", address.to_owned().told())]);
             }
         }
     }
@@ -273,7 +273,7 @@ impl Maker<'_> {
             match self.setting.correctors.get(&number) {
                 Some(known) => value = *known,
                 None if number == 0 => {}
-                None => self.tell("corrector-unknown", function.span, &[("number", number.to_string())]),
+                None => self.tell("corrector-unknown", function.span, &[("number", number.told())]),
             }
         }
         self.state.length = value;

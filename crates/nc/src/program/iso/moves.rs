@@ -4,6 +4,7 @@ use super::block::Maker;
 use super::control::{Effect, Group, IsoControl};
 use super::words::{Function, Words};
 use crate::motion::{Axis, Motion, Position};
+use crate::note::Told;
 use crate::program::Span;
 use crate::program::limits::Floating;
 
@@ -38,7 +39,7 @@ impl Maker<'_> {
         if let Some(function) = words.one_shot(Effect::Return, self.control) {
             let other = words.function(Group::Motion).or(cycle.filter(|_| !off));
             if let Some(other) = other.filter(|_| self.control.kind == IsoControl::LinuxCnc) {
-                let figures = [("first", other.name()), ("second", function.name())];
+                let figures = [("first", other.name().told()), ("second", function.name().told())];
                 self.tell("axes-taken-twice", function.span, &figures);
                 return;
             }
@@ -102,7 +103,7 @@ impl Maker<'_> {
     fn finer_than_machine(&mut self, value: crate::units::Micrometres, span: Span) {
         let step = self.machine.resolution.micrometres().max(1);
         if !self.state.inches() && value.micrometres() % step != 0 {
-            self.tell("finer-than-machine", span, &[("step", self.machine.resolution.to_string())]);
+            self.tell("finer-than-machine", span, &[("step", self.machine.resolution.told())]);
         }
     }
 
@@ -135,13 +136,13 @@ impl Maker<'_> {
             || self.control.kind == IsoControl::LinuxCnc
             || self.take(words, 'P').is_none_or(|point| point.millionths == 2_000_000);
         let Some(goal) = goal.filter(|_| second) else {
-            self.tell("fixed-point-unknown", function.span, &[("function", function.name())]);
+            self.tell("fixed-point-unknown", function.span, &[("function", function.name().told())]);
             return;
         };
         let named: Vec<Axis> = Axis::ALL.into_iter().filter(|axis| words.get(axis.letter()).is_some()).collect();
         let through = self.target(words, false);
         if named.is_empty() && self.control.kind == IsoControl::Fanuc {
-            self.tell("axes-missing", function.span, &[("function", function.name())]);
+            self.tell("axes-missing", function.span, &[("function", function.name().told())]);
             return;
         }
         self.go(Motion::Rapid, through.at, through.floating, function.span);

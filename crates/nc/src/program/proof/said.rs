@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use crate::motion::BlockRef;
-use crate::note::{Note, Severity};
+use crate::note::{self, Note, Severity, Told};
 use crate::plan::Operation;
 use crate::units::Micrometres;
 
@@ -169,15 +169,15 @@ pub enum Figure {
     Text(String),
 }
 
-impl std::fmt::Display for Figure {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl Told for Figure {
+    fn told(self) -> note::Figure {
         match self {
-            Self::Length(length) => length.fmt(f),
-            Self::Point(at) => shown(*at).fmt(f),
-            Self::Number(number) => number.fmt(f),
-            Self::Count(count) => count.fmt(f),
-            Self::Operation(operation) => operation.name().fmt(f),
-            Self::Text(text) => text.fmt(f),
+            Self::Length(length) => length.told(),
+            Self::Point(at) => shown(at).told(),
+            Self::Number(number) => number.told(),
+            Self::Count(count) => count.told(),
+            Self::Operation(operation) => note::Figure::operation(operation.name()),
+            Self::Text(text) => text.told(),
         }
     }
 }

@@ -1,0 +1,191 @@
+//! What fills the gaps of a sentence: each figure knows what it is, so that no printer has to guess from its text.
+
+use std::borrow::Cow;
+use std::cmp::Ordering;
+
+use super::Note;
+
+/// A figure of a [`Note`].
+#[derive(Clone, Debug)]
+pub enum Figure {
+    /// A designation, the name of a table, something the user wrote: the same in every language.
+    Text(Cow<'static, str>),
+    /// A decimal number with a point; each language has its own separator.
+    Number(Cow<'static, str>),
+    /// A word of the program, translated.
+    Word(Word),
+    /// Several, with what stands between them.
+    List(Vec<Figure>, &'static str),
+    /// A sentence within the sentence.
+    Note(Box<Note>),
+}
+
+/// A word of the program: the vocabulary it belongs to, and its id there.
+#[derive(Clone, Debug)]
+pub struct Word {
+    /// The first part of the message's name: `operation`, `word`.
+    pub of: &'static str,
+    /// The id, as plans and tables write it.
+    pub id: Cow<'static, str>,
+}
+
+impl Figure {
+    /// A number with so many decimals.
+    pub fn fixed(value: f64, decimals: usize) -> Self {
+        Self::Number(format!("{value:.decimals$}").into())
+    }
+
+    /// A number that is written already.
+    pub fn number(written: impl Into<Cow<'static, str>>) -> Self {
+        Self::Number(written.into())
+    }
+
+    /// A word of the general vocabulary, such as the name of a bound or of a scheme.
+    pub fn word(id: impl Into<Cow<'static, str>>) -> Self {
+        Self::Word(Word { of: "word", id: id.into() })
+    }
+
+    /// The name of an operation.
+    pub fn operation(id: impl Into<Cow<'static, str>>) -> Self {
+        Self::Word(Word { of: "operation", id: id.into() })
+    }
+
+    /// The name of a scheme: a designation of a table, or the transitions that a search found.
+    pub fn scheme(name: &str) -> Self {
+        Self::List(name.split(" + ").map(|part| Self::operation(part.to_owned())).collect(), " + ")
+    }
+
+    /// Names of operations with a comma between them.
+    pub fn operations<'o>(ids: impl IntoIterator<Item = &'o str>) -> Self {
+        Self::list(ids.into_iter().map(|id| Self::operation(id.to_owned())))
+    }
+
+    /// Words of the general vocabulary with a plus between them.
+    pub fn sum_of_words<'w>(ids: impl IntoIterator<Item = &'w str>) -> Self {
+        Self::List(ids.into_iter().map(|id| Self::word(id.to_owned())).collect(), " + ")
+    }
+
+    /// Several with a comma between them.
+    pub fn list(parts: impl IntoIterator<Item = Self>) -> Self {
+        Self::List(parts.into_iter().collect(), ", ")
+    }
+
+    /// As machines read it: ids of words, numbers with a point.
+    pub fn text(&self) -> Cow<'_, str> {
+        match self {
+            Self::Text(text) | Self::Number(text) | Self::Word(Word { id: text, .. }) => Cow::Borrowed(text),
+            Self::List(parts, between) => {
+                parts.iter().map(|part| part.text().into_owned()).collect::<Vec<_>>().join(between).into()
+            }
+            Self::Note(note) => note.code().to_owned().into(),
+        }
+    }
+}
+
+// Two figures are the same where machines read the same.
+impl PartialEq for Figure {
+    fn eq(&self, other: &Self) -> bool {
+        self.text() == other.text()
+    }
+}
+
+impl Eq for Figure {}
+
+impl PartialOrd for Figure {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Figure {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.text().cmp(&other.text())
+    }
+}
+
+/// What a sentence can tell: it knows what kind of figure it is.
+pub trait Told {
+    /// The figure.
+    fn told(self) -> Figure;
+}
+
+/// What can be told without being given away: for lists of figures of several kinds.
+pub trait Tell {
+    /// The figure.
+    fn tell(&self) -> Figure;
+}
+
+impl<T: Told + Clone> Tell for T {
+    fn tell(&self) -> Figure {
+        self.clone().told()
+    }
+}
+
+impl Told for Figure {
+    fn told(self) -> Figure {
+        self
+    }
+}
+
+impl<T: Told + Clone> Told for &T {
+    fn told(self) -> Figure {
+        self.clone().told()
+    }
+}
+
+impl Told for &str {
+    fn told(self) -> Figure {
+        Figure::Text(self.to_owned().into())
+    }
+}
+
+impl Told for String {
+    fn told(self) -> Figure {
+        Figure::Text(self.into())
+    }
+}
+
+impl Told for Cow<'static, str> {
+    fn told(self) -> Figure {
+        Figure::Text(self)
+    }
+}
+
+impl Told for std::sync::Arc<str> {
+    fn told(self) -> Figure {
+        (&*self).told()
+    }
+}
+
+impl Told for Note {
+    fn told(self) -> Figure {
+        Figure::Note(Box::new(self))
+    }
+}
+
+/// Types whose text is a decimal number.
+#[macro_export]
+macro_rules! told_as_number {
+    ($($number:ty),+) => {
+        $(impl $crate::Told for $number {
+            fn told(self) -> $crate::Figure {
+                $crate::Figure::Number(self.to_string().into())
+            }
+        })+
+    };
+}
+
+/// Types whose text is the same in every language.
+#[macro_export]
+macro_rules! told_as_text {
+    ($($text:ty),+) => {
+        $(impl $crate::Told for $text {
+            fn told(self) -> $crate::Figure {
+                $crate::Figure::Text(self.to_string().into())
+            }
+        })+
+    };
+}
+
+told_as_number!(u8, u16, u32, u64, usize, i32, i64, f64);
+told_as_text!(char);

@@ -1,0 +1,139 @@
+//! Sentences as data: a code and its figures. The words stand in one place, the message catalogue of the crate `words`.
+//!
+//! A note is written and told, never read: what planning, checks and audits go by are types, of which a note is made
+//! last. `clippy.toml` forbids the methods that read its code and figures everywhere but where words are made of them.
+
+mod figure;
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+pub use figure::{Figure, Tell, Told, Word};
+
+/// A sentence of the program in no language: what it says, and its figures.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+pub struct Note {
+    /// Stable id, kebab-case.
+    code: Cow<'static, str>,
+    /// Its figures and names, each with its unit where it has one.
+    #[serde(default, skip_serializing_if = "Params::is_empty")]
+    #[schemars(with = "BTreeMap<String, String>")]
+    params: Params,
+}
+
+/// Figures by their names, in the order of the names: a map whose names are for the most part those of the code.
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+struct Params(Vec<(Cow<'static, str>, Figure)>);
+
+impl Params {
+    const fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    fn at(&self, name: &str) -> Result<usize, usize> {
+        self.0.binary_search_by(|(known, _)| (**known).cmp(name))
+    }
+
+    fn get(&self, name: &str) -> Option<&Figure> {
+        self.at(name).ok().map(|at| &self.0[at].1)
+    }
+
+    fn insert(&mut self, name: Cow<'static, str>, value: Figure) {
+        match self.at(&name) {
+            Ok(at) => self.0[at].1 = value,
+            Err(at) => self.0.insert(at, (name, value)),
+        }
+    }
+
+    fn iter(&self) -> impl Iterator<Item = (&str, &Figure)> {
+        self.0.iter().map(|(name, value)| (&**name, value))
+    }
+}
+
+impl Serialize for Params {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.iter().map(|(name, figure)| (name, figure.text())))
+    }
+}
+
+impl<'de> Deserialize<'de> for Params {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let map = BTreeMap::<String, String>::deserialize(deserializer)?;
+        Ok(Self(map.into_iter().map(|(name, value)| (Cow::Owned(name), Figure::Text(value.into()))).collect()))
+    }
+}
+
+impl Note {
+    /// A sentence without figures.
+    pub fn new(code: impl Into<Cow<'static, str>>) -> Self {
+        Self { code: code.into(), params: Params::default() }
+    }
+
+    /// Whether it says nothing: in the answer of a command that names only a row.
+    pub fn is_empty(&self) -> bool {
+        self.code.is_empty()
+    }
+
+    /// With one more figure.
+    #[must_use]
+    pub fn with(mut self, name: impl Into<Cow<'static, str>>, value: impl Told) -> Self {
+        self.params.insert(name.into(), value.told());
+        self
+    }
+
+    /// Without a figure: what is left is the same of several.
+    #[must_use]
+    pub fn without(mut self, name: &str) -> Self {
+        if let Ok(at) = self.params.at(name) {
+            self.params.0.remove(at);
+        }
+        self
+    }
+
+    /// Takes in another note that differs in nothing but the figures of these names: each becomes a list of both. Whether
+    /// it does.
+    pub fn join(&mut self, other: &Self, listed: &[&str]) -> bool {
+        let unlisted = |(name, _): &(&str, &Figure)| !listed.contains(name);
+        let alike = self.params.iter().filter(unlisted).eq(other.params.iter().filter(unlisted));
+        if self.code != other.code || !alike {
+            return false;
+        }
+        for name in listed {
+            let (Ok(at), Some(new)) = (self.params.at(name), other.params.get(name)) else { continue };
+            let known = &mut self.params.0[at].1;
+            match known {
+                Figure::List(parts, _) if parts.contains(new) => {}
+                Figure::List(parts, _) => parts.push(new.clone()),
+                one if one == new => {}
+                one => *one = Figure::list([one.clone(), new.clone()]),
+            }
+        }
+        true
+    }
+
+    /// How findings of one code are told: by their tables, then by the rows of each.
+    pub fn in_order(&self, other: &Self) -> std::cmp::Ordering {
+        let table = |note: &Self| note.params.get("table").cloned();
+        let row = |note: &Self| note.params.get("row").and_then(|row| row.text().parse::<usize>().ok());
+        let of = |note: &Self| (table(note), row(note));
+        self.code.cmp(&other.code).then_with(|| of(self).cmp(&of(other))).then_with(|| self.cmp(other))
+    }
+
+    /// Its code, for the words of it; nothing may be decided by it.
+    pub fn code(&self) -> &str {
+        &self.code
+    }
+
+    /// A figure of it, for the words of it; nothing may be decided by it.
+    pub fn figure(&self, name: &str) -> Option<&Figure> {
+        self.params.get(name)
+    }
+
+    /// Its figures by their names, for the words of it; nothing may be decided by them.
+    pub fn figures(&self) -> impl Iterator<Item = (&str, &Figure)> {
+        self.params.iter()
+    }
+}

@@ -1,0 +1,195 @@
+# Levels of diagnostics.
+cli-error = error
+cli-warning = warning
+cli-note = note
+cli-help = help
+# Heads of tables.
+cli-table = table
+cli-row-count = rows
+cli-kind = kind
+cli-title = title
+cli-row-number = No.
+cli-row-source = origin
+cli-catalog = catalog
+cli-decision = decision
+# Where the figures of a row come from.
+cli-seed = text
+cli-standard = standard
+cli-reconstructed = reconstructed
+# Parts of a printed table.
+cli-source = Source
+cli-columns = Columns
+cli-input = input
+cli-output = output
+cli-optional = not in every row
+cli-list = list
+cli-corrections = Corrected (*): the source prints otherwise
+cli-unconfirmed = Unconfirmed (?)
+cli-reasons = Reconstructed from
+cli-places = Place in the source, where another
+cli-row-notes = Notes on rows
+cli-notes = Notes
+cli-gaps = What the table does not hold
+# The order.
+cli-quicker-than-both = quicker than either method
+cli-not-quicker = not quicker than parallel or sequential
+# A lookup.
+cli-result = Result
+cli-no-row = no row applies
+cli-by-default = by default
+cli-passed-over = Match too, but not taken
+cli-rejected = Rejected, by the first column that failed
+cli-nearest = Nearest rows and what failed in them
+cli-nearest-values = Nearest values
+cli-gap = Gap of the source
+cli-question = Query
+cli-each-alone = Each key on its own finds
+cli-empty-cell = (empty)
+cli-command-line = command line
+cli-all-rejected = every row on its own: --all
+cli-trace = Motions: line, block, motion, machine position in mm
+cli-also-says = The row also says
+# The proof.
+cli-proof-head = Made of what the plan asks for:
+cli-hole = hole
+cli-transition = transition
+cli-made = made
+# The order.
+cli-tool = T
+cli-stops = stops
+cli-points = points
+cli-path-mm = path, mm
+cli-rapids-min = rapids, min
+cli-nearest-min = by the book's rule, min
+cli-nearest-mm = by the book's rule, mm
+cli-saved = saved
+cli-bound-min = at least, min
+cli-bound-mm = at least, mm
+cli-visiting-head = Method of visiting by 1.3.1 (the plan visits in parallel):
+# Phrases of commands.
+cli-unknown-table = there is no table `{ $id }`
+cli-did-you-mean = did you mean `{ $name }`?
+cli-list-tables = `technolog table` lists them
+cli-no-format = the command { $command } has no format { $format }
+cli-formats = its formats are { $known }
+cli-cannot-write = { $path }: cannot be written: { $error }
+cli-check-folder = name a file in a folder that exists and can be written
+cli-cannot-print = the answer cannot be printed: { $error }
+cli-print-to-file = name a file for the answer: -o FILE
+cli-broken-build = the embedded knowledge cannot be read: { $error }
+cli-rebuild = build the program anew, or name a folder with --knowledge DIR
+cli-cannot-read = { $path }: cannot be read: { $error }
+cli-check-path = check the path of the file
+cli-no-hole = { $path }: there is no group of holes `{ $name }`
+cli-known = there are: { $names }
+cli-name-machine = name a machine of catalogs/machines, such as gf2171
+cli-point = [{ $x };{ $y }]
+cli-order-of = { $part }. The order of tools, and the path of each from the tool-change position { $home } and back.
+cli-visit-title = T{ $tool }, set-up { $setup }: { $time } min
+cli-list-title = { $points } points, path { $length } mm
+cli-mixture = the quickest mixture, the last { $tools } tools in sequence: { $time } min, { $both }
+cli-option-of-lists = { $option } is for lists of points, not for a part file
+cli-leave-out = leave out { $option }
+cli-visiting-line = { $hole }: { $why }; Tpar = { $parallel } min, Tseq = { $sequential } min, sequential on this machine { $true-sequential } min
+cli-not-a-pair = `{ $text }` is not of the form key=value
+cli-write-pair = write, for example, { $example }
+cli-no-such-key = table { $table } has no key `{ $key }`
+cli-is-output = `{ $key }` is an output of table { $table }, not an input
+cli-no-such-key-but = did you mean `{ $near }`? the keys of the table are { $known }
+cli-the-keys-are = the keys of the table are { $known }
+cli-key-twice = the key `{ $key }` stands twice
+cli-keep-one = keep one of them
+cli-bad-value = key `{ $key }`: `{ $value }` does not do
+cli-bad-value-because = key `{ $key }`: { $why }
+cli-expected-is = expected: { $expected }
+cli-out-of-domain = key `{ $key }`: { $value } is outside the table's domain { $domain }
+cli-missing-keys = table { $table } also needs { $keys }
+cli-give-keys = add, for example, { $example }
+cli-stand-of-part = set-up { $setup }: the part on supports of { $supports } mm; { $nose } mm from the table to the spindle's nose with the quill up
+cli-tool-in-place = T{ $place } H{ $corrector }: { $name }, Ø{ $diameter }, { $length } mm long
+cli-other-machine = the machine is { $asked }, and the part is for { $own }
+cli-leave-machine = leave out --machine, or change the part's machine
+cli-no-control = the record of the machine `{ $machine }` does not say which control it has
+cli-alien-control = the machine `{ $machine }` has the control `{ $control }`, whose language is not known here
+cli-name-control = name one with --control: there are { $known }
+cli-no-machine = the catalog has no machine `{ $id }`
+cli-by-rule = { $what } (rule: { $section })
+cli-times = Time, min: { $total } (feed { $feed }, rapid { $rapid }, dwell { $dwell }, tool change { $change })
+cli-run-lint = the table is at fault; `technolog lint` shows where
+cli-printed-otherwise = { $column }: printed as "{ $printed }": { $reason }
+cli-all-rows-of-one-source = origin of every row: { $source }
+cli-default-is = { $value } unless given
+cli-refers-to = see { $table }, { $column }
+cli-one-of = one of { $values }
+cli-and-more = and { $count } more
+test-what-is-a-case = in a folder cases are the files that end in .test.yaml; a single file may be named itself
+test-another-file = name another file
+test-one-copy = a copy with -o can be of one file only
+test-one-by-one = name one file, or leave out -o
+test-passed = ok
+test-failed = FAILED
+test-unusable = unusable
+test-expected = expected
+test-came = came
+test-why = why
+test-source = source
+test-because = because
+test-nothing = nothing
+test-nothing-yet = nothing yet: `technolog test --write` fills in what comes
+test-not-there = that it is not there
+test-review = written; review them before you rely on them
+# Counts.
+cli-rows-counted = { $count } { $count ->
+        [one] row
+       *[other] rows
+    }
+cli-tables-counted = { $count } { $count ->
+        [one] table
+       *[other] tables
+    }
+cli-findings-counted = { $count } { $count ->
+        [one] finding
+       *[other] findings
+    }
+cli-rows-named = { $count ->
+        [1] row
+       *[other] rows
+    } { $rows }
+# What a column expects.
+cli-expected-text = a text
+cli-expected-bool = true or false
+cli-expected-int = a whole number
+cli-expected-number = a number
+cli-expected-length = a length
+cli-expected-angle = an angle
+cli-expected-it = a tolerance grade, 1 to 18
+cli-expected-roughness = a roughness such as "Ra 2.5"
+cli-expected-in-unit = { $what } in { $unit }
+# Folders of plans.
+audit-skipped-file = { $file }: no plan, skipped
+audit-no-plans = there is no plan in the folder `{ $folder }`
+audit-what-is-a-plan = plans are files .yaml, .yml and .json as docs/audit.md describes them
+audit-folder-against = only two plans can be compared, no folder
+audit-name-a-plan = name a plan file
+# Cases.
+test-no-cases = there are no cases in the folder `{ $folder }`
+test-would-replace = { $file }: -o would replace the file of cases
+test-without = not among { $list }
+test-no-such-key-near = there is no `{ $key }` here; did you mean `{ $near }`?
+test-no-such-key = there is no `{ $key }` here; there are: { $known }
+test-no-such-word = nothing here is called `{ $word }`
+test-no-such-word-near = nothing here is called `{ $word }`; did you mean `{ $near }`?
+test-not-taken = scheme { $scheme } was not taken: { $why }
+test-other-row = row { $row } would give what is expected, but its column { $column } says { $cell }
+test-row = { $table }, row { $row }
+test-cases-counted = { $count } { $count ->
+        [one] case
+       *[other] cases
+    }
+test-files-counted = { $count } { $count ->
+        [one] file
+       *[other] files
+    }
+test-all-as-expected = { $files }, { $cases }: all as expected
+test-some-failed = { $files }, { $cases }: { $failed } failed
+test-unusable-files = {""}, unusable files: { $count }

@@ -1,0 +1,56 @@
+# Conditions.
+feed = feed: upper end { $upper } mm/rev × { $multiple }
+feed-choice = where the feed comes from
+feed-before-finishing = feed × { $factor }: a reamer follows
+depth-feed-factor = feed × { $factor } for the depth
+depth-speed-factor = speed × { $factor } for the depth
+material-speed-factor = speed × { $factor } for the material
+speed-alloy-factor = speed × { $factor } for the alloy
+material-force-factor = forces × { $factor } for the material
+force-alloy-factor = forces × { $factor } for the alloy
+surface-factor = speed × { $factor } for the surface
+tool-life = tool life { $minutes } min
+speed-coefficients = speed coefficients, Cv = { $cv }
+load-coefficients = torque and thrust coefficients
+boring-feed = boring feed { $feed } mm/rev
+boring-finish-feed = feed by roughness { $feed } mm/rev
+too-fine-to-bore = { $roughness } is beyond boring
+spindle-step = computed { $computed }; steps { $below } and { $above } ({ $excess } % above): { $step } 1/min
+spindle-fastest = computed { $computed } is above the top: { $step } 1/min
+spindle-slowest = computed { $computed } is below the lowest: { $step } 1/min
+feed-reduced = feed reduced from { $from } to { $to } mm/rev: { $by }, limit { $limit }
+speed-for-feed = the speed is that for a feed of { $feed } mm/rev: { $speed } m/min in place of { $before }
+life-for-feed = for a feed of { $feed } mm/rev the formula gives { $speed } m/min: the tool life is reckoned from it
+tap-lead = the tap's lead, { $lead } mm, goes beyond the full thread
+thread-runout = the hole under a blind thread is drilled { $runout } mm deeper
+mill-clearance = the mill is at least { $clearance } mm smaller than the hole it enters
+ground-within = ground down by { $limit } mm at most
+feed-held = feed held at { $limit } mm/min
+stand-in = { $table } has no figure for { $material }; { $group } stands in
+no-figure = { $operation }: table { $table } has no figure for { $material }
+stand-in-operation = { $operation }: no figures of its own; those of { $instead } stand in
+stand-in-tool-material = { $table } has no figure for tools of { $tool }; { $other } stands in
+no-cutter-shape = { $operation }: no mill is given
+no-pitch = { $operation }: no pitch is given
+mill-does-not-enter = { $operation }: the mill Ø{ $diameter } does not enter the hole Ø{ $hole }
+milling-rounds = passes { $passes }, levels { $levels }: t = { $t } mm, B = { $b } mm; path of the mill's axis { $path } mm, its feed × { $factor }
+feed-per-tooth = feed per tooth { $feed } mm
+milling-finish-feed = feed per tooth × { $factor }: last pass, { $roughness }
+milling-load-coefficients = coefficients of the mill's main force
+tapping-coefficients = speed coefficients of the tap, Cv = { $cv }, T = { $minutes } min
+tapping-load-coefficients = torque coefficients of the tap
+feed-is-pitch = the feed is the pitch, { $pitch } mm
+spindle-step-below = computed speed { $computed }; the step not above it: { $step } 1/min
+no-step-below = { $operation }: no spindle step up to { $computed } 1/min has the power and the feed rate
+torque-beyond-spindle = { $operation }: torque { $torque } > { $limit } N·m of the spindle
+reaming-feed = reaming feed × { $factor }
+reaming-feed-blind = blind hole: feed within { $low }-{ $high } mm/rev
+reaming-load-coefficients = force coefficients of a reamer's tooth
+reamer-teeth = teeth of the reamer { $teeth }
+too-deep = { $operation }: { $ratio } diameters deep is outside table { $table }
+card-calibration = card: { $name } × { $factor } of the formula
+card-point = the card prints V = { $speed } m/min, P = { $thrust } N, N = { $power } kW here
+card-point-forces-differ = the card prints V = { $speed } m/min, P = { $thrust } N, N = { $power } kW here; the formula does not reproduce force and power; the loads are the formula's
+card-corrections = the example's factors: speed × { $product }, material { $material }
+card-without-depth = { $ratio } diameters deep: the factor { $factor } of { $table } is left out, the cards' own for depth are not known
+card-other-material = the cards' factors for { $material } are not known

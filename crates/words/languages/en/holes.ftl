@@ -1,0 +1,48 @@
+# Visiting the holes.
+visiting-method = { $method } (grade { $it }, centre tolerance { $centre } mm, K_T = { $ratio })
+position-lost-at-tool-change = section 1.3.1 finishes each hole without moving the part; this machine changes tools at X { $x } Y { $y }, which moves the table, so the rule cannot be kept: with { $tools } tools { $parallel } min in parallel, { $sequential } min in sequence
+visited-in-parallel = by 1.3.1 the sequential method would be quicker, but changing tools at X { $x } Y { $y } moves the table: with { $tools } tools { $parallel } min in parallel, { $sequential } min in sequence
+# Schemes.
+stages = stages: { $stages } (Δ0 = { $delta } mm, σc = { $sigma } mm)
+no-stages = the table gives no stages for grade { $it }
+table-for-hole = grade { $it } is looked up in { $table } by the rows of grade { $asked-it }, centre tolerance { $centre } mm
+cell = taken: { $take }
+scheme = scheme { $scheme } (grade { $it }, { $roughness })
+which-of-two = the cell offers { $schemes }; taken: { $take }
+centre = centre first: solid metal, { $ratio } diameters deep
+no-centre = no centring is asked for: grade { $it }, Ø{ $diameter }, { $ratio } D deep
+twin = scheme { $scheme } with centring is scheme { $centred }
+no-twin = scheme { $scheme } has no centred twin; centring is added
+transitions = the transitions of scheme { $scheme }
+no-scheme = the tables give no scheme: grade { $it }, { $roughness }, centre tolerance { $centre } mm; roughness columns { $columns }
+no-route = { $diameter }: no scheme can be carried out ({ $tried } refused)
+finish-elsewhere = the tables finish this hole on a machine of another type; scheme { $scheme } is what is done here
+grade-without-distance = centre_tolerance: IT{ $it } needs two holes in the group; give the width in mm
+grade-outside-table = IT{ $it } at a centre distance of { $distance } mm is outside the table: { $why }
+point-breaks-through = the point of the drill Ø{ $diameter } reaches { $depth } >= { $limit } mm, the blank's thickness: the blind hole breaks through
+spot-too-deep = the spot Ø{ $diameter } is { $depth } >= { $limit } mm deep, the depth of the hole
+too-heavy = mass { $mass } > { $limit } kg, the most the machine takes
+not-planned = { $operation }: not planned here
+rows-rejected = rows by the column { $column }: { $rows }
+# Diameters.
+allowance = { $operation }: allowance { $taken } mm on diameter, range { $low }-{ $high } mm
+ground-to-size = the catalog's Ø{ $nominal } cutter, made to Ø{ $size }
+rough-boring = rough boring: { $stock } mm on diameter in passes: { $passes }, { $low }-{ $high } mm each at most
+stock-for-elsewhere = { $stock } mm on diameter left for the other machine
+one-pass = drill Ø{ $diameter } in one pass
+two-passes = drill in two passes: Ø{ $first } first, then Ø{ $diameter } (first drill { $low }-{ $high } mm)
+first-drill = first drill Ø{ $first }: { $share-min }-{ $share-max } of Ø{ $diameter }
+two-passes-cost = against one drill: { $time } min per hole, thrust { $thrust } N instead of { $one-thrust } N
+bored-by-stand-in = Ø{ $diameter } is too small for a boring bar (from Ø{ $smallest }); { $instead } stands in for boring
+too-small-to-bore = { $operation }: Ø{ $diameter } < Ø{ $smallest }, the smallest hole a bar enters
+no-drill = no drill Ø{ $diameter } that reaches; the nearest are { $below } and { $above }
+no-drill-in-allowance = { $operation } to Ø{ $diameter }: no drill from Ø{ $low } to Ø{ $high }
+no-drill-before-boring = boring to Ø{ $diameter }: no drill from Ø{ $smallest } to Ø{ $largest }
+no-bar-enters = to Ø{ $diameter }: no bar enters the hole Ø{ $hole }
+bar-set-by-hand = boring in several passes: the bar is set anew by hand between them; large holes are better milled (1.2.1)
+spot-by-drill = spot Ø{ $spot }: { $share } of the drill Ø{ $drill }
+spot-by-depth = spot Ø{ $spot }, not { $share } of the drill Ø{ $drill }: no deeper than half of the hole
+spot-by-chamfer = spot Ø{ $spot } makes the chamfer too
+travel = approach { $approach } mm, overrun { $overrun } mm
+# Of any row.
+unconfirmed = unconfirmed: { $table }, row { $row }: { $why }

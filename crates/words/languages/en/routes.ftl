@@ -1,0 +1,88 @@
+# The three ways.
+auxiliary-scheme = scheme { $scheme } for the hole `{ $kind }`
+no-auxiliary-scheme = A.10 gives no scheme: { $kind } Ø{ $diameter }, centre tolerance { $centre } mm
+complex = complex { $complex } for the hole `{ $kind }`
+complex-transitions = the transitions of complex { $complex }
+no-complex = A.4 gives no complex: grade { $it }, Ø{ $diameter }, centre tolerance { $centre } mm
+no-complex-group = A.4 has no group for a hole of grade { $it }, Ø{ $diameter }, tolerance { $centre } mm: it is for solid metal, grades 7-9 and 12 and coarser
+searched = found by the search over the states: { $transitions }
+searched-step = a transition that may follow: { $operation }
+no-path = no chain of transitions reaches grade { $it } and { $roughness }
+state-unreachable = nothing leads to the state { $state } at Ø{ $diameter }
+bored-by-another = { $operation } is another transition's work here
+no-centre-in-a-hole = no centring: there is a hole already (grade { $it }, Ø{ $diameter }, { $ratio } D)
+# What a route holds.
+reaches = reaches grade { $it }, { $roughness }
+rough-face = drilling into an unmachined face costs { $percent } % of the accuracy of centre distances; the tables are asked with a tighter tolerance
+misses-grade = by the tables it reaches grade { $it }, and { $asked } is asked
+misses-roughness = by the tables it reaches { $roughness }, and { $asked } is asked
+chamfer-inside-thread = the chamfer Ø{ $diameter } is narrower than the thread { $thread }: it leads no tap in
+reaches-again = the same again by a wider tool: grade { $it }, { $roughness }
+reaches-by-itself = prepares the next transition: by itself grade { $it }, { $roughness }
+reaches-no-worse = prepares the next transition and makes nothing worse: grade { $it }, { $roughness }
+reaches-thread = thread: { $roughness }
+drills-too-short = the largest drill that would do, Ø{ $diameter }: it reaches { $reach } mm < { $needed } mm
+promised-finer = { $table } promises grade { $it }, and by A.1 these transitions give { $own }
+misses-position = the position of the axis { $position } > { $asked } mm permitted
+misses-axis = the tool follows the axis of the cast hole, whose position is not known, and { $asked } mm is permitted
+misses-unknown = the tables do not say what it reaches
+not-bored = the position of the axis asks for boring (1.2), but no boring bar can be used here; the route does not bore
+position-asks-boring = does not bore, though the permitted position is { $position } < 0.1 mm (1.2)
+boring-not-asked = bores, though the permitted position { $position } >= 0.1 mm does not ask for it (1.2)
+milled-not-round = milled to Ø{ $diameter }: the machine's roundness { $roundness } > { $most } mm, its share of the tolerance
+# Why a route lost.
+lost-by-time = slower by { $slower } min
+lost-by-places = quicker by { $quicker } min, but takes more places of a magazine that does not suffice
+lost-by-order = equal time; later in the order of the ways
+ranked-later = the tables rank it after { $first }, which can be carried out
+same-as = the same route as { $table } { $same }
+# Diameters.
+core-drill-stock = a core drill is left { $stock } mm on diameter of Ø{ $nominal }
+handbook-step = the handbook's step Ø{ $advised }; taken Ø{ $taken } (1.2.1: { $low }-{ $high })
+handbook-step-outside = the handbook's step Ø{ $advised } is outside 1.2.1 ({ $low }-{ $high }) or the drills' series; taken Ø{ $taken }
+handbook-first-drill = the handbook drills Ø{ $first } first, then Ø{ $diameter }
+milled-instead = Ø{ $diameter } is large: milled instead of the first boring (contouring control)
+no-drill-before = { $operation } to Ø{ $diameter }: no drill leaves it stock (up to Ø{ $largest })
+no-counterbore-in-allowance = { $operation } to Ø{ $diameter }: no counterbore of Ø{ $low }-{ $high } leaves the allowance
+step-finished-elsewhere = the tables finish the step { $diameter } on another machine; stock is left for it here
+no-hole-to-open = { $operation }: there is no hole to open
+stock-too-small = { $operation } from Ø{ $start } to Ø{ $diameter }: stock { $stock } mm < { $least } mm, the tool does not cut
+tapped-at-once = the blank's hole Ø{ $start } is that for the thread { $thread } already: it is only tapped
+opened-already = { $operation } to Ø{ $diameter }: the hole is Ø{ $start } already
+stock-outside-allowance = { $operation } to Ø{ $diameter }: stock { $stock } mm is outside { $low }-{ $high } mm
+no-thread-to-tap = this hole has no thread
+# The rest of a hole.
+edge = edge: to Ø{ $diameter }, { $depth } mm deep
+flat-floor = flat floor: the drill stops at { $stop } mm, a mill levels it at { $depth } mm
+floor-not-flat = the floor cannot be made flat: the drill's cone stays
+flat-under-thread = for a thread { $depth } mm deep the hole is drilled to { $drilled } mm, with a cone: no flat floor at { $depth } mm; write `bottom: free`
+too-shallow-for-flat = the hole is { $depth } mm deep, shallower than the point of the drill Ø{ $diameter }
+no-flat-opening = Ø{ $diameter }: no cutter leaves a flat shoulder; the nearest counterbores are { $below } and { $above }
+no-opening = Ø{ $diameter }: nothing opens it from Ø{ $start }
+step-too-deep = the step is { $depth } >= { $limit } mm deep, the blank's thickness
+groove-not-axial = no axial tool makes the groove Ø{ $diameter }, { $width } mm wide, { $depth } mm deep: it needs a recessing tool on another machine
+thread-chamfer = a chamfer of the pitch, { $pitch } mm, for the thread
+thread-of-step = thread { $thread } on the step
+tap-elsewhere = thread { $thread }: the machine { $machine } cannot tap; the last transition is on another machine, its conditions are a guide
+second-setup = steps from the back face: a second set-up after turning the part over; coordinates are those of the first; the time of turning it over is not counted
+# Tools.
+step-drill = a step drill Ø{ $narrow }/Ø{ $wide } makes both diameters with one stroke
+no-step-drill = there is no step drill Ø{ $narrow }/Ø{ $wide }
+cutter-ground-down = the catalogs lack this size: Ø{ $own } ground down to Ø{ $size }
+mill-too-large = { $tool } ({ $table }): mill Ø{ $diameter } > Ø{ $limit }
+tool-too-wide = { $tool } ({ $table }): Ø{ $diameter } > Ø{ $limit }, the widest the magazine takes
+assembly-too-heavy = assembly with { $holder }: mass { $mass } > { $limit } kg
+practice-speed = the formula gives { $formula } m/min; shops drive high-speed steel at up to { $limit } m/min
+does-not-pass = { $tool } ({ $table }): Ø{ $diameter } >= Ø{ $within } of the step it would have to pass
+pilot-wider-than-hole = { $tool } ({ $table }): its pilot bore Ø{ $pilot } > Ø{ $hole }: the middle would be left standing
+chamfered-by-centring = centring makes the chamfer here: a step drill has nothing to add
+chamfer-in-countersink = a chamfer of { $chamfer } mm and a countersink at the same edge: keep one of them
+promised = the scheme table promises grade { $it }; by A.1 this chain gives { $own }
+no-drill-so-large = a drill Ø{ $diameter } > Ø{ $limit }, the largest the machine takes
+no-mill-enters = no end mill enters the hole Ø{ $hole } with { $clearance } mm of room; the smallest is Ø10
+no-tap = no tap { $thread } in the tables { $tables }
+no-cone-of-angle = no countersink of { $angle }° (to Ø{ $diameter }); { $tables } has { $angles }°
+no-cone-so-wide = no countersink of { $angle }° to Ø{ $diameter } for a hole Ø{ $hole }: the widest of { $tables } is Ø{ $widest }
+overhang-tap = a tap stands out { $free } mm
+thread-outside-chuck = thread { $thread } is outside the chuck's { $low }-{ $high }
+magazine-reloaded = { $tools } tools for { $places } places: from T{ $first } to T{ $last } they are loaded by hand when those before are done ({ $loads } loads of the magazine; the time of changing by hand is not counted)

@@ -1,0 +1,29 @@
+# What an element is.
+element-main = { $surface }: a main element: it rises { $rise }°, not steeper than φ = { $main }°, and falls { $fall }°, not steeper than φ1 = { $secondary }°
+element-by-kind = { $surface }: an additional element by its kind; tool: { $take }
+element-rises = { $surface }: it rises { $rise }°, steeper than φ = { $main }°; tool: { $take }
+element-falls = { $surface }: it falls { $fall }°, steeper than φ1 = { $secondary }°; tool: { $take }
+element-leads-back = { $surface }: it leads back towards the free end, or lies under what does; tool: { $take }
+element-in-shadow = { $surface }: it lies behind a steep fall, where a tool with φ1 = { $secondary }° does not come; tool: { $take }
+element-in-corner = { $surface }: it lies before a steep rise, where a tool with φ = { $main }° does not come; tool: { $take }
+element-in-valley = { $surface }: a wall of a valley whose floor the tool does not reach; tool: { $take }
+element-beyond = { $surface }: it lies behind a fall after which the contour never rises again, so it is turned from the other end
+element-partly = { $surface }: a part of it the tool would make, but the whole element is additional
+# Set-ups.
+setup-first = from the free end
+setup-only = one set-up makes all of it
+setup-falls-away = from Z { $z }, Ø{ $diameter } the contour falls towards the chuck more steeply than φ1 = { $secondary }° and never rises again
+setup-bore-widens = the bore widens towards the far face
+setup-far-face = there is stock on the far face
+hold-centres = the part is held between centres
+hold-blank = the blank is held by Ø{ $diameter } over { $length } mm (at least { $least } mm are needed)
+hold-blank-short = only { $length } mm of the blank's Ø{ $diameter } are left, at least { $least } mm are needed: take a longer blank or centres
+hold-surface = the part is held by { $surface }, Ø{ $diameter }, { $length } mm long (at least { $least } mm are needed): the thickest of the cylinders that are long enough
+hold-surface-short = { $surface }: { $length } mm are less than { $least } mm
+hold-nowhere = no turned cylinder is long enough: centres, a mandrel or bored jaws are needed
+# Tools against zones.
+tool-main-angle = φ = { $has }° is less than { $needs }°
+tool-secondary-angle = φ1 = { $has }° is less than { $needs }°
+tool-bore-too-small = the bore of Ø{ $bore } is smaller than the least for the tool, Ø{ $least }
+tool-wider-than-groove = the tool is { $width } mm wide, the floor { $floor } mm
+tool-only-for-grooves = a grooving tool is for closed zones, and this one is { $kind }

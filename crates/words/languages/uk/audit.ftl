@@ -1,0 +1,78 @@
+# Figures.
+audit-figure = не виходить за формулою
+audit-decimal-point = десяткова кома не на місці
+audit-sign = знак протилежний
+audit-follows = наслідок: { $fields }
+audit-ground = каталог цього позначення має { $own } мм: під { $size } мм його треба перешліфувати
+audit-no-such-reference = довжини такого комплекту немає: еталонний інструмент - один із комплектів плану
+audit-sign-by-g44 = знак для G44; ні план, ні програма не кажуть, G43 чи G44, а для G43 він протилежний
+audit-other-corrector = { $tool } має коректор { $corrector }, а решта інструментів - коректор свого номера
+audit-by-table = { $share } % від { $value }, що дають таблиці
+audit-clamp-not-largest = рахували для M = { $torque }, а найбільшого зусилля потребує рядок { $row }: M = { $other }
+audit-overhang = за приміткою до 5.2 п. 5 виліт від { $least } до { $most } мм
+audit-no-step = верстат такого ступеня не має (сусідні { $below } і { $above }); для розрахункових { $computed } це { $step }, написане відхиляється на { $excess } %
+audit-step-fast = на { $excess } % вище за розрахункові { $computed }: стійкість падає; правило дає { $step }
+audit-step-slow = на { $excess } % від розрахункових { $computed }: безпечно, але довше; правило дає { $step }
+audit-not-in-series = верстат такого ступеня не має: сусідні { $below } і { $above }
+audit-series = ряд частот верстата
+audit-step-rule = як із ряду вибирають ступінь
+audit-limit = межа верстата
+audit-tool-change = час однієї заміни
+audit-rank = черга { $rank }
+audit-beyond-machine = понад межу верстата { $limit } ({ $quantity })
+audit-clamps = закріплення не симетричне: 5.2 п. 7 радить { $needed } притискачі
+audit-load-low = { $share } % від { $load }, що дають формули довідника при подачі { $feed } мм/об: усе, що з цього рахують, може бути заслабке
+audit-load-high = { $share } % від { $load }, що дають формули довідника при подачі { $feed } мм/об
+# Designations.
+named = рядок каталогу
+audit-designation-misprinted = позначення { $tool } у каталогах немає; мабуть, це { $known } без початку
+audit-designation-unknown = позначення { $tool } у каталогах немає; найближче { $known }
+audit-designation-alien = позначення { $tool } у каталогах немає
+audit-dimensions-of = розміри не { $tool }, а { $known }
+audit-tool-table = { $tool } стоїть у { $known }, а не в { $table }
+audit-standard-misprinted = стандарт { $standard } надруковано з помилкою: каталог цього позначення за { $known }
+audit-standard-other = стандарт { $standard } не цього позначення: його каталог за { $known }
+audit-standard-unchecked = стандарт { $standard } перевірити ні за чим: каталог його не називає
+audit-shank = хвостовик не { $shank }: у каталозі цього позначення він { $name }
+audit-no-catalog = { $designation }: каталогу немає, не перевірено
+tool-of-other-operation = { $tool } не для переходу «{ $operation }», а для: { $transitions }
+tool-of-other-size = { $tool }: Ø{ $own }, а перехід вимагає Ø{ $needed }
+holder-of-other-shank = { $holder } не тримає { $tool }: хвостовик { $shank }
+# The route.
+audit-hole-not-made = групу { $hole } (отворів { $count }) не обробляє жоден перехід
+audit-order = { $operation } стоїть після переходу { $row } ({ $instead }), а за 1.1.2 має бути до нього
+audit-not-opened = перехід лишає Ø{ $diameter }, а перед ним уже Ø{ $before }
+audit-last-diameter = останній перехід лишає Ø{ $diameter }, а креслення вимагає { $hole }
+audit-scheme-unknown = { $hole }: таблиці не дають схеми { $stated }; найкраща { $scheme } ({ $table })
+audit-scheme-table = { $hole }: схеми немає в таблиці { $stated }; вона в { $table } ({ $scheme })
+audit-route-dominated = { $hole }: маршрут можливий, але { $rank }-й за порядком, довший на { $slower } хв; кращий { $scheme } ({ $table }): { $better }
+audit-route-refused = { $hole }: маршрут «{ $transitions }» не здійсненний; найкращий { $scheme } ({ $table })
+audit-route-unknown = { $hole }: маршруту «{ $transitions }» таблиці не дають; найкращий { $scheme } ({ $table })
+audit-tool-changes = замін інструмента { $changes } ({ $order }), а вистачило б { $needed }: зайві { $time } хв
+# Clamping, lengths, magazine.
+audit-no-screw = гвинта { $screw } у таблиці немає: { $known }
+audit-screw-weak = гвинт { $screw } тримає { $bears } Н, а потрібно { $force } Н
+audit-screw-large = гвинт { $screw } більший, ніж треба для { $force } Н
+audit-same-corrector = коректор { $corrector } уже в { $other }
+audit-magazine = інструментів { $tools }, а місць у магазині { $places }
+# A plan of ours, changed.
+audit-not-ours = { $field }: написано { $stated }, а `technolog plan` дає { $right }
+audit-tool-of-transition = перехід називає { $tool }, а інструмент T{ $number } - це { $other }
+# What is missing.
+audit-missing = { $section }: { $what }
+# Beside the handbook's formulas.
+audit-by-formula = { $share } % від { $value }, що дає формула довідника з написаних величин
+audit-tool-life = { $share } % від { $value } хв, для яких довідник дає швидкості за цього діаметра
+# The working zone.
+audit-zone-turned = повернуті на 90°, отвори займали б { $span } <= { $travel } мм по { $axis }
+audit-blank-off-table = заготовка по { $axis }: { $size } > { $table } мм стола, звисає на { $over } мм; покладіть її інакше або на пристрій
+audit-zone-over = комплект не проходить над деталлю: { $length } + недобіг { $approach } + деталь { $thickness } + пристрій { $fixture } = { $needed } > { $most } мм від стола до торця шпинделя; пройшов би комплект до { $fits } мм
+audit-zone-under = повзун не опускає інструмент до дна: комплект T{ $other } { $longest } − { $length } + недобіг { $approach } + глибина вістря { $depth } = { $way } > { $travel } мм ходу; досить було б комплекту від { $fits } мм
+audit-zone-low = повзун не опускає інструмент до дна: торець шпинделя щонайменше { $least } над столом − { $length } − дно { $lowest } = { $way } > { $travel } мм ходу; досить було б комплекту від { $fits } мм
+audit-zone-unknown = висоту не перевірено: у записі верстата немає відстані від стола до торця шпинделя
+# The reach.
+audit-holder-hits = вістря опускається на { $needed } мм нижче торця, а інструмент виступає з оправки на { $reach }: оправка вдарить у деталь
+audit-flute-short = робоча довжина { $reach } < { $needed } мм: глибина, вістря і перебіг
+# Clamps.
+audit-clamp-standard = { $standard } не стандарт притискача { $designation }: той за { $known }
+audit-clamp-screw = гвинт { $screw } не той, що в притискача { $designation }: у нього { $known }

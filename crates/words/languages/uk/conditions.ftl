@@ -1,0 +1,56 @@
+# Conditions.
+feed = подача: верхня межа { $upper } мм/об × { $multiple }
+feed-choice = звідки береться подача
+feed-before-finishing = подача × { $factor }: далі розвертання
+depth-feed-factor = подача × { $factor } за глибиною
+depth-speed-factor = швидкість × { $factor } за глибиною
+material-speed-factor = швидкість × { $factor } за матеріалом
+speed-alloy-factor = швидкість × { $factor } за сплавом
+material-force-factor = сили × { $factor } за матеріалом
+force-alloy-factor = сили × { $factor } за сплавом
+surface-factor = швидкість × { $factor } за станом поверхні
+tool-life = стійкість { $minutes } хв
+speed-coefficients = коефіцієнти швидкості, Cv = { $cv }
+load-coefficients = коефіцієнти моменту й осьової сили
+boring-feed = подача розточування { $feed } мм/об
+boring-finish-feed = подача за шорсткістю { $feed } мм/об
+too-fine-to-bore = { $roughness } розточуванням не досягається
+spindle-step = розрахункова частота { $computed }; ступені { $below } і { $above } (вищий на { $excess } %): { $step } об/хв
+spindle-fastest = розрахункова частота { $computed } вища за найбільшу: { $step } об/хв
+spindle-slowest = розрахункова частота { $computed } нижча за найменшу: { $step } об/хв
+feed-reduced = подачу зменшено з { $from } до { $to } мм/об: { $by }, межа { $limit }
+speed-for-feed = швидкість узято для подачі { $feed } мм/об: { $speed } м/хв замість { $before }
+life-for-feed = для подачі { $feed } мм/об формула дає { $speed } м/хв: стійкість порахована від неї
+tap-lead = забірна частина мітчика { $lead } мм проходить далі за повну різьбу
+thread-runout = під глуху різьбу свердлять на { $runout } мм глибше
+mill-clearance = фреза менша за отвір, у який входить, щонайменше на { $clearance } мм
+ground-within = перешліфовується щонайбільше на { $limit } мм
+feed-held = подачу обмежено { $limit } мм/хв
+stand-in = { $table } не має числа для матеріалу { $material }; береться { $group }
+no-figure = { $operation }: таблиця { $table } не має числа для матеріалу { $material }
+stand-in-operation = { $operation }: власних чисел немає; беруться числа переходу «{ $instead }»
+stand-in-tool-material = { $table } не має числа для інструмента { $tool }; береться { $other }
+no-cutter-shape = { $operation }: фрезу не вказано
+no-pitch = { $operation }: крок різьби не вказано
+mill-does-not-enter = { $operation }: фреза Ø{ $diameter } не входить в отвір Ø{ $hole }
+milling-rounds = проходів { $passes }, рівнів { $levels }: t = { $t } мм, B = { $b } мм; шлях осі фрези { $path } мм, її подача × { $factor }
+feed-per-tooth = подача на зуб { $feed } мм
+milling-finish-feed = подача на зуб × { $factor }: останній прохід, { $roughness }
+milling-load-coefficients = коефіцієнти сили Pz фрези
+tapping-coefficients = коефіцієнти швидкості мітчика, Cv = { $cv }, T = { $minutes } хв
+tapping-load-coefficients = коефіцієнти моменту мітчика
+feed-is-pitch = подача дорівнює крокові { $pitch } мм
+spindle-step-below = розрахункова частота { $computed }; ступінь не вище неї: { $step } об/хв
+no-step-below = { $operation }: жоден ступінь шпинделя не нижчий за { $computed } об/хв з достатньою потужністю й подачею
+torque-beyond-spindle = { $operation }: момент { $torque } > { $limit } Н·м шпинделя
+reaming-feed = подача розвертання × { $factor }
+reaming-feed-blind = глухий отвір: подача в межах { $low }-{ $high } мм/об
+reaming-load-coefficients = коефіцієнти сили різання зуба розвертки
+reamer-teeth = зубів розвертки { $teeth }
+too-deep = { $operation }: глибина { $ratio } D поза таблицею { $table }
+card-calibration = карта: { $name } × { $factor } від формули
+card-point = карта друкує тут V = { $speed } м/хв, P = { $thrust } Н, N = { $power } кВт
+card-point-forces-differ = карта друкує тут V = { $speed } м/хв, P = { $thrust } Н, N = { $power } кВт; силу й потужність формула не відтворює; навантаження взято за формулою
+card-corrections = поправки прикладу: швидкість × { $product }, матеріал { $material }
+card-without-depth = глибина { $ratio } діаметра: коефіцієнт { $factor } ({ $table }) не враховано, поправки карт на глибину невідомі
+card-other-material = поправки карт для матеріалу { $material } невідомі

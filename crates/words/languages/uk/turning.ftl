@@ -1,0 +1,45 @@
+# Mistakes of a shaft file.
+empty-name = назва порожня
+    .help = назвіть вал
+unknown-lathe = верстата `{ $lathe }` немає в каталозі; є: { $known }
+    .help = назвіть один із них або приберіть `machine`
+unknown-material = матеріалу `{ $material }` немає
+    .help = матеріали дає `technolog table materials`
+unknown-material-near = матеріалу `{ $material }` немає; мабуть, `{ $near }`?
+    .help = матеріали дає `technolog table materials`
+no-such-choice = `{ $word }` тут невідоме; є { $known }
+    .help = візьміть одне з них
+not-above-zero = `{ $key }` дорівнює { $length }, а має бути більше за 0
+    .help = пишіть міліметри без знака
+length-too-large = `{ $key }` дорівнює { $length } > { $most }
+    .help = пишіть міліметри
+no-steps = у вала немає жодного ступеня
+    .help = опишіть ступені від вільного торця до патрона
+step-beyond-blank = ступінь { $step }: Ø{ $diameter } більший за заготовку Ø{ $blank }
+    .help = візьміть більшу заготовку
+step-rises-to-the-free-end = ступінь { $step }: Ø{ $diameter } менший за Ø{ $before } ступеня { $other }, який ближче до вільного торця
+    .help = перевірте порядок: від вільного торця до патрона діаметри не спадають; вузьке місце за ширшим точать з другого установа або канавковим різцем
+steps-beyond-blank = ступені разом { $sum } мм довші за заготовку { $blank } мм; тут вона скінчилась
+    .help = візьміть довшу заготовку або вкоротіть ступені
+grid-too-fine = рівнів і шарів забагато: { $states } станів, а можна не більше { $most }
+    .help = візьміть більші глибини
+# What the command cannot do with what it was given.
+no-rates = для часу бракує подач: у файлі немає `rates`
+    .help = допишіть rates: {"{"}longitudinal_feed: 180, transverse_feed: 150, rapid: 6000{"}"}, мм/хв
+rich-has-no-time = з розширеними ходами час не шукається
+    .help = візьміть іншу мету: path, path-and-passes чи passes
+# Why a pass.
+pass-shorter = далі { $left } мм, з ходом іншого напряму { $otherwise } мм
+pass-quicker = далі { $left } хв, з ходом іншого напряму { $otherwise } хв
+pass-fewer = далі проходів { $left }, з ходом іншого напряму { $otherwise }
+pass-as-good = обидва напрями однаково добрі, далі { $left }
+pass-of-variant = так каже варіант
+pass-of-step = напрям ступеня { $step }
+pass-of-search = з пошуку розширених ходів, далі { $left }
+# Which variant, and what to know.
+take-lengthwise = у центрах найменше ходів дає переміщення вздовж осі
+take-searched = у патроні ходи вздовж і поперек осі можна поєднувати
+take-contour = заготовку, близьку до форми деталі, обробляють паралельно контуру
+contour-passes-elsewhere = ходи паралельно контуру показує `--show operation`; показані тут ходи зняли б повний циліндр
+variant-beyond-model = варіант { $variant } коротший за найкращий у моделі: його поздовжні ходи зупиняються всередині рівня
+nothing-to-turn = жоден ступінь не менший за заготовку: знімати нічого

@@ -1,0 +1,27 @@
+# What is not known, and what does not fit.
+lathe-lacks = каталог верстата { $lathe } не має `{ $quantity }`
+turning-tool-lacks = рядок різця { $tool } не має `{ $quantity }`
+bound-not-reckoned = обмеження «{ $bound }» не враховано: { $of } не має `{ $what }`
+limit-not-known = граничну глибину різання не знайти: { $of } не має `{ $what }` ({ $bound })
+angle-beyond-table = кут { $angle }° поза таблицею { $table }
+lathe-too-small = верстат { $lathe }: { $is } > { $most } мм, `{ $quantity }`
+shank-too-high = верстат { $lathe }: державка різця { $tool } { $is } > { $most } мм
+nothing-to-cut = `{ $quantity }` дорівнює { $is }, а має бути більше за 0
+tool-has-no-depth = різець { $tool } не має глибини різання, яку можна вибирати: канавку він ріже на свою ширину, різь - на її профіль
+threads-not-reckoned = режими нарізання різі різцем { $tool } ще не рахуються
+too-fine-to-turn = { $roughness } - чистіше, ніж мають таблиці подач точіння
+too-fine-for-lathe = верстат { $lathe }: { $roughness } чистіше за найкращу для нього { $best }
+# Why a figure.
+turning-feed = подача { $feed } мм/об, різець { $tool }
+turning-finish-feed = подача за шорсткістю { $feed } мм/об
+feed-strength-factor = подача × { $factor }: міцність сталі
+force-coefficients = коефіцієнти сили { $component }
+grade-factor = швидкість × { $factor }: сплав { $grade } замість { $reference }
+internal-factor = швидкість × { $factor }: в отворі
+angle-speed-factor = швидкість × { $factor }: кут { $angle }°
+angle-force-factor = сила × { $factor }: кут { $angle }°
+rake-force-factor = сила × { $factor }: передній кут { $angle }°
+lathe-limit = верстат дає { $limit }
+turning-limit = { $name } = { $value }
+overhang = виліт { $length } мм
+insert-edge = у роботі не більше { $share } кромки { $edge } мм: { $depth } мм глибини

@@ -1,0 +1,29 @@
+# What an element is.
+element-main = { $surface }: основний елемент: підйом { $rise }° не крутіший за φ = { $main }°, спад { $fall }° не крутіший за φ1 = { $secondary }°
+element-by-kind = { $surface }: додатковий елемент за видом поверхні; інструмент: { $take }
+element-rises = { $surface }: підйом { $rise }° крутіший за φ = { $main }°; інструмент: { $take }
+element-falls = { $surface }: спад { $fall }° крутіший за φ1 = { $secondary }°; інструмент: { $take }
+element-leads-back = { $surface }: веде назад до вільного торця або лежить під тим, що веде назад; інструмент: { $take }
+element-in-shadow = { $surface }: лежить за крутим спадом, куди різець із φ1 = { $secondary }° не дістає; інструмент: { $take }
+element-in-corner = { $surface }: лежить перед крутим підйомом, куди різець із φ = { $main }° не дістає; інструмент: { $take }
+element-in-valley = { $surface }: стінка западини, до дна якої різець не дістає; інструмент: { $take }
+element-beyond = { $surface }: лежить за спадом, після якого контур уже не підіймається, тож її обробляють з іншого боку
+element-partly = { $surface }: частину її різець обробив би, та додатковим є весь елемент
+# Set-ups.
+setup-first = з вільного торця
+setup-only = один установ обробляє все
+setup-falls-away = від Z { $z }, Ø{ $diameter } контур спадає до патрона крутіше за φ1 = { $secondary }° і вже не підіймається
+setup-bore-widens = отвір розширюється до дальнього торця
+setup-far-face = на дальньому торці є припуск
+hold-centres = деталь у центрах
+hold-blank = заготовку тримають за Ø{ $diameter } на довжині { $length } мм (потрібно щонайменше { $least } мм)
+hold-blank-short = за Ø{ $diameter } заготовки лишається { $length } мм, потрібно щонайменше { $least } мм: візьміть довшу заготовку або центри
+hold-surface = деталь тримають за { $surface }, Ø{ $diameter }, довжина { $length } мм (потрібно щонайменше { $least } мм): найтовщий з досить довгих циліндрів
+hold-surface-short = { $surface }: довжина { $length } мм менша за { $least } мм
+hold-nowhere = немає досить довгого обробленого циліндра: потрібні центри, оправка або розточені кулачки
+# Tools against zones.
+tool-main-angle = φ = { $has }° менший за { $needs }°
+tool-secondary-angle = φ1 = { $has }° менший за { $needs }°
+tool-bore-too-small = отвір Ø{ $bore } менший за найменший для різця Ø{ $least }
+tool-wider-than-groove = ширина різця { $width } мм більша за дно { $floor } мм
+tool-only-for-grooves = канавковий різець лише для закритих зон, а ця { $kind }

@@ -1,0 +1,125 @@
+//! The messages of one language, parsed when the first of them is said.
+
+use std::sync::OnceLock;
+
+use fluent_bundle::concurrent::FluentBundle;
+use fluent_bundle::types::FluentNumber;
+use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
+use fluent_syntax::ast::{Expression, InlineExpression, Pattern, PatternElement};
+use technolog_note::Figure;
+
+type Bundle = FluentBundle<FluentResource>;
+
+/// The folders of all languages: the tag of each, then name and text of its files.
+pub type Folders = &'static [(&'static str, &'static [(&'static str, &'static str)])];
+
+/// A language: its files, and its messages once they are asked for.
+pub struct Language {
+    pub(crate) tag: &'static str,
+    folders: Folders,
+    messages: OnceLock<Bundle>,
+}
+
+impl Language {
+    /// A language by the name of its folder.
+    pub const fn new(tag: &'static str, folders: Folders) -> Self {
+        Self { tag, folders, messages: OnceLock::new() }
+    }
+
+    /// Its files, name and text of each.
+    pub fn files(&self) -> &'static [(&'static str, &'static str)] {
+        self.folders.iter().find(|(tag, _)| *tag == self.tag).map_or(&[], |(_, files)| files)
+    }
+
+    /// A message with its figures filled in; nothing where this language has none of that name.
+    pub(crate) fn message(
+        &self,
+        key: &str,
+        form: Option<&str>,
+        figures: &[(&str, &Figure)],
+        shown: &dyn Fn(&Figure) -> String,
+    ) -> Option<String> {
+        let pattern = self.pattern(key, form)?;
+        let mut arguments = FluentArgs::with_capacity(figures.len());
+        for (name, figure) in figures {
+            let value = match figure {
+                // As a number, so that plurals can go by it.
+                Figure::Number(number) => number.parse::<FluentNumber>().map(FluentValue::Number).ok(),
+                _ => None,
+            };
+            arguments.set(*name, value.unwrap_or_else(|| FluentValue::String(shown(figure).into())));
+        }
+        let mut faults = Vec::new();
+        let text = self.bundle().format_pattern(pattern, Some(&arguments), &mut faults).into_owned();
+        debug_assert!(faults.is_empty(), "{}: message `{key}`: {faults:?}", self.tag);
+        Some(text)
+    }
+
+    /// A message that is nothing but text.
+    pub(crate) fn plain(&self, key: &str, form: Option<&str>) -> Option<&str> {
+        match self.pattern(key, form)?.elements.as_slice() {
+            [PatternElement::TextElement { value }] => Some(value),
+            _ => None,
+        }
+    }
+
+    fn pattern(&self, key: &str, form: Option<&str>) -> Option<&Pattern<&str>> {
+        let message = self.bundle().get_message(key)?;
+        match form {
+            None => message.value(),
+            Some(form) => Some(message.get_attribute(form)?.value()),
+        }
+    }
+
+    /// Whether a message has a gap for this figure; nothing where there is no such message.
+    pub(crate) fn mentions(&self, key: &str, figure: &str) -> Option<bool> {
+        Some(gaps(self.pattern(key, None)?).contains(&figure))
+    }
+
+    /// What stands between the whole part of a number and its decimals.
+    pub(crate) fn separator(&self) -> &'static str {
+        if self.bundle().has_message("decimal-comma") { "," } else { "." }
+    }
+
+    fn bundle(&self) -> &Bundle {
+        self.messages.get_or_init(|| {
+            let mut bundle = Bundle::new_concurrent(vec![self.tag.parse().unwrap_or_default()]);
+            // No invisible marks around figures: pages are copied into other programs.
+            bundle.set_use_isolating(false);
+            for (_, text) in self.files() {
+                // A file with a fault gives its sound messages; the check of the catalogue tells the fault.
+                let resource = match FluentResource::try_new((*text).to_owned()) {
+                    Ok(resource) | Err((resource, _)) => resource,
+                };
+                // The same name twice: the first stays, and the check tells it.
+                let _ = bundle.add_resource(resource);
+            }
+            if bundle.has_message("decimal-comma") {
+                bundle.set_formatter(Some(|value, _| match value {
+                    FluentValue::Number(number) => Some(number.as_string().replace('.', ",")),
+                    _ => None,
+                }));
+            }
+            bundle
+        })
+    }
+}
+
+/// The names of the figures that a pattern has gaps for.
+pub fn gaps<'p>(pattern: &Pattern<&'p str>) -> Vec<&'p str> {
+    let mut names = Vec::new();
+    for element in &pattern.elements {
+        let PatternElement::Placeable { expression } = element else { continue };
+        let inline = match expression {
+            Expression::Inline(inline) => inline,
+            Expression::Select { selector, variants } => {
+                names.extend(variants.iter().flat_map(|variant| gaps(&variant.value)));
+                selector
+            }
+        };
+        if let InlineExpression::VariableReference { id } = inline {
+            names.push(id.name);
+        }
+    }
+    names
+}

@@ -1,0 +1,175 @@
+//! Every word that technolog says: the message catalogue, one folder of [Fluent](https://projectfluent.org) files for each
+//! language, in `languages/`.
+//!
+//! A message has a name, such as `no-cutter`, and gaps for figures, `{ $diameter }`. What to do about it stands in its
+//! attribute `.help`. A message that a language lacks is said in English. Keys of files, ids and what the user wrote are
+//! figures and are never translated.
+//!
+//! Architecture invariant: nothing here knows what is planned; whoever has something to say gives a [`Note`].
+
+mod catalogue;
+pub mod check;
+mod registered;
+
+use std::fmt;
+
+pub use catalogue::Language;
+pub use registered::LANGUAGES;
+pub use technolog_note::{Figure, Note, Word};
+
+/// A language of the answers.
+#[derive(Clone, Copy)]
+pub struct Lang(&'static Language);
+
+impl Lang {
+    /// Ukrainian.
+    pub const UK: Self = Self(&registered::UK);
+    /// English, in which is said what another language lacks.
+    pub const EN: Self = Self(&registered::EN);
+
+    /// Every registered language, the first one where nobody asks for another.
+    pub fn all() -> impl Iterator<Item = Self> {
+        LANGUAGES.iter().map(|language| Self(language))
+    }
+
+    /// A language that is not registered: of a folder that is being translated.
+    pub const fn of(language: &'static Language) -> Self {
+        Self(language)
+    }
+
+    /// The language of an environment variable `LANG`; Ukrainian where it names none that is known.
+    pub fn of_environment(variable: Option<&str>) -> Self {
+        let primary = variable.unwrap_or_default().split(['_', '.', '-', '@']).next().unwrap_or_default();
+        Self::all().find(|lang| lang.tag().eq_ignore_ascii_case(primary)).unwrap_or(Self::UK)
+    }
+
+    /// Its tag (BCP 47), which is its folder: `uk`.
+    pub const fn tag(self) -> &'static str {
+        self.0.tag
+    }
+
+    /// The codes that a note can have: the messages that are whole sentences of plans, programs and audits.
+    pub fn codes() -> Vec<String> {
+        let (entries, _) = check::entries(&registered::EN);
+        entries.into_iter().filter(|(_, entered)| !is_wording(entered.file)).map(|(name, _)| name).collect()
+    }
+
+    /// The one of two texts in this language.
+    pub fn pick<'a>(self, uk: &'a str, en: &'a str) -> &'a str {
+        if self == Self::UK { uk } else { en }
+    }
+
+    /// A message that is nothing but text; its name where no language has it.
+    pub fn word(self, key: &str) -> &str {
+        self.plain(key, None).unwrap_or(key)
+    }
+
+    /// The message of a note. One that no language has shows its code and figures, so that nothing is lost.
+    #[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
+    pub fn say(self, note: &Note) -> String {
+        let figures: Vec<(&str, &Figure)> = note.figures().collect();
+        let Some(mut said) = self.message(note.code(), None, &figures) else {
+            let figures: Vec<String> =
+                figures.iter().map(|(name, value)| format!("{name} = {}", value.text())).collect();
+            return if figures.is_empty() {
+                note.code().to_owned()
+            } else {
+                format!("{} ({})", note.code(), figures.join(", "))
+            };
+        };
+        if note.figure("more").is_some() && !self.mentions(note.code(), "more") {
+            said.push_str(&self.message("and-more-alike", None, &figures).unwrap_or_default());
+        }
+        if note.figure("scheme").is_some() && !self.mentions(note.code(), "scheme") {
+            said = format!("{}: {said}", self.message("of-scheme", None, &figures).unwrap_or_default());
+        }
+        said
+    }
+
+    /// What to do about what a note says.
+    #[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
+    pub fn remedy(self, note: &Note) -> Option<String> {
+        self.message(note.code(), Some("help"), &note.figures().collect::<Vec<_>>())
+    }
+
+    /// A message that is nothing but text, where there is one.
+    pub fn find(self, key: &str) -> Option<&'static str> {
+        self.plain(key, None)
+    }
+
+    /// A word of a vocabulary; its id where it has no translation, as designations have none.
+    pub fn term<'i>(self, of: &str, id: &'i str) -> &'i str {
+        self.plain(&format!("{of}-{id}"), None).unwrap_or(id)
+    }
+
+    /// Another form of a word, such as `verb` of an operation.
+    pub fn form<'i>(self, of: &str, id: &'i str, form: &str) -> &'i str {
+        self.plain(&format!("{of}-{id}"), Some(form)).unwrap_or(id)
+    }
+
+    /// A figure by itself: a number with this language's separator, a word translated.
+    pub fn figure(self, figure: &Figure) -> String {
+        match figure {
+            Figure::Text(text) => text.to_string(),
+            Figure::Number(number) => number.replace('.', self.0.separator()),
+            Figure::Word(Word { of, id }) => self.term(of, id).to_owned(),
+            Figure::List(parts, between) => {
+                parts.iter().map(|part| self.figure(part)).collect::<Vec<_>>().join(between)
+            }
+            Figure::Note(note) => self.say(note),
+        }
+    }
+
+    fn plain(self, key: &str, form: Option<&str>) -> Option<&'static str> {
+        self.0.plain(key, form).or_else(|| registered::EN.plain(key, form))
+    }
+
+    fn message(self, key: &str, form: Option<&str>, figures: &[(&str, &Figure)]) -> Option<String> {
+        let shown = |figure: &Figure| self.figure(figure);
+        self.0.message(key, form, figures, &shown).or_else(|| registered::EN.message(key, form, figures, &shown))
+    }
+
+    fn mentions(self, key: &str, figure: &str) -> bool {
+        self.0.mentions(key, figure).or_else(|| registered::EN.mentions(key, figure)).unwrap_or_default()
+    }
+}
+
+/// Whether the messages of a file are words of pages and commands, not what notes say.
+fn is_wording(file: &str) -> bool {
+    file.starts_with("page-")
+        || ["cli", "general", "help", "operations", "terms", "units"].contains(&file.trim_end_matches(".ftl"))
+}
+
+/// What is said in a language, without figures or with some: `say!(lang, "holes-counted", count = 5)`.
+#[macro_export]
+macro_rules! say {
+    ($lang:expr, $key:literal) => { $lang.word($key) };
+    ($lang:expr, $key:literal, $($name:ident = $value:expr),+ $(,)?) => {
+        $lang.say(&$crate::Note::new($key)$(.with(stringify!($name), $value))+)
+    };
+}
+
+impl PartialEq for Lang {
+    fn eq(&self, other: &Self) -> bool {
+        self.tag() == other.tag()
+    }
+}
+
+impl Eq for Lang {}
+
+impl fmt::Debug for Lang {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.tag())
+    }
+}
+
+impl std::str::FromStr for Lang {
+    type Err = Note;
+
+    fn from_str(text: &str) -> Result<Self, Note> {
+        let known = || Figure::list(Lang::all().map(|lang| Figure::Text(lang.tag().into())));
+        Self::all()
+            .find(|lang| lang.tag() == text)
+            .ok_or_else(|| Note::new("no-such-language").with("language", text).with("known", known()))
+    }
+}
