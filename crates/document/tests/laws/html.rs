@@ -28,7 +28,11 @@ fn read(page: &str) -> Result<String, String> {
             words.push(' ');
         }
         if let Some((_, alternative)) = tag.split_once("alt=\"") {
-            words.push_str(&unescaped(alternative.trim_end_matches('"'))?);
+            let (alternative, after) = alternative.split_once('"').ok_or("a quote without an end")?;
+            if !after.is_empty() {
+                return Err(format!("{after} stands after the last attribute"));
+            }
+            words.push_str(&unescaped(alternative)?);
         }
     }
     if open.is_empty() { Ok(spaced(&words)) } else { Err(format!("{open:?} are never closed")) }

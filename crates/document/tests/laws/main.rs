@@ -13,7 +13,11 @@ const WORDS: Words = Words { left_out: "Left", see_all: "Wider", help: "Help", f
 /// What a reader should read of a block: what kind of line it is, and its words.
 fn expected(document: &Document) -> Vec<(String, String)> {
     let mut all = vec![("h1".to_owned(), document.title.plain())];
+    let mut before = None;
     for block in &document.blocks {
+        let listed = matches!(block, Block::List(_) | Block::Fields(_) | Block::Finding(_));
+        let goes_on = matches!((before.replace(block), block), (Some(Block::Finding(_)), Block::Finding(_)));
+        all.extend((listed && !goes_on).then(|| ("list".to_owned(), String::new())));
         match block {
             Block::Heading { level, words } => all.push((format!("h{level}"), words.plain())),
             Block::Paragraph(words) => all.push(said("p", words)),

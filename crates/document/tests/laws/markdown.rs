@@ -16,6 +16,7 @@ fn read(text: &str) -> Vec<(String, String)> {
         let begun = match &event {
             Event::Start(Tag::Heading { level, .. }) => Some(level.to_string()),
             Event::Start(Tag::Paragraph) if depth == 0 => Some("p".to_owned()),
+            Event::Start(Tag::List(None)) if depth == 0 => Some("list".to_owned()),
             Event::Start(Tag::Item) => Some(format!("li{depth}")),
             Event::Start(Tag::TableCell) => Some("cell".to_owned()),
             Event::Start(Tag::CodeBlock(_)) => Some("code".to_owned()),
