@@ -9,7 +9,7 @@
 //! - [`part`] is what is to be made, [`shop`] what it is made with ([`machine`], [`material`], [`zone`]);
 //! - [`route`], [`tooling`], [`cutting`], [`setup`] and [`sequence`] each add their part;
 //! - [`planner`] is the one place where a refusal makes it try the next alternative;
-//! - [`plan`] is the result, a value; [`report`] prints it;
+//! - [`plan`] is the result, a value; [`report`] prints it; [`document`] is a page as a tree, with its writers;
 //! - [`job`] is the plan as work of a machine, [`program`] its language, written and read back as [`motion`].
 //! - [`audit`] holds a plan that anybody made against all of it;
 //! - [`cases`] are questions of every kind with what is expected of the answers;
@@ -21,6 +21,7 @@ pub use technolog_audit as audit;
 pub use technolog_cases as cases;
 pub use technolog_core::{error, machine, material, motion, note, parallel, part, plan, reason, shop, zone};
 pub use technolog_cutting as cutting;
+pub use technolog_document as document;
 pub use technolog_holes::{planner, route, sequence, setup, tooling};
 pub use technolog_knowledge::{self as knowledge, units};
 pub use technolog_nc::{job, program};

@@ -1,0 +1,62 @@
+//! Signs that no page may have, whatever a user's file says: those that steer a terminal or turn the direction of text.
+
+/// One line of text: breaks and tabs are spaces, a sign that steers is shown as a replacement character.
+pub fn line(text: &str) -> String {
+    text.chars().map(|sign| if is_break(sign) || sign == '\t' { ' ' } else { shown(sign) }).collect()
+}
+
+/// The same for lines that stay lines, `\r\n` as one break.
+pub fn lines(text: &str) -> String {
+    let kept = |sign| if matches!(sign, '\n' | '\t') { sign } else { shown(sign) };
+    text.replace("\r\n", "\n").chars().map(kept).collect()
+}
+
+const fn is_break(sign: char) -> bool {
+    matches!(sign, '\n' | '\r' | '\u{2028}' | '\u{2029}')
+}
+
+fn shown(sign: char) -> char {
+    let turns = matches!(sign, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    if sign.is_control() || turns { char::REPLACEMENT_CHARACTER } else { sign }
+}
+
+/// The way to another page, as it may stand in an address; nothing for a scheme that browsers carry out.
+pub fn address(to: &str) -> Option<String> {
+    let to = to.trim();
+    let scheme = to.split_once(':').map(|(scheme, _)| scheme).filter(|scheme| !scheme.contains(['/', '?', '#']));
+    let known =
+        scheme.is_none_or(|scheme| ["http", "https", "mailto"].iter().any(|one| scheme.eq_ignore_ascii_case(one)));
+    known.then(|| percent(to, |byte| !matches!(byte, b'<' | b'>' | b'"' | b'\\' | b'|' | b'`' | b'\'')))
+}
+
+/// The bytes of a text as addresses have them: letters and figures of ASCII, and what else is `kept` of its signs.
+pub fn percent(text: &str, kept: impl Fn(u8) -> bool) -> String {
+    let mut shown = String::with_capacity(text.len());
+    for byte in text.bytes() {
+        if byte.is_ascii_alphanumeric() || (byte.is_ascii_graphic() && kept(byte)) {
+            shown.push(byte.into());
+        } else {
+            shown.push_str(&format!("%{byte:02X}"));
+        }
+    }
+    shown
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn nothing_steers_a_terminal() {
+        assert_eq!(super::line("a\tb\nc\u{1b}[31m\u{202e}"), "a b c\u{fffd}[31m\u{fffd}");
+        assert_eq!(super::lines("a\r\n\tb\u{7}"), "a\n\tb\u{fffd}");
+    }
+
+    #[test]
+    fn an_address_carries_nothing_out() {
+        assert_eq!(super::address("docs/a b.md#x").as_deref(), Some("docs/a%20b.md#x"));
+        assert_eq!(super::address("https://x.org/?a=1&b=%20").as_deref(), Some("https://x.org/?a=1&b=%20"));
+        assert_eq!(super::address("план.md").as_deref(), Some("%D0%BF%D0%BB%D0%B0%D0%BD.md"));
+        for to in ["javascript:alert(1)", " JavaScript:x", "data:text/html,<b>", "java\nscript:x"] {
+            assert_eq!(super::address(to), None, "{to}");
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! Which writer is meant: by name, or by the ending of a file.
+
+use std::path::Path;
+
+/// The forms in which a page can be had.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Format {
+    /// For a terminal.
+    Text,
+    /// CommonMark with the tables of GitHub.
+    Markdown,
+    /// One standalone page.
+    Html,
+}
+
+impl Format {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Text, Self::Markdown, Self::Html];
+
+    /// As it is called in `--format`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Text => "text",
+            Self::Markdown => "markdown",
+            Self::Html => "html",
+        }
+    }
+
+    /// What the ending of a file means. Nothing for an ending that is none of ours.
+    pub fn from_ending(file: &Path) -> Option<Self> {
+        match file.extension()?.to_str()?.to_ascii_lowercase().as_str() {
+            "txt" => Some(Self::Text),
+            "md" | "markdown" => Some(Self::Markdown),
+            "html" | "htm" => Some(Self::Html),
+            _ => None,
+        }
+    }
+}
+
+/// The ending of a file means another format than the one that is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Contradiction<F> {
+    /// What is asked for by name.
+    pub asked: F,
+    /// What the ending means.
+    pub ending: F,
+}
+
+/// The format that name and ending agree on; either may say nothing. `F` is [`Format`], or the formats of a command that
+/// has more of them.
+///
+/// # Errors
+/// They contradict each other.
+pub fn agreed<F: Copy + PartialEq>(asked: Option<F>, ending: Option<F>) -> Result<Option<F>, Contradiction<F>> {
+    match (asked, ending) {
+        (Some(asked), Some(ending)) if asked != ending => Err(Contradiction { asked, ending }),
+        _ => Ok(asked.or(ending)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_ending_means_a_format() {
+        for (file, format) in [
+            ("a.txt", Some(Format::Text)),
+            ("b/plan.md", Some(Format::Markdown)),
+            ("plan.HTML", Some(Format::Html)),
+            ("план.htm", Some(Format::Html)),
+            ("plan.md.pdf", None),
+            ("md", None),
+            ("-", None),
+        ] {
+            assert_eq!(Format::from_ending(Path::new(file)), format, "{file}");
+        }
+    }
+
+    #[test]
+    fn name_and_ending_must_agree() {
+        use Format::{Html, Markdown};
+        assert_eq!(agreed::<Format>(None, None), Ok(None));
+        assert_eq!(agreed(Some(Html), None), Ok(Some(Html)));
+        assert_eq!(agreed(None, Some(Html)), Ok(Some(Html)));
+        assert_eq!(agreed(Some(Html), Some(Html)), Ok(Some(Html)));
+        assert_eq!(agreed(Some(Html), Some(Markdown)), Err(Contradiction { asked: Html, ending: Markdown }));
+    }
+}

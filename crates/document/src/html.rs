@@ -1,0 +1,175 @@
+//! HTML: one standalone page, nothing loaded from elsewhere, whatever a text holds only shown.
+
+use std::fmt::Write;
+
+use crate::{Align, Block, Document, Figure, Finding, Inline, Inlines, Item, Table, Words, clean};
+
+/// Colours for both lights of a screen, and for paper; tables scroll by themselves where a screen is narrow.
+const STYLE: &str = include_str!("html/style.css");
+
+/// The longest name, in bytes, that a narrow line has room for as a whole.
+const NAME: usize = 32;
+
+/// The document as a page of its own.
+pub fn html(document: &Document, words: &Words) -> String {
+    let mut page = format!(
+        "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n\
+         <style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n",
+        escaped(&document.lang),
+        escaped(&document.title.plain())
+    );
+    if !document.title.is_empty() {
+        page.push_str(&format!("<h1>{}</h1>\n", line(&document.title)));
+    }
+    let finding = |block: &Block| matches!(block, Block::Finding(_));
+    for blocks in document.blocks.chunk_by(|one, next| finding(one) && finding(next)) {
+        let list = blocks.first().is_some_and(finding);
+        page.push_str(if list { "<ul class=\"findings\">\n" } else { "" });
+        blocks.iter().for_each(|own| block(&mut page, own, words));
+        page.push_str(if list { "</ul>\n" } else { "" });
+    }
+    page.push_str("</main>\n</body>\n</html>\n");
+    page
+}
+
+fn block(page: &mut String, block: &Block, words: &Words) {
+    match block {
+        Block::Heading { level, words } => {
+            let level = (*level).clamp(1, 6);
+            page.push_str(&format!("<h{level}>{}</h{level}>\n", line(words)));
+        }
+        Block::Paragraph(words) => page.push_str(&format!("<p>{}</p>\n", line(words))),
+        Block::List(items) => list(page, items),
+        Block::Table(own) => table(page, own),
+        Block::Finding(own) => finding(page, own, words),
+        Block::Figure(own) => figure(page, own),
+        Block::Code(code) => page.push_str(&format!("<pre><code>{}</code></pre>\n", escaped_lines(code))),
+        Block::Fields(fields) => {
+            page.push_str("<dl>\n");
+            for field in fields {
+                page.push_str(&format!("<dt>{}:</dt> <dd>{}</dd>\n", line(&field.label), line(&field.value)));
+            }
+            page.push_str("</dl>\n");
+        }
+    }
+}
+
+fn list(page: &mut String, items: &[Item]) {
+    page.push_str("<ul>\n");
+    for item in items {
+        page.push_str(&format!("<li>{}", line(&item.words)));
+        if !item.items.is_empty() {
+            page.push('\n');
+            list(page, &item.items);
+        }
+        page.push_str("</li>\n");
+    }
+    page.push_str("</ul>\n");
+}
+
+fn finding(page: &mut String, finding: &Finding, words: &Words) {
+    let place = finding.place.iter().map(|place| format!(" <code>{}</code>", escaped(place))).collect::<String>();
+    let (class, word) = (finding.severity.name(), escaped(&finding.word));
+    page.push_str(&format!("<li class=\"{class}\"><b>{word}</b>{place} {}", line(&finding.words)));
+    let help = finding.help.iter().map(|help| format!("<b>{}:</b> {}", escaped(words.help), line(help)));
+    let details: Vec<String> = finding.details.iter().map(line).chain(help).collect();
+    if !details.is_empty() {
+        page.push_str("\n<ul>\n");
+        details.iter().for_each(|detail| page.push_str(&format!("<li>{detail}</li>\n")));
+        page.push_str("</ul>\n");
+    }
+    page.push_str("</li>\n");
+}
+
+/// A table in a frame that scrolls; the frame can be reached by keyboard.
+fn table(page: &mut String, table: &Table) {
+    let class = |column: usize| match table.columns().get(column).map(|column| column.align) {
+        Some(Align::Right) => " class=\"number\"",
+        _ => "",
+    };
+    page.push_str("<div class=\"scroll\" tabindex=\"0\"><table>\n");
+    if table.has_head() {
+        let heads = table.columns().iter().enumerate();
+        let heads = heads.map(|(at, column)| format!("<th scope=\"col\"{}>{}</th>", class(at), line(&column.head())));
+        page.push_str(&format!("<thead><tr>{}</tr></thead>\n", heads.collect::<String>()));
+    }
+    page.push_str("<tbody>\n");
+    for row in table.rows() {
+        let cells = row.iter().enumerate().map(|(at, cell)| format!("<td{}>{}</td>", class(at), line(cell)));
+        page.push_str(&format!("<tr>{}</tr>\n", cells.collect::<String>()));
+    }
+    page.push_str("</tbody>\n</table></div>\n");
+    for note in &table.notes {
+        page.push_str(&format!("<p class=\"under\">{}</p>\n", line(note)));
+    }
+}
+
+fn figure(page: &mut String, figure: &Figure) {
+    let caption = line(&figure.caption);
+    let caption = if caption.is_empty() { caption } else { format!("\n<figcaption>{caption}</figcaption>") };
+    let (source, alternative) = (image(&figure.svg), escaped(&figure.alternative));
+    page.push_str(&format!("<figure><img src=\"{source}\" alt=\"{alternative}\">{caption}</figure>\n"));
+}
+
+/// A drawing as the address of an image: it runs nothing, and its names do not meet those of another drawing.
+pub fn image(svg: &str) -> String {
+    let kept = |byte| matches!(byte, b'-' | b'.' | b'_' | b'=' | b'/' | b',' | b':' | b';');
+    format!("data:image/svg+xml,{}", clean::percent(svg, kept))
+}
+
+fn line(inlines: &Inlines) -> String {
+    let mut shown = String::new();
+    for piece in inlines.pieces() {
+        let plain = piece.plain();
+        // Writing to a string never fails.
+        let _ = match piece {
+            Inline::Text(_) => write!(shown, "{}", unbroken(&plain)),
+            Inline::Strong(_) => write!(shown, "<strong>{}</strong>", unbroken(&plain)),
+            Inline::Code(_) => write!(shown, "<code>{}</code>", escaped(&plain)),
+            Inline::Quantity { unit, .. } if unit.is_empty() => write!(shown, "{}", escaped(&plain)),
+            Inline::Quantity { .. } => write!(shown, "<span>{}</span>", escaped(&plain)),
+            Inline::Link { to, .. } => match clean::address(to) {
+                Some(to) => write!(shown, "<a href=\"{}\">{}</a>", escaped(&to), escaped(&plain)),
+                None => write!(shown, "{}", escaped(&plain)),
+            },
+        };
+    }
+    shown
+}
+
+/// A text whose short names and numbers with a dash, `2И20-5-80`, are not broken at it.
+fn unbroken(text: &str) -> String {
+    let word = |word: &str| {
+        let name = word.contains('-') && word.contains(|sign: char| sign.is_ascii_digit()) && word.len() <= NAME;
+        if name { format!("<span>{}</span>", escaped(word)) } else { escaped(word) }
+    };
+    text.split(' ').map(word).collect::<Vec<_>>().join(" ")
+}
+
+/// A text as it is shown, in a page or between quotes of an attribute, whatever signs are in it.
+fn escaped(text: &str) -> String {
+    marks(&clean::line(text))
+}
+
+fn escaped_lines(text: &str) -> String {
+    marks(&clean::lines(text))
+}
+
+fn marks(text: &str) -> String {
+    let mut shown = String::with_capacity(text.len());
+    for sign in text.chars() {
+        match sign {
+            '&' => shown.push_str("&amp;"),
+            '<' => shown.push_str("&lt;"),
+            '>' => shown.push_str("&gt;"),
+            '"' => shown.push_str("&quot;"),
+            '\'' => shown.push_str("&#39;"),
+            other => shown.push(other),
+        }
+    }
+    shown
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,70 @@
+//! Laws of the writers: whatever a document says, a reader of what is written reads the same.
+
+mod html;
+mod markdown;
+mod samples;
+mod text;
+
+use technolog_document::{Block, Document, Figure, Inlines, Item, Words};
+
+/// Words that no sample has.
+const WORDS: Words = Words { left_out: "Left", see_all: "Wider", help: "Help", figure: "Drawing" };
+
+/// What a reader should read of a block: what kind of line it is, and its words.
+fn expected(document: &Document) -> Vec<(String, String)> {
+    let mut all = vec![("h1".to_owned(), document.title.plain())];
+    let mut before = None;
+    for block in &document.blocks {
+        let listed = matches!(block, Block::List(_) | Block::Fields(_) | Block::Finding(_));
+        let goes_on = matches!((before.replace(block), block), (Some(Block::Finding(_)), Block::Finding(_)));
+        all.extend((listed && !goes_on).then(|| ("list".to_owned(), String::new())));
+        match block {
+            Block::Heading { level, words } => all.push((format!("h{level}"), words.plain())),
+            Block::Paragraph(words) => all.push(said("p", words)),
+            Block::List(list) => items(&mut all, list, 1),
+            Block::Fields(fields) => {
+                let field =
+                    |field: &technolog_document::Field| format!("{}: {}", field.label.plain(), field.value.plain());
+                all.extend(fields.iter().map(|own| ("li1".to_owned(), field(own))));
+            }
+            Block::Finding(finding) => {
+                let place = finding.place.iter().map(|place| format!(" {place}")).collect::<String>();
+                all.push(("li1".to_owned(), format!("{}{place} {}", finding.word, finding.words.plain())));
+                all.extend(finding.details.iter().map(|detail| said("li2", detail)));
+                all.extend(finding.help.iter().map(|help| ("li2".to_owned(), format!("Help: {}", help.plain()))));
+            }
+            Block::Table(table) => {
+                let head = |column: &technolog_document::Column| match (column.heading.plain(), column.unit.as_str()) {
+                    (name, "") => name,
+                    (name, unit) if name.is_empty() => unit.to_owned(),
+                    (name, unit) => format!("{name}, {unit}"),
+                };
+                all.extend(table.columns().iter().map(|column| ("cell".to_owned(), head(column))));
+                all.extend(table.rows().iter().flatten().map(|cell| said("cell", cell)));
+                all.extend(table.notes.iter().map(|note| said("p", note)));
+            }
+            Block::Figure(Figure { alternative, caption, .. }) => {
+                all.push(("p".to_owned(), alternative.clone()));
+                all.extend((!caption.is_empty()).then(|| said("p", caption)));
+            }
+            Block::Code(code) => all.push(("code".to_owned(), code.clone())),
+        }
+    }
+    all.into_iter().map(|(kind, words)| (kind, spaced(&words))).collect()
+}
+
+fn items(all: &mut Vec<(String, String)>, list: &[Item], depth: usize) {
+    for item in list {
+        all.push(said(&format!("li{depth}"), &item.words));
+        items(all, &item.items, depth + 1);
+    }
+}
+
+fn said(kind: &str, words: &Inlines) -> (String, String) {
+    (kind.to_owned(), words.plain())
+}
+
+/// No format keeps more than one space, nor those at the ends of a line.
+fn spaced(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
