@@ -10,6 +10,7 @@
 
 mod adding;
 mod architecture;
+mod book;
 mod cases;
 mod provenance;
 mod reasons;

@@ -2,12 +2,11 @@
 //!
 //! What is expected here comes from Appendix Г, from the issue and from facts 1, 2.1, 3 and 6, not from
 //! what the program printed. The figures that follow from others are recomputed from the plan's JSON.
-//! The end of the file holds what README.md, README.uk.md, docs/worked-example.md and docs/turning.md show against what
-//! the program prints; `README=write cargo test --test documents worked_example::` brings the documents up to date.
+//! What docs/worked-example.md shows of the program is held by `book::`; the rows that it cites, at the end of this file.
 
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::{Command, Output};
 
 use serde_json::Value;
@@ -512,113 +511,7 @@ fn the_pages() {
     insta::assert_snapshot!("explain_b", text(&["explain", PART, "--hole", "B"]));
 }
 
-// What the documents show.
-
-const DOCUMENTS: [&str; 4] = ["README.md", "README.uk.md", "docs/worked-example.md", "docs/turning.md"];
-
-/// What an audit prints, which ends with 1 where it finds something wrong.
-fn audit(args: &[&str]) -> String {
-    let output = run(args);
-    assert_eq!(output.status.code(), Some(1), "{args:?}");
-    String::from_utf8(output.stdout).unwrap()
-}
-
-fn document(name: &str) -> String {
-    std::fs::read_to_string(root().join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
-}
-
-/// The `console` blocks of a document: the command, and the lines shown under it.
-fn shown(text: &str) -> Vec<(String, Vec<String>)> {
-    let mut blocks = Vec::new();
-    let mut lines = text.lines();
-    while lines.by_ref().any(|line| line == "```console") {
-        let command = lines.next().and_then(|line| line.strip_prefix("$ ")).unwrap_or_default();
-        blocks
-            .push((command.to_owned(), lines.by_ref().take_while(|line| *line != "```").map(str::to_owned).collect()));
-    }
-    blocks
-}
-
-/// The words of a command line, with "quotes" as a shell reads them.
-fn words(line: &str) -> Vec<String> {
-    let (mut words, mut quoted) = (vec![String::new()], false);
-    for letter in line.chars() {
-        match letter {
-            '"' => quoted = !quoted,
-            ' ' if !quoted => words.push(String::new()),
-            _ => words.last_mut().unwrap().push(letter),
-        }
-    }
-    words
-}
-
-/// What a shown command prints; nothing for a command that is not ours.
-fn printed(command: &str) -> Option<Vec<String>> {
-    let mut stages = command.split(" | ");
-    let first = stages.next()?;
-    let args = first.strip_prefix("cargo run --release -- ").or_else(|| first.strip_prefix("technolog "))?;
-    let args = words(args);
-    let args: Vec<&str> = args.iter().map(String::as_str).collect();
-    let told = if args.first() == Some(&"audit") { audit(&args) } else { text(&args) };
-    let mut lines: Vec<String> = told.lines().map(str::to_owned).collect();
-    for stage in stages {
-        if let Some(count) = stage.strip_prefix("head -") {
-            lines.truncate(count.parse().unwrap());
-        } else if let Some(opening) = stage.strip_prefix("sed -n '/^").and_then(|rest| rest.strip_suffix("/,/^$/p'")) {
-            let mut inside = false;
-            lines.retain(|line| {
-                let shown = inside || line.starts_with(opening);
-                inside = shown && (!inside || !line.is_empty());
-                shown
-            });
-        } else {
-            panic!("`{stage}` of `{command}`: only `head -N` and `sed -n '/^X/,/^$/p'` are understood");
-        }
-    }
-    Some(lines)
-}
-
-#[test]
-fn the_documents_show_what_the_program_prints() {
-    let write = std::env::var("README").is_ok_and(|value| value == "write");
-    for name in DOCUMENTS {
-        let before = document(name);
-        let mut after = before.clone();
-        let blocks = shown(&before);
-        assert!(!blocks.is_empty(), "{name} shows nothing");
-        for (command, lines) in blocks {
-            let Some(printed) = printed(&command) else { continue };
-            let block = |lines: &[String]| {
-                let lines: String = lines.iter().map(|line| format!("{line}\n")).collect();
-                format!("```console\n$ {command}\n{lines}```\n")
-            };
-            if write {
-                after = after.replacen(&block(&lines), &block(&printed), 1);
-            } else {
-                assert_eq!(lines.join("\n"), printed.join("\n"), "{name}: `{command}` (README=write mends it)");
-            }
-        }
-        if after != before {
-            std::fs::write(root().join(name), after).unwrap();
-        }
-    }
-}
-
-#[test]
-fn the_readmes_give_the_two_commands_and_real_output() {
-    for (name, lang) in [("README.md", " --lang en"), ("README.uk.md", "")] {
-        let text = document(name);
-        for command in ["cargo run --release -- plan examples/plate.yaml", "cargo test"] {
-            assert!(text.lines().any(|line| line == command), "{name} does not give `{command}`");
-        }
-        let commands: Vec<String> = shown(&text).into_iter().map(|(command, _)| command).collect();
-        let whole = format!("cargo run --release -- plan examples/plate.yaml{lang}");
-        assert!(commands.contains(&whole), "{name} does not show `{whole}`");
-        for verb in ["technolog explain ", "technolog lookup "] {
-            assert!(commands.iter().any(|command| command.starts_with(verb)), "{name} shows no `{verb}`");
-        }
-    }
-}
+// The page about it.
 
 /// `table`, row N: every row that the page on the worked example cites is one the plan rests on.
 #[test]
@@ -635,48 +528,15 @@ fn the_rows_of_the_page_are_rows_of_the_plan() {
     }
     let mut rows = BTreeSet::new();
     METHODS.iter().for_each(|method| collect(&plan(method), &mut rows));
-    let page = document("docs/worked-example.md");
-    let mut cited = 0;
-    for (at, mark) in page.match_indices("`, row ") {
-        let table = page[..at].rsplit('`').next().unwrap_or_default();
-        let digits = page[at + mark.len()..].split(|c: char| !c.is_ascii_digit()).next().unwrap_or_default();
-        assert!(rows.contains(&(table.to_owned(), digits.parse().unwrap())), "`{table}`, row {digits}");
-        cited += 1;
-    }
-    assert!(cited > 10, "only {cited} rows cited");
-}
-
-/// The targets of a document's links.
-fn links(text: &str) -> Vec<&str> {
-    text.split("](").skip(1).filter_map(|rest| rest.split_once(')')).map(|(target, _)| target).collect()
-}
-
-#[test]
-fn links_lead_somewhere() {
-    for name in DOCUMENTS {
-        let folder = root().join(name).parent().map_or_else(root, Path::to_path_buf);
-        for link in links(&document(name)).into_iter().filter(|link| !link.contains("://")) {
-            let file = link.split('#').next().unwrap_or_default();
-            assert!(folder.join(file).exists(), "{name}: {link}");
+    for (path, mark) in [("docs/worked-example.md", "`, row ")] {
+        let page = std::fs::read_to_string(root().join(path)).unwrap();
+        let mut cited = 0;
+        for (at, mark) in page.match_indices(mark) {
+            let table = page[..at].rsplit('`').next().unwrap_or_default();
+            let digits = page[at + mark.len()..].split(|c: char| !c.is_ascii_digit()).next().unwrap_or_default();
+            assert!(rows.contains(&(table.to_owned(), digits.parse().unwrap())), "{path}: `{table}`, row {digits}");
+            cited += 1;
         }
+        assert!(cited > 10, "{path}: only {cited} rows cited");
     }
-}
-
-#[test]
-fn the_readmes_are_twins() {
-    let (english, ukrainian) = (document("README.md"), document("README.uk.md"));
-    let heads = |text: &str| -> Vec<usize> {
-        let marks = text.lines().filter_map(|line| line.split_once(' ')).map(|(mark, _)| mark);
-        marks.filter(|mark| mark.starts_with('#')).map(str::len).collect()
-    };
-    assert_eq!(heads(&english), heads(&ukrainian));
-    let commands = |text: &str| -> Vec<String> {
-        let commands = shown(text).into_iter().map(|(command, _)| command.replace(" --lang en", ""));
-        commands.map(|command| command.split(" | ").next().unwrap_or_default().to_owned()).collect()
-    };
-    assert_eq!(commands(&english), commands(&ukrainian));
-    let files = |text: &str| -> Vec<String> {
-        links(text).into_iter().filter(|link| !link.starts_with("README")).map(str::to_owned).collect()
-    };
-    assert_eq!(files(&english), files(&ukrainian));
 }
