@@ -135,7 +135,7 @@ fn the_rule_of_every_finding_can_be_named() {
     let known = known();
     for finding in audit["findings"].as_array().unwrap() {
         let rule = finding["rule"].as_str().unwrap();
-        assert!(known.contains(&rule), "{rule}");
+        assert!(known.iter().any(|one| one == rule), "{rule}");
     }
 }
 

@@ -44,7 +44,7 @@ fn said(folder: &Path, language: &Language, program: &str, machine: &str) -> Str
     let faults = language.check(&read(program).unwrap(), &machine, &setting, &mut trace);
     let mut text = String::new();
     for fault in &faults {
-        let figures: String = fault.note.figures().map(|(name, value)| format!(" {name}={value}")).collect();
+        let figures: String = fault.note.figures().map(|(name, value)| format!(" {name}={}", value.text())).collect();
         let calls = if fault.calls.is_empty() { String::new() } else { format!(" {}", fault.path().unwrap()) };
         writeln!(text, "{}:{} {}{figures}{calls}", fault.span.line, fault.span.column, fault.code).unwrap();
     }
