@@ -132,6 +132,11 @@ impl Note {
         self.params.get(name)
     }
 
+    /// A figure of it as machines read it; nothing may be decided by it.
+    pub fn figure_text(&self, name: &str) -> Option<String> {
+        self.params.get(name).map(|figure| figure.text().into_owned())
+    }
+
     /// Its figures by their names, for the words of it; nothing may be decided by them.
     pub fn figures(&self) -> impl Iterator<Item = (&str, &Figure)> {
         self.params.iter()

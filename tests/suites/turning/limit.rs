@@ -107,7 +107,7 @@ fn the_case_of_the_head_of_this_file() {
     let missing: Vec<_> =
         limit.missing.iter().map(|missing| (missing.bound, missing.why.note().code().to_owned())).collect();
     assert_eq!(missing, [(Bound::SpindleTorque, "lathe-lacks".to_owned())]);
-    assert_eq!(limit.findings()[0].note.figure("of"), Some("16k20f3"));
+    assert_eq!(limit.findings()[0].note.figure_text("of").as_deref(), Some("16k20f3"));
     // Every row of low trust is told.
     assert!(limit.because.iter().any(|why| why.table == "turning-force" && why.is_doubtful()));
 }
@@ -262,7 +262,7 @@ fn the_tool_of_the_lecture_bears_nothing_that_is_known() {
         match limiting_depth(&case.cut(65.0, Direction::Longitudinal), MillimetresPerRev(0.6), speed) {
             Err(Refusal::Not(why)) => {
                 let note = why.note();
-                (note.code().to_owned(), note.figure("what").unwrap_or_default().to_owned())
+                (note.code().to_owned(), note.figure_text("what").unwrap_or_default())
             }
             other => panic!("{other:?}"),
         }

@@ -51,7 +51,7 @@ fn silent(operation: &Operation) -> Vec<String> {
         let number = zone.zone.number.to_string();
         let named = operation.findings.iter().any(|finding| {
             let note = &finding.note;
-            NAMED.contains(&note.code()) && note.figure("zone") == Some(number.as_str())
+            NAMED.contains(&note.code()) && note.figure_text("zone").as_ref() == Some(&number)
         });
         if !cleared && !named && !says(&OF_THE_PART) {
             let refused: Vec<_> = zone

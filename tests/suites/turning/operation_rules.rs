@@ -47,7 +47,7 @@ fn the_skin_of_the_blank_is_a_row() {
     let speed = |operation: &Operation| {
         let conditions = zone(operation).works[0].pace.conditions.clone().unwrap();
         let row = conditions.because.iter().find(|because| because.table == "turning-skin").unwrap();
-        (conditions.computed_speed_m_per_min.0, row.note.figure("surface").unwrap().to_owned())
+        (conditions.computed_speed_m_per_min.0, row.note.figure_text("surface").unwrap())
     };
     let (rolled, surface) = speed(&planned("bar", &shipped_knowledge()));
     assert_eq!(surface, "rolled");

@@ -321,7 +321,7 @@ fn what_cannot_be_worked_is_refused() {
     // atan(6/5) = 50.19°.
     let Err(Refusal::Not(why)) = refused else { panic!() };
     let note = why.note();
-    assert_eq!((note.code(), note.figure("angle")), ("flank-too-steep", Some("50.19")));
+    assert_eq!((note.code(), note.figure_text("angle").as_deref()), ("flank-too-steep", Some("50.19")));
     let none = |_: &Contour, _: Half| None;
     let refused = work(&stock, &tool(0.8), &good, Scheme::Equidistant, &none, &KNOWLEDGE);
     assert!(matches!(refused, Err(Refusal::Not(Unsuited::NoEquidistant { .. }))));
