@@ -36,6 +36,7 @@ use std::process::ExitCode;
 
 use clap::{ArgAction, FromArgMatches, Parser, Subcommand, ValueEnum};
 use serde::Serialize;
+use technolog::document::{self, Document};
 use technolog::error::KnowledgeError;
 use technolog::knowledge::Diagnostic;
 use technolog::report::grid;
@@ -133,6 +134,22 @@ pub enum Format {
 }
 
 impl Format {
+    /// What the ending of a file can mean, the usual first; nothing for an ending that says nothing, such as `.nc`.
+    fn of_ending(file: &Path) -> &'static [Self] {
+        let ending = file.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_ascii_lowercase();
+        match ending.as_str() {
+            "txt" => &[Self::Text],
+            "json" => &[Self::Json],
+            "yaml" | "yml" => &[Self::Yaml, Self::Hand],
+            "csv" => &[Self::Csv],
+            "svg" => &[Self::Svg],
+            "md" | "markdown" => &[Self::Markdown],
+            "html" | "htm" => &[Self::Html],
+            "xml" => &[Self::Junit],
+            _ => &[],
+        }
+    }
+
     /// Its name on the command line.
     pub const fn name(self) -> &'static str {
         match self {
@@ -163,21 +180,58 @@ pub struct Context {
 }
 
 impl Context {
-    /// The form of the answer: the one named, or the first that the command has.
+    /// The form of the answer: the one named, else the one that the ending of `-o` means, else the first that the command
+    /// has.
     ///
     /// # Errors
-    /// The command does not have it.
+    /// The command does not have it, or name and ending contradict each other.
     pub fn format(&self, command: &str, known: &[Format]) -> Result<Format, CliError> {
-        match self.format {
-            None => Ok(known.first().copied().unwrap_or(Format::Text)),
-            Some(format) if known.contains(&format) => Ok(format),
-            Some(format) => {
-                let names: Vec<&str> = known.iter().map(|format| format.name()).collect();
-                let message = words::no_format(self.lang, command, format.name());
-                let help = words::formats(self.lang, names.join(", "));
-                Err(Diagnostic::error("no-format", message, None).help(help).into())
+        let meant = self.output.as_deref().map_or(&[][..], Format::of_ending);
+        let lacks = |format: Format| {
+            let names: Vec<&str> = known.iter().map(|format| format.name()).collect();
+            let message = words::no_format(self.lang, command, format.name());
+            let help = words::formats(self.lang, names.join(", "));
+            Err(Diagnostic::error("no-format", message, None).help(help).into())
+        };
+        match (self.format, meant) {
+            (None, []) => Ok(known.first().copied().unwrap_or(Format::Text)),
+            (None, [usual, ..]) => {
+                meant.iter().find(|format| known.contains(format)).copied().map_or_else(|| lacks(*usual), Ok)
             }
+            (Some(asked), _) if !known.contains(&asked) => lacks(asked),
+            (Some(asked), [usual, ..]) if !meant.contains(&asked) => {
+                let file = self.output.as_deref().unwrap_or(Path::new("-")).display();
+                let message = words::format_contradiction(self.lang, file, usual.name(), asked.name());
+                let help = words::format_contradiction_help(self.lang);
+                Err(Diagnostic::error("format-contradiction", message, None).help(help).into())
+            }
+            (Some(asked), _) => Ok(asked),
         }
+    }
+
+    /// Gives out a page as text, Markdown or HTML.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn emit_document(&self, document: &Document, format: Format) -> Result<(), CliError> {
+        self.emit(&self.written(document, format))
+    }
+
+    /// A page as text, Markdown or HTML.
+    pub fn written(&self, document: &Document, format: Format) -> String {
+        let format = match format {
+            Format::Markdown => document::Format::Markdown,
+            Format::Html => document::Format::Html,
+            _ => document::Format::Text,
+        };
+        let words = document::Words {
+            left_out: self.word("document-left-out"),
+            see_all: self.word("document-see-all"),
+            help: self.word("cli-help"),
+            figure: self.word("document-figure"),
+        };
+        let screen = output::Screen::of(self.output.as_deref());
+        document::write(document, format, screen.width, screen.colour, &words)
     }
 
     /// Gives out the answer: on the screen, or in the file of `-o`.

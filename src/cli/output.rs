@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::path::{Component, Path, PathBuf};
 
 use technolog::knowledge::Diagnostic;
@@ -30,6 +30,31 @@ pub fn write(answer: &[u8], file: Option<&Path>, lang: Lang) -> Result<(), CliEr
 /// The answer cannot be printed.
 pub fn unprintable(lang: Lang, error: impl Display) -> CliError {
     Diagnostic::error("unprintable", words::cannot_print(lang, error), None).help(words::print_to_file(lang)).into()
+}
+
+/// Narrower than this nothing can be laid out.
+const NARROWEST: usize = 40;
+/// What is no terminal is as wide as this.
+const USUAL_WIDTH: usize = 120;
+
+/// What the answer is shown on.
+#[derive(Clone, Copy, Debug)]
+pub struct Screen {
+    /// Its width in characters.
+    pub width: usize,
+    /// Whether it shows colours.
+    pub colour: bool,
+}
+
+impl Screen {
+    /// The terminal, else a file or a pipe; `COLUMNS` says how wide either is.
+    pub fn of(file: Option<&Path>) -> Self {
+        let terminal = io::stdout().is_terminal() && file.is_none();
+        let said = std::env::var("COLUMNS").ok().and_then(|columns| columns.parse::<usize>().ok());
+        let seen = || terminal_size::terminal_size().map(|(width, _)| usize::from(width.0));
+        let width = said.or_else(|| if terminal { seen() } else { None }).unwrap_or(USUAL_WIDTH);
+        Self { width: width.max(NARROWEST), colour: terminal && std::env::var_os("NO_COLOR").is_none() }
+    }
 }
 
 /// Shows problems beside the answer.

@@ -72,7 +72,8 @@ struct Told<'a> {
 /// The part file cannot be used; every mistake in it is told at once.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let formats: &[Format] = match args.show {
-        Show::Program | Show::Setting => &[Format::Text, Format::Json],
+        Show::Program => &[Format::Text, Format::Json],
+        Show::Setting => &[Format::Yaml, Format::Text, Format::Json],
         Show::Encoding => &[Format::Text, Format::Json, Format::Csv],
         Show::Backplot | Show::Cycles => &[Format::Svg],
     };

@@ -23,6 +23,8 @@ phrases! {
     list_tables(): "cli-list-tables";
     no_format(command, format): "cli-no-format";
     formats(known): "cli-formats";
+    format_contradiction(file, meant, asked): "cli-format-contradiction";
+    format_contradiction_help(): "cli-format-contradiction-help";
     cannot_write(path, error): "cli-cannot-write";
     check_folder(): "cli-check-folder";
     cannot_print(error): "cli-cannot-print";

@@ -72,7 +72,9 @@ impl Run {
 /// # Errors
 /// A file of cases, or one that it names, cannot be used, which the answer has said; or there are no cases at all.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    let format = context.format("test", &[Format::Text, Format::Json, Format::Junit])?;
+    // What `--write -o FILE` names is a copy of the cases, not the answer.
+    let formats = [Format::Text, Format::Json, Format::Junit];
+    let format = if args.write { context.format.unwrap_or(Format::Text) } else { context.format("test", &formats)? };
     let knowledge = knowledge::load(context)?;
     let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let asker = Asker::new(knowledge);

@@ -193,3 +193,5 @@ test-files-counted = { $count } { $count ->
 test-all-as-expected = { $files }, { $cases }: all as expected
 test-some-failed = { $files }, { $cases }: { $failed } failed
 test-unusable-files = {""}, unusable files: { $count }
+cli-format-contradiction = { $file }: its ending means { $meant }, and --format asks for { $asked }
+cli-format-contradiction-help = leave out --format, or give the file another ending

@@ -198,3 +198,5 @@ test-files-counted = { $count } { $count ->
 test-all-as-expected = { $files }, { $cases }: усе зійшлося
 test-some-failed = { $files }, { $cases }: не зійшлося { $failed }
 test-unusable-files = {""}, не читається файлів: { $count }
+cli-format-contradiction = { $file }: за закінченням це { $meant }, а --format просить { $asked }
+cli-format-contradiction-help = приберіть --format або дайте файлові інше закінчення
