@@ -1,6 +1,7 @@
 //! Gives the steps of one hole their cutters, holders and conditions, or says why one cannot have them.
 
 mod centring;
+mod one_drill;
 mod reach;
 
 use std::cell::RefCell;
@@ -18,11 +19,12 @@ use crate::route::bores::Edge;
 use crate::route::{Place, Step};
 use crate::shop::Shop;
 use crate::tables::holes::HoleDefault;
-use crate::tables::rules::{Lead, ReamerLeadFor, TwoPassDrilling};
+use crate::tables::rules::{Lead, ReamerLeadFor};
 use crate::tooling::{self, Assembly, CutterNeed};
-use crate::units::{ItGrade, Micrometres, Roughness, round_to};
+use crate::units::{ItGrade, Micrometres, Roughness};
 
 pub(super) use centring::widest_spot;
+use one_drill::{SingleDrill, SingleKey};
 use reach::point_angle;
 
 /// A step with what it is done with.
@@ -103,6 +105,8 @@ pub(super) struct Fitting<'p, 'k> {
     known: RefCell<BTreeMap<Key, Result<Outfit, Reason>>>,
     /// The conditions of the spots that were asked for.
     spots: RefCell<BTreeMap<SpotKey, Rc<Conditions>>>,
+    /// The single drills that second ones were compared with; none where there are no conditions for them.
+    single_drills: RefCell<BTreeMap<SingleKey, Option<SingleDrill>>>,
 }
 
 /// What the conditions of a spot depend on: its step's place, its diameter and that before it, its passes, and the travel.
@@ -138,6 +142,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             tap_lead: shop.share(HoleDefault::TapLeadPitches)?,
             known: RefCell::new(BTreeMap::new()),
             spots: RefCell::new(BTreeMap::new()),
+            single_drills: RefCell::new(BTreeMap::new()),
         })
     }
 
@@ -340,42 +345,6 @@ impl<'p, 'k> Fitting<'p, 'k> {
             tool_diameter: step.also.map(|_| step.diameter),
         }
     }
-
-    /// Says what the second drill costs in time and saves in thrust against one drill of full size.
-    pub fn compare_with_one_drill(&self, fitted: &mut [Fitted]) -> Result<(), KnowledgeError> {
-        let Some(second) = fitted
-            .iter()
-            .position(|one| one.step.operation == Operation::DrillOut && one.step.place.feature == Feature::Bore)
-        else {
-            return Ok(());
-        };
-        let single = Step {
-            operation: Operation::Drill,
-            from: Micrometres::ZERO,
-            because: Vec::new(),
-            ..fitted[second].step.clone()
-        };
-        let (travel, _) = self.travel(&single);
-        let follows = fitted.get(second + 1).map(|one| one.step.operation);
-        let cut = self.cut(&single, follows, ToolMaterial::HighSpeedSteel, travel);
-        let Ok(one) = cutting::conditions(&cut, self.shop) else { return Ok(()) };
-        let pair = &fitted[second.saturating_sub(1)..=second];
-        let time: f64 = pair.iter().map(|step| step.conditions.machine_time_min.0).sum();
-        let thrust = pair
-            .iter()
-            .filter_map(|step| step.conditions.axial_force_n)
-            .fold(0.0, |most: f64, force| most.max(force.0));
-        let table = self.shop.knowledge.table_of::<TwoPassDrilling<'_>>()?;
-        let note = Note::new("two-passes-cost")
-            .with("time", format!("{:+.3}", time - one.machine_time_min.0))
-            .with("thrust", round_to(thrust, 0))
-            .with(
-                "one-thrust",
-                one.axial_force_n.map_or_else(|| "-".to_owned(), |force| round_to(force.0, 0).to_string()),
-            );
-        fitted[second].because.push(Because::table(table, note));
-        Ok(())
-    }
 }
 
 /// How far the tool of somebody's step goes in one pass, and how far above the metal its feed begins.
@@ -422,7 +391,7 @@ const fn eases(next: Operation) -> bool {
 }
 
 /// The shape of an end mill, where the row has teeth.
-fn cutter_shape(cutter: &tooling::Cutter<'_>) -> Option<cutting::CutterShape> {
+fn cutter_shape(cutter: &tooling::Cutter<'_, '_>) -> Option<cutting::CutterShape> {
     let teeth = u32::try_from(cutter.row.teeth?).ok()?;
     let cutting_length = cutter.row.cutting_length?;
     Some(cutting::CutterShape { diameter: cutter.diameter, teeth, cutting_length })

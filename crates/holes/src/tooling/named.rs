@@ -155,9 +155,9 @@ pub fn point_angle(cutter: &NamedCutter<'_>) -> Option<f64> {
     cutter.head.point_angle.map(|angle| angle.to_f64())
 }
 
-fn as_cutter<'k>(named: &NamedCutter<'k>) -> Cutter<'k> {
+fn as_cutter<'s, 'k>(named: &'s NamedCutter<'k>) -> Cutter<'s, 'k> {
     Cutter {
-        row: named.row.clone(),
+        row: &named.row,
         head: named.head,
         designation: named.designation,
         diameter: named.row.diameter.unwrap_or_default(),
