@@ -8,6 +8,7 @@
 //! ([`Knowledge::read_folder`]), and it decides nothing: decisions are rows.
 
 pub mod alike;
+mod by_id;
 pub mod cell;
 pub mod column;
 pub mod contract;
