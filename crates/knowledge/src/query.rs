@@ -218,6 +218,30 @@ impl ColumnIndex {
     }
 }
 
+/// Rows that apply: one as a rule, which needs no list.
+#[derive(Debug, Clone, Default)]
+struct Won {
+    first: Option<u32>,
+    others: Vec<u32>,
+}
+
+impl Won {
+    const fn one(row: u32) -> Self {
+        Self { first: Some(row), others: Vec::new() }
+    }
+
+    fn push(&mut self, row: u32) {
+        match self.first {
+            None => self.first = Some(row),
+            Some(_) => self.others.push(row),
+        }
+    }
+
+    fn rows(&self) -> impl Iterator<Item = u32> + '_ {
+        self.first.into_iter().chain(self.others.iter().copied())
+    }
+}
+
 /// An input of a query.
 #[derive(Debug, Clone, Copy)]
 struct Given {
@@ -233,7 +257,7 @@ pub struct Answer<'t> {
     /// The inputs, in the order of their columns.
     inputs: Vec<Given>,
     /// The rows that apply, under the hit policy.
-    winners: Vec<u32>,
+    winners: Won,
     /// Rows that match but that the hit policy does not take.
     passed_over: Vec<u32>,
 }
@@ -283,27 +307,28 @@ impl Table {
         if used != inputs.iter().filter(|(_, input)| input.is_some()).count() {
             return Err(self.unknown_input(inputs));
         }
-        let mut matched: Vec<u32> = Vec::new();
+        let mut matched = Won::default();
         for word in 0..words {
             let tests = index.columns.iter().zip(&given);
             let alive = tests.fold(all_of_word(self.rows.len(), word), |alive, (compiled, given)| {
                 alive & compiled.matching(given.segment, words)[word]
             });
-            matched.extend(rows_of_word(alive, word));
+            rows_of_word(alive, word).for_each(|row| matched.push(row));
         }
         let (winners, passed_over) = self.apply_policy(matched)?;
         Ok(Answer { table: self, inputs: given, winners, passed_over })
     }
 
-    fn apply_policy(&self, matched: Vec<u32>) -> Result<(Vec<u32>, Vec<u32>), QueryError> {
-        if matched.len() <= 1 || self.hit == HitPolicy::Collect {
+    fn apply_policy(&self, matched: Won) -> Result<(Won, Vec<u32>), QueryError> {
+        if matched.others.is_empty() || self.hit == HitPolicy::Collect {
             return Ok((matched, Vec::new()));
         }
+        let matched: Vec<u32> = matched.rows().collect();
         let conflict = |rows: &[u32]| QueryError::Conflict {
             table: self.id.clone(),
             rows: rows.iter().map(|row| (row + 1).to_string()).collect::<Vec<_>>().join(", "),
         };
-        let keep = |winner: u32| (vec![winner], matched.iter().copied().filter(|&row| row != winner).collect());
+        let keep = |winner: u32| (Won::one(winner), matched.iter().copied().filter(|&row| row != winner).collect());
         match self.hit {
             HitPolicy::First => Ok(keep(matched[0])),
             HitPolicy::Any if matched.iter().all(|&row| self.same_outputs(matched[0] as usize, row as usize)) => {
@@ -395,12 +420,12 @@ impl<'t> Answer<'t> {
 
     /// The row that applies; the first of several under `collect`.
     pub fn winner(&self) -> Option<RowRef<'t>> {
-        self.winners.first().map(|&row| RowRef { table: self.table, index: row as usize })
+        self.winners.first.map(|row| RowRef { table: self.table, index: row as usize })
     }
 
     /// Every row that applies.
     pub fn winners(&self) -> impl Iterator<Item = RowRef<'t>> + '_ {
-        self.winners.iter().map(|&row| RowRef { table: self.table, index: row as usize })
+        self.winners.rows().map(|row| RowRef { table: self.table, index: row as usize })
     }
 
     /// Rows that match but were not taken.

@@ -30,6 +30,7 @@ use reach::point_angle;
 /// A step with what it is done with.
 #[derive(Clone, Debug)]
 pub(super) struct Fitted {
+    /// Its reasons stand among all those below.
     pub step: Step,
     /// Absent for centring until the whole part is known.
     pub tool: Option<Rc<FittedTool>>,
@@ -51,6 +52,7 @@ pub(super) struct FittedTool {
     pub diameter: Micrometres,
     /// The size it is ground or set to; distinguishes two tools of one designation.
     pub size: Micrometres,
+    /// Its reasons stand among those below.
     pub assembly: Assembly,
     pub because: Vec<Because>,
 }
@@ -196,9 +198,9 @@ impl<'p, 'k> Fitting<'p, 'k> {
     }
 
     /// One step that is not centring.
-    pub fn one(&self, step: Step, follows: Option<Operation>, last: bool) -> Tried<Fitted> {
+    pub fn one(&self, mut step: Step, follows: Option<Operation>, last: bool) -> Tried<Fitted> {
         let Outfit { tool, travel, conditions, doubts } = self.outfit(&step, follows, last)?;
-        let mut because = step.because.clone();
+        let mut because = std::mem::take(&mut step.because);
         let (approach, _, reason) = self.travels(step.place.through);
         because.push(reason.clone());
         because.extend(self.conventions(&step)?);
@@ -264,7 +266,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             }
             None => tooling::find_tool(&need, shop)?,
         };
-        let (cutter, assembly) = found.map_err(|why| Refusal::Not(Reason::no_tool(step.operation, why)))?;
+        let (cutter, mut assembly) = found.map_err(|why| Refusal::Not(Reason::no_tool(step.operation, why)))?;
         // A step drill goes on until its wide part is as deep as the opening.
         let travel = match (step.also, cutter.row.step_length) {
             (Some(_), Some(pilot)) => self.travels(step.place.through).0 + self.opening_depth() + pilot,
@@ -291,7 +293,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             let note = Note::new("ground-within").with("limit", self.grind_limit);
             because.push(Because::row(self.shop.default_row(HoleDefault::CutterGrindLimit)?.row, note));
         }
-        because.extend(assembly.because.clone());
+        because.append(&mut assembly.because);
         let tool = FittedTool {
             designation: cutter.designation.to_owned(),
             table: cutter.row.row.table.id.clone(),

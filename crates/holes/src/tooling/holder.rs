@@ -50,7 +50,7 @@ pub fn assemble<'k>(
     need: &CutterNeed<'_>,
     shop: &Shop<'k>,
 ) -> Result<Result<Assembly, Vec<Unfit>>, KnowledgeError> {
-    let held = match hold(cutter, need, shop)? {
+    let held = match hold(cutter, need, holders(cutter.head, need.operation, shop)?, shop)? {
         Ok(held) => held,
         Err(why) => return Ok(Err(why)),
     };
@@ -114,11 +114,26 @@ pub(super) struct Held<'s, 'k> {
     mass_kg: Option<f64>,
 }
 
-/// Looks for the first holder that takes a cutter, as [`assemble`] does.
+/// The holders among which one is looked for; none where the cutter has the machine's taper.
+pub(super) fn holders<'s, 'k>(
+    head: &ToolHead,
+    operation: Operation,
+    shop: &'s Shop<'k>,
+) -> Result<&'s [HolderRow<'k>], KnowledgeError> {
+    if head.shank == Shank::Taper {
+        return Ok(&[]);
+    }
+    let family = family(head, operation, shop.knowledge)?;
+    let table = family.holders.ok_or_else(|| KnowledgeError::lacks(&family.row.table.id, "holders of this shank"))?;
+    shop.shelf.holders_of(table)
+}
+
+/// Looks for the first of the holders that takes a cutter, as [`assemble`] does.
 pub(super) fn hold<'s, 'k>(
     cutter: &Cutter<'_, 'k>,
     need: &CutterNeed<'_>,
-    shop: &'s Shop<'k>,
+    holders: &'s [HolderRow<'k>],
+    shop: &Shop<'k>,
 ) -> Result<Result<Held<'s, 'k>, Vec<Unfit>>, KnowledgeError> {
     let machine = &shop.machine;
     let overhang = overhang(cutter, need, shop)?;
@@ -127,10 +142,8 @@ pub(super) fn hold<'s, 'k>(
         let held = Held { holder: None, length: overhang.length, overhang, mass_kg };
         return Ok(within_limits(held, cutter, machine));
     }
-    let family = family(cutter.head, need.operation, shop.knowledge)?;
-    let holders = family.holders.ok_or_else(|| KnowledgeError::lacks(&family.row.table.id, "holders of this shank"))?;
     let mut rejected = Vec::new();
-    for row in shop.shelf.holders_of(holders)? {
+    for row in holders {
         let why = refuse(row, cutter, machine).or_else(|| too_short(row, cutter, overhang.length, need));
         if let Some(fault) = why {
             rejected.push((row.designation, fault));

@@ -12,6 +12,7 @@ use crate::tables::rules::{ToolTables, ToolTablesFor};
 use crate::tables::tools::{BoringStage, CutterRow};
 
 use super::cutter::{By, Cutter, CutterNeed, Tables, designation, is_grindable};
+use super::holder::{hold, holders};
 use super::reach::{reach_of, refuse};
 
 /// Rows of the right size, in the order in which they are tried: mills from the largest, cones and what is ground from the
@@ -119,7 +120,8 @@ pub fn drill_sizes(shop: &Shop<'_>) -> Result<Vec<DrillSize>, KnowledgeError> {
     let tables = shop.shelf.cutters().iter().filter(|tables| tables.head.operations.contains(&Operation::Drill));
     let mut drills = Vec::new();
     for tables in tables {
-        let sized = tables.rows()?.iter().filter_map(|row| Some((row.diameter?, tables.head, row)));
+        let holders = holders(tables.head, Operation::Drill, shop)?;
+        let sized = tables.rows()?.iter().filter_map(|row| Some((row.diameter?, tables.head, row, holders)));
         drills.extend(sized.filter(|(diameter, ..)| *diameter <= shop.machine.drill_max));
     }
     drills.sort_by_key(|(diameter, ..)| *diameter);
@@ -131,13 +133,15 @@ pub fn drill_sizes(shop: &Shop<'_>) -> Result<Vec<DrillSize>, KnowledgeError> {
         let rule = shop.knowledge.ask(&ToolTablesFor { operation, diameter })?.need(operation.name())?;
         let rule = Rc::new(rule);
         let mut reach = Micrometres::ZERO;
-        for &(_, head, row) in drills.iter().filter(|(.., row)| rule.tables.contains(&row.row.table.id.as_str())) {
+        for &(_, head, row, holders) in
+            drills.iter().filter(|(.., row, _)| rule.tables.contains(&row.row.table.id.as_str()))
+        {
             if refuse(row, &need, &shop.machine).is_some() {
                 continue;
             }
             let by = By::Order { rule: Rc::clone(&rule), operation, ground: None, size: diameter };
             let cutter = Cutter { row, head, designation: designation(row, &need)?, diameter, by, over: Vec::new() };
-            if let Ok(held) = super::holder::hold(&cutter, &need, shop)? {
+            if let Ok(held) = hold(&cutter, &need, holders, shop)? {
                 reach = reach.max(reach_of(row).unwrap_or_default().min(held.overhang.length));
             }
         }
