@@ -18,31 +18,34 @@ pub(super) fn tour(space: &Space<'_>) -> Vec<usize> {
         return (0..space.nodes()).collect();
     }
     let sets = 1_usize << count;
-    let mut best = vec![NONE; sets * count];
-    let costs: Vec<i64> = (0..count * count).map(|pair| space.cost(pair / count + 1, pair % count + 1)).collect();
+    // Of so many columns each, whatever the count: a row is then gone through without counting.
+    let mut best = vec![[NONE; EXACT_POINTS]; sets];
+    let mut costs = [[NONE; EXACT_POINTS]; EXACT_POINTS];
     for last in 0..count {
-        best[(1 << last) * count + last] = space.cost(0, last + 1);
+        best[1 << last][last] = space.cost(0, last + 1);
+        for before in 0..count {
+            costs[last][before] = space.cost(before + 1, last + 1);
+        }
     }
     for set in 1..sets {
         for last in nodes_of(set) {
             let before = set & !(1 << last);
-            if before == 0 {
-                continue;
+            // To a node outside the set there is no way: it is looked at with the others, and is never the least.
+            if before != 0 {
+                let ways = best[before].iter().zip(&costs[last]).map(|(so_far, cost)| so_far + cost);
+                best[set][last] = ways.fold(NONE, i64::min);
             }
-            // Of a node outside the set there is no way: it is looked at with the others, and is never the least.
-            let ways = best[before * count..][..count].iter().zip(&costs[last * count..][..count]);
-            best[set * count + last] = ways.map(|(so_far, cost)| so_far + cost).min().unwrap_or(NONE);
         }
     }
     // Back along the costs: the node before is the first from which the cost is right.
     let mut set = sets - 1;
-    let mut last = (0..count).min_by_key(|&last| (best[set * count + last] + space.cost(0, last + 1), last));
+    let mut last = (0..count).min_by_key(|&last| (best[set][last] + space.cost(0, last + 1), last));
     let mut tour = vec![0];
     while let Some(node) = last {
         tour.push(node + 1);
-        let cost = best[set * count + node];
+        let cost = best[set][node];
         set &= !(1 << node);
-        last = nodes_of(set).find(|&before| best[set * count + before] + costs[before * count + node] == cost);
+        last = nodes_of(set).find(|&before| best[set][before] + costs[node][before] == cost);
     }
     tour
 }
