@@ -14,6 +14,7 @@ pub mod column;
 pub mod contract;
 pub mod diagnostic;
 pub mod error;
+mod few;
 pub mod knowledge;
 pub mod lint;
 pub mod load;

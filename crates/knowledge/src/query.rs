@@ -11,6 +11,7 @@ use std::marker::PhantomData;
 use crate::column::{Column, ColumnType};
 use crate::contract::{Question, TableRow, Which};
 use crate::error::KnowledgeError;
+use crate::few::Few;
 use crate::knowledge::Knowledge;
 use crate::set::Set;
 use crate::table::{Cell, HitPolicy, Kind, RowRef, Table, TableError};
@@ -218,32 +219,8 @@ impl ColumnIndex {
     }
 }
 
-/// Rows that apply: one as a rule, which needs no list.
-#[derive(Debug, Clone, Default)]
-struct Won {
-    first: Option<u32>,
-    others: Vec<u32>,
-}
-
-impl Won {
-    const fn one(row: u32) -> Self {
-        Self { first: Some(row), others: Vec::new() }
-    }
-
-    fn push(&mut self, row: u32) {
-        match self.first {
-            None => self.first = Some(row),
-            Some(_) => self.others.push(row),
-        }
-    }
-
-    fn rows(&self) -> impl Iterator<Item = u32> + '_ {
-        self.first.into_iter().chain(self.others.iter().copied())
-    }
-}
-
 /// An input of a query.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 struct Given {
     rank: i64,
     /// The number of its elementary interval.
@@ -255,9 +232,9 @@ struct Given {
 pub struct Answer<'t> {
     table: &'t Table,
     /// The inputs, in the order of their columns.
-    inputs: Vec<Given>,
+    inputs: Few<Given, 6>,
     /// The rows that apply, under the hit policy.
-    winners: Won,
+    winners: Few<u32, 1>,
     /// Rows that match but that the hit policy does not take.
     passed_over: Vec<u32>,
 }
@@ -285,7 +262,7 @@ impl Table {
         }
         let index = self.index();
         let words = index.words;
-        let mut given = Vec::with_capacity(index.columns.len());
+        let mut given = Few::default();
         let mut used = 0;
         for (at, compiled) in index.columns.iter().enumerate() {
             let column = &self.columns[compiled.column];
@@ -307,9 +284,9 @@ impl Table {
         if used != inputs.iter().filter(|(_, input)| input.is_some()).count() {
             return Err(self.unknown_input(inputs));
         }
-        let mut matched = Won::default();
+        let mut matched = Few::default();
         for word in 0..words {
-            let tests = index.columns.iter().zip(&given);
+            let tests = index.columns.iter().zip(given.iter());
             let alive = tests.fold(all_of_word(self.rows.len(), word), |alive, (compiled, given)| {
                 alive & compiled.matching(given.segment, words)[word]
             });
@@ -319,16 +296,20 @@ impl Table {
         Ok(Answer { table: self, inputs: given, winners, passed_over })
     }
 
-    fn apply_policy(&self, matched: Won) -> Result<(Won, Vec<u32>), QueryError> {
-        if matched.others.is_empty() || self.hit == HitPolicy::Collect {
+    fn apply_policy(&self, matched: Few<u32, 1>) -> Result<(Few<u32, 1>, Vec<u32>), QueryError> {
+        if matched.len() <= 1 || self.hit == HitPolicy::Collect {
             return Ok((matched, Vec::new()));
         }
-        let matched: Vec<u32> = matched.rows().collect();
+        let matched: Vec<u32> = matched.iter().collect();
         let conflict = |rows: &[u32]| QueryError::Conflict {
             table: self.id.clone(),
             rows: rows.iter().map(|row| (row + 1).to_string()).collect::<Vec<_>>().join(", "),
         };
-        let keep = |winner: u32| (Won::one(winner), matched.iter().copied().filter(|&row| row != winner).collect());
+        let keep = |winner: u32| {
+            let mut only = Few::default();
+            only.push(winner);
+            (only, matched.iter().copied().filter(|&row| row != winner).collect())
+        };
         match self.hit {
             HitPolicy::First => Ok(keep(matched[0])),
             HitPolicy::Any if matched.iter().all(|&row| self.same_outputs(matched[0] as usize, row as usize)) => {
@@ -420,12 +401,12 @@ impl<'t> Answer<'t> {
 
     /// The row that applies; the first of several under `collect`.
     pub fn winner(&self) -> Option<RowRef<'t>> {
-        self.winners.first.map(|row| RowRef { table: self.table, index: row as usize })
+        self.winners().next()
     }
 
     /// Every row that applies.
     pub fn winners(&self) -> impl Iterator<Item = RowRef<'t>> + '_ {
-        self.winners.rows().map(|row| RowRef { table: self.table, index: row as usize })
+        self.winners.iter().map(|row| RowRef { table: self.table, index: row as usize })
     }
 
     /// Rows that match but were not taken.
@@ -438,7 +419,7 @@ impl<'t> Answer<'t> {
         // Made here, not when the table is asked: most answers are taken without asking why the others lost.
         let (table, index) = (self.table, self.table.index());
         let mut alive: Vec<u64> = (0..index.words).map(|word| all_of_word(table.rows.len(), word)).collect();
-        index.columns.iter().zip(&self.inputs).flat_map(move |(compiled, given)| {
+        index.columns.iter().zip(self.inputs.iter()).flat_map(move |(compiled, given)| {
             let column = &table.columns[compiled.column];
             let matching = compiled.matching(given.segment, index.words);
             let lost: Vec<u64> = alive.iter().zip(matching).map(|(alive, matching)| alive & !matching).collect();
@@ -452,7 +433,7 @@ impl<'t> Answer<'t> {
     pub fn inputs(&self) -> impl Iterator<Item = (&'t str, String)> + '_ {
         self.table
             .inputs()
-            .zip(&self.inputs)
+            .zip(self.inputs.iter())
             .map(|((_, column), given)| (column.name.as_str(), column.show_rank(given.rank)))
     }
 }
@@ -537,7 +518,7 @@ impl Knowledge {
     /// # Errors
     /// There is no such table, or a row is not what its contract says; the latter never of tables that were checked.
     pub fn rows<'k, R: TableRow<'k>>(&'k self) -> Result<Vec<R>, TableError> {
-        self.table_of::<R>()?.rows().collect()
+        self.table_of::<R>()?.read()
     }
 
     /// The first row of which `is` holds; nothing where there is none.
