@@ -21,10 +21,10 @@ pub(super) fn tour(space: &Space<'_>) -> Vec<usize> {
     // Of so many columns each, whatever the count: a row is then gone through without counting.
     let mut best = vec![[NONE; EXACT_POINTS]; sets];
     let mut costs = [[NONE; EXACT_POINTS]; EXACT_POINTS];
-    for last in 0..count {
+    for (last, costs) in costs.iter_mut().enumerate().take(count) {
         best[1 << last][last] = space.cost(0, last + 1);
-        for before in 0..count {
-            costs[last][before] = space.cost(before + 1, last + 1);
+        for (before, cost) in costs.iter_mut().enumerate().take(count) {
+            *cost = space.cost(before + 1, last + 1);
         }
     }
     for set in 1..sets {
