@@ -9,7 +9,8 @@ use super::links::target;
 use super::page::{Block, Page, pages};
 
 /// What a user needs, and so stands in both languages.
-const NEEDED: [&str; 6] = ["audit", "part-format", "program", "quick-start", "reading-a-plan", "turned-part-format"];
+const NEEDED: [&str; 7] =
+    ["audit", "part-format", "program", "quick-start", "reading-a-plan", "turned-part-format", "worked-example"];
 
 /// The pages of docs/uk with their English twins.
 fn twins() -> Vec<(Page, Page)> {
