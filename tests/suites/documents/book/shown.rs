@@ -177,3 +177,35 @@ fn the_page_on_plans_names_every_section_and_column() {
         assert!(missing.is_empty(), "{path} does not name {missing:?}");
     }
 }
+
+/// The table on the page of outputs has the formats of every command; a command that is asked for another names its own.
+#[test]
+fn the_page_of_outputs_names_every_format() {
+    for path in ["docs/outputs.md", "docs/uk/outputs.md"] {
+        let page = Page::read(path);
+        let rows: Vec<Vec<&str>> =
+            page.prose().into_iter().filter(|line| line.contains("| `technolog ")).map(cells).collect();
+        assert!(rows.len() > 12, "{path}: {rows:?}");
+        let mut shell = Shell::new(&format!("{path}-formats"));
+        for block in page.blocks() {
+            if let Some(file) = block.file() {
+                fs::write(shell.folder.join(file), block.text()).unwrap();
+            }
+        }
+        for row in rows {
+            let command = row[1].trim_matches('`');
+            let refused = ["junit", "hand"].into_iter().find_map(|format| {
+                let said = shell.run(&format!("{command} --format {format} --lang en"));
+                (shell.code == 2).then_some(said)
+            });
+            let said = refused.unwrap_or_else(|| panic!("{path}: `{command}` has both formats"));
+            let formats = format!("its formats are {}\n", row[2]);
+            assert!(said.ends_with(&formats), "{path}: `{command}`: {said}");
+        }
+    }
+}
+
+/// The cells of a row of a table in Markdown.
+fn cells(line: &str) -> Vec<&str> {
+    line.trim_matches('|').split('|').map(str::trim).collect()
+}

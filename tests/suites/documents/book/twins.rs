@@ -9,8 +9,17 @@ use super::links::target;
 use super::page::{Block, Page, pages};
 
 /// What a user needs, and so stands in both languages.
-const NEEDED: [&str; 7] =
-    ["audit", "part-format", "program", "quick-start", "reading-a-plan", "turned-part-format", "worked-example"];
+const NEEDED: [&str; 9] = [
+    "audit",
+    "index",
+    "outputs",
+    "part-format",
+    "program",
+    "quick-start",
+    "reading-a-plan",
+    "turned-part-format",
+    "worked-example",
+];
 
 /// The pages of docs/uk with their English twins.
 fn twins() -> Vec<(Page, Page)> {
@@ -53,7 +62,8 @@ fn tables(page: &Page) -> Vec<usize> {
 fn linked(page: &Page) -> Vec<String> {
     let files = page.links().into_iter().filter(|link| !link.contains("://"));
     let files = files.map(|link| link.split('#').next().unwrap().to_owned()).filter(|file| !file.is_empty());
-    files.map(|file| target(page, &file).replace("docs/uk/", "docs/").replace("README.uk", "README")).collect()
+    let english = |file: String| target(page, &file).replace("docs/uk/", "docs/").replace("README.uk", "README");
+    files.map(|file| english(file).replace("-uk.", ".")).collect()
 }
 
 /// What stands in back quotes and is no prose: keys, options, names of files.
