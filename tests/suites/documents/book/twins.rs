@@ -107,10 +107,13 @@ fn what_a_user_needs_stands_in_both_languages() {
 /// A reader of Ukrainian stays in Ukrainian where there is a page.
 #[test]
 fn ukrainian_pages_lead_to_ukrainian_pages() {
-    for (_, page) in twins() {
-        for link in page.links().into_iter().filter(|link| link.starts_with("../") && link.contains(".md")) {
-            let own = format!("docs/uk/{}", link.trim_start_matches("../").split('#').next().unwrap());
-            assert!(!root().join(&own).exists(), "{}: {link} stands in Ukrainian as {own}", page.path);
+    let readme = Page::read("README.uk.md");
+    for page in twins().into_iter().map(|(_, page)| page).chain([readme]) {
+        for link in page.links().into_iter().filter(|link| !link.contains("://") && !link.starts_with('#')) {
+            let path = target(&page, link.split('#').next().unwrap());
+            let own = path.replace("docs/", "docs/uk/");
+            let strays = path.ends_with(".md") && !path.starts_with("docs/uk/") && own != path;
+            assert!(!(strays && root().join(&own).exists()), "{}: {link} stands in Ukrainian as {own}", page.path);
         }
     }
 }
