@@ -49,7 +49,8 @@ fn refreshed(page: Page) -> Refreshed {
     Refreshed { page, text: lines.join("\n") + "\n", shown, faults }
 }
 
-/// The lines of a `console` block as they should be. A command that is refused must be followed by one that shows its code.
+/// The lines of a `console` block as they should be. A command that is refused must be followed by one that shows its code;
+/// one that writes no file must show something.
 fn printed(block: &Block, shell: &mut Shell) -> Result<Vec<String>, String> {
     let commands: Vec<&str> = block.lines.iter().filter_map(|line| line.strip_prefix("$ ")).collect();
     if !block.lines.first().is_some_and(|line| line.starts_with("$ ")) {
@@ -65,6 +66,10 @@ fn printed(block: &Block, shell: &mut Shell) -> Result<Vec<String>, String> {
         let code_is_shown = commands.get(number + 1) == Some(&"echo $?");
         if shell.code > 1 && !code_is_shown {
             return Err(format!("`{command}` ends with {}:\n{told}", shell.code));
+        }
+        let writes = command.contains(" -o ") || command.contains(" > ");
+        if told.trim().is_empty() && !writes {
+            return Err(format!("`{command}` shows nothing: has a word changed that it looks for?"));
         }
         lines.extend(told.trim_end().lines().map(str::to_owned));
     }
