@@ -30,8 +30,25 @@ fn main() -> Result<(), String> {
 }
 
 fn listed(problems: &[technolog_knowledge::Diagnostic]) -> String {
-    let lines: Vec<String> = problems.iter().map(ToString::to_string).collect();
+    let lines: Vec<String> = problems.iter().map(|problem| problem.told(english)).collect();
     format!("the knowledge base has {} faults:\n{}", lines.len(), lines.join("\n"))
+}
+
+/// A note in English without the message catalogue, which is not built yet: its line with the figures put in.
+fn english(note: &technolog_note::Note) -> String {
+    const LINES: [&str; 2] =
+        [include_str!("../words/languages/en/fault-files.ftl"), include_str!("../words/languages/en/fault-tables.ftl")];
+    let raw = note.to_string();
+    let code = raw.split(' ').next().unwrap_or_default();
+    let line = LINES.iter().flat_map(|text| text.lines()).find_map(|line| line.strip_prefix(code)?.strip_prefix(" = "));
+    let Some(line) = line else { return raw };
+    note.figures().fold(line.to_owned(), |line, (name, figure)| {
+        let shown = match figure {
+            technolog_note::Figure::Note(note) => english(note),
+            figure => figure.text().into_owned(),
+        };
+        line.replace(&format!("{{ ${name} }}"), &shown)
+    })
 }
 
 fn write(path: &Path, bytes: &[u8]) -> Result<(), String> {

@@ -206,5 +206,5 @@ pub fn diagnostic(fault: &Fault, file: &Arc<str>, context: &Context) -> Diagnost
     };
     let help = report::remedy(&fault.note, context.lang).unwrap_or_default();
     let help = words::by_rule(context.lang, help, fault.rule);
-    Diagnostic { severity, code: fault.code, message, place: Some(place), help: Some(help) }
+    Diagnostic { severity, code: fault.code, message: message.into(), place: Some(place), help: Some(help.into()) }
 }

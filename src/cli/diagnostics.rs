@@ -11,7 +11,6 @@ use technolog::knowledge::{Diagnostic, Place, Severity};
 
 use super::words::Lang;
 use technolog::report::grid::WIDTH;
-use technolog::report::mistakes::told;
 
 /// The texts that places are in, by the file name the places use.
 #[derive(Debug, Default)]
@@ -49,12 +48,6 @@ impl Texts {
 
 /// Every problem, one under the other, with an empty line between, in the language of the reader.
 pub fn render(problems: &[Diagnostic], texts: &Texts, lang: Lang) -> String {
-    let told: Vec<Diagnostic> = problems.iter().map(|problem| told(problem, lang)).collect();
-    render_as_said(&told, texts, lang)
-}
-
-/// The same with the sentences as they are: authors of knowledge read English.
-pub fn render_as_said(problems: &[Diagnostic], texts: &Texts, lang: Lang) -> String {
     let shown: Vec<String> = problems.iter().map(|problem| one(problem, texts, lang)).collect();
     shown.join("\n")
 }
@@ -65,7 +58,9 @@ fn one(problem: &Diagnostic, texts: &Texts, lang: Lang) -> String {
         Severity::Warning => Level::WARNING.with_name(lang.word("cli-warning")),
         Severity::Note => Level::NOTE.with_name(lang.word("cli-note")),
     };
-    let title = level.primary_title(problem.message.as_str()).id(problem.code);
+    let message = lang.say(&problem.message);
+    let help = problem.help.as_ref().map(|help| lang.say(help));
+    let title = level.primary_title(message.as_str()).id(problem.code);
     let mut group = Group::with_title(title);
     if let Some(place) = &problem.place {
         let shown = texts.shown(&place.file);
@@ -85,7 +80,7 @@ fn one(problem: &Diagnostic, texts: &Texts, lang: Lang) -> String {
     }
     let mut reports = Vec::new();
     let level = Level::HELP.with_name(lang.word("cli-help"));
-    match (&problem.help, &problem.place) {
+    match (&help, &problem.place) {
         // Under a line of a file the help hangs on its frame; without one it stands on its own.
         (Some(help), Some(_)) => reports.push(group.element(level.message(help.as_str()))),
         (Some(help), None) => reports.extend([group, Group::with_title(level.primary_title(help.as_str()))]),
@@ -109,16 +104,16 @@ fn span(line: &str, place: &Place) -> Range<usize> {
 pub struct Json<'a> {
     severity: &'static str,
     code: &'a str,
-    message: &'a str,
+    message: String,
     file: Option<&'a str>,
     line: Option<u32>,
     column: Option<u32>,
-    help: Option<&'a str>,
+    help: Option<String>,
 }
 
 impl<'a> Json<'a> {
     /// The same problem, as an object.
-    pub fn of(problem: &'a Diagnostic, texts: &'a Texts) -> Self {
+    pub fn of(problem: &'a Diagnostic, texts: &'a Texts, lang: Lang) -> Self {
         let place = problem.place.as_ref();
         Self {
             severity: match problem.severity {
@@ -127,11 +122,11 @@ impl<'a> Json<'a> {
                 Severity::Note => "note",
             },
             code: problem.code,
-            message: &problem.message,
+            message: lang.say(&problem.message),
             file: place.map(|place| texts.shown(&place.file)),
             line: place.map(|place| place.line),
             column: place.map(|place| place.column),
-            help: problem.help.as_deref(),
+            help: problem.help.as_ref().map(|help| lang.say(help)),
         }
     }
 }

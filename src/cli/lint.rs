@@ -36,10 +36,12 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     }
     match format {
         Format::Json => {
-            context.emit_json(&problems.iter().map(|it| diagnostics::Json::of(it, &texts)).collect::<Vec<_>>())?;
+            context.emit_json(
+                &problems.iter().map(|it| diagnostics::Json::of(it, &texts, context.lang)).collect::<Vec<_>>(),
+            )?;
         }
         _ => {
-            let mut text = diagnostics::render_as_said(&problems, &texts, context.lang);
+            let mut text = diagnostics::render(&problems, &texts, context.lang);
             if !problems.is_empty() {
                 text.push('\n');
             }

@@ -308,7 +308,7 @@ pub enum CliError {
 impl CliError {
     /// The knowledge base lacks what is asked of it.
     pub fn of_knowledge(error: &KnowledgeError, lang: Lang) -> Self {
-        Diagnostic::error("knowledge", error.to_string(), None).help(words::run_lint(lang)).into()
+        Diagnostic::error("knowledge", technolog::note::Note::from(error), None).help(words::run_lint(lang)).into()
     }
 }
 

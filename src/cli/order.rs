@@ -112,7 +112,9 @@ fn of_part(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
 
 fn machine<'k>(id: &str, knowledge: &'k Knowledge, context: &Context) -> Result<Machine<'k>, CliError> {
     Machine::find(knowledge, id).map_err(|error| {
-        Diagnostic::error("knowledge", error.to_string(), None).help(words::name_machine(context.lang)).into()
+        Diagnostic::error("knowledge", technolog::note::Note::from(&error), None)
+            .help(words::name_machine(context.lang))
+            .into()
     })
 }
 

@@ -83,7 +83,7 @@ pub fn of_part(findings: &[&note::Finding], context: &Context) -> Vec<Diagnostic
         let sentence = report::sentence(&finding.note, context.lang);
         let message = finding.hole.iter().fold(sentence, |sentence, hole| format!("{hole}: {sentence}"));
         let severity = shown(finding.severity);
-        Diagnostic { severity, code: "finding", message, place: None, help: None }
+        Diagnostic { severity, code: "finding", message: message.into(), place: None, help: None }
     };
     findings.iter().map(told).collect()
 }
@@ -119,7 +119,7 @@ pub fn diagnostics(proof: &Proof, text: &str, file: &Arc<str>, context: &Context
         };
         let severity = shown(finding.severity);
         let help = report::remedy(&finding.note, context.lang);
-        Diagnostic { severity, code: finding.code.name(), message, place, help }
+        Diagnostic { severity, code: finding.code.name(), message: message.into(), place, help: help.map(Into::into) }
     };
     proof.findings.iter().map(one).collect()
 }

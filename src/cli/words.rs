@@ -77,6 +77,14 @@ phrases! {
     and_more(count): "cli-and-more";
 }
 
+/// What the system says of a file; that there is none in the language of the answers.
+pub fn of_system(lang: Lang, error: &std::io::Error) -> String {
+    match error.kind() {
+        std::io::ErrorKind::NotFound => lang.word("file-not-there").to_owned(),
+        _ => error.to_string(),
+    }
+}
+
 /// `5 рядків`, `5 rows`.
 pub fn rows(lang: Lang, count: usize) -> String {
     say!(lang, "cli-rows-counted", count = count)

@@ -1,6 +1,7 @@
 //! Audits of many plans: what a folder holds, file by file.
 
 use serde::Serialize;
+use technolog_core::lang::Lang;
 
 use crate::knowledge::Diagnostic;
 
@@ -42,12 +43,12 @@ pub struct Mistake {
 
 impl Unread {
     /// A file with its problems.
-    pub fn new(file: &str, problems: &[Diagnostic]) -> Self {
+    pub fn new(file: &str, problems: &[Diagnostic], lang: Lang) -> Self {
         let mistake = |problem: &Diagnostic| Mistake {
             code: problem.code,
-            message: problem.message.clone(),
+            message: lang.say(&problem.message),
             place: problem.place.as_ref().map(ToString::to_string),
-            help: problem.help.clone(),
+            help: problem.help.as_ref().map(|help| lang.say(help)),
         };
         Self { file: file.to_owned(), unreadable: problems.iter().map(mistake).collect() }
     }

@@ -1,6 +1,7 @@
 //! A plan that `technolog plan --format json` or `yaml` wrote, as stated.
 
 use std::collections::BTreeMap;
+use technolog_note::note;
 
 use serde::Deserialize;
 
@@ -77,8 +78,8 @@ pub(super) fn read(
     let head = match head {
         Ok(head) => head,
         Err(error) => {
-            let help = "write it anew with `technolog plan PART.yaml --format json`";
-            return problems.error_help("bad-plan", format!("no plan of ours: {error}"), &root.place, help);
+            let help = note!("planfile-write-anew-with-technolog-plan");
+            return problems.error_help("bad-plan", note!("planfile-no-plan-ours", error = error), &root.place, help);
         }
     };
     if let Some((message, help)) = head.part.outside_tables(knowledge) {
@@ -87,7 +88,7 @@ pub(super) fn read(
     }
     let tolerances: Result<Tolerances, KnowledgeError> = Tolerances::read(knowledge);
     let Ok(tolerances) = tolerances else {
-        return problems.error("knowledge", "the table `audit-tolerance` cannot be used", &root.place);
+        return problems.error("knowledge", note!("planfile-table-audit-tolerance-cannot-used"), &root.place);
     };
     let mut reader = Own { problems, tolerances };
     let (mut rows, mut conditions) = (Vec::new(), Vec::new());
@@ -145,7 +146,7 @@ impl Own<'_> {
         let value =
             number(text).map(|(value, _)| value).or_else(|| text.parse().ok().filter(|value: &f64| value.is_finite()));
         let Some(value) = value else {
-            return self.problems.error("bad-value", format!("`{text}` is no number"), &node.place);
+            return self.problems.error("bad-value", note!("planfile-no-number", text = text), &node.place);
         };
         let places = i32::try_from(self.tolerances.own_places(quantity)).unwrap_or(0);
         let last_place = libm::pow(10.0, f64::from(-places));
@@ -166,8 +167,13 @@ impl Own<'_> {
         let name = operation.text()?;
         let Some(value) = Operation::from_name(name) else {
             let names: Vec<&str> = Operation::NAMES.iter().map(|(name, _)| *name).collect();
-            let help = format!("it may be {}", names.join(", "));
-            return self.problems.error_help("bad-value", format!("no operation `{name}`"), &operation.place, help);
+            let help = note!("part-may", names = names.join(", "));
+            return self.problems.error_help(
+                "bad-value",
+                note!("planfile-no-operation", name = name),
+                &operation.place,
+                help,
+            );
         };
         let keys = [
             ("diameter_mm", Quantity::Diameter),

@@ -1,6 +1,7 @@
 //! A plan as somebody states it: what is written, as it is printed and where, and nothing that is not.
 
 use std::collections::BTreeMap;
+use technolog_note::note;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::diagnostic::{Diagnostic, Place};
@@ -75,8 +76,8 @@ impl Stated {
     /// for a part that was read, so it is a figure of the part inside a plan of ours.
     pub fn at_fault(&self, error: &KnowledgeError) -> Option<Diagnostic> {
         let part = self.tree.as_ref()?.get("part")?;
-        let message = format!("the part of this plan cannot be planned: {error}");
-        let help = "mend the part in the plan, or write the plan anew with `technolog plan PART.yaml --format json`";
+        let message = note!("planfile-part-this-plan-cannot-planned", error = error);
+        let help = note!("planfile-mend-part-plan-write-plan");
         Some(Diagnostic::error("bad-plan", message, part.place.clone()).help(help))
     }
 }

@@ -9,6 +9,7 @@ use crate::plan::CuttingMethod;
 use crate::program::{Language, Setting};
 use crate::turning::passes::cost::Objective;
 use crate::turning::workpiece::{Turned, read_turned, read_turned_node};
+use technolog_note::{Note, note};
 
 use super::question::{Program, Question};
 use super::read::{AUDIT, Around, PROGRAM, Reader, TABLE, TURN};
@@ -33,8 +34,11 @@ impl Reader<'_> {
         let asked: Vec<(&Node, &str, &'static [&'static str])> =
             ASKING.iter().filter_map(|(key, keys)| Some((fields.take(key)?, *key, *keys))).collect();
         if let [(_, first, _), (second, name, _), ..] = asked.as_slice() {
-            let message = format!("two questions in one case: `{first}` and `{name}`");
-            return (self.problems.error_help("two-questions", message, &second.place, "make two cases of it"), ASKED);
+            let message = note!("case-two-questions-one-case", first = first, name = name);
+            return (
+                self.problems.error_help("two-questions", message, &second.place, note!("case-make-two-cases")),
+                ASKED,
+            );
         }
         match asked.first() {
             Some((node, "table", keys)) => {
@@ -83,8 +87,13 @@ impl Reader<'_> {
             Some(part) => {
                 let _ = self.problems.map(part)?;
                 if let Some(holes) = part.get("holes") {
-                    let message = "the part has `holes`, and the case has a `hole`";
-                    return self.problems.error_help("two-questions", message, &holes.place, "leave one of them out");
+                    let message = note!("case-part-has-holes-case-has");
+                    return self.problems.error_help(
+                        "two-questions",
+                        message,
+                        &holes.place,
+                        note!("case-leave-one-them-out"),
+                    );
                 }
                 part.clone()
             }
@@ -141,8 +150,8 @@ impl Reader<'_> {
             _ => match rates {
                 Some(rates) => Some(Objective::Time { rates }),
                 None => {
-                    let help = "give the shaft its `rates`";
-                    self.problems.error_help("no-rates", "without rates there is no time", &node.place, help)
+                    let help = note!("case-give-shaft-rates");
+                    self.problems.error_help("no-rates", note!("case-without-rates-there-no-time"), &node.place, help)
                 }
             },
         }
@@ -163,7 +172,7 @@ impl Reader<'_> {
         let language = control.map(|control| Language::read(control, knowledge));
         let language = match language? {
             Ok(language) => language,
-            Err(error) => return self.problems.error("knowledge", error.to_string(), &node.place),
+            Err(error) => return self.problems.error("knowledge", Note::from(&error), &node.place),
         };
         let setting = match setting {
             None => Some(Setting::default()),
@@ -190,12 +199,12 @@ impl Reader<'_> {
     fn machine(&mut self, node: &Node, part: Option<&Part>) -> Option<String> {
         let id = self.problems.text(node)?;
         if let Err(error) = Machine::find(self.around.knowledge, id) {
-            return self.problems.error("unknown-machine", error.to_string(), &node.place);
+            return self.problems.error("unknown-machine", Note::from(&error), &node.place);
         }
         match part.filter(|part| part.machine != id) {
             Some(part) => {
-                let message = format!("the machine is {id}, and the part is for {}", part.machine);
-                self.problems.error_help("other-machine", message, &node.place, "leave out `machine`")
+                let message = note!("case-machine-part-for", id = id, machine = part.machine);
+                self.problems.error_help("other-machine", message, &node.place, note!("case-leave-out-machine"))
             }
             None => Some(id.to_owned()),
         }
@@ -251,8 +260,8 @@ impl Reader<'_> {
                 Some(text)
             }
             Err(why) => {
-                let message = format!("cannot read `{path}`: {why}");
-                self.problems.error_help("unreadable", message, place, "paths are relative to the file of cases")
+                let message = note!("planfile-cannot-read", path = path, why = why);
+                self.problems.error_help("unreadable", message, place, note!("case-paths-relative-file-cases"))
             }
         }
     }
@@ -263,8 +272,8 @@ impl Reader<'_> {
             return Some(*value);
         }
         let known = choices.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
-        let message = format!("`{text}` is none of the choices");
-        self.problems.error_help("bad-value", message, &node.place, format!("known here: {known}"))
+        let message = note!("case-none-choices", text = text);
+        self.problems.error_help("bad-value", message, &node.place, note!("yaml-known-here", known = known))
     }
 }
 

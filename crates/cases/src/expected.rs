@@ -7,6 +7,7 @@ use crate::knowledge::Word;
 use crate::knowledge::diagnostic::{Place, nearest};
 use crate::knowledge::yaml::{Fields, Key, Node, NodeKind, Problems};
 use crate::note::Severity;
+use technolog_note::note;
 
 use super::written::node;
 
@@ -214,8 +215,8 @@ fn range(from: &Node, problems: &mut Problems) -> Option<What> {
     if let (Some(low), Some(high)) = (least, greatest)
         && low > high
     {
-        let message = format!("no number is from {low} to {high}");
-        return problems.error_help("bad-value", message, &from.place, "write the smaller one first");
+        let message = note!("case-no-number-from", low = low, high = high);
+        return problems.error_help("bad-value", message, &from.place, note!("case-write-smaller-one-first"));
     }
     Some(What::Range { from: least, to: greatest, keys: keys(from, problems)? })
 }
@@ -238,7 +239,7 @@ fn matcher(from: &Node, problems: &mut Problems) -> Option<What> {
         return Some(What::Not(Box::new(read(other, problems)?)));
     }
     if fields.take("within").is_some() {
-        return problems.error_help("missing-key", "`within` of what?", &from.place, "write {is: 0.28, within: 5%}");
+        return problems.error_help("missing-key", note!("case-within-what"), &from.place, note!("case-write-within"));
     }
     let part = part(&mut fields, problems);
     fields.finish(&["starts", "ends", "contains", "lacks", "how_many", "every", "none_from"], problems);
@@ -290,10 +291,10 @@ fn severity(node: &Node, problems: &mut Problems) -> Option<Severity> {
     }
     let names = Severity::WORDS;
     let help = match nearest(text, names.iter().copied()) {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => format!("known here: {}", names.join(", ")),
+        Some(near) => note!("yaml-did-you-mean", near = near),
+        None => note!("case-known-here", names = names.join(", ")),
     };
-    problems.error_help("bad-value", format!("`{text}` is no severity"), &node.place, help)
+    problems.error_help("bad-value", note!("case-no-severity", text = text), &node.place, help)
 }
 
 /// A finite number as written.
@@ -306,7 +307,7 @@ fn number(node: &Node, problems: &mut Problems) -> Option<f64> {
     let text = problems.text(node)?;
     match number_of(text) {
         Some(number) => Some(number),
-        None => problems.error("bad-value", format!("`{text}` is not a number"), &node.place),
+        None => problems.error("bad-value", note!("case-number", text = text), &node.place),
     }
 }
 
@@ -335,9 +336,9 @@ fn tolerance(node: &Node, problems: &mut Problems) -> Option<Tolerance> {
         Some(read @ (Tolerance::By(width) | Tolerance::Share(width))) if width > 0.0 => Some(read),
         _ => problems.error_help(
             "bad-value",
-            format!("`{text}` is no tolerance"),
+            note!("case-no-tolerance", text = text),
             &node.place,
-            "write a share such as 5%, or a number above zero in the unit of the figure",
+            note!("case-write-share-such-number-above"),
         ),
     }
 }

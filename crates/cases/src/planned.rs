@@ -5,6 +5,7 @@
 //! - where the part has one group of holes, the keys of that group stand at the top too.
 
 use std::sync::LazyLock;
+use technolog_note::note;
 
 use schemars::{JsonSchema, SchemaGenerator};
 use serde::Serialize;
@@ -177,10 +178,10 @@ impl<'s> Walk<'s, '_> {
             } else if free.is_empty() {
                 let known = || properties.iter().flat_map(|own| own.keys()).map(String::as_str);
                 let help = match nearest(&key.text, known()) {
-                    Some(near) => format!("did you mean `{near}`?"),
-                    None => format!("known here: {}", known().collect::<Vec<_>>().join(", ")),
+                    Some(near) => note!("yaml-did-you-mean", near = near),
+                    None => note!("case-known-here-2", value = known().collect::<Vec<_>>().join(", ")),
                 };
-                let message = format!("unknown key `{}`", key.text);
+                let message = note!("yaml-unknown-key", key = key.text);
                 self.problems.error_help::<()>("unknown-key", message, &key.place, help);
             } else {
                 self.fit(expected, &free);
@@ -192,10 +193,10 @@ impl<'s> Walk<'s, '_> {
     fn called(&mut self, expected: &Expected, text: &str, forms: &[&'s Value]) {
         let is_transition = |form: &&Value| form.pointer("/properties/operation").is_some();
         if let (true, Err(slip)) = (forms.iter().any(is_transition), Pattern::read(text)) {
-            let message = format!("`{}` is no word of a transition", slip.word);
+            let message = note!("case-no-word-transition", word = slip.word);
             let help = match slip.near {
-                Some(near) => format!("did you mean `{near}`?"),
-                None => "write the operation, then what is known of it: `drill 9.8`".to_owned(),
+                Some(near) => note!("yaml-did-you-mean", near = near),
+                None => note!("case-write-operation-then-what-known"),
             };
             self.problems.error_help::<()>("bad-value", message, &expected.place, help);
         }

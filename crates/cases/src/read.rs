@@ -7,6 +7,7 @@ use crate::knowledge::diagnostic::nearest;
 use crate::knowledge::yaml::{Node, Problems, parse};
 use crate::note::Severity;
 use crate::turning::shaft::Mistake;
+use technolog_note::note;
 
 use super::asked::ASKING;
 use super::expected::{self, Expected, What};
@@ -85,8 +86,8 @@ impl Reader<'_> {
         fields.finish(&known, &mut self.problems);
         let Some(tests) = tests.and_then(|tests| self.problems.list(tests)) else { return Vec::new() };
         if tests.is_empty() {
-            let message = "there are no cases here";
-            self.problems.error_help::<()>("no-cases", message, &root.place, "write them under `tests`");
+            let message = note!("case-there-no-cases-here");
+            self.problems.error_help::<()>("no-cases", message, &root.place, note!("case-write-them-under-tests"));
         }
         let head = merge::without(root, &["tests", "name", "expect"]);
         let cases = tests.iter().enumerate();
@@ -107,8 +108,8 @@ impl Reader<'_> {
         let known: Vec<&str> = COMMON.iter().chain(known).copied().collect();
         fields.finish(&known, &mut self.problems);
         if question.is_none() && self.mistakes() == mistakes {
-            let help = "one of `table`, `part`, `hole`, `turn`, `program`, `audit`";
-            self.problems.error_help::<()>("no-question", "this case asks nothing", &own.place, help);
+            let help = note!("case-one-table-part-hole-turn");
+            self.problems.error_help::<()>("no-question", note!("case-this-case-asks-nothing"), &own.place, help);
         }
         let expected = match expected {
             Some(expected) => {
@@ -169,10 +170,10 @@ impl Reader<'_> {
                 {
                     let near = nearest(word, self.around.codes.iter().map(String::as_str));
                     let help = near.map_or_else(
-                        || "write a severity, or a code as the findings of --format json have it".to_owned(),
-                        |near| format!("did you mean `{near}`?"),
+                        || note!("case-write-severity-code-findings-format"),
+                        |near| note!("yaml-did-you-mean", near = near),
                     );
-                    let message = format!("no finding has the code `{word}`");
+                    let message = note!("case-no-finding-has-code", word = word);
                     self.problems.error_help::<()>("unknown-code", message, &one.place, help);
                 }
             }

@@ -1,6 +1,7 @@
 //! A question to a table.
 
 use serde_json::{Map, Value as Json};
+use technolog_note::note;
 
 use crate::knowledge::alike::{has, latin};
 use crate::knowledge::diagnostic::{Place, nearest};
@@ -32,10 +33,10 @@ impl Question {
         let id = latin(problems.text(table)?.trim());
         let Some(found) = knowledge.tables().find(|known| known.id.eq_ignore_ascii_case(&id)) else {
             let help = match nearest(&id, knowledge.tables().map(|table| table.id.as_str())) {
-                Some(near) => format!("did you mean `{near}`?"),
-                None => "`technolog table` lists them".to_owned(),
+                Some(near) => note!("yaml-did-you-mean", near = near),
+                None => note!("case-technolog-table-lists-them"),
             };
-            return problems.error_help("unknown-table", format!("there is no table `{id}`"), &table.place, help);
+            return problems.error_help("unknown-table", note!("case-there-no-table", id = id), &table.place, help);
         };
         let mut columns = Vec::new();
         let mut whole = true;
@@ -58,9 +59,9 @@ impl Question {
             let place = given.map_or(&table.place, |given| &given.place);
             return problems.error_help(
                 "bad-question",
-                error.to_string(),
+                Note::from(&error),
                 place,
-                "`technolog table` shows its columns",
+                note!("case-technolog-table-shows-columns"),
             );
         }
         Some(own)
@@ -119,10 +120,15 @@ fn value(table: &Table, key: &str, at: &Place, node: &Node, problems: &mut Probl
     let Some((index, column)) = keys.iter().find(|(_, column)| column.name == key) else {
         let names = || keys.iter().map(|(_, column)| column.name.as_str());
         let help = match nearest(key, names()) {
-            Some(near) => format!("did you mean `{near}`?"),
-            None => format!("known here: {}", names().collect::<Vec<_>>().join(", ")),
+            Some(near) => note!("yaml-did-you-mean", near = near),
+            None => note!("case-known-here-2", value = names().collect::<Vec<_>>().join(", ")),
         };
-        return problems.error_help("unknown-key", format!("table {} has no input `{key}`", table.id), at, help);
+        return problems.error_help(
+            "unknown-key",
+            note!("case-table-has-no-input", table = table.id, key = key),
+            at,
+            help,
+        );
     };
     match column.parse_value(text) {
         Ok(value) => Some((*index, value)),
@@ -216,10 +222,10 @@ pub fn fit(expected: &mut Expected, table: &Table, problems: &mut Problems) {
                 if column.is_none() && !OF_ROWS.contains(&key.text.as_str()) {
                     let names = || said(table).into_iter().map(|(_, column)| column.name.as_str()).chain(OF_ROWS);
                     let help = match nearest(&key.text, names()) {
-                        Some(near) => format!("did you mean `{near}`?"),
-                        None => format!("known here: {}", names().collect::<Vec<_>>().join(", ")),
+                        Some(near) => note!("yaml-did-you-mean", near = near),
+                        None => note!("case-known-here-2", value = names().collect::<Vec<_>>().join(", ")),
                     };
-                    let message = format!("table {} gives no `{}`", table.id, key.text);
+                    let message = note!("case-table-gives-no", table = table.id, key = key.text);
                     problems.error_help::<()>("unknown-key", message, &key.place, help);
                 }
             }

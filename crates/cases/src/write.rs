@@ -1,6 +1,7 @@
 //! Filling in what a case does not expect yet, in the text of its file: nothing else of it changes by a byte.
 
 use serde_json::Value;
+use technolog_note::note;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::diagnostic::{Diagnostic, Place};
@@ -93,8 +94,8 @@ fn stands(
 }
 
 fn unfilled(case: &Case) -> Diagnostic {
-    let message = format!("case {} cannot be filled in where it stands", case.number);
-    Diagnostic::error("not-filled", message, case.place.clone()).help("write `expect: ~` on a line of its own")
+    let message = note!("case-case-cannot-filled-where-stands", case = case.number);
+    Diagnostic::error("not-filled", message, case.place.clone()).help(note!("case-write-expect-on-line-own"))
 }
 
 /// A change of the text at a byte.

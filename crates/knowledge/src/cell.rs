@@ -2,12 +2,13 @@
 
 use crate::column::Column;
 use crate::set::Set;
+use technolog_note::{Note, note};
 
 /// A cell that is no test: what is wrong, and which characters of it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TestError {
     /// What is wrong.
-    pub message: String,
+    pub message: Note,
     /// First wrong character, counted from the start of the cell.
     pub offset: usize,
     /// Number of wrong characters.
@@ -50,7 +51,7 @@ impl TestParser<'_> {
     fn single(&self, text: &str, offset: usize) -> Result<Set, TestError> {
         let lead = text.chars().take_while(|c| c.is_whitespace()).count();
         let (trimmed, at) = (text.trim(), offset + lead);
-        let error = |message: String| TestError { message, offset: at, width: trimmed.chars().count().max(1) };
+        let error = |message: Note| TestError { message, offset: at, width: trimmed.chars().count().max(1) };
         if trimmed == "-" {
             return Ok(self.column.allowed());
         }
@@ -71,24 +72,24 @@ impl TestParser<'_> {
             return self.interval(trimmed, at);
         }
         if trimmed.contains("..") {
-            return Err(error(format!("`{trimmed}`: say whether the ends belong to it, as in `[7..8]` or `(15..30]`")));
+            return Err(error(note!("table-say-whether-ends-belong", trimmed = trimmed)));
         }
         if trimmed.is_empty() {
-            return Err(error("an empty test; write `-` for anything".to_owned()));
+            return Err(error(note!("table-empty-test-write-for-anything")));
         }
         self.value(trimmed, at).map(Set::point)
     }
 
     fn interval(&self, text: &str, at: usize) -> Result<Set, TestError> {
-        let error = |message: String| TestError { message, offset: at, width: text.chars().count() };
+        let error = |message: Note| TestError { message, offset: at, width: text.chars().count() };
         let low_open = text.starts_with('(');
         let high_open = text.ends_with(')');
         if !text.ends_with([')', ']']) {
-            return Err(error(format!("`{text}`: the interval is not closed by `)` or `]`")));
+            return Err(error(note!("table-interval-closed-by", text = text)));
         }
         let inner = &text[1..text.len() - 1];
         let Some((low, high)) = inner.split_once("..") else {
-            return Err(error(format!("`{text}`: an interval is written `(low..high]`")));
+            return Err(error(note!("table-interval-written-low-high", text = text)));
         };
         let low_rank = if low.trim().is_empty() { i64::MIN } else { self.value(low, at + 1)? + i64::from(low_open) };
         let high_rank = if high.trim().is_empty() {
@@ -97,7 +98,7 @@ impl TestParser<'_> {
             self.value(high, at + 3 + low.chars().count())? - i64::from(high_open)
         };
         if low_rank > high_rank {
-            return Err(error(format!("`{text}` holds nothing: its ends are crossed")));
+            return Err(error(note!("table-holds-nothing-ends-crossed", text = text)));
         }
         Ok(Set::interval(low_rank, high_rank))
     }
@@ -106,11 +107,10 @@ impl TestParser<'_> {
     fn value(&self, text: &str, offset: usize) -> Result<i64, TestError> {
         let lead = text.chars().take_while(|c| c.is_whitespace()).count();
         let trimmed = text.trim();
-        let error =
-            |message: String| TestError { message, offset: offset + lead, width: trimmed.chars().count().max(1) };
+        let error = |message: Note| TestError { message, offset: offset + lead, width: trimmed.chars().count().max(1) };
         let value = self.column.parse_value(trimmed).map_err(error)?;
         self.column.rank(&value).ok_or_else(|| TestError {
-            message: format!("a column of type {} cannot be tested", self.column.ty.name()),
+            message: note!("table-column-type-cannot-tested", ty = self.column.ty.name()),
             offset: offset + lead,
             width: trimmed.chars().count().max(1),
         })
@@ -186,7 +186,7 @@ mod tests {
         let diameter = column(ColumnType::Length, &[]);
         let error = parse_test("(0..1O]", &diameter).unwrap_err();
         assert_eq!((error.offset, error.width), (4, 2));
-        assert!(error.message.contains("zero may be meant"), "{}", error.message);
+        assert!(technolog_words::Lang::EN.say(&error.message).contains("zero may be meant"), "{}", error.message);
         for bad in ["(30..15]", "15..30", "(1..2", "", "<=", "10 cm"] {
             assert!(parse_test(bad, &diameter).is_err(), "{bad}");
         }

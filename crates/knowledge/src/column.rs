@@ -1,6 +1,7 @@
 //! Typed columns: what a cell may hold, in which unit, and how it is ordered.
 
 use serde::{Deserialize, Serialize};
+use technolog_note::{Note, note};
 
 use crate::diagnostic::Place;
 use crate::set::Set;
@@ -168,7 +169,7 @@ impl Column {
     ///
     /// # Errors
     /// A sentence saying what was read and what is expected.
-    pub fn parse_value(&self, text: &str) -> Result<Value, String> {
+    pub fn parse_value(&self, text: &str) -> Result<Value, Note> {
         let text = text.trim();
         match self.ty {
             ColumnType::Text => Ok(Value::Text(text.to_owned())),
@@ -176,18 +177,18 @@ impl Column {
                 if self.values.iter().any(|value| value == text) {
                     Ok(Value::Text(text.to_owned()))
                 } else {
-                    Err(format!("`{text}` is none of {}", self.values.join(", ")))
+                    Err(note!("table-none-2", text = text, values = self.values.join(", ")))
                 }
             }
             ColumnType::Bool => match text {
                 "true" => Ok(Value::Bool(true)),
                 "false" => Ok(Value::Bool(false)),
-                _ => Err(format!("`{text}` is neither `true` nor `false`")),
+                _ => Err(note!("table-neither-true-nor-false", text = text)),
             },
             ColumnType::Int => text
                 .parse::<Decimal>()
                 .map_err(|error| error.0)
-                .and_then(|value| value.to_int().ok_or_else(|| format!("`{text}` is not a whole number")))
+                .and_then(|value| value.to_int().ok_or_else(|| note!("table-whole-number", text = text)))
                 .map(Value::Int),
             ColumnType::Number | ColumnType::Angle => {
                 text.parse::<Decimal>().map(|value| Value::Number(value, self.unit)).map_err(|error| error.0)
@@ -198,10 +199,13 @@ impl Column {
         }
     }
 
-    fn parse_length(&self, text: &str) -> Result<Micrometres, String> {
+    fn parse_length(&self, text: &str) -> Result<Micrometres, Note> {
         if self.unit == Unit::Micrometre {
             let value = text.parse::<Decimal>().map_err(|error| error.0)?;
-            return value.to_int().map(Micrometres::new).ok_or_else(|| format!("`{text}` is finer than a micrometre"));
+            return value
+                .to_int()
+                .map(Micrometres::new)
+                .ok_or_else(|| note!("table-finer-than-micrometre", text = text));
         }
         text.parse::<Micrometres>().map_err(|error| error.0)
     }

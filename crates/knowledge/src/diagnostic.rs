@@ -3,6 +3,8 @@
 use std::fmt;
 use std::sync::Arc;
 
+use technolog_note::Note;
+
 /// How grave a finding is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
@@ -41,41 +43,43 @@ pub struct Diagnostic {
     /// Stable id of the kind of problem, kebab-case.
     pub code: &'static str,
     /// What is wrong.
-    pub message: String,
+    pub message: Note,
     /// Where; absent when the whole file is meant.
     pub place: Option<Place>,
     /// What to do.
-    pub help: Option<String>,
+    pub help: Option<Note>,
 }
 
 impl Diagnostic {
     /// An error at a place.
-    pub fn error(code: &'static str, message: impl Into<String>, place: impl Into<Option<Place>>) -> Self {
+    pub fn error(code: &'static str, message: impl Into<Note>, place: impl Into<Option<Place>>) -> Self {
         Self { severity: Severity::Error, code, message: message.into(), place: place.into(), help: None }
     }
 
     /// A warning at a place.
-    pub fn warning(code: &'static str, message: impl Into<String>, place: impl Into<Option<Place>>) -> Self {
+    pub fn warning(code: &'static str, message: impl Into<Note>, place: impl Into<Option<Place>>) -> Self {
         Self { severity: Severity::Warning, ..Self::error(code, message, place) }
     }
 
     /// With what to do.
     #[must_use]
-    pub fn help(self, help: impl Into<String>) -> Self {
+    pub fn help(self, help: impl Into<Note>) -> Self {
         Self { help: Some(help.into()), ..self }
+    }
+}
+
+impl Diagnostic {
+    /// One line: `file:line:column: what is wrong [code]; what to do`, the sentences as `say` puts them.
+    pub fn told(&self, say: impl Fn(&Note) -> String) -> String {
+        let place = self.place.as_ref().map_or_else(String::new, |place| format!("{place}: "));
+        let help = self.help.as_ref().map_or_else(String::new, |help| format!("; {}", say(help)));
+        format!("{place}{} [{}]{help}", say(&self.message), self.code)
     }
 }
 
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(place) = &self.place {
-            write!(f, "{place}: ")?;
-        }
-        write!(f, "{} [{}]", self.message, self.code)?;
-        match &self.help {
-            Some(help) => write!(f, "; {help}"),
-            None => Ok(()),
-        }
+        f.write_str(&self.told(Note::to_string))
     }
 }
 

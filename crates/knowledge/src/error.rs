@@ -1,5 +1,7 @@
 //! What the knowledge base cannot answer: a question or a table is wrong, which is no fault of a part.
 
+use technolog_note::{Note, note};
+
 use crate::query::QueryError;
 use crate::table::{Table, TableError};
 
@@ -14,11 +16,26 @@ pub enum KnowledgeError {
     Table(#[from] TableError),
 }
 
+impl From<&KnowledgeError> for Note {
+    fn from(error: &KnowledgeError) -> Self {
+        match error {
+            KnowledgeError::Query(error) => error.into(),
+            KnowledgeError::Table(error) => error.into(),
+        }
+    }
+}
+
+impl technolog_note::Told for KnowledgeError {
+    fn told(self) -> technolog_note::Figure {
+        Note::from(&self).told()
+    }
+}
+
 impl KnowledgeError {
     /// A table does not hold what is asked of it, for that reason.
-    pub fn lacks(table: &str, why: &str) -> Self {
+    pub fn lacks(table: &str, why: impl Into<Note>) -> Self {
         let table = table.to_owned();
-        Self::Table(TableError { table, file: String::new(), row: String::new(), problem: why.to_owned() })
+        Self::Table(TableError { table, file: String::new(), row: String::new(), problem: why.into() })
     }
 
     /// A table has no row where it must have one.
@@ -27,7 +44,7 @@ impl KnowledgeError {
             table: table.id.clone(),
             file: table.file.clone(),
             row: String::new(),
-            problem: format!("there is no row for {wanted}; add it or run `technolog lint`"),
+            problem: note!("table-no-row-for", wanted = wanted),
         })
     }
 }

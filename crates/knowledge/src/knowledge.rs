@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use std::sync::OnceLock;
+use technolog_note::note;
 
 use serde::{Deserialize, Serialize};
 
@@ -68,7 +69,7 @@ fn unpacked(bytes: &[u8]) -> Result<Table, TableError> {
         table: String::new(),
         file: "knowledge".to_owned(),
         row: String::new(),
-        problem: format!("the compiled tables do not fit this program: {error}; build it again"),
+        problem: note!("table-compiled-tables-do-fit-this", error = error.to_string()),
     })
 }
 
@@ -120,7 +121,7 @@ impl Knowledge {
                 Ok(table) => match tables.get(table.id.as_str()).and_then(|first| first.table().ok()) {
                     Some(first) => problems.push(Diagnostic::error(
                         "duplicate-table",
-                        format!("{}: the table {} is already in {}", file.path, table.id, first.file),
+                        note!("table-table-already", path = file.path, table = table.id, file = first.file),
                         None,
                     )),
                     None => {
@@ -148,8 +149,9 @@ impl Knowledge {
             collect_yaml(&folder.join(top), top, &mut files, &mut problems);
         }
         if files.is_empty() && problems.is_empty() {
-            let message = format!("{}: no tables in it", folder.display());
-            problems.push(Diagnostic::error("no-knowledge", message, None).help("it must hold catalogs/ and rules/"));
+            let message = note!("table-no-tables", display = folder.display().to_string());
+            problems
+                .push(Diagnostic::error("no-knowledge", message, None).help(note!("table-must-hold-catalogs-rules")));
         }
         if problems.is_empty() { Ok(files) } else { Err(problems) }
     }
@@ -163,7 +165,7 @@ impl Knowledge {
             table: id.to_owned(),
             file: "knowledge".to_owned(),
             row: String::new(),
-            problem: "there is no such table; `technolog table` lists them".to_owned(),
+            problem: note!("table-there-no-such-table-technolog"),
         })?;
         stored.table()
     }
@@ -231,7 +233,7 @@ impl Knowledge {
 fn collect_yaml(folder: &Path, name: &str, files: &mut Vec<(String, String)>, problems: &mut Vec<Diagnostic>) {
     let unreadable = |error: std::io::Error| {
         Diagnostic::error("unreadable", format!("{}: {error}", folder.display()), None)
-            .help("name a folder that holds catalogs/ and rules/")
+            .help(note!("table-name-folder-holds-catalogs-rules"))
     };
     let entries = match fs::read_dir(folder) {
         Ok(entries) => entries,

@@ -10,6 +10,7 @@ use crate::units::Unit;
 use crate::value::Value;
 use crate::vocabulary::{Operation, Shank, ToolMaterial, Vocabularies};
 use crate::yaml::{Fields, Node, NodeKind, Problems, parse};
+use technolog_note::note;
 
 const HEAD: &[&str] = &[
     "table",
@@ -96,7 +97,7 @@ impl Loader<'_> {
         let rows = self.rows(rows_node?, &columns, hit.unwrap_or(HitPolicy::Unique));
         let uncovered = uncovered_node.map(|node| self.uncovered(node, &columns)).unwrap_or_default();
         if kind == Kind::Catalog && (hit_node.is_some() || uncovered_node.is_some()) {
-            self.problems.error::<()>("bad-head", "a catalog has neither `hit` nor `uncovered`", &root.place);
+            self.problems.error::<()>("bad-head", note!("table-catalog-has-neither-hit-nor"), &root.place);
         }
         Some(Table {
             id: id?,
@@ -130,7 +131,7 @@ impl Loader<'_> {
             return Some(*value);
         }
         let known: Vec<&str> = names.iter().map(|(name, _)| *name).collect();
-        let message = format!("`{text}` is none of {}", known.join(", "));
+        let message = note!("table-none", text = text, known = known.join(", "));
         self.problems.error("bad-value", message, &node.place)
     }
 
@@ -157,9 +158,9 @@ impl Loader<'_> {
                 let known: Vec<&str> = columns.iter().map(|column| column.name.as_str()).collect();
                 self.problems.error_help::<()>(
                     "unknown-column",
-                    format!("no column `{name}`"),
+                    note!("table-no-column", name = name),
                     &node.place,
-                    format!("the columns are {}", known.join(", ")),
+                    note!("table-columns", known = known.join(", ")),
                 );
             }
         }
@@ -207,7 +208,7 @@ impl Loader<'_> {
         for item in self.problems.list(node)? {
             match self.column(item, kind) {
                 Some(column) if columns.iter().any(|known| known.name == column.name) => {
-                    let message = format!("the column `{}` stands twice", column.name);
+                    let message = note!("table-column-stands-twice", column = column.name);
                     self.problems.error::<()>("duplicate-column", message, &item.place);
                 }
                 Some(column) => columns.push(column),
@@ -222,7 +223,7 @@ impl Loader<'_> {
         let mut fields = self.problems.map(node)?;
         let name = fields.need("name", self.problems).and_then(|node| self.owned(node));
         if let Some(reserved) = name.as_deref().filter(|name| ROW.contains(name)) {
-            let message = format!("`{reserved}` is a key of every row and cannot name a column");
+            let message = note!("table-key-every-row-cannot-name", reserved = reserved);
             self.problems.error::<()>("bad-value", message, fields.place);
         }
         let ty = match fields.need("type", self.problems) {
@@ -235,13 +236,11 @@ impl Loader<'_> {
         let role_node = fields.take("role");
         let role = match (kind, role_node) {
             (Kind::Decision, Some(node)) => self.named(node, &[("input", Role::Input), ("output", Role::Output)]),
-            (Kind::Decision, None) => self.problems.error(
-                "missing-key",
-                "a column of a decision table needs `role: input` or `output`",
-                fields.place,
-            ),
+            (Kind::Decision, None) => {
+                self.problems.error("missing-key", note!("table-column-decision-table-needs-role"), fields.place)
+            }
             (Kind::Catalog, Some(node)) => {
-                self.problems.error("bad-value", "a catalog's columns have no `role`", &node.place)
+                self.problems.error("bad-value", note!("table-catalogs-columns-have-no-role"), &node.place)
             }
             (Kind::Catalog, None) => Some(Role::Field),
         };
@@ -263,14 +262,12 @@ impl Loader<'_> {
         let (name, ty, role) = (name?, ty?, role?);
         let unit = self.unit(unit_node, ty, &name, place)?;
         if (ty == ColumnType::Enum) == values.is_empty() {
-            let message = format!(
-                "the column `{name}`: `values` belong to an enum, and an enum needs them, or `of` a vocabulary"
-            );
+            let message = note!("table-column-values-belong-enum-enum", name = name);
             return self.problems.error("bad-value", message, place);
         }
         if ty == ColumnType::Text && role == Role::Input {
-            let message = format!("the input `{name}` cannot be free text");
-            return self.problems.error_help("bad-value", message, place, "make it an enum with its `values`");
+            let message = note!("table-input-cannot-free-text", name = name);
+            return self.problems.error_help("bad-value", message, place, note!("table-make-enum-with-values"));
         }
         let mut column = Column {
             name,
@@ -312,9 +309,9 @@ impl Loader<'_> {
         let known: Vec<&str> = self.vocabularies.names().collect();
         self.problems.error_help(
             "unknown-vocabulary",
-            format!("there is no vocabulary `{name}`"),
+            note!("table-there-no-vocabulary", name = name),
             &node.place,
-            format!("the vocabularies are {}", known.join(", ")),
+            note!("table-vocabularies", known = known.join(", ")),
         )
     }
 
@@ -322,7 +319,7 @@ impl Loader<'_> {
         let Some(node) = node else {
             let default = ty.default_unit();
             if default.is_none() {
-                let message = format!("the column `{name}` of type {} needs a `unit`", ty.name());
+                let message = note!("table-column-type-needs-unit", name = name, ty = ty.name());
                 self.problems.error::<()>("missing-unit", message, place);
             }
             return default;
@@ -334,9 +331,9 @@ impl Loader<'_> {
         let fitting: Vec<&str> = Unit::ALL.iter().filter(|unit| ty.accepts(**unit)).map(|unit| unit.text()).collect();
         self.problems.error_help(
             "wrong-unit",
-            format!("the column `{name}` of type {} cannot be in `{unit}`", ty.name()),
+            note!("table-column-type-cannot", name = name, ty = ty.name(), unit = unit),
             &node.place,
-            format!("its unit is {}", fitting.join(" or ")),
+            note!("table-unit", fitting = fitting.join(" or ")),
         )
     }
 
@@ -381,9 +378,9 @@ impl Loader<'_> {
             Some(node) => self.named(node, &Source::NAMES),
             None => self.problems.error_help(
                 "no-source",
-                "the row has no `source`",
+                note!("table-row-has-no-source"),
                 fields.place,
-                "say `source: seed`, `standard` or `reconstructed`",
+                note!("table-say-source-seed-standard-reconstructed"),
             ),
         };
         let place = fields.take("place").and_then(|node| self.owned(node));
@@ -394,11 +391,11 @@ impl Loader<'_> {
         let priority_node = fields.take("priority");
         let priority: Option<i64> = priority_node.and_then(|node| self.problems.scalar(node));
         if (hit == HitPolicy::Priority) != priority_node.is_some() {
-            let message = "`priority` belongs to every row of a table with `hit: priority`, and to no other";
+            let message = note!("table-priority-belongs-every-row-table");
             self.problems.error::<()>("bad-value", message, fields.place);
         }
         if source == Some(Source::Reconstructed) && reason.is_none() {
-            let message = "a reconstructed row must say from what: give `reason`";
+            let message = note!("table-reconstructed-row-must-say-from");
             self.problems.error::<()>("no-reason", message, fields.place);
         }
         let line = fields.place.line;
@@ -418,7 +415,7 @@ impl Loader<'_> {
             if column.optional {
                 return Some(Cell::Empty);
             }
-            return self.problems.error("missing-cell", format!("the row has no `{}`", column.name), row);
+            return self.problems.error("missing-cell", note!("table-row-has-no", column = column.name), row);
         };
         if column.role == Role::Input {
             let text = self.problems.text(node)?.to_owned();
@@ -440,7 +437,7 @@ impl Loader<'_> {
         let value = match column.parse_value(text) {
             Ok(value) => value,
             Err(message) => {
-                let message = format!("column `{}`: {message}", column.name);
+                let message = note!("table-column", column = column.name, message = message);
                 return self.problems.error("bad-value", message, &node.place);
             }
         };
@@ -448,7 +445,8 @@ impl Loader<'_> {
             && !domain.contains(rank)
         {
             let domain = column.domain_text.as_deref().unwrap_or_default();
-            let message = format!("column `{}`: {text} is outside the column's domain {domain}", column.name);
+            let message =
+                note!("table-column-outside-columns-domain", column = column.name, text = text, domain = domain);
             return self.problems.error("out-of-domain", message, &node.place);
         }
         Some(value)
@@ -459,7 +457,7 @@ impl Loader<'_> {
         let mut corrections = Vec::new();
         for (key, node) in fields.rest() {
             if !columns.iter().any(|column| column.name == key.text) {
-                self.problems.error::<()>("unknown-column", format!("no column `{}`", key.text), &key.place);
+                self.problems.error::<()>("unknown-column", note!("table-no-column-2", key = key.text), &key.place);
             }
             let Some(mut fields) = self.problems.map(node) else { continue };
             let printed = fields.need("printed", self.problems).and_then(|node| self.owned(node));

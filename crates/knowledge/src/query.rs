@@ -6,7 +6,9 @@
 //! arithmetic: the very same call serves planning, `lookup` and `explain`.
 
 use std::fmt;
+
 use std::marker::PhantomData;
+use technolog_note::{Note, note};
 
 use crate::column::{Column, ColumnType};
 use crate::contract::{Question, TableRow, Which};
@@ -84,16 +86,14 @@ impl fmt::Display for Input<'_> {
 }
 
 /// A query that cannot be answered: the question is wrong, or the table is.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum QueryError {
     /// The table is a catalog.
-    #[error("table {table} is a catalog, not a decision table")]
     NotADecision {
         /// The table's id.
         table: String,
     },
     /// The table has no such input.
-    #[error("table {table} has no input `{name}`; its inputs are {known}")]
     UnknownInput {
         /// The table's id.
         table: String,
@@ -103,17 +103,15 @@ pub enum QueryError {
         known: String,
     },
     /// An input without a default is not given.
-    #[error("table {table} needs the input `{name}` ({what})")]
     Missing {
         /// The table's id.
         table: String,
         /// The input's name.
         name: String,
         /// Its type and unit.
-        what: String,
+        what: Note,
     },
     /// An input is not of its column's type or unit.
-    #[error("table {table}, input `{name}`: {given} is not {what}")]
     IllTyped {
         /// The table's id.
         table: String,
@@ -122,10 +120,9 @@ pub enum QueryError {
         /// What was given.
         given: String,
         /// What is expected.
-        what: String,
+        what: Note,
     },
     /// An input is outside the column's domain.
-    #[error("table {table}, input `{name}`: {given} is outside the table's domain {domain}")]
     OutOfDomain {
         /// The table's id.
         table: String,
@@ -137,7 +134,6 @@ pub enum QueryError {
         domain: String,
     },
     /// Rows contradict each other.
-    #[error("table {table}: rows {rows} match at once, which the hit policy forbids; run `technolog lint`")]
     Conflict {
         /// The table's id.
         table: String,
@@ -145,6 +141,34 @@ pub enum QueryError {
         rows: String,
     },
 }
+
+impl From<&QueryError> for Note {
+    fn from(error: &QueryError) -> Self {
+        use QueryError as E;
+        match error {
+            E::NotADecision { table } => note!("table-is-a-catalog", table = table),
+            E::UnknownInput { table, name, known } => {
+                note!("table-has-no-input", table = table, name = name, known = known)
+            }
+            E::Missing { table, name, what } => note!("table-needs-input", table = table, name = name, what = what),
+            E::IllTyped { table, name, given, what } => {
+                note!("table-input-ill-typed", table = table, name = name, given = given, what = what)
+            }
+            E::OutOfDomain { table, name, given, domain } => {
+                note!("table-input-out-of-domain", table = table, name = name, given = given, domain = domain)
+            }
+            E::Conflict { table, rows } => note!("table-rows-conflict", table = table, rows = rows),
+        }
+    }
+}
+
+impl fmt::Display for QueryError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        Note::from(self).fmt(f)
+    }
+}
+
+impl std::error::Error for QueryError {}
 
 /// The compiled tests of a table.
 #[derive(Debug)]
@@ -359,16 +383,16 @@ impl Table {
 }
 
 /// A column's type, unit and values, for messages.
-pub fn describe(column: &Column) -> String {
+pub fn describe(column: &Column) -> Note {
     match column.ty {
-        ColumnType::Enum => format!("one of {}", column.values.join(", ")),
-        ColumnType::Bool => "true or false".to_owned(),
-        ColumnType::Int => "a whole number".to_owned(),
-        ColumnType::Number | ColumnType::Angle => format!("a number in {}", column.unit),
-        ColumnType::Length => format!("a length in {}", column.unit),
-        ColumnType::It => "a tolerance grade".to_owned(),
-        ColumnType::Roughness => "a roughness such as `Ra 2.5`".to_owned(),
-        ColumnType::Text => "a text".to_owned(),
+        ColumnType::Enum => note!("lint-one-of", values = column.values.join(", ")),
+        ColumnType::Bool => note!("lint-true-false"),
+        ColumnType::Int => note!("lint-whole-number"),
+        ColumnType::Number | ColumnType::Angle => note!("lint-number-in", unit = column.unit),
+        ColumnType::Length => note!("lint-length-in", unit = column.unit),
+        ColumnType::It => note!("lint-tolerance-grade"),
+        ColumnType::Roughness => note!("lint-roughness-such-as"),
+        ColumnType::Text => note!("lint-a-text"),
     }
 }
 
@@ -583,7 +607,13 @@ rows:
     #[test]
     fn a_wrong_question_is_an_error_and_never_a_miss() {
         let table = table_from_text("t.yaml", TABLE).unwrap();
-        let ask = |inputs: &[(&str, Input<'_>)]| table.decide(inputs).map(|_| ()).unwrap_err().to_string();
+        let ask = |inputs: &[(&str, Input<'_>)]| {
+            table
+                .decide(inputs)
+                .map(|_| ())
+                .map_err(|error| technolog_words::Lang::EN.say(&Note::from(&error)))
+                .unwrap_err()
+        };
         assert!(ask(&[("it", it(9))]).contains("needs the input `diameter`"));
         assert!(ask(&[("it", it(9)), ("diameter", Input::Int(7))]).contains("is not a length in mm"));
         assert!(ask(&[("it", it(12)), ("diameter", mm("7"))]).contains("outside the table's domain [6..10]"));

@@ -5,6 +5,7 @@ use std::sync::OnceLock;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use technolog_note::{Note, note};
 
 use crate::column::{Column, Label, Role};
 use crate::contract::TableRow;
@@ -276,8 +277,7 @@ pub struct RowRef<'t> {
 }
 
 /// A table does not hold what the program asks of it.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{}table {table}{row}: {problem}", if file.is_empty() { String::new() } else { format!("{file}: ") })]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TableError {
     /// The table's id.
     pub table: String,
@@ -286,8 +286,24 @@ pub struct TableError {
     /// The row, for messages.
     pub row: String,
     /// What is wrong and what to do.
-    pub problem: String,
+    pub problem: Note,
 }
+
+impl From<&TableError> for Note {
+    fn from(error: &TableError) -> Self {
+        let TableError { table, file, row, problem } = error;
+        let file = if file.is_empty() { String::new() } else { format!("{file}: ") };
+        note!("table-does-not-hold", file = file, table = table, row = row, problem = problem)
+    }
+}
+
+impl fmt::Display for TableError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        Note::from(self).fmt(f)
+    }
+}
+
+impl std::error::Error for TableError {}
 
 impl<'t> RowRef<'t> {
     /// The row itself.
@@ -314,7 +330,7 @@ impl<'t> RowRef<'t> {
         self.row().place.as_deref().unwrap_or(&self.table.place)
     }
 
-    pub(crate) fn problem(self, problem: String) -> TableError {
+    pub(crate) fn problem(self, problem: Note) -> TableError {
         TableError {
             table: self.table.id.clone(),
             file: format!("{}:{}", self.table.file, self.row().line),
@@ -329,6 +345,6 @@ impl<'t> RowRef<'t> {
     /// The row has no text there.
     pub(crate) fn text(self, column: &str) -> Result<&'t str, TableError> {
         let text = self.value(column).and_then(Value::as_text);
-        text.ok_or_else(|| self.problem(format!("the column `{column}` must hold a text here")))
+        text.ok_or_else(|| self.problem(note!("table-column-must-hold-text-here", column = column)))
     }
 }

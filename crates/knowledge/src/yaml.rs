@@ -2,6 +2,7 @@
 //! instead of stopping at the first.
 
 use std::sync::Arc;
+use technolog_note::{Note, note};
 
 use saphyr_parser::{Event, Marker, Parser, ScalarStyle, Span};
 
@@ -56,12 +57,12 @@ impl Node {
     }
 
     /// What it is, for messages.
-    pub fn kind_name(&self) -> &'static str {
+    pub fn kind_name(&self) -> Note {
         match self.kind {
-            NodeKind::Scalar { .. } if self.is_null() => "nothing",
-            NodeKind::Scalar { .. } => "a single value",
-            NodeKind::Seq(_) => "a list",
-            NodeKind::Map(_) => "a mapping",
+            NodeKind::Scalar { .. } if self.is_null() => note!("yaml-nothing"),
+            NodeKind::Scalar { .. } => note!("yaml-single-value"),
+            NodeKind::Seq(_) => note!("yaml-a-list"),
+            NodeKind::Map(_) => note!("yaml-a-mapping"),
         }
     }
 
@@ -89,7 +90,7 @@ pub fn text_of(file: &str, bytes: Vec<u8>) -> Result<String, Diagnostic> {
             column: u32::try_from(last.chars().count() + 1).unwrap_or(u32::MAX),
             width: 1,
         };
-        Diagnostic::error("not-utf8", "from here on it is not UTF-8 text", place).help("save the file as UTF-8")
+        Diagnostic::error("not-utf8", note!("yaml-from-here-on-utf-text"), place).help(note!("yaml-save-file-utf"))
     })
 }
 
@@ -112,8 +113,8 @@ pub fn parse(file: &str, text: &str) -> (Option<Node>, Vec<Diagnostic>) {
                 if documents > 1 {
                     let place = builder.place(span);
                     builder.problems.push(
-                        Diagnostic::error("yaml", "a second document in one file", place)
-                            .help("remove the line `---`, or make two files"),
+                        Diagnostic::error("yaml", note!("yaml-second-document-one-file"), place)
+                            .help(note!("yaml-remove-line-make-two-files")),
                     );
                     break;
                 }
@@ -126,10 +127,9 @@ pub fn parse(file: &str, text: &str) -> (Option<Node>, Vec<Diagnostic>) {
             }
             Err(error) => {
                 let place = builder.broken_at(*error.marker());
-                let message = format!("broken YAML: {}", error.info());
+                let message = note!("yaml-broken", error = error.info());
                 builder.problems.push(
-                    Diagnostic::error("yaml", message, place)
-                        .help("indent with spaces, and quote values that hold any of `: , [ ] { } # *`"),
+                    Diagnostic::error("yaml", message, place).help(note!("yaml-indent-with-spaces-quote-values")),
                 );
                 return (None, builder.problems);
             }
@@ -137,7 +137,7 @@ pub fn parse(file: &str, text: &str) -> (Option<Node>, Vec<Diagnostic>) {
     }
     if builder.root.is_none() {
         let place = Place { file: builder.file.clone(), line: 1, column: 1, width: 1 };
-        builder.problems.push(Diagnostic::error("yaml", "the file is empty", place));
+        builder.problems.push(Diagnostic::error("yaml", note!("yaml-file-empty"), place));
     }
     (builder.root, builder.problems)
 }
@@ -209,8 +209,8 @@ impl Builder<'_> {
             Event::Alias(_) => {
                 self.broken = true;
                 self.problems.push(
-                    Diagnostic::error("yaml", "aliases are not used in these files", place)
-                        .help("write the value out, or quote a text that begins with `*`"),
+                    Diagnostic::error("yaml", note!("yaml-aliases-used-these-files"), place)
+                        .help(note!("yaml-write-value-out-quote-text")),
                 );
             }
             _ => {}
@@ -225,14 +225,14 @@ impl Builder<'_> {
                 None => {
                     self.broken = true;
                     self.problems.push(
-                        Diagnostic::error("yaml", "a key must be a plain word", node.place)
-                            .help("quote a text that begins with `{` or `[`"),
+                        Diagnostic::error("yaml", note!("yaml-key-must-plain-word"), node.place)
+                            .help(note!("yaml-quote-text-begins-with")),
                     );
                 }
                 Some(key) => match entries.iter().find(|(known, _)| known.text == key.text) {
                     Some((first, _)) => self.problems.push(
-                        Diagnostic::error("duplicate-key", format!("the key `{}` stands twice", key.text), key.place)
-                            .help(format!("it already stands at line {}; keep one of them", first.place.line)),
+                        Diagnostic::error("duplicate-key", note!("yaml-key-stands-twice", key = key.text), key.place)
+                            .help(note!("yaml-already-stands-at-line-keep", line = first.place.line)),
                     ),
                     None => entries.push((key, node)),
                 },
@@ -247,7 +247,7 @@ pub struct Problems(pub Vec<Diagnostic>);
 
 impl Problems {
     /// Notes an error and yields nothing, so that reading can go on.
-    pub fn error<T>(&mut self, code: &'static str, message: impl Into<String>, place: &Place) -> Option<T> {
+    pub fn error<T>(&mut self, code: &'static str, message: impl Into<Note>, place: &Place) -> Option<T> {
         self.0.push(Diagnostic::error(code, message, place.clone()));
         None
     }
@@ -256,9 +256,9 @@ impl Problems {
     pub fn error_help<T>(
         &mut self,
         code: &'static str,
-        message: impl Into<String>,
+        message: impl Into<Note>,
         place: &Place,
-        help: impl Into<String>,
+        help: impl Into<Note>,
     ) -> Option<T> {
         self.0.push(Diagnostic::error(code, message, place.clone()).help(help));
         None
@@ -267,12 +267,12 @@ impl Problems {
     /// The value of a scalar through its parser; a failure is noted at the scalar.
     pub fn scalar<T: std::str::FromStr>(&mut self, node: &Node) -> Option<T>
     where
-        T::Err: std::fmt::Display,
+        T::Err: Into<Note>,
     {
         let text = self.text(node)?.to_owned();
         match text.parse() {
             Ok(value) => Some(value),
-            Err(error) => self.error("bad-value", error.to_string(), &node.place),
+            Err(error) => self.error("bad-value", error, &node.place),
         }
     }
 
@@ -282,7 +282,7 @@ impl Problems {
             Some(text) if !node.is_null() => Some(text),
             _ => self.error(
                 "bad-value",
-                format!("a single value is expected here, not {}", node.kind_name()),
+                note!("yaml-single-value-expected-here", kind_name = node.kind_name()),
                 &node.place,
             ),
         }
@@ -294,7 +294,7 @@ impl Problems {
             "true" => Some(true),
             "false" => Some(false),
             other => {
-                let message = format!("`{other}` is neither `true` nor `false`");
+                let message = note!("yaml-neither-true-nor-false", other = other);
                 self.error("bad-value", message, &node.place)
             }
         }
@@ -304,7 +304,7 @@ impl Problems {
     pub fn list<'n>(&mut self, node: &'n Node) -> Option<&'n [Node]> {
         match &node.kind {
             NodeKind::Seq(items) => Some(items),
-            _ => self.error("bad-value", format!("a list is expected here, not {}", node.kind_name()), &node.place),
+            _ => self.error("bad-value", note!("yaml-list-expected-here", kind_name = node.kind_name()), &node.place),
         }
     }
 
@@ -312,7 +312,9 @@ impl Problems {
     pub fn map<'n>(&mut self, node: &'n Node) -> Option<Fields<'n>> {
         match &node.kind {
             NodeKind::Map(entries) => Some(Fields { entries, taken: vec![false; entries.len()], place: &node.place }),
-            _ => self.error("bad-value", format!("a mapping is expected here, not {}", node.kind_name()), &node.place),
+            _ => {
+                self.error("bad-value", note!("yaml-mapping-expected-here", kind_name = node.kind_name()), &node.place)
+            }
         }
     }
 }
@@ -359,23 +361,23 @@ impl<'n> Fields<'n> {
             let near = nearest(&key.text, known.iter().copied());
             let help = match near {
                 _ if node.is_null() && key.text.bytes().all(|byte| byte.is_ascii_digit()) => {
-                    "write the decimal point of a number, not a comma".to_owned()
+                    note!("yaml-write-decimal-point-number-comma")
                 }
-                Some(near) => format!("did you mean `{near}`?"),
-                None => format!("known here: {}", known.join(", ")),
+                Some(near) => note!("yaml-did-you-mean", near = near),
+                None => note!("yaml-known-here", known = known.join(", ")),
             };
             if let Some(near) = near {
                 let missing = missing_key(near, self.place);
                 problems.0.retain(|one| *one != missing);
             }
-            problems.error_help::<()>("unknown-key", format!("unknown key `{}`", key.text), &key.place, help);
+            problems.error_help::<()>("unknown-key", note!("yaml-unknown-key", key = key.text), &key.place, help);
         }
     }
 }
 
 /// What [`Fields::need`] reports of a mapping that lacks a key.
 pub fn missing_key(name: &str, place: &Place) -> Diagnostic {
-    Diagnostic::error("missing-key", format!("the key `{name}` is missing"), place.clone())
+    Diagnostic::error("missing-key", note!("yaml-key-missing", name = name), place.clone())
 }
 
 #[cfg(test)]

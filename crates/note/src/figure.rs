@@ -47,6 +47,11 @@ impl Figure {
         Self::Word(Word { of: "word", id: id.into() })
     }
 
+    /// A word of another vocabulary.
+    pub fn word_of(vocabulary: &'static str, id: impl Into<Cow<'static, str>>) -> Self {
+        Self::Word(Word { of: vocabulary, id: id.into() })
+    }
+
     /// The name of an operation.
     pub fn operation(id: impl Into<Cow<'static, str>>) -> Self {
         Self::Word(Word { of: "operation", id: id.into() })
@@ -158,6 +163,12 @@ impl Told for Cow<'static, str> {
 impl Told for std::sync::Arc<str> {
     fn told(self) -> Figure {
         (&*self).told()
+    }
+}
+
+impl Told for std::path::Display<'_> {
+    fn told(self) -> Figure {
+        self.to_string().told()
     }
 }
 

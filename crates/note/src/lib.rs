@@ -7,6 +7,7 @@ mod figure;
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
+use std::fmt;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -63,6 +64,45 @@ impl<'de> Deserialize<'de> for Params {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let map = BTreeMap::<String, String>::deserialize(deserializer)?;
         Ok(Self(map.into_iter().map(|(name, value)| (Cow::Owned(name), Figure::Stored(value))).collect()))
+    }
+}
+
+/// A sentence with its figures: `note!("unknown-key", key = &key.text)`.
+#[macro_export]
+macro_rules! note {
+    ($code:expr $(, $name:ident = $value:expr)* $(,)?) => {
+        $crate::Note::new($code)$(.with(stringify!($name), &$value))*
+    };
+}
+
+/// What another program says, such as the system about a file: it has no words of ours.
+impl From<String> for Note {
+    fn from(text: String) -> Self {
+        Self::new("verbatim").with("text", text)
+    }
+}
+
+/// Text that is in the language of the reader already.
+impl From<&str> for Note {
+    fn from(text: &str) -> Self {
+        text.to_owned().into()
+    }
+}
+
+impl From<std::num::ParseIntError> for Note {
+    fn from(_: std::num::ParseIntError) -> Self {
+        Self::new("unit-no-whole-number")
+    }
+}
+
+/// As machines and builds read it: `code (name = value, …)`.
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.code)?;
+        for (index, (name, figure)) in self.params.iter().enumerate() {
+            write!(f, "{}{name} = {}", if index == 0 { " (" } else { ", " }, figure.text())?;
+        }
+        if self.params.is_empty() { Ok(()) } else { f.write_str(")") }
     }
 }
 

@@ -6,7 +6,6 @@ mod canvas;
 pub mod cycles;
 pub mod encoding;
 pub mod grid;
-pub mod mistakes;
 pub mod order_drawing;
 pub mod sentences;
 mod transitions;

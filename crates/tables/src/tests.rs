@@ -49,7 +49,10 @@ fn every_renamed_column_is_found() {
             let name = std::mem::replace(&mut table.columns[index].name, "renamed_column".to_owned());
             let findings = hold(&table, contract);
             let found = |code: &str, about: &str| {
-                findings.iter().any(|finding| finding.code == code && finding.message.contains(&format!("`{about}`")))
+                findings.iter().any(|finding| {
+                    finding.code == code
+                        && technolog_words::Lang::EN.say(&finding.message).contains(&format!("`{about}`"))
+                })
             };
             assert!(found("unread-column", "renamed_column"), "{}: {name} renamed", table.id);
             table.columns[index].name = name;
@@ -65,9 +68,10 @@ fn a_renamed_column_of_a_table_by_itself_is_missed_too() {
         for index in 0..table.columns.len() {
             let name = std::mem::replace(&mut table.columns[index].name, "renamed_column".to_owned());
             let findings = hold(&table, contract);
-            let missed = findings
-                .iter()
-                .any(|finding| finding.code == "missing-column" && finding.message.contains(&format!("`{name}`")));
+            let missed = findings.iter().any(|finding| {
+                finding.code == "missing-column"
+                    && technolog_words::Lang::EN.say(&finding.message).contains(&format!("`{name}`"))
+            });
             assert!(missed, "{}: {name} renamed: {findings:?}", table.id);
             table.columns[index].name = name;
         }
@@ -151,6 +155,9 @@ fn a_cutter_that_lacks_what_planning_asks_is_found() {
         let index = table.column_index(column).unwrap();
         table.rows[0].cells[index] = Cell::Empty;
         let findings = lacking(&table, table.tool.as_ref().unwrap());
-        assert!(findings.iter().any(|finding| finding.message.contains(lack)), "{path} {column}: {findings:?}");
+        assert!(
+            findings.iter().any(|finding| technolog_words::Lang::EN.say(&finding.message).contains(lack)),
+            "{path} {column}: {findings:?}"
+        );
     }
 }

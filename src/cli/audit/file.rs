@@ -22,7 +22,7 @@ use super::super::{CliError, Context, words};
 pub fn read(path: &Path, auditor: &Auditor<'_>, context: &Context) -> Result<Stated, CliError> {
     let shown = path.display().to_string();
     let text = content(path, &shown, context)?;
-    let stated = read_plan(&shown, &text, auditor.knowledge, &|name: &str| named(path, name));
+    let stated = read_plan(&shown, &text, auditor.knowledge, &|name: &str| named(path, name, context));
     stated.map_err(|unreadable| unusable(path, shown, text, unreadable))
 }
 
@@ -33,7 +33,7 @@ pub fn read(path: &Path, auditor: &Auditor<'_>, context: &Context) -> Result<Sta
 pub fn read_any(path: &Path, auditor: &Auditor<'_>, context: &Context) -> Result<Option<Stated>, CliError> {
     let shown = path.display().to_string();
     let text = content(path, &shown, context)?;
-    let stated = read_if_plan(&shown, &text, auditor.knowledge, &|name: &str| named(path, name));
+    let stated = read_if_plan(&shown, &text, auditor.knowledge, &|name: &str| named(path, name, context));
     stated.map_err(|unreadable| unusable(path, shown, text, unreadable))
 }
 
@@ -81,8 +81,8 @@ pub fn content(path: &Path, shown: &str, context: &Context) -> Result<String, Cl
 }
 
 /// A file that a plan names: relative to the plan.
-fn named(plan: &Path, name: &str) -> Result<String, String> {
-    let bytes = std::fs::read(beside(plan).join(name)).map_err(|error| error.to_string())?;
+fn named(plan: &Path, name: &str, context: &Context) -> Result<String, String> {
+    let bytes = std::fs::read(beside(plan).join(name)).map_err(|error| words::of_system(context.lang, &error))?;
     String::from_utf8(bytes).map_err(|error| error.to_string())
 }
 

@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 use technolog::audit::marks::Scheme;
 use technolog::audit::{Audited, Auditor, Unread};
 use technolog::knowledge::Diagnostic;
-use technolog::report::mistakes::told;
 use technolog::{parallel, report};
 
 use super::super::progress::Progress;
@@ -88,8 +87,7 @@ fn one(path: &Path, auditor: &Auditor<'_>, scheme: Option<&Scheme>, context: &Co
 }
 
 fn unreadable(path: &Path, problems: &[Diagnostic], context: &Context) -> Seen {
-    let problems: Vec<Diagnostic> = problems.iter().map(|problem| told(problem, context.lang)).collect();
-    Seen::Plan(Audited::Unreadable(Unread::new(&path.display().to_string(), &problems)))
+    Seen::Plan(Audited::Unreadable(Unread::new(&path.display().to_string(), problems, context.lang)))
 }
 
 /// The files that may be plans. Hidden ones are left out, and links to folders, which could go round.

@@ -28,7 +28,7 @@ pub fn answer(question: &Question<'_>, all: bool, format: Format, context: &Cont
         .collect();
     let answer = table.decide(&inputs).map_err(|error| {
         let help = words::run_lint(context.lang);
-        Diagnostic::error("contradiction", error.to_string(), None).help(help)
+        Diagnostic::error("contradiction", technolog::note::Note::from(&error), None).help(help)
     })?;
     let told = Told::of(question, &answer);
     match format {

@@ -72,7 +72,7 @@ fn file<'a>(run: &'a Run, context: &Context) -> FileJson<'a> {
         file: &run.file,
         passed: run.passed(),
         failed: run.failed(),
-        mistakes: run.mistakes.iter().map(|mistake| Mistake::of(mistake, &run.texts)).collect(),
+        mistakes: run.mistakes.iter().map(|mistake| Mistake::of(mistake, &run.texts, context.lang)).collect(),
         cases: run.cases.iter().map(|ran| case(ran, context)).collect(),
     }
 }

@@ -41,7 +41,7 @@ fn suite(run: &Run, context: &Context) -> String {
             "    <testcase name=\"{file}\" classname=\"{file}\" file=\"{file}\">\n      \
              <error type=\"{}\" message=\"{}\">{}</error>\n    </testcase>\n",
             escaped(first.code),
-            escaped(&first.message),
+            escaped(&context.lang.say(&first.message)),
             escaped(&all)
         ));
     }

@@ -6,6 +6,7 @@ use technolog::audit::stated::Stated;
 use technolog::audit::{Unreadable, audit, read_plan};
 use technolog::note::Severity;
 use technolog::plan::{CuttingMethod, Operation};
+use technolog::report::Lang;
 use technolog_testing::{KNOWLEDGE, planned, read as read_part};
 
 fn right() -> String {
@@ -51,7 +52,7 @@ fn a_figure_that_cannot_be_is_a_mistake_of_the_file() {
         let line = right().lines().zip(text.lines()).position(|(a, b)| a != b).unwrap() + 1;
         let problems = read(&text).err().unwrap_or_else(|| panic!("`{to}` is read")).problems;
         let [problem] = problems.as_slice() else { panic!("{to}: {problems:?}") };
-        assert_eq!(problem.message, message);
+        assert_eq!(Lang::EN.say(&problem.message), message);
         assert_eq!(problem.place.as_ref().unwrap().line as usize, line, "{to}");
         assert!(problem.help.is_some(), "{to}");
     }
@@ -67,7 +68,8 @@ fn a_roughness_beyond_the_tables_is_a_mistake_of_a_stored_plan() {
     let none = |_: &str| Err("no files here".to_owned());
     let problems = read_plan("plan.json", &text, &KNOWLEDGE, &none).unwrap_err().problems;
     let [problem] = problems.as_slice() else { panic!("{problems:?}") };
-    assert!(problem.message.starts_with("`Ra 1205` is outside Ra 0.008 to Ra 100"), "{}", problem.message);
+    let said = Lang::EN.say(&problem.message);
+    assert!(said.starts_with("`Ra 1205` is outside Ra 0.008 to Ra 100"), "{said}");
     assert!(problem.place.is_some() && problem.help.is_some());
 }
 
@@ -123,7 +125,11 @@ fn corrections_may_have_any_sign() {
 fn digits_of_another_script_and_files_that_are_no_text_have_a_remedy_of_their_own() {
     let help = |text: &str, files: &dyn Fn(&str) -> Result<String, String>| {
         let problems = read_plan("plan.yaml", text, &KNOWLEDGE, files).err().unwrap().problems;
-        problems.iter().filter_map(|one| one.help.clone()).collect::<Vec<_>>().join("; ")
+        problems
+            .iter()
+            .filter_map(|one| one.help.as_ref().map(|help| Lang::EN.say(help)))
+            .collect::<Vec<_>>()
+            .join("; ")
     };
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/audit");
     let files = |name: &str| std::fs::read_to_string(folder.join(name)).map_err(|error| error.to_string());

@@ -151,7 +151,7 @@ fn everything(lang: Lang) -> Vec<(String, String)> {
     let none = |_: &str| Err("no such file".to_owned());
     for broken in ["part: [\n", "tools: {}\n", "part: here.yaml\n", &text("tests/audit/bad.yaml")] {
         let unreadable = read_plan("broken.yaml", broken, &KNOWLEDGE, &none).unwrap_err();
-        audited.push(Audited::Unreadable(Unread::new("broken.yaml", &unreadable.problems)));
+        audited.push(Audited::Unreadable(Unread::new("broken.yaml", &unreadable.problems, lang)));
     }
     let folder = [many::page(&audited, lang), many::markdown(&audited, lang), visible(&html::folder(&audited, lang))];
     all.extend(folder.map(|page| ("folder".to_owned(), page)));

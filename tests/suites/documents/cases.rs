@@ -293,7 +293,7 @@ fn mistakes(text: &str) -> Vec<String> {
         .map(|mistake| {
             let technolog::turning::shaft::Mistake::Form(one) = mistake else { panic!("{mistake:?}") };
             let place = one.place.as_ref().unwrap();
-            let help = one.help.clone().unwrap_or_default();
+            let help = one.help.as_ref().map(|help| Lang::EN.say(help)).unwrap_or_default();
             let help = if help.len() > 90 { "known here" } else { &help };
             format!("{}:{} {} {help}", place.line, place.column, one.code)
         })

@@ -151,7 +151,7 @@ fn read_second(table: &Table, csv: impl Read) -> Second {
 
 /// A cell of the second reading. The items of a list stand between spaces; a test that is left out
 /// matches anything, any other cell is then empty.
-fn read_cell(column: &Column, text: &str) -> Result<Cell, String> {
+fn read_cell(column: &Column, text: &str) -> Result<Cell, technolog::note::Note> {
     let text = text.trim();
     if column.role == Role::Input {
         let text = if text.is_empty() { "-" } else { text };

@@ -3,6 +3,7 @@
 use crate::knowledge::Diagnostic;
 use crate::knowledge::diagnostic::nearest;
 use crate::knowledge::yaml::{Fields, Node, Problems, parse};
+use technolog_note::note;
 
 use super::super::finding::Section;
 use super::super::read::number;
@@ -58,8 +59,8 @@ fn scheme(root: &Node, rules: &[&str], problems: &mut Problems) -> Option<Scheme
     if let (Some(node), Some(pass), Some(points)) = (pass_node, pass, points)
         && pass > points
     {
-        let message = format!("nobody passes with {pass} of {points} points");
-        problems.error_help::<()>("bad-value", message, &node.place, "`pass` is at most `points`");
+        let message = note!("planfile-nobody-passes-with-points", pass = pass, points = points);
+        problems.error_help::<()>("bad-value", message, &node.place, note!("planfile-pass-at-most-points"));
     }
     Some(Scheme { name, points: points?, pass, deduct, consequences, sections, rules: named })
 }
@@ -69,13 +70,15 @@ fn positive(node: &Node, problems: &mut Problems) -> Option<f64> {
     let text = problems.text(node)?;
     let value = number(text).map(|(value, _)| value).filter(|value| (0.0..=1e6).contains(value));
     let help = if text.contains(',') {
-        "write the decimal point of a number, not a comma"
+        note!("yaml-write-decimal-point-number-comma")
     } else if text.starts_with(['-', '−']) {
-        "write how many points are taken off, without a sign"
+        note!("planfile-write-how-many-points-taken")
     } else {
-        "write a number of points: 2 or 0.5"
+        note!("planfile-write-number-points")
     };
-    value.or_else(|| problems.error_help("bad-value", format!("`{text}` is no number of points"), &node.place, help))
+    value.or_else(|| {
+        problems.error_help("bad-value", note!("planfile-no-number-points", text = text), &node.place, help)
+    })
 }
 
 fn deductions(node: &Node, problems: &mut Problems) -> BySeverity {
@@ -111,10 +114,10 @@ fn by_rule(node: &Node, rules: &[&str], problems: &mut Problems) -> Vec<(String,
     for (key, node) in fields.rest() {
         if !rules.contains(&key.text.as_str()) {
             let help = match nearest(&key.text, rules.iter().copied()) {
-                Some(near) => format!("did you mean `{near}`?"),
-                None => "docs/audit.md lists the rules; `--format json` says which one a finding has".to_owned(),
+                Some(near) => note!("yaml-did-you-mean", near = near),
+                None => note!("planfile-docs-audit-md-lists-rules"),
             };
-            problems.error_help::<()>("unknown-rule", format!("no rule `{}`", key.text), &key.place, help);
+            problems.error_help::<()>("unknown-rule", note!("planfile-no-rule", key = key.text), &key.place, help);
         }
         read.extend(positive(node, problems).map(|points| (key.text.clone(), points)));
     }

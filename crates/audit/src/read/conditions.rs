@@ -1,6 +1,7 @@
 //! Conditions and clamping.
 
 use std::collections::BTreeMap;
+use technolog_note::note;
 
 use crate::knowledge::yaml::{Node, NodeKind};
 
@@ -21,8 +22,13 @@ impl Reader<'_> {
             let Some(own) = self.one(node, rows) else { continue };
             let twice = own.rows.iter().find(|row| all.iter().any(|other| other.rows.contains(row)));
             if let Some(row) = twice.and_then(|row| rows.get(*row)) {
-                let message = format!("row {} has conditions already", row.number);
-                let _ = self.problems.error_help::<()>("duplicate-row", message, &own.place, "name every row once");
+                let message = note!("planfile-row-has-conditions-already", row = row.number);
+                let _ = self.problems.error_help::<()>(
+                    "duplicate-row",
+                    message,
+                    &own.place,
+                    note!("planfile-name-every-row-once"),
+                );
             }
             all.push(own);
         }
@@ -66,8 +72,8 @@ impl Reader<'_> {
                 _ => &[],
             };
             let [x, y] = two else {
-                let help = "give each point in brackets of its own: [[X, Y], [X, Y]]";
-                self.problems.error_help::<()>("bad-value", "a point is expected here", &item.place, help);
+                let help = note!("part-give-each-point-brackets-own");
+                self.problems.error_help::<()>("bad-value", note!("planfile-point-expected-here"), &item.place, help);
                 continue;
             };
             let mut length = |node: &Node| self.figure(node).map(|figure| Micrometres::from_mm_rounded(figure.value));
@@ -79,12 +85,12 @@ impl Reader<'_> {
     /// Factors by name; one without a value is only named.
     fn factors(&mut self, node: &Node) -> Vec<Factor> {
         let NodeKind::Map(entries) = &node.kind else {
-            let message = format!("a mapping is expected here, not {}", node.kind_name());
+            let message = note!("yaml-mapping-expected-here", kind_name = node.kind_name());
             let _ = self.problems.error_help::<()>(
                 "bad-value",
                 message,
                 &node.place,
-                "name the factors: `{material: 1.3}`",
+                note!("planfile-name-factors-material"),
             );
             return Vec::new();
         };
@@ -103,8 +109,8 @@ impl Reader<'_> {
             [value] => Some(Said { value: *value, place: node.place.clone() }),
             [] => None,
             _ => {
-                let help = "name the one whose torque is largest";
-                self.problems.error_help("bad-value", "a part is clamped for one row", &node.place, help)
+                let help = note!("planfile-name-one-whose-torque-largest");
+                self.problems.error_help("bad-value", note!("planfile-part-clamped-for-one-row"), &node.place, help)
             }
         });
         let hole = self.hole(&mut fields, part);

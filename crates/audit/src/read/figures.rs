@@ -1,6 +1,7 @@
 //! Numbers with their printed places.
 
 use crate::knowledge::yaml::{Fields, Node};
+use technolog_note::note;
 
 use super::Reader;
 use crate::audit::quantity::Quantity;
@@ -31,20 +32,25 @@ impl Reader<'_> {
 
     /// A figure that its quantity can have, by the table `audit-tolerance`.
     fn possible(&mut self, quantity: Quantity, figure: Figure) -> Option<Figure> {
-        let (name, text) = (quantity.name().1, &figure.text);
+        let (name, text) =
+            (technolog_note::Figure::word_of("quantity", quantity.key().replace('.', "-")), &figure.text);
         let range = self.tolerances.range(quantity);
         let (message, help) = if !range.holds(figure.value) && figure.value < 0.0 {
-            let must = if range == Range::Positive { "it must be above zero" } else { "it must not be below zero" };
+            let must = if range == Range::Positive {
+                note!("planfile-must-above-zero")
+            } else {
+                note!("planfile-must-below-zero")
+            };
             (
-                format!("`{text}` cannot be the {name}: {must}"),
-                "write it without a sign: only corrections may be negative",
+                note!("planfile-cannot", text = text, name = name, must = must),
+                note!("planfile-write-without-sign-only-corrections"),
             )
         } else if !range.holds(figure.value) {
-            let must = "it must be above zero";
-            (format!("`{text}` cannot be the {name}: {must}"), "leave out what is not known")
+            let must = note!("planfile-must-above-zero");
+            (note!("planfile-cannot", text = text, name = name, must = must), note!("planfile-leave-out-what-known"))
         } else if self.tolerances.whole(quantity) && libm::trunc(figure.value) != figure.value {
-            let must = "it must be a whole number";
-            (format!("`{text}` cannot be the {name}: {must}"), "write it without decimals")
+            let must = note!("planfile-must-whole-number");
+            (note!("planfile-cannot", text = text, name = name, must = must), note!("planfile-write-without-decimals"))
         } else {
             return Some(figure);
         };
@@ -62,13 +68,13 @@ impl Reader<'_> {
         });
         figure.filter(|figure| figure.value.abs() <= MOST).or_else(|| {
             let help = if text.contains(',') {
-                "write the decimal point of a number, not a comma"
+                note!("yaml-write-decimal-point-number-comma")
             } else if text.chars().any(|letter| letter.is_numeric() && !letter.is_ascii_digit()) {
-                "write it with the digits 0 to 9: these are other characters that look like them"
+                note!("planfile-write-with-digits-these-other")
             } else {
-                "write a number without its unit"
+                note!("planfile-write-number-without-unit")
             };
-            self.problems.error_help("bad-value", format!("`{text}` is no number"), &node.place, help)
+            self.problems.error_help("bad-value", note!("planfile-no-number", text = text), &node.place, help)
         })
     }
 }

@@ -13,6 +13,7 @@ use crate::knowledge::yaml::{Fields, Node, NodeKind, Problems, parse};
 use crate::part::{Part, read_part, read_part_node};
 use crate::plan::CuttingMethod;
 use crate::program::Language;
+use technolog_note::note;
 
 use super::keys::{PLAN, PROGRAM, TIMES};
 use super::stated::{Figures, Program, Said, Stated, Text};
@@ -142,8 +143,8 @@ impl Reader<'_> {
                 && !tools.iter().any(|known| known.number == tool.value)
             {
                 let known: Vec<String> = tools.iter().map(|tool| format!("T{}", tool.number)).collect();
-                let message = format!("no tool T{} in `tools`", tool.value);
-                let help = format!("known are {}", known.join(", "));
+                let message = note!("planfile-no-tool-t-tools", value = tool.value);
+                let help = note!("planfile-known", known = known.join(", "));
                 self.problems.error_help::<()>("unknown-tool", message, &tool.place, help);
             }
         }
@@ -193,12 +194,12 @@ impl Reader<'_> {
                 Some(text)
             }
             Err(why) => {
-                let message = format!("cannot read `{path}`: {why}");
+                let message = note!("planfile-cannot-read", path = path, why = why);
                 let is_text = !why.to_lowercase().contains("utf-8");
                 let help = if is_text {
-                    "paths are relative to the plan file"
+                    note!("planfile-paths-relative-plan-file")
                 } else {
-                    "it is no text: save it as UTF-8 text"
+                    note!("planfile-no-text-save-utf-text")
                 };
                 self.problems.error_help("unreadable", message, &node.place, help)
             }
@@ -248,7 +249,7 @@ impl Reader<'_> {
         let node = node?;
         let text = self.problems.text(node)?.trim();
         if text.is_empty() {
-            return self.problems.error("bad-value", "a text must not be empty", &node.place);
+            return self.problems.error("bad-value", note!("planfile-text-must-empty"), &node.place);
         }
         Some(Said { value: text.to_owned(), place: node.place.clone() })
     }
@@ -260,10 +261,10 @@ impl Reader<'_> {
         }
         let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
         let help = match crate::knowledge::diagnostic::nearest(text, names.iter().copied()) {
-            Some(near) => format!("did you mean `{near}`?"),
-            None => format!("it may be {}", names.join(", ")),
+            Some(near) => note!("yaml-did-you-mean", near = near),
+            None => note!("part-may", names = names.join(", ")),
         };
-        self.problems.error_help("bad-value", format!("`{text}` is not known here"), &node.place, help)
+        self.problems.error_help("bad-value", note!("part-known-here", text = text), &node.place, help)
     }
 
     /// A field that holds a text.

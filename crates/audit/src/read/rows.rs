@@ -6,6 +6,7 @@ use crate::part::Part;
 use crate::plan::{Feature, Operation};
 use technolog_core::lang::Lang;
 use technolog_core::words::operation_named;
+use technolog_note::note;
 
 use super::Reader;
 use crate::audit::keys::ROW;
@@ -20,8 +21,8 @@ impl Reader<'_> {
             let number = u32::try_from(at + 1).unwrap_or(u32::MAX);
             let Some(row) = self.row(node, number, part) else { continue };
             if let Some(known) = rows.iter().find(|known| known.number == row.number) {
-                let message = format!("two rows of the number {}", row.number);
-                let help = format!("the other stands at line {}", known.place.line);
+                let message = note!("planfile-two-rows-number", row = row.number);
+                let help = note!("planfile-other-stands-at-line", line = known.place.line);
                 self.problems.error_help::<()>("duplicate-row", message, &row.place, help);
             }
             rows.push(row);
@@ -80,10 +81,10 @@ impl Reader<'_> {
         if !part.holes.iter().any(|known| known.name == hole.value) {
             let names: Vec<&str> = part.holes.iter().map(|hole| hole.name.as_str()).collect();
             let help = match nearest(&hole.value, names.iter().copied()) {
-                Some(near) => format!("did you mean `{near}`?"),
-                None => format!("the part has {}", names.join(", ")),
+                Some(near) => note!("yaml-did-you-mean", near = near),
+                None => note!("planfile-part-has", names = names.join(", ")),
             };
-            let message = format!("the part has no group of holes `{}`", hole.value);
+            let message = note!("planfile-part-has-no-group-holes", value = hole.value);
             self.problems.error_help::<()>("unknown-hole", message, &hole.place, help);
         }
         Some(hole)
@@ -95,8 +96,8 @@ impl Reader<'_> {
         match number_of_tool(text) {
             Some(value) => Some(Said { value, place: node.place.clone() }),
             None => {
-                let message = format!("`{text}` is no tool");
-                self.problems.error_help("bad-value", message, &node.place, "name it by its place: T1, T2, …")
+                let message = note!("planfile-no-tool", text = text);
+                self.problems.error_help("bad-value", message, &node.place, note!("planfile-name-by-place-t-t"))
             }
         }
     }
@@ -121,12 +122,16 @@ impl Reader<'_> {
             if found.is_empty() {
                 let known: Vec<String> = rows.iter().map(|row| row.number.to_string()).collect();
                 let (message, help) = match tool {
-                    Some(tool) => {
-                        (format!("no row of the route has the tool T{tool}"), "name rows by their numbers".into())
-                    }
+                    Some(tool) => (
+                        note!("planfile-no-row-route-has-tool", tool = tool),
+                        note!("planfile-name-rows-by-their-numbers"),
+                    ),
                     None => {
                         let number = node.text().unwrap_or_default();
-                        (format!("the route has no row {number}"), format!("its rows are {}", known.join(", ")))
+                        (
+                            note!("planfile-route-has-no-row", number = number),
+                            note!("planfile-rows", known = known.join(", ")),
+                        )
                     }
                 };
                 self.problems.error_help::<()>("unknown-row", message, &node.place, help);

@@ -1,6 +1,7 @@
 //! Tools and holders.
 
 use crate::knowledge::yaml::{Node, NodeKind};
+use technolog_note::note;
 
 use super::Reader;
 use super::rows::number_of_tool;
@@ -12,8 +13,8 @@ impl Reader<'_> {
     /// Tools by their places: `T1: {…}`.
     pub(super) fn tools(&mut self, node: &Node) -> Vec<Tool> {
         let NodeKind::Map(entries) = &node.kind else {
-            let message = format!("a mapping is expected here, not {}", node.kind_name());
-            let help = "name the tools by their places: `T1: {designation: …}`";
+            let message = note!("yaml-mapping-expected-here", kind_name = node.kind_name());
+            let help = note!("planfile-name-tools-by-their-places");
             let _ = self.problems.error_help::<()>("bad-value", message, &node.place, help);
             return Vec::new();
         };
@@ -22,15 +23,15 @@ impl Reader<'_> {
         let mut shared: Vec<(u32, Said<u32>)> = Vec::new();
         for (key, node) in entries {
             let Some(number) = number_of_tool(&key.text) else {
-                let message = format!("`{}` is no tool", key.text);
-                let help = "name it by its place: T1, T2, …";
+                let message = note!("planfile-no-tool-2", key = key.text);
+                let help = note!("planfile-name-by-place-t-t");
                 let _ = self.problems.error_help::<()>("bad-value", message, &key.place, help);
                 continue;
             };
             let Some(tool) = self.tool(node, number) else { continue };
             if tools.iter().any(|known| known.number == number) {
-                let message = format!("the tool T{number} stands twice");
-                let help = "give each tool its own place";
+                let message = note!("planfile-tool-t-stands-twice", number = number);
+                let help = note!("planfile-give-each-tool-own-place");
                 let _ = self.problems.error_help::<()>("duplicate-tool", message, &key.place, help);
             }
             let holder = node.get("holder").filter(|holder| holder.text().is_some() && !holder.is_null());
@@ -49,8 +50,8 @@ impl Reader<'_> {
     fn share(&mut self, tools: &mut [Tool], number: u32, same: &Said<u32>) {
         let of = tools.iter().find(|tool| tool.number == same.value && tool.number != number && tool.holder.is_some());
         let Some(of) = of.cloned() else {
-            let message = format!("T{} has no holder of its own here", same.value);
-            let help = "name a tool whose holder is written out";
+            let message = note!("planfile-t-has-no-holder-own", value = same.value);
+            let help = note!("planfile-name-tool-whose-holder-written");
             let _ = self.problems.error_help::<()>("unknown-tool", message, &same.place, help);
             return;
         };

@@ -2,10 +2,11 @@
 
 use crate::knowledge::diagnostic::Place;
 use crate::units::{Micrometres, Roughness};
+use technolog_note::note;
 
 use super::check::Span;
 use super::read::Reader;
-use super::read_steps::{DEPTH_OR_LENGTH, Whole};
+use super::read_steps::{Whole, depth_or_length};
 use super::{Bottom, Face, HoleStep, Thread, ToleratedDiameter};
 
 /// The cylinders of a hole: the main one, and the wider ones beside it.
@@ -66,14 +67,14 @@ impl Reader<'_> {
         let fault = if nominal < narrowest {
             None
         } else if nominal > narrowest {
-            let (shown, help) = (&own.diameter, "leave it out, or give the narrowest");
-            Some((format!("{shown} of the hole is wider than Ø{narrowest}, its narrowest step"), help))
+            let (shown, help) = (&own.diameter, note!("part-leave-out-give-narrowest"));
+            Some((note!("part-hole-wider-than-narrowest-step", shown = shown, narrowest = narrowest), help))
         } else {
             let main = cylinders.iter_mut().find(|one| one.nominal() == narrowest)?;
             let same_field = (main.diameter.upper, main.diameter.lower) == (own.diameter.upper, own.diameter.lower);
             let (ours, theirs) = (&own.diameter, &main.diameter);
             let differ =
-                Some((format!("{ours} of the hole is {theirs} in its step"), "write it once, or the same twice"));
+                Some((note!("part-hole-step", ours = ours, theirs = theirs), note!("part-write-once-same-twice")));
             match (&own.thread, &main.thread) {
                 (Some(thread), Some(known)) if thread.id != known.id => differ,
                 (Some(thread), _) => {
@@ -92,25 +93,22 @@ impl Reader<'_> {
         let Some(depth) = whole.depth else {
             // Without a readable blank the depth of a through hole is not known, and that is reported there.
             if !whole.through {
-                let help = "the hole's own diameter goes on behind the last step: say how deep";
-                self.problems.error_help::<()>("missing-key", "the key `depth` is missing", whole.place, help);
+                let help = note!("part-holes-own-diameter-goes-on");
+                self.problems.error_help::<()>("missing-key", note!("part-key-depth-missing"), whole.place, help);
             }
             return None;
         };
         if depth <= last {
-            let message = format!(
-                "the steps end at {last}, which leaves nothing of a hole {depth} deep for its own {}",
-                own.diameter
-            );
+            let message = note!("part-steps-end-at-which-leaves", last = last, depth = depth, diameter = own.diameter);
             let place = cylinders.last()?.place.clone();
-            return self.problems.error_help("bad-depth", message, &place, DEPTH_OR_LENGTH);
+            return self.problems.error_help("bad-depth", message, &place, depth_or_length());
         }
         let roughness = match whole.roughness {
             Some(stated) => stated?,
             None if own.thread.is_some() => self.thread_roughness(&own.place)?,
             None => {
-                let help = "the hole's own diameter goes on behind the last step";
-                return self.problems.error_help("missing-key", "the key `roughness` is missing", whole.place, help);
+                let help = note!("part-holes-own-diameter-goes-on-2");
+                return self.problems.error_help("missing-key", note!("part-key-roughness-missing"), whole.place, help);
             }
         };
         cylinders.push(Cylinder {
@@ -131,14 +129,14 @@ impl Reader<'_> {
         for (index, cylinder) in cylinders.iter().enumerate() {
             let wide = cylinder.nominal();
             if index > 0 && cylinders[index - 1].nominal() == wide {
-                let message = format!("step {} is Ø{wide} like the one before it", index + 1);
-                sound = self.problems.error_help("bad-diameter", message, &cylinder.place, "join the two");
+                let message = note!("part-step-like-one-before", index = index + 1, wide = wide);
+                sound = self.problems.error_help("bad-diameter", message, &cylinder.place, note!("part-join-two"));
                 continue;
             }
             let narrower = |others: &[Cylinder]| others.iter().any(|other| other.nominal() < wide);
             if narrower(&cylinders[..index]) && (!through || narrower(&cylinders[index + 1..])) {
-                let message = format!("step {} is Ø{wide}, wider than what leads to it", index + 1);
-                let help = "no axial tool reaches an inner chamber; give it as `groove`";
+                let message = note!("part-step-wider-than-what-leads", index = index + 1, wide = wide);
+                let help = note!("part-no-axial-tool-reaches-inner");
                 sound = self.problems.error_help("inner-step", message, &cylinder.place, help);
             }
         }
@@ -150,8 +148,8 @@ impl Reader<'_> {
     pub(super) fn arrange(&mut self, mut cylinders: Vec<Cylinder>, whole: Whole<'_>) -> Option<Cylinders> {
         if let (Some((chamfer, place)), Some(first)) = (whole.chamfer, cylinders.first_mut()) {
             if let Some(own) = first.chamfer.filter(|own| *own != chamfer) {
-                let message = format!("the chamfer at the entry is {chamfer} here and {own} in the first step");
-                self.problems.error_help::<()>("bad-value", message, &place, "keep one of them");
+                let message = note!("part-chamfer-at-entry-here-first", chamfer = chamfer, own = own);
+                self.problems.error_help::<()>("bad-value", message, &place, note!("part-keep-one-them"));
             }
             first.chamfer = Some(chamfer);
         }

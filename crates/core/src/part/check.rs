@@ -2,7 +2,7 @@
 //! clamps on the blank and beside the holes.
 
 use std::collections::BTreeMap;
-use std::fmt;
+use technolog_note::{Note, note};
 
 use crate::knowledge::diagnostic::Place;
 use crate::knowledge::yaml::Problems;
@@ -77,8 +77,8 @@ pub(super) fn names(groups: &[Group], problems: &mut Problems) {
     for (index, group) in groups.iter().enumerate() {
         let Some((name, place)) = &group.name else { continue };
         if groups[..index].iter().any(|other| other.name.as_ref().is_some_and(|(known, _)| known == name)) {
-            let message = format!("two groups of holes are named `{name}`");
-            problems.error_help::<()>("duplicate-name", message, place, "name each group once");
+            let message = note!("part-two-groups-holes-named", name = name);
+            problems.error_help::<()>("duplicate-name", message, place, note!("part-name-each-group-once"));
         }
     }
 }
@@ -102,7 +102,7 @@ pub(super) fn clamps(
 ) {
     for (point, place) in clamps {
         if reaches_out(*point, Micrometres::ZERO, blank, datum) {
-            let message = format!("the clamp at [{}, {}] is not on the blank", point.x, point.y);
+            let message = note!("part-clamp-at-on-blank", x = point.x, y = point.y);
             problems.error_help::<()>("outside-blank", message, place, extent(blank, datum));
         }
         let under = groups.iter().find(|group| {
@@ -110,8 +110,8 @@ pub(super) fn clamps(
             group.points.iter().any(|(hole, _)| hole.distance(*point) < radius)
         });
         if let Some(group) = under {
-            let message = format!("the clamp at [{}, {}] presses on hole {}", point.x, point.y, group.label());
-            problems.error_help::<()>("clamp-on-hole", message, place, "put it beside the hole");
+            let message = note!("part-clamp-at-presses-on-hole", x = point.x, y = point.y, label = group.label());
+            problems.error_help::<()>("clamp-on-hole", message, place, note!("part-put-beside-hole"));
         }
     }
 }
@@ -123,14 +123,14 @@ fn depth(group: &Group, blank: &Blank, problems: &mut Problems) {
     let (Some((depth, place)), Some(through)) = (&group.depth, group.through) else { return };
     let (name, thickness) = (group.label(), blank.thickness);
     if through && *depth != thickness {
-        let message = format!("hole {name}: a through hole is {depth} deep, but the blank is {thickness} thick");
-        problems.error_help::<()>("bad-depth", message, place, "leave `depth` out, or make it the thickness");
+        let message = note!("part-hole-through-hole-deep-but", name = name, depth = depth, thickness = thickness);
+        problems.error_help::<()>("bad-depth", message, place, note!("part-leave-depth-out-make-thickness"));
     } else if !through && *depth >= thickness {
-        let message = format!("hole {name}: a blind hole is {depth} deep in a blank {thickness} thick");
-        problems.error_help::<()>("bad-depth", message, place, "say `through: true`, or make it shallower");
+        let message = note!("part-hole-blind-hole-deep-blank", name = name, depth = depth, thickness = thickness);
+        problems.error_help::<()>("bad-depth", message, place, note!("part-say-through-true-make-shallower"));
     } else if *depth < LEAST_DEPTH {
-        let message = format!("hole {name}: {depth} mm deep is a mark and no hole");
-        let help = format!("mind the unit: depths are in mm, and {LEAST_DEPTH} is the least");
+        let message = note!("part-hole-mm-deep-mark-no", name = name, depth = depth);
+        let help = note!("part-mind-unit-depths-mm-least", LEAST_DEPTH = LEAST_DEPTH);
         problems.error_help::<()>("bad-depth", message, place, help);
     }
 }
@@ -139,26 +139,34 @@ fn inside(group: &Group, blank: &Blank, datum: &Datum, problems: &mut Problems) 
     let Some(diameter) = group.widest() else { return };
     let outside: Vec<&(Point, Place)> =
         group.points.iter().filter(|(point, _)| reaches_out(*point, diameter.half(), blank, datum)).collect();
-    let what = format!("hole {}: Ø{diameter}", group.label());
+    let (name, wide) = (group.label(), diameter);
     if let (Some(at), Some((first, _)), true) = (&group.at, outside.first(), outside.len() > 1) {
         // All of them: one mistake, in the datum or the blank, not one in each point.
         if outside.len() == group.points.len() {
-            let message = format!("{what} is not inside the blank at any of its {} points", outside.len());
-            let help = format!("{}; `datum` says where its zeros lie", extent(blank, datum));
+            let message =
+                note!("part-inside-blank-at-any-points", name = name, diameter = wide, outside = outside.len());
+            let help = note!("part-datum-says-where-zeros-lie", extent = extent(blank, datum));
             problems.error_help::<()>("outside-blank", message, &at.place, help);
             return;
         }
         // One mistake too: a pattern has no points to mend one by one.
         if at.pattern {
             let (number, all) = (outside.len(), group.points.len());
-            let first = format!("the first at [{}, {}]", first.x, first.y);
-            let message = format!("{what} is not inside the blank at {number} of its {all} points, {first}");
+            let first = note!("part-first-at", x = first.x, y = first.y);
+            let message = note!(
+                "part-inside-blank-at-points",
+                name = name,
+                diameter = wide,
+                number = number,
+                all = all,
+                first = first
+            );
             problems.error_help::<()>("outside-blank", message, &at.place, extent(blank, datum));
             return;
         }
     }
     for (point, place) in outside {
-        let message = format!("{what} at [{}, {}] is not inside the blank", point.x, point.y);
+        let message = note!("part-at-inside-blank", name = name, diameter = wide, x = point.x, y = point.y);
         problems.error_help::<()>("outside-blank", message, place, extent(blank, datum));
     }
 }
@@ -172,9 +180,9 @@ fn reaches_out(point: Point, radius: Micrometres, blank: &Blank, datum: &Datum) 
         || point.y + radius > back
 }
 
-fn extent(blank: &Blank, datum: &Datum) -> String {
+fn extent(blank: &Blank, datum: &Datum) -> Note {
     let (right, back) = (datum.left + blank.length, datum.front + blank.width);
-    format!("the blank reaches from X {} to {right} and from Y {} to {back}", datum.left, datum.front)
+    note!("part-blank-reaches-from-x-from", left = datum.left, right = right, front = datum.front, back = back)
 }
 
 /// A hole that runs into one before it.
@@ -198,39 +206,42 @@ fn apart(groups: &[Group], problems: &mut Problems) {
         if let (Some(at), true) = (&group.at, meetings.len() > 1 && same_other && every_one) {
             // Points copied from another group, or a wrong diameter: one mistake, not one in each point.
             let message = if itself {
-                format!("the holes of {} run into each other", group.label())
+                note!("part-holes-run-into-each-other", label = group.label())
             } else {
                 let (name, other) = (group.label(), first.other.label());
-                format!("every hole of {name} runs into hole {other} at line {}", first.other_place.line)
+                note!("part-every-hole-runs-into-hole", name = name, other = other, line = first.other_place.line)
             };
-            let help = format!("mind the diameter, and the points: {}", first.gap());
+            let help = note!("part-mind-diameter-points", gap = first.gap());
             problems.error_help::<()>("holes-meet", message, &at.place, help);
             continue;
         }
         if let Some(at) = group.at.as_ref().filter(|at| at.pattern && meetings.len() > 1) {
             let (number, all) = (meetings.len(), group.points.len());
-            let message =
-                format!("{number} of the {all} holes of {} run into others; the first: {first}", group.label());
+            let message = first
+                .note("part-holes-run-into-others-first")
+                .with("number", number)
+                .with("all", all)
+                .with("label", group.label());
             problems.error_help::<()>("holes-meet", message, &at.place, first.gap());
             continue;
         }
         for meeting in meetings {
-            let message = format!("hole {} {meeting}", group.label());
+            let message = meeting.note("part-hole-runs-into-hole").with("label", group.label());
             problems.error_help::<()>("holes-meet", message, meeting.place, meeting.gap());
         }
     }
 }
 
 impl Meeting<'_> {
-    fn gap(&self) -> String {
-        format!("the centres are {} mm apart, and the holes need {}", self.distance, self.needed)
+    fn gap(&self) -> Note {
+        note!("part-centres-mm-apart-holes-need", distance = self.distance, needed = self.needed)
     }
 }
 
-impl fmt::Display for Meeting<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Meeting<'_> {
+    fn note(&self, code: &'static str) -> Note {
         let Self { point, other, other_place, .. } = self;
-        write!(f, "at [{}, {}] runs into hole {} at line {}", point.x, point.y, other.label(), other_place.line)
+        note!(code, x = point.x, y = point.y, other = other.label(), line = other_place.line)
     }
 }
 
@@ -302,7 +313,7 @@ holes:
     fn problems(holes: &str) -> Vec<String> {
         let knowledge = shipped::knowledge().unwrap();
         let problems = read_part("part", &format!("{HEAD}{holes}"), &knowledge).err().unwrap_or_default();
-        problems.iter().map(ToString::to_string).collect()
+        problems.iter().map(|one| one.told(|note| technolog_words::Lang::EN.say(note))).collect()
     }
 
     fn hole(name: &str, keys: &str) -> String {

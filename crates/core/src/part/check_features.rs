@@ -2,6 +2,7 @@
 
 use crate::knowledge::diagnostic::Place;
 use crate::units::Micrometres;
+use technolog_note::{Figure, note};
 
 use super::check::Span;
 use super::read::Reader;
@@ -16,7 +17,7 @@ impl Reader<'_> {
         let end = cylinders.last().map_or(entry.to, |last| last.to);
         let mut widest = entry.diameter;
         // With how deep each is, and whether that is too deep.
-        let mut openings: Vec<(&str, Micrometres, Micrometres, bool, &Place)> = Vec::new();
+        let mut openings: Vec<(&'static str, Micrometres, Micrometres, bool, &Place)> = Vec::new();
         let mut cone = |name, diameter: Micrometres, angle_millideg, place| {
             let deep = cone_depth(diameter - entry.diameter, angle_millideg);
             // An angle is rounded on drawings, and a cone of the whole depth must not seem too long for that.
@@ -35,8 +36,14 @@ impl Reader<'_> {
             if diameter <= entry.diameter {
                 self.too_narrow(name, diameter, entry.diameter, place);
             } else if too_deep {
-                let message = format!("the {name} is {deep} deep, and Ø{} only to {}", entry.diameter, entry.to);
-                self.problems.error_help::<()>("too-deep", message, place, "make it shallower than the hole");
+                let message = note!(
+                    "part-deep-only",
+                    name = Figure::word(name),
+                    deep = deep,
+                    diameter = entry.diameter,
+                    to = entry.to
+                );
+                self.problems.error_help::<()>("too-deep", message, place, note!("part-make-shallower-than-hole"));
             }
             widest = widest.max(diameter);
         }
@@ -50,8 +57,8 @@ impl Reader<'_> {
             let around =
                 cylinders.iter().filter(|span| span.from < to && from < span.to).map(|span| span.diameter).max();
             if to > end {
-                let message = format!("the groove reaches to {to}, and the hole only to {end}");
-                let help = "`depth` counts from the entry face to its nearer side";
+                let message = note!("part-groove-reaches-hole-only", to = to, end = end);
+                let help = note!("part-depth-counts-from-entry-face");
                 self.problems.error_help::<()>("too-deep", message, place, help);
             } else if let Some(around) = around.filter(|around| groove.diameter <= *around) {
                 self.too_narrow("groove", groove.diameter, around, place);
@@ -60,8 +67,8 @@ impl Reader<'_> {
         if let (Some(diameter), Some(place)) = (features.state.diameter(), &features.state_diameter)
             && diameter >= too_wide
         {
-            let message = format!("the hole in the blank is Ø{diameter}, and the finished one may be Ø{too_wide}");
-            let help = "give the diameter that stands in the blank; it leaves something to cut";
+            let message = note!("part-hole-blank-finished-one-may", diameter = diameter, too_wide = too_wide);
+            let help = note!("part-give-diameter-stands-blank-leaves");
             self.problems.error_help::<()>("bad-diameter", message, place, help);
         }
     }
@@ -72,15 +79,15 @@ impl Reader<'_> {
         let corner = Point { x: Micrometres::ZERO, y: Micrometres::ZERO };
         let across = corner.distance(Point { x: blank.length, y: blank.width });
         if *diameter > across {
-            let message = format!("the face is Ø{diameter}, and the blank measures {across} across its corners");
-            let help = "give the diameter of the face around the hole, in mm";
+            let message = note!("part-face-blank-measures-across-corners", diameter = diameter, across = across);
+            let help = note!("part-give-diameter-face-around-hole");
             self.problems.error_help::<()>("outside-blank", message, place, help);
         }
     }
 
-    fn too_narrow(&mut self, name: &str, diameter: Micrometres, hole: Micrometres, place: &Place) {
-        let message = format!("the {name} is Ø{diameter}, and the hole there Ø{hole}");
-        self.problems.error_help::<()>("too-narrow", message, place, "make it wider than the hole, or leave it out");
+    fn too_narrow(&mut self, name: &'static str, diameter: Micrometres, hole: Micrometres, place: &Place) {
+        let message = note!("part-hole-there", name = Figure::word(name), diameter = diameter, hole = hole);
+        self.problems.error_help::<()>("too-narrow", message, place, note!("part-make-wider-than-hole-leave"));
     }
 }
 

@@ -5,18 +5,21 @@ use crate::knowledge::{Column, Knowledge, Value};
 use crate::tables::cutting::{MillingFinishFeed, MillingFinishFeedFor};
 use crate::tables::rules::{ReamingFeedCondition, ReamingFeedConditionFor};
 use crate::units::Roughness;
+use technolog_note::{Note, note};
 
 use super::Part;
 use super::read::Reader;
 
-const ROUGHNESS_HELP: &str = "roughness is in micrometres, `Ra 12.5` or `Rz 80`";
+fn roughness_help() -> Note {
+    note!("part-roughness-micrometres-ra-rz")
+}
 
 impl Reader<'_> {
     /// A roughness that every table knows.
     pub(super) fn roughness(&mut self, node: &Node) -> Option<Roughness> {
         let roughness = self.problems.scalar(node)?;
         match outside(roughness, self.knowledge) {
-            Some(message) => self.problems.error_help("bad-value", message, &node.place, ROUGHNESS_HELP),
+            Some(message) => self.problems.error_help("bad-value", message, &node.place, roughness_help()),
             None => Some(roughness),
         }
     }
@@ -25,16 +28,16 @@ impl Reader<'_> {
 impl Part {
     /// The first figure that a table which is asked with it does not know, in words, and what to do: of a part that was
     /// not read by [`super::read_part`].
-    pub fn outside_tables(&self, knowledge: &Knowledge) -> Option<(String, &'static str)> {
+    pub fn outside_tables(&self, knowledge: &Knowledge) -> Option<(Note, Note)> {
         let of_steps = self.holes.iter().flat_map(|hole| &hole.steps).map(|step| step.roughness);
         let mut all = self.holes.iter().map(|hole| hole.roughness).chain(of_steps);
-        all.find_map(|roughness| outside(roughness, knowledge)).map(|message| (message, ROUGHNESS_HELP))
+        all.find_map(|roughness| outside(roughness, knowledge)).map(|message| (message, roughness_help()))
     }
 }
 
 /// What is wrong with a roughness. The columns are those that are asked with it; the other tables are asked with the
 /// nearest one that they have.
-fn outside(roughness: Roughness, knowledge: &Knowledge) -> Option<String> {
+fn outside(roughness: Roughness, knowledge: &Knowledge) -> Option<Note> {
     let milling =
         knowledge.tables_of::<MillingFinishFeed>().map(|table| (table, MillingFinishFeedFor::roughness(table)));
     let reaming = knowledge.tables_of::<ReamingFeedCondition<'_>>();
@@ -44,7 +47,8 @@ fn outside(roughness: Roughness, knowledge: &Knowledge) -> Option<String> {
         let (domain, rank) = (column.allowed(), column.rank(&Value::Roughness(roughness))?);
         let (low, high) = (domain.intervals().first()?.0, domain.intervals().last()?.1);
         let (low, high) = (column.show_rank(low), column.show_rank(high));
-        let message = format!("`{roughness}` is outside {low} to {high}, which the table {} covers", table.id);
+        let message =
+            note!("part-outside-which-table-covers", roughness = roughness, low = low, high = high, table = table.id);
         (!domain.contains(rank)).then_some(message)
     })
 }

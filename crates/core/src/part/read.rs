@@ -7,6 +7,7 @@ use crate::machine::Machine;
 use crate::material;
 use crate::tables::materials::ClampScrew;
 use crate::units::{Decimal, Micrometres};
+use technolog_note::note;
 
 use super::check;
 use super::keys::{BLANK, CLAMP, DATUM, FIXTURE, PART};
@@ -108,7 +109,7 @@ impl Reader<'_> {
     pub(super) fn name(&mut self, node: &Node) -> Option<String> {
         let text = self.problems.text(node)?.trim();
         if text.is_empty() {
-            return self.problems.error("bad-value", "a name must not be empty", &node.place);
+            return self.problems.error("bad-value", note!("part-name-must-empty"), &node.place);
         }
         Some(text.to_owned())
     }
@@ -119,10 +120,10 @@ impl Reader<'_> {
             return Some(*value);
         }
         let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
-        let message = format!("`{text}` is not known here");
+        let message = note!("part-known-here", text = text);
         let help = match nearest(text, names.iter().copied()) {
-            Some(near) => format!("did you mean `{near}`?"),
-            None => format!("it may be {}", names.join(", ")),
+            Some(near) => note!("yaml-did-you-mean", near = near),
+            None => note!("part-may", names = names.join(", ")),
         };
         self.problems.error_help("bad-value", message, &node.place, help)
     }
@@ -131,8 +132,13 @@ impl Reader<'_> {
     pub(super) fn positive(&mut self, node: &Node, what: &str) -> Option<Micrometres> {
         let length: Micrometres = self.problems.scalar(node)?;
         if length <= Micrometres::ZERO {
-            let message = format!("`{what}` is {length}: it must be above zero");
-            return self.problems.error_help("bad-value", message, &node.place, "give millimetres, without a sign");
+            let message = note!("part-must-above-zero", what = what, length = length);
+            return self.problems.error_help(
+                "bad-value",
+                message,
+                &node.place,
+                note!("part-give-millimetres-without-sign"),
+            );
         }
         Some(length)
     }
@@ -140,7 +146,7 @@ impl Reader<'_> {
     fn mass(&mut self, node: &Node) -> Option<f64> {
         let mass: Decimal = self.problems.scalar(node)?;
         if mass.millionths() <= 0 {
-            return self.problems.error("bad-value", "`mass` must be above zero, in kg", &node.place);
+            return self.problems.error("bad-value", note!("part-mass-must-above-zero-kg"), &node.place);
         }
         Some(mass.to_f64())
     }
@@ -153,10 +159,10 @@ impl Reader<'_> {
             Err(near) => near,
         };
         let help = match near {
-            Some(near) => format!("did you mean `{near}`? `technolog table materials` lists them all"),
-            None => "`technolog table materials` lists them".to_owned(),
+            Some(near) => note!("part-did-you-mean-technolog-table", near = near),
+            None => note!("part-technolog-table-materials-lists-them"),
         };
-        self.problems.error_help("unknown-material", format!("unknown material `{text}`"), &node.place, help)
+        self.problems.error_help("unknown-material", note!("part-unknown-material", text = text), &node.place, help)
     }
 
     pub(super) fn machine(&mut self, node: &Node) -> Option<String> {
@@ -166,10 +172,10 @@ impl Reader<'_> {
             return Some(text);
         }
         let help = match nearest(&text.to_lowercase(), known.iter().copied()) {
-            Some(near) => format!("did you mean `{near}`?"),
-            None => format!("known machines: {}", known.join(", ")),
+            Some(near) => note!("yaml-did-you-mean", near = near),
+            None => note!("part-known-machines", known = known.join(", ")),
         };
-        self.problems.error_help("unknown-machine", format!("unknown machine `{text}`"), &node.place, help)
+        self.problems.error_help("unknown-machine", note!("part-unknown-machine", text = text), &node.place, help)
     }
 
     pub(super) fn blank(&mut self, node: &Node) -> Option<Blank> {
@@ -208,7 +214,7 @@ impl Reader<'_> {
             None => match text.parse::<Micrometres>() {
                 Ok(distance) => Some(-distance),
                 Err(_) => {
-                    let message = format!("`{text}` is neither {} nor a distance in mm", names.join(", "));
+                    let message = note!("part-neither-nor-distance-mm", text = text, names = names.join(", "));
                     self.problems.error("bad-value", message, &node.place)
                 }
             },
@@ -242,8 +248,8 @@ impl Reader<'_> {
         if names.contains(&text.as_str()) {
             return Some(text);
         }
-        let message = format!("no clamp screw `{text}`");
-        self.problems.error_help("unknown-screw", message, &node.place, format!("known are {}", names.join(", ")))
+        let message = note!("part-no-clamp-screw", text = text);
+        self.problems.error_help("unknown-screw", message, &node.place, note!("part-known", names = names.join(", ")))
     }
 
     pub(super) fn point(&mut self, node: &Node) -> Option<Point> {
@@ -253,8 +259,8 @@ impl Reader<'_> {
                 Some(Point { x: x?, y: y? })
             }
             other => {
-                let message = format!("a point has two coordinates [X, Y], not {}", other.len());
-                let help = "separate coordinates with a comma, decimals with a point";
+                let message = note!("part-point-has-two-coordinates-x", other = other.len());
+                let help = note!("part-separate-coordinates-with-comma-decimals");
                 self.problems.error_help("bad-value", message, &node.place, help)
             }
         }

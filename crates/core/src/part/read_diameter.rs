@@ -4,6 +4,7 @@ use crate::knowledge::diagnostic::Place;
 use crate::knowledge::yaml::{Fields, Node, NodeKind};
 use crate::units::Micrometres;
 use crate::units::Roughness;
+use technolog_note::note;
 
 use super::keys::DIAMETER;
 use super::read::Reader;
@@ -46,9 +47,14 @@ impl Reader<'_> {
             let size = text.trim().trim_start_matches(['Ø', '⌀', '∅', 'Ф', 'ф']).trim_start().parse();
             if size != Ok(thread.size) && size != Ok(hole) {
                 let (written, nominal) = (&thread.written, thread.size);
-                let message =
-                    format!("`diameter` is {text}, but {written} is Ø{nominal} and the hole under it Ø{hole}");
-                let help = "leave `diameter` out: the thread says it";
+                let message = note!(
+                    "part-diameter-but-hole-under",
+                    text = text,
+                    written = written,
+                    nominal = nominal,
+                    hole = hole
+                );
+                let help = note!("part-leave-diameter-out-thread-says");
                 return self.problems.error_help("bad-diameter", message, &stated.place, help);
             }
         }

@@ -3,6 +3,7 @@
 use crate::knowledge::diagnostic::Place;
 use crate::knowledge::yaml::{Fields, Node, NodeKind};
 use crate::units::{Decimal, Micrometres};
+use technolog_note::note;
 
 use super::check::Span;
 use super::keys::{CONE, COUNTERBORE, COUNTERSINK, FACE, GROOVE};
@@ -86,12 +87,12 @@ impl Reader<'_> {
             (Some(angle), None) => self.angle(angle),
             (None, Some(taper)) => self.taper(taper),
             (Some(_), Some(taper)) => {
-                let message = "`angle` and `taper` both say how fast the cone narrows";
-                self.problems.error_help("bad-value", message, &taper.place, "keep one of them")
+                let message = note!("part-angle-taper-both-say-how");
+                self.problems.error_help("bad-value", message, &taper.place, note!("part-keep-one-them"))
             }
             (None, None) => {
-                let help = "or `taper`, the difference of the diameters over the length";
-                self.problems.error_help("missing-key", "the key `angle` is missing", &node.place, help)
+                let help = note!("part-taper-difference-diameters-over-length");
+                self.problems.error_help("missing-key", note!("part-key-angle-missing"), &node.place, help)
             }
         };
         fields.finish(CONE, self.problems);
@@ -139,8 +140,8 @@ impl Reader<'_> {
         match u32::try_from(thousandths) {
             Ok(millideg) if exact && 0 < thousandths && thousandths < HALF_TURN => Some(millideg),
             _ => {
-                let message = format!("an angle of {angle}: it must lie between 0 and 180 degrees");
-                let help = "give the full angle of the cone in degrees, with at most three decimal places";
+                let message = note!("part-angle-must-lie-between-degrees", angle = angle);
+                let help = note!("part-give-full-angle-cone-degrees");
                 self.problems.error_help("bad-value", message, &node.place, help)
             }
         }
@@ -150,7 +151,7 @@ impl Reader<'_> {
     /// arctangent of its half.
     fn taper(&mut self, node: &Node) -> Option<u32> {
         let text = self.problems.text(node)?;
-        let help = "give the difference of the diameters over the length between them: 0.02 for 1:50";
+        let help = note!("part-give-difference-diameters-over-length");
         let taper: Decimal = match text.parse() {
             Ok(taper) => taper,
             Err(error) => return self.problems.error_help("bad-value", format!("{error}"), &node.place, help),
@@ -158,7 +159,7 @@ impl Reader<'_> {
         let millideg = (2.0 * libm::atan(taper.to_f64() / 2.0).to_degrees() * 1000.0).round() as i64;
         match u32::try_from(millideg) {
             Ok(angle) if 0 < millideg && millideg < HALF_TURN => Some(angle),
-            _ => self.problems.error_help("bad-value", format!("a taper of {taper} is no cone"), &node.place, help),
+            _ => self.problems.error_help("bad-value", note!("part-taper-no-cone", taper = taper), &node.place, help),
         }
     }
 
@@ -170,7 +171,7 @@ impl Reader<'_> {
         let kind = fields.take("state").map_or(Some(None), |node| self.choice(node, choices));
         let wall_node = fields.take("outer_wall");
         let outer_wall = wall_node.and_then(|node| self.problems.boolean(node)) == Some(true);
-        let remedy = "say `state: cast` or `state: pre-machined`, or leave it out";
+        let remedy = note!("part-say-state-cast-state-pre");
         let diameter_node = match kind {
             Some(Some(_)) => fields.need("state_diameter", self.problems),
             _ => fields.take("state_diameter"),
@@ -184,11 +185,11 @@ impl Reader<'_> {
             }
             Some(None) => {
                 if let Some(node) = diameter_node {
-                    let message = "`state_diameter` is given, but the blank is solid there";
-                    self.problems.error_help::<()>("bad-value", message, &node.place, remedy);
+                    let message = note!("part-state-diameter-given-but-blank");
+                    self.problems.error_help::<()>("bad-value", message, &node.place, remedy.clone());
                 }
                 if let (Some(node), true) = (wall_node, outer_wall) {
-                    let message = "`outer_wall: true` is for holes that are in the blank, and the blank is solid there";
+                    let message = note!("part-outer-wall-true-for-holes");
                     self.problems.error_help::<()>("bad-value", message, &node.place, remedy);
                 }
             }
@@ -211,7 +212,9 @@ mod tests {
         );
         match read_part("part", &text, &shipped::knowledge().unwrap()) {
             Ok(mut part) => Ok(part.holes.remove(0)),
-            Err(problems) => Err(problems.iter().map(ToString::to_string).collect()),
+            Err(problems) => {
+                Err(problems.iter().map(|one| one.told(|note| technolog_words::Lang::EN.say(note))).collect())
+            }
         }
     }
 

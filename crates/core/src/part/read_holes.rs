@@ -5,6 +5,7 @@ use crate::knowledge::diagnostic::Place;
 use crate::knowledge::yaml::{Fields, Node, NodeKind};
 use crate::tables::holes::{SchemesOfMainHole, SchemesOfMainHoleFor};
 use crate::units::{ItGrade, Micrometres, Roughness};
+use technolog_note::note;
 
 use super::arrange_steps::Cylinders;
 use super::check::{Centres, Group, Span};
@@ -20,9 +21,9 @@ impl Reader<'_> {
         if items.is_empty() && matches!(node.kind, NodeKind::Seq(_)) {
             self.problems.error_help::<()>(
                 "bad-value",
-                "the part has no holes",
+                note!("part-part-has-no-holes"),
                 &node.place,
-                "give at least one group",
+                note!("part-give-at-least-one-group"),
             );
         }
         items.iter().filter_map(|item| self.group(item, blank)).collect()
@@ -47,9 +48,9 @@ impl Reader<'_> {
             (None, Some(true), Some(blank)) => Some(blank.thickness),
             (None, Some(false), _) if !stepped => self.problems.error_help(
                 "missing-key",
-                "the key `depth` is missing",
+                note!("part-key-depth-missing"),
                 fields.place,
-                "a blind hole has a depth; a through hole `through: true`",
+                note!("part-blind-hole-has-depth-through"),
             ),
             _ => None,
         };
@@ -169,8 +170,8 @@ impl Reader<'_> {
         let pattern = fields.take("pattern");
         let at = if pattern.is_some() { fields.take("at") } else { fields.need("at", self.problems) };
         if let (Some(node), Some(_)) = (at, pattern) {
-            let message = "`at` and `pattern` both say where the holes are";
-            self.problems.error_help::<()>("bad-value", message, &node.place, "keep one of them");
+            let message = note!("part-at-pattern-both-say-where");
+            self.problems.error_help::<()>("bad-value", message, &node.place, note!("part-keep-one-them"));
         }
         match (pattern, at) {
             (Some(node), _) => {
@@ -186,9 +187,12 @@ impl Reader<'_> {
         let items = self.problems.list(node).unwrap_or_default();
         let scalars = items.iter().all(|item| matches!(item.kind, NodeKind::Scalar { .. }));
         if matches!(node.kind, NodeKind::Seq(_)) && scalars {
-            let message =
-                if items.is_empty() { "the group has no points" } else { "a list of points is expected here" };
-            let help = "give each point in brackets of its own: [[X, Y], [X, Y]]";
+            let message = if items.is_empty() {
+                note!("part-group-has-no-points")
+            } else {
+                note!("part-list-points-expected-here")
+            };
+            let help = note!("part-give-each-point-brackets-own");
             self.problems.error_help::<()>("bad-value", message, &node.place, help);
             return Vec::new();
         }
@@ -201,7 +205,7 @@ impl Reader<'_> {
         if let Some(grade) = text.strip_prefix("IT") {
             let it = grade.trim().parse().ok().and_then(ItGrade::new).filter(|it| (5..=14).contains(&it.number()));
             if it.is_none() {
-                let message = format!("`{text}` is outside IT5 to IT14, which the table it-grades covers");
+                let message = note!("part-outside-which-table-grades-covers", text = text);
                 return self.problems.error("bad-value", message, &node.place);
             }
             return it.map(|it| CentreTolerance::Grade { it });
@@ -211,8 +215,8 @@ impl Reader<'_> {
         let tables = self.knowledge.tables_of::<SchemesOfMainHole<'_>>();
         let mut domains = tables.filter_map(SchemesOfMainHoleFor::centre_tolerance).map(Column::allowed);
         if domains.any(|domain| !domain.contains(width.micrometres())) {
-            let message = format!("{width} mm is coarser than any tolerance of the tables A.8 and A.9");
-            let help = "give the full width of the tolerance in mm, `0.46`, or a grade, `IT12`";
+            let message = note!("part-mm-coarser-than-any-tolerance", width = width);
+            let help = note!("part-give-full-width-tolerance-mm");
             return self.problems.error_help("bad-value", message, &node.place, help);
         }
         Some(CentreTolerance::Width(width))

@@ -2,6 +2,7 @@
 
 use crate::knowledge::yaml::{Fields, Node, NodeKind};
 use crate::units::{Decimal, Micrometres};
+use technolog_note::note;
 
 use super::Point;
 use super::keys::{CIRCLE, GRID, LINE, PATTERN};
@@ -28,12 +29,17 @@ impl Reader<'_> {
             [] => {
                 // A misspelt kind has been named already.
                 if self.problems.0.len() == before {
-                    let help = "give one of grid, line and circle";
-                    self.problems.error_help::<()>("bad-value", "the pattern is of no kind", &node.place, help);
+                    let help = note!("part-give-one-grid-line-circle");
+                    self.problems.error_help::<()>("bad-value", note!("part-pattern-no-kind"), &node.place, help);
                 }
                 None
             }
-            _ => self.problems.error_help("bad-value", "a pattern is of one kind", &node.place, "keep one of them"),
+            _ => self.problems.error_help(
+                "bad-value",
+                note!("part-pattern-one-kind"),
+                &node.place,
+                note!("part-keep-one-them"),
+            ),
         }
         .unwrap_or_default()
     }
@@ -88,7 +94,7 @@ impl Reader<'_> {
             return Some((step, step));
         };
         let [x, y] = items.as_slice() else {
-            let message = format!("a step has two figures [X, Y] or is one for both, not {}", items.len());
+            let message = note!("part-step-has-two-figures-x", items = items.len());
             return self.problems.error("bad-value", message, &node.place);
         };
         let (x, y) = (self.positive(x, "step"), self.positive(y, "step"));
@@ -100,7 +106,7 @@ impl Reader<'_> {
         let number: Decimal = self.problems.scalar(node)?;
         let count = number.to_int().and_then(|count| usize::try_from(count).ok()).filter(|count| *count >= least);
         if count.is_none() {
-            let message = format!("`{name}` is {number}: it must be a whole number, at least {least}");
+            let message = note!("part-must-whole-number-at-least", name = name, number = number, least = least);
             return self.problems.error("bad-value", message, &node.place);
         }
         count
@@ -118,9 +124,12 @@ impl Reader<'_> {
     fn room_for(&mut self, points: usize, node: &Node) -> Option<()> {
         self.pattern_points = self.pattern_points.saturating_add(points);
         if self.pattern_points > MOST_POINTS {
-            let message =
-                format!("the patterns make {} points, and a part may have {MOST_POINTS}", self.pattern_points);
-            return self.problems.error_help("bad-value", message, &node.place, "mind the counts");
+            let message = note!(
+                "part-patterns-make-points-part-may",
+                pattern_points = self.pattern_points,
+                MOST_POINTS = MOST_POINTS
+            );
+            return self.problems.error_help("bad-value", message, &node.place, note!("part-mind-counts"));
         }
         Some(())
     }
@@ -174,7 +183,10 @@ mod tests {
         let (root, _) = parse("pattern", text);
         let points = Reader::new(&knowledge, &mut problems).pattern(&root.unwrap());
         let shown = |point: Point| [point.x.micrometres(), point.y.micrometres()];
-        (points.into_iter().map(shown).collect(), problems.0.iter().map(ToString::to_string).collect())
+        (
+            points.into_iter().map(shown).collect(),
+            problems.0.iter().map(|one| one.told(|note| technolog_words::Lang::EN.say(note))).collect(),
+        )
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use crate::knowledge::diagnostic::Place;
 use crate::knowledge::yaml::{Fields, Node};
 use crate::units::{Micrometres, Roughness};
+use technolog_note::{Note, note};
 
 use super::Bottom;
 use super::arrange_steps::{Cylinder, Cylinders};
@@ -26,8 +27,9 @@ pub(super) struct Whole<'a> {
 }
 
 /// The help for every slip in the depths of steps.
-pub(super) const DEPTH_OR_LENGTH: &str =
-    "`depth` counts from the entry face to the end of the step, `length` is the step's own";
+pub(super) fn depth_or_length() -> Note {
+    note!("part-depth-counts-from-entry-face-2")
+}
 
 impl Reader<'_> {
     /// The cylinders of a stepped hole.
@@ -45,12 +47,12 @@ impl Reader<'_> {
         let inner = self.innermost(&mut cylinders, &whole)?;
         if !inner && let Some(depth) = whole.depth.filter(|depth| *depth != written_end) {
             let message = if whole.through {
-                format!("the steps end at {written_end}, but the blank is {depth} thick")
+                note!("part-steps-end-at-but-blank", written_end = written_end, depth = depth)
             } else {
-                format!("the steps end at {written_end}, but the hole is {depth} deep")
+                note!("part-steps-end-at-but-hole", written_end = written_end, depth = depth)
             };
             let place = &cylinders.last()?.place;
-            return self.problems.error_help("bad-depth", message, place, DEPTH_OR_LENGTH);
+            return self.problems.error_help("bad-depth", message, place, depth_or_length());
         }
         self.narrows(&cylinders, whole.through)?;
         self.arrange(cylinders, whole)
@@ -75,9 +77,9 @@ impl Reader<'_> {
                 Some(Sized { thread: Some(_), place, .. }) => self.thread_roughness(place),
                 Some(_) => self.problems.error_help(
                     "missing-key",
-                    "the key `roughness` is missing",
+                    note!("part-key-roughness-missing"),
                     &node.place,
-                    "give it here, or to the hole for all steps",
+                    note!("part-give-here-hole-for-all"),
                 ),
                 None => None,
             },
@@ -108,8 +110,8 @@ impl Reader<'_> {
     ) -> Option<Micrometres> {
         match (fields.take("depth"), fields.take("length")) {
             (Some(_), Some(node)) => {
-                let message = "`depth` and `length` both say where the step ends";
-                self.problems.error_help("bad-value", message, &node.place, "keep one of them")
+                let message = note!("part-depth-length-both-say-where");
+                self.problems.error_help("bad-value", message, &node.place, note!("part-keep-one-them"))
             }
             (None, Some(node)) => {
                 let length = self.positive(node, "length")?;
@@ -118,22 +120,22 @@ impl Reader<'_> {
             (Some(node), None) => {
                 let end = self.positive(node, "depth")?;
                 if let Some(start) = start.filter(|start| end <= *start) {
-                    let message = format!("step {number} ends at {end}, and the one before it at {start}");
-                    return self.problems.error_help("bad-depth", message, &node.place, DEPTH_OR_LENGTH);
+                    let message = note!("part-step-ends-at-one-before", number = number, end = end, start = start);
+                    return self.problems.error_help("bad-depth", message, &node.place, depth_or_length());
                 }
                 Some(end)
             }
             (None, None) if last && whole.through => {
                 let end = whole.depth?;
                 if let Some(start) = start.filter(|start| end <= *start) {
-                    let message = format!("the step before the last ends at {start}, and the blank is {end} thick");
-                    return self.problems.error_help("bad-depth", message, fields.place, DEPTH_OR_LENGTH);
+                    let message = note!("part-step-before-last-ends-at", start = start, end = end);
+                    return self.problems.error_help("bad-depth", message, fields.place, depth_or_length());
                 }
                 Some(end)
             }
             (None, None) => {
-                let message = "the key `depth` is missing";
-                let help = "or `length`; only the last step of a through hole may leave both out";
+                let message = note!("part-key-depth-missing");
+                let help = note!("part-length-only-last-step-through");
                 self.problems.error_help("missing-key", message, fields.place, help)
             }
         }
@@ -154,7 +156,9 @@ mod tests {
         );
         match read_part("part", &text, &shipped::knowledge().unwrap()) {
             Ok(mut part) => Ok(part.holes.remove(0)),
-            Err(problems) => Err(problems.iter().map(ToString::to_string).collect()),
+            Err(problems) => {
+                Err(problems.iter().map(|one| one.told(|note| technolog_words::Lang::EN.say(note))).collect())
+            }
         }
     }
 

@@ -6,6 +6,7 @@ use crate::knowledge::{Knowledge, TableError};
 use crate::tables::holes::ThreadAccuracy;
 use crate::tables::standards::{CoarseThread, ConicalThread, FineThread};
 use crate::units::{Micrometres, Roughness};
+use technolog_note::{Note, note};
 
 use super::{Thread, ThreadKind};
 
@@ -21,18 +22,18 @@ pub(super) struct ThreadedHole {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct ThreadError {
     pub code: &'static str,
-    pub message: String,
-    pub help: String,
+    pub message: Note,
+    pub help: Note,
 }
 
 impl ThreadError {
-    fn bad(text: &str, why: &str) -> Self {
-        let help = "write a metric thread as `M8-6H` or `M8x1-6H`, a conical one as `K1/2`".to_owned();
-        Self { code: "bad-thread", message: format!("`{text}` is no thread: {why}"), help }
+    fn bad(text: &str, why: Note) -> Self {
+        let help = note!("part-write-metric-thread-m-h");
+        Self { code: "bad-thread", message: note!("part-no-thread", text = text, why = why), help }
     }
 
-    fn unknown(text: &str, help: String) -> Self {
-        Self { code: "unknown-thread", message: format!("unknown thread `{text}`"), help }
+    fn unknown(text: &str, help: Note) -> Self {
+        Self { code: "unknown-thread", message: note!("part-unknown-thread", text = text), help }
     }
 }
 
@@ -51,14 +52,14 @@ pub(super) fn read(text: &str, knowledge: &Knowledge) -> Result<ThreadedHole, Th
     match letters.next() {
         Some('M' | 'm' | 'М' | 'м') => metric(text, letters.as_str(), knowledge),
         Some('K' | 'k' | 'К' | 'к') => conical(text, letters.as_str(), knowledge),
-        _ => Err(ThreadError::bad(text, "it begins with neither M nor K")),
+        _ => Err(ThreadError::bad(text, note!("part-begins-with-neither-m-nor"))),
     }
 }
 
 /// The coarsest roughness that a tap leaves, by table A.3: that of a thread whose drawing gives none.
-pub(super) fn roughness(knowledge: &Knowledge) -> Result<Roughness, String> {
+pub(super) fn roughness(knowledge: &Knowledge) -> Result<Roughness, Note> {
     let tapped = |row: &ThreadAccuracy<'_>| row.method == Operation::Tap;
-    let row = knowledge.need(Operation::Tap.name(), tapped).map_err(|error| error.to_string())?;
+    let row = knowledge.need(Operation::Tap.name(), tapped).map_err(|error| Note::from(&error))?;
     Ok(Roughness::from_ra(row.ra_coarsest))
 }
 
@@ -75,12 +76,12 @@ fn metric(text: &str, rest: &str, knowledge: &Knowledge) -> Result<ThreadedHole,
         .collect();
     let (sizes, field) = rest.split_once('-').map_or((rest.as_str(), None), |(sizes, field)| (sizes, Some(field)));
     if let Some(field) = field {
-        tolerance_field(field).map_err(|why| ThreadError::bad(text, &why))?;
+        tolerance_field(field).map_err(|why| ThreadError::bad(text, why))?;
     }
     let (size, pitch) = sizes.split_once('x').map_or((sizes, None), |(size, pitch)| (size, Some(pitch)));
-    let length = |figure: &str| figure.parse::<Micrometres>().map_err(|error| ThreadError::bad(text, &error.0));
+    let length = |figure: &str| figure.parse::<Micrometres>().map_err(|error| ThreadError::bad(text, error.0));
     let (size, pitch) = (length(size)?, pitch.map(length).transpose()?);
-    let lacking = |error: TableError| ThreadError::unknown(text, error.to_string());
+    let lacking = |error: TableError| ThreadError::unknown(text, Note::from(&error));
 
     let known: Vec<CoarseThread<'_>> = knowledge.rows().map_err(lacking)?;
     let id = format!("M{size}");
@@ -90,8 +91,8 @@ fn metric(text: &str, rest: &str, knowledge: &Knowledge) -> Result<ThreadedHole,
     let coarse = row.pitch;
     let (id, pitch, hole) = match pitch {
         Some(pitch) if pitch <= Micrometres::ZERO || pitch > coarse => {
-            let why = format!("the pitch {pitch} must be above zero and not above {coarse}, the coarse one of {id}");
-            return Err(ThreadError::bad(text, &why));
+            let why = note!("part-pitch-must-above-zero-above", pitch = pitch, coarse = coarse, id = id);
+            return Err(ThreadError::bad(text, why));
         }
         Some(pitch) if pitch != coarse => {
             let id = format!("{id}x{pitch}");
@@ -106,7 +107,7 @@ fn metric(text: &str, rest: &str, knowledge: &Knowledge) -> Result<ThreadedHole,
 }
 
 /// A tolerance field of an internal thread: `6H`, or one of pitch and one of minor diameter, `4H5H`.
-fn tolerance_field(field: &str) -> Result<(), String> {
+fn tolerance_field(field: &str) -> Result<(), Note> {
     let letters: Vec<char> = field.chars().collect();
     let fits = |letter: fn(&char) -> bool| {
         matches!(letters.len(), 2 | 4)
@@ -115,14 +116,14 @@ fn tolerance_field(field: &str) -> Result<(), String> {
     if fits(char::is_ascii_uppercase) {
         Ok(())
     } else if fits(char::is_ascii_lowercase) {
-        Err(format!("`{field}` is the field of a bolt; that of a hole has a capital letter, `6H`"))
+        Err(note!("part-field-bolt-hole-has-capital", field = field))
     } else {
-        Err(format!("`{field}` is no tolerance field of a thread, such as `6H`"))
+        Err(note!("part-no-tolerance-field-thread-such", field = field))
     }
 }
 
 /// The thread of the table whose size is nearest, for a remedy.
-fn nearest_size(size: Micrometres, known: &[CoarseThread<'_>]) -> String {
+fn nearest_size(size: Micrometres, known: &[CoarseThread<'_>]) -> Note {
     let named = |row: &CoarseThread<'_>| {
         let known: Micrometres = row.thread.strip_prefix('M')?.parse().ok()?;
         Some(((known - size).abs(), row.thread.to_owned()))
@@ -130,9 +131,9 @@ fn nearest_size(size: Micrometres, known: &[CoarseThread<'_>]) -> String {
     let known: Vec<(Micrometres, String)> = known.iter().filter_map(named).collect();
     match (known.iter().min_by_key(|(distance, _)| *distance), known.first(), known.last()) {
         (Some((_, near)), Some((_, first)), Some((_, last))) => {
-            format!("the nearest known is `{near}`; `technolog table tap-drills` lists them, {first} to {last}")
+            note!("part-nearest-known-technolog-table-tap", near = near, first = first, last = last)
         }
-        _ => "the table tap-drills is empty".to_owned(),
+        _ => note!("part-table-tap-drills-empty"),
     }
 }
 
@@ -143,15 +144,15 @@ fn conical(text: &str, rest: &str, knowledge: &Knowledge) -> Result<ThreadedHole
     };
     if let Some(wrong) = rest.chars().find(|letter| !letter.is_ascii_digit() && !" /.\"'″”“’\u{a0}".contains(*letter))
     {
-        return Err(ThreadError::bad(text, &format!("`{wrong}` does not belong to its size in inches")));
+        return Err(ThreadError::bad(text, note!("part-does-belong-size-inches", wrong = wrong)));
     }
     let wanted = figures(rest);
     let known: Vec<ConicalThread<'_>> =
-        knowledge.rows().map_err(|error| ThreadError::unknown(text, error.to_string()))?;
+        knowledge.rows().map_err(|error| ThreadError::unknown(text, Note::from(&error)))?;
     let Some(row) = known.iter().find(|row| figures(row.thread) == wanted) else {
         let help = match nearest(&format!("K{wanted}"), known.iter().map(|row| row.thread)) {
-            Some(near) => format!("the nearest known is `{near}`; `technolog table conical-threads` lists them"),
-            None => "`technolog table conical-threads` lists them".to_owned(),
+            Some(near) => note!("part-nearest-known-technolog-table-conical", near = near),
+            None => note!("part-technolog-table-conical-threads-lists"),
         };
         return Err(ThreadError::unknown(text, help));
     };
@@ -209,7 +210,8 @@ mod tests {
         ] {
             let error = read(text, &knowledge).unwrap_err();
             assert_eq!(error.code, code, "{text}");
-            assert!(format!("{} {}", error.message, error.help).contains(words), "{error:?}");
+            let say = |note: &Note| technolog_words::Lang::EN.say(note);
+            assert!(format!("{} {}", say(&error.message), say(&error.help)).contains(words), "{error:?}");
         }
     }
 
@@ -245,6 +247,6 @@ rows:
         assert_eq!(read("K1/2", &knowledge).unwrap().hole, Micrometres::new(18_500));
         let error = read("K1/3", &knowledge).unwrap_err();
         assert_eq!(error.code, "unknown-thread");
-        assert!(error.help.contains("`K1/2`"), "{error:?}");
+        assert!(technolog_words::Lang::EN.say(&error.help).contains("`K1/2`"), "{error:?}");
     }
 }

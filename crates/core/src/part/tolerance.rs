@@ -1,6 +1,7 @@
 //! A diameter with its tolerance: `10H12`, or a nominal size with its limits.
 
 use std::fmt;
+use technolog_note::{Note, note};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -59,22 +60,19 @@ impl ToleratedDiameter {
     ///
     /// # Errors
     /// What is wrong, and what to write.
-    pub fn parse(text: &str, knowledge: &Knowledge) -> Result<Self, String> {
+    pub fn parse(text: &str, knowledge: &Knowledge) -> Result<Self, Note> {
         // Cyrillic Н looks like the Latin letter and is typed as often.
         let text = text.trim().trim_start_matches(['Ø', '⌀', '∅', 'Ф', 'ф']).trim_start().replace(['Н', 'н'], "H");
         // At the H, so that a letter typed for a digit before it is seen as such.
         let split = text.rfind('H').or_else(|| text.find(char::is_alphabetic)).unwrap_or(text.len());
         let (size, field) = text.split_at(split);
-        let nominal: Micrometres = size.trim().parse().map_err(|error| format!("{error}; write `10H12`"))?;
+        let nominal: Micrometres = size.trim().parse().map_err(|error| note!("part-write-h", error = error))?;
         if field.is_empty() {
             let grade = convention(HoleDefault::FreeSizeGrade, knowledge)? as u8;
             return Self::with_grade(nominal, grade, nominal.to_string(), knowledge);
         }
         let Some(grade) = field.strip_prefix('H').and_then(|grade| grade.parse::<u8>().ok()) else {
-            return Err(format!(
-                "`{field}` is no tolerance field the tables know: they are for H6 to H14; give other fields as \
-                 {{nominal: {nominal}, upper: …, lower: …}}"
-            ));
+            return Err(note!("part-no-tolerance-field-tables-know", field = field, nominal = nominal));
         };
         Self::with_grade(nominal, grade, text, knowledge)
     }
@@ -83,18 +81,18 @@ impl ToleratedDiameter {
     ///
     /// # Errors
     /// The size is outside the table `it-grades`.
-    pub fn free(nominal: Micrometres, knowledge: &Knowledge) -> Result<Self, String> {
+    pub fn free(nominal: Micrometres, knowledge: &Knowledge) -> Result<Self, Note> {
         let number = convention(HoleDefault::FreeSizeGrade, knowledge)? as u8;
-        let it = ItGrade::new(number).ok_or_else(|| format!("grade {number} is outside 1 to 18"))?;
+        let it = ItGrade::new(number).ok_or_else(|| note!("part-grade-outside", number = number))?;
         let upper = tolerance_width(it, nominal, knowledge)?;
         Ok(Self { nominal, upper, lower: Micrometres::ZERO, it, written: nominal.to_string() })
     }
 
-    fn with_grade(nominal: Micrometres, grade: u8, written: String, knowledge: &Knowledge) -> Result<Self, String> {
+    fn with_grade(nominal: Micrometres, grade: u8, written: String, knowledge: &Knowledge) -> Result<Self, Note> {
         in_range(nominal, knowledge)?;
         let it = ItGrade::new(grade)
             .filter(|grade| (6..=14).contains(&grade.number()))
-            .ok_or_else(|| format!("grade {grade} is outside 6 to 14, which the tables A.8 and A.9 cover"))?;
+            .ok_or_else(|| note!("part-grade-outside-which-tables-cover", grade = grade))?;
         let width = tolerance_width(it, nominal, knowledge)?;
         Ok(Self { nominal, upper: width, lower: Micrometres::ZERO, it, written })
     }
@@ -104,9 +102,9 @@ impl ToleratedDiameter {
     ///
     /// # Errors
     /// The tables lack the grade or its width.
-    pub fn under_thread(nominal: Micrometres, written: &str, knowledge: &Knowledge) -> Result<Self, String> {
+    pub fn under_thread(nominal: Micrometres, written: &str, knowledge: &Knowledge) -> Result<Self, Note> {
         let grade = convention(HoleDefault::ThreadHoleGrade, knowledge)? as u8;
-        let it = ItGrade::new(grade).ok_or_else(|| format!("`thread-hole-grade` {grade} is no tolerance grade"))?;
+        let it = ItGrade::new(grade).ok_or_else(|| note!("part-thread-hole-grade-no-tolerance", grade = grade))?;
         let upper = tolerance_width(it, nominal, knowledge)?;
         Ok(Self { nominal, upper, lower: Micrometres::ZERO, it, written: written.to_owned() })
     }
@@ -120,14 +118,14 @@ impl ToleratedDiameter {
         upper: Micrometres,
         lower: Micrometres,
         knowledge: &Knowledge,
-    ) -> Result<Self, String> {
+    ) -> Result<Self, Note> {
         in_range(nominal, knowledge)?;
         let given = upper - lower;
         if given <= Micrometres::ZERO {
-            return Err(format!("the upper deviation {upper} must be above the lower {lower}"));
+            return Err(note!("part-upper-deviation-must-above-lower", upper = upper, lower = lower));
         }
         if lower.abs().max(upper.abs()) >= nominal {
-            return Err(format!("the deviations {upper} and {lower} are not small beside Ø{nominal}; they are in mm"));
+            return Err(note!("part-deviations-small-beside-they-mm", upper = upper, lower = lower, nominal = nominal));
         }
         for grade in (6..=14).rev() {
             let Some(it) = ItGrade::new(grade) else { continue };
@@ -136,7 +134,7 @@ impl ToleratedDiameter {
                 return Ok(Self { nominal, upper, lower, it, written });
             }
         }
-        Err(format!("a tolerance of {given} mm is tighter than grade 6 at Ø{nominal}, the finest of the tables"))
+        Err(note!("part-tolerance-mm-tighter-than-grade", given = given, nominal = nominal))
     }
 }
 
@@ -146,27 +144,32 @@ fn signed(deviation: Micrometres) -> String {
 }
 
 /// A hole must be one that the drills and bars of the catalogs make (table `hole-defaults`).
-fn in_range(nominal: Micrometres, knowledge: &Knowledge) -> Result<(), String> {
+fn in_range(nominal: Micrometres, knowledge: &Knowledge) -> Result<(), Note> {
     let bound = |name| convention(name, knowledge).map(Micrometres::from_mm_rounded);
     let (smallest, largest) = (bound(HoleDefault::SmallestDiameter)?, bound(HoleDefault::LargestDiameter)?);
     if nominal < smallest || nominal > largest {
-        return Err(format!("Ø{nominal} is outside Ø{smallest} to Ø{largest}, which the drills of the catalogs begin"));
+        return Err(note!(
+            "part-outside-which-drills-catalogs-begin",
+            nominal = nominal,
+            smallest = smallest,
+            largest = largest
+        ));
     }
     Ok(())
 }
 
 /// A figure of the table `hole-defaults`.
-fn convention(name: HoleDefault, knowledge: &Knowledge) -> Result<f64, String> {
+fn convention(name: HoleDefault, knowledge: &Knowledge) -> Result<f64, Note> {
     let row = knowledge.need(name.name(), |row: &HoleConvention<'_>| row.name == name);
-    row.map(|row| row.value).map_err(|error| error.to_string())
+    row.map(|row| row.value).map_err(|error| Note::from(&error))
 }
 
 /// The width of a grade at a size, by the table `it-grades` (ISO 286-1).
 ///
 /// # Errors
 /// The size is outside the table.
-pub fn tolerance_width(it: ItGrade, size: Micrometres, knowledge: &Knowledge) -> Result<Micrometres, String> {
-    let asked = knowledge.ask(&ItGradesFor { it, diameter: size }).map_err(|error| error.to_string())?;
-    let row = asked.winner().map_err(|error| error.to_string())?;
-    row.map(|row| row.tolerance).ok_or_else(|| format!("no IT {it} at {size} mm in the table it-grades"))
+pub fn tolerance_width(it: ItGrade, size: Micrometres, knowledge: &Knowledge) -> Result<Micrometres, Note> {
+    let asked = knowledge.ask(&ItGradesFor { it, diameter: size }).map_err(|error| Note::from(&error))?;
+    let row = asked.winner().map_err(|error| Note::from(&error))?;
+    row.map(|row| row.tolerance).ok_or_else(|| note!("part-no-at-mm-table-grades", it = it, size = size))
 }

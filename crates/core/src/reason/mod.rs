@@ -21,7 +21,7 @@ pub enum Reason {
     /// A grade of centre distances, and no distance it could be of.
     GradeWithoutDistance { it: ItGrade },
     /// The tables have no tolerance of that grade at that distance.
-    GradeOutsideTable { it: ItGrade, distance: Micrometres, why: String },
+    GradeOutsideTable { it: ItGrade, distance: Micrometres, why: Note },
     /// A.8 and A.9 have no scheme, at none of their columns of roughness.
     NoScheme { it: ItGrade, roughness: Roughness, centre: Micrometres, columns: Vec<Roughness> },
     /// A.10 has no scheme for the kind of hole.

@@ -13,6 +13,7 @@ use crate::tables::holes::{
 };
 use crate::tables::rules::{HoleState, NextTransition, NextTransitionFor, RoughFaceFor};
 use crate::units::{ItGrade, Micrometres, Roughness};
+use technolog_note::note;
 
 use super::bores::{Before, Bore};
 use super::{Promise, Remark, Step};
@@ -200,7 +201,7 @@ pub(super) fn drilling<'k>(shop: &Shop<'k>) -> Result<HoleAccuracy<'k>, Knowledg
 }
 
 fn finest(row: &HoleAccuracy<'_>) -> Result<ItGrade, KnowledgeError> {
-    row.it_finest.ok_or_else(|| KnowledgeError::lacks(&row.row.table.id, &format!("row {} has no grade", row.no)))
+    row.it_finest.ok_or_else(|| KnowledgeError::lacks(&row.row.table.id, note!("order-row-has-no-grade", no = row.no)))
 }
 
 /// What the position of an axis is worth, by the table `position-accuracy` and the machine.
@@ -220,7 +221,9 @@ impl Position {
     pub fn new(bore: &Bore, part: &Part, shop: &Shop<'_>) -> Result<Self, KnowledgeError> {
         let worst = |way: DrillingWay| {
             let row = position_accuracy(way, shop)?;
-            row.maximum.ok_or_else(|| KnowledgeError::lacks(&row.row.table.id, way.name()))
+            row.maximum.ok_or_else(|| {
+                KnowledgeError::lacks(&row.row.table.id, note!("table-lacks-figure-of", name = way.name()))
+            })
         };
         let loss = 1.0 + rough_face(bore, part, shop)?.map_or(0.0, |(loss, _)| loss);
         let spoilt = |length: Micrometres| Micrometres::from_mm_rounded(length.to_mm() * loss);
@@ -257,7 +260,10 @@ pub fn rough_face(bore: &Bore, part: &Part, shop: &Shop<'_>) -> Result<Option<(f
     let answer = shop.knowledge.ask(&RoughFaceFor { entry: part.entry, state: bore.before.state() })?;
     let Some(way) = answer.need(part.entry.name())?.loses else { return Ok(None) };
     let loses = position_accuracy(way, shop)?;
-    let percent = loses.loss_max.ok_or_else(|| KnowledgeError::lacks(&loses.row.table.id, way.name()))?.0;
+    let percent = loses
+        .loss_max
+        .ok_or_else(|| KnowledgeError::lacks(&loses.row.table.id, note!("table-lacks-figure-of", name = way.name())))?
+        .0;
     Ok(Some((percent / 100.0, Because::row(loses.row, Note::new("rough-face").with("percent", percent)))))
 }
 

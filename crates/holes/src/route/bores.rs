@@ -11,6 +11,7 @@ use crate::shop::Shop;
 use crate::tables::holes::HoleDefault;
 use crate::tables::rules::BlankState;
 use crate::units::{ItGrade, Micrometres, Roughness};
+use technolog_note::note;
 
 use super::Place;
 
@@ -179,7 +180,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
     if let Some(counterbore) = hole.counterbore {
         // A counterbore has no tolerance of its own: a free size (textbook 1.1.1).
         let diameter = ToleratedDiameter::free(counterbore.diameter, shop.knowledge)
-            .map_err(|why| KnowledgeError::lacks("it-grades", &why))?;
+            .map_err(|why| KnowledgeError::lacks("it-grades", why))?;
         wider.push(Bore {
             place: Place {
                 feature: Feature::Counterbore,
@@ -319,8 +320,9 @@ impl Bore {
             return Ok((self.diameter.it, self.roughness));
         }
         let drilled = super::accuracy::drilling(shop)?;
-        let it =
-            drilled.it_coarsest.ok_or_else(|| KnowledgeError::lacks(&drilled.row.table.id, "a grade of drilling"))?;
+        let it = drilled
+            .it_coarsest
+            .ok_or_else(|| KnowledgeError::lacks(&drilled.row.table.id, note!("order-grade-drilling")))?;
         Ok((it, Roughness::from_ra(drilled.ra_coarsest)))
     }
 

@@ -3,6 +3,7 @@
 //! [`super::sizes`], what else rules one out in [`super::reach`].
 
 use std::rc::Rc;
+use technolog_note::note;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Table;
@@ -255,8 +256,8 @@ pub(super) fn is_grindable(operation: Operation) -> bool {
 /// The row lacks it.
 pub(super) fn stated<T>(row: &CutterRow<'_>, what: &str, figure: Option<T>) -> Result<T, KnowledgeError> {
     figure.ok_or_else(|| {
-        let why = format!("row {} has no {what}, which its shank or use asks for", row.row.number());
-        KnowledgeError::lacks(&row.row.table.id, &why)
+        let why = note!("order-row-has-no-which-shank", row = row.row.number(), what = what);
+        KnowledgeError::lacks(&row.row.table.id, why)
     })
 }
 

@@ -16,6 +16,7 @@ use crate::tables::materials::{Clamping, ClampingConstant};
 use crate::tables::rules::{HolderForShank, HolderForShankFor};
 use crate::tables::standards::{MorseTaper, Taper724};
 use crate::tables::tools::CutterRow;
+use technolog_note::note;
 
 use super::cutter::stated;
 use super::{Cutter, CutterNeed};
@@ -124,7 +125,8 @@ pub(super) fn holders<'s, 'k>(
         return Ok(&[]);
     }
     let family = family(head, operation, shop.knowledge)?;
-    let table = family.holders.ok_or_else(|| KnowledgeError::lacks(&family.row.table.id, "holders of this shank"))?;
+    let table =
+        family.holders.ok_or_else(|| KnowledgeError::lacks(&family.row.table.id, note!("order-holders-this-shank")))?;
     shop.shelf.holders_of(table)
 }
 
@@ -327,13 +329,16 @@ impl Overhang<'_> {
 pub(super) fn overhang_addition<'s, 'k>(shop: &'s Shop<'k>) -> Result<&'s Clamping<'k>, KnowledgeError> {
     let wanted = ClampingConstant::OverhangAddition;
     let found = shop.shelf.clamping()?.iter().find(|row| row.name.is(wanted));
-    found.ok_or_else(|| KnowledgeError::lacks(Clamping::CONTRACT.which.id(), wanted.name()))
+    found.ok_or_else(|| {
+        KnowledgeError::lacks(Clamping::CONTRACT.which.id(), note!("table-lacks-figure-of", name = wanted.name()))
+    })
 }
 
 /// The length of a Morse shank with tang, by the table `morse-tapers`.
 fn taper_shank(row: &CutterRow<'_>, shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
     let number = stated(row, "morse", row.morse)?;
     let taper = shop.shelf.morse_tapers()?.iter().find(|taper| taper.morse == number);
-    let lacks = || KnowledgeError::lacks(MorseTaper::CONTRACT.which.id(), &format!("there is no row for {number}"));
+    let lacks =
+        || KnowledgeError::lacks(MorseTaper::CONTRACT.which.id(), note!("order-there-no-row-for", number = number));
     Ok(taper.ok_or_else(lacks)?.tang_length)
 }

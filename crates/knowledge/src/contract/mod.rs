@@ -234,7 +234,7 @@ impl<'t> Reader<'t> {
     #[cold]
     fn other_type(&self, position: usize) -> TableError {
         let name = self.contract.fields.get(position).map_or("", |field| field.name);
-        self.row.problem(format!("the column `{name}` does not hold what {} reads", self.contract.row))
+        self.row.problem(technolog_note::note!("table-column-other-type", name = name, row = self.contract.row))
     }
 }
 

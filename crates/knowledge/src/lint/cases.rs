@@ -16,6 +16,7 @@ use crate::query::Input;
 use crate::table::{Kind, Table};
 use crate::value::Value;
 use crate::yaml::{Node, NodeKind, Problems, parse};
+use technolog_note::{Note, note};
 
 /// One file of examples.
 #[derive(Debug)]
@@ -109,7 +110,7 @@ fn expectation(node: &Node, problems: &mut Problems) -> Option<Expectation> {
 pub(super) fn check(knowledge: &Knowledge, findings: &mut Vec<Diagnostic>) {
     for file in &knowledge.cases {
         let Ok(table) = knowledge.table(&file.table) else {
-            let message = format!("{}: examples of `{}`, which is no table", file.file, file.table);
+            let message = note!("lint-examples-which-no-table", file = file.file, table = file.table);
             findings.push(Diagnostic::error("dangling-reference", message, None));
             continue;
         };
@@ -117,7 +118,7 @@ pub(super) fn check(knowledge: &Knowledge, findings: &mut Vec<Diagnostic>) {
             if let Err(message) = run(table, case) {
                 findings.push(
                     Diagnostic::error("failed-example", format!("table {}: {message}", table.id), case.place.clone())
-                        .help(format!("the expectation comes from: {}", case.because)),
+                        .help(note!("lint-expectation-comes-from", because = case.because)),
                 );
             }
         }
@@ -125,15 +126,15 @@ pub(super) fn check(knowledge: &Knowledge, findings: &mut Vec<Diagnostic>) {
     for table in knowledge.tables().filter(|table| table.kind == Kind::Decision && table.file.starts_with("rules/")) {
         // The compiled knowledge carries no examples; only sources can be held to this.
         if !knowledge.cases.iter().any(|file| file.table == table.id && !file.cases.is_empty()) {
-            let message = format!("{}: the rule {} has no examples", table.file, table.id);
-            let help = format!("put them beside it, in {}", table.file.replace(".yaml", ".test.yaml"));
+            let message = note!("lint-rule-has-no-examples", file = table.file, table = table.id);
+            let help = note!("lint-put-them-beside", replace = table.file.replace(".yaml", ".test.yaml"));
             findings.push(Diagnostic::error("no-examples", message, None).help(help));
         }
     }
 }
 
 /// Holds one example against its table.
-fn run(table: &Table, case: &Case) -> Result<(), String> {
+fn run(table: &Table, case: &Case) -> Result<(), Note> {
     let mut values: Vec<(&str, Value)> = Vec::new();
     for (name, text) in &case.given {
         let column = input_column(table, name)?;
@@ -143,12 +144,12 @@ fn run(table: &Table, case: &Case) -> Result<(), String> {
         .iter()
         .filter_map(|(name, value)| Option::<Input<'_>>::from(value).map(|input| (*name, input)))
         .collect();
-    let answer = table.decide(&inputs).map_err(|error| error.to_string())?;
+    let answer = table.decide(&inputs).map_err(|error| Note::from(&error))?;
     let given = case.given.iter().map(|(name, text)| format!("{name}={text}")).collect::<Vec<_>>().join(" ");
     match (answer.winner(), &case.expect) {
         (None, None) => Ok(()),
-        (None, Some(_)) => Err(format!("no row for {given}")),
-        (Some(row), None) => Err(format!("row {} answers {given}, where none should", row.number())),
+        (None, Some(_)) => Err(note!("lint-no-row-for", given = given)),
+        (Some(row), None) => Err(note!("lint-row-answers-where-none-should", row = row.number(), given = given)),
         (Some(row), Some(expected)) => {
             for (name, values) in expected {
                 let found: Vec<String> = row
@@ -156,7 +157,13 @@ fn run(table: &Table, case: &Case) -> Result<(), String> {
                     .map(|value| value.items().iter().map(ToString::to_string).collect())
                     .unwrap_or_default();
                 if table.column_index(name).is_none() || found != *values {
-                    return Err(format!("{given} gives {name} = {}, not {}", found.join(", "), values.join(", ")));
+                    return Err(note!(
+                        "lint-gives",
+                        given = given,
+                        name = name,
+                        found = found.join(", "),
+                        values = values.join(", ")
+                    ));
                 }
             }
             Ok(())
@@ -164,9 +171,9 @@ fn run(table: &Table, case: &Case) -> Result<(), String> {
     }
 }
 
-fn input_column<'t>(table: &'t Table, name: &str) -> Result<&'t Column, String> {
+fn input_column<'t>(table: &'t Table, name: &str) -> Result<&'t Column, Note> {
     table.inputs().map(|(_, column)| column).find(|column| column.name == name).ok_or_else(|| {
         let known: Vec<&str> = table.inputs().map(|(_, column)| column.name.as_str()).collect();
-        format!("no input `{name}`; the inputs are {}", known.join(", "))
+        note!("lint-no-input-inputs", name = name, known = known.join(", "))
     })
 }

@@ -9,19 +9,20 @@ use crate::diagnostic::{Diagnostic, Place, nearest};
 use crate::knowledge::Knowledge;
 use crate::table::{Cell, Table};
 use crate::units::Unit;
+use technolog_note::{Note, note};
 
 /// Every table against the contracts of the code; the tables that are asked and absent too.
 pub fn check(knowledge: &Knowledge, contracts: &[&Contract]) -> Vec<Diagnostic> {
     let mut findings = Vec::new();
     for contract in contracts {
         for id in contract.required().filter(|id| knowledge.table(id).is_err()) {
-            let message = format!("there is no table {id}, which {} reads", contract.row);
-            findings.push(Diagnostic::error("absent-table", message, None).help("add its file, or restore it"));
+            let message = note!("lint-there-no-table-which-reads", id = id, row = contract.row);
+            findings.push(Diagnostic::error("absent-table", message, None).help(note!("lint-add-file-restore")));
         }
         let tables: Vec<&Table> = knowledge.tables().filter(|table| contract.is_of(table)).collect();
         if let (Which::Record(schema), true) = (contract.which, tables.is_empty()) {
-            let message = format!("no table obeys the law `record` of {schema}, as {} reads it", contract.row);
-            findings.push(Diagnostic::error("absent-table", message, None).help("add at least one"));
+            let message = note!("lint-no-table-obeys-law-record", schema = schema, row = contract.row);
+            findings.push(Diagnostic::error("absent-table", message, None).help(note!("lint-add-at-least-one")));
         }
         for table in tables {
             findings.extend(hold(table, contract));
@@ -42,9 +43,9 @@ fn without_law(knowledge: &Knowledge, schema: &str, contracts: &[&Contract]) -> 
     let tables = unread.filter_map(|id| knowledge.table(id).ok());
     let records = tables.filter(|table| ["name", "value"].iter().all(|name| table.column_index(name).is_some()));
     let finding = |table: &Table| {
-        let message = format!("table {}: it has no law `record`, so that nobody reads it", table.id);
+        let message = note!("lint-table-has-no-law-record", table = table.id);
         let finding = Diagnostic::error("no-record", message, super::rows::head_place(table));
-        finding.help(format!("say `laws: [{{law: record, schema: {schema}}}]`"))
+        finding.help(note!("lint-say-laws-law-record-schema", schema = schema))
     };
     records.map(finding).collect()
 }
@@ -103,7 +104,8 @@ pub fn hold(table: &Table, contract: &Contract) -> Vec<Diagnostic> {
         };
         let faults = if input { input_faults(column, asked) } else { field_faults(table, column, asked) };
         for fault in faults {
-            let message = format!("table {}, column `{}`: {} {fault}", table.id, column.name, contract.row);
+            let message =
+                note!("lint-table-column", table = table.id, column = column.name, row = contract.row, fault = fault);
             findings.push(Diagnostic::error("broken-contract", message, place(table, column)));
         }
     }
@@ -115,11 +117,11 @@ pub fn hold(table: &Table, contract: &Contract) -> Vec<Diagnostic> {
     for column in &table.columns {
         let known = asked().any(|asked| asked.name == column.name) || contract.shown.contains(&column.name.as_str());
         if !known {
-            let message = format!("table {}: nobody reads the column `{}`", table.id, column.name);
+            let message = note!("lint-table-nobody-reads-column", table = table.id, column = column.name);
             let names: Vec<&str> = asked().map(|asked| asked.name).chain(contract.shown.iter().copied()).collect();
             let help = match nearest(&column.name, names.iter().copied()) {
-                Some(near) => format!("{} reads `{near}`", contract.row),
-                None => format!("{} reads {}; put what is for people into `note`", contract.row, names.join(", ")),
+                Some(near) => note!("lint-reads", row = contract.row, near = near),
+                None => note!("lint-reads-put-what-for-people", row = contract.row, names = names.join(", ")),
             };
             findings.push(Diagnostic::error("unread-column", message, place(table, column)).help(help));
         }
@@ -135,41 +137,41 @@ fn place(table: &Table, column: &Column) -> Option<Place> {
 }
 
 fn missing(table: &Table, contract: &Contract, name: &str) -> Diagnostic {
-    let message = format!("table {}: the column `{name}` is missing, which {} reads", table.id, contract.row);
+    let message = note!("lint-table-column-missing-which-reads", table = table.id, name = name, row = contract.row);
     let known =
         contract.inputs.iter().chain(contract.fields).map(|asked| asked.name).chain(contract.shown.iter().copied());
     let known: Vec<&str> = known.collect();
     let unread = table.columns.iter().map(|column| column.name.as_str()).filter(|column| !known.contains(column));
     let finding = Diagnostic::error("missing-column", message, super::rows::head_place(table));
     match nearest(name, unread) {
-        Some(near) => finding.help(format!("is it the column `{near}`?")),
-        None => finding.help("add the column"),
+        Some(near) => finding.help(note!("lint-column", near = near)),
+        None => finding.help(note!("lint-add-column")),
     }
 }
 
-fn input_faults(column: &Column, asked: &Asked) -> Vec<String> {
+fn input_faults(column: &Column, asked: &Asked) -> Vec<Note> {
     let mut faults = Vec::new();
     if column.role != Role::Input {
-        faults.push("gives it as an input, which it is not".to_owned());
+        faults.push(note!("lint-gives-input-which"));
     }
     if asked.shape.optional && column.default.is_none() {
-        faults.push("may leave it out, so that it needs a `default`".to_owned());
+        faults.push(note!("lint-may-leave-out-so-needs"));
     }
     faults.extend(type_fault(column, asked.shape.holds));
     faults
 }
 
-fn field_faults(table: &Table, column: &Column, asked: &Asked) -> Vec<String> {
+fn field_faults(table: &Table, column: &Column, asked: &Asked) -> Vec<Note> {
     let mut faults = Vec::new();
     if column.role == Role::Input {
-        faults.push("reads it, and it is an input".to_owned());
+        faults.push(note!("lint-reads-input"));
         return faults;
     }
     if column.list != asked.shape.list {
-        faults.push(if column.list { "reads one value, not a list" } else { "reads a list" }.to_owned());
+        faults.push(if column.list { note!("lint-reads-one-value-list") } else { note!("lint-reads-list") });
     }
     if column.optional && !asked.shape.optional {
-        faults.push("needs it in every row, so that it cannot be `optional`".to_owned());
+        faults.push(note!("lint-needs-every-row-so-cannot"));
     }
     faults.extend(type_fault(column, asked.shape.holds));
     // A free text that must be a word is one in every row, or the row could not be read.
@@ -181,38 +183,41 @@ fn field_faults(table: &Table, column: &Column, asked: &Asked) -> Vec<String> {
     faults
 }
 
-fn unknown(text: &str, words: &[&str]) -> String {
+fn unknown(text: &str, words: &[&str]) -> Note {
     match nearest(text, words.iter().copied()) {
-        Some(near) => format!("does not know `{text}`; is it `{near}`?"),
-        None => format!("does not know `{text}`; it knows {}", words.join(", ")),
+        Some(near) => note!("lint-does-know", text = text, near = near),
+        None => note!("lint-does-know-knows", text = text, words = words.join(", ")),
     }
 }
 
-fn type_fault(column: &Column, holds: Holds) -> Option<String> {
-    let is = |expected: bool, what: &str| (!expected).then(|| format!("takes {what}, not {}", type_of(column)));
+fn type_fault(column: &Column, holds: Holds) -> Option<Note> {
+    let is =
+        |expected: bool, what: Note| (!expected).then(|| note!("lint-takes", what = what, type_of = type_of(column)));
     match holds {
         Holds::Anything => None,
-        Holds::Text | Holds::Name(_) => is(matches!(column.ty, ColumnType::Text | ColumnType::Enum), "a text"),
+        Holds::Text | Holds::Name(_) => {
+            is(matches!(column.ty, ColumnType::Text | ColumnType::Enum), note!("lint-a-text"))
+        }
         Holds::Word(words) if column.ty == ColumnType::Enum => {
             column.values.iter().find(|value| !words.contains(&value.as_str())).map(|value| unknown(value, words))
         }
-        Holds::Word(_) => is(column.ty == ColumnType::Text && column.role != Role::Input, "a word"),
-        Holds::Bool => is(column.ty == ColumnType::Bool, "true or false"),
-        Holds::Int => is(column.ty == ColumnType::Int, "a whole number"),
+        Holds::Word(_) => is(column.ty == ColumnType::Text && column.role != Role::Input, note!("lint-a-word")),
+        Holds::Bool => is(column.ty == ColumnType::Bool, note!("lint-true-false")),
+        Holds::Int => is(column.ty == ColumnType::Int, note!("lint-whole-number")),
         Holds::Number(unit) => {
             let number = matches!(column.ty, ColumnType::Number | ColumnType::Angle) && column.unit == unit;
-            is(number, &format!("a number in `{unit}`"))
+            is(number, note!("lint-number", unit = unit))
         }
-        Holds::Length => is(column.ty == ColumnType::Length, "a length"),
-        Holds::Grade => is(column.ty == ColumnType::It, "a tolerance grade"),
-        Holds::Roughness => is(column.ty == ColumnType::Roughness, "a roughness"),
+        Holds::Length => is(column.ty == ColumnType::Length, note!("lint-a-length")),
+        Holds::Grade => is(column.ty == ColumnType::It, note!("lint-tolerance-grade")),
+        Holds::Roughness => is(column.ty == ColumnType::Roughness, note!("lint-a-roughness")),
     }
 }
 
-fn type_of(column: &Column) -> String {
+fn type_of(column: &Column) -> Note {
     match column.unit {
-        Unit::None => format!("a column of type {}", column.ty.name()),
-        unit => format!("a column of type {} in `{unit}`", column.ty.name()),
+        Unit::None => note!("lint-column-type", ty = column.ty.name()),
+        unit => note!("lint-column-type-2", ty = column.ty.name(), unit = unit),
     }
 }
 
@@ -235,17 +240,18 @@ fn complete(table: &Table, contract: &Contract, name: &str, findings: &mut Vec<D
     let Some(column) = table.columns.iter().find(|column| column.name == name) else { return };
     let listed: Vec<String> = texts(table, column).collect();
     for word in words.iter().filter(|word| !listed.iter().any(|text| text == *word)) {
-        let message = format!("table {}: there is no row `{word}`, which {} reads", table.id, contract.row);
+        let message = note!("lint-table-there-no-row-which", table = table.id, word = word, row = contract.row);
         findings
-            .push(Diagnostic::error("missing-row", message, place(table, column)).help("add the row, or restore it"));
+            .push(Diagnostic::error("missing-row", message, place(table, column)).help(note!("lint-add-row-restore")));
     }
     for (row, (name, stated)) in named(table, contract).enumerate() {
         let read = words.contains(&name.as_str());
         let right = if read { Use::Planning } else { Use::Documentation };
         if stated != right.word() {
-            let who = if read { "reads" } else { "does not read" };
-            let message = format!("table {}: `{name}` is for {stated}, and {} {who} it", table.id, contract.row);
-            let help = format!("it is for {}", right.word());
+            let who = if read { note!("lint-does-read") } else { note!("lint-does-not-read") };
+            let message =
+                note!("lint-table-for", table = table.id, name = name, stated = stated, row = contract.row, who = who);
+            let help = note!("lint-for", word = right.word());
             findings.push(Diagnostic::error("wrong-use", message, super::rows::row_place(table, row)).help(help));
         }
     }

@@ -3,6 +3,7 @@
 use super::region::{self, Region};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::table::{Kind, Table};
+use technolog_note::note;
 
 /// More gaps than this of one table are counted, not listed.
 const LISTED: usize = 5;
@@ -17,36 +18,35 @@ pub(super) fn check(table: &Table, findings: &mut Vec<Diagnostic>) -> Vec<Region
         let place = gap.place.clone();
         for (row, own) in rows.iter().enumerate() {
             if !region::is_disjoint(&gap.sets, own) {
-                let message = format!(
-                    "table {}: the declared gap is wider than the gap: row {} answers {}",
-                    table.id,
-                    row + 1,
-                    region::witness(table, &region::intersection(&gap.sets, own))
+                let message = note!(
+                    "lint-table-declared-gap-wider-than",
+                    table = table.id,
+                    row = row + 1,
+                    intersection = region::witness(table, &region::intersection(&gap.sets, own))
                 );
-                findings.push(Diagnostic::error("wide-gap", message, place.clone()).help("narrow the declaration"));
+                findings
+                    .push(Diagnostic::error("wide-gap", message, place.clone()).help(note!("lint-narrow-declaration")));
                 break;
             }
         }
         let before = table.uncovered[..index].iter().map(|gap| &gap.sets);
         if region::is_empty(&gap.sets) || region::minus(&gap.sets, before).is_empty() {
-            let message = format!("table {}: this declared gap declares nothing", table.id);
+            let message = note!("lint-table-this-declared-gap-declares", table = table.id);
             findings.push(
                 Diagnostic::error("wide-gap", message, place)
-                    .help("it lies outside the domain or inside the declarations before it; remove it"),
+                    .help(note!("lint-lies-outside-domain-inside-declarations")),
             );
         }
     }
     let declared = table.uncovered.iter().map(|gap| &gap.sets);
     let gaps = region::minus(&region::domain(table), rows.iter().chain(declared));
     for gap in gaps.iter().take(LISTED) {
-        let message = format!("table {}: no row for {}", table.id, region::witness(table, gap));
-        findings.push(
-            Diagnostic::error("gap", message, rows_place(table))
-                .help("add the row, or declare the gap of the source under `uncovered` with its reason"),
-        );
+        let message = note!("lint-table-no-row-for", table = table.id, witness = region::witness(table, gap));
+        findings
+            .push(Diagnostic::error("gap", message, rows_place(table)).help(note!("lint-add-row-declare-gap-source")));
     }
     if gaps.len() > LISTED {
-        let message = format!("table {}: and {} more gaps", table.id, gaps.len() - LISTED);
+        let message = note!("lint-table-more-gaps", table = table.id, gaps = gaps.len() - LISTED);
         findings.push(Diagnostic::error("gap", message, rows_place(table)));
     }
     gaps

@@ -11,6 +11,7 @@
 //! | `between` | every value lies within bounds, a plausibility of the quantity | `column`, `low`, `high` |
 
 use std::collections::BTreeMap;
+use technolog_note::{Note, note};
 
 use super::rows::{cell_place, row_place};
 use crate::diagnostic::Diagnostic;
@@ -21,9 +22,8 @@ use crate::value::Value;
 /// Every declared law of a table; a tool table without laws is a finding itself.
 pub(super) fn check(table: &Table, knowledge: &Knowledge, findings: &mut Vec<Diagnostic>) {
     if table.tool.is_some() && table.laws.is_empty() {
-        let message = format!("{}: tool table {} declares no `laws`", table.file, table.id);
-        findings
-            .push(Diagnostic::error("no-laws", message, None).help("at least `rising` of a length over the diameter"));
+        let message = note!("lint-tool-table-declares-no-laws", file = table.file, table = table.id);
+        findings.push(Diagnostic::error("no-laws", message, None).help(note!("lint-at-least-rising-length-over")));
     }
     if table.tool.is_some() {
         plausible_lengths(table, findings);
@@ -37,12 +37,12 @@ pub(super) fn check(table: &Table, knowledge: &Knowledge, findings: &mut Vec<Dia
             "count" => count(table, law),
             "order" => order(table, law),
             "record" => record(table, law, knowledge),
-            other => Err(format!("unknown law `{other}`")),
+            other => Err(note!("lint-unknown-law", other = other)),
         };
         match broken {
             Ok(found) => findings.extend(found),
             Err(message) => {
-                let message = format!("table {}: law `{}`: {message}", table.id, law.name);
+                let message = note!("lint-table-law", table = table.id, law = law.name, message = message);
                 findings.push(Diagnostic::error("bad-law", message, law.place.clone()));
             }
         }
@@ -56,22 +56,22 @@ fn plausible_lengths(table: &Table, findings: &mut Vec<Diagnostic>) {
             if let Cell::Value(Value::Length(length)) = &table.rows[row].cells[index]
                 && !(100..=1_000_000).contains(&length.micrometres())
             {
-                let message = format!("{} is {length} mm, which no cutter measures", column.name);
+                let message = note!("lint-mm-which-no-cutter-measures", column = column.name, length = length);
                 findings.push(broken(table, row, index, message));
             }
         }
     }
 }
 
-type Broken = Result<Vec<Diagnostic>, String>;
+type Broken = Result<Vec<Diagnostic>, Note>;
 
-fn parameter<'l>(law: &'l Law, name: &str) -> Result<&'l str, String> {
-    law.get(name).ok_or_else(|| format!("the parameter `{name}` is missing"))
+fn parameter<'l>(law: &'l Law, name: &str) -> Result<&'l str, Note> {
+    law.get(name).ok_or_else(|| note!("lint-parameter-missing", name = name))
 }
 
-fn column(table: &Table, law: &Law, name: &str) -> Result<usize, String> {
+fn column(table: &Table, law: &Law, name: &str) -> Result<usize, Note> {
     let column = parameter(law, name)?;
-    table.column_index(column).ok_or_else(|| format!("no column `{column}`"))
+    table.column_index(column).ok_or_else(|| note!("lint-no-column", column = column))
 }
 
 fn rank(table: &Table, row: usize, column: usize) -> Option<i64> {
@@ -81,8 +81,8 @@ fn rank(table: &Table, row: usize, column: usize) -> Option<i64> {
     }
 }
 
-fn broken(table: &Table, row: usize, column: usize, message: String) -> Diagnostic {
-    let message = format!("table {}, row {}: {message}", table.id, row + 1);
+fn broken(table: &Table, row: usize, column: usize, message: Note) -> Diagnostic {
+    let message = note!("lint-table-row", table = table.id, row = row + 1, message = message);
     Diagnostic::error("broken-law", message, cell_place(table, row, column))
 }
 
@@ -92,7 +92,7 @@ fn rising(table: &Table, law: &Law) -> Broken {
         .get("by")
         .unwrap_or_default()
         .split_whitespace()
-        .map(|name| table.column_index(name).ok_or_else(|| format!("no column `{name}`")))
+        .map(|name| table.column_index(name).ok_or_else(|| note!("lint-no-column-2", name = name)))
         .collect::<Result<_, _>>()?;
     // Per group: the rows by the other column, and for each of its values the smallest and the largest.
     let mut groups: BTreeMap<Vec<String>, Vec<(i64, i64, usize)>> = BTreeMap::new();
@@ -114,12 +114,12 @@ fn rising(table: &Table, law: &Law) -> Broken {
             for &(bound, (_, own, row)) in bounds {
                 if own < bound {
                     let shown = &table.columns[value];
-                    let message = format!(
-                        "{} falls to {} where a smaller {} has {}",
-                        shown.name,
-                        shown.show_rank(own),
-                        table.columns[over].name,
-                        shown.show_rank(bound)
+                    let message = note!(
+                        "lint-falls-where-smaller-has",
+                        shown = shown.name,
+                        show_rank = shown.show_rank(own),
+                        over = table.columns[over].name,
+                        show_rank2 = shown.show_rank(bound)
                     );
                     found.push(broken(table, row, value, message));
                 }
@@ -137,12 +137,12 @@ fn less(table: &Table, law: &Law) -> Broken {
             let (a, b) = (rank(table, row, small)?, rank(table, row, large)?);
             (a >= b).then(|| {
                 let (small_column, large_column) = (&table.columns[small], &table.columns[large]);
-                let message = format!(
-                    "{} {} is not below {} {}",
-                    small_column.name,
-                    small_column.show_rank(a),
-                    large_column.name,
-                    large_column.show_rank(b)
+                let message = note!(
+                    "lint-below",
+                    small_column = small_column.name,
+                    show_rank = small_column.show_rank(a),
+                    large_column = large_column.name,
+                    show_rank2 = large_column.show_rank(b)
                 );
                 broken(table, row, small, message)
             })
@@ -153,21 +153,21 @@ fn less(table: &Table, law: &Law) -> Broken {
 fn between(table: &Table, law: &Law) -> Broken {
     let index = column(table, law, "column")?;
     let of = &table.columns[index];
-    let bound = |name: &str| -> Result<i64, String> {
+    let bound = |name: &str| -> Result<i64, Note> {
         let value = of.parse_value(parameter(law, name)?)?;
-        of.rank(&value).ok_or_else(|| format!("`{}` has no order", of.name))
+        of.rank(&value).ok_or_else(|| note!("lint-has-no-order", of = of.name))
     };
     let (low, high) = (bound("low")?, bound("high")?);
     Ok((0..table.rows.len())
         .filter_map(|row| {
             let value = rank(table, row, index)?;
             (value < low || value > high).then(|| {
-                let message = format!(
-                    "{} {} is outside {} to {}",
-                    of.name,
-                    of.show_rank(value),
-                    of.show_rank(low),
-                    of.show_rank(high)
+                let message = note!(
+                    "lint-outside",
+                    of = of.name,
+                    show_rank = of.show_rank(value),
+                    show_rank2 = of.show_rank(low),
+                    show_rank3 = of.show_rank(high)
                 );
                 broken(table, row, index, message)
             })
@@ -177,10 +177,10 @@ fn between(table: &Table, law: &Law) -> Broken {
 
 fn morse(table: &Table, law: &Law, knowledge: &Knowledge) -> Broken {
     let (length, projection) = (column(table, law, "length")?, column(table, law, "projection")?);
-    let number = table.column_index("morse").ok_or("no column `morse`")?;
-    let tapers = knowledge.table("morse-tapers").map_err(|error| error.to_string())?;
-    let shank = tapers.column_index(parameter(law, "shank")?).ok_or("no such column of morse-tapers")?;
-    let taper_number = tapers.column_index("morse").ok_or("morse-tapers has no column `morse`")?;
+    let number = table.column_index("morse").ok_or(note!("lint-no-column-morse"))?;
+    let tapers = knowledge.table("morse-tapers").map_err(|error| Note::from(&error))?;
+    let shank = tapers.column_index(parameter(law, "shank")?).ok_or(note!("lint-no-such-column-morse-tapers"))?;
+    let taper_number = tapers.column_index("morse").ok_or(note!("lint-morse-tapers-has-no-column"))?;
     let mut found = Vec::new();
     for row in 0..table.rows.len() {
         let (Some(l), Some(p), Some(n)) =
@@ -194,9 +194,9 @@ fn morse(table: &Table, law: &Law, knowledge: &Knowledge) -> Broken {
             let show = |rank: i64| table.columns[length].show_rank(rank);
             let message = match expected {
                 Some(expected) => {
-                    format!("L - l = {}, but a Morse {n} shank is {} long", show(l - p), show(expected))
+                    note!("lint-l-l-but-morse-shank", show = show(l - p), n = n, show2 = show(expected))
                 }
-                None => format!("there is no Morse taper {n}"),
+                None => note!("lint-there-no-morse-taper", n = n),
             };
             found.push(broken(table, row, projection, message));
         }
@@ -214,9 +214,12 @@ fn count(table: &Table, law: &Law) -> Broken {
                 _ => 0,
             };
             (stated != listed).then(|| {
-                let message = format!(
-                    "{} says {stated}, but {} lists {listed}",
-                    table.columns[number].name, table.columns[of].name
+                let message = note!(
+                    "lint-says-but-lists",
+                    columns = table.columns[number].name,
+                    stated = stated,
+                    of = table.columns[of].name,
+                    listed = listed
                 );
                 broken(table, row, number, message)
             })
@@ -231,11 +234,11 @@ fn order(table: &Table, law: &Law) -> Broken {
     let pairs = parameter(law, "names")?
         .split_whitespace()
         .map(|pair| {
-            let (printed, transition) = pair.split_once(':').ok_or_else(|| format!("`{pair}` is no pair"))?;
-            let index = table.column_index(printed).ok_or_else(|| format!("no column `{printed}`"))?;
+            let (printed, transition) = pair.split_once(':').ok_or_else(|| note!("lint-no-pair", pair = pair))?;
+            let index = table.column_index(printed).ok_or_else(|| note!("lint-no-column-3", printed = printed))?;
             Ok((index, transition))
         })
-        .collect::<Result<Vec<_>, String>>()?;
+        .collect::<Result<Vec<_>, Note>>()?;
     let mut found = Vec::new();
     for (row, content) in table.rows.iter().enumerate() {
         let mut expected: Vec<(i64, &str)> = Vec::new();
@@ -251,7 +254,8 @@ fn order(table: &Table, law: &Law) -> Broken {
         let Cell::Value(value) = &content.cells[list] else { continue };
         let listed: Vec<&str> = value.items().iter().filter_map(Value::as_text).collect();
         if listed != expected {
-            let message = format!("the list reads {}, the columns say {}", listed.join(", "), expected.join(", "));
+            let message =
+                note!("lint-list-reads-columns-say", listed = listed.join(", "), expected = expected.join(", "));
             found.push(broken(table, row, list, message));
         }
     }
@@ -260,27 +264,28 @@ fn order(table: &Table, law: &Law) -> Broken {
 
 /// A record table (columns `name`, `unit`) against the schema table (columns `name`, `unit`, `required`).
 fn record(table: &Table, law: &Law, knowledge: &Knowledge) -> Broken {
-    let schema = knowledge.table(parameter(law, "schema")?).map_err(|error| error.to_string())?;
+    let schema = knowledge.table(parameter(law, "schema")?).map_err(|error| Note::from(&error))?;
     let mut found = Vec::new();
     for wanted in schema.all_rows() {
-        let name = wanted.text("name").map_err(|error| error.to_string())?;
+        let name = wanted.text("name").map_err(|error| Note::from(&error))?;
         let Some(Value::Bool(required)) = wanted.value("required") else {
-            return Err(format!("table {}, row {}: `required` must be true or false", schema.id, wanted.number()));
+            return Err(note!("lint-table-row-required-must-true", schema = schema.id, wanted = wanted.number()));
         };
         match table.find("name", name) {
             None if *required => {
-                let message = format!("table {}: the quantity `{name}` is missing", table.id);
+                let message = note!("lint-table-quantity-missing", table = table.id, name = name);
                 found.push(Diagnostic::error("broken-law", message, law.place.clone()));
             }
             None => {}
             Some(row) => {
                 let (given, unit) = (row.text("unit").ok(), wanted.text("unit").ok());
                 if given != unit {
-                    let message = format!(
-                        "table {}: `{name}` is in `{}`, and must be in `{}`",
-                        table.id,
-                        given.unwrap_or_default(),
-                        unit.unwrap_or_default()
+                    let message = note!(
+                        "lint-table-must",
+                        table = table.id,
+                        name = name,
+                        unwrap_or_default = given.unwrap_or_default(),
+                        unwrap_or_default2 = unit.unwrap_or_default()
                     );
                     found.push(Diagnostic::error("wrong-unit", message, row_place(table, row.index)));
                 }
@@ -290,7 +295,7 @@ fn record(table: &Table, law: &Law, knowledge: &Knowledge) -> Broken {
     for row in table.all_rows() {
         let name = row.text("name").unwrap_or_default();
         if schema.find("name", name).is_none() {
-            let message = format!("table {}: `{name}` is no quantity of {}", table.id, schema.id);
+            let message = note!("lint-table-no-quantity", table = table.id, name = name, schema = schema.id);
             found.push(Diagnostic::error("broken-law", message, row_place(table, row.index)));
         }
     }

@@ -2,6 +2,7 @@
 //! that a unit mistyped in one of them shows against the others.
 
 use std::collections::BTreeMap;
+use technolog_note::note;
 
 use crate::column::{Column, ColumnType};
 use crate::diagnostic::Diagnostic;
@@ -33,10 +34,10 @@ pub(super) fn check(knowledge: &Knowledge, findings: &mut Vec<Diagnostic>) {
         }
         for (table, _) in columns.iter().filter(|(_, column)| column.unit != usual) {
             let message =
-                format!("table {}: the column `{name}` is not in `{usual}`, as in {count} other tables", table.id);
+                note!("lint-table-column-other-tables", table = table.id, name = name, usual = usual, count = count);
             findings.push(
                 Diagnostic::error("wrong-unit", message, super::rows::head_place(table))
-                    .help("mend the unit, or give the quantity a name of its own"),
+                    .help(note!("lint-mend-unit-give-quantity-name")),
             );
         }
     }

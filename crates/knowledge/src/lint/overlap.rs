@@ -4,6 +4,7 @@ use super::region;
 use super::rows::row_place;
 use crate::diagnostic::Diagnostic;
 use crate::table::{HitPolicy, Kind, Table};
+use technolog_note::note;
 
 /// Contradicting overlaps under each hit policy:
 ///
@@ -36,17 +37,17 @@ pub(super) fn check(table: &Table, findings: &mut Vec<Diagnostic>) {
                 HitPolicy::Collect => same,
             };
             if contradicts {
-                let message = format!(
-                    "table {}: rows {} (line {}) and {} both match {}",
-                    table.id,
-                    earlier + 1,
-                    table.rows[earlier].line,
-                    later + 1,
-                    region::witness(table, &region::intersection(&boxes[earlier], &boxes[later]))
+                let message = note!(
+                    "lint-table-rows-line-both-match",
+                    table = table.id,
+                    earlier = earlier + 1,
+                    line = table.rows[earlier].line,
+                    later = later + 1,
+                    intersection = region::witness(table, &region::intersection(&boxes[earlier], &boxes[later]))
                 );
                 findings.push(
                     Diagnostic::error("overlap", message, row_place(table, later))
-                        .help("narrow one of the two so that one input has one answer"),
+                        .help(note!("lint-narrow-one-two-so-one")),
                 );
             }
         }

@@ -1,6 +1,7 @@
 //! Proof: what a table refers to exists.
 
 use std::collections::BTreeSet;
+use technolog_note::note;
 
 use super::rows::cell_place;
 use crate::diagnostic::{Diagnostic, nearest};
@@ -15,10 +16,10 @@ fn check_tables(table: &Table, index: usize, knowledge: &Knowledge, findings: &m
     for (row, content) in table.rows.iter().enumerate() {
         let Cell::Value(value) = &content.cells[index] else { continue };
         for id in value.items().iter().map(ToString::to_string).filter(|id| knowledge.table(id).is_err()) {
-            let message = format!("table {}, row {}: there is no table `{id}`", table.id, row + 1);
+            let message = note!("lint-table-row-there-no-table", table = table.id, row = row + 1, id = id);
             let finding = Diagnostic::error("dangling-reference", message, cell_place(table, row, index));
             findings.push(match nearest(&id, knowledge.tables().map(|table| table.id.as_str())) {
-                Some(near) => finding.help(format!("the nearest is `{near}`")),
+                Some(near) => finding.help(note!("lint-nearest", near = near)),
                 None => finding,
             });
         }
@@ -36,9 +37,13 @@ pub(super) fn check(table: &Table, knowledge: &Knowledge, findings: &mut Vec<Dia
         let target =
             knowledge.table(other).ok().and_then(|target| target.column_index(field).map(|field| (target, field)));
         let Some((target, field_index)) = target else {
-            let message = format!(
-                "{}: table {}, column `{}` refers to {other}/{field}, which does not exist",
-                table.file, table.id, column.name
+            let message = note!(
+                "lint-table-column-refers-which-does",
+                file = table.file,
+                table = table.id,
+                column = column.name,
+                other = other,
+                field = field
             );
             let code = if knowledge.table(other).is_ok() { "dangling-reference" } else { "absent-table" };
             findings.push(Diagnostic::error(code, message, None));
@@ -56,10 +61,17 @@ pub(super) fn check(table: &Table, knowledge: &Knowledge, findings: &mut Vec<Dia
         for (row, content) in table.rows.iter().enumerate() {
             let Cell::Value(value) = &content.cells[index] else { continue };
             for item in value.items().iter().map(ToString::to_string).filter(|item| !known.contains(item)) {
-                let message = format!("table {}, row {}: {other} has no {field} `{item}`", table.id, row + 1);
+                let message = note!(
+                    "lint-table-row-has-no",
+                    table = table.id,
+                    row = row + 1,
+                    other = other,
+                    field = field,
+                    item = item
+                );
                 let finding = Diagnostic::error("dangling-reference", message, cell_place(table, row, index));
                 findings.push(match nearest(&item, known.iter().map(String::as_str)) {
-                    Some(near) => finding.help(format!("the nearest is `{near}`")),
+                    Some(near) => finding.help(note!("lint-nearest", near = near)),
                     None => finding,
                 });
             }

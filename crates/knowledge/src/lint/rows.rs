@@ -2,6 +2,7 @@
 //! that nothing confirms it bears the mark.
 
 use std::collections::BTreeMap;
+use technolog_note::note;
 
 use super::region::{self, Region};
 use crate::diagnostic::{Diagnostic, Place};
@@ -10,7 +11,11 @@ use crate::table::{Cell, HitPolicy, Kind, Table};
 /// Duplicate rows, rows outside the domain, inputs without a domain, duplicate keys.
 pub(super) fn check(table: &Table, findings: &mut Vec<Diagnostic>) {
     if table.rows.is_empty() {
-        findings.push(Diagnostic::error("no-rows", format!("{}: table {} has no rows", table.file, table.id), None));
+        findings.push(Diagnostic::error(
+            "no-rows",
+            note!("lint-table-has-no-rows", file = table.file, table = table.id),
+            None,
+        ));
     }
     marks(table, findings);
     match table.kind {
@@ -27,11 +32,10 @@ fn marks(table: &Table, findings: &mut Vec<Diagnostic>) {
     for (row, content) in table.rows.iter().enumerate() {
         let admits = content.reason.as_deref().is_some_and(|reason| reason.contains(NOTHING));
         if admits && content.unconfirmed.is_none() {
-            let message =
-                format!("table {}, row {}: its reason says `{NOTHING}`, and it has no mark", table.id, row + 1);
+            let message = note!("lint-table-row-reason-says-has", table = table.id, row = row + 1, NOTHING = NOTHING);
             findings.push(
                 Diagnostic::error("no-mark", message, row_place(table, row))
-                    .help("say in `unconfirmed` what is not confirmed, or in the reason what confirms it"),
+                    .help(note!("lint-say-unconfirmed-what-confirmed-reason")),
             );
         }
     }
@@ -59,13 +63,10 @@ fn decision(table: &Table, findings: &mut Vec<Diagnostic>) {
         findings.push(
             Diagnostic::error(
                 "no-domain",
-                format!(
-                    "{}: table {}, input `{}` has no domain, so nothing can be proven",
-                    table.file, table.id, column.name
-                ),
+                note!("lint-table-input-has-no-domain", file = table.file, table = table.id, column = column.name),
                 None,
             )
-            .help("give the column a `domain`"),
+            .help(note!("lint-give-column-domain")),
         );
     }
     let boxes = region::of_rows(table);
@@ -78,21 +79,23 @@ fn decision(table: &Table, findings: &mut Vec<Diagnostic>) {
                 (low != i64::MIN && high != i64::MAX) || set.intersection(&column.allowed()).is_empty()
             });
             if stated {
-                let message = format!(
-                    "table {}, row {}: `{text}` reaches outside the domain {} of `{}`",
-                    table.id,
-                    row + 1,
-                    column.domain_text.as_deref().unwrap_or("of its type"),
-                    column.name
+                let message = note!(
+                    "lint-table-row-reaches-outside-domain",
+                    table = table.id,
+                    row = row + 1,
+                    text = text,
+                    as_deref = column.domain_text.as_deref().unwrap_or("of its type"),
+                    column = column.name
                 );
                 findings.push(Diagnostic::error("outside-domain", message, cell_place(table, row, index)));
             }
         }
         for (other, earlier) in boxes[..row].iter().enumerate() {
             if boxes[row] == *earlier && table.same_outputs(row, other) {
-                let message = format!("table {}: row {} says the same as row {}", table.id, row + 1, other + 1);
+                let message = note!("lint-table-row-says-same-row", table = table.id, row = row + 1, other = other + 1);
                 findings.push(
-                    Diagnostic::error("duplicate-row", message, row_place(table, row)).help("remove one of them"),
+                    Diagnostic::error("duplicate-row", message, row_place(table, row))
+                        .help(note!("lint-remove-one-them")),
                 );
             }
         }
@@ -109,10 +112,10 @@ fn dead(table: &Table, row: usize, boxes: &[Region], findings: &mut Vec<Diagnost
     };
     let others = boxes.iter().enumerate().filter(|(other, _)| stronger(*other)).map(|(_, others)| others);
     if region::is_empty(&boxes[row]) || region::minus(&boxes[row], others).is_empty() {
-        let message = format!("table {}: row {} can never win", table.id, row + 1);
+        let message = note!("lint-table-row-can-never-win", table = table.id, row = row + 1);
         findings.push(
             Diagnostic::error("dead-row", message, row_place(table, row))
-                .help("the rows before it, or the domain, leave it no input; remove it or narrow the others"),
+                .help(note!("lint-rows-before-domain-leave-no")),
         );
     }
 }
@@ -122,7 +125,7 @@ fn keys(table: &Table, findings: &mut Vec<Diagnostic>) {
     if key.is_empty() {
         findings.push(Diagnostic::error(
             "no-key",
-            format!("{}: catalog {} names no `key`", table.file, table.id),
+            note!("lint-catalog-names-no-key", file = table.file, table = table.id),
             None,
         ));
         return;
@@ -137,8 +140,13 @@ fn keys(table: &Table, findings: &mut Vec<Diagnostic>) {
             })
             .collect();
         if let Some(first) = seen.insert(values.clone(), row) {
-            let message =
-                format!("table {}: row {} has the key of row {}: {}", table.id, row + 1, first + 1, values.join(", "));
+            let message = note!(
+                "lint-table-row-has-key-row",
+                table = table.id,
+                row = row + 1,
+                first = first + 1,
+                values = values.join(", ")
+            );
             findings.push(Diagnostic::error("duplicate-row", message, cell_place(table, row, key[0])));
         }
     }

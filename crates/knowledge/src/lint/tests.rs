@@ -281,7 +281,13 @@ rows:
         SourceFile { path: "named.yaml", text: &named },
     ];
     let findings = lint(&Knowledge::from_sources(&files).unwrap());
-    let of = |code: &str| findings.iter().filter(|it| it.code == code).map(|it| it.message.clone()).collect::<Vec<_>>();
+    let of = |code: &str| {
+        findings
+            .iter()
+            .filter(|it| it.code == code)
+            .map(|it| technolog_words::Lang::EN.say(&it.message))
+            .collect::<Vec<_>>()
+    };
     assert_eq!(of("word-without-rows"), ["groups: `titanium` has no row of its own and leaves a gap in none, part"]);
     assert_eq!(of("gap").len(), 3);
 }

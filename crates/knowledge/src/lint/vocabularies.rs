@@ -8,6 +8,7 @@ use super::rows::row_place;
 use crate::diagnostic::Diagnostic;
 use crate::knowledge::Knowledge;
 use crate::table::{Cell, Table};
+use technolog_note::note;
 
 /// Words for which tables with such an input have a gap and no row that names them, one finding for each word.
 pub(super) fn check(knowledge: &Knowledge, gaps: &[(&Table, Vec<Region>)], findings: &mut Vec<Diagnostic>) {
@@ -22,14 +23,15 @@ pub(super) fn check(knowledge: &Knowledge, gaps: &[(&Table, Vec<Region>)], findi
                 .map(|(table, _)| table.id.as_str())
                 .collect();
             if !lacking.is_empty() {
-                let message = format!(
-                    "{}: `{word}` has no row of its own and leaves a gap in {}",
-                    vocabulary.id,
-                    lacking.join(", ")
+                let message = note!(
+                    "lint-has-no-row-own-leaves",
+                    vocabulary = vocabulary.id,
+                    word = word,
+                    lacking = lacking.join(", ")
                 );
                 findings.push(
                     Diagnostic::error("word-without-rows", message, row_place(vocabulary, row))
-                        .help("add rows for it, or declare the gap under `uncovered` with its reason"),
+                        .help(note!("lint-add-rows-for-declare-gap")),
                 );
             }
         }

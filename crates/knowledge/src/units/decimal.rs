@@ -2,6 +2,7 @@
 
 use std::fmt;
 use std::str::FromStr;
+use technolog_note::{Note, note};
 
 use serde::{Deserialize, Serialize};
 
@@ -100,26 +101,26 @@ impl FromStr for Decimal {
     type Err = ParseError;
 
     fn from_str(text: &str) -> Result<Self, ParseError> {
-        let bad = |why: &str| ParseError(format!("`{text}` is not a number: {why}"));
+        let bad = |why: Note| ParseError(note!("unit-number", text = text, why = why));
         let (negative, digits) = match text.strip_prefix('-') {
             Some(rest) => (true, rest),
             None => (false, text.strip_prefix('+').unwrap_or(text)),
         };
         let (whole, part) = digits.split_once('.').unwrap_or((digits, ""));
         if whole.is_empty() || digits.ends_with('.') {
-            return Err(bad("digits expected on both sides of the point"));
+            return Err(bad(note!("unit-digits-expected-on-both-sides")));
         }
         if let Some(wrong) = whole.chars().chain(part.chars()).find(|c| !c.is_ascii_digit()) {
-            return Err(bad(&match wrong {
-                ',' => "write the decimal point, not a comma".to_owned(),
-                'o' | 'O' | 'О' | 'о' => format!("the letter `{wrong}` stands where a zero may be meant"),
-                other => format!("`{other}` is no digit"),
+            return Err(bad(match wrong {
+                ',' => note!("unit-write-decimal-point-comma"),
+                'o' | 'O' | 'О' | 'о' => note!("unit-letter-stands-where-zero-may", wrong = wrong),
+                other => note!("unit-no-digit", other = other),
             }));
         }
         if part.len() > 6 {
-            return Err(bad("more than six decimal places"));
+            return Err(bad(note!("unit-more-than-six-decimal-places")));
         }
-        let scaled = format!("{whole}{part:0<6}").parse::<i64>().map_err(|_| bad("too large"))?;
+        let scaled = format!("{whole}{part:0<6}").parse::<i64>().map_err(|_| bad(note!("unit-too-large")))?;
         Ok(Self(if negative { -scaled } else { scaled }))
     }
 }
@@ -137,8 +138,8 @@ mod tests {
 
     #[test]
     fn a_misread_digit_is_named() {
-        assert!("1O".parse::<Decimal>().unwrap_err().0.contains("zero may be meant"));
-        assert!("1,5".parse::<Decimal>().unwrap_err().0.contains("comma"));
+        assert!(technolog_words::Lang::EN.say(&"1O".parse::<Decimal>().unwrap_err().0).contains("zero may be meant"));
+        assert!(technolog_words::Lang::EN.say(&"1,5".parse::<Decimal>().unwrap_err().0).contains("comma"));
         for bad in ["", ".", "5.", ".5", "1.2.3", "1e3", "1.0000001", "99999999999999999999"] {
             assert!(bad.parse::<Decimal>().is_err(), "{bad}");
         }

@@ -2,6 +2,7 @@
 
 use std::fmt;
 use std::str::FromStr;
+use technolog_note::note;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -40,6 +41,6 @@ impl FromStr for ItGrade {
             .parse::<u8>()
             .ok()
             .and_then(Self::new)
-            .ok_or_else(|| ParseError(format!("`{text}` is not a tolerance grade: a whole number from 1 to 18")))
+            .ok_or_else(|| ParseError(note!("unit-tolerance-grade-whole-number-from", text = text)))
     }
 }

@@ -1,9 +1,11 @@
 //! Lengths as whole micrometres.
 
 use std::fmt;
+
 use std::iter::Sum;
 use std::ops::{Add, Neg, Sub};
 use std::str::FromStr;
+use technolog_note::note;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -115,11 +117,11 @@ impl FromStr for Micrometres {
 
     fn from_str(text: &str) -> Result<Self, ParseError> {
         if let Some(digits) = text.strip_suffix("mm").or_else(|| text.strip_suffix("мм")) {
-            return Err(ParseError(format!("`{text}`: write the bare number of millimetres, `{}`", digits.trim())));
+            return Err(ParseError(note!("unit-write-bare-number-millimetres", text = text, trim = digits.trim())));
         }
         let exact: Decimal = text.parse()?;
         if exact.millionths() % 1000 != 0 {
-            return Err(ParseError(format!("`{text}` is finer than a micrometre: at most three decimal places")));
+            return Err(ParseError(note!("unit-finer-than-micrometre-at-most", text = text)));
         }
         Ok(Self(exact.millionths() / 1000))
     }
@@ -170,7 +172,7 @@ mod tests {
         assert_eq!("61.6".parse::<Micrometres>().unwrap(), Micrometres::new(61_600));
         assert_eq!("-0.005".parse::<Micrometres>().unwrap().to_string(), "-0.005");
         assert!("0.0001".parse::<Micrometres>().is_err());
-        assert!("10mm".parse::<Micrometres>().unwrap_err().0.contains("bare number"));
+        assert!(technolog_words::Lang::EN.say(&"10mm".parse::<Micrometres>().unwrap_err().0).contains("bare number"));
     }
 
     proptest! {

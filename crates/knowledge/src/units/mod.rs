@@ -22,10 +22,24 @@ pub use quantity::{
 pub use roughness::Roughness;
 pub use unit::Unit;
 
+use technolog_note::Note;
+
 technolog_note::told_as_number!(Decimal, ItGrade, Micrometres);
 technolog_note::told_as_text!(Roughness, Unit);
 
 /// Why a text is not the quantity it should be: says what was read and what is expected.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{0}")]
-pub struct ParseError(pub String);
+pub struct ParseError(pub Note);
+
+impl technolog_note::Told for ParseError {
+    fn told(self) -> technolog_note::Figure {
+        self.0.told()
+    }
+}
+
+impl From<ParseError> for Note {
+    fn from(error: ParseError) -> Self {
+        error.0
+    }
+}

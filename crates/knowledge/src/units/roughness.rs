@@ -2,7 +2,9 @@
 
 use std::cmp::Ordering;
 use std::fmt;
+
 use std::str::FromStr;
+use technolog_note::note;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -82,7 +84,7 @@ impl FromStr for Roughness {
     type Err = ParseError;
 
     fn from_str(text: &str) -> Result<Self, ParseError> {
-        let bad = || ParseError(format!("`{text}` is not a roughness: write `Ra 2.5` or `Rz 20`, in micrometres"));
+        let bad = || ParseError(note!("unit-roughness-write-ra-rz-micrometres", text = text));
         // Keyboards of the users write the letters in Cyrillic as often as in Latin.
         let rest = text.trim().strip_prefix(['R', 'r']).ok_or_else(bad)?;
         let (is_rz, digits) = match rest.chars().next() {
@@ -104,9 +106,7 @@ impl FromStr for Roughness {
             .iter()
             .find(|(rz, _)| *rz == nanometres)
             .map(|&(rz, ra)| Self { ra_nanometres: ra, rz_nanometres: Some(rz) })
-            .ok_or_else(|| {
-                ParseError(format!("`{text}`: Rz is known at 80, 40, 20, 10, 6.3 and 3.2 only; give the limit as Ra"))
-            })
+            .ok_or_else(|| ParseError(note!("unit-rz-known-at-only-give", text = text)))
     }
 }
 
@@ -154,6 +154,10 @@ mod tests {
         for bad in ["2.5", "Rb 2", "Ra", "Ra -1", "Rz 33", "Ra 0"] {
             assert!(bad.parse::<Roughness>().is_err(), "{bad}");
         }
-        assert!("Rz 33".parse::<Roughness>().unwrap_err().0.contains("give the limit as Ra"));
+        assert!(
+            technolog_words::Lang::EN
+                .say(&"Rz 33".parse::<Roughness>().unwrap_err().0)
+                .contains("give the limit as Ra")
+        );
     }
 }

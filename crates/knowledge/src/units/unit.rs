@@ -2,6 +2,7 @@
 
 use std::fmt;
 use std::str::FromStr;
+use technolog_note::note;
 
 use serde::{Deserialize, Serialize};
 
@@ -80,7 +81,7 @@ impl FromStr for Unit {
     fn from_str(text: &str) -> Result<Self, ParseError> {
         Self::ALL.iter().copied().find(|unit| unit.text() == text).ok_or_else(|| {
             let known: Vec<_> = Self::ALL.iter().map(|unit| unit.text()).collect();
-            ParseError(format!("`{text}` is not a unit; known are {}", known.join(", ")))
+            ParseError(note!("unit-unit-known", text = text, known = known.join(", ")))
         })
     }
 }

@@ -10,6 +10,7 @@ use crate::shop::Shop;
 use crate::tables::controls::{Convention, ProgramConventions};
 use crate::tables::rules::{Cut, HoleCycle, MachiningCycle, MachiningCycleFor};
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute, Seconds};
+use technolog_note::note;
 
 use super::{Cycle, Kind};
 
@@ -68,23 +69,23 @@ fn kind(
     top: Micrometres,
     resolution: Micrometres,
 ) -> Result<Kind, KnowledgeError> {
-    let lacks = |what: &str| KnowledgeError::lacks(&rule.row.table.id, what);
+    let lacks = |what: Note| KnowledgeError::lacks(&rule.row.table.id, what);
     let step = || -> Result<Micrometres, KnowledgeError> {
-        let share = rule.step.ok_or_else(|| lacks("the step of a cycle in steps"))?;
+        let share = rule.step.ok_or_else(|| lacks(note!("nc-step-cycle-steps")))?;
         Ok(Micrometres::from_mm_rounded(transition.diameter_mm.to_mm() * share).on_grid(resolution).max(resolution))
     };
-    let clearance = || rule.clearance.ok_or_else(|| lacks("the clearance of a cycle in steps"));
+    let clearance = || rule.clearance.ok_or_else(|| lacks(note!("nc-clearance-cycle-steps")));
     Ok(match rule.cycle {
         HoleCycle::Drill => Kind::Drill,
         HoleCycle::FeedOut => Kind::FeedOut,
         HoleCycle::BoreStop => Kind::BoreStop,
         HoleCycle::Peck => Kind::Peck { step: step()?, clearance: clearance()? },
         HoleCycle::ChipBreak => Kind::ChipBreak { step: step()?, retreat: clearance()? },
-        HoleCycle::Tap => Kind::Tap { pitch: pitch.ok_or_else(|| lacks("the pitch of the thread that is tapped"))? },
+        HoleCycle::Tap => Kind::Tap { pitch: pitch.ok_or_else(|| lacks(note!("nc-pitch-thread-tapped")))? },
         HoleCycle::Circles => {
-            let rounds = transition.conditions.rounds.ok_or_else(|| lacks("the circles of the mill"))?;
+            let rounds = transition.conditions.rounds.ok_or_else(|| lacks(note!("nc-circles-mill")))?;
             // The spindle turns clockwise: against it the teeth go with the feed.
-            let sense = match rule.cut.ok_or_else(|| lacks("how a mill cuts"))? {
+            let sense = match rule.cut.ok_or_else(|| lacks(note!("nc-how-mill-cuts")))? {
                 Cut::Climb => Sense::Counterclockwise,
                 Cut::Conventional => Sense::Clockwise,
             };
@@ -131,8 +132,8 @@ fn withdrawal(shop: &Shop<'_>) -> Result<(Micrometres, Because), KnowledgeError>
 pub(crate) fn convention(name: Convention, knowledge: &Knowledge) -> Result<(f64, RowRef<'_>), KnowledgeError> {
     let found = knowledge.need(name.name(), |row: &ProgramConventions<'_>| row.name == name)?;
     if found.unit != name.unit() {
-        let problem = format!("{} must be in {}", name.name(), name.unit());
-        return Err(KnowledgeError::lacks(&found.row.table.id, &problem));
+        let problem = note!("nc-must", value = name.name(), unit = name.unit());
+        return Err(KnowledgeError::lacks(&found.row.table.id, problem));
     }
     Ok((found.value, found.row))
 }

@@ -16,6 +16,7 @@ pub mod setting;
 pub mod written;
 
 use serde::Serialize;
+use technolog_note::note;
 
 pub use setting::Setting;
 
@@ -195,7 +196,10 @@ fn in_unit(
 ) -> Result<(f64, Vec<f64>), KnowledgeError> {
     match figures {
         Some(all @ [first, ..]) if stated == Some(unit) => Ok((*first, all.to_vec())),
-        _ => Err(KnowledgeError::lacks(&row.table.id, &format!("row {} must hold figures in {unit}", row.number()))),
+        _ => Err(KnowledgeError::lacks(
+            &row.table.id,
+            note!("nc-row-must-hold-figures", row = row.number(), unit = unit),
+        )),
     }
 }
 

@@ -3,6 +3,7 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
+use technolog_note::note;
 
 use crate::job::Job;
 use crate::knowledge::diagnostic::{Diagnostic, Severity};
@@ -173,8 +174,13 @@ fn read(root: &Node, limits: &Limits, problems: &mut Problems) -> Option<Setting
             Some(value) if steps.contains(&value) => *slot = value,
             Some(value) => {
                 let known: Vec<String> = steps.iter().map(ToString::to_string).collect();
-                let help = format!("the switch has {} %", known.join(", "));
-                problems.error_help::<()>("bad-override", format!("the switch has no step {value}"), &node.place, help);
+                let help = note!("nc-switch-has", known = known.join(", "));
+                problems.error_help::<()>(
+                    "bad-override",
+                    note!("nc-switch-has-no-step", value = value),
+                    &node.place,
+                    help,
+                );
             }
             None => {}
         }
@@ -192,8 +198,8 @@ fn read(root: &Node, limits: &Limits, problems: &mut Problems) -> Option<Setting
                     }
                 }
                 None => {
-                    let help = format!("correctors have the numbers 1 to {}", limits.correctors);
-                    problems.error_help::<()>("bad-corrector", "there is no such corrector", &key.place, help);
+                    let help = note!("nc-correctors-have-numbers", correctors = limits.correctors);
+                    problems.error_help::<()>("bad-corrector", note!("nc-there-no-such-corrector"), &key.place, help);
                 }
             }
         }
@@ -206,7 +212,7 @@ fn mirror(item: &Node, setting: &mut Setting, problems: &mut Problems) {
     match item.text().and_then(|text| text.chars().next().filter(|_| text.len() == 1)).and_then(Axis::of) {
         Some(axis) => setting.mirror[axis.index()] = true,
         None => {
-            problems.error_help::<()>("bad-axis", "this is no axis", &item.place, "name X, Y or Z");
+            problems.error_help::<()>("bad-axis", note!("nc-this-no-axis"), &item.place, note!("nc-name-x-y-z"));
         }
     }
 }
@@ -216,7 +222,7 @@ fn positive(node: Option<&Node>, problems: &mut Problems) -> Option<Micrometres>
     let node = node?;
     let value = problems.scalar::<Micrometres>(node)?;
     if value <= Micrometres::ZERO {
-        problems.error_help::<()>("bad-value", "this must be above 0", &node.place, "give a length in mm");
+        problems.error_help::<()>("bad-value", note!("nc-this-must-above"), &node.place, note!("nc-give-length-mm"));
     }
     Some(value)
 }

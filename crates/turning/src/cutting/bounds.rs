@@ -2,6 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use technolog_note::note;
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Because, Figure, Finding, Note, Severity, Told};
@@ -254,7 +255,7 @@ fn constant<T: Told + Clone>(
     of: impl Fn(&TurningLimits<'_>) -> Option<T>,
 ) -> Result<(T, Because), KnowledgeError> {
     let row = cut.knowledge.need(name.name(), |row: &TurningLimits<'_>| row.name == name)?;
-    let lacks = || KnowledgeError::lacks(&row.row.table.id, &format!("{} has no figure of its kind", name.name()));
+    let lacks = || KnowledgeError::lacks(&row.row.table.id, note!("turned-has-no-figure-kind", value = name.name()));
     let value = of(&row).ok_or_else(lacks)?;
     let note = Note::new("turning-limit").with("name", Figure::word(name.name())).with("value", &value);
     Ok((value, Because::row(row.row, note)))

@@ -1,6 +1,7 @@
 //! The hole that is drilled before a solid blank is bored, by the rule `bore-drill`. It is named, not planned.
 
 use serde::Serialize;
+use technolog_note::note;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
@@ -50,7 +51,7 @@ pub(super) fn before_boring(
     let stock_and_step = match (rule.drilled, rule.least_stock, rule.step) {
         (true, Some(stock), Some(step)) => Some((stock, step)),
         (true, ..) => {
-            return Err(KnowledgeError::lacks(&rule.row.table.id, "a bore that is drilled has stock and step"));
+            return Err(KnowledgeError::lacks(&rule.row.table.id, note!("turned-bore-drilled-has-stock-step")));
         }
         (false, ..) => None,
     };

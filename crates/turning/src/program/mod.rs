@@ -25,6 +25,7 @@ use crate::tables::controls::lathe::{LatheControl, LatheControls};
 use crate::turning::contour::Contour;
 use crate::turning::point::Point;
 use technolog_core::ascii::ascii;
+use technolog_note::note;
 
 use call::Cycles;
 pub use cycle::{Allowance, CycleProgram, Direction, ProgramFile, Roughing};
@@ -68,7 +69,7 @@ impl Control {
         let words = match (row.plain, row.comment) {
             (true, Some(comment)) => Some(Words::read(control, comment, knowledge)?),
             (true, None) => {
-                return Err(KnowledgeError::lacks(&table.id, "the comment of a control that is written for"));
+                return Err(KnowledgeError::lacks(&table.id, note!("turned-comment-control-written-for")));
             }
             (false, _) => None,
         };

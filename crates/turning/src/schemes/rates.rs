@@ -6,6 +6,7 @@ use crate::note::{Finding, doubtful_row};
 use crate::tables::turning::passes::{Motion, TurningMotion, TurningMotionFor};
 use crate::turning::shaft::{Rates, Shaft};
 use crate::units::{Micrometres, MillimetresPerMinute};
+use technolog_note::note;
 
 /// The rates of a shaft file, or those of the table with a finding for each row that is not confirmed.
 ///
@@ -48,5 +49,5 @@ fn distance(rule: &TurningMotion<'_>) -> Result<Micrometres, KnowledgeError> {
 }
 
 fn lacks(rule: &TurningMotion<'_>, what: &str) -> KnowledgeError {
-    KnowledgeError::lacks(&rule.row.table.id, &format!("row {} must have {what}", rule.row.number()))
+    KnowledgeError::lacks(&rule.row.table.id, note!("turned-row-must-have", row = rule.row.number(), what = what))
 }

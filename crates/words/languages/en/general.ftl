@@ -6,3 +6,4 @@ no-such-language = there is no language `{ $language }`; there are { $known }
 document-left-out = columns left out
 document-see-all = a wider window, `COLUMNS=160` or `-o FILE.html` shows all
 document-figure = drawing
+verbatim = { $text }

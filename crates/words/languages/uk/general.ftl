@@ -8,3 +8,4 @@ no-such-language = мови `{ $language }` немає; є { $known }
 document-left-out = не вмістилися графи
 document-see-all = ширше вікно, `COLUMNS=160` або `-o FILE.html` покажуть усе
 document-figure = рисунок
+verbatim = { $text }

@@ -2,6 +2,7 @@
 //! the table `audit-program-causes`.
 
 use std::collections::BTreeMap;
+use technolog_note::note;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
@@ -123,7 +124,7 @@ impl<'k> Rule<'k> {
             "code" => Ok(Alike::Code),
             "line" => Ok(Alike::Line),
             _ => Name::from_name(name).map(Alike::Figure).ok_or_else(|| {
-                KnowledgeError::lacks(&row.row.table.id, &format!("`{name}` in `alike` is no figure of a finding"))
+                KnowledgeError::lacks(&row.row.table.id, note!("planfile-alike-no-figure-finding", name = name))
             }),
         };
         let both = |name: &&'k str| {

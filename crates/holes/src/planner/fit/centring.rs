@@ -1,6 +1,7 @@
 //! Centring: how wide its spot is, by the rule `centre-spot`, and which edge it makes.
 
 use std::rc::Rc;
+use technolog_note::note;
 
 use crate::cutting::{self, Cut};
 use crate::error::{KnowledgeError, Tried};
@@ -57,7 +58,7 @@ impl<'k> Fitting<'_, 'k> {
                     rule => rule,
                 };
                 let share =
-                    rule.share.ok_or_else(|| KnowledgeError::lacks(&rule.row.table.id, "a share of the drill"))?;
+                    rule.share.ok_or_else(|| KnowledgeError::lacks(&rule.row.table.id, note!("order-share-drill")))?;
                 let spot = Micrometres::from_mm_rounded(drill.to_mm() * share);
                 // A spot of 90° is half as deep as wide: in a thin plate it stays within half of the hole.
                 let most = self.hole.depth;

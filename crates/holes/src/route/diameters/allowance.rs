@@ -8,6 +8,7 @@ use crate::shop::Shop;
 use crate::tables::holes::{Allowance as Row, HoleDefault};
 use crate::tables::rules::{AllowanceBeforeFor, DrillBeforeCoreDrillFor};
 use crate::units::Micrometres;
+use technolog_note::note;
 
 /// The stock on diameter that a transition may find.
 #[derive(Clone, Copy, Debug)]
@@ -82,5 +83,5 @@ pub(super) fn allowance<'k>(
 
 /// An allowance is either a share of the diameter or a range; this one is neither.
 pub(super) fn lacks(row: &Row<'_>, what: &str) -> KnowledgeError {
-    KnowledgeError::lacks(&row.row.table.id, &format!("`{}` has neither a share nor a {what}", row.name))
+    KnowledgeError::lacks(&row.row.table.id, note!("order-has-neither-share-nor", row = row.name, what = what))
 }

@@ -10,6 +10,7 @@ use crate::tables::controls::control_2c42_65::{
     AddressUnit, Addresses, AxisName, Characteristic, Cycles, GFunctions, Inwards, MActions, MFunctions, Outwards,
     PlaneName, Planes, Record, ToolOffset,
 };
+use technolog_note::note;
 
 pub(super) use crate::tables::controls::control_2c42_65::Action;
 
@@ -172,7 +173,7 @@ impl Control {
             let code = code(row.code, row.row)?;
             let group: usize = row.group.parse().unwrap_or(GROUPS);
             let Some(slot) = self.power_on.get_mut(group) else {
-                return Err(KnowledgeError::lacks(&row.row.table.id, "a group of 00 to 07 for every function"));
+                return Err(KnowledgeError::lacks(&row.row.table.id, note!("nc-group-for-every-function")));
             };
             if row.power_on {
                 *slot = code;
@@ -241,7 +242,7 @@ impl Control {
 /// The number of a code such as `G54`.
 fn code(text: &str, row: RowRef<'_>) -> Result<u8, KnowledgeError> {
     let digits = text.trim_start_matches(|c: char| !c.is_ascii_digit());
-    digits.parse().map_err(|_| KnowledgeError::lacks(&row.table.id, "a code such as G01"))
+    digits.parse().map_err(|_| KnowledgeError::lacks(&row.table.id, note!("nc-code-such-g")))
 }
 
 const fn axis(name: AxisName) -> Axis {
@@ -265,7 +266,7 @@ fn addresses(knowledge: &Knowledge, dwell_step: f64) -> Result<ByCode<Address>, 
             decimal: matches!(row.unit, Some(Millimetres | Degrees | MillimetresPerMinute)),
             length: row.unit == Some(Millimetres),
         };
-        let lacks = |_| KnowledgeError::lacks(&row.row.table.id, "an address of one letter");
+        let lacks = |_| KnowledgeError::lacks(&row.row.table.id, note!("nc-address-one-letter"));
         addresses.insert(u8::try_from(row.address.0).map_err(lacks)?, address);
     }
     Ok(addresses)

@@ -1,6 +1,7 @@
 //! The language of a control as data: functions, groups, addresses, cycles and limits, from catalogs/controls.
 
 use std::collections::BTreeMap;
+use technolog_note::note;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::contract::Word;
@@ -77,7 +78,7 @@ impl Control {
     /// There is no such control, or a table lacks what is asked of it.
     pub fn read(control: &str, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
         let table = knowledge.table(&format!("control-{control}"))?;
-        let lacks = || KnowledgeError::lacks(&table.id, &format!("an interpreter of {control}"));
+        let lacks = || KnowledgeError::lacks(&table.id, note!("nc-interpreter", control = control));
         let kind = IsoControl::from_word(control).ok_or_else(lacks)?;
         let record: Vec<Record<'_>> = table.rows().collect::<Result<_, _>>()?;
         let figures = |name| figures(&record, name, table);
@@ -164,7 +165,7 @@ fn code(text: &str, row: RowRef<'_>) -> Result<i64, KnowledgeError> {
     let parsed = parsed.filter(|(whole, tenth)| (0..1000).contains(whole) && (0..10).contains(tenth));
     parsed
         .map(|(whole, tenth)| whole * 10 + tenth)
-        .ok_or_else(|| KnowledgeError::lacks(&row.table.id, "a code such as G1 or G91.1"))
+        .ok_or_else(|| KnowledgeError::lacks(&row.table.id, note!("nc-code-such-g-g")))
 }
 
 /// The steps of a switch: those listed, or with two figures every whole number between them.
