@@ -134,7 +134,9 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             Format::Svg => context.emit(&report::turning::map_drawing(&shaft, &map, context.lang))?,
             _ => {
                 let page = report::turning::map_page(&shaft, &map, context.lang);
-                drawn(page, format, context, |lang| report::turning::map_drawing(&shaft, &map, lang))?;
+                drawn(page, format, context, "turn-map-figure", |lang| {
+                    report::turning::map_drawing(&shaft, &map, lang)
+                })?;
             }
         }
         return Ok(Outcome::Done);
@@ -149,13 +151,13 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         Format::Svg => context.emit(&report::turning::drawing(&found, &schemes, context.lang))?,
         _ => {
             let page = report::turning::page(&found, &schemes, knowledge, context.lang);
-            drawn(page, format, context, |lang| report::turning::drawing(&found, &schemes, lang))?;
+            drawn(page, format, context, "turn-figure", |lang| report::turning::drawing(&found, &schemes, lang))?;
         }
     }
     Ok(Outcome::Done)
 }
 
-/// Gives out a page; HTML shows its drawing, too.
+/// Gives out a page; HTML shows its drawing, too, under a caption of the catalogue of words.
 ///
 /// # Errors
 /// It cannot be written.
@@ -163,10 +165,12 @@ pub fn drawn(
     mut page: Document,
     format: Format,
     context: &Context,
+    caption: &str,
     draw: impl FnOnce(Lang) -> String,
 ) -> Result<(), CliError> {
     if format == Format::Html {
-        page.push(report::turning::figure_of(draw(context.lang), context.lang));
+        let caption = context.lang.word(caption);
+        page.push(report::turning::figure_of(draw(context.lang), caption, context.lang));
     }
     context.emit_document(&page, format)
 }

@@ -50,7 +50,9 @@ pub fn page(
         Format::Svg => context.emit(&report::turning::operation_drawing(&operation, all_schemes, context.lang))?,
         _ => {
             let page = report::turning::operation_page(&operation, knowledge, context.lang);
-            drawn(page, format, context, |lang| report::turning::operation_drawing(&operation, all_schemes, lang))?;
+            drawn(page, format, context, "turn-figure", |lang| {
+                report::turning::operation_drawing(&operation, all_schemes, lang)
+            })?;
         }
     }
     Ok(if operation.has_errors() { Outcome::Findings } else { Outcome::Done })

@@ -60,9 +60,9 @@ pub fn page(found: &Sequences, schemes: &Schemes, knowledge: &Knowledge, lang: L
 }
 
 /// A drawing as a block of its page.
-pub fn figure_of(svg: String, lang: Lang) -> Figure {
+pub fn figure_of(svg: String, caption: &str, lang: Lang) -> Figure {
     let alternative = say!(lang, "turn-figure-seen").to_owned();
-    Figure { svg, caption: say!(lang, "turn-figure").into(), alternative }
+    Figure { svg, caption: caption.into(), alternative }
 }
 
 /// Begins the next section; they are numbered.

@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-use crate::document::{Align, Column, Inlines, Keep, Table};
+use crate::document::{Column, Inlines, Keep, Table};
 use crate::note::Figure;
 use crate::units::round_to;
 
@@ -54,9 +54,9 @@ pub(super) fn table(columns: impl IntoIterator<Item = Column>, rows: Vec<Vec<Cel
     table
 }
 
-/// A column of words in which figures stand, such as `0 → 42`: they stay on one line.
+/// A column of several figures in a cell, such as `0 → 42`: they stay on one line.
 pub(super) fn span(heading: impl Into<Inlines>, unit: &str) -> Column {
-    Column { align: Align::Left, ..Column::number(heading, unit) }.least(16)
+    Column::number(heading, unit).least(16)
 }
 
 /// A figure as people write it.

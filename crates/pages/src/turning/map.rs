@@ -30,7 +30,7 @@ pub fn map_page(shaft: &Shaft, map: &[Ratio], lang: Lang) -> Document {
     columns.extend(NAMES.map(|name| Column::number(say!(lang, "turn-map-above", variant = word(name)), "%")));
     columns.push(Column::text(say!(lang, "turn-map-best")).keep(Keep::Optional));
     let row = |ratio: &Ratio| {
-        let mut row = vec![figure(ratio.length_to_diameter, lang).into(), Cell::Figure(ratio.length_mm.to_mm(), 3)];
+        let mut row = vec![figure(ratio.length_to_diameter, lang).into(), Cell::Figure(ratio.length_mm.to_mm(), 2)];
         row.extend(ratio.above_optimum_percent.map(|percent| Cell::Figure(percent, 2)));
         row.push(term(ratio.winner, lang).into());
         row

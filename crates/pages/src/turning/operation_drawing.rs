@@ -2,7 +2,7 @@
 
 use super::super::canvas::{Anchor, Canvas, Pen};
 use super::Lang;
-use super::cells::fixed;
+use super::cells::{fixed, rounded};
 use super::told::word;
 use super::view::{View, pen_of};
 use technolog_turning::contour::{Contour, Piece, Side};
@@ -144,7 +144,7 @@ fn way(
         side = word(side.side.name()),
         zone = zone.zone.number,
         scheme = word(transition.scheme.name()),
-        depth = fixed(work.levels.depth.to_mm(), 2, lang),
+        depth = rounded(work.levels.depth.to_mm(), lang),
         cutting = fixed(transition.measures.cutting_mm, 1, lang),
         time = fixed(transition.measures.time_min.0, 2, lang)
     );

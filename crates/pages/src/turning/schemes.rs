@@ -7,7 +7,7 @@ use technolog_words::say;
 
 use super::super::sentences::term;
 use super::Lang;
-use super::cells::{Cell, arrow, figure, fixed, span, table};
+use super::cells::{Cell, arrow, figure, rounded, span, table};
 use super::section;
 use super::told::{said, schemes_column, terms, word};
 
@@ -32,7 +32,7 @@ pub(super) fn sections(page: &mut Document, found: &Schemes, lang: Lang) {
 
 fn levels(page: &mut Document, found: &Schemes, lang: Lang) {
     let Splitting { limiting_depth_mm, depth_mm, cylinders, horizontals, .. } = &found.splitting;
-    let depth = fixed(depth_mm.to_mm(), 2, lang);
+    let depth = rounded(depth_mm.to_mm(), lang);
     page.paragraph(say!(lang, "turn-limiting-depth", limit = limiting_depth_mm, depth = depth));
     let mm = say!(lang, "unit-mm");
     let columns = [

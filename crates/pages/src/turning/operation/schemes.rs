@@ -23,7 +23,7 @@ pub(super) fn schemes(
 ) {
     let (from, to) = (z(work.stock.from, lang), z(work.stock.to, lang));
     page.heading(3, say!(lang, "turn-work", zone = place(set_up, side, zone, lang), from = from, to = to));
-    page.paragraph(say!(lang, "turn-depth-of-work", depth = fixed(work.levels.depth.to_mm(), 2, lang)));
+    page.paragraph(say!(lang, "turn-depth-of-work", depth = rounded(work.levels.depth.to_mm(), lang)));
     page.paragraph(conditions(work, lang));
     page.paragraph(reasoned(&work.because, lang));
     page.push(compared(work, lang));
@@ -47,7 +47,7 @@ fn conditions(work: &Work, lang: Lang) -> String {
     let Some(found) = &work.pace.conditions else { return String::new() };
     let feed = figure(round_to(found.feed_mm_per_rev.0, 3), lang);
     let speed = fixed(found.speed_m_per_min.0, 1, lang);
-    let (rpm, rate) = (rounded(found.spindle_rpm.0, lang), fixed(found.feed_mm_per_min.0, 1, lang));
+    let (rpm, rate) = (rounded(found.spindle_rpm.0, lang), rounded(found.feed_mm_per_min.0, lang));
     match (found.main_force_n, found.power_kw) {
         (Some(force), Some(power)) => say!(
             lang,

@@ -1,6 +1,7 @@
 //! The surfaces of each set-up: what the drawing says of them, main or additional, and their allowances.
 
 use crate::document::{Block, Column, Document, Inlines, Item, Keep};
+use crate::note::Tell;
 use technolog_turning::contour::Side;
 use technolog_turning::elements::Element;
 use technolog_turning::operation::{Operation, SetUpWork, SideWork};
@@ -45,12 +46,12 @@ fn elements(page: &mut Document, operation: &Operation, stretch: &Stretch, work:
         under.extend((class.element != Element::Main).then(|| said(&class.because.note, lang)));
         if let Some(later) = operation.elsewhere.iter().find(|one| one.surface == surface.name) {
             let (operation, allowance) = (word(later.operation.name()), later.allowance_mm);
-            let surface = surface.name.as_str();
-            under
-                .push(say!(lang, "turn-later", surface = surface, operation = operation, allowance = allowance).into());
+            under.push(
+                say!(lang, "turn-later", surface = &surface.name, operation = operation, allowance = allowance).into(),
+            );
         }
         rows.push(vec![
-            surface.name.as_str().into(),
+            lang.figure(&surface.name.tell()).into(),
             term(surface.kind.name(), lang).into(),
             arrow(figure(from.radius.diameter(), lang), figure(to.radius.diameter(), lang)).into(),
             arrow(z(from.z, lang), z(to.z, lang)).into(),
