@@ -86,7 +86,8 @@ fn compared(work: &Work, lang: Lang) -> Table {
             Cell::Figure(one.measures.beside_mm, 1),
             Cell::Figure(one.measures.rapid_mm, 1),
             Cell::Figure(one.measures.time_min.0, 3),
-            Cell::Figure(one.ridges_mm.to_mm(), 2),
+            // As fine as they are: 0 is an even allowance.
+            Cell::Figure(one.ridges_mm.to_mm(), 3),
         ]
     };
     table(columns, work.transitions.iter().map(row).collect(), lang)

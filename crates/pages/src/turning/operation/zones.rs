@@ -23,7 +23,8 @@ pub(super) fn zones(page: &mut Document, operation: &Operation, lang: Lang) {
         span("Ø", mm),
         span("φ", "°").keep(Keep::Optional),
         span("φ1", "°").keep(Keep::Optional),
-        Column::text(say!(lang, "turn-tool")),
+        // A designation stays on one line.
+        Column::text(say!(lang, "turn-tool")).least(14),
         Column::number(lang.say(&Note::new("turn-limit")), mm).keep(Keep::Useful),
         span(lang.say(&Note::new("turn-depth-of-pass")), mm),
         Column::text(say!(lang, "turn-scheme")),
@@ -76,7 +77,8 @@ pub(super) fn additional(page: &mut Document, operation: &Operation, lang: Lang)
         span("Ø", mm),
         span("φ", "°").keep(Keep::Optional),
         span("φ1", "°").keep(Keep::Optional),
-        Column::text(say!(lang, "turn-tool")),
+        // A designation stays on one line.
+        Column::text(say!(lang, "turn-tool")).least(14),
         Column::number(say!(lang, "turn-tool-width"), mm).keep(Keep::Useful),
         Column::text(say!(lang, "turn-scheme")),
     ];
