@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 use serde::Serialize;
+use technolog::document::Document;
 use technolog::error::KnowledgeError;
 use technolog::knowledge::yaml::text_of;
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::note::Note;
-use technolog::report::{self, remedy, sentence};
+use technolog::report::{self, Lang, remedy, sentence};
 use technolog::turning::length::Half;
 use technolog::turning::operation::programs::Form;
 use technolog::turning::passes::cost::Objective;
@@ -83,12 +84,15 @@ enum MovesName {
     Rich,
 }
 
+/// The formats of its pages.
+const FORMATS: [Format; 6] = [Format::Text, Format::Markdown, Format::Html, Format::Json, Format::Yaml, Format::Svg];
+
 /// Shows the passes of a shaft.
 ///
 /// # Errors
 /// The file cannot be used; every mistake in it is told at once.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    let format = context.format("turn", &[Format::Text, Format::Json, Format::Yaml, Format::Svg])?;
+    let format = context.format("turn", &FORMATS)?;
     let knowledge = knowledge::load(context)?;
     let read = read(&args.shaft, knowledge, context)?;
     if let Some(form) = args.show.program() {
@@ -128,7 +132,12 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             Format::Json => context.emit_json(&map)?,
             Format::Yaml => context.emit_yaml(&map)?,
             Format::Svg => context.emit(&report::turning::map_drawing(&shaft, &map, context.lang))?,
-            _ => context.emit(&report::turning::map_page(&shaft, &map, context.lang))?,
+            _ => {
+                let page = report::turning::map_page(&shaft, &map, context.lang);
+                drawn(page, format, context, "turn-map-figure", |lang| {
+                    report::turning::map_drawing(&shaft, &map, lang)
+                })?;
+            }
         }
         return Ok(Outcome::Done);
     }
@@ -140,9 +149,30 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         Format::Yaml => context.emit_yaml(&Answer::of(found, &schemes))?,
         Format::Svg if args.show == Show::Steps => context.emit(&report::turning::frames(&found, context.lang))?,
         Format::Svg => context.emit(&report::turning::drawing(&found, &schemes, context.lang))?,
-        _ => context.emit(&report::turning::page(&found, &schemes, knowledge, context.lang))?,
+        _ => {
+            let page = report::turning::page(&found, &schemes, knowledge, context.lang);
+            drawn(page, format, context, "turn-figure", |lang| report::turning::drawing(&found, &schemes, lang))?;
+        }
     }
     Ok(Outcome::Done)
+}
+
+/// Gives out a page; HTML shows its drawing, too, under a caption of the catalogue of words.
+///
+/// # Errors
+/// It cannot be written.
+pub fn drawn(
+    mut page: Document,
+    format: Format,
+    context: &Context,
+    caption: &str,
+    draw: impl FnOnce(Lang) -> String,
+) -> Result<(), CliError> {
+    if format == Format::Html {
+        let caption = context.lang.word(caption);
+        page.push(report::turning::figure_of(draw(context.lang), caption, context.lang));
+    }
+    context.emit_document(&page, format)
 }
 
 /// Passes and schemes as one answer.

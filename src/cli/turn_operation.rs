@@ -3,12 +3,14 @@
 use clap::ValueEnum;
 use technolog::error::KnowledgeError;
 use technolog::knowledge::{Diagnostic, Knowledge};
-use technolog::report::{self, remedy, sentence};
+use technolog::report::{self, remedy};
 use technolog::turning::operation::programs::{Form, Written, programs};
 use technolog::turning::operation::{self, Operation};
 use technolog::turning::workpiece::Workpiece;
 use technolog::units::RevsPerMinute;
+use technolog::words::say;
 
+use super::turn::drawn;
 use super::{CliError, Context, Format, Outcome};
 
 /// Controls of lathes by their names.
@@ -46,7 +48,12 @@ pub fn page(
         Format::Json => context.emit_json(&operation)?,
         Format::Yaml => context.emit_yaml(&operation)?,
         Format::Svg => context.emit(&report::turning::operation_drawing(&operation, all_schemes, context.lang))?,
-        _ => context.emit(&report::turning::operation_page(&operation, knowledge, context.lang))?,
+        _ => {
+            let page = report::turning::operation_page(&operation, knowledge, context.lang);
+            drawn(page, format, context, "turn-figure", |lang| {
+                report::turning::operation_drawing(&operation, all_schemes, lang)
+            })?;
+        }
     }
     Ok(if operation.has_errors() { Outcome::Findings } else { Outcome::Done })
 }
@@ -79,7 +86,7 @@ pub fn program(
     let all = programs(&operation, wanted.control.name(), wanted.form, wanted.spindle, knowledge).map_err(lacking)?;
     let Some(written) = wanted.number.checked_sub(1).and_then(|index| all.get(index)) else {
         let list = report::turning::programs_list(&all, context.lang);
-        let message = context.lang.pick("немає програми з таким номером", "there is no program of this number");
+        let message = say!(context.lang, "turn-no-such-program");
         return Err(Diagnostic::error("no-such-program", message, None).help(list).into());
     };
     match &written.files {
@@ -94,7 +101,7 @@ pub fn program(
 }
 
 fn not_written(written: &Written, note: technolog::note::Note, context: &Context) -> CliError {
-    let said = format!("{}: {}", written.tool, sentence(&note, context.lang));
+    let said = say!(context.lang, "turn-tool-not-written", tool = &written.tool, why = &note);
     let problem = Diagnostic::error("not-written", said, None);
     match remedy(&note, context.lang) {
         Some(remedy) => problem.help(remedy).into(),

@@ -145,8 +145,8 @@ impl Note {
             let (Ok(at), Some(new)) = (self.params.at(name), other.params.get(name)) else { continue };
             let known = &mut self.params.0[at].1;
             match known {
-                Figure::List(parts, _) if parts.contains(new) => {}
-                Figure::List(parts, _) => parts.push(new.clone()),
+                Figure::List(parts, ", ") if parts.contains(new) => {}
+                Figure::List(parts, ", ") => parts.push(new.clone()),
                 one if one == new => {}
                 one => *one = Figure::list([one.clone(), new.clone()]),
             }

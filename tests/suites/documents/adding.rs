@@ -158,7 +158,7 @@ fn a_machine() {
 
 #[test]
 fn a_lathe() {
-    recipe("A lathe", "Lathe: 16k20t1");
+    recipe("A lathe", "Machine: Lathe 16K20T1");
 }
 
 #[test]

@@ -22,7 +22,7 @@ fn mm(length: i64) -> Micrometres {
 /// A surface of one line.
 fn surface(name: &str, kind: SurfaceKind, from: Point, to: Point) -> Surface {
     let pieces = vec![Piece::line(from, to)];
-    Surface { name: name.to_owned(), kind, pieces, grade: None, roughness: None, stated_allowance: None }
+    Surface { name: name.into(), kind, pieces, grade: None, roughness: None, stated_allowance: None }
 }
 
 /// Ø36 × 30 to grade 6 and Ra 1.25 with a relief behind it, a shoulder, Ø50 × 30 to grade 12.
@@ -56,7 +56,7 @@ fn what_the_lathe_cannot_finish_is_found() {
         let (found, _) = elsewhere(&shaft(), Some(holds), mm(63), &KNOWLEDGE).unwrap();
         found.iter().map(|one| (one.surface.clone(), one.operation.name())).collect::<Vec<_>>()
     };
-    let ground = [("A".to_owned(), "outer-grinding")];
+    let ground = [("A".into(), "outer-grinding")];
     assert_eq!(found(&holds()), ground);
     let better = ItGrade::new(6).unwrap();
     assert_eq!(found(&Holds { outer: better, ..holds() }), []);

@@ -4,7 +4,7 @@
 use proptest::prelude::*;
 use technolog::knowledge::Knowledge;
 use technolog::report::{Lang, sentence};
-use technolog::turning::contour::{Contour, Curve, Piece, Profile, Side, Surface, SurfaceKind, Turn};
+use technolog::turning::contour::{Contour, Curve, Piece, Profile, Side, Surface, SurfaceKind, SurfaceName, Turn};
 use technolog::turning::elements::{Angles, Class, Element, Ground, Hand, Main, classify, main_contour, split};
 use technolog::turning::length::Half;
 use technolog::turning::point::Point;
@@ -39,7 +39,7 @@ impl Drawn {
             pieces.push(Piece { from: self.here, to: at(*radius, *z), curve });
             self.here = at(*radius, *z);
         }
-        let name = format!("outer {}", self.profile.surfaces.len() + 1);
+        let name = SurfaceName::Place(Side::Outer, self.profile.surfaces.len() + 1);
         let surface = Surface { name, kind, pieces, grade: None, roughness: None, stated_allowance: None };
         self.profile.surfaces.push(surface);
         self
@@ -136,7 +136,7 @@ fn a_class_says_which_angle_stands_against_which() {
     let said = sentence(&classes[1].because.note, Lang::EN);
     assert_eq!(said, "outer 2: it falls 45°, steeper than φ1 = 30°; tool: contouring tool with a larger φ1");
     let said = sentence(&classes[1].because.note, Lang::UK);
-    assert_eq!(said, "outer 2: спад 45° крутіший за φ1 = 30°; інструмент: контурний різець з більшим φ1");
+    assert_eq!(said, "зовн. 2: спад 45° крутіший за φ1 = 30°; інструмент: контурний різець з більшим φ1");
     assert_eq!(classes[1].because.table, "turning-element");
 }
 

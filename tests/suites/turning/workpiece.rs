@@ -7,7 +7,7 @@ use std::path::Path;
 use proptest::prelude::*;
 use technolog::note::Severity;
 use technolog::report::{Lang, sentence};
-use technolog::turning::contour::{Curve, Piece, Side, SurfaceKind, Turn};
+use technolog::turning::contour::{Curve, Piece, Side, SurfaceKind, SurfaceName, Turn};
 use technolog::turning::length::Half;
 use technolog::turning::point::Point;
 use technolog::turning::shaft::read_shaft;
@@ -128,11 +128,11 @@ fn statement_12_1_3_every_surface_of_the_figure_can_be_written() {
 #[test]
 fn surfaces_carry_what_the_drawing_says() {
     let pin = example("turned-pin");
-    let neck = pin.outer.surfaces.iter().find(|surface| surface.name == "neck").unwrap();
+    let neck = pin.outer.surfaces.iter().find(|surface| surface.name == "neck".into()).unwrap();
     assert_eq!(neck.grade.unwrap().number(), 6);
     assert_eq!(neck.roughness.unwrap().to_string(), "Ra 1.25");
     assert_eq!(neck.stated_allowance, Some(Half::from(0.3)));
-    assert_eq!(pin.outer.surfaces[0].name, "outer 1");
+    assert_eq!(pin.outer.surfaces[0].name, SurfaceName::Place(Side::Outer, 1));
     let thread = &pin.threads[0];
     assert_eq!((thread.written.as_str(), thread.surface.as_str()), ("M36x2-6g", "outer 3"));
     assert_eq!((thread.size.to_string(), thread.pitch.to_string()), ("36".to_owned(), "2".to_owned()));

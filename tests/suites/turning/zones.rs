@@ -3,7 +3,7 @@
 
 use proptest::prelude::*;
 use technolog::report::{Lang, sentence};
-use technolog::turning::contour::{Contour, Piece, Profile, Side, Surface, SurfaceKind, Turn};
+use technolog::turning::contour::{Contour, Piece, Profile, Side, Surface, SurfaceKind, SurfaceName, Turn};
 use technolog::turning::elements::{Angles, Hand};
 use technolog::turning::length::Half;
 use technolog::turning::point::Point;
@@ -252,7 +252,7 @@ fn profile(side: Side, start: (f64, f64), items: &[(SurfaceKind, f64, f64)]) -> 
     for (kind, radius, z) in items {
         let pieces = vec![Piece::line(here, at(*radius, *z))];
         here = at(*radius, *z);
-        let name = format!("{} {}", if side == Side::Outer { "outer" } else { "inner" }, surfaces.len() + 1);
+        let name = SurfaceName::Place(side, surfaces.len() + 1);
         surfaces.push(Surface { name, kind: *kind, pieces, grade: None, roughness: None, stated_allowance: None });
     }
     Profile { side, surfaces }
@@ -279,7 +279,7 @@ fn made(outer: &Profile, inner: Option<&Profile>, blank: &Contour, length: f64) 
 }
 
 fn names(stretch: Option<&technolog::turning::zones::Stretch>) -> Vec<String> {
-    stretch.iter().flat_map(|one| &one.profile.surfaces).map(|surface| surface.name.clone()).collect()
+    stretch.iter().flat_map(|one| &one.profile.surfaces).map(|surface| surface.name.to_string()).collect()
 }
 
 /// 12.3-2: most parts take two set-ups: split at the largest diameter; the second, turned over, begins at the far face. It is
@@ -416,7 +416,7 @@ proptest! {
         let part = Profile {
             side: Side::Outer,
             surfaces: contour.pieces.iter().enumerate().map(|(index, piece)| Surface {
-                name: format!("outer {}", index + 1),
+                name: SurfaceName::Place(Side::Outer, index + 1),
                 kind: if piece.is_face() { Face } else if piece.is_cylinder() { Cylinder } else { Cone },
                 pieces: vec![*piece],
                 grade: None,

@@ -3,12 +3,15 @@
 
 use super::super::canvas::{Anchor, At, Canvas, Pen};
 use super::super::sentences::term;
-use super::{Lang, figure, schemes_drawing};
+use super::cells::{figure, rounded};
+use super::told::word;
+use super::{Lang, schemes_drawing};
 use technolog_turning::length::Half;
 use technolog_turning::passes::pass::{Kind, Pass};
 use technolog_turning::passes::{Sequences, Variant};
 use technolog_turning::point::Point;
 use technolog_turning::schemes::Schemes;
+use technolog_words::say;
 
 /// Width of a panel, in units of the drawing.
 pub(super) const PANEL: f64 = 600.0;
@@ -66,12 +69,8 @@ fn panel(
     title_at: At,
     place: &impl Fn(Point) -> At,
 ) {
-    let title =
-        lang.pick("{name}: шлях різання {path} мм, проходів {count}", "{name}: cutting path {path} mm, {count} passes");
-    let title = title
-        .replace("{name}", term(variant.name, lang))
-        .replace("{path}", &figure(variant.cutting_path_mm, lang))
-        .replace("{count}", &variant.passes.len().to_string());
+    let path = rounded(variant.cutting_path_mm.to_mm(), lang);
+    let title = say!(lang, "turn-panel", variant = word(variant.name), path = path, count = variant.passes.len());
     canvas.text(title_at, 14.0, Anchor::Start, &title);
     part(canvas, found, lang, place);
     let mut turn = [0_usize; 2];

@@ -2,13 +2,15 @@
 //! after it (the paper's figure 6, taken apart).
 
 use super::super::canvas::{Anchor, At, Canvas, Pen};
-use super::super::sentences::term;
+use super::Lang;
+use super::cells::rounded;
 use super::drawing::{FILLS, arrow, part};
-use super::{Lang, figure};
+use super::told::word;
 use technolog_turning::length::Half;
 use technolog_turning::passes::pass::Kind;
 use technolog_turning::passes::{Sequences, Variant};
 use technolog_turning::point::Point;
+use technolog_words::say;
 
 /// Pictures in a row.
 const ROW: usize = 4;
@@ -26,14 +28,13 @@ pub fn frames(found: &Sequences, lang: Lang) -> String {
     let scale = ((WIDE - 2.0 * MARGIN) / length.max(0.001)).min(TALL / radius.max(0.001));
     let tall = TITLE + radius * scale + 2.0 * MARGIN;
     let mut canvas = Canvas::default();
-    let title = lang.pick(
-        "{variant}: {path} мм, проходів {count}; світле - що ще стоїть",
-        "{variant}: {path} mm, {count} passes; pale: what still stands",
+    let title = say!(
+        lang,
+        "turn-frames",
+        variant = word(best.name),
+        path = rounded(best.cutting_path_mm.to_mm(), lang),
+        count = best.passes.len()
     );
-    let title = title
-        .replace("{variant}", term(best.name, lang))
-        .replace("{path}", &figure(best.cutting_path_mm, lang))
-        .replace("{count}", &best.passes.len().to_string());
     canvas.text((MARGIN, TITLE - 8.0), 14.0, Anchor::Start, &title);
     for index in 0..best.drawn.len() {
         let left = (index % ROW) as f64 * WIDE;
@@ -59,12 +60,14 @@ fn frame(
 ) {
     let (Some(pass), Some(told)) = (variant.drawn.get(index), variant.passes.get(index)) else { return };
     let so_far: Half = variant.passes.iter().take(index + 1).map(|pass| pass.length_mm).sum();
-    let title = lang.pick("{number}. {kind}, {length} мм, разом {sum}", "{number}. {kind}, {length} mm, {sum} in all");
-    let title = title
-        .replace("{number}", &told.number.to_string())
-        .replace("{kind}", term(told.kind.name(), lang))
-        .replace("{length}", &figure(told.length_mm, lang))
-        .replace("{sum}", &figure(so_far, lang));
+    let title = say!(
+        lang,
+        "turn-frame",
+        number = told.number,
+        kind = word(told.kind.name()),
+        length = rounded(told.length_mm.to_mm(), lang),
+        sum = rounded(so_far.to_mm(), lang)
+    );
     canvas.text(title_at, 12.0, Anchor::Start, &title);
     part(canvas, found, lang, place);
     for later in variant.drawn.iter().skip(index + 1) {

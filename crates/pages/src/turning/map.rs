@@ -1,12 +1,15 @@
 //! The map of the variants over length to diameter: a table and a plot.
 
 use super::super::canvas::{Anchor, At, Canvas, Pen};
-use super::super::grid;
 use super::super::sentences::term;
-use super::{Lang, figure};
+use super::Lang;
+use super::cells::{Cell, figure, table};
+use super::told::word;
+use crate::document::{Column, Document, Keep};
 use technolog_turning::passes::map::{Ratio, settled};
 use technolog_turning::passes::pass::Kind;
 use technolog_turning::shaft::Shaft;
+use technolog_words::say;
 
 const NAMES: [&str; 3] = ["longitudinal", "transverse", "per-step"];
 const COLOURS: [&str; 3] = ["#0072b2", "#d55e00", "#009e73"];
@@ -18,41 +21,28 @@ const LEFT: f64 = 64.0;
 const TOP: f64 = 64.0;
 
 fn title(shaft: &Shaft, lang: Lang) -> String {
-    let text = lang.pick(
-        "{name}: наскільки варіанти довші за оптимум, якщо вал розтягнути",
-        "{name}: how far the variants are above the optimum as the shaft is stretched",
-    );
-    text.replace("{name}", &shaft.shaft)
+    say!(lang, "turn-map", shaft = &shaft.shaft)
 }
 
 /// The map as a table.
-pub fn map_page(shaft: &Shaft, map: &[Ratio], lang: Lang) -> String {
-    let above = lang.pick("{}, % понад оптимум", "{}, % above the optimum");
-    let mut head = vec![lang.pick("L/D", "L/D").to_owned(), lang.pick("L, мм", "L, mm").to_owned()];
-    head.extend(NAMES.map(|name| above.replace("{}", term(name, lang))));
-    head.push(lang.pick("Найкращий із трьох", "Best of the three").to_owned());
-    let mut rows = Vec::new();
-    for ratio in map {
-        let mut row = vec![figure(ratio.length_to_diameter, lang), figure(ratio.length_mm, lang)];
-        row.extend(ratio.above_optimum_percent.map(|percent| figure(percent, lang)));
-        row.push(term(ratio.winner, lang).to_owned());
-        rows.push(row);
-    }
-    let mut page = grid::paragraph(&title(shaft, lang), 0);
-    page.push_str(&grid::table(&head, &rows, 2));
-    let Some((kind, ratio)) = settled(map) else { return page };
-    let line = match kind {
-        Kind::Longitudinal => lang.pick(
-            "Від L/D = {} самі поздовжні проходи не гірші за самі поперечні.",
-            "From L/D = {} on longitudinal passes alone are no worse than transverse ones alone.",
-        ),
-        Kind::Transverse => lang.pick(
-            "Від L/D = {} самі поперечні проходи кращі за самі поздовжні.",
-            "From L/D = {} on transverse passes alone are better than longitudinal ones alone.",
-        ),
+pub fn map_page(shaft: &Shaft, map: &[Ratio], lang: Lang) -> Document {
+    let mut columns = vec![Column::number("L/D", ""), Column::number("L", say!(lang, "unit-mm"))];
+    columns.extend(NAMES.map(|name| Column::number(say!(lang, "turn-map-above", variant = word(name)), "%")));
+    columns.push(Column::text(say!(lang, "turn-map-best")).keep(Keep::Optional));
+    let row = |ratio: &Ratio| {
+        let mut row = vec![figure(ratio.length_to_diameter, lang).into(), Cell::Figure(ratio.length_mm.to_mm(), 2)];
+        row.extend(ratio.above_optimum_percent.map(|percent| Cell::Figure(percent, 2)));
+        row.push(term(ratio.winner, lang).into());
+        row
     };
-    let line = line.replace("{}", &figure(ratio, lang));
-    page.push_str(&grid::paragraph(&line, 0));
+    let mut page = Document::new(lang.tag(), title(shaft, lang));
+    page.push(table(columns, map.iter().map(row).collect(), lang));
+    if let Some((kind, ratio)) = settled(map) {
+        page.paragraph(match kind {
+            Kind::Longitudinal => say!(lang, "turn-map-along", ratio = ratio),
+            Kind::Transverse => say!(lang, "turn-map-across", ratio = ratio),
+        });
+    }
     page
 }
 

@@ -1,10 +1,10 @@
 //! A turning operation drawn: for each side of a set-up the allowances with the zones, then the taken way over each zone.
 
 use super::super::canvas::{Anchor, Canvas, Pen};
-use super::super::sentences::term;
+use super::Lang;
+use super::cells::{fixed, rounded};
+use super::told::word;
 use super::view::{View, pen_of};
-use super::{Lang, figure};
-use crate::units::round_to;
 use technolog_turning::contour::{Contour, Piece, Side};
 use technolog_turning::length::Half;
 use technolog_turning::operation::work::{Work, ZoneWork};
@@ -12,6 +12,7 @@ use technolog_turning::operation::{Operation, SetUpWork, SideWork};
 use technolog_turning::point::Point;
 use technolog_turning::transitions::Transition;
 use technolog_turning::way::Purpose;
+use technolog_words::say;
 
 const WIDE: f64 = 1100.0;
 const TALL: f64 = 460.0;
@@ -19,10 +20,10 @@ const MARGIN: f64 = 40.0;
 const TITLE: f64 = 30.0;
 const STEEL: &str = "#d9d9d9";
 /// Allowances 1, 2 and 3.
-const ALLOWANCES: [(&str, &str, &str); 3] = [
-    ("#f3ead2", "1: чорновий", "1: rough"),
-    ("#cc79a7", "2: додаткові елементи", "2: additional elements"),
-    ("#8fd3b6", "3: чистовий", "3: finish"),
+const ALLOWANCES: [(&str, &str); 3] = [
+    ("#f3ead2", "turn-allowance-rough"),
+    ("#cc79a7", "turn-allowance-additional"),
+    ("#8fd3b6", "turn-allowance-finish"),
 ];
 
 /// The whole drawing, with the way that is taken over each zone, or with those of all schemes.
@@ -64,14 +65,12 @@ fn layers(canvas: &mut Canvas, set_up: &SetUpWork, side: &SideWork, top: f64, la
     let room = (WIDE - 2.0 * MARGIN, TALL);
     let view = View::within(near, far, MARGIN, top + TITLE + MARGIN, room.0, room.1);
     let tall = view.long(far.radius);
-    let title =
-        lang.pick("Установ {number}, {side}: припуски та зони", "Set-up {number}, {side}: allowances and zones");
-    let title =
-        title.replace("{number}", &set_up.set_up.number.to_string()).replace("{side}", term(side.side.name(), lang));
+    let (number, side_of) = (set_up.set_up.number, word(side.side.name()));
+    let title = say!(lang, "turn-layers", set_up = number, side = side_of);
     canvas.text((MARGIN, top + TITLE - 8.0), 15.0, Anchor::Start, &title);
     view.area(canvas, solid(&layers.part, far.radius), STEEL);
     let areas = [&layers.areas.rough_main, &layers.areas.additional, &layers.areas.finish];
-    for (area, (fill, ..)) in areas.iter().zip(ALLOWANCES) {
+    for (area, (fill, _)) in areas.iter().zip(ALLOWANCES) {
         view.area(canvas, area.boundary.iter().copied(), fill);
     }
     let pens = [
@@ -99,9 +98,9 @@ fn layers(canvas: &mut Canvas, set_up: &SetUpWork, side: &SideWork, top: f64, la
     }
     let bottom = top + TITLE + MARGIN + tall + 46.0;
     let mut left = MARGIN;
-    for (fill, uk, en) in ALLOWANCES {
+    for (fill, name) in ALLOWANCES {
         canvas.rectangle((left, bottom - 14.0), (left + 18.0, bottom - 2.0), fill, Some(Pen::solid("#666", 0.5)));
-        canvas.text((left + 24.0, bottom - 3.0), 12.0, Anchor::Start, lang.pick(uk, en));
+        canvas.text((left + 24.0, bottom - 3.0), 12.0, Anchor::Start, lang.word(name));
         left += 210.0;
     }
     bottom + 14.0
@@ -138,18 +137,17 @@ fn way(
     let (near, far) = corners(&[&stock.blank, &stock.rough, &moves], false);
     let view = View::within(near, far, MARGIN, top + TITLE + MARGIN, WIDE - 2.0 * MARGIN, TALL);
     let tall = view.long(far.radius - near.radius);
-    let title = lang.pick(
-        "Установ {number}, {side}, зона {zone}: {scheme}, t_p = {depth} мм; різання {cutting} мм, {time} хв",
-        "Set-up {number}, {side}, zone {zone}: {scheme}, t_p = {depth} mm; cutting {cutting} mm, {time} min",
+    let title = say!(
+        lang,
+        "turn-way",
+        set_up = set_up.set_up.number,
+        side = word(side.side.name()),
+        zone = zone.zone.number,
+        scheme = word(transition.scheme.name()),
+        depth = rounded(work.levels.depth.to_mm(), lang),
+        cutting = fixed(transition.measures.cutting_mm, 1, lang),
+        time = fixed(transition.measures.time_min.0, 2, lang)
     );
-    let title = title
-        .replace("{number}", &set_up.set_up.number.to_string())
-        .replace("{side}", term(side.side.name(), lang))
-        .replace("{zone}", &zone.zone.number.to_string())
-        .replace("{scheme}", term(transition.scheme.name(), lang))
-        .replace("{depth}", &figure(work.levels.depth, lang))
-        .replace("{cutting}", &figure(round_to(transition.measures.cutting_mm, 1), lang))
-        .replace("{time}", &figure(round_to(transition.measures.time_min.0, 3), lang));
     canvas.text((MARGIN, top + TITLE - 8.0), 15.0, Anchor::Start, &title);
     let between = technolog_turning::allowances::areas::between(&stock.blank, &stock.rough);
     view.area(canvas, between.boundary, ALLOWANCES[0].0);
@@ -197,19 +195,19 @@ fn numbers(canvas: &mut Canvas, view: &View, transition: &Transition) {
 fn legend(canvas: &mut Canvas, transition: &Transition, bottom: f64, lang: Lang) {
     let mut left = MARGIN;
     let purposes = [
-        (Purpose::Rapid, "прискорений хід", "rapid"),
-        (Purpose::Cut, "робочий хід", "working pass"),
-        (Purpose::Infeed, "врізання", "infeed"),
-        (Purpose::PickUp, "підбір", "pick-up"),
-        (Purpose::SemiFinish, "напівчистовий хід", "semi-finishing pass"),
-        (Purpose::Finish, "чистовий хід", "finishing pass"),
-        (Purpose::Return, "на подачі без металу", "at feed, no metal"),
+        (Purpose::Rapid, "turn-way-rapid"),
+        (Purpose::Cut, "turn-way-cut"),
+        (Purpose::Infeed, "turn-way-infeed"),
+        (Purpose::PickUp, "turn-way-pick-up"),
+        (Purpose::SemiFinish, "turn-way-semi-finish"),
+        (Purpose::Finish, "turn-way-finish"),
+        (Purpose::Return, "turn-way-return"),
     ];
-    for (purpose, uk, en) in purposes {
+    for (purpose, name) in purposes {
         if transition.way.moves.iter().any(|one| one.purpose == purpose) {
             canvas.line(&[(left, bottom - 7.0), (left + 34.0, bottom - 7.0)], pen_of(purpose));
-            canvas.text((left + 40.0, bottom - 3.0), 12.0, Anchor::Start, lang.pick(uk, en));
-            left += 180.0;
+            canvas.text((left + 40.0, bottom - 3.0), 12.0, Anchor::Start, lang.word(name));
+            left += 190.0;
         }
     }
 }

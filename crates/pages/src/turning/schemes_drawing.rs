@@ -2,15 +2,16 @@
 //! figures 12.7 to 12.10, for any shaft).
 
 use super::super::canvas::{Anchor, At, Canvas, Pen};
-use super::super::sentences::term;
+use super::Lang;
+use super::cells::fixed;
 use super::drawing::{MARGIN, PANEL, TALL, TITLE, part};
-use super::{Lang, figure};
-use crate::units::round_to;
+use super::told::word;
 use technolog_turning::length::Half;
 use technolog_turning::passes::Sequences;
 use technolog_turning::point::Point;
 use technolog_turning::schemes::path::Motion;
 use technolog_turning::schemes::{SchemeTold, Schemes};
+use technolog_words::say;
 
 const STOCK: &str = "#f3ead2";
 const FEED: Pen = Pen::solid("#009e73", 1.3);
@@ -33,15 +34,14 @@ pub(super) fn panels(canvas: &mut Canvas, found: &Sequences, schemes: &Schemes, 
             let down = radius + approach - point.radius.to_mm();
             (right - point.z.to_mm() * scale, top + TITLE + MARGIN + down * scale)
         };
-        let title = lang.pick(
-            "{name}: різання {cutting} мм, холості {idle} мм, {time} хв",
-            "{name}: cutting {cutting} mm, idle {idle} mm, {time} min",
+        let title = say!(
+            lang,
+            "turn-scheme-panel",
+            scheme = word(scheme.name),
+            cutting = fixed(scheme.measures.cutting_mm.to_mm(), 1, lang),
+            idle = fixed(scheme.measures.idle_mm, 1, lang),
+            time = fixed(scheme.measures.time_min.0, 3, lang)
         );
-        let title = title
-            .replace("{name}", term(scheme.name, lang))
-            .replace("{cutting}", &figure(scheme.measures.cutting_mm, lang))
-            .replace("{idle}", &figure(round_to(scheme.measures.idle_mm, 1), lang))
-            .replace("{time}", &figure(round_to(scheme.measures.time_min.0, 3), lang));
         canvas.text((left + MARGIN, top + TITLE - 8.0), 14.0, Anchor::Start, &title);
         stock(canvas, schemes, &place);
         part(canvas, found, lang, &place);
@@ -57,7 +57,7 @@ pub(super) fn panels(canvas: &mut Canvas, found: &Sequences, schemes: &Schemes, 
 
 fn legend(canvas: &mut Canvas, top: f64, lang: Lang) {
     let mut left = MARGIN;
-    let kinds = [(FEED, lang.pick("робоча подача", "working feed")), (RAPID, lang.pick("прискорений хід", "rapid"))];
+    let kinds = [(FEED, say!(lang, "turn-working-feed")), (RAPID, say!(lang, "turn-way-rapid"))];
     for (pen, name) in kinds {
         canvas.line(&[(left, top + 6.0), (left + 40.0, top + 6.0)], pen);
         canvas.text((left + 46.0, top + 10.0), 12.0, Anchor::Start, name);

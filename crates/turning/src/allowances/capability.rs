@@ -7,7 +7,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Figure, Finding, Note, Severity, doubtful_row};
 use crate::tables::turning::part::{FinishedSurface, GrindingAllowanceFor, LaterOperation, TurningFinishElsewhereFor};
-use crate::turning::contour::{Profile, Surface, SurfaceKind};
+use crate::turning::contour::{Profile, Surface, SurfaceKind, SurfaceName};
 use crate::turning::length::Half;
 use crate::units::{ItGrade, Micrometres, Roughness};
 
@@ -40,7 +40,7 @@ impl Holds {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Elsewhere {
     /// Its name.
-    pub surface: String,
+    pub surface: SurfaceName,
     /// The later operation.
     pub operation: LaterOperation,
     /// What is left for it, on one side, mm.

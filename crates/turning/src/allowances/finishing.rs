@@ -6,7 +6,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Finding, Note, Severity};
 use crate::tables::turning::part::{FinishTurningAllowanceFor, Pass, SurfaceAfterPassFor};
-use crate::turning::contour::Profile;
+use crate::turning::contour::{Profile, SurfaceName};
 use crate::turning::length::Half;
 use crate::units::{Micrometres, Microns};
 
@@ -46,7 +46,7 @@ pub enum Method {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Allowance {
     /// Its name.
-    pub surface: String,
+    pub surface: SurfaceName,
     /// Where it lies.
     pub place: Place,
     /// On one side, along the normal, mm; none where it is unknown (a finding says so) and for grooves, which are bridged.

@@ -13,7 +13,7 @@ use super::point::Point;
 pub use crate::tables::turning::part::Side;
 use piece::both;
 pub use piece::{Curve, Piece, Turn};
-pub use surface::{Profile, Surface, SurfaceKind};
+pub use surface::{Profile, Surface, SurfaceKind, SurfaceName};
 
 /// Pieces that hang together: each begins where the one before it ends.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]

@@ -1,7 +1,10 @@
 //! The surfaces of a part along a contour: what the drawing says of each.
 
-use serde::Serialize;
+use std::fmt;
 
+use serde::{Serialize, Serializer};
+
+use crate::note::{Figure, Told, Word};
 use crate::turning::length::Half;
 use crate::units::{ItGrade, Roughness};
 
@@ -9,11 +12,53 @@ pub use crate::tables::turning::part::SurfaceKind;
 
 use super::{Contour, Piece, Side};
 
+/// The name of a surface.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum SurfaceName {
+    /// That of the file, the same in every language.
+    Given(String),
+    /// Its place on the contour from the free end, from 1: `outer 1` or `inner 1`.
+    Place(Side, usize),
+}
+
+impl fmt::Display for SurfaceName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Given(name) => name.fmt(f),
+            Self::Place(side, number) => write!(f, "{} {number}", side.name()),
+        }
+    }
+}
+
+impl Serialize for SurfaceName {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl From<&str> for SurfaceName {
+    fn from(name: &str) -> Self {
+        Self::Given(name.to_owned())
+    }
+}
+
+impl Told for SurfaceName {
+    fn told(self) -> Figure {
+        match self {
+            Self::Given(name) => name.told(),
+            Self::Place(side, number) => {
+                let side = Figure::Word(Word { of: "surface", id: side.name().into() });
+                Figure::List(vec![side, number.told()], " ")
+            }
+        }
+    }
+}
+
 /// A surface of the part.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Surface {
-    /// Its name: that of the file, or its place on the contour from the free end, `outer 1` or `inner 1`.
-    pub name: String,
+    /// Its name.
+    pub name: SurfaceName,
     /// What it is.
     pub kind: SurfaceKind,
     /// Its pieces; a groove has several.

@@ -23,7 +23,7 @@ use crate::units::Degrees;
 
 pub use crate::tables::turning::part::{Element, Ground};
 
-use super::contour::{Contour, Piece, Profile, SurfaceKind};
+use super::contour::{Contour, Piece, Profile, SurfaceKind, SurfaceName};
 use super::point::Point;
 use bridge::{Bridged, Span, bridge};
 use reach::{Edges, Shade};
@@ -63,7 +63,7 @@ pub struct Class {
     /// Its index in the profile.
     pub surface: usize,
     /// Its name.
-    pub name: String,
+    pub name: SurfaceName,
     /// Main, additional or for the other side.
     pub element: Element,
     /// Why.

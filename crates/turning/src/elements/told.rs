@@ -4,7 +4,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Figure, Note};
 use crate::tables::turning::part::TurningElementFor;
-use crate::turning::contour::Surface;
+use crate::turning::contour::{Surface, SurfaceName};
 use crate::units::{Degrees, round_to};
 
 use super::bridge::Span;
@@ -122,7 +122,7 @@ fn ask(
 }
 
 /// Which angle of the element stands against which of the tool.
-fn note(ground: Ground, surface: &str, (rise, fall): (f64, f64), tool: Angles) -> Note {
+fn note(ground: Ground, surface: &SurfaceName, (rise, fall): (f64, f64), tool: Angles) -> Note {
     let angle = |degrees: f64| round_to(degrees, 2);
     let (main, secondary) = (angle(tool.main.0), angle(tool.secondary.0));
     let note = match ground {

@@ -1,6 +1,6 @@
 //! A stepped shaft as a workpiece, so that what is written for contours serves for both forms.
 
-use crate::turning::contour::{Contour, Piece, Profile, Side, Surface, SurfaceKind};
+use crate::turning::contour::{Contour, Piece, Profile, Side, Surface, SurfaceKind, SurfaceName};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::shaft::{BlankKind, Shaft, Step};
@@ -74,7 +74,7 @@ fn outer(steps: &[Step]) -> Profile {
             }
             continue;
         }
-        let name = format!("outer {}", surfaces.len() + 1);
+        let name = SurfaceName::Place(Side::Outer, surfaces.len() + 1);
         let pieces = vec![piece];
         surfaces.push(Surface { name, kind, pieces, grade: None, roughness: None, stated_allowance: None });
     }

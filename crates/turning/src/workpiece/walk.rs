@@ -4,7 +4,7 @@ use crate::note::Tell;
 
 use crate::knowledge::diagnostic::Place;
 use crate::note::Finding;
-use crate::turning::contour::{Curve, Piece, Profile, Side, Surface, SurfaceKind, Turn};
+use crate::turning::contour::{Curve, Piece, Profile, Side, Surface, SurfaceKind, SurfaceName, Turn};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::reading::{Placed, Reader};
@@ -163,8 +163,8 @@ impl Walk<'_, '_, '_> {
     fn push(&mut self, item: &Item, kind: SurfaceKind, pieces: Vec<Piece>) {
         let said = &item.said;
         let name = match &said.name {
-            Some((name, _)) => name.clone(),
-            None => format!("{} {}", self.walked.side.name(), self.walked.surfaces.len() + 1),
+            Some((name, _)) => SurfaceName::Given(name.clone()),
+            None => SurfaceName::Place(self.walked.side, self.walked.surfaces.len() + 1),
         };
         let (grade, roughness, stated_allowance) = (said.grade, said.roughness, said.allowance);
         let surface = Surface { name, kind, pieces, grade, roughness, stated_allowance };
@@ -269,7 +269,7 @@ impl Walk<'_, '_, '_> {
         match (named, self.last()) {
             (Some((named, _)), Some(surface)) if self.walked.surfaces.len() > before => {
                 let (written, size, pitch) = (named.written.clone(), named.size, named.pitch);
-                let thread = Thread { surface: surface.name.clone(), written, size, pitch };
+                let thread = Thread { surface: surface.name.to_string(), written, size, pitch };
                 self.walked.threads.push(thread);
             }
             _ => self.walked.whole = false,

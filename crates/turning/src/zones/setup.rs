@@ -225,7 +225,8 @@ fn hold_part(part: Workpiece<'_>, made: Option<&Stretch>, knowledge: &Knowledge)
             continue;
         }
         if best.as_ref().is_none_or(|(thick, long, ..)| (*thick, *long) < (radius, length)) {
-            let hold = Hold::Surface { name: surface.name.clone(), diameter_mm: radius.diameter(), length_mm: length };
+            let hold =
+                Hold::Surface { name: surface.name.to_string(), diameter_mm: radius.diameter(), length_mm: length };
             best = Some((radius, length, hold, because));
         }
     }

@@ -13,10 +13,10 @@ scheme-not-possible = зона { $zone }: схему { $scheme } не можна
 face-stock-thin = припуск заготовки на торець менший за чистовий на { $lack } мм: візьміть довшу заготовку
 zone-behind-standing = зона { $zone }: різець не пройде, бо перед нею стоїть незнята зона { $before }
 groove-too-deep = глибина { $depth } мм більша за найбільшу для різця, { $reach } мм
-bounds-exceeded = { $tool }: за t_p = { $depth } мм перевищено: { $bounds }
+bounds-exceeded = { $tool }: за глибини { $depth } мм перевищено: { $bounds }
 tool-order = з придатних береться: { $prefer }
 turning-skin = заготовка - { $kind }, стан поверхні: { $surface }
-returns-saved = одна зона замість окремих над кожною ділянкою: на однакових рівнях по { $depth } мм проходів і повернень { $joined } замість { $split }
+returns-saved = одна зона замість окремих над кожною ділянкою: на однакових рівнях по { $depth } мм ходів і повернень { $joined } замість { $split }
 turning-tool-taken = { $tool }: підходить для зон: { $zones }
 only-for-steps = це показують лише для ступінчастого вала (`steps:`)
     .help = для контуру є `--show operation`, `program` і `cycle`

@@ -31,7 +31,7 @@ rich-has-no-time = з розширеними ходами час не шукає
 # Why a pass.
 pass-shorter = далі { $left } мм, з ходом іншого напряму { $otherwise } мм
 pass-quicker = далі { $left } хв, з ходом іншого напряму { $otherwise } хв
-pass-fewer = далі проходів { $left }, з ходом іншого напряму { $otherwise }
+pass-fewer = далі ходів { $left }, з ходом іншого напряму { $otherwise }
 pass-as-good = обидва напрями однаково добрі, далі { $left }
 pass-of-variant = так каже варіант
 pass-of-step = напрям ступеня { $step }

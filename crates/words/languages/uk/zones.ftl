@@ -13,8 +13,8 @@ element-partly = { $surface }: частину її різець обробив �
 setup-first = з вільного торця
 setup-only = один установ обробляє все
 setup-falls-away = від Z { $z }, Ø{ $diameter } контур спадає до патрона крутіше за φ1 = { $secondary }° і вже не підіймається
-setup-bore-widens = отвір розширюється до дальнього торця
-setup-far-face = на дальньому торці є припуск
+setup-bore-widens = отвір розширюється до протилежного торця
+setup-far-face = на протилежному торці є припуск
 hold-centres = деталь у центрах
 hold-blank = заготовку тримають за Ø{ $diameter } на довжині { $length } мм (потрібно щонайменше { $least } мм)
 hold-blank-short = за Ø{ $diameter } заготовки лишається { $length } мм, потрібно щонайменше { $least } мм: візьміть довшу заготовку або центри

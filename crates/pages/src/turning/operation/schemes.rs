@@ -1,103 +1,94 @@
 //! The schemes over each zone side by side.
 
-use std::fmt::Display;
-
-use crate::units::round_to;
+use crate::document::{Block, Column, Document, Inlines, Item, Keep, Table};
 use technolog_turning::operation::work::{Work, ZoneWork};
 use technolog_turning::operation::{SetUpWork, SideWork};
 use technolog_turning::transitions::Transition;
+use technolog_words::say;
 
-use super::super::super::sentences::term;
-use super::super::super::{Lang, grid, sentence};
-use super::super::figure;
+use super::super::Lang;
+use super::super::cells::{Cell, figure, fixed, rounded, table};
+use super::super::told::{reasoned, said, schemes_column, word, z};
 use super::zones::place;
-use super::{reasoned, z};
+use crate::sentences::term;
+use crate::units::round_to;
 
-pub(super) fn schemes(set_up: &SetUpWork, side: &SideWork, zone: &ZoneWork, work: &Work, lang: Lang) -> String {
-    let mut page = grid::paragraph(
-        &format!(
-            "{} {}, Z {} → {}: t_p = {} {}",
-            lang.pick("Зона", "Zone"),
-            place(set_up, side, zone, lang),
-            z(work.stock.from, lang),
-            z(work.stock.to, lang),
-            figure(work.levels.depth, lang),
-            lang.pick("мм", "mm"),
-        ),
-        0,
-    );
-    if let Some(found) = &work.pace.conditions {
-        let line = lang.pick(
-            "s = {s} мм/об, V = {v} м/хв, n = {n} об/хв, {f} мм/хв{rest}",
-            "s = {s} mm/rev, V = {v} m/min, n = {n} 1/min, {f} mm/min{rest}",
-        );
-        let mut rest = String::new();
-        if let (Some(force), Some(power)) = (found.main_force_n, found.power_kw) {
-            rest = format!(
-                "; Pz = {} {}, N = {} {}",
-                figure(round_to(force.0, 0), lang),
-                lang.pick("Н", "N"),
-                figure(round_to(power.0, 2), lang),
-                lang.pick("кВт", "kW")
-            );
-        }
-        let line = line
-            .replace("{s}", &figure(round_to(found.feed_mm_per_rev.0, 3), lang))
-            .replace("{v}", &figure(round_to(found.speed_m_per_min.0, 1), lang))
-            .replace("{n}", &figure(round_to(found.spindle_rpm.0, 1), lang))
-            .replace("{f}", &figure(round_to(found.feed_mm_per_min.0, 1), lang))
-            .replace("{rest}", &rest);
-        page.push_str(&grid::paragraph(&line, 2));
-    }
-    page.push_str(&grid::paragraph(&reasoned(&sentence(&work.because.note, lang), &work.because, lang), 2));
-    page.push_str(&compared(work, lang));
+pub(super) fn schemes(
+    page: &mut Document,
+    set_up: &SetUpWork,
+    side: &SideWork,
+    zone: &ZoneWork,
+    work: &Work,
+    lang: Lang,
+) {
+    let (from, to) = (z(work.stock.from, lang), z(work.stock.to, lang));
+    page.heading(3, say!(lang, "turn-work", zone = place(set_up, side, zone, lang), from = from, to = to));
+    page.paragraph(say!(lang, "turn-depth-of-work", depth = rounded(work.levels.depth.to_mm(), lang)));
+    page.paragraph(conditions(work, lang));
+    page.paragraph(reasoned(&work.because, lang));
+    page.push(compared(work, lang));
     let even = work.quickest_even.as_ref().filter(|even| Some(*even) != work.quickest.as_ref());
-    if let Some(best) = &work.quickest {
-        page.push_str(&grid::paragraph(&sentence(&best.note, lang), 2));
-    }
-    if let Some(best) = even {
-        let line = lang.pick("з рівномірним припуском: {best}", "with an even allowance: {best}");
-        let line = line.replace("{best}", &sentence(&best.note, lang));
-        page.push_str(&grid::paragraph(&line, 2));
-    }
-    for refused in &work.refused {
-        let line = lang.pick("не {scheme}: {why}", "not {scheme}: {why}");
-        let line = line.replace("{scheme}", term(refused.scheme.name(), lang));
-        page.push_str(&grid::paragraph(&line.replace("{why}", &sentence(&refused.why, lang)), 2));
-    }
+    let mut told: Vec<Inlines> = Vec::new();
+    told.extend(work.quickest.iter().map(|best| said(&best.note, lang)));
+    told.extend(even.map(|best| Inlines::sentence(&say!(lang, "turn-even", best = &best.note))));
+    told.extend(work.refused.iter().map(|refused| {
+        let scheme = word(refused.scheme.name());
+        Inlines::sentence(&say!(lang, "turn-scheme-refused", scheme = scheme, why = &refused.why))
+    }));
     if let Some(taken) = work.transition() {
         let points: Vec<&str> = taken.points.iter().map(|point| point.name.as_str()).collect();
-        let line = format!("{}: {}.", lang.pick("Опорні точки", "Support points"), points.join(", "));
-        page.push_str(&grid::paragraph(&line, 2));
+        told.push(say!(lang, "turn-support-points", points = points.join(", ")).into());
     }
-    page
+    page.blocks.push(Block::List(told.into_iter().map(Item::from).collect()));
 }
 
-fn compared(work: &Work, lang: Lang) -> String {
-    let head = [
-        "",
-        lang.pick("Схема", "Scheme"),
-        lang.pick("Проходів", "Passes"),
-        lang.pick("Різання, мм", "Cutting, mm"),
-        lang.pick("На подачі без металу", "At feed, no metal"),
-        lang.pick("Прискорено, мм", "Rapid, mm"),
-        lang.pick("Час, хв", "Time, min"),
-        lang.pick("Гребінці, мм", "Ridges, mm"),
-    ]
-    .map(str::to_owned);
+/// Feed, speed and what they take; nothing where they are not known.
+fn conditions(work: &Work, lang: Lang) -> String {
+    let Some(found) = &work.pace.conditions else { return String::new() };
+    let feed = figure(round_to(found.feed_mm_per_rev.0, 3), lang);
+    let speed = fixed(found.speed_m_per_min.0, 1, lang);
+    let (rpm, rate) = (rounded(found.spindle_rpm.0, lang), rounded(found.feed_mm_per_min.0, lang));
+    match (found.main_force_n, found.power_kw) {
+        (Some(force), Some(power)) => say!(
+            lang,
+            "turn-conditions-with-force",
+            feed = feed,
+            speed = speed,
+            rpm = rpm,
+            rate = rate,
+            force = fixed(force.0, 0, lang),
+            power = fixed(power.0, 2, lang)
+        ),
+        _ => say!(lang, "turn-conditions", feed = feed, speed = speed, rpm = rpm, rate = rate),
+    }
+}
+
+fn compared(work: &Work, lang: Lang) -> Table {
+    let (mm, min) = (say!(lang, "unit-mm"), say!(lang, "unit-min"));
+    let columns = [
+        Column::text(say!(lang, "turn-taken")),
+        schemes_column(say!(lang, "turn-scheme")),
+        Column::number(say!(lang, "turn-passes"), ""),
+        Column::number(say!(lang, "turn-cutting"), mm),
+        Column::number(say!(lang, "turn-beside"), mm).keep(Keep::Optional),
+        Column::number(say!(lang, "turn-rapid"), mm).keep(Keep::Optional),
+        Column::number(say!(lang, "turn-time"), min),
+        Column::number(say!(lang, "turn-ridges"), mm),
+    ];
     let row = |one: &Transition| {
-        let number = |value: &dyn Display| figure(value, lang);
+        let name = term(one.scheme.name(), lang);
+        let taken = work.taken == Some(one.scheme);
         vec![
-            if work.taken == Some(one.scheme) { "+" } else { "" }.to_owned(),
-            term(one.scheme.name(), lang).to_owned(),
-            one.measures.passes.to_string(),
-            number(&round_to(one.measures.cutting_mm, 1)),
-            number(&round_to(one.measures.beside_mm, 1)),
-            number(&round_to(one.measures.rapid_mm, 1)),
-            number(&round_to(one.measures.time_min.0, 3)),
-            number(&one.ridges_mm),
+            if taken { "+" } else { "" }.into(),
+            if taken { Inlines::default().strong(name) } else { name.into() }.into(),
+            Cell::count(one.measures.passes),
+            Cell::Figure(one.measures.cutting_mm, 1),
+            Cell::Figure(one.measures.beside_mm, 1),
+            Cell::Figure(one.measures.rapid_mm, 1),
+            Cell::Figure(one.measures.time_min.0, 3),
+            // As fine as they are: 0 is an even allowance.
+            Cell::Figure(one.ridges_mm.to_mm(), 3),
         ]
     };
-    let rows: Vec<Vec<String>> = work.transitions.iter().map(row).collect();
-    grid::table(&head, &rows, 2)
+    table(columns, work.transitions.iter().map(row).collect(), lang)
 }

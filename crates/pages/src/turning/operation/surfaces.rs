@@ -1,78 +1,70 @@
 //! The surfaces of each set-up: what the drawing says of them, main or additional, and their allowances.
 
+use crate::document::{Block, Column, Document, Inlines, Item, Keep};
+use crate::note::Tell;
 use technolog_turning::contour::Side;
-use technolog_turning::elements::{Class, Element};
+use technolog_turning::elements::Element;
 use technolog_turning::operation::{Operation, SetUpWork, SideWork};
 use technolog_turning::zones::Stretch;
+use technolog_words::say;
 
-use super::super::super::sentences::term;
-use super::super::super::{Lang, grid, sentence};
-use super::super::figure;
-use super::{reasoned, z};
+use super::super::Lang;
+use super::super::cells::{Cell, arrow, figure, span, table};
+use super::super::told::{reasoned, said, word, z};
+use crate::sentences::term;
 
-pub(super) fn surfaces(operation: &Operation, set_up: &SetUpWork, lang: Lang) -> String {
+pub(super) fn surfaces(page: &mut Document, operation: &Operation, set_up: &SetUpWork, lang: Lang) {
     let one = &set_up.set_up;
-    let mut page = grid::paragraph(
-        &lang.pick("Установ {number}", "Set-up {number}").replace("{number}", &one.number.to_string()),
-        0,
-    );
-    for note in &one.notes {
-        page.push_str(&grid::paragraph(&sentence(note, lang), 2));
-    }
-    page.push_str(&grid::paragraph(&reasoned(&sentence(&one.because.note, lang), &one.because, lang), 2));
+    page.heading(3, say!(lang, "turn-set-up", number = one.number));
+    let notes = one.notes.iter().map(|note| said(note, lang)).chain([reasoned(&one.because, lang)]);
+    page.blocks.push(Block::List(notes.map(Item::from).collect()));
     for (side, stretch) in [(Side::Outer, &one.outer), (Side::Inner, &one.inner)] {
         let Some(stretch) = stretch else { continue };
         let work = set_up.sides.iter().find(|work| work.side == side);
-        page.push_str(&grid::paragraph(term(side.name(), lang), 2));
-        page.push_str(&elements(operation, stretch, work, lang));
+        page.heading(4, lang.term("turn-contour", side.name()));
+        elements(page, operation, stretch, work, lang);
     }
-    page
 }
 
-fn elements(operation: &Operation, stretch: &Stretch, work: Option<&SideWork>, lang: Lang) -> String {
-    let head = [
-        lang.pick("Поверхня", "Surface"),
-        lang.pick("Вид", "Kind"),
-        "Ø",
-        "Z",
-        "IT",
-        lang.pick("Шорсткість", "Roughness"),
-        lang.pick("Елемент", "Element"),
-        lang.pick("Чистовий, мм", "Finish, mm"),
-        lang.pick("Остаточно", "Finished"),
-    ]
-    .map(str::to_owned);
-    let arrow = |from: String, to: String| if from == to { to } else { format!("{from} → {to}") };
-    let mut rows = Vec::new();
+fn elements(page: &mut Document, operation: &Operation, stretch: &Stretch, work: Option<&SideWork>, lang: Lang) {
+    let mm = say!(lang, "unit-mm");
+    let columns = [
+        Column::text(say!(lang, "turn-surface")),
+        Column::text(say!(lang, "turn-surface-kind")),
+        span("Ø", mm),
+        span("Z", mm),
+        Column::number("IT", "").keep(Keep::Useful),
+        span("Ra, Rz", "").keep(Keep::Useful),
+        Column::number(say!(lang, "turn-finish-allowance"), mm).keep(Keep::Useful),
+    ];
+    let (mut rows, mut under) = (Vec::new(), Vec::<Inlines>::new());
     for (index, (surface, class)) in stretch.profile.surfaces.iter().zip(&stretch.classes).enumerate() {
         let ends = surface.pieces.first().zip(surface.pieces.last());
         let (from, to) = ends.map(|(first, last)| (first.from, last.to)).unwrap_or_default();
         let allowance = work.and_then(|work| work.layers.allowances.get(index)).and_then(|one| one.allowance_mm);
-        let later = operation.elsewhere.iter().find(|one| one.surface == surface.name);
-        let later = later.map_or(String::new(), |later| {
-            format!("{} +{}", term(later.operation.name(), lang), figure(later.allowance_mm, lang))
-        });
+        // Why it is not a main element, where it is not.
+        under.extend((class.element != Element::Main).then(|| said(&class.because.note, lang)));
+        if let Some(later) = operation.elsewhere.iter().find(|one| one.surface == surface.name) {
+            let (operation, allowance) = (word(later.operation.name()), later.allowance_mm);
+            under.push(
+                say!(lang, "turn-later", surface = &surface.name, operation = operation, allowance = allowance).into(),
+            );
+        }
         rows.push(vec![
-            surface.name.clone(),
-            term(surface.kind.name(), lang).to_owned(),
-            arrow(figure(from.radius.diameter(), lang), figure(to.radius.diameter(), lang)),
-            arrow(z(from.z, lang), z(to.z, lang)),
-            surface.grade.map_or(String::new(), |grade| grade.to_string()),
-            surface.roughness.map_or(String::new(), |roughness| roughness.to_string()),
-            said_of(class, lang),
-            allowance.map_or(String::new(), |allowance| figure(allowance, lang)),
-            later,
+            lang.figure(&surface.name.tell()).into(),
+            term(surface.kind.name(), lang).into(),
+            arrow(figure(from.radius.diameter(), lang), figure(to.radius.diameter(), lang)).into(),
+            arrow(z(from.z, lang), z(to.z, lang)).into(),
+            surface.grade.map_or(String::new(), |grade| grade.to_string()).into(),
+            surface.roughness.map_or(String::new(), |roughness| figure(roughness, lang)).into(),
+            allowance.map_or_else(Cell::empty, |allowance| Cell::Figure(allowance.to_mm(), 2)),
         ]);
     }
-    grid::table(&head, &rows, 4)
-}
-
-/// A main element by one word; of the others why, without the name that stands in the row.
-fn said_of(class: &Class, lang: Lang) -> String {
-    if class.element == Element::Main {
-        return term("main-element", lang).to_owned();
+    let mut surfaces = table(columns, rows, lang);
+    let all = stretch.classes.iter().all(|class| class.element == Element::Main);
+    surfaces.notes.push(if all { say!(lang, "turn-all-main") } else { say!(lang, "turn-rest-main") }.into());
+    page.push(surfaces);
+    if !under.is_empty() {
+        page.blocks.push(Block::List(under.into_iter().map(Item::from).collect()));
     }
-    let said = sentence(&class.because.note, lang);
-    let said = said.strip_prefix(&format!("{}: ", class.name)).unwrap_or(&said);
-    if class.element == Element::OtherSide { format!("{}: {said}", term("other-side", lang)) } else { said.to_owned() }
 }

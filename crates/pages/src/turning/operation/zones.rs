@@ -1,161 +1,174 @@
 //! The zones with their tools and depths, and those of additional elements.
 
-use crate::note::Note;
-use crate::units::round_to;
+use crate::document::{Block, Column, Document, Inlines, Item, Keep};
+use crate::note::{Figure, Note};
 use technolog_turning::contour::Side;
+use technolog_turning::cutting::LimitingDepth;
 use technolog_turning::operation::work::ZoneWork;
 use technolog_turning::operation::{Operation, SetUpWork, SideWork};
 use technolog_turning::zones::Feed;
+use technolog_words::say;
 
-use super::super::super::sentences::term;
-use super::super::super::{Lang, grid, sentence};
-use super::super::figure;
-use super::z;
+use super::super::cells::{Cell, fixed, rounded, span, table};
+use super::super::told::{terms, word, z};
+use super::super::{Lang, section};
+use crate::sentences::{sentence, term};
 
-pub(super) fn zones(operation: &Operation, lang: Lang) -> String {
-    let head = [
-        lang.pick("Зона", "Zone"),
-        lang.pick("Вид", "Kind"),
-        "Z",
-        "Ø",
-        "φ ≥",
-        "φ1 ≥",
-        lang.pick("Різець", "Tool"),
-        lang.pick("t_гр, мм", "t_lim, mm"),
-        lang.pick("t_p, мм", "t_p, mm"),
-        lang.pick("Схема", "Scheme"),
-    ]
-    .map(str::to_owned);
-    let mut rows = Vec::new();
-    for (set_up, side, one) in operation.zones() {
-        let zone = &one.zone;
-        let schemes: Vec<&str> = one.works.iter().filter_map(|work| Some(term(work.taken?.name(), lang))).collect();
-        let depths: Vec<String> = one.works.iter().map(|work| figure(work.levels.depth, lang)).collect();
-        let tool = one.tool.as_ref().map_or("-".to_owned(), |tool| {
-            format!(
-                "{} (φ {}, φ1 {})",
-                tool.designation,
-                figure(tool.main_angle_deg.0, lang),
-                figure(tool.secondary_angle_deg.0, lang)
-            )
-        });
-        let kind = match zone.feed {
-            Feed::Across => lang.pick("торець", "face").to_owned(),
-            Feed::Along => term(zone.kind.name(), lang).to_owned(),
+pub(super) fn zones(page: &mut Document, operation: &Operation, lang: Lang) {
+    let mm = say!(lang, "unit-mm");
+    let columns = [
+        Column::text(say!(lang, "turn-zone")).least(6),
+        Column::text(say!(lang, "turn-zone-kind")).keep(Keep::Useful),
+        span("Z", mm),
+        span("Ø", mm),
+        span("φ", "°").keep(Keep::Optional),
+        span("φ1", "°").keep(Keep::Optional),
+        // A designation stays on one line.
+        Column::text(say!(lang, "turn-tool")).least(14),
+        Column::number(lang.say(&Note::new("turn-limit")), mm).keep(Keep::Useful),
+        span(lang.say(&Note::new("turn-depth-of-pass")), mm),
+        Column::text(say!(lang, "turn-scheme")),
+    ];
+    let row = |(set_up, side, one): (&SetUpWork, &SideWork, &ZoneWork)| {
+        let kind = match one.zone.feed {
+            Feed::Across => say!(lang, "turn-zone-face"),
+            Feed::Along => term(one.zone.kind.name(), lang),
         };
-        rows.push(vec![
-            place(set_up, side, one, lang),
-            kind,
-            format!("{} → {}", z(zone.from_z, lang), z(zone.to_z, lang)),
-            format!(
-                "{} … {}",
-                figure(zone.least_radius.diameter(), lang),
-                figure(zone.greatest_radius.diameter(), lang)
-            ),
-            figure(round_to(zone.needs.main.0, 2), lang),
-            figure(round_to(zone.needs.secondary.0, 2), lang),
-            tool,
-            one.depth.as_ref().map_or(String::new(), |depth| figure(depth.limiting_depth_mm, lang)),
-            depths.join("; "),
-            schemes.join(" + "),
+        let depths: Vec<String> = one.works.iter().map(|work| fixed(work.levels.depth.to_mm(), 2, lang)).collect();
+        let depth = one.depth.as_ref();
+        let mut row: Vec<Cell> = vec![place(set_up, side, one, lang).into(), kind.into()];
+        row.extend(bounds(one, lang));
+        row.extend([
+            one.tool.as_ref().map_or(say!(lang, "turn-no-tool"), |tool| tool.designation.as_str()).into(),
+            depth.map_or_else(Cell::empty, |depth| Cell::Figure(depth.limiting_depth_mm.to_mm(), 2)),
+            depths.join("; ").into(),
+            schemes(one, lang).into(),
         ]);
-    }
-    let mut page = grid::table(&head, &rows, 2);
-    let mut told: Vec<String> = Vec::new();
+        row
+    };
+    let mut zones = table(columns, operation.zones().map(row).collect(), lang);
+    zones.notes.push(lang.say(&Note::new("turn-zones-key")).into());
+    page.push(zones);
+    let mut told: Vec<Item> = Vec::new();
     for (set_up, side, one) in operation.zones() {
         let name = place(set_up, side, one, lang);
         if let Some(limit) = one.depth.as_ref().and_then(|depth| depth.limit.as_ref()) {
-            let bounds = limit.bounds.iter().filter_map(|bound| {
-                let name = serde_json::to_value(bound.bound).ok()?;
-                let depth = bound.depth_mm.map_or("0".to_owned(), |depth| figure(depth, lang));
-                Some(format!("{} {depth}", term(name.as_str()?, lang)))
-            });
-            let line = lang.pick(
-                "{name}: t_гр за подачі {feed} мм/об: {bounds}",
-                "{name}: t_lim at a feed of {feed} mm/rev: {bounds}",
-            );
-            let bounds = bounds.collect::<Vec<_>>().join("; ");
-            let line = line.replace("{name}", &name).replace("{feed}", &figure(limit.feed_mm_per_rev.0, lang));
-            told.push(line.replace("{bounds}", &bounds));
+            told.push(limits(&name, limit, lang).into());
         }
         if let Some(returns) = one.returns.filter(|returns| returns.saved > 0) {
             let note = Note::new("returns-saved").with("depth", returns.depth_mm);
             let note = note.with("joined", returns.joined).with("split", returns.split);
-            told.push(format!("{name}: {}", sentence(&note, lang)));
+            told.push(say!(lang, "turn-of-zone", zone = name.as_str(), said = note).into());
         }
-        for refused in &one.fit.refused {
-            let why: Vec<String> = refused.why.iter().map(|why| sentence(why, lang)).collect();
-            let line = lang.pick("{name}: не {tool}: {why}", "{name}: not {tool}: {why}");
-            told.push(line.replace("{name}", &name).replace("{tool}", &refused.tool).replace("{why}", &why.join("; ")));
-        }
+        told.extend(one.fit.refused.iter().map(|one| refused_tool(&name, &one.tool, &one.why, lang)));
     }
-    for line in told {
-        page.push_str(&grid::paragraph(&line, 2));
+    if !told.is_empty() {
+        page.blocks.push(Block::List(told));
     }
-    page
 }
 
-/// The zones under the bridges; where no tool fits, why not each of them.
-pub(super) fn additional(operation: &Operation, lang: Lang) -> String {
-    let head = [
-        lang.pick("Установ", "Set-up"),
-        lang.pick("Бік", "Side"),
-        "Z",
-        "Ø",
-        "φ ≥",
-        "φ1 ≥",
-        lang.pick("Різець", "Tool"),
-        lang.pick("Схема", "Scheme"),
-    ]
-    .map(str::to_owned);
+/// The section of the zones under the bridges; where no tool fits, why not each of them. Nothing where there are none.
+pub(super) fn additional(page: &mut Document, operation: &Operation, lang: Lang) {
+    let mm = say!(lang, "unit-mm");
+    let columns = [
+        Column::number(say!(lang, "turn-set-up-column"), ""),
+        Column::text(say!(lang, "turn-side")),
+        span("Z", mm),
+        span("Ø", mm),
+        span("φ", "°").keep(Keep::Optional),
+        span("φ1", "°").keep(Keep::Optional),
+        // A designation stays on one line.
+        Column::text(say!(lang, "turn-tool")).least(14),
+        Column::number(say!(lang, "turn-tool-width"), mm).keep(Keep::Useful),
+        Column::text(say!(lang, "turn-scheme")),
+    ];
     let (mut rows, mut refused) = (Vec::new(), Vec::new());
-    for (set_up, side) in
-        operation.set_ups.iter().flat_map(|set_up| set_up.sides.iter().map(move |side| (set_up, side)))
-    {
+    let sides = operation.set_ups.iter().flat_map(|set_up| set_up.sides.iter().map(move |side| (set_up, side)));
+    for (set_up, side) in sides {
         for one in &side.additional {
-            let zone = &one.zone;
-            let span = format!("{} → {}", z(zone.from_z, lang), z(zone.to_z, lang));
-            let tool = one.tool.as_ref().map(|tool| match tool.width_mm {
-                Some(width) => format!("{} ({} {})", tool.designation, figure(width, lang), lang.pick("мм", "mm")),
-                None => format!("{} (φ1 {})", tool.designation, figure(tool.secondary_angle_deg.0, lang)),
-            });
-            let schemes: Vec<&str> = one.works.iter().filter_map(|work| Some(term(work.taken?.name(), lang))).collect();
-            if tool.is_none() {
-                for one in &one.fit.refused {
-                    let why: Vec<String> = one.why.iter().map(|why| sentence(why, lang)).collect();
-                    let line = lang.pick("Z {span}: не {tool}: {why}", "Z {span}: not {tool}: {why}");
-                    let line = line.replace("{span}", &span).replace("{tool}", &one.tool);
-                    refused.push(line.replace("{why}", &why.join("; ")));
-                }
+            if one.tool.is_none() {
+                let span = say!(
+                    lang,
+                    "turn-closed-zone",
+                    number = set_up.set_up.number,
+                    from = z(one.zone.from_z, lang),
+                    to = z(one.zone.to_z, lang)
+                );
+                refused.extend(one.fit.refused.iter().map(|one| refused_tool(&span, &one.tool, &one.why, lang)));
             }
-            rows.push(vec![
-                set_up.set_up.number.to_string(),
-                term(side.side.name(), lang).to_owned(),
-                span,
-                format!(
-                    "{} … {}",
-                    figure(zone.least_radius.diameter(), lang),
-                    figure(zone.greatest_radius.diameter(), lang)
-                ),
-                figure(round_to(zone.needs.main.0, 2), lang),
-                figure(round_to(zone.needs.secondary.0, 2), lang),
-                tool.unwrap_or_else(|| lang.pick("жоден", "none").to_owned()),
-                schemes.join(" + "),
+            let width = one.tool.as_ref().and_then(|tool| tool.width_mm);
+            let mut row: Vec<Cell> =
+                vec![Cell::count(usize::from(set_up.set_up.number)), lang.term("turn-side", side.side.name()).into()];
+            row.extend(bounds(one, lang));
+            row.extend([
+                one.tool.as_ref().map_or(say!(lang, "turn-no-tool"), |tool| tool.designation.as_str()).into(),
+                width.map_or_else(Cell::empty, |width| Cell::Figure(width.to_mm(), 2)),
+                schemes(one, lang).into(),
             ]);
+            rows.push(row);
         }
     }
     if rows.is_empty() {
-        return String::new();
+        return;
     }
-    let mut page = grid::table(&head, &rows, 2);
-    for line in refused {
-        page.push_str(&grid::paragraph(&line, 2));
+    section(page, say!(lang, "turn-closed-zones"));
+    let mut zones = table(columns, rows, lang);
+    zones.notes.push(say!(lang, "turn-angles-key").into());
+    page.push(zones);
+    if !refused.is_empty() {
+        page.blocks.push(Block::List(refused));
     }
-    page
+}
+
+/// Where a zone lies, and the angles that it needs, before those that its tool has.
+fn bounds(one: &ZoneWork, lang: Lang) -> [Cell; 4] {
+    let zone = &one.zone;
+    let diameter = |radius: technolog_turning::length::Half| rounded(2.0 * radius.to_mm(), lang);
+    let angle = |needs: f64, has: Option<f64>| match has {
+        Some(has) => format!("{} ≤ {}", rounded(needs, lang), rounded(has, lang)),
+        None => rounded(needs, lang),
+    };
+    let has = one.tool.as_ref().filter(|tool| tool.width_mm.is_none());
+    [
+        format!("{} → {}", z(zone.from_z, lang), z(zone.to_z, lang)).into(),
+        format!("{}…{}", diameter(zone.least_radius), diameter(zone.greatest_radius)).into(),
+        angle(zone.needs.main.0, has.map(|tool| tool.main_angle_deg.0)).into(),
+        angle(zone.needs.secondary.0, has.map(|tool| tool.secondary_angle_deg.0)).into(),
+    ]
+}
+
+fn schemes(one: &ZoneWork, lang: Lang) -> String {
+    terms(one.works.iter().filter_map(|work| Some(work.taken?.name())), " + ", lang)
+}
+
+/// The depths that each bound allows.
+fn limits(zone: &str, limit: &LimitingDepth, lang: Lang) -> String {
+    let bounds = limit.bounds.iter().map(|bound| {
+        let depth = bound.depth_mm.map_or_else(|| Figure::number("0"), |depth| Figure::number(depth.to_string()));
+        say!(lang, "turn-bound", bound = word(bound.bound.name()), depth = depth)
+    });
+    let bounds: Vec<String> = bounds.collect();
+    let feed = Figure::number(limit.feed_mm_per_rev.0.to_string());
+    say!(
+        lang,
+        "turn-limits",
+        zone = zone,
+        feed = feed,
+        bound = word(limit.decided_by.name()),
+        bounds = bounds.join("; ")
+    )
+}
+
+fn refused_tool(zone: &str, tool: &str, why: &[Note], lang: Lang) -> Item {
+    let why: Vec<String> = why.iter().map(|why| sentence(why, lang)).collect();
+    Inlines::sentence(&say!(lang, "turn-tool-refused", zone = zone, tool = tool, why = why.join("; "))).into()
 }
 
 /// `1.2`: the second zone of the first set-up; of a bore with its side.
 pub(super) fn place(set_up: &SetUpWork, side: &SideWork, zone: &ZoneWork, lang: Lang) -> String {
-    let inner = if side.side == Side::Inner { lang.pick(" отв.", " bore") } else { "" };
-    format!("{}.{}{inner}", set_up.set_up.number, zone.zone.number)
+    let place = format!("{}.{}", set_up.set_up.number, zone.zone.number);
+    match side.side {
+        Side::Outer => place,
+        Side::Inner => say!(lang, "turn-zone-inner", zone = place),
+    }
 }

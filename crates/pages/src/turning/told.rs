@@ -1,0 +1,70 @@
+//! What the pages of turning tell alike: reasons with their rows, findings, lengths along the axis.
+
+use crate::document::{Column, Finding, Inlines, Severity};
+use crate::knowledge::Knowledge;
+use crate::material::Material;
+use crate::note::{self, Because, Note};
+use technolog_turning::length::Half;
+use technolog_words::say;
+
+use super::super::sentences::term;
+use super::super::{Lang, sentence};
+use super::cells::figure;
+
+/// A note as a line.
+pub(super) fn said(note: &Note, lang: Lang) -> Inlines {
+    Inlines::sentence(&sentence(note, lang))
+}
+
+/// What was decided, with the row that it rests on.
+pub(super) fn reasoned(because: &Because, lang: Lang) -> Inlines {
+    rests_on(&sentence(&because.note, lang), because, lang)
+}
+
+/// A sentence with the row that it rests on.
+pub(super) fn rests_on(said: &str, because: &Because, lang: Lang) -> Inlines {
+    let (table, place) = (because.table.as_str(), because.place.as_str());
+    Inlines::sentence(&match because.row {
+        Some(row) => say!(lang, "turn-by-row", said = said, table = table, row = row, place = place),
+        None => say!(lang, "turn-by-table", said = said, table = table, place = place),
+    })
+}
+
+pub(super) fn finding(finding: &note::Finding, lang: Lang) -> Finding {
+    let severity = match finding.severity {
+        note::Severity::Error => Severity::Error,
+        note::Severity::Wrong => Severity::Wrong,
+        note::Severity::Doubtful => Severity::Doubtful,
+        note::Severity::Note => Severity::Note,
+    };
+    Finding::new(
+        severity,
+        say!(lang, "turn-severity", severity = word(finding.severity.name())),
+        said(&finding.note, lang),
+    )
+}
+
+/// A word of the general vocabulary, as a figure of a sentence.
+pub(super) fn word(id: &'static str) -> note::Figure {
+    note::Figure::word(id)
+}
+
+/// A length along the axis as it is told: negative towards the chuck.
+pub(super) fn z(value: Half, lang: Lang) -> String {
+    figure(Half::ZERO - value, lang)
+}
+
+/// The designation of a material; its id where the knowledge base does not have it.
+pub(super) fn material(id: &str, knowledge: &Knowledge) -> String {
+    Material::find(knowledge, id).map_or_else(|_| id.to_owned(), |material| material.designation().to_owned())
+}
+
+/// Words of the general vocabulary with something between them.
+pub(super) fn terms<'i>(ids: impl Iterator<Item = &'i str>, between: &str, lang: Lang) -> String {
+    ids.map(|id| term(id, lang)).collect::<Vec<_>>().join(between)
+}
+
+/// A column with the names of schemes: headings of figures are wrapped before them.
+pub(super) fn schemes_column(heading: &str) -> Column {
+    Column::text(heading).least(24)
+}

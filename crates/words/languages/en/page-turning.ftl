@@ -1,0 +1,154 @@
+# What all pages of turning say.
+turn-by-row = { $said } (`{ $table }`, row { $row }; { $place })
+turn-by-table = { $said } (`{ $table }`; { $place })
+turn-severity = { $severity }:
+turn-findings = Findings
+turn-figure = The half section; the free end is on the right.
+turn-map-figure = The same as a plot; L/D on a logarithmic scale.
+turn-figure-seen = The drawing of this page; --format svg gives it as a file
+turn-material = Material
+turn-blank-label = Blank
+turn-blank = { $kind } Ø{ $diameter } × { $length } mm, { $holding }
+turn-blank-with-bore = { $kind } Ø{ $diameter }/{ $bore } × { $length } mm, { $holding }
+turn-scheme = Scheme
+turn-passes = Passes
+turn-cutting = Cutting path
+turn-time = Time
+turn-zone = Zone
+turn-depth = Depth
+turn-length = Length
+# Names that surfaces have by their place on the contour.
+surface-outer = outer
+surface-inner = inner
+# The page of a stepped shaft.
+turn-steps = Steps from the free end
+turn-levels = Levels, up to { $depth } mm deep
+turn-slices = Slices, up to { $depth } mm deep
+turn-objective = Objective
+turn-least-path = the shortest cutting path
+turn-least-path-and-passes = the shortest cutting path; each pass counts as { $per_pass } mm
+turn-least-time = the shortest time
+turn-fewest-passes = the fewest passes
+turn-equal-division = The stock between shoulders is divided equally.
+turn-rich-moves = Rich moves: a pass may stop anywhere on the grid and take less than the full depth.
+turn-variants = Variants
+turn-variant = Variant
+turn-path = Cutting path
+turn-passes-along = Longitudinal passes
+turn-passes-across = Transverse passes
+turn-above-optimum = Above the optimum
+turn-proven = Proven: on the grid of { $radii } { $radii ->
+        [one] radius
+       *[other] radii
+    } and { $zs } Z no sequence is better.
+turn-bounded = On the grid of { $radii } { $radii ->
+        [one] radius
+       *[other] radii
+    } and { $zs } Z no sequence can be below { $bound }; the one shown is the best found.
+turn-optimum = The optimum, pass by pass
+turn-direction = Direction
+turn-why = Why
+turn-recommended = Recommendation
+turn-take = { $variant }: { $why }
+word-no-variant = none of these variants
+turn-levels-and-zones = Levels and zones (lecture 12.4)
+turn-limiting-depth = Limiting depth of cut { $limit } mm; all passes are { $depth } mm deep.
+turn-from-diameter = from Ø
+turn-scheme-of-passes = Scheme of passes
+turn-levels-key = t: stock on one side, i: number of passes.
+turn-horizontals = Horizontals from Z { $z }: Ø{ $diameters }.
+turn-whole-zone = The whole zone: { $zone }; { $schemes }.
+turn-schemes = Schemes of removal
+turn-idle = Idle path
+turn-scheme-is = { $scheme }: { $what } ({ $place })
+turn-points = Support points: { $points }.
+# The map over length to diameter.
+turn-map = { $shaft }: how far the variants are above the optimum as the shaft is stretched
+turn-map-above = { $variant }, above the optimum
+turn-map-best = Best of the three
+turn-map-along = From L/D = { $ratio } on longitudinal passes alone are no worse than transverse ones alone.
+turn-map-across = From L/D = { $ratio } on transverse passes alone are better than longitudinal ones alone.
+# The page of an operation.
+turn-machine = Machine
+turn-no-lathe = no lathe is named
+turn-set-ups = Set-ups and surfaces (lecture 12.1)
+turn-set-up = Set-up { $number }
+turn-contour-outer = Outer contour
+turn-contour-inner = Inner contour
+turn-surface = Surface
+turn-surface-kind = Kind of surface
+turn-all-main = All surfaces are main elements.
+turn-rest-main = Main elements are all but those told below.
+turn-finish-allowance = Finishing allowance
+turn-later = { $surface }: { $operation } follows, { $allowance } mm are left for it
+turn-allowances = Allowances (lecture 12.2)
+turn-set-up-column = Set-up
+turn-side = Side
+turn-side-outer = outer
+turn-side-inner = inner
+turn-allowance-rough = 1: rough
+turn-allowance-additional = 2: additional elements
+turn-allowance-finish = 3: finish
+turn-rough-volume = Rough volume
+turn-unit-mm2 = mm²
+turn-unit-cm3 = cm³
+turn-zones = Zones and tools (lecture 12.3)
+turn-zone-kind = Kind of zone
+turn-zone-face = face
+turn-zone-inner = { $zone } inner
+turn-tool = Tool
+turn-no-tool = none
+turn-limit = t_lim
+turn-depth-of-pass = t_p
+turn-zones-key = t_lim: limiting depth of cut, t_p: depth of a pass; φ, φ1: the angle needed ≤ that of the tool.
+turn-angles-key = φ, φ1: the angle needed ≤ that of the tool.
+turn-of-zone = zone { $zone }: { $said }
+turn-limits = zone { $zone }: at a feed of { $feed } mm/rev the depth is limited by { $bound }; all bounds, mm: { $bounds }
+turn-bound = { $bound } { $depth }
+turn-tool-refused = zone { $zone }: { $tool } does not fit: { $why }
+turn-closed-zones = Additional elements: closed zones
+turn-closed-zone = Z { $from } → { $to } of set-up { $number }
+turn-tool-width = Tool width
+turn-transitions = Schemes of rough transitions (lecture 12.4)
+turn-work = Zone { $zone }, Z { $from } → { $to }
+turn-depth-of-work = Depth of a pass t_p = { $depth } mm.
+turn-conditions = f = { $feed } mm/rev, V = { $speed } m/min, n = { $rpm } 1/min, { $rate } mm/min.
+turn-conditions-with-force = f = { $feed } mm/rev, V = { $speed } m/min, n = { $rpm } 1/min, { $rate } mm/min; Pz = { $force } N, N = { $power } kW.
+turn-even = with an even allowance: { $best }
+turn-scheme-refused = scheme “{ $scheme }” refused: { $why }
+turn-support-points = support points: { $points }
+turn-taken = Taken
+turn-beside = Feed in air
+turn-rapid = Rapid
+turn-ridges = Ridges
+turn-total = In all
+turn-total-of = { $count } rough { $count ->
+        [one] transition
+       *[other] transitions
+    }: cutting path { $cutting } mm, time { $time } min.
+# The programs of an operation.
+turn-program = { $number }: set-up { $set_up }, { $side }, zones { $zones }, { $tool }
+turn-program-not-written = { $program }: { $why }
+turn-no-such-program = there is no program of this number
+turn-tool-not-written = { $tool }: { $why }
+# Drawings.
+turn-panel = { $variant }: cutting path { $path } mm, { $count } { $count ->
+        [one] pass
+       *[other] passes
+    }
+turn-frames = { $variant }: { $path } mm, { $count } { $count ->
+        [one] pass
+       *[other] passes
+    }; pale: what still stands
+turn-frame = { $number }. { $kind }, { $length } mm, { $sum } in all
+turn-scheme-panel = { $scheme }: cutting { $cutting } mm, idle { $idle } mm, { $time } min
+turn-working-feed = working feed
+turn-layers = Set-up { $set_up }, { $side }: allowances and zones
+turn-way = Set-up { $set_up }, { $side }, zone { $zone }: { $scheme }, t_p = { $depth } mm; cutting { $cutting } mm, { $time } min
+turn-way-rapid = rapid
+turn-way-cut = working pass
+turn-way-infeed = infeed
+turn-way-pick-up = pick-up
+turn-way-semi-finish = semi-finishing pass
+turn-way-finish = finishing pass
+turn-way-return = feed in air

@@ -1,0 +1,159 @@
+# What all pages of turning say.
+turn-by-row = { $said } (`{ $table }`, рядок { $row }; { $place })
+turn-by-table = { $said } (`{ $table }`; { $place })
+turn-severity = { $severity }:
+turn-findings = Зауваження
+turn-figure = Половина осьового перерізу; вільний торець праворуч.
+turn-map-figure = Те саме графіком; L/D за логарифмічною шкалою.
+turn-figure-seen = Рисунок до цієї сторінки; окремим файлом його дає --format svg
+turn-material = Матеріал
+turn-blank-label = Заготовка
+turn-blank = { $kind } Ø{ $diameter } × { $length } мм, { $holding }
+turn-blank-with-bore = { $kind } Ø{ $diameter }/{ $bore } × { $length } мм, { $holding }
+turn-scheme = Схема
+turn-passes = Робочі ходи
+turn-cutting = Шлях різання
+turn-time = Час
+turn-zone = Зона
+turn-depth = Глибина
+turn-length = Довжина
+# Names that surfaces have by their place on the contour.
+surface-outer = зовн.
+surface-inner = внутр.
+# The page of a stepped shaft.
+turn-steps = Ступені від вільного торця
+turn-levels = Рівні, глибина до { $depth } мм
+turn-slices = Шари, глибина до { $depth } мм
+turn-objective = Мета
+turn-least-path = найменший шлях різання
+turn-least-path-and-passes = найменший шлях різання; кожен робочий хід рахується за { $per_pass } мм
+turn-least-time = найменший час
+turn-fewest-passes = найменше робочих ходів
+turn-equal-division = Припуск між уступами поділено порівну.
+turn-rich-moves = Ходи розширені: робочий хід може зупинитися будь-де на сітці й знімати менше за повну глибину.
+turn-variants = Варіанти
+turn-variant = Варіант
+turn-path = Шлях різання
+turn-passes-along = Поздовжні ходи
+turn-passes-across = Поперечні ходи
+turn-above-optimum = Відхилення від оптимуму
+turn-proven = Доведено: на сітці з { $radii } { $radii ->
+        [one] радіуса
+        [few] радіусів
+       *[many] радіусів
+    } і { $zs } Z кращої послідовності немає.
+turn-bounded = На сітці з { $radii } { $radii ->
+        [one] радіуса
+        [few] радіусів
+       *[many] радіусів
+    } і { $zs } Z жодна послідовність не може дати менше за { $bound }; показано найкращу знайдену.
+turn-optimum = Оптимальна послідовність за робочими ходами
+turn-direction = Напрям
+turn-why = Чому
+turn-recommended = Рекомендація
+turn-take = { $variant }: { $why }
+word-no-variant = жоден із цих варіантів
+turn-levels-and-zones = Рівні та зони (лекція 12.4)
+turn-limiting-depth = Гранична глибина різання { $limit } мм; єдина глибина робочого ходу { $depth } мм.
+turn-from-diameter = з Ø
+turn-scheme-of-passes = Схема ходів
+turn-levels-key = t – припуск на сторону, i – кількість робочих ходів.
+turn-horizontals = Горизонталі від Z { $z }: Ø{ $diameters }.
+turn-whole-zone = Уся зона: { $zone }; { $schemes }.
+turn-schemes = Схеми зняття припуску
+turn-idle = Холості ходи
+turn-scheme-is = { $scheme } – { $what } ({ $place })
+turn-points = Опорні точки: { $points }.
+# The map over length to diameter.
+turn-map = { $shaft }: наскільки варіанти довші за оптимум, якщо вал розтягнути
+turn-map-above = { $variant }, понад оптимум
+turn-map-best = Найкращий із трьох
+turn-map-along = Від L/D = { $ratio } самі поздовжні ходи не гірші за самі поперечні.
+turn-map-across = Від L/D = { $ratio } самі поперечні ходи кращі за самі поздовжні.
+# The page of an operation.
+turn-machine = Обладнання
+turn-no-lathe = верстат не вказано
+turn-set-ups = Установи та поверхні (лекція 12.1)
+turn-set-up = Установ { $number }
+turn-contour-outer = Зовнішній контур
+turn-contour-inner = Внутрішній контур
+turn-surface = Поверхня
+turn-surface-kind = Вид поверхні
+turn-all-main = Усі поверхні – основні елементи.
+turn-rest-main = Основні елементи – усі, крім названих нижче додаткових.
+turn-finish-allowance = Чистовий припуск
+turn-later = { $surface }: подальша операція – { $operation }, припуск для неї { $allowance } мм
+turn-allowances = Припуски (лекція 12.2)
+turn-set-up-column = Установ
+turn-side = Бік
+turn-side-outer = зовнішній
+turn-side-inner = внутрішній
+turn-allowance-rough = 1: чорновий
+turn-allowance-additional = 2: додаткових елементів
+turn-allowance-finish = 3: чистовий
+turn-rough-volume = Об’єм чорнового
+turn-unit-mm2 = мм²
+turn-unit-cm3 = см³
+turn-zones = Зони та різці (лекція 12.3)
+turn-zone-kind = Вид зони
+turn-zone-face = торцева
+turn-zone-inner = { $zone } внутр.
+turn-tool = Різець
+turn-no-tool = немає
+turn-limit = t{"гр"}
+turn-depth-of-pass = t{"р.х"}
+turn-zones-key = t{"гр"} – гранична глибина різання, t{"р.х"} – глибина робочого ходу; φ, φ1 – потрібний кут ≤ кут різця.
+turn-angles-key = φ, φ1 – потрібний кут ≤ кут різця.
+turn-of-zone = зона { $zone }: { $said }
+turn-limits = зона { $zone }: граничну глибину за подачі { $feed } мм/об визначає { $bound }; обмеження, мм: { $bounds }
+turn-bound = { $bound } { $depth }
+turn-tool-refused = зона { $zone }: { $tool } не підходить: { $why }
+turn-closed-zones = Додаткові елементи: закриті зони
+turn-closed-zone = Z { $from } → { $to } установа { $number }
+turn-tool-width = Ширина різця
+turn-transitions = Схеми чорнових переходів (лекція 12.4)
+turn-work = Зона { $zone }, Z { $from } → { $to }
+turn-depth-of-work = Глибина робочого ходу t{"р.х"} = { $depth } мм.
+turn-conditions = S = { $feed } мм/об, V = { $speed } м/хв, n = { $rpm } об/хв, S{"хв"} = { $rate } мм/хв.
+turn-conditions-with-force = S = { $feed } мм/об, V = { $speed } м/хв, n = { $rpm } об/хв, S{"хв"} = { $rate } мм/хв; Pz = { $force } Н, N = { $power } кВт.
+turn-even = з рівномірним припуском – { $best }
+turn-scheme-refused = схему «{ $scheme }» відхилено: { $why }
+turn-support-points = опорні точки: { $points }
+turn-taken = Взято
+turn-beside = Робоча подача поза металом
+turn-rapid = Прискорені переміщення
+turn-ridges = Гребінці
+turn-total = Разом
+turn-total-of = { $count } { $count ->
+        [one] чорновий перехід
+        [few] чорнові переходи
+       *[many] чорнових переходів
+    }: шлях різання { $cutting } мм, час { $time } хв.
+# The programs of an operation.
+turn-program = { $number }: установ { $set_up }, { $side }, зони { $zones }, { $tool }
+turn-program-not-written = { $program }: { $why }
+turn-no-such-program = немає програми з таким номером
+turn-tool-not-written = { $tool }: { $why }
+# Drawings.
+turn-panel = { $variant }: шлях різання { $path } мм, { $count } { $count ->
+        [one] робочий хід
+        [few] робочі ходи
+       *[many] робочих ходів
+    }
+turn-frames = { $variant }: { $path } мм, { $count } { $count ->
+        [one] робочий хід
+        [few] робочі ходи
+       *[many] робочих ходів
+    }; світлим показано ще не зняте
+turn-frame = { $number }. { $kind }, { $length } мм, разом { $sum }
+turn-scheme-panel = { $scheme }: різання { $cutting } мм, холості ходи { $idle } мм, { $time } хв
+turn-working-feed = робоча подача
+turn-layers = Установ { $set_up }, { $side }: припуски та зони
+turn-way = Установ { $set_up }, { $side }, зона { $zone }: { $scheme }, t{"р.х"} = { $depth } мм; різання { $cutting } мм, { $time } хв
+turn-way-rapid = прискорене переміщення
+turn-way-cut = робочий хід
+turn-way-infeed = врізання
+turn-way-pick-up = підбір
+turn-way-semi-finish = напівчистовий хід
+turn-way-finish = чистовий хід
+turn-way-return = подача поза металом
