@@ -171,10 +171,9 @@ fn figures(cycle: &Cycle, work: &ToolWork, lang: Lang) -> String {
 fn foot(canvas: &mut Canvas, y: f64, lang: Lang) {
     let row = y + 16.0;
     let mut at = MARGIN;
-    for (pen, text) in [
-        (Pen::dashed(WAY, 1.4), say!(lang, "drawing-rapid")),
-        (Pen::solid(WAY, 2.0), say!(lang, "drawing-feed")),
-    ] {
+    for (pen, text) in
+        [(Pen::dashed(WAY, 1.4), say!(lang, "drawing-rapid")), (Pen::solid(WAY, 2.0), say!(lang, "drawing-feed"))]
+    {
         canvas.line(&[(at, row), (at + 26.0, row)], pen);
         canvas.text((at + 32.0, row + 4.0), 11.0, Anchor::Start, text);
         at += 32.0 + width_of(text, 11.0) + 10.0;

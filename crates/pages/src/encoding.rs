@@ -19,9 +19,9 @@ use super::sheet::mm;
 use super::words::say;
 use super::{Lang, transitions};
 
+mod blocks;
 mod dictionary;
 mod print;
-mod blocks;
 
 pub use dictionary::Dictionary;
 

@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use super::Lang;
-use super::sheet::{cell, exactly, number};
 use super::sheet::route::stops;
+use super::sheet::{cell, exactly, number};
 use super::words::say;
 use crate::document::{Block, Column, Document, Field, Inlines, Item, Table};
 use crate::note::{Figure, Finding, Tell};

@@ -31,6 +31,7 @@ const NO_MISTAKES: &[&str] = &[
     "Millimetres, at most three decimal places (whole micrometres)",
     "Roughness limit in micrometres, `Ra 12.5` or `Rz 80`",
     "[Micrometres; 2]",
+    " ",
     ", ",
     " *",
     "{0} {1}",

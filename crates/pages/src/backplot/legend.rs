@@ -29,21 +29,14 @@ pub(super) fn legend(canvas: &mut Canvas, (x, y): At, scale: f64, width: f64, fr
     entry(canvas, 26.0, say!(lang, "drawing-feed"), &|canvas, at| {
         canvas.line(&[(at, row), (at + 26.0, row)], Pen::solid(INK, 1.6));
     });
-    entry(
-        canvas,
-        8.0,
-        say!(lang, "backplot-plunge"),
-        &|canvas, at| {
-            canvas.circle((at + 4.0, row), 2.2, INK, None);
-        },
-    );
+    entry(canvas, 8.0, say!(lang, "backplot-plunge"), &|canvas, at| {
+        canvas.circle((at + 4.0, row), 2.2, INK, None);
+    });
     entry(canvas, 10.0, say!(lang, "backplot-tool-change"), &|canvas, at| {
         canvas.rectangle((at, row - 5.0), (at + 10.0, row + 5.0), INK, None);
     });
     if framed {
-        entry(canvas, 16.0, say!(lang, "backplot-zero"), &|canvas, at| {
-            zero(canvas, (at + 8.0, row))
-        });
+        entry(canvas, 16.0, say!(lang, "backplot-zero"), &|canvas, at| zero(canvas, (at + 8.0, row)));
     }
     // A round length of at most a quarter of the page.
     let room = (width / 4.0).min(200.0) / scale;

@@ -234,12 +234,7 @@ impl<'p> Section<'p> {
             for x in [a.0, b.0] {
                 canvas.line(&[(x, y - 5.0), (x, y + 5.0)], pen);
             }
-            canvas.text(
-                (self.axis + BORE / 2.0 + 10.0, y + 4.0),
-                11.0,
-                Anchor::Start,
-                &text,
-            );
+            canvas.text((self.axis + BORE / 2.0 + 10.0, y + 4.0), 11.0, Anchor::Start, &text);
             y += 22.0;
         }
     }

@@ -241,14 +241,7 @@ fn unknown(lang: Lang) -> String {
 }
 
 /// A meaning with its number, where the number has a unit: others say all that is to say by themselves.
-fn valued(
-    text: &str,
-    said: &'static str,
-    number: &str,
-    unit: Option<&String>,
-    tenths: bool,
-    lang: Lang,
-) -> String {
+fn valued(text: &str, said: &'static str, number: &str, unit: Option<&String>, tenths: bool, lang: Lang) -> String {
     let Some(unit) = unit else { return text.to_owned() };
     let shown = match number.parse::<f64>() {
         Ok(value) if tenths => Figure::number((value / 10.0).to_string()),

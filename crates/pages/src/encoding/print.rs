@@ -21,8 +21,8 @@ impl Sheet {
         let mut table = Table::new([
             Column::text(say!(lang, "encoding-transition")),
             Column::text(say!(lang, "encoding-tool")).least(4).keep(Keep::Useful),
-            Column::text(say!(lang, "encoding-block")).least(20),
-            Column::text(say!(lang, "encoding-meaning")).least(20),
+            Column::text(say!(lang, "encoding-block")).least(16),
+            Column::text(say!(lang, "encoding-meaning")).least(30),
         ]);
         for row in &self.rows {
             let [transition, tool, code, meaning] = cells(row);

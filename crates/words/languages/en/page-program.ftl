@@ -9,7 +9,7 @@ encoding-zero = set-up { $setup }: zero of the part from the machine zero X{ $x 
 encoding-correctors = correctors, mm: { $held }
 encoding-ours = † ours: the textbook's sheet does not have it
 encoding-transition = Transition
-encoding-tool = Tool, corrector†
+encoding-tool = T, H†
 encoding-block = Code (block)
 encoding-meaning = The block in words†
 # What the words of a block say.

@@ -9,7 +9,7 @@ encoding-zero = установ { $setup }: нуль деталі від нуля
 encoding-correctors = коректори, мм: { $held }
 encoding-ours = † доповнено проти зразка посібника
 encoding-transition = Зміст переходу
-encoding-tool = Інструмент, коректор†
+encoding-tool = T, H†
 encoding-block = Кодування інформації, зміст кадру
 encoding-meaning = Зміст кадру словами†
 # What the words of a block say.
