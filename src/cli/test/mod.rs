@@ -72,14 +72,14 @@ impl Run {
 /// # Errors
 /// A file of cases, or one that it names, cannot be used, which the answer has said; or there are no cases at all.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    // What `--write -o FILE` names is a copy of the cases, not the answer.
-    let formats = [Format::Text, Format::Json, Format::Junit];
-    let format = if args.write { context.format.unwrap_or(Format::Text) } else { context.format("test", &formats)? };
     let knowledge = knowledge::load(context)?;
     let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let asker = Asker::new(knowledge);
     let found = collect(&args.paths, context)?;
     files::spare_inputs(&found, args.write, context)?;
+    // What `--write -o FILE` names is a copy of the cases, not the answer.
+    let formats = [Format::Text, Format::Json, Format::Junit];
+    let format = if args.write { context.format.unwrap_or(Format::Text) } else { context.format("test", &formats)? };
     let mut read: Vec<CaseFile> = parallel::map(&found, |file| files::read(file, knowledge), |_| ());
     let all: Vec<&Case> = read.iter().flat_map(|file| &file.cases).collect();
     let progress = Progress::new(all.len());
