@@ -10,15 +10,16 @@ use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::machine::Machine;
 use technolog::note::Finding;
 use technolog::part::Point;
-use technolog::plan::{CuttingMethod, Plan, Times, Visit, Visiting};
+use technolog::plan::{CuttingMethod, Times, Visit, Visiting};
+use technolog::report;
+use technolog::report::order::Tour;
 use technolog::report::order_drawing::{self, Panel};
-use technolog::report::{grid, remedy, sentence};
 use technolog::sequence::list::{Form, List, Slip, read_list};
 use technolog::sequence::metric::Metric;
 use technolog::sequence::tour::{Effort, Space, nearest_rule, path};
 use technolog::sequence::visiting::not_kept;
 use technolog::sequence::{bound, sequence, tool_change_point, visit_bound};
-use technolog::units::{Micrometres, Minutes, round_to};
+use technolog::units::{Micrometres, Minutes};
 
 use super::diagnostics::Texts;
 use super::{CliError, Context, Format, Outcome, knowledge, plan, words};
@@ -53,7 +54,7 @@ enum MetricName {
 /// # Errors
 /// The file cannot be used; every mistake in it is told at once.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    let format = context.format("order", &[Format::Text, Format::Json, Format::Svg])?;
+    let format = context.format("order", &[Format::Text, Format::Markdown, Format::Html, Format::Json, Format::Svg])?;
     let knowledge = knowledge::load(context)?;
     let part = args.file.extension().is_some_and(|kind| kind == "yaml" || kind == "yml");
     if part { of_part(args, format, knowledge, context) } else { of_list(args, format, knowledge, context) }
@@ -98,14 +99,16 @@ fn of_part(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
                 let mut path = vec![home];
                 path.extend(visit.stops.iter().map(|stop| stop.at));
                 path.dedup();
-                let time = minutes(visit.rapid_min, context);
-                let title = words::visit_title(context.lang, visit.tool, visit.setup, time);
+                let title = report::order::visit_title(visit, context.lang);
                 Panel { title, path, from_change: true, closed: true }
             };
             let panels: Vec<Panel> = plan.sequence.iter().map(panel).collect();
             context.emit(&order_drawing::drawing(&panels, Some(&plan.part)))?;
         }
-        _ => context.emit(&part_text(&plan, &machine, home, context))?,
+        _ => {
+            let not_kept: Vec<Finding> = plan.visiting.iter().filter_map(|own| not_kept(own, &machine)).collect();
+            context.emit_document(&report::order::of_part(&plan, home, &not_kept, context.lang), format)?;
+        }
     }
     Ok(if plan.has_errors() { Outcome::Findings } else { Outcome::Done })
 }
@@ -116,106 +119,6 @@ fn machine<'k>(id: &str, knowledge: &'k Knowledge, context: &Context) -> Result<
             .help(words::name_machine(context.lang))
             .into()
     })
-}
-
-/// A time as people write it, in minutes.
-fn minutes(time: Minutes, context: &Context) -> String {
-    decimal(time.0, 3, context)
-}
-
-fn decimal(value: f64, places: u32, context: &Context) -> String {
-    let text = round_to(value, places).to_string();
-    context.lang.pick(&text.replace('.', ","), &text).to_owned()
-}
-
-/// By how much less, in percent.
-fn saving(now: f64, before: f64, context: &Context) -> String {
-    let saved = if before > 0.0 { (1.0 - now / before) * 100.0 } else { 0.0 };
-    decimal(saved, 1, context) + " %"
-}
-
-fn part_text(plan: &Plan, machine: &Machine<'_>, home: Point, context: &Context) -> String {
-    let lang = context.lang;
-    let at = |point: Point| words::point(lang, point.x, point.y);
-    let mut text = words::order_of(lang, &plan.part.part, at(home)) + "\n\n";
-    let head =
-        ["cli-tool", "cli-stops", "cli-path-mm", "cli-rapids-min", "cli-nearest-min", "cli-saved", "cli-bound-min"];
-    let head: Vec<String> = head.map(|word| context.word(word).to_owned()).into();
-    let mut rows = Vec::new();
-    for visit in &plan.sequence {
-        rows.push(vec![
-            format!("T{}", visit.tool),
-            visit.stops.len().to_string(),
-            decimal(visit.path_mm.to_mm(), 1, context),
-            minutes(visit.rapid_min, context),
-            minutes(visit.nearest_rapid_min, context),
-            saving(visit.rapid_min.0, visit.nearest_rapid_min.0, context),
-            visit.bound_min.map_or_else(|| "-".to_owned(), |bound| minutes(bound, context)),
-        ]);
-    }
-    if !rows.is_empty() {
-        text.push_str(&grid::table(&head, &rows, 2));
-        text.push('\n');
-    }
-    for visit in &plan.sequence {
-        let mut stops: Vec<String> = Vec::new();
-        let mut before = None;
-        for stop in visit.stops.iter().filter(|stop| before.replace(stop.at) != Some(stop.at)) {
-            stops.push(format!("{} {}", stop.hole, at(stop.at)));
-        }
-        text.push_str(&grid::paragraph(&format!("T{}: {}", visit.tool, stops.join(", ")), 0));
-    }
-    if !plan.visiting.is_empty() {
-        text.push_str(&format!("\n{}\n", context.word("cli-visiting-head")));
-    }
-    for visiting in &plan.visiting {
-        let why = visiting.because.iter().map(|why| sentence(&why.note, lang)).collect::<Vec<_>>().join("; ");
-        let line = words::visiting_line(
-            lang,
-            &visiting.hole,
-            why,
-            decimal(visiting.book_parallel_min.0, 2, context),
-            decimal(visiting.book_sequential_min.0, 2, context),
-            decimal(visiting.sequential_min.0, 2, context),
-        );
-        let quickest = visiting.book_parallel_min.0.min(visiting.sequential_min.0);
-        let mixture = visiting.mixture.map(|mixture| {
-            let saves = mixture.time_min.0 < quickest;
-            let both = context.word(if saves { "cli-quicker-than-both" } else { "cli-not-quicker" });
-            words::mixture(lang, mixture.sequential_tools, decimal(mixture.time_min.0, 2, context), both)
-        });
-        let line = mixture.map_or_else(|| line.clone(), |mixture| format!("{line}; {mixture}"));
-        text.push_str(&grid::paragraph(&line, 2));
-    }
-    let not_kept: Vec<Finding> = plan.visiting.iter().filter_map(|own| not_kept(own, machine)).collect();
-    for finding in plan.findings.iter().filter(|finding| not_kept.contains(finding)) {
-        let hole = finding.hole.as_deref().unwrap_or_default();
-        text.push_str(&grid::paragraph(&format!("{hole}: {}", sentence(&finding.note, lang)), 2));
-    }
-    text
-}
-
-/// The path over a list of points, for programs.
-#[derive(Serialize)]
-struct ListAnswer<'l> {
-    points: usize,
-    metric: &'static str,
-    closed: bool,
-    effort: u32,
-    /// The points by their numbers in the list, from 1.
-    order: &'l [u64],
-    length_mm: Micrometres,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    time_min: Option<Minutes>,
-    nearest_length_mm: Micrometres,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    nearest_time_min: Option<Minutes>,
-    /// Absent where axes speed up: the time is bounded then.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    bound_mm: Option<Micrometres>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    bound_min: Option<Minutes>,
-    optimal: bool,
 }
 
 fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context) -> Result<Outcome, CliError> {
@@ -248,13 +151,12 @@ fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
         }
         _ => Micrometres::new(cost),
     };
-    let order: Vec<u64> = found.order.iter().map(|&point| names[point]).collect();
-    let answer = ListAnswer {
+    let tour = Tour {
         points: points.len(),
         metric: if name == MetricName::Rapid { "rapid" } else { "euclid" },
         closed: args.closed,
         effort: effort.0,
-        order: &order,
+        order: found.order.iter().map(|&point| names[point]).collect(),
         length_mm: way(&found.order, found.cost),
         time_min: metric.minutes(found.cost).map(|time| time.rounded(4)),
         nearest_length_mm: way(&book.order, book.cost),
@@ -267,45 +169,16 @@ fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
         optimal: found.optimal,
     };
     match format {
-        Format::Json => context.emit_json(&answer)?,
+        Format::Json => context.emit_json(&tour)?,
         Format::Svg => {
             let path = found.order.iter().map(|&point| points[point]).collect();
-            let title = words::list_title(context.lang, answer.points, answer.length_mm);
+            let title = report::order::tour_title(&tour, context.lang);
             let panel = Panel { title, path, from_change: false, closed: args.closed };
             context.emit(&order_drawing::drawing(&[panel], None))?;
         }
-        _ => context.emit(&list_text(&answer, context))?,
+        _ => context.emit_document(&report::order::of_list(&tour, context.lang), format)?,
     }
     Ok(Outcome::Done)
-}
-
-fn list_text(answer: &ListAnswer<'_>, context: &Context) -> String {
-    let mm = |value: Micrometres| decimal(value.to_mm(), 3, context);
-    let mut rows = vec![
-        vec![context.word("cli-points").to_owned(), answer.points.to_string()],
-        vec![context.word("cli-path-mm").to_owned(), mm(answer.length_mm)],
-    ];
-    if let Some(time) = answer.time_min {
-        rows.push(vec![context.word("cli-rapids-min").to_owned(), decimal(time.0, 4, context)]);
-    }
-    rows.push(vec![context.word("cli-nearest-mm").to_owned(), mm(answer.nearest_length_mm)]);
-    // Where axes speed up the shortest time is looked for, not the shortest way.
-    let saved = match (answer.time_min, answer.nearest_time_min) {
-        (Some(time), Some(book)) => {
-            rows.push(vec![context.word("cli-nearest-min").to_owned(), decimal(book.0, 4, context)]);
-            saving(time.0, book.0, context)
-        }
-        _ => saving(answer.length_mm.to_mm(), answer.nearest_length_mm.to_mm(), context),
-    };
-    rows.push(vec![context.word("cli-saved").to_owned(), saved]);
-    if let Some(bound) = answer.bound_mm {
-        rows.push(vec![context.word("cli-bound-mm").to_owned(), mm(bound)]);
-    }
-    if let Some(bound) = answer.bound_min {
-        rows.push(vec![context.word("cli-bound-min").to_owned(), decimal(bound.0, 4, context)]);
-    }
-    let order: Vec<String> = answer.order.iter().map(u64::to_string).collect();
-    format!("{}\n{}", grid::columns(&rows, 0), grid::paragraph(&order.join(" "), 0))
 }
 
 fn read(args: &Args, context: &Context) -> Result<List, CliError> {
@@ -322,8 +195,8 @@ fn read(args: &Args, context: &Context) -> Result<List, CliError> {
 }
 
 fn problem(slip: Slip, context: &Context) -> Diagnostic {
-    let problem = Diagnostic::error(slip.code, sentence(&slip.note, context.lang), slip.place);
-    match remedy(&slip.note, context.lang) {
+    let problem = Diagnostic::error(slip.code, context.lang.say(&slip.note), slip.place);
+    match context.lang.remedy(&slip.note) {
         Some(remedy) => problem.help(remedy),
         None => problem,
     }

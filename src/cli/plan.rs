@@ -41,7 +41,9 @@ impl Method {
 /// # Errors
 /// The part file cannot be used; every mistake in it is told at once.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    let format = context.format("plan", &[Format::Text, Format::Json, Format::Yaml, Format::Hand])?;
+    const FORMATS: &[Format] =
+        &[Format::Text, Format::Markdown, Format::Html, Format::Json, Format::Yaml, Format::Hand];
+    let format = context.format("plan", FORMATS)?;
     let knowledge = knowledge::load(context)?;
     // As the knowledge it is not taken apart at the end of the process.
     let plan = ManuallyDrop::new(make(&args.part, args.method.method(), knowledge, context)?);
@@ -49,7 +51,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         Format::Json => context.emit_json(&*plan)?,
         Format::Yaml => context.emit_yaml(&*plan)?,
         Format::Hand => context.emit(&audit::by_hand(&plan, &context.beside_answer(&args.part)))?,
-        _ => context.emit(&report::sheet::page(&plan, knowledge, context.lang))?,
+        _ => context.emit_document(&report::sheet::page(&plan, knowledge, context.lang), format)?,
     }
     Ok(if plan.has_errors() { Outcome::Findings } else { Outcome::Done })
 }
@@ -70,7 +72,7 @@ pub struct ExplainArgs {
 /// # Errors
 /// The part file cannot be used, or it has no such hole.
 pub fn explain(args: &ExplainArgs, context: &Context) -> Result<Outcome, CliError> {
-    let format = context.format("explain", &[Format::Text, Format::Json])?;
+    let format = context.format("explain", &[Format::Text, Format::Markdown, Format::Html, Format::Json])?;
     let knowledge = knowledge::load(context)?;
     let plan = make(&args.part, args.method.method(), knowledge, context)?;
     let Some(hole) = plan.holes.iter().find(|hole| hole.name == args.hole) else {
@@ -84,7 +86,7 @@ pub fn explain(args: &ExplainArgs, context: &Context) -> Result<Outcome, CliErro
     };
     match format {
         Format::Json => context.emit_json(hole)?,
-        _ => context.emit(&report::explain(&plan, hole, context.lang))?,
+        _ => context.emit_document(&report::explain(&plan, hole, context.lang), format)?,
     }
     Ok(if plan.has_errors_of(&hole.name) { Outcome::Findings } else { Outcome::Done })
 }

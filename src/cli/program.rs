@@ -20,7 +20,7 @@ use technolog::shop::Shop;
 
 use super::diagnostics::{Texts, render};
 use super::proof;
-use super::{CliError, Context, Format, Outcome, check, control, knowledge, output, plan, words};
+use super::{CliError, Context, Format, Outcome, check, control, knowledge, output, plan};
 
 // The NC program of a part: planned, written, and read back before it is shown
 #[derive(Debug, clap::Args)]
@@ -73,8 +73,8 @@ struct Told<'a> {
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let formats: &[Format] = match args.show {
         Show::Program => &[Format::Text, Format::Json],
-        Show::Setting => &[Format::Yaml, Format::Text, Format::Json],
-        Show::Encoding => &[Format::Text, Format::Json, Format::Csv],
+        Show::Setting => &[Format::Yaml, Format::Text, Format::Markdown, Format::Html, Format::Json],
+        Show::Encoding => &[Format::Text, Format::Markdown, Format::Html, Format::Json, Format::Csv],
         Show::Backplot | Show::Cycles => &[Format::Svg],
     };
     let format = context.format("program", formats)?;
@@ -105,7 +105,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     match (args.show, format) {
         (Show::Encoding, Format::Json) => context.emit_json(&sheet()?)?,
         (Show::Encoding, Format::Csv) => context.emit(&sheet()?.csv())?,
-        (Show::Encoding, _) => context.emit(&sheet()?.text())?,
+        (Show::Encoding, _) => context.emit_document(&sheet()?.page(), format)?,
         (Show::Backplot, _) => {
             context.emit(&report::backplot::backplot(&steps, Some(&proof::frame(&held)), context.lang))?;
         }
@@ -123,7 +123,10 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             faults: &faults,
             proof: proof::answer(&proof, context),
         })?,
-        (Show::Setting, _) => context.emit(&(remarks(plan, job, context) + &setting.to_yaml()))?,
+        (Show::Setting, Format::Yaml) => context.emit(&report::setting::file(&setting, plan, job, context.lang))?,
+        (Show::Setting, _) => {
+            context.emit_document(&report::setting::page(&setting, plan, job, context.lang), format)?;
+        }
         (Show::Program, _) => context.emit(&text)?,
     }
     if format != Format::Json {
@@ -137,31 +140,13 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     })
 }
 
-/// What the operator needs beside the figures of a setting: how the part stands, and what hangs in which place.
-fn remarks(plan: &Plan, job: &Job, context: &Context) -> String {
-    let mut text = String::new();
-    for setup in &job.setups {
-        text += &format!("# {}\n", words::stand_of_part(context.lang, setup.number, setup.supports, setup.nose));
-    }
-    for tool in &plan.tools {
-        let places = job.setups.iter().flat_map(|setup| &setup.works).find(|work| work.tool == tool.number);
-        let place = places.map_or(tool.number, |work| work.place);
-        let (name, length) = (&tool.designation, tool.length_mm);
-        text += &format!(
-            "# {}\n",
-            words::tool_in_place(context.lang, place, tool.corrector, name, tool.diameter_mm, length)
-        );
-    }
-    text
-}
-
 /// What of the plan and the job keeps the program from making the part.
 fn serious<'a>(plan: &'a Plan, job: &'a Job) -> Vec<&'a Finding> {
     plan.findings.iter().filter(|finding| finding.severity <= Severity::Wrong).chain(&job.findings).collect()
 }
 
 fn told<'a>(finding: &'a Finding, context: &Context) -> Told<'a> {
-    Told { message: report::sentence(&finding.note, context.lang), finding }
+    Told { message: context.lang.say(&finding.note), finding }
 }
 
 /// What is wrong with the program, beside it: of the part, of the machine, of its blocks.

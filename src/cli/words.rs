@@ -36,14 +36,8 @@ phrases! {
     no_hole(path, name): "cli-no-hole";
     known(names): "cli-known";
     name_machine(): "cli-name-machine";
-    point(x, y): "cli-point";
-    order_of(part, home): "cli-order-of";
-    visit_title(tool, setup, time): "cli-visit-title";
-    list_title(points, length): "cli-list-title";
-    mixture(tools, time, both): "cli-mixture";
     option_of_lists(option): "cli-option-of-lists";
     leave_out(option): "cli-leave-out";
-    visiting_line(hole, why, parallel, sequential, true_sequential): "cli-visiting-line";
     not_a_pair(text): "cli-not-a-pair";
     write_pair(example): "cli-write-pair";
     no_such_key(table, key): "cli-no-such-key";
@@ -58,8 +52,6 @@ phrases! {
     out_of_domain(key, value, domain): "cli-out-of-domain";
     missing_keys(table, keys): "cli-missing-keys";
     give_keys(example): "cli-give-keys";
-    stand_of_part(setup, supports, nose): "cli-stand-of-part";
-    tool_in_place(place, corrector, name, diameter, length): "cli-tool-in-place";
     other_machine(asked, own): "cli-other-machine";
     leave_machine(): "cli-leave-machine";
     no_control(machine): "cli-no-control";

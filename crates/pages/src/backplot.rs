@@ -9,6 +9,7 @@
 use super::Lang;
 use super::canvas::{Anchor, At, COLOURS, Canvas, Pen, width_of};
 use super::sheet::mm;
+use super::words::say;
 use crate::job::Job;
 use crate::motion::{Position, Sense, Step};
 use crate::part::{Face, Part, Point};
@@ -148,12 +149,7 @@ pub fn backplot(steps: &[Step], frame: Option<&Frame<'_>>, lang: Lang) -> String
     let panels = read::panels(steps, frame);
     let Some(extent) = extent(&panels, frame) else {
         let mut canvas = Canvas::default();
-        canvas.text(
-            (20.0, 30.0),
-            13.0,
-            Anchor::Start,
-            lang.pick("Програма нічого не ріже.", "The program cuts nothing."),
-        );
+        canvas.text((20.0, 30.0), 13.0, Anchor::Start, say!(lang, "backplot-empty"));
         return canvas.page(WIDTHS[0], 60.0);
     };
     // Two side by side, unless their numbers would then be hard to tell apart.
@@ -341,8 +337,8 @@ fn heading(panel: &Panel<'_>, frame: Option<&Frame<'_>>, lang: Lang) -> String {
     }
     let several = frame.is_some_and(|frame| frame.setups.len() > 1);
     if let Some(placed) = panel.placed.filter(|_| several) {
-        parts.push(format!("{} {}", lang.pick("установ", "set-up"), placed.number));
+        parts.push(say!(lang, "drawing-set-up", setup = placed.number));
     }
-    parts.push(format!("{}: {}", lang.pick("точок", "points"), panel.plunges.len()));
+    parts.push(say!(lang, "backplot-points", count = panel.plunges.len()));
     parts.join(", ")
 }

@@ -7,7 +7,8 @@
 //! - `section` the hole, the plate and the levels; `way` the tool's way through them.
 
 use super::canvas::{Anchor, Canvas, Pen, broken, width_of};
-use super::sheet::{mm, number};
+use super::sheet::{mm, rounded};
+use super::words::say;
 use super::{Lang, transitions};
 use crate::job::{Cycle, Job, Kind, SetUp, ToolWork};
 use crate::plan::Plan;
@@ -103,7 +104,8 @@ fn tool(canvas: &mut Canvas, (x, y): (f64, f64), setup: &SetUp, work: &ToolWork,
     let diameter = own.map_or_else(String::new, |tool| format!(" Ø{}", mm(tool.diameter_mm, lang)));
     let mut title = format!("T{} {}{diameter}, H{:02}", work.place, work.designation, work.corrector);
     if job.setups.len() > 1 {
-        title.push_str(&format!(", {} {}", lang.pick("установ", "set-up"), setup.number));
+        title.push_str(", ");
+        title.push_str(&say!(lang, "drawing-set-up", setup = setup.number));
     }
     let edge = [(x + MARGIN, y + 1.0), (x + size(work).0 - MARGIN, y + 1.0)];
     canvas.line(&edge, Pen::solid("#ccc", 1.0));
@@ -140,32 +142,28 @@ fn diagram(canvas: &mut Canvas, (x, y): (f64, f64), work: &ToolWork, index: usiz
 /// Speed, feed, dwell, and the steps of a cycle that has them.
 fn figures(cycle: &Cycle, work: &ToolWork, lang: Lang) -> String {
     let mut parts = vec![
-        format!("S {} {}", number(cycle.speed_rpm.0, 0, lang), lang.pick("об/хв", "1/min")),
-        format!("F {} {}", number(cycle.feed_mm_per_min.0, 0, lang), lang.pick("мм/хв", "mm/min")),
+        say!(lang, "cycles-speed", speed = rounded(cycle.speed_rpm.0, 0)),
+        say!(lang, "cycles-feed", feed = rounded(cycle.feed_mm_per_min.0, 0)),
     ];
     if let Some(dwell) = cycle.dwell_s {
-        parts.push(format!("{} {} {}", lang.pick("витримка", "dwell"), number(dwell.0, 1, lang), lang.pick("с", "s")));
+        parts.push(say!(lang, "cycles-dwell", seconds = rounded(dwell.0, 1)));
     }
-    let (step, back, unit) = (lang.pick("крок", "step"), lang.pick("відскок", "retreat"), lang.pick("мм", "mm"));
     match &cycle.kind {
-        Kind::Peck { step: depth, clearance } => {
-            let room = lang.pick("запас", "clearance");
-            parts.push(format!("{step} V {} {unit}", mm(*depth, lang)));
-            parts.push(format!("{room} W {} {unit}", mm(*clearance, lang)));
+        Kind::Peck { step, clearance } => {
+            parts.push(say!(lang, "cycles-step", step = *step));
+            parts.push(say!(lang, "cycles-clearance", clearance = *clearance));
         }
-        Kind::ChipBreak { step: depth, retreat } => {
-            parts.push(format!("{step} V {} {unit}", mm(*depth, lang)));
-            parts.push(format!("{back} W {} {unit}", mm(*retreat, lang)));
+        Kind::ChipBreak { step, retreat } => {
+            parts.push(say!(lang, "cycles-step", step = *step));
+            parts.push(say!(lang, "cycles-retreat", retreat = *retreat));
         }
-        Kind::Tap { pitch } => parts.push(format!("{} {} {unit}", lang.pick("крок різі", "pitch"), mm(*pitch, lang))),
-        Kind::BoreStop => {
-            parts.push(lang.pick("вихід зі зупиненим шпинделем", "way out with stopped spindle").to_owned())
-        }
-        Kind::FeedOut => parts.push(lang.pick("вихід на робочій подачі", "way out at feed").to_owned()),
+        Kind::Tap { pitch } => parts.push(say!(lang, "cycles-pitch", pitch = *pitch)),
+        Kind::BoreStop => parts.push(say!(lang, "cycles-out-stopped").to_owned()),
+        Kind::FeedOut => parts.push(say!(lang, "cycles-out-at-feed").to_owned()),
         Kind::Drill | Kind::Circles { .. } => {}
     }
     if work.coolant {
-        parts.push(lang.pick("з охолодженням", "with coolant").to_owned());
+        parts.push(say!(lang, "cycles-coolant").to_owned());
     }
     parts.join(", ")
 }
@@ -173,14 +171,12 @@ fn figures(cycle: &Cycle, work: &ToolWork, lang: Lang) -> String {
 fn foot(canvas: &mut Canvas, y: f64, lang: Lang) {
     let row = y + 16.0;
     let mut at = MARGIN;
-    for (pen, text) in [
-        (Pen::dashed(WAY, 1.4), lang.pick("прискорений хід", "rapid")),
-        (Pen::solid(WAY, 2.0), lang.pick("робоча подача", "feed")),
-    ] {
+    for (pen, text) in
+        [(Pen::dashed(WAY, 1.4), say!(lang, "drawing-rapid")), (Pen::solid(WAY, 2.0), say!(lang, "drawing-feed"))]
+    {
         canvas.line(&[(at, row), (at + 26.0, row)], pen);
         canvas.text((at + 32.0, row + 4.0), 11.0, Anchor::Start, text);
         at += 32.0 + width_of(text, 11.0) + 10.0;
     }
-    let text = lang.pick("Z - за кресленням, мм; не в масштабі", "Z as on the drawing, mm; not to scale");
-    canvas.text((at, row + 4.0), 11.0, Anchor::Start, text);
+    canvas.text((at, row + 4.0), 11.0, Anchor::Start, say!(lang, "cycles-not-to-scale"));
 }

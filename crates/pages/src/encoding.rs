@@ -4,7 +4,7 @@
 //! the block, under a head of equipment and special instructions. The columns of tool and corrector and of the meaning
 //! in words are ours, and marked.
 //!
-//! - `words` a line as words; `dictionary` what they mean, from the tables of the control; `print` the sheet as a page.
+//! - `blocks` a line as words; `dictionary` what they mean, from the tables of the control; `print` the sheet as a page.
 
 use serde::Serialize;
 
@@ -16,11 +16,12 @@ use crate::plan::Plan;
 use crate::program::written::{Role, WorkRef, Written};
 
 use super::sheet::mm;
+use super::words::say;
 use super::{Lang, transitions};
 
+mod blocks;
 mod dictionary;
 mod print;
-mod words;
 
 pub use dictionary::Dictionary;
 
@@ -108,25 +109,26 @@ pub fn of_text(
     let mut modes = dictionary::Modes::default();
     let mut rows = Vec::new();
     for (index, line) in text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()) {
-        let found = words::of_line(line);
+        let found = blocks::of_line(line);
         let tool = dictionary.tool(&found);
         let meaning = dictionary.meaning(&found, &mut modes, lang);
         // The sign of a tape is no block and has no end.
-        let end = if found == [words::Word::Tape] { "" } else { end(control) };
+        let end = if found == [blocks::Word::Tape] { "" } else { end(control) };
         let code = format!("{} {end}", line.trim()).trim_end().to_owned();
         rows.push(Row { line: index + 1, transition: None, tool, code, meaning });
     }
     // A machine without a record is an error, so that nobody reads a sheet of another one.
     let named = &Machine::find(knowledge, machine)?.table.title;
-    let equipment =
-        format!("{}, {} {}", lang.pick(&named.uk, &named.en), lang.pick("ПЧПК", "control"), name(control, lang));
+    // The title of a table stands in the table, in both languages.
+    let machine = lang.pick(&named.uk, &named.en);
+    let equipment = say!(lang, "encoding-equipment-is", machine = machine, control = name(control, lang));
     Ok(Sheet { form: FORM, part: None, equipment, instructions: Vec::new(), rows, supplied: SUPPLIED, lang })
 }
 
 /// What people call a control.
 fn name(control: &str, lang: Lang) -> &str {
     match control {
-        "2c42-65" => lang.pick("2С42-65", "2C42-65"),
+        "2c42-65" => say!(lang, "encoding-2c42-65"),
         "linuxcnc" => "LinuxCNC",
         "fanuc" => "Fanuc",
         other => other,
@@ -151,15 +153,12 @@ fn instructions(job: &Job, lang: Lang) -> Vec<String> {
     let mut lines = Vec::new();
     for setup in &job.setups {
         let zero = setup.zero;
-        let [x, y, z] = [zero.x, zero.y, zero.z].map(|value| mm(value, lang));
-        let place = lang.pick("нуль деталі від нуля верстата", "zero of the part from the machine zero");
-        let number = setup.number;
-        lines.push(format!("{} {number}: {place} X{x} Y{y} Z{z}", lang.pick("установ", "set-up")));
+        lines.push(say!(lang, "encoding-zero", setup = setup.number, x = zero.x, y = zero.y, z = zero.z));
     }
     let held: Vec<String> =
         job.correctors.iter().map(|(number, value)| format!("H{number:02} = {}", mm(*value, lang))).collect();
     if !held.is_empty() {
-        lines.push(format!("{}: {}", lang.pick("коректори, мм", "correctors, mm"), held.join("; ")));
+        lines.push(say!(lang, "encoding-correctors", held = held.join("; ")));
     }
     lines
 }

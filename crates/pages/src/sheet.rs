@@ -1,356 +1,162 @@
 //! The plan as a page to pin to the wall: route, tools, conditions, clamping, corrections, time, findings.
 
+use crate::document::{Document, Field, Finding, Inlines, Severity as Shown};
 use crate::knowledge::Knowledge;
 use crate::machine::Machine;
 use crate::material::Material;
-use crate::note::{Because, Severity};
-use crate::plan::{Conditions, Limit, Plan, ToolPlan, Transition};
+use crate::note::{Because, Figure, Note, Severity, Tell};
+use crate::plan::{Clamping, Plan};
 use crate::units::{Micrometres, round_to};
 
-use super::sentences::term;
-use super::{Lang, grid, operation_noun, operation_verb, sentence};
+use super::Lang;
+use super::words::say;
 
+mod conditions;
 pub(crate) mod route;
+mod tools;
 
 /// The mark of a figure that rests on an unconfirmed row.
 const MARK: &str = "*";
+/// What stands in a cell for which there is no figure.
+pub(crate) const NONE: &str = "–";
 
 /// The whole page.
-pub fn page(plan: &Plan, knowledge: &Knowledge, lang: Lang) -> String {
-    let sections = [
-        head(plan, knowledge, lang),
-        section(1, lang.pick("Технологічний маршрут", "Route"), &route::section(plan, lang)),
-        section(2, lang.pick("Різальний і допоміжний інструмент", "Cutters and holders"), &tools(plan, lang)),
-        section(3, lang.pick("Режими різання", "Cutting conditions"), &conditions(plan, lang)),
-        section(4, lang.pick("Закріплення", "Clamping"), &clamping(plan, lang)),
-        section(5, lang.pick("Корекція довжини інструмента", "Tool-length corrections"), &corrections(plan, lang)),
-        section(6, lang.pick("Час", "Time"), &time(plan, lang)),
-        section(7, lang.pick("Зауваження", "Findings"), &findings(plan, lang)),
-    ];
-    sections.into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join("\n")
+pub fn page(plan: &Plan, knowledge: &Knowledge, lang: Lang) -> Document {
+    let mut page = Document::new(lang.tag(), say!(lang, "plan-title", part = plan.part.part.as_str()));
+    head(&mut page, plan, knowledge, lang);
+    if !plan.sequence.is_empty() {
+        page.heading(2, say!(lang, "plan-route"));
+        route::section(&mut page, plan, lang);
+    }
+    if !plan.tools.is_empty() {
+        page.heading(2, say!(lang, "plan-tools"));
+        page.push(tools::tools(plan, lang));
+    }
+    if plan.holes.iter().any(|hole| !hole.transitions.is_empty()) {
+        page.heading(2, say!(lang, "plan-conditions"));
+        conditions::section(&mut page, plan, lang);
+    }
+    if let Some(clamping) = &plan.clamping {
+        page.heading(2, say!(lang, "plan-clamping"));
+        clamps(&mut page, clamping, lang);
+    }
+    if !plan.tools.is_empty() {
+        page.heading(2, say!(lang, "plan-corrections"));
+        page.push(tools::corrections(plan, lang));
+        page.heading(2, say!(lang, "plan-time"));
+        page.paragraph(time(plan, lang));
+    }
+    if !plan.findings.is_empty() {
+        page.heading(2, say!(lang, "plan-findings"));
+        findings(&mut page, plan, lang);
+    }
+    page
 }
 
-fn section(number: usize, title: &str, body: &str) -> String {
-    if body.is_empty() { String::new() } else { format!("{number}. {title}\n{body}") }
-}
-
-/// A table, or its rows one under the other when it cannot be narrow enough.
-fn table(head: &[&str], rows: &[Vec<String>]) -> String {
-    let head: Vec<String> = head.iter().map(|&cell| cell.to_owned()).collect();
-    grid::table(&head, rows, 2)
-}
-
-/// A number as people write it: a comma in Ukrainian, no trailing zeros.
+/// A number with the separator of the language, without trailing zeros.
 pub(crate) fn number(value: f64, places: u32, lang: Lang) -> String {
-    let text = round_to(value, places).to_string();
-    lang.pick(&text.replace('.', ","), &text).to_owned()
+    lang.figure(&rounded(value, places))
 }
 
+/// A length in mm with the separator of the language, without trailing zeros.
 pub(crate) fn mm(value: Micrometres, lang: Lang) -> String {
-    let text = value.to_string();
-    lang.pick(&text.replace('.', ","), &text).to_owned()
+    lang.figure(&value.tell())
 }
 
+/// A number for a sentence, without trailing zeros.
+pub(crate) fn rounded(value: f64, places: u32) -> Figure {
+    Figure::number(round_to(value, places).to_string())
+}
+
+/// A number for a sentence, with all its places.
+pub(crate) fn exactly(value: f64, places: u32) -> Figure {
+    Figure::fixed(round_to(value, places), places as usize)
+}
+
+/// A number for a column: with as many places as all others of it.
+pub(crate) fn cell(value: f64, places: u32, lang: Lang) -> Inlines {
+    Inlines::number(lang.figure(&exactly(value, places)))
+}
+
+/// Lengths of one column, all with as many places as one of them needs; mm.
+pub(crate) fn column(values: &[Micrometres], lang: Lang) -> Vec<Inlines> {
+    let needs = |value: &Micrometres| value.to_string().split_once('.').map_or(0, |(_, places)| places.len());
+    let places = values.iter().map(needs).max().unwrap_or(0);
+    values.iter().map(|value| Inlines::number(lang.figure(&Figure::fixed(value.to_mm(), places)))).collect()
+}
+
+/// A word that may be of two alphabets, as the heading `Sхв` is.
+fn heading(key: &'static str, lang: Lang) -> String {
+    lang.say(&Note::new(key))
+}
+
+/// What stands behind a figure that rests on an unconfirmed row.
 fn mark(because: &[Because]) -> &'static str {
     if because.iter().any(|reason| reason.unconfirmed.is_some()) { MARK } else { "" }
 }
 
-fn head(plan: &Plan, knowledge: &Knowledge, lang: Lang) -> String {
+fn head(page: &mut Document, plan: &Plan, knowledge: &Knowledge, lang: Lang) {
     let part = &plan.part;
     let material = Material::find(knowledge, &part.material);
     let material = material.map_or(part.material.as_str(), |material| material.designation());
     let machine = Machine::find(knowledge, &part.machine).map(|machine| &machine.table.title);
+    // The title of a table stands in the table, in both languages.
     let machine = machine.map_or(part.machine.as_str(), |title| lang.pick(&title.uk, &title.en));
-    let blank = &part.blank;
-    format!(
-        "{}. {}. {} {} × {} × {} {}. {}.\n",
-        part.part,
-        material,
-        lang.pick("Заготовка: плита", "Blank: plate"),
-        mm(blank.length, lang),
-        mm(blank.width, lang),
-        mm(blank.thickness, lang),
-        lang.pick("мм", "mm"),
-        machine
-    )
+    let (length, width, thickness) = (part.blank.length, part.blank.width, part.blank.thickness);
+    let blank = say!(lang, "plan-plate", length = length, width = width, thickness = thickness);
+    page.push(crate::document::Block::Fields(vec![
+        Field::new(say!(lang, "plan-material"), material),
+        Field::new(say!(lang, "plan-blank"), blank),
+        Field::new(say!(lang, "plan-machine"), machine),
+    ]));
 }
 
-fn tools(plan: &Plan, lang: Lang) -> String {
-    let rows: Vec<Vec<String>> = plan
-        .tools
-        .iter()
-        .map(|tool| {
-            vec![
-                format!("T{}", tool.number),
-                format!("{}{}", tool.designation, mark(&tool.because)),
-                tool.table.clone(),
-                mm(tool.diameter_mm, lang),
-                tool_name(plan, tool, lang),
-                tool.holder.clone(),
-                mm(tool.length_mm - tool.overhang_mm, lang),
-                mm(tool.overhang_mm, lang),
-                mm(tool.length_mm, lang),
-            ]
-        })
-        .collect();
-    let head = [
-        "T",
-        lang.pick("Позначення", "Designation"),
-        lang.pick("Таблиця", "Table"),
-        "Ø",
-        lang.pick("Для", "For"),
-        lang.pick("Допоміжний", "Holder"),
-        lang.pick("l, мм", "l, mm"),
-        lang.pick("Виліт, мм", "Overhang, mm"),
-        lang.pick("Комплект, мм", "Assembly, mm"),
-    ];
-    if rows.is_empty() { String::new() } else { table(&head, &rows) }
-}
-
-/// What a tool does, over all holes.
-fn tool_name(plan: &Plan, tool: &ToolPlan, lang: Lang) -> String {
-    let mut names: Vec<&str> = Vec::new();
-    for transition in plan.holes.iter().flat_map(|hole| &hole.transitions) {
-        let name = operation_noun(transition.operation.name(), lang);
-        if transition.tool.number == tool.number && !names.contains(&name) {
-            names.push(name);
-        }
-    }
-    names.join(", ")
-}
-
-fn conditions(plan: &Plan, lang: Lang) -> String {
-    let mut rows = Vec::new();
-    for hole in &plan.holes {
-        for transition in &hole.transitions {
-            let conditions = &transition.conditions;
-            let row = condition_row(&hole.name, transition, conditions, lang);
-            // Groups that share a transition in all its figures share its line.
-            let same = rows.iter_mut().find(|known: &&mut Vec<String>| known[1..] == row[1..]);
-            match same {
-                Some(known) if known[0].split(", ").any(|name| name == hole.name) => {}
-                Some(known) => known[0] = format!("{}, {}", known[0], hole.name),
-                None => rows.push(row),
-            }
-        }
-    }
-    if rows.is_empty() {
-        return String::new();
-    }
-    let head: [&str; 12] = match lang {
-        _ if lang == Lang::UK => [
-            "Отв.",
-            "Перехід",
-            "Ø, мм",
-            "t, мм",
-            "s, мм/об",
-            "V, м/хв",
-            "n, об/хв",
-            "sхв, мм/хв",
-            "P, Н",
-            "M, Н·м",
-            "N, кВт",
-            "To, хв",
-        ],
-        _ => [
-            "Hole",
-            "Transition",
-            "Ø, mm",
-            "t, mm",
-            "s, mm/rev",
-            "V, m/min",
-            "n, 1/min",
-            "vf, mm/min",
-            "P, N",
-            "M, N·m",
-            "N, kW",
-            "Tm, min",
-        ],
-    };
-    let mut text = table(&head, &rows);
-    let once = lang.pick("To - на один отвір.", "Tm is for one hole.");
-    text.push_str(&grid::paragraph(&format!("{once} {}", coolant(plan, lang)), 2));
-    text.push_str(&limits(plan, lang));
-    text
-}
-
-/// Which transitions the speeds take coolant for; the tables do not say it of every transition.
-fn coolant(plan: &Plan, lang: Lang) -> String {
-    let mut names: Vec<&str> = Vec::new();
-    for transition in plan.holes.iter().flat_map(|hole| &hole.transitions) {
-        let name = operation_noun(transition.operation.name(), lang);
-        if transition.conditions.coolant == Some(true) && !names.contains(&name) {
-            names.push(name);
-        }
-    }
-    match names.as_slice() {
-        [] => String::new(),
-        _ => format!("{}: {}.", lang.pick("З охолодженням", "With coolant"), names.join(", ")),
-    }
-}
-
-fn condition_row(hole: &str, transition: &Transition, conditions: &Conditions, lang: Lang) -> Vec<String> {
-    let optional =
-        |value: Option<f64>, places: u32| value.map_or_else(|| "-".to_owned(), |value| number(value, places, lang));
-    vec![
-        hole.to_owned(),
-        format!("{}{}", operation_noun(transition.operation.name(), lang), mark(&conditions.because)),
-        mm(transition.diameter_mm, lang),
-        number(conditions.depth_of_cut_mm, 2, lang),
-        number(conditions.feed_mm_per_rev.0, 3, lang),
-        number(conditions.speed_m_per_min.0, 1, lang),
-        number(conditions.spindle_rpm.0, 0, lang),
-        number(conditions.feed_mm_per_min.0, 0, lang),
-        optional(conditions.axial_force_n.map(|force| force.0), 0),
-        optional(conditions.torque_n_m.map(|torque| torque.0), 1),
-        optional(conditions.power_kw.map(|power| power.0), 2),
-        number(conditions.machine_time_min.0, 2, lang),
-    ]
-}
-
-/// What held the conditions back, where it is not simply the cutting speed; and the card's own figures.
-fn limits(plan: &Plan, lang: Lang) -> String {
-    let mut lines = Vec::new();
-    for hole in &plan.holes {
-        for transition in &hole.transitions {
-            let conditions = &transition.conditions;
-            let name = operation_noun(transition.operation.name(), lang);
-            if conditions.limited_by != Limit::CuttingSpeed {
-                let by = term(conditions.limited_by.name(), lang);
-                let size = mm(transition.diameter_mm, lang);
-                let line = format!("{} {name} Ø{size}: {} {by}", hole.name, lang.pick("обмежує", "limited by"));
-                if !lines.contains(&line) {
-                    lines.push(line);
-                }
-            }
-            if let Some(card) = &conditions.card {
-                let optional =
-                    |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| number(value, 2, lang));
-                lines.push(format!(
-                    "{} {}: {} s = {}, V = {}, P = {}, N = {}",
-                    hole.name,
-                    name,
-                    lang.pick("карта", "card"),
-                    number(card.feed_mm_per_rev.0, 3, lang),
-                    number(card.speed_m_per_min.0, 1, lang),
-                    optional(card.axial_force_n.map(|force| force.0)),
-                    optional(card.power_kw.map(|power| power.0)),
-                ));
-            }
-        }
-    }
-    lines.iter().map(|line| grid::paragraph(line, 2)).collect()
-}
-
-fn clamping(plan: &Plan, lang: Lang) -> String {
-    let Some(clamping) = &plan.clamping else { return String::new() };
-    let points: Vec<String> =
-        clamping.clamps.iter().map(|point| format!("[{}; {}]", mm(point.x, lang), mm(point.y, lang))).collect();
-    let proposed = if clamping.proposed { lang.pick(" (запропоновано)", " (proposed)") } else { "" };
+fn clamps(page: &mut Document, clamping: &Clamping, lang: Lang) {
+    page.paragraph(say!(
+        lang,
+        "plan-largest-force",
+        hole = clamping.hole.as_str(),
+        torque = rounded(clamping.torque_n_m.0, 2),
+        distance = rounded(clamping.distance_mm.to_mm(), 1),
+        force = rounded(clamping.force_n.0, 0)
+    ));
+    let points = clamping.clamps.iter().map(|point| say!(lang, "plan-point", x = point.x, y = point.y));
+    let points = points.collect::<Vec<_>>().join(", ");
+    let key = if clamping.proposed { "plan-clamps-proposed" } else { "plan-clamps" };
+    let screw = format!("{}{}", clamping.screw, mark(&clamping.because));
     let (bears, each) = (clamping.screw_bears_n.0, clamping.force_per_clamp_n.0);
-    let weak = if bears < each {
-        let (bears, each) = (number(bears, 0, lang), number(each, 0, lang));
-        match lang {
-            _ if lang == Lang::UK => format!(" (заслабкий: витримує {bears} < {each} Н)"),
-            _ => format!(" (too weak: bears {bears} < {each} N)"),
-        }
-    } else {
-        String::new()
-    };
-    let lines = match lang {
-        _ if lang == Lang::UK => [
-            format!(
-                "Найбільшої сили потребує отвір {}: M = {} Н·м, до прихоплювача {} мм, W = k·M/(f·d) = {} Н",
-                clamping.hole,
-                number(clamping.torque_n_m.0, 2, lang),
-                number(clamping.distance_mm.to_mm(), 1, lang),
-                number(clamping.force_n.0, 0, lang)
-            ),
-            format!(
-                "Прихоплювачі {}{proposed}: по {} Н, гвинт {}{}{weak}, вихідна точка не ближче {} мм",
-                points.join(", "),
-                number(clamping.force_per_clamp_n.0, 0, lang),
-                clamping.screw,
-                mark(&clamping.because),
-                mm(clamping.safe_distance_mm, lang)
-            ),
-        ],
-        _ => [
-            format!(
-                "Hole {} needs the largest force: M = {} N·m, {} mm from its clamp, W = k·M/(f·d) = {} N",
-                clamping.hole,
-                number(clamping.torque_n_m.0, 2, lang),
-                number(clamping.distance_mm.to_mm(), 1, lang),
-                number(clamping.force_n.0, 0, lang)
-            ),
-            format!(
-                "Clamps {}{proposed}: {} N each, screw {}{}{weak}, start point at least {} mm away",
-                points.join(", "),
-                number(clamping.force_per_clamp_n.0, 0, lang),
-                clamping.screw,
-                mark(&clamping.because),
-                mm(clamping.safe_distance_mm, lang)
-            ),
-        ],
-    };
-    lines.iter().map(|line| grid::paragraph(line, 2)).collect()
-}
-
-fn corrections(plan: &Plan, lang: Lang) -> String {
-    let rows: Vec<Vec<String>> = plan
-        .tools
-        .iter()
-        .map(|tool| {
-            vec![
-                format!("T{}", tool.number),
-                format!("H{:02}", tool.corrector),
-                mm(tool.length_mm, lang),
-                mm(tool.correction_mm, lang),
-                mm(tool.book_correction_mm, lang),
-            ]
-        })
-        .collect();
-    let head = [
-        "T",
-        "H",
-        lang.pick("Довжина, мм", "Length, mm"),
-        lang.pick("Коректор (G43 додає), мм", "Corrector (added by G43), mm"),
-        lang.pick("У посібнику (Lmax - L), мм", "As the book writes it (Lmax - L), mm"),
-    ];
-    if rows.is_empty() { String::new() } else { table(&head, &rows) }
+    let mut sentence = Note::new(key).with("points", points).with("force", rounded(each, 0));
+    sentence = sentence.with("screw", screw).with("distance", clamping.safe_distance_mm);
+    page.paragraph(lang.say(&sentence));
+    if bears < each {
+        page.paragraph(say!(lang, "plan-weak-screw", bears = rounded(bears, 0), force = rounded(each, 0)));
+    }
 }
 
 fn time(plan: &Plan, lang: Lang) -> String {
-    if plan.tools.is_empty() {
-        return String::new();
-    }
     let time = &plan.time;
-    let values =
-        [time.machine_min, time.rapid_min, time.tool_change_min, time.total_min].map(|value| number(value.0, 2, lang));
-    let [machine, rapid, change, total] = values;
-    let line = match lang {
-        _ if lang == Lang::UK => {
-            format!("Машинний {machine} + холості ходи {rapid} + заміна інструмента {change} = {total} хв")
-        }
-        _ => format!("Machine {machine} + rapids {rapid} + tool changes {change} = {total} min"),
-    };
-    grid::paragraph(&line, 2)
+    say!(
+        lang,
+        "plan-times",
+        machine = exactly(time.machine_min.0, 2),
+        rapid = exactly(time.rapid_min.0, 2),
+        change = exactly(time.tool_change_min.0, 2),
+        total = exactly(time.total_min.0, 2)
+    )
 }
 
-fn findings(plan: &Plan, lang: Lang) -> String {
-    let rows: Vec<String> = plan
-        .findings
-        .iter()
-        .map(|finding| {
-            let severity = match finding.severity {
-                Severity::Error => lang.pick("неможливо", "impossible"),
-                Severity::Wrong => lang.pick("хибно", "wrong"),
-                Severity::Doubtful => lang.pick(MARK, MARK),
-                Severity::Note => lang.pick("до відома", "note"),
-            };
-            let hole = finding.hole.as_ref().map_or_else(String::new, |hole| format!(" {}", hole));
-            grid::paragraph(&format!("{severity}{hole}: {}", sentence(&finding.note, lang)), 2)
-        })
-        .collect();
-    rows.concat()
+fn findings(page: &mut Document, plan: &Plan, lang: Lang) {
+    for finding in &plan.findings {
+        let (severity, word) = match finding.severity {
+            Severity::Error => (Shown::Error, say!(lang, "plan-impossible")),
+            Severity::Wrong => (Shown::Wrong, say!(lang, "plan-wrong")),
+            Severity::Doubtful => (Shown::Doubtful, MARK),
+            Severity::Note => (Shown::Note, say!(lang, "plan-note")),
+        };
+        let said = match &finding.hole {
+            Some(hole) => say!(lang, "plan-of-hole", hole = hole.as_str(), finding = finding.note.clone()),
+            None => lang.say(&finding.note),
+        };
+        page.push(Finding::new(severity, word, Inlines::sentence(&said)));
+    }
 }

@@ -1,90 +1,85 @@
 //! Why one hole is made as it is: every decision with its row, and what was passed over.
 
-use crate::note::Because;
+use crate::document::{Block, Document, Inlines, Item};
+use crate::knowledge::Source;
+use crate::note::{Because, Figure, Tell};
 use crate::plan::{HolePlan, Plan};
+use crate::units::round_to;
 
-use super::sentences::scheme_name;
-use super::sheet::{mm, number};
-use super::{Lang, grid, operation_verb, sentence};
+use super::words::say;
+use super::{Lang, operation_verb, sheet};
 
 /// The reasons of one group of holes.
-pub fn explain(plan: &Plan, hole: &HolePlan, lang: Lang) -> String {
-    let mut text = String::new();
-    let diameter = plan.part.holes.iter().find(|known| known.name == hole.name).map(|known| known.diameter.to_string());
-    let title = lang.pick("Отвір", "Hole");
-    text.push_str(&format!("{title} {} {}\n\n", hole.name, diameter.unwrap_or_default()));
+pub fn explain(plan: &Plan, hole: &HolePlan, lang: Lang) -> Document {
+    let drawn = plan.part.holes.iter().find(|known| known.name == hole.name);
+    let size = drawn.map_or(Figure::Text("".into()), |drawn| drawn.diameter.tell());
+    let mut page =
+        Document::new(lang.tag(), say!(lang, "explain-title", hole = hole.name.as_str(), size = size).trim_end());
     match &hole.route {
         Some(route) => {
-            text.push_str(&format!(
-                "{} {} ({})\n",
-                lang.pick("Схема", "Scheme"),
-                scheme_name(&route.scheme, lang),
-                route.table
-            ));
-            text.push_str(&reasons(&route.because, lang));
+            let (scheme, table) = (Figure::scheme(&route.scheme), route.table.as_str());
+            page.heading(2, say!(lang, "explain-scheme", scheme = scheme, table = table));
+            page.push(Block::List(reasons(&route.because, lang)));
             if !route.alternatives.is_empty() {
-                text.push_str(&format!(
-                    "\n{}\n",
-                    lang.pick("Інші маршрути і чому не вони", "Other routes, and why not they")
-                ));
-                text.push_str(&super::sheet::route::alternatives(route, lang));
+                page.heading(2, say!(lang, "explain-others"));
+                page.push(Block::List(sheet::route::alternatives(route, lang)));
             }
         }
         None => {
-            for finding in plan.findings.iter().filter(|finding| finding.hole.as_deref() == Some(hole.name.as_str())) {
-                text.push_str(&grid::paragraph(&sentence(&finding.note, lang), 2));
-            }
+            let own = plan.findings.iter().filter(|finding| finding.hole.as_deref() == Some(hole.name.as_str()));
+            page.push(Block::List(own.map(|finding| sentence(&lang.say(&finding.note))).collect()));
         }
     }
     for (index, transition) in hole.transitions.iter().enumerate() {
-        text.push_str(&format!(
-            "\n{}. {} Ø{} — T{} {}, {}\n",
-            index + 1,
-            operation_verb(transition.operation.name(), lang),
-            mm(transition.diameter_mm, lang),
-            transition.tool.number,
-            transition.tool.designation,
-            transition.holder.designation
-        ));
-        text.push_str(&reasons(&transition.because, lang));
-        let conditions = &transition.conditions;
-        text.push_str(&grid::paragraph(
-            &format!(
-                "s = {} {}, V = {} {}, n = {} {}",
-                number(conditions.feed_mm_per_rev.0, 3, lang),
-                lang.pick("мм/об", "mm/rev"),
-                number(conditions.speed_m_per_min.0, 2, lang),
-                lang.pick("м/хв", "m/min"),
-                number(conditions.spindle_rpm.0, 1, lang),
-                lang.pick("об/хв", "1/min")
-            ),
+        page.heading(
             2,
+            say!(
+                lang,
+                "explain-transition",
+                number = index + 1,
+                verb = operation_verb(transition.operation.name(), lang),
+                diameter = transition.diameter_mm,
+                tool = transition.tool.number,
+                designation = transition.tool.designation.as_str(),
+                holder = transition.holder.designation.as_str()
+            ),
+        );
+        page.push(Block::List(reasons(&transition.because, lang)));
+        let conditions = &transition.conditions;
+        let number = |value, places| Figure::number(round_to(value, places).to_string());
+        page.paragraph(say!(
+            lang,
+            "explain-conditions",
+            feed = number(conditions.feed_mm_per_rev.0, 3),
+            speed = number(conditions.speed_m_per_min.0, 2),
+            rpm = number(conditions.spindle_rpm.0, 1)
         ));
-        text.push_str(&reasons(&conditions.because, lang));
+        page.push(Block::List(reasons(&conditions.because, lang)));
     }
-    text
+    page
 }
 
-fn reasons(because: &[Because], lang: Lang) -> String {
+fn reasons(because: &[Because], lang: Lang) -> Vec<Item> {
     because.iter().map(|reason| one(reason, lang)).collect()
 }
 
-fn one(reason: &Because, lang: Lang) -> String {
-    let row = reason.row.map_or_else(String::new, |row| format!(", {} {row}", lang.pick("рядок", "row")));
-    let source = reason.source.as_ref().map_or_else(String::new, |source| format!(", {source}"));
-    let place = format!("{}{row}{source}: {}", reason.table, reason.place);
-    let mut text = grid::paragraph(&format!("- {} [{place}]", sentence(&reason.note, lang)), 2);
-    if let Some(why) = &reason.reason {
-        text.push_str(&grid::paragraph(&format!("{}: {why}", lang.pick("підстава", "because")), 4));
-    }
-    if let Some(why) = &reason.unconfirmed {
-        text.push_str(&grid::paragraph(&format!("* {}: {why}", lang.pick("не підтверджено", "unconfirmed")), 4));
-    }
-    for passed in &reason.rejected {
-        text.push_str(&grid::paragraph(
-            &format!("{}: {}", lang.pick("не взято", "not taken"), sentence(passed, lang)),
-            4,
-        ));
-    }
-    text
+fn one(reason: &Because, lang: Lang) -> Item {
+    let row = reason.row.map(|row| say!(lang, "explain-row", row = row));
+    let source = reason.source.map(|source| match source {
+        Source::Seed => say!(lang, "explain-seed").to_owned(),
+        Source::Standard => say!(lang, "explain-standard").to_owned(),
+        Source::Reconstructed => say!(lang, "explain-reconstructed").to_owned(),
+    });
+    let place = [Some(reason.table.clone()), row, source].into_iter().flatten().collect::<Vec<_>>().join(", ");
+    let decided =
+        say!(lang, "explain-decision", decision = reason.note.clone(), rests = place, place = reason.place.as_str());
+    let why = reason.reason.iter().map(|why| say!(lang, "explain-reason", why = why.as_str()));
+    let doubt = reason.unconfirmed.iter().map(|why| say!(lang, "explain-unconfirmed", why = why.as_str()));
+    let passed = reason.rejected.iter().map(|passed| say!(lang, "explain-not-taken", why = passed.clone()));
+    let items = why.chain(doubt).chain(passed).map(|said| sentence(&said)).collect();
+    Item { items, ..sentence(&decided) }
+}
+
+fn sentence(said: &str) -> Item {
+    Inlines::sentence(said).into()
 }

@@ -8,6 +8,7 @@ pub mod holes;
 pub mod kinds;
 pub mod lawful;
 pub mod mutants;
+pub mod pages;
 pub mod patterns;
 pub mod section;
 pub mod shafts;

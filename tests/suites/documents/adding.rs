@@ -22,6 +22,7 @@ use technolog::plan::{CuttingMethod, Plan};
 use technolog::report::{Lang, explain, sheet};
 use technolog::{planner, shipped};
 
+use technolog_testing::pages::shown;
 use technolog_testing::root;
 
 use bench::Bench;
@@ -111,7 +112,7 @@ fn plate(knowledge: &Knowledge) -> Plan {
 }
 
 fn sheet_of(plan: &Plan, knowledge: &Knowledge) -> String {
-    sheet::page(plan, knowledge, Lang::EN)
+    shown(&sheet::page(plan, knowledge, Lang::EN))
 }
 
 static SHIPPED: LazyLock<Knowledge> = LazyLock::new(|| shipped::knowledge().unwrap());
@@ -146,7 +147,7 @@ fn a_rule_and_the_rust_that_asks_it() {
         } else {
             "plug-gauge) [hole-gauge, row 2"
         };
-        let told = explain(&plan, hole, Lang::EN);
+        let told = shown(&explain(&plan, hole, Lang::EN));
         assert!(told.contains(&format!("hole-gauge (gauge = {gauge}")), "{told}");
     }
 }

@@ -71,6 +71,7 @@ fn clamps_that_are_too_weak_are_shown_with_the_inequality_that_fails() {
     assert_eq!(weak.len(), 1);
     assert_eq!(weak[0].severity, Severity::Error);
     let page = technolog::report::sheet::page(&plan, &KNOWLEDGE, technolog::report::Lang::EN);
+    let page = technolog_testing::pages::shown(&page);
     assert!(page.contains("4. Clamping") && page.contains("too weak: bears 1469 < 1605 N"), "{page}");
 }
 

@@ -34,7 +34,17 @@ impl fmt::Display for ToleratedDiameter {
     }
 }
 
-technolog_note::told_as_text!(ToleratedDiameter);
+impl technolog_note::Told for ToleratedDiameter {
+    /// `Ø29.3H13`, its number with the separator of the language.
+    fn told(self) -> technolog_note::Figure {
+        let shown = self.to_string();
+        let Some(size) = shown.strip_prefix('Ø') else { return shown.told() };
+        let end = size.find(|sign: char| !sign.is_ascii_digit() && sign != '.').unwrap_or(size.len());
+        let (number, zone) = size.split_at(end);
+        let number = technolog_note::Figure::number(number.to_owned());
+        technolog_note::Figure::List(vec!["Ø".told(), number, zone.told()], "")
+    }
+}
 
 impl ToleratedDiameter {
     /// The diameter to aim at: the nominal where the limits permit it, else the middle between them.

@@ -25,7 +25,7 @@ pub use unit::Unit;
 use technolog_note::Note;
 
 technolog_note::told_as_number!(Decimal, ItGrade, Micrometres);
-technolog_note::told_as_text!(Roughness, Unit);
+technolog_note::told_as_text!(Unit);
 
 /// Why a text is not the quantity it should be: says what was read and what is expected.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]

@@ -44,6 +44,15 @@ impl Roughness {
         f64::from(self.ra_nanometres) / 1000.0
     }
 
+    /// The parameter, Ra or Rz, and its value in micrometres.
+    fn spelled(self) -> (&'static str, Decimal) {
+        let (name, nanometres) = match self.rz_nanometres {
+            Some(rz) => ("Rz", rz),
+            None => ("Ra", self.ra_nanometres),
+        };
+        (name, Decimal::from_millionths(i64::from(nanometres) * 1000))
+    }
+
     /// The same limit spelled as Ra.
     pub const fn as_ra(self) -> Self {
         Self::from_ra_nanometres(self.ra_nanometres)
@@ -72,11 +81,16 @@ impl Ord for Roughness {
 
 impl fmt::Display for Roughness {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (name, nanometres) = match self.rz_nanometres {
-            Some(rz) => ("Rz", rz),
-            None => ("Ra", self.ra_nanometres),
-        };
-        write!(f, "{name} {}", Decimal::from_millionths(i64::from(nanometres) * 1000))
+        let (name, value) = self.spelled();
+        write!(f, "{name} {value}")
+    }
+}
+
+impl technolog_note::Told for Roughness {
+    /// `Ra 2.5`, its number with the separator of the language.
+    fn told(self) -> technolog_note::Figure {
+        let (name, value) = self.spelled();
+        technolog_note::Figure::List(vec![name.told(), value.told()], " ")
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::report::Lang;
 use crate::report::canvas::{Anchor, At, Canvas, Pen, width_of};
-use crate::report::sheet::mm;
+use crate::report::words::say;
 use crate::units::Micrometres;
 
 /// The zero of the drawing: a quartered circle.
@@ -23,27 +23,20 @@ pub(super) fn legend(canvas: &mut Canvas, (x, y): At, scale: f64, width: f64, fr
         canvas.text((at + wide + 6.0, row + 4.0), 11.0, Anchor::Start, text);
         at += wide + 6.0 + width_of(text, 11.0) + 16.0;
     };
-    entry(canvas, 26.0, lang.pick("прискорений хід", "rapid"), &|canvas, at| {
+    entry(canvas, 26.0, say!(lang, "drawing-rapid"), &|canvas, at| {
         canvas.line(&[(at, row), (at + 26.0, row)], Pen::dashed(INK, 1.0));
     });
-    entry(canvas, 26.0, lang.pick("робоча подача", "feed"), &|canvas, at| {
+    entry(canvas, 26.0, say!(lang, "drawing-feed"), &|canvas, at| {
         canvas.line(&[(at, row), (at + 26.0, row)], Pen::solid(INK, 1.6));
     });
-    entry(
-        canvas,
-        8.0,
-        lang.pick("подача вздовж Z, за чергою", "down along Z, in this order"),
-        &|canvas, at| {
-            canvas.circle((at + 4.0, row), 2.2, INK, None);
-        },
-    );
-    entry(canvas, 10.0, lang.pick("заміна інструмента", "tool change"), &|canvas, at| {
+    entry(canvas, 8.0, say!(lang, "backplot-plunge"), &|canvas, at| {
+        canvas.circle((at + 4.0, row), 2.2, INK, None);
+    });
+    entry(canvas, 10.0, say!(lang, "backplot-tool-change"), &|canvas, at| {
         canvas.rectangle((at, row - 5.0), (at + 10.0, row + 5.0), INK, None);
     });
     if framed {
-        entry(canvas, 16.0, lang.pick("нуль деталі", "zero of the part"), &|canvas, at| {
-            zero(canvas, (at + 8.0, row))
-        });
+        entry(canvas, 16.0, say!(lang, "backplot-zero"), &|canvas, at| zero(canvas, (at + 8.0, row)));
     }
     // A round length of at most a quarter of the page.
     let room = (width / 4.0).min(200.0) / scale;
@@ -62,11 +55,10 @@ pub(super) fn legend(canvas: &mut Canvas, (x, y): At, scale: f64, width: f64, fr
         ),
         Pen::solid(INK, 1.2),
     );
-    let system = match framed {
-        true => lang.pick("координати креслення", "coordinates of the drawing"),
-        false => lang.pick("координати верстата", "coordinates of the machine"),
+    let length = Micrometres::from_mm_rounded(length);
+    let text = match framed {
+        true => say!(lang, "backplot-scale-of-drawing", length = length),
+        false => say!(lang, "backplot-scale-of-machine", length = length),
     };
-    let length = mm(Micrometres::from_mm_rounded(length), lang);
-    let text = format!("{length} {}; {system}", lang.pick("мм", "mm"));
     canvas.text((x + bar + 8.0, row + 4.0), 11.0, Anchor::Start, &text);
 }

@@ -7,6 +7,7 @@ use crate::report::Lang;
 use crate::report::canvas::{Anchor, At, Canvas, Pen};
 use crate::report::sheet::mm;
 use crate::report::transitions;
+use crate::report::words::say;
 use crate::units::Micrometres;
 
 use super::{BODY, GREY, INK, MARGIN};
@@ -215,12 +216,17 @@ impl<'p> Section<'p> {
         let t = self.transition;
         let mut y = self.corner.1 + BODY - 38.0;
         let pen = Pen::solid(INK, 0.8);
-        let text = lang.pick("до: ", "before: ");
-        let halves = [self.half(t.diameter_mm), self.half_before()];
-        for ((diameter, text), half) in [(t.diameter_mm, ""), (t.from_diameter_mm, text)].into_iter().zip(halves) {
-            if diameter == Micrometres::ZERO || (!text.is_empty() && diameter == t.diameter_mm) {
+        let sides = [(t.diameter_mm, self.half(t.diameter_mm)), (t.from_diameter_mm, self.half_before())];
+        for (number, (diameter, half)) in sides.into_iter().enumerate() {
+            let before = number > 0;
+            if diameter == Micrometres::ZERO || (before && diameter == t.diameter_mm) {
                 continue;
             }
+            let text = if before {
+                say!(lang, "cycles-before", diameter = diameter)
+            } else {
+                format!("Ø{}", mm(diameter, lang))
+            };
             let (a, b) = ((self.axis - half, y), (self.axis + half, y));
             canvas.line(&[a, b], pen);
             canvas.head(b, a, pen);
@@ -228,32 +234,27 @@ impl<'p> Section<'p> {
             for x in [a.0, b.0] {
                 canvas.line(&[(x, y - 5.0), (x, y + 5.0)], pen);
             }
-            canvas.text(
-                (self.axis + BORE / 2.0 + 10.0, y + 4.0),
-                11.0,
-                Anchor::Start,
-                &format!("{text}Ø{}", mm(diameter, lang)),
-            );
+            canvas.text((self.axis + BORE / 2.0 + 10.0, y + 4.0), 11.0, Anchor::Start, &text);
             y += 22.0;
         }
     }
 
     /// The levels with their heights, on the right, moved apart where they are close.
     pub(super) fn levels(&self, canvas: &mut Canvas, cycle: &Cycle, lang: Lang) {
-        let z = |value: f64| mm(Micrometres::from_mm_rounded(value), lang);
+        let z = Micrometres::from_mm_rounded;
         let mut levels: Vec<(f64, String)> = vec![
             (cycle.out.to_mm(), format!("I = {}", mm(cycle.out, lang))),
             (cycle.begin.to_mm(), format!("U = {}", mm(cycle.begin, lang))),
-            (self.top, format!("{} {}", lang.pick("верх", "top"), z(self.top))),
+            (self.top, say!(lang, "cycles-top", z = z(self.top))),
             (cycle.end.to_mm(), format!("Z = {}", mm(cycle.end, lang))),
         ];
         let depth = self.top - self.transition.depth_mm.to_mm();
         let inside = depth > self.bottom && depth > cycle.end.to_mm();
         if inside {
-            levels.push((depth, format!("{} {}", lang.pick("повний Ø до", "full Ø to"), z(depth))));
+            levels.push((depth, say!(lang, "cycles-full-diameter", z = z(depth))));
         }
         if self.bottom >= self.low && self.bottom != cycle.end.to_mm() {
-            levels.push((self.bottom, format!("{} {}", lang.pick("низ", "bottom"), z(self.bottom))));
+            levels.push((self.bottom, say!(lang, "cycles-bottom", z = z(self.bottom))));
         }
         if let Kind::Circles { levels: rounds, .. } = &cycle.kind {
             let rest = rounds.iter().filter(|level| **level != cycle.end).take(6);

@@ -5,6 +5,7 @@ use crate::motion::Sense;
 use crate::report::Lang;
 use crate::report::canvas::{Anchor, At, Canvas, Pen};
 use crate::report::sheet::mm;
+use crate::report::words::say;
 use crate::units::Micrometres;
 
 use super::section::Section;
@@ -236,11 +237,6 @@ pub(super) fn from_above(
     }
     let shown: Vec<String> = radii.iter().take(4).map(|radius| mm(*radius, lang)).collect();
     let more = if radii.len() > 4 { "; …" } else { "" };
-    let text = format!(
-        "{} {}{more} {}",
-        lang.pick("радіуси центра фрези", "radii of the mill's centre"),
-        shown.join("; "),
-        lang.pick("мм", "mm")
-    );
+    let text = say!(lang, "cycles-radii", radii = format!("{}{more}", shown.join("; ")));
     canvas.text((middle.0, middle.1 + ABOVE / 2.0 - 6.0), 10.5, Anchor::Middle, &text);
 }

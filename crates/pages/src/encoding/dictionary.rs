@@ -7,13 +7,15 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
+use crate::note::Figure;
 use crate::report::Lang;
 use crate::tables::controls::control_2c42_65::{
     AddressUnit, Addresses, CycleParameters, GFunctions, MActions, MFunctions,
 };
 use crate::tables::controls::iso::Words;
+use crate::words::{Note, say};
 
-use super::words::Word;
+use super::blocks::Word;
 
 /// Functions by whose block the words of the axes are no way to go: a setting or a wait.
 const NO_WAY: [&str; 4] = ["G04", "G10", "G52", "G92"];
@@ -130,15 +132,10 @@ impl Dictionary {
                     said.push(format!("{letter}{number}: {text}"));
                     cycle = cycle.or(code(word).filter(|code| self.cycles.contains(code)));
                 }
-                Word::Comment(text) => said.push(format!("{}: {text}", lang.pick("примітка", "comment"))),
-                Word::Skip => {
-                    let skip = lang.pick("далі - пропуск за ознакою оператора", "what follows is left out on request");
-                    said.push(format!("/: {skip}"));
-                }
-                Word::Tape => said.push(format!("%: {}", lang.pick("межа файлу", "end of the file"))),
-                Word::Statement(text) => {
-                    said.push(format!("{text}: {}", lang.pick("оператор мови керування", "statement of the control")));
-                }
+                Word::Comment(text) => said.push(say!(lang, "encoding-comment", text = text.as_str())),
+                Word::Skip => said.push(say!(lang, "encoding-skip").to_owned()),
+                Word::Tape => said.push(say!(lang, "encoding-tape").to_owned()),
+                Word::Statement(text) => said.push(say!(lang, "encoding-statement", text = text.as_str())),
             }
         }
         said.join("; ")
@@ -187,14 +184,15 @@ impl Dictionary {
             };
             let several = meanings.len() > 1;
             let own: Vec<&Meaning> = meanings.iter().filter(|meaning| !(several && elsewhere(meaning))).collect();
-            let texts: Vec<&str> = own.iter().map(|meaning| meaning.text(modes.incremental, lang)).collect();
+            let texts = own.iter().map(|meaning| meaning.text(modes.incremental, lang).to_owned());
             let unit = own.first().and_then(|meaning| meaning.unit.as_ref());
             let unit = unit.or(address.and_then(|it| it.unit.as_ref())).or_else(|| self.unit_alike(cycle?, meanings));
             let tenths = address.is_some_and(|address| address.tenths);
-            let text = texts.join(lang.pick(" і ", " and "));
+            let both = |first: String, second: String| say!(lang, "encoding-both", first = first, second = second);
+            let text = texts.reduce(both).unwrap_or_default();
             return match letter {
                 'M' => format!("{text}: {}", self.code(letter, number, lang)),
-                _ => valued(&text, " = ", number, unit, tenths, lang),
+                _ => valued(&text, "encoding-is", number, unit, tenths, lang),
             };
         }
         if matches!(letter, 'G' | 'M') {
@@ -203,9 +201,9 @@ impl Dictionary {
         let Some(meaning) = address else { return unknown(lang) };
         let text = meaning.text(false, lang);
         let between = match letter {
-            'X' | 'Y' | 'Z' | 'A' | 'B' | 'C' if way && modes.incremental => lang.pick(" на ", " by "),
-            'X' | 'Y' | 'Z' | 'A' | 'B' | 'C' if way => lang.pick(" до ", " to "),
-            _ => " = ",
+            'X' | 'Y' | 'Z' | 'A' | 'B' | 'C' if way && modes.incremental => "encoding-moves-by",
+            'X' | 'Y' | 'Z' | 'A' | 'B' | 'C' if way => "encoding-moves-to",
+            _ => "encoding-is",
         };
         valued(text, between, number, meaning.unit.as_ref(), meaning.tenths, lang)
     }
@@ -229,6 +227,7 @@ impl Meaning {
         Self { uk: uk.to_owned(), en: en.to_owned(), incremental, ..Self::default() }
     }
 
+    /// What the table says: it says it in both languages itself.
     fn text(&self, incremental: bool, lang: Lang) -> &str {
         match &self.incremental {
             Some((uk, en)) if incremental => lang.pick(uk, en),
@@ -238,30 +237,19 @@ impl Meaning {
 }
 
 fn unknown(lang: Lang) -> String {
-    lang.pick("таблиці керування не знають цього слова", "the control's tables do not know this word").to_owned()
+    say!(lang, "encoding-unknown").to_owned()
 }
 
 /// A meaning with its number, where the number has a unit: others say all that is to say by themselves.
-fn valued(text: &str, between: &str, number: &str, unit: Option<&String>, tenths: bool, lang: Lang) -> String {
+fn valued(text: &str, said: &'static str, number: &str, unit: Option<&String>, tenths: bool, lang: Lang) -> String {
     let Some(unit) = unit else { return text.to_owned() };
     let shown = match number.parse::<f64>() {
-        Ok(value) if tenths => (value / 10.0).to_string(),
-        Ok(value) => value.to_string(),
-        Err(_) => number.to_owned(),
+        Ok(value) if tenths => Figure::number((value / 10.0).to_string()),
+        Ok(value) => Figure::number(value.to_string()),
+        Err(_) => Figure::Text(number.to_owned().into()),
     };
-    format!("{text}{between}{} {}", lang.pick(&shown.replace('.', ","), &shown), unit_name(unit, lang))
-}
-
-fn unit_name(unit: &str, lang: Lang) -> &str {
-    match unit {
-        "mm" => lang.pick("мм", "mm"),
-        "mm/min" => lang.pick("мм/хв", "mm/min"),
-        "1/min" => lang.pick("об/хв", "1/min"),
-        "s" => lang.pick("с", "s"),
-        "ms" => lang.pick("мс", "ms"),
-        "deg" => lang.pick("град", "deg"),
-        other => other,
-    }
+    let unit = lang.find(&format!("unit-{}", unit.replace('/', "-"))).unwrap_or(unit);
+    lang.say(&Note::new(said).with("meaning", text).with("value", shown).with("unit", unit))
 }
 
 /// The code of a function: `G0` is `G00`, `G54.1` stays.

@@ -1,72 +1,35 @@
-//! The sheet for people and for other programs: text, Markdown, CSV. JSON is the sheet itself.
+//! The sheet for people, as a page, and for other programs, as CSV. JSON is the sheet itself.
 
-use crate::report::{Lang, grid};
+use crate::document::{Block, Column, Document, Field, Inlines, Keep, Table};
+use crate::words::say;
 
 use super::{Row, Sheet};
 
 impl Sheet {
-    /// The names of the columns; those that the textbook's sheet does not have carry a `*`.
-    pub fn head(&self) -> [String; 4] {
-        let names = match self.lang {
-            _ if self.lang == Lang::UK => {
-                ["Зміст переходу", "Інструмент / коректор*", "Код (кадр)", "Зміст кадру словами*"]
-            }
-            _ => ["Transition", "Tool / corrector*", "Code (block)", "The block in words*"],
-        };
-        names.map(str::to_owned)
-    }
-
-    fn title(&self) -> String {
-        let title = self.lang.pick("Карта кодування інформації", "Encoding sheet");
-        format!("{title} ({})", self.form)
-    }
-
-    fn fields(&self) -> Vec<(String, String)> {
-        let pick = |uk, en| self.lang.pick(uk, en).to_owned();
-        let mut fields = Vec::new();
-        if let Some(part) = &self.part {
-            fields.push((pick("Деталь", "Part"), part.clone()));
-        }
-        fields.push((pick("Обладнання, пристрій ЧПК", "Equipment, control"), self.equipment.clone()));
+    /// The sheet as a page. What the textbook's sheet does not have carries a `†`.
+    pub fn page(&self) -> Document {
+        let lang = self.lang;
+        let mut page = Document::new(lang.tag(), say!(lang, "encoding-title", form = self.form));
+        let part = self.part.iter().map(|part| Field::new(say!(lang, "encoding-part"), part.as_str()));
+        let mut fields: Vec<Field> = part.collect();
+        fields.push(Field::new(say!(lang, "encoding-equipment"), self.equipment.as_str()));
         if !self.instructions.is_empty() {
-            fields.push((pick("Особливі вказівки*", "Special instructions*"), self.instructions.join("; ")));
+            fields.push(Field::new(say!(lang, "encoding-instructions"), self.instructions.join("; ")));
         }
-        fields
-    }
-
-    fn note(&self) -> &'static str {
-        self.lang.pick("* - доповнено: у зразку посібника цього немає", "* ours: the textbook's sheet does not have it")
-    }
-
-    /// The sheet as a page.
-    pub fn text(&self) -> String {
-        let mut text = format!("{}\n", self.title());
-        for (name, value) in self.fields() {
-            text.push_str(&grid::paragraph(&format!("{name}: {value}"), 0));
-        }
-        text.push('\n');
-        let rows: Vec<Vec<String>> = self.rows.iter().map(|row| cells(row).into()).collect();
-        text.push_str(&grid::table(&self.head(), &rows, 0));
-        text.push_str(self.note());
-        text.push('\n');
-        text
-    }
-
-    /// The sheet in Markdown.
-    pub fn markdown(&self) -> String {
-        let mut text = format!("# {}\n\n", self.title());
-        for (name, value) in self.fields() {
-            text.push_str(&format!("{}: {}  \n", plain(&name), plain(&value)));
-        }
-        text.push_str(&format!("\n| {} |\n|---|---|---|---|\n", self.head().map(|cell| plain(&cell)).join(" | ")));
+        page.push(Block::Fields(fields));
+        page.paragraph(say!(lang, "encoding-ours"));
+        let mut table = Table::new([
+            Column::text(say!(lang, "encoding-transition")),
+            Column::text(say!(lang, "encoding-tool")).least(4).keep(Keep::Useful),
+            Column::text(say!(lang, "encoding-block")).least(16),
+            Column::text(say!(lang, "encoding-meaning")).least(30),
+        ]);
         for row in &self.rows {
             let [transition, tool, code, meaning] = cells(row);
-            // A block stands as code, where nothing has to be escaped but what ends a cell.
-            let code = code.replace('`', "'").replace('|', "\\|");
-            text.push_str(&format!("| {} | {} | `{code}` | {} |\n", plain(&transition), plain(&tool), plain(&meaning)));
+            table.row([transition.into(), tool.into(), Inlines::default().code(code), meaning.into()]);
         }
-        text.push_str(&format!("\n{}\n", plain(self.note())));
-        text
+        page.push(table);
+        page
     }
 
     /// The rows as CSV (RFC 4180), with the number of the line in front.
@@ -87,16 +50,4 @@ fn cells(row: &Row) -> [String; 4] {
 
 fn quoted(cell: &str) -> String {
     if cell.contains([',', '"', '\n', '\r']) { format!("\"{}\"", cell.replace('"', "\"\"")) } else { cell.to_owned() }
-}
-
-/// A text in which Markdown sees no marks.
-fn plain(text: &str) -> String {
-    let mut shown = String::new();
-    for letter in text.chars() {
-        if matches!(letter, '|' | '*' | '_' | '`' | '<' | '[' | '#' | '\\') {
-            shown.push('\\');
-        }
-        shown.push(letter);
-    }
-    shown
 }

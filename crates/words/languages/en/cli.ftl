@@ -30,9 +30,6 @@ cli-places = Place in the source, where another
 cli-row-notes = Notes on rows
 cli-notes = Notes
 cli-gaps = What the table does not hold
-# The order.
-cli-quicker-than-both = quicker than either method
-cli-not-quicker = not quicker than parallel or sequential
 # A lookup.
 cli-result = Result
 cli-no-row = no row applies
@@ -54,18 +51,7 @@ cli-proof-head = Made of what the plan asks for:
 cli-hole = hole
 cli-transition = transition
 cli-made = made
-# The order.
 cli-tool = T
-cli-stops = stops
-cli-points = points
-cli-path-mm = path, mm
-cli-rapids-min = rapids, min
-cli-nearest-min = by the book's rule, min
-cli-nearest-mm = by the book's rule, mm
-cli-saved = saved
-cli-bound-min = at least, min
-cli-bound-mm = at least, mm
-cli-visiting-head = Method of visiting by 1.3.1 (the plan visits in parallel):
 # Phrases of commands.
 cli-unknown-table = there is no table `{ $id }`
 cli-did-you-mean = did you mean `{ $name }`?
@@ -83,14 +69,8 @@ cli-check-path = check the path of the file
 cli-no-hole = { $path }: there is no group of holes `{ $name }`
 cli-known = there are: { $names }
 cli-name-machine = name a machine of catalogs/machines, such as gf2171
-cli-point = [{ $x };{ $y }]
-cli-order-of = { $part }. The order of tools, and the path of each from the tool-change position { $home } and back.
-cli-visit-title = T{ $tool }, set-up { $setup }: { $time } min
-cli-list-title = { $points } points, path { $length } mm
-cli-mixture = the quickest mixture, the last { $tools } tools in sequence: { $time } min, { $both }
 cli-option-of-lists = { $option } is for lists of points, not for a part file
 cli-leave-out = leave out { $option }
-cli-visiting-line = { $hole }: { $why }; Tpar = { $parallel } min, Tseq = { $sequential } min, sequential on this machine { $true-sequential } min
 cli-not-a-pair = `{ $text }` is not of the form key=value
 cli-write-pair = write, for example, { $example }
 cli-no-such-key = table { $table } has no key `{ $key }`
@@ -105,8 +85,6 @@ cli-expected-is = expected: { $expected }
 cli-out-of-domain = key `{ $key }`: { $value } is outside the table's domain { $domain }
 cli-missing-keys = table { $table } also needs { $keys }
 cli-give-keys = add, for example, { $example }
-cli-stand-of-part = set-up { $setup }: the part on supports of { $supports } mm; { $nose } mm from the table to the spindle's nose with the quill up
-cli-tool-in-place = T{ $place } H{ $corrector }: { $name }, Ø{ $diameter }, { $length } mm long
 cli-other-machine = the machine is { $asked }, and the part is for { $own }
 cli-leave-machine = leave out --machine, or change the part's machine
 cli-no-control = the record of the machine `{ $machine }` does not say which control it has

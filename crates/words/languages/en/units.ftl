@@ -13,6 +13,7 @@ unit-mm-s2 = mm/s²
 unit-1-min = rpm
 unit-min = min
 unit-s = s
+unit-ms = ms
 unit-kg = kg
 unit-MPa = MPa
 unit-kB = kB

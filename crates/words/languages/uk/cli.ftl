@@ -30,9 +30,6 @@ cli-places = Місце в джерелі, якщо інше
 cli-row-notes = Примітки до рядків
 cli-notes = Примітки
 cli-gaps = Чого в таблиці немає
-# The order.
-cli-quicker-than-both = швидше за обидва способи
-cli-not-quicker = не швидше за паралельний чи послідовний спосіб
 # A lookup.
 cli-result = Результат
 cli-no-row = жоден рядок не підходить
@@ -54,18 +51,7 @@ cli-proof-head = Зроблено з того, що вимагає план:
 cli-hole = отвір
 cli-transition = перехід
 cli-made = зроблено
-# The order.
 cli-tool = T
-cli-stops = зупинок
-cli-points = точок
-cli-path-mm = шлях, мм
-cli-rapids-min = холості ходи, хв
-cli-nearest-min = за правилом посібника, хв
-cli-nearest-mm = за правилом посібника, мм
-cli-saved = економія
-cli-bound-min = не менше, хв
-cli-bound-mm = не менше, мм
-cli-visiting-head = Метод обходу за 1.3.1 (план обходить паралельно):
 # Phrases of commands.
 cli-unknown-table = таблиці `{ $id }` немає
 cli-did-you-mean = мабуть, `{ $name }`?
@@ -83,14 +69,8 @@ cli-check-path = перевірте шлях до файлу
 cli-no-hole = { $path }: групи отворів `{ $name }` немає
 cli-known = є: { $names }
 cli-name-machine = назвіть верстат із catalogs/machines, наприклад gf2171
-cli-point = [{ $x };{ $y }]
-cli-order-of = { $part }. Порядок інструментів і шлях кожного від точки заміни { $home } і назад.
-cli-visit-title = T{ $tool }, установ { $setup }: { $time } хв
-cli-list-title = точок { $points }, шлях { $length } мм
-cli-mixture = найшвидша суміш, останні інструменти ({ $tools }) послідовно: { $time } хв, { $both }
 cli-option-of-lists = { $option } стосується лише списків точок, а не файлу деталі
 cli-leave-out = приберіть { $option }
-cli-visiting-line = { $hole }: { $why }; Тпар = { $parallel } хв, Тпосл = { $sequential } хв, на цьому верстаті послідовно { $true-sequential } хв
 cli-not-a-pair = `{ $text }` не має вигляду ключ=значення
 cli-write-pair = пишіть, наприклад, { $example }
 cli-no-such-key = таблиця { $table } не має ключа `{ $key }`
@@ -105,8 +85,6 @@ cli-expected-is = очікується: { $expected }
 cli-out-of-domain = ключ `{ $key }`: { $value } поза межами таблиці, { $domain }
 cli-missing-keys = таблиці { $table } бракує: { $keys }
 cli-give-keys = допишіть, наприклад, { $example }
-cli-stand-of-part = установ { $setup }: деталь на опорах { $supports } мм; від столу до торця шпинделя при верхньому повзуні { $nose } мм
-cli-tool-in-place = T{ $place } H{ $corrector }: { $name }, Ø{ $diameter }, довжина { $length } мм
 cli-other-machine = верстат { $asked }, а деталь - для { $own }
 cli-leave-machine = приберіть --machine або змініть machine у файлі деталі
 cli-no-control = запис верстата `{ $machine }` не каже, який на ньому ПЧПК

@@ -13,6 +13,7 @@ unit-mm-s2 = мм/с²
 unit-1-min = об/хв
 unit-min = хв
 unit-s = с
+unit-ms = мс
 unit-kg = кг
 unit-MPa = МПа
 unit-kB = кБ

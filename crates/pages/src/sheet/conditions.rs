@@ -1,0 +1,132 @@
+//! The cutting conditions of a plan: a row for each transition, and what held it back.
+
+use crate::document::{Block, Column, Document, Inlines, Item, Keep, Table};
+use crate::note::Figure;
+use crate::plan::{Limit, Plan, Transition};
+
+use super::super::words::say;
+use super::{Lang, MARK, NONE, cell, exactly, heading, mark, mm, rounded};
+use crate::report::operation_noun;
+
+/// The table, and under it what its cells cannot say.
+pub(super) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
+    let mut rows: Vec<(Vec<&str>, Vec<Inlines>)> = Vec::new();
+    for hole in &plan.holes {
+        for transition in &hole.transitions {
+            let row = cells(transition, lang);
+            // Groups that share a transition in all its figures share its line.
+            match rows.iter_mut().find(|(_, known)| *known == row) {
+                Some((names, _)) if names.contains(&hole.name.as_str()) => {}
+                Some((names, _)) => names.push(&hole.name),
+                None => rows.push((vec![&hole.name], row)),
+            }
+        }
+    }
+    let mut table = table(lang);
+    let marked = rows.iter().flat_map(|(_, cells)| cells.first()).any(|tool| tool.plain().ends_with(MARK));
+    for (names, cells) in rows {
+        table.row([Inlines::from(names.join(", "))].into_iter().chain(cells));
+    }
+    if marked {
+        table.notes.push(say!(lang, "plan-mark", mark = MARK).into());
+    }
+    table.notes.push(say!(lang, "plan-for-one-hole").into());
+    table.notes.extend(coolant(plan, lang));
+    page.push(table);
+    let limits = limits(plan, lang);
+    if !limits.is_empty() {
+        page.push(Block::List(limits));
+    }
+}
+
+/// On a narrow screen forces and power are left out first, then the transition: tool and diameter tell which it is.
+fn table(lang: Lang) -> Table {
+    let column = |key, unit| Column::number(heading(key, lang), lang.word(unit));
+    Table::new([
+        Column::text(say!(lang, "plan-hole")).least(4),
+        Column::text("T"),
+        Column::text(say!(lang, "plan-transition")).keep(Keep::Optional),
+        Column::number("Ø", lang.word("unit-mm")),
+        Column::number("L", lang.word("unit-mm")),
+        Column::number("t", lang.word("unit-mm")),
+        column("plan-feed", "unit-mm-rev"),
+        Column::number("V", lang.word("unit-m-min")),
+        Column::number("n", lang.word("unit-1-min")),
+        column("plan-feed-per-min", "unit-mm-min"),
+        column("plan-thrust", "unit-N").keep(Keep::Optional),
+        column("plan-torque", "unit-N-m").keep(Keep::Optional),
+        Column::number("N", lang.word("unit-kW")).keep(Keep::Optional),
+        column("plan-machine-time", "unit-min"),
+    ])
+}
+
+fn cells(transition: &Transition, lang: Lang) -> Vec<Inlines> {
+    let conditions = &transition.conditions;
+    let optional = |value: Option<f64>, places| value.map_or_else(|| NONE.into(), |value| cell(value, places, lang));
+    vec![
+        format!("T{}{}", transition.tool.number, mark(&conditions.because)).into(),
+        operation_noun(transition.operation.name(), lang).into(),
+        Inlines::number(mm(transition.diameter_mm, lang)),
+        // The way of a mill is its circles, not the way along the axis.
+        optional(conditions.rounds.is_none().then(|| transition.travel_mm.to_mm()), 1),
+        cell(conditions.depth_of_cut_mm, 2, lang),
+        cell(conditions.feed_mm_per_rev.0, 3, lang),
+        cell(conditions.speed_m_per_min.0, 1, lang),
+        cell(conditions.spindle_rpm.0, 0, lang),
+        cell(conditions.feed_mm_per_min.0, 0, lang),
+        optional(conditions.axial_force_n.map(|force| force.0), 0),
+        optional(conditions.torque_n_m.map(|torque| torque.0), 1),
+        optional(conditions.power_kw.map(|power| power.0), 2),
+        cell(conditions.machine_time_min.0, 2, lang),
+    ]
+}
+
+/// Which transitions the speeds take coolant for; the tables do not say it of every transition.
+fn coolant(plan: &Plan, lang: Lang) -> Option<Inlines> {
+    let mut names: Vec<&str> = Vec::new();
+    for transition in plan.holes.iter().flat_map(|hole| &hole.transitions) {
+        let name = transition.operation.name();
+        if transition.conditions.coolant == Some(true) && !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    (!names.is_empty()).then(|| say!(lang, "plan-coolant", operations = Figure::operations(names)).into())
+}
+
+/// What held the conditions back, where it is not simply the cutting speed; and the card's own figures.
+fn limits(plan: &Plan, lang: Lang) -> Vec<Item> {
+    let mut lines: Vec<String> = Vec::new();
+    for hole in &plan.holes {
+        for transition in &hole.transitions {
+            let conditions = &transition.conditions;
+            let operation = || Figure::operation(transition.operation.name());
+            if conditions.limited_by != Limit::CuttingSpeed {
+                let line = say!(
+                    lang,
+                    "plan-limited",
+                    hole = hole.name.as_str(),
+                    operation = operation(),
+                    diameter = transition.diameter_mm,
+                    by = Figure::word(conditions.limited_by.name())
+                );
+                if !lines.contains(&line) {
+                    lines.push(line);
+                }
+            }
+            if let Some(card) = &conditions.card {
+                let optional = |value: Option<f64>| value.map_or(Figure::Text(NONE.into()), |value| exactly(value, 2));
+                lines.push(say!(
+                    lang,
+                    "plan-card",
+                    hole = hole.name.as_str(),
+                    operation = operation(),
+                    feed = rounded(card.feed_mm_per_rev.0, 3),
+                    speed = rounded(card.speed_m_per_min.0, 1),
+                    force = card.axial_force_n.map_or(Figure::Text(NONE.into()), |force| rounded(force.0, 0)),
+                    power = optional(card.power_kw.map(|power| power.0))
+                ));
+            }
+        }
+    }
+    lines.into_iter().map(Item::from).collect()
+}

@@ -1,0 +1,78 @@
+//! The tools of a plan: what is ordered and put together, and what the offset registers hold.
+
+use crate::document::{Column, Inlines, Keep, Table};
+use crate::plan::{Plan, ToolPlan};
+
+use super::super::words::say;
+use super::{Lang, column, heading, mark};
+use crate::report::operation_noun;
+
+/// Cutters with their holders.
+pub(super) fn tools(plan: &Plan, lang: Lang) -> Table {
+    let mm = lang.word("unit-mm");
+    let mut table = Table::new([
+        Column::text("T"),
+        Column::text(say!(lang, "plan-designation")),
+        Column::text(say!(lang, "plan-table")).keep(Keep::Optional),
+        Column::number("Ø", mm),
+        Column::text(say!(lang, "plan-does")),
+        Column::text(say!(lang, "plan-holder")),
+        Column::number(heading("plan-holder-length", lang), mm).keep(Keep::Optional),
+        Column::number(say!(lang, "plan-overhang"), mm),
+        Column::number(heading("plan-assembly", lang), mm),
+    ]);
+    let lengths = |of: &dyn Fn(&ToolPlan) -> _| column(&plan.tools.iter().map(of).collect::<Vec<_>>(), lang);
+    let diameters = lengths(&|tool| tool.diameter_mm);
+    let holders = lengths(&|tool| tool.length_mm - tool.overhang_mm);
+    let overhangs = lengths(&|tool| tool.overhang_mm);
+    let assemblies = lengths(&|tool| tool.length_mm);
+    let figures = diameters.into_iter().zip(holders).zip(overhangs).zip(assemblies);
+    for (tool, (((diameter, holder), overhang), assembly)) in plan.tools.iter().zip(figures) {
+        table.row([
+            Inlines::from(format!("T{}", tool.number)),
+            format!("{}{}", tool.designation, mark(&tool.because)).into(),
+            tool.table.as_str().into(),
+            diameter,
+            does(plan, tool, lang).into(),
+            tool.holder.as_str().into(),
+            holder,
+            overhang,
+            assembly,
+        ]);
+    }
+    table
+}
+
+/// What a tool does, over all holes.
+fn does(plan: &Plan, tool: &ToolPlan, lang: Lang) -> String {
+    let mut names: Vec<&str> = Vec::new();
+    for transition in plan.holes.iter().flat_map(|hole| &hole.transitions) {
+        let name = operation_noun(transition.operation.name(), lang);
+        if transition.tool.number == tool.number && !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    names.join(", ")
+}
+
+/// What the offset registers hold.
+pub(super) fn corrections(plan: &Plan, lang: Lang) -> Table {
+    let mm = lang.word("unit-mm");
+    let mut table = Table::new([
+        Column::text("T"),
+        Column::text("H"),
+        Column::number(heading("plan-length", lang), mm),
+        Column::number(say!(lang, "plan-correction"), mm),
+        Column::number(say!(lang, "plan-book-correction"), mm),
+    ]);
+    let lengths = |of: &dyn Fn(&ToolPlan) -> _| column(&plan.tools.iter().map(of).collect::<Vec<_>>(), lang);
+    let figures = lengths(&|tool| tool.length_mm)
+        .into_iter()
+        .zip(lengths(&|tool| tool.correction_mm))
+        .zip(lengths(&|tool| tool.book_correction_mm));
+    for (tool, ((length, correction), book)) in plan.tools.iter().zip(figures) {
+        let (number, register) = (format!("T{}", tool.number), format!("H{:02}", tool.corrector));
+        table.row([Inlines::from(number), register.into(), length, correction, book]);
+    }
+    table
+}

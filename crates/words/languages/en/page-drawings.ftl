@@ -1,0 +1,41 @@
+# Lines of drawings.
+drawing-set-up = set-up { $setup }
+drawing-rapid = rapid
+drawing-feed = feed
+# The backplot.
+backplot-empty = The program cuts nothing.
+backplot-points = points: { $count }
+backplot-plunge = down along Z, in this order
+backplot-tool-change = tool change
+backplot-zero = zero of the part
+backplot-scale-of-drawing = { $length } mm; coordinates of the drawing
+backplot-scale-of-machine = { $length } mm; coordinates of the machine
+# Diagrams of cycles.
+cycles-operation = { $operation } of { $holes }
+cycles-holes = { $count } { $count ->
+    [one] hole
+   *[other] holes
+} { $size } ({ $hole })
+cycles-holes-to = { $count } { $count ->
+    [one] hole
+   *[other] holes
+} { $size } to Ø{ $diameter } ({ $hole })
+cycles-load-tool = Put tool { $tool } into place { $place } of the magazine
+cycles-turn-over = Turn the part { $part } over about Y
+cycles-set-bar = Set the boring bar to Ø{ $diameter }
+cycles-speed = S { $speed } rpm
+cycles-feed = F { $feed } mm/min
+cycles-dwell = dwell { $seconds } s
+cycles-step = step V { $step } mm
+cycles-clearance = clearance W { $clearance } mm
+cycles-retreat = retreat W { $retreat } mm
+cycles-pitch = pitch { $pitch } mm
+cycles-out-stopped = way out with stopped spindle
+cycles-out-at-feed = way out at feed
+cycles-coolant = with coolant
+cycles-not-to-scale = Z as on the drawing, mm; not to scale
+cycles-before = before: Ø{ $diameter }
+cycles-top = top { $z }
+cycles-full-diameter = full Ø to { $z }
+cycles-bottom = bottom { $z }
+cycles-radii = radii of the mill's centre { $radii } mm

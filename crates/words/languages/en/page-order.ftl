@@ -1,0 +1,29 @@
+# The order of tools and their paths over the holes of a part.
+order-title = Order of tools and paths over the holes: { $part }
+order-there-and-back = Each tool goes from the tool-change position { $home } and back to it.
+order-stops = Stops
+order-path = Path
+order-rapids = Rapids
+order-nearest = By the textbook's rule
+order-saved = Saved
+order-bound = Lower bound
+order-visiting = Way of visiting by 1.3.1 (the plan visits in parallel)
+order-method = { $hole }: { $why }
+order-times-of-methods = in parallel { $parallel } min, in sequence { $sequential } min, on this machine in sequence { $here } min
+order-mixture-quicker = { $tools ->
+    [one] quickest mixture: the last tool in sequence ({ $tools }); { $time } min, quicker than either way
+   *[other] quickest mixture: the last { $tools } tools in sequence; { $time } min, quicker than either way
+}
+order-mixture-not-quicker = { $tools ->
+    [one] quickest mixture: the last tool in sequence ({ $tools }); { $time } min, not quicker than one of the two ways
+   *[other] quickest mixture: the last { $tools } tools in sequence; { $time } min, not quicker than one of the two ways
+}
+# The path over a list of points.
+order-list-title = Path over a list of points
+order-points = Points
+order-nearest-path = Path by the textbook's rule
+order-bound-path = Lower bound of the path
+order-points-in-order = Points in order
+# Titles of drawings.
+order-of-tool = T{ $tool }, set-up { $setup }: { $time } min
+order-of-list = { $count } points, path { $length } mm

@@ -1,0 +1,111 @@
+# The page of a plan.
+plan-title = Machining plan: { $part }
+plan-material = Material
+plan-blank = Blank
+plan-plate = plate { $length } × { $width } × { $thickness } mm
+plan-machine = Equipment
+# Its sections.
+plan-route = 1. Route
+plan-tools = 2. Cutters and holders
+plan-conditions = 3. Cutting conditions
+plan-clamping = 4. Clamping
+plan-corrections = 5. Tool-length corrections
+plan-time = 6. Time
+plan-findings = 7. Findings
+# The route.
+plan-operation = 005 NC machining
+plan-step-head = Transition
+plan-scheme = Scheme
+plan-cutter = Cutter
+plan-reached = Grade and Ra reached
+plan-set-up = Set up and clamp the blank
+plan-turn-over = Turn the part over: set-up { $setup }
+plan-take-off = Take off the part
+plan-step = { $verb } { $count } { $count ->
+    [one] hole
+   *[other] holes
+} { $size } ({ $hole })
+plan-step-to = { $verb } { $count } { $count ->
+    [one] hole
+   *[other] holes
+} { $size } ({ $hole }) to Ø{ $diameter }
+plan-step-spot = { $verb } { $count } { $count ->
+    [one] hole
+   *[other] holes
+} { $size } ({ $hole }), spot Ø{ $diameter }
+plan-step-also = together with Ø{ $diameter }
+plan-step-passes = { $count } { $count ->
+    [one] pass
+   *[other] passes
+}
+plan-step-depth = depth { $depth } mm
+plan-step-back = from the back
+plan-step-elsewhere = on another machine
+plan-finish-elsewhere = Finish on another machine { $count } { $count ->
+    [one] hole
+   *[other] holes
+} { $size } ({ $hole }), stock on diameter { $stock } mm
+plan-by-table = { $table } { $scheme }
+plan-by-complex = { $table } complex { $scheme }
+plan-by-search = search
+plan-by-search-as = search ({ $table } { $scheme })
+plan-order = Order over the holes
+plan-point = [{ $x }; { $y }]
+plan-choices = Required, the route taken, and the runner-up
+plan-choice = { $required }. Route { $route }, { $time } min; { $against }
+plan-required = IT{ $it }, { $roughness }, tolerance of centre distances { $centre } mm
+plan-required-thread = { $thread }, tolerance of centre distances { $centre } mm
+plan-no-runner-up = no other route can be carried out
+plan-runner-up = next { $route } ({ $operations }): { $why }
+# The tools.
+plan-designation = Designation
+plan-table = Table
+plan-does = Transition
+plan-holder = Holder
+plan-holder-length = l
+plan-overhang = Overhang
+plan-assembly = Assembly length
+plan-length = Assembly length
+plan-correction = Correction (G43)
+plan-book-correction = In the book, Lmax − L
+# The cutting conditions.
+plan-hole = Hole
+plan-transition = Transition
+plan-feed = S
+plan-feed-per-min = F
+plan-thrust = P
+plan-torque = M
+plan-machine-time = Tm
+plan-mark = { $mark } rests on a row of a table that nothing confirms: see the findings.
+plan-for-one-hole = Tm is the machine time of one hole.
+plan-coolant = With coolant: { $operations }.
+plan-limited = { $hole }, { $operation } Ø{ $diameter }: limited by { $by }
+plan-card = { $hole }, { $operation }: by the card S = { $feed } mm/rev, V = { $speed } m/min, P = { $force } N, N = { $power } kW
+# Clamping and time.
+plan-largest-force = Hole { $hole } needs the largest clamping force: M = { $torque } N·m, { $distance } mm from its clamp, W = k·M/(f·d) = { $force } N.
+plan-clamps = Clamps { $points }: { $force } N each, screw { $screw }; start point at least { $distance } mm from a clamp.
+plan-clamps-proposed = Clamps { $points } (proposed): { $force } N each, screw { $screw }; start point at least { $distance } mm from a clamp.
+plan-weak-screw = The screw is too weak: bears { $bears } < { $force } N.
+plan-times = Machine time { $machine } + rapids { $rapid } + tool changes { $change } = { $total } min
+# Findings: how grave they are.
+plan-impossible = impossible:
+plan-wrong = wrong:
+plan-note = note:
+plan-of-hole = hole { $hole }: { $finding }
+# Why a hole is made as it is.
+explain-title = Hole { $hole } { $size }
+explain-scheme = Scheme { $scheme } ({ $table })
+explain-others = Other routes, and why not they
+explain-other-route = { $route }: { $why }
+explain-other-route-timed = { $route }, { $time } min: { $why }
+explain-made = { $operation } Ø{ $diameter }
+explain-transition = { $number }. { $verb } Ø{ $diameter } – T{ $tool } { $designation }, { $holder }
+explain-conditions = S = { $feed } mm/rev, V = { $speed } m/min, n = { $rpm } rpm
+explain-decision = { $decision } [{ $rests }: { $place }]
+explain-row = row { $row }
+explain-seed = printed in the source
+explain-standard = by a standard
+explain-reconstructed = reconstructed
+explain-reason = because: { $why }
+explain-unconfirmed = * unconfirmed: { $why }
+explain-not-taken = not taken: { $why }

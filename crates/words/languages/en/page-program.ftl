@@ -1,0 +1,30 @@
+# The encoding sheet of a program.
+encoding-title = Encoding sheet ({ $form })
+encoding-part = Part
+encoding-equipment = Equipment, control
+encoding-equipment-is = { $machine }, { $control }
+encoding-2c42-65 = 2C42-65
+encoding-instructions = Special instructions†
+encoding-zero = set-up { $setup }: zero of the part from the machine zero X{ $x } Y{ $y } Z{ $z }
+encoding-correctors = correctors, mm: { $held }
+encoding-ours = † ours: the textbook's sheet does not have it
+encoding-transition = Transition
+encoding-tool = T, H†
+encoding-block = Code (block)
+encoding-meaning = The block in words†
+# What the words of a block say.
+encoding-is = { $meaning } = { $value } { $unit }
+encoding-moves-to = { $meaning } to { $value } { $unit }
+encoding-moves-by = { $meaning } by { $value } { $unit }
+encoding-both = { $first } and { $second }
+encoding-unknown = the control's tables do not know this word
+encoding-comment = comment: { $text }
+encoding-skip = /: what follows is left out on request
+encoding-tape = %: start or end of the program
+encoding-statement = { $text }: statement of the control
+# What the operator sets before a program runs.
+setting-title = Setting of the machine: { $part }
+setting-stand = set-up { $setup }: the part on supports of { $supports } mm; { $nose } mm from the table to the spindle nose with the ram up
+setting-tool = T{ $place } H{ $corrector }: { $designation }, Ø{ $diameter }, length { $length } mm
+setting-length = Assembly length
+setting-file = Zeros and corrections

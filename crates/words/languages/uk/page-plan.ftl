@@ -1,0 +1,100 @@
+# The page of a plan.
+plan-title = План оброблення: { $part }
+plan-material = Матеріал
+plan-blank = Заготовка
+plan-plate = плита { $length } × { $width } × { $thickness } мм
+plan-machine = Обладнання
+# Its sections.
+plan-route = 1. Технологічний маршрут
+plan-tools = 2. Різальний і допоміжний інструмент
+plan-conditions = 3. Режими різання
+plan-clamping = 4. Закріплення
+plan-corrections = 5. Корекція на довжину інструмента
+plan-time = 6. Час
+plan-findings = 7. Зауваження
+# The route.
+plan-operation = 005 Комплексна з ЧПК
+plan-step-head = Зміст переходу
+plan-scheme = Схема
+plan-cutter = Різальний інструмент
+plan-reached = Досяжні квалітет і Ra
+plan-set-up = Установити й закріпити заготовку
+plan-turn-over = Перевернути деталь: установ { $setup }
+plan-take-off = Зняти деталь
+plan-step = { $verb } { $count } отв. { $size } ({ $hole })
+plan-step-to = { $verb } { $count } отв. { $size } ({ $hole }) до Ø{ $diameter }
+plan-step-spot = { $verb } { $count } отв. { $size } ({ $hole }), витримуючи Ø{ $diameter }
+plan-step-also = одночасно Ø{ $diameter }
+plan-step-passes = { $count } { $count ->
+    [one] робочий хід
+    [few] робочі ходи
+   *[many] робочих ходів
+}
+plan-step-depth = глибина { $depth } мм
+plan-step-back = зі зворотного боку
+plan-step-elsewhere = на іншому верстаті
+plan-finish-elsewhere = Остаточно обробити на іншому верстаті { $count } отв. { $size } ({ $hole }), припуск на діаметр { $stock } мм
+plan-by-table = { $table } { $scheme }
+plan-by-complex = { $table } комплекс { $scheme }
+plan-by-search = пошук
+plan-by-search-as = пошук ({ $table } { $scheme })
+plan-order = Обхід отворів
+plan-point = [{ $x }; { $y }]
+plan-choices = Вимоги, вибраний маршрут і наступний за ним
+plan-choice = { $required }. Маршрут { $route }, { $time } хв; { $against }
+plan-required = IT{ $it }, { $roughness }, допуск міжосьової відстані { $centre } мм
+plan-required-thread = { $thread }, допуск міжосьової відстані { $centre } мм
+plan-no-runner-up = іншого здійсненного маршруту немає
+plan-runner-up = наступний – { $route } ({ $operations }): { $why }
+# The tools.
+plan-designation = Позначення
+plan-table = Таблиця
+plan-does = Перехід
+plan-holder = Допоміжний інструмент
+plan-holder-length = { "l" }опр
+plan-overhang = Виліт
+plan-assembly = Довжина комплекту { "L" }к
+plan-length = Довжина { "L" }к
+plan-correction = Корекція (G43)
+plan-book-correction = За посібником Lmax − L
+# The cutting conditions.
+plan-hole = Отв.
+plan-transition = Перехід
+plan-feed = S
+plan-feed-per-min = { "S" }хв
+plan-thrust = Ро
+plan-torque = Мкр
+plan-machine-time = То
+plan-mark = { $mark } – спирається на рядок таблиці, якого ніщо не підтверджує: див. зауваження.
+plan-for-one-hole = То – основний (машинний) час на один отвір.
+plan-coolant = З МОР: { $operations }.
+plan-limited = { $hole }, { $operation } Ø{ $diameter }: режим обмежує { $by }
+plan-card = { $hole }, { $operation }: за картою S = { $feed } мм/об, V = { $speed } м/хв, Ро = { $force } Н, N = { $power } кВт
+# Clamping and time.
+plan-largest-force = Найбільша потрібна сила закріплення – для отвору { $hole }: M = { $torque } Н·м, до притискача { $distance } мм, W = k·M/(f·d) = { $force } Н.
+plan-clamps = Притискачі { $points }: сила на кожному Q = { $force } Н, гвинт { $screw }; вихідна точка – не ближче ніж { $distance } мм від притискача.
+plan-clamps-proposed = Притискачі { $points } (запропоновано): сила на кожному Q = { $force } Н, гвинт { $screw }; вихідна точка – не ближче ніж { $distance } мм від притискача.
+plan-weak-screw = Гвинт заслабкий: витримує { $bears } < { $force } Н.
+plan-times = Машинний час { $machine } + час холостих ходів { $rapid } + час заміни інструмента { $change } = { $total } хв
+# Findings: how grave they are.
+plan-impossible = неможливо:
+plan-wrong = хибно:
+plan-note = до відома:
+plan-of-hole = отвір { $hole }: { $finding }
+# Why a hole is made as it is.
+explain-title = Отвір { $hole } { $size }
+explain-scheme = Схема { $scheme } ({ $table })
+explain-others = Інші маршрути і чому не вони
+explain-other-route = { $route }: { $why }
+explain-other-route-timed = { $route }, { $time } хв: { $why }
+explain-made = { $operation } Ø{ $diameter }
+explain-transition = { $number }. { $verb } Ø{ $diameter } – T{ $tool } { $designation }, { $holder }
+explain-conditions = S = { $feed } мм/об, V = { $speed } м/хв, n = { $rpm } об/хв
+explain-decision = { $decision } [{ $rests }: { $place }]
+explain-row = рядок { $row }
+explain-seed = надруковано в джерелі
+explain-standard = за стандартом
+explain-reconstructed = відновлено
+explain-reason = підстава: { $why }
+explain-unconfirmed = * не підтверджено: { $why }
+explain-not-taken = не взято: { $why }

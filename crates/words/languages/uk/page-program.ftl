@@ -1,0 +1,30 @@
+# The encoding sheet of a program.
+encoding-title = Карта кодування інформації ({ $form })
+encoding-part = Деталь
+encoding-equipment = Обладнання, пристрій ЧПК
+encoding-equipment-is = { $machine }, { $control }
+encoding-2c42-65 = 2С42-65
+encoding-instructions = Особливі вказівки†
+encoding-zero = установ { $setup }: нуль деталі від нуля верстата X{ $x } Y{ $y } Z{ $z }
+encoding-correctors = коректори, мм: { $held }
+encoding-ours = † доповнено проти зразка посібника
+encoding-transition = Зміст переходу
+encoding-tool = T, H†
+encoding-block = Кодування інформації, зміст кадру
+encoding-meaning = Зміст кадру словами†
+# What the words of a block say.
+encoding-is = { $meaning } = { $value } { $unit }
+encoding-moves-to = { $meaning } до { $value } { $unit }
+encoding-moves-by = { $meaning } на { $value } { $unit }
+encoding-both = { $first } і { $second }
+encoding-unknown = таблиці керування не знають цього слова
+encoding-comment = примітка: { $text }
+encoding-skip = /: далі – пропуск за ознакою оператора
+encoding-tape = %: початок або кінець програми
+encoding-statement = { $text }: оператор мови керування
+# What the operator sets before a program runs.
+setting-title = Налагодження верстата: { $part }
+setting-stand = установ { $setup }: деталь на опорах { $supports } мм; від столу до торця шпинделя за верхнього положення повзуна { $nose } мм
+setting-tool = T{ $place } H{ $corrector }: { $designation }, Ø{ $diameter }, довжина { $length } мм
+setting-length = Довжина комплекту
+setting-file = Нулі й корекції
