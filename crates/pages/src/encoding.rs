@@ -63,6 +63,7 @@ pub struct Row {
     pub meaning: String,
 }
 
+/// What the sheet calls its form in JSON, the same in every language.
 const FORM: &str = "ГОСТ 3.1404-86, форма 5а";
 const SUPPLIED: [&str; 3] = ["instructions", "tool", "meaning"];
 

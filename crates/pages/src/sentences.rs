@@ -14,11 +14,6 @@ pub fn remedy(note: &Note, lang: Lang) -> Option<String> {
     lang.remedy(note)
 }
 
-/// A scheme as people read it: `04 + centre`, or the transitions that a search found.
-pub fn scheme_name(scheme: &str, lang: Lang) -> String {
-    lang.figure(&crate::note::Figure::scheme(scheme))
-}
-
 /// A word that stands in a table as an id.
 pub fn term(id: &str, lang: Lang) -> &str {
     lang.term("word", id)

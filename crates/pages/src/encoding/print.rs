@@ -9,7 +9,7 @@ impl Sheet {
     /// The sheet as a page. What the textbook's sheet does not have carries a `†`.
     pub fn page(&self) -> Document {
         let lang = self.lang;
-        let mut page = Document::new(lang.tag(), say!(lang, "encoding-title", form = self.form));
+        let mut page = Document::new(lang.tag(), say!(lang, "encoding-title"));
         let part = self.part.iter().map(|part| Field::new(say!(lang, "encoding-part"), part.as_str()));
         let mut fields: Vec<Field> = part.collect();
         fields.push(Field::new(say!(lang, "encoding-equipment"), self.equipment.as_str()));

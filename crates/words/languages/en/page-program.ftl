@@ -1,5 +1,5 @@
 # The encoding sheet of a program.
-encoding-title = Encoding sheet ({ $form })
+encoding-title = Encoding sheet (GOST 3.1404-86, form 5a)
 encoding-part = Part
 encoding-equipment = Equipment, control
 encoding-equipment-is = { $machine }, { $control }

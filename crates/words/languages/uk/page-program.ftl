@@ -1,5 +1,5 @@
 # The encoding sheet of a program.
-encoding-title = Карта кодування інформації ({ $form })
+encoding-title = Карта кодування інформації (ГОСТ 3.1404-86, форма 5а)
 encoding-part = Деталь
 encoding-equipment = Обладнання, пристрій ЧПК
 encoding-equipment-is = { $machine }, { $control }
