@@ -24,6 +24,7 @@ mod progress;
 mod proof;
 mod record;
 mod sheet;
+mod shown;
 mod table;
 mod test;
 mod turn;

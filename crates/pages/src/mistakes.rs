@@ -21,7 +21,7 @@ type Pair = (&'static str, &'static str);
 /// Every sentence.
 fn pairs() -> impl Iterator<Item = Pair> {
     let names = Quantity::ALL.iter().map(|quantity| {
-        let (uk, en) = quantity.name();
+        let [uk, en] = [Lang::UK, Lang::EN].map(|lang| technolog_core::words::quantity_noun(*quantity, lang));
         (en, uk)
     });
     files::SENTENCES.iter().chain(parts::SENTENCES).chain(cases::SENTENCES).copied().chain(names)

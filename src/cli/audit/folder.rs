@@ -7,12 +7,13 @@ use technolog::audit::marks::Scheme;
 use technolog::audit::{Audited, Auditor, Unread};
 use technolog::knowledge::Diagnostic;
 use technolog::report::mistakes::told;
+use technolog::words::say;
 use technolog::{parallel, report};
 
 use super::super::progress::Progress;
 use super::super::words::{cannot_read, check_path};
 use super::super::{CliError, Context, Format, Outcome, output};
-use super::{file, words};
+use super::file;
 
 /// What became of a file of the folder.
 enum Seen {
@@ -45,20 +46,19 @@ pub fn run(
         match seen? {
             Seen::Plan(plan) => audited.push(plan),
             Seen::NoPlan => {
-                output::complain(&format!("{}\n", words::no_plan(context.lang, path.display())));
+                let skipped = say!(context.lang, "audit-skipped-file", file = path.display().to_string());
+                output::complain(&format!("{skipped}\n"));
             }
         }
     }
     if audited.is_empty() {
-        let message = words::no_plans(context.lang, folder.display());
-        return Err(Diagnostic::error("no-plans", message, None).help(words::what_is_a_plan(context.lang)).into());
+        let message = say!(context.lang, "audit-no-plans", folder = folder.display().to_string());
+        return Err(Diagnostic::error("no-plans", message, None).help(context.word("audit-what-is-a-plan")).into());
     }
     match format {
         Format::Json => context.emit_json(&audited)?,
         Format::Yaml => context.emit_yaml(&audited)?,
-        Format::Markdown => context.emit(&report::audit::many::markdown(&audited, context.lang))?,
-        Format::Html => context.emit(&report::audit::html::folder(&audited, context.lang))?,
-        _ => context.emit(&report::audit::many::page(&audited, context.lang))?,
+        _ => context.emit_document(&report::audit::many::page(&audited, context.lang), format)?,
     }
     if audited.iter().any(|one| one.audit().is_none()) {
         return Err(CliError::Shown);

@@ -267,7 +267,8 @@ fn appendix_g_is_held_against_its_part() {
     for finding in held.run(&CONTROL, &text).1.findings {
         let severity = format!("{:?}", finding.severity).to_lowercase();
         // What tells one from another: the points, how many more, the corrector, the place.
-        let which = ["points", "more", "at", "corrector"].map(|name| finding.note.figure(name).map(|it| it.text().into_owned()));
+        let which = ["points", "more", "at", "corrector"]
+            .map(|name| finding.note.figure(name).map(|it| it.text().into_owned()));
         let which = match (finding.code.name(), which) {
             ("other-order", _) => String::new(),
             ("correction-otherwise", [.., corrector]) => corrector.unwrap(),

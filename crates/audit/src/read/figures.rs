@@ -6,6 +6,8 @@ use super::Reader;
 use crate::audit::quantity::Quantity;
 use crate::audit::stated::{Figure, Figures};
 use crate::audit::tolerance::Range;
+use technolog_core::lang::Lang;
+use technolog_core::words::quantity_noun;
 
 /// The most that a figure of a plan can be, in its unit: beyond it no sum is exact.
 const MOST: f64 = 1e9;
@@ -31,7 +33,7 @@ impl Reader<'_> {
 
     /// A figure that its quantity can have, by the table `audit-tolerance`.
     fn possible(&mut self, quantity: Quantity, figure: Figure) -> Option<Figure> {
-        let (name, text) = (quantity.name().1, &figure.text);
+        let (name, text) = (quantity_noun(quantity, Lang::EN), &figure.text);
         let range = self.tolerances.range(quantity);
         let (message, help) = if !range.holds(figure.value) && figure.value < 0.0 {
             let must = if range == Range::Positive { "it must be above zero" } else { "it must not be below zero" };

@@ -4,12 +4,13 @@ cli-warning = warning
 cli-note = note
 cli-help = help
 # Heads of tables.
-cli-table = table
-cli-row-count = rows
-cli-kind = kind
-cli-title = title
+cli-table = Table
+cli-row-count = Rows
+cli-kind = Kind
+cli-title = Title
+cli-row = Row
 cli-row-number = No.
-cli-row-source = origin
+cli-row-source = Origin
 cli-catalog = catalog
 cli-decision = decision
 # Where the figures of a row come from.
@@ -51,9 +52,9 @@ cli-trace = Motions: line, block, motion, machine position in mm
 cli-also-says = The row also says
 # The proof.
 cli-proof-head = Made of what the plan asks for:
-cli-hole = hole
-cli-transition = transition
-cli-made = made
+cli-hole = Hole
+cli-transition = Transition
+cli-made = Made
 # The order.
 cli-tool = T
 cli-stops = stops
@@ -117,7 +118,7 @@ cli-by-rule = { $what } (rule: { $section })
 cli-times = Time, min: { $total } (feed { $feed }, rapid { $rapid }, dwell { $dwell }, tool change { $change })
 cli-run-lint = the table is at fault; `technolog lint` shows where
 cli-printed-otherwise = { $column }: printed as "{ $printed }": { $reason }
-cli-all-rows-of-one-source = origin of every row: { $source }
+cli-all-rows-of-one-source = Origin of every row: { $source }
 cli-default-is = { $value } unless given
 cli-refers-to = see { $table }, { $column }
 cli-one-of = one of { $values }

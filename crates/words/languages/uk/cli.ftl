@@ -4,12 +4,13 @@ cli-warning = попередження
 cli-note = зауваження
 cli-help = підказка
 # Heads of tables.
-cli-table = таблиця
-cli-row-count = рядків
-cli-kind = вид
-cli-title = назва
+cli-table = Таблиця
+cli-row-count = Рядки
+cli-kind = Вид
+cli-title = Назва
+cli-row = Рядок
 cli-row-number = №
-cli-row-source = походження
+cli-row-source = Походження
 cli-catalog = каталог
 cli-decision = рішення
 # Where the figures of a row come from.
@@ -51,9 +52,9 @@ cli-trace = Рухи: рядок, кадр, рух, положення осей 
 cli-also-says = Рядок каже також
 # The proof.
 cli-proof-head = Зроблено з того, що вимагає план:
-cli-hole = отвір
-cli-transition = перехід
-cli-made = зроблено
+cli-hole = Отвір
+cli-transition = Перехід
+cli-made = Зроблено
 # The order.
 cli-tool = T
 cli-stops = зупинок
@@ -117,7 +118,7 @@ cli-by-rule = { $what } (правило: { $section })
 cli-times = Час, хв: { $total } (подача { $feed }, прискорено { $rapid }, паузи { $dwell }, заміна інструмента { $change })
 cli-run-lint = це вада таблиці; її показує `technolog lint`
 cli-printed-otherwise = { $column }: надруковано «{ $printed }»: { $reason }
-cli-all-rows-of-one-source = походження всіх рядків: { $source }
+cli-all-rows-of-one-source = Походження всіх рядків: { $source }
 cli-default-is = якщо не вказано, { $value }
 cli-refers-to = див. { $table }, { $column }
 cli-one-of = одне з: { $values }
