@@ -19,6 +19,7 @@ mod lookup;
 mod order;
 mod output;
 mod plan;
+mod problems;
 mod program;
 mod progress;
 mod proof;
@@ -40,7 +41,6 @@ use serde::Serialize;
 use technolog::document::{self, Document};
 use technolog::error::KnowledgeError;
 use technolog::knowledge::Diagnostic;
-use technolog::report::grid;
 
 use diagnostics::Texts;
 use words::Lang;

@@ -126,24 +126,29 @@ fn marks(row: &Row) -> String {
 /// What each column is, and what a lookup may ask of it.
 pub fn columns(page: &mut Document, table: &Table, numbered: bool, lang: Lang) {
     page.heading(2, lang.word("cli-columns"));
-    let symbols: Vec<String> = table.columns.iter().map(|column| symbol(column, lang)).collect();
-    let any = symbols.iter().any(|symbol| !symbol.is_empty());
-    let mut heads = Vec::new();
-    heads.extend(numbered.then(|| Head::number(lang.word("cli-row-number"), "")));
-    heads.extend(["table-key", "table-what"].map(|head| Head::text(lang.word(head))));
-    heads.extend(any.then(|| Head::text(lang.word("table-symbol"))));
-    heads.push(Head::text(lang.word("table-expected")).least(24));
-    let mut grid = Grid::new(heads);
-    for ((index, column), symbol) in table.columns.iter().enumerate().zip(symbols) {
-        let mut row = Vec::new();
-        row.extend(numbered.then(|| Inlines::number((index + 1).to_string())));
-        row.push(Inlines::default().code(&column.name));
-        row.push(shown::label(lang, column).unwrap_or_default().into());
-        row.extend(any.then(|| symbol.into()));
-        row.push(about(column, lang).join("; ").into());
-        grid.row(row);
+    let text = |head: &str| Head::text(lang.word(head));
+    let number = Head::number(lang.word("cli-row-number"), "");
+    let heads =
+        vec![number, text("table-key"), text("table-what"), text("table-symbol"), text("table-expected").least(24)];
+    let row = |(index, column): (usize, &Column)| {
+        let number = if numbered { (index + 1).to_string() } else { String::new() };
+        let key = Inlines::default().code(&column.name);
+        let label = shown::label(lang, column).unwrap_or_default();
+        let about = about(column, lang).join("; ");
+        vec![Inlines::number(number), key, label.into(), symbol(column, lang).into(), about.into()]
+    };
+    page.push(filled(heads, table.columns.iter().enumerate().map(row).collect()));
+}
+
+/// A table without the columns in which nothing stands.
+pub fn filled(heads: Vec<Head>, rows: Vec<Vec<Inlines>>) -> Grid {
+    let is_filled = |index: &usize| rows.iter().any(|row| row.get(*index).is_some_and(|cell| !cell.is_empty()));
+    let kept: Vec<usize> = (0..heads.len()).filter(is_filled).collect();
+    let mut grid = Grid::new(kept.iter().filter_map(|&index| heads.get(index).cloned()));
+    for row in &rows {
+        grid.row(kept.iter().filter_map(|&index| row.get(index).cloned()));
     }
-    page.push(grid);
+    grid
 }
 
 /// The symbol and the unit of a column: `d, мм`.

@@ -10,8 +10,8 @@ use technolog::report::mistakes::told;
 use technolog::words::say;
 use technolog::{parallel, report};
 
+use super::super::problems::unreadable;
 use super::super::progress::Progress;
-use super::super::words::{cannot_read, check_path};
 use super::super::{CliError, Context, Format, Outcome, output};
 use super::file;
 
@@ -34,10 +34,7 @@ pub fn run(
     context: &Context,
 ) -> Result<Outcome, CliError> {
     let mut files = Vec::new();
-    collect(folder, &mut files).map_err(|error| {
-        let message = cannot_read(context.lang, folder.display(), error);
-        CliError::from(Diagnostic::error("unreadable", message, None).help(check_path(context.lang)))
-    })?;
+    collect(folder, &mut files).map_err(|error| unreadable(folder.display(), &error, context.lang))?;
     let progress = Progress::new(files.len());
     let seen = parallel::map(&files, |path| one(path, auditor, scheme, context), |done| progress.show(done));
     progress.clear();
@@ -72,7 +69,7 @@ fn one(path: &Path, auditor: &Auditor<'_>, scheme: Option<&Scheme>, context: &Co
         Ok(Some(stated)) => stated,
         Ok(None) => return Ok(Seen::NoPlan),
         Err(CliError::Unusable { problems, .. }) => {
-            return Ok(unreadable(path, &problems, context));
+            return Ok(unread(path, &problems, context));
         }
         Err(error) => return Err(error),
     };
@@ -80,14 +77,14 @@ fn one(path: &Path, auditor: &Auditor<'_>, scheme: Option<&Scheme>, context: &Co
         Ok(found) => found,
         Err(error) => {
             let problem = stated.at_fault(&error).ok_or_else(|| CliError::of_knowledge(&error, context.lang))?;
-            return Ok(unreadable(path, &[problem], context));
+            return Ok(unread(path, &[problem], context));
         }
     };
     found.marks = scheme.map(|scheme| scheme.mark(&found));
     Ok(Seen::Plan(Audited::Plan(Box::new(found))))
 }
 
-fn unreadable(path: &Path, problems: &[Diagnostic], context: &Context) -> Seen {
+fn unread(path: &Path, problems: &[Diagnostic], context: &Context) -> Seen {
     let problems: Vec<Diagnostic> = problems.iter().map(|problem| told(problem, context.lang)).collect();
     Seen::Plan(Audited::Unreadable(Unread::new(&path.display().to_string(), &problems)))
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::Serialize;
-use technolog::document::{Column as Head, Document, Inlines, Table as Grid};
+use technolog::document::{Column as Head, Document, Inlines};
 use technolog::knowledge::alike::has;
 use technolog::knowledge::diagnostic::nearest;
 use technolog::knowledge::table::Cell;
@@ -130,17 +130,17 @@ fn missed_page(table: &Table, missed: &Missed<'_>, lang: Lang) -> Document {
     super::result(&mut page, lang.word("cli-no-row"), lang);
     page.heading(2, lang.word("cli-each-alone"));
     let heads = ["table-key", "table-asked", "table-found", "cli-nearest-values"];
-    let mut keys = Grid::new(heads.map(|head| Head::text(lang.word(head))));
-    for key in &missed.keys {
+    let row = |key: &Key<'_>| {
         let near: Vec<String> = key.near.iter().map(|value| shown::value(lang, key.column, value)).collect();
-        keys.row([
+        vec![
             Inlines::default().code(&key.column.name),
             shown::full(lang, key.column, key.wanted).into(),
             say!(lang, "cli-rows-counted", count = key.rows).into(),
             near.join("; ").into(),
-        ]);
-    }
-    page.push(keys);
+        ]
+    };
+    let heads = heads.map(|head| Head::text(lang.word(head))).to_vec();
+    page.push(sheet::filled(heads, missed.keys.iter().map(row).collect()));
     near::section(&mut page, &missed.near, lang);
     page
 }

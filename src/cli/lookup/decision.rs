@@ -130,16 +130,15 @@ impl<'a> Told<'a> {
             vec![Head::text(lang.word("table-key")), Head::text(lang.word("table-what")).keep(Keep::Optional)];
         heads.push(Head::text(lang.word("table-asked")));
         heads.extend(row.map(|_| Head::text(lang.word("cli-row"))));
-        let mut grid = Grid::new(heads);
-        for asked in &self.asked {
+        let one = |asked: &Asked<'_>| {
             let value = shown::full(lang, asked.column, asked.value);
             let value = if asked.by_default { say!(lang, "table-by-default", value = value) } else { value };
             let mut cells = vec![key(asked.column), shown::label(lang, asked.column).unwrap_or_default().into()];
             cells.push(value.into());
             cells.extend(row.map(|row| shown::cell(lang, asked.column, &row.row().cells[asked.index]).into()));
-            grid.row(cells);
-        }
-        grid
+            cells
+        };
+        sheet::filled(heads, self.asked.iter().map(one).collect())
     }
 
     /// A row that won: its source, its tests against the inputs, and what it says beside the result.

@@ -153,7 +153,7 @@ fn everything(lang: Lang) -> Vec<(String, String)> {
         all.extend(written(&page(audit, lang)).into_iter().map(|page| (audit.plan.clone(), page)));
         audited.push(Audited::Plan(Box::new(audit.clone())));
     }
-    let none = |_: &str| Err("no such file".to_owned());
+    let none = |_: &str| Err("2".to_owned());
     for broken in ["part: [\n", "tools: {}\n", "part: here.yaml\n", &text("tests/audit/bad.yaml")] {
         let unreadable = read_plan("broken.yaml", broken, &KNOWLEDGE, &none).unwrap_err();
         let problems: Vec<Diagnostic> = unreadable.problems.iter().map(|problem| told(problem, lang)).collect();

@@ -96,7 +96,7 @@ pub enum HolderFault {
 #[allow(missing_docs)] // the figures have the names of those of the sentences
 pub enum OfOther {
     /// For other transitions.
-    Operation { operation: Operation, transitions: String },
+    Operation { operation: Operation, transitions: Vec<Operation> },
     /// A bar of the other stage of boring: this one is for roughing, or for finishing.
     Stage { rough: bool },
     /// A bar of another range of diameters.
@@ -222,7 +222,7 @@ impl HolderFault {
             Self::TooHeavy { mass, limit } => {
                 new("assembly-too-heavy").with("mass", round_to(*mass, 1)).with("limit", limit)
             }
-            Self::OtherShank { shank } => new("holder-of-other-shank").with("shank", shank),
+            Self::OtherShank { shank } => new("holder-of-other-shank").with("shank", Figure::word(*shank)),
         }
     }
 }
@@ -233,7 +233,7 @@ impl OfOther {
         match self {
             Self::Operation { operation, transitions } => new("tool-of-other-operation")
                 .with("operation", Figure::operation(operation.name()))
-                .with("transitions", transitions),
+                .with("transitions", Figure::operations(transitions.iter().map(|known| known.name()))),
             Self::Stage { rough: true } => new("bar-of-other-stage-rough"),
             Self::Stage { rough: false } => new("bar-of-other-stage-finish"),
             Self::Range { low, high, needed } => {

@@ -60,7 +60,7 @@ pub fn holders(knowledge: &Knowledge) -> Result<Vec<HolderRow<'_>>, TableError> 
 pub fn unsuited(cutter: &NamedCutter<'_>, need: &CutterNeed<'_>, machine: &Machine<'_>) -> Option<Unfit> {
     let operation = need.operation;
     if !cutter.head.operations.contains(&operation) {
-        let transitions = cutter.head.operations.iter().map(|known| known.name()).collect::<Vec<_>>().join(", ");
+        let transitions = cutter.head.operations.to_vec();
         return Some(Unfit::OfOther(OfOther::Operation { operation, transitions }));
     }
     if !size_fits(&cutter.row, need) {

@@ -67,7 +67,11 @@ fn unreadable(unread: &Unread, lang: Lang) -> String {
     let Some(mistake) = unread.unreadable.first() else { return String::new() };
     let place = mistake.place.as_deref().unwrap_or_default();
     let place = place.strip_prefix(&format!("{}:", unread.file)).unwrap_or(place);
-    say!(lang, "audit-unreadable", place = place, message = &mistake.message).trim_start().to_owned()
+    match mistake.code {
+        // What the parser says of it stands where the file is audited alone.
+        "yaml" => say!(lang, "audit-no-yaml", place = place),
+        _ => say!(lang, "audit-unreadable", place = place, message = &mistake.message).trim_start().to_owned(),
+    }
 }
 
 /// Where to begin: `31:5 свердління A: подача S 0,25 → 0,325`.

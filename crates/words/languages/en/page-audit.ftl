@@ -98,6 +98,7 @@ audit-folder-summary = { $plans ->
         [one] 1 note
        *[other] { $note } notes
     }
+audit-no-yaml = { $place } cannot be read: the file breaks the rules of YAML
 audit-unreadable = { $place } cannot be read: { $message }
 audit-root = { $whereabouts } { $change }
 # Two plans.
@@ -192,8 +193,8 @@ audit-key-holder-standard = standard of the holder
 audit-key-link-length = length of the link
 # Values of such keys.
 audit-value-true = yes
-plan-value-false = no
-plan-value-null = none
+audit-value-false = no
+audit-value-null = none
 audit-value-tables = by the tables
 audit-value-complexes = by complexes
 audit-value-search = by search
@@ -223,3 +224,9 @@ factor-coating = coating
 factor-tool-material = tool material
 factor-hole-depth = hole depth
 factor-surface-state = state of the surface
+# The command.
+audit-skipped-file = { $file }: no plan, skipped
+audit-no-plans = there is no plan in the folder `{ $folder }`
+audit-what-is-a-plan = plans are files .yaml, .yml and .json as docs/audit.md describes them
+audit-folder-against = only two plans can be compared, no folder
+audit-name-a-plan = name a plan file

@@ -18,7 +18,7 @@ table-rows-named = { $count ->
        *[other] rows
     } { $rows }
 # Where the figures of a row come from.
-table-source-seed = textbook
+table-source-seed = as printed
 table-source-standard = standard
 table-source-reconstructed = reconstructed
 # Tests of decision tables.

@@ -83,6 +83,7 @@ audit-failed-mark = { $points } !
 # A folder of plans.
 audit-folder = Перевірка планів
 audit-folder-summary = планів – { $plans }, з них не читається – { $unread }; помилок – { $error }, хибних значень – { $wrong }, сумнівних – { $doubtful }, зауважень – { $note }
+audit-no-yaml = { $place } не читається: файл записано не за правилами YAML
 audit-unreadable = { $place } не читається: { $message }
 audit-root = { $whereabouts } { $change }
 # Two plans.
@@ -177,8 +178,8 @@ audit-key-holder-standard = стандарт допоміжного інстру
 audit-key-link-length = довжина ланки
 # Values of such keys.
 audit-value-true = так
-plan-value-false = ні
-plan-value-null = немає
+audit-value-false = ні
+audit-value-null = немає
 audit-value-tables = за таблицями
 audit-value-complexes = за комплексами
 audit-value-search = пошуком
@@ -208,3 +209,9 @@ factor-coating = покриття
 factor-tool-material = матеріал інструмента
 factor-hole-depth = глибина отвору
 factor-surface-state = стан поверхні
+# The command.
+audit-skipped-file = { $file }: не план, пропущено
+audit-no-plans = у теці `{ $folder }` немає жодного плану
+audit-what-is-a-plan = плани - це файли .yaml, .yml і .json, як їх описує docs/audit.md
+audit-folder-against = порівняти можна лише два плани, не теку
+audit-name-a-plan = назвіть файл плану

@@ -18,8 +18,8 @@ table-rows-named = { $count ->
        *[other] рядки
     } { $rows }
 # Where the figures of a row come from.
-table-source-seed = посібник
-table-source-standard = стандарт
+table-source-seed = надруковано
+table-source-standard = за стандартом
 table-source-reconstructed = відновлено
 # Tests of decision tables.
 table-test-not = не { $test }
