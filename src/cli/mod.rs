@@ -214,11 +214,13 @@ impl Context {
     ///
     /// # Errors
     /// It cannot be written.
+    #[allow(dead_code, reason = "pages move to documents one by one")]
     pub fn emit_document(&self, document: &Document, format: Format) -> Result<(), CliError> {
         self.emit(&self.written(document, format))
     }
 
     /// A page as text, Markdown or HTML.
+    #[allow(dead_code, reason = "pages move to documents one by one")]
     pub fn written(&self, document: &Document, format: Format) -> String {
         let format = match format {
             Format::Markdown => document::Format::Markdown,

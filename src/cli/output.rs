@@ -33,12 +33,15 @@ pub fn unprintable(lang: Lang, error: impl Display) -> CliError {
 }
 
 /// Narrower than this nothing can be laid out.
+#[allow(dead_code, reason = "as emit_document")]
 const NARROWEST: usize = 40;
 /// What is no terminal is as wide as this.
+#[allow(dead_code, reason = "as emit_document")]
 const USUAL_WIDTH: usize = 120;
 
 /// What the answer is shown on.
 #[derive(Clone, Copy, Debug)]
+#[allow(dead_code, reason = "as emit_document")]
 pub struct Screen {
     /// Its width in characters.
     pub width: usize,
@@ -46,6 +49,7 @@ pub struct Screen {
     pub colour: bool,
 }
 
+#[allow(dead_code, reason = "as emit_document")]
 impl Screen {
     /// The terminal, else a file or a pipe; `COLUMNS` says how wide either is.
     pub fn of(file: Option<&Path>) -> Self {

@@ -47,7 +47,7 @@ impl<'k, R: TableRow<'k>> Rows<R> {
         match self.0.get() {
             Some(rows) => Ok(rows),
             None => {
-                let rows = table()?.rows().collect::<Result<_, _>>()?;
+                let rows = table()?.read()?;
                 Ok(self.0.get_or_init(|| rows))
             }
         }

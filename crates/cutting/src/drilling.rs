@@ -52,8 +52,8 @@ fn by_card(cut: &Cut, shop: &Shop<'_>) -> bool {
 /// The same for a feed found elsewhere: the tools that have no coefficients of their own take this way.
 pub(super) fn by_tables(cut: &Cut, feed: Feed, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
     let Feed { feed, mut because, mut doubts } = feed;
-    let base = base(cut, feed, shop)?;
-    because.extend(base.because.clone());
+    let mut base = base(cut, feed, shop)?;
+    because.append(&mut base.because);
     let mut force = 1.0;
     if base.own_loads {
         let (factor, reason) = factors::material_force(Process::Drilling, cut.tool_material, shop)?;

@@ -1,8 +1,8 @@
 //! What the machine lets through: spindle step, feed range, thrust, torque, power.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::knowledge::RowRef;
 use crate::knowledge::units::Percent;
+use crate::knowledge::{Answer, RowRef};
 use crate::note::{Because, Figure, Note};
 use crate::plan::{Limit, Operation};
 use crate::reason::Uncut;
@@ -113,15 +113,15 @@ fn within(bounds: &[Option<Bound<'_>>], asked: MillimetresPerRev, speed: MetresP
     borne
 }
 
-/// The spindle step of a draft's speed, what limits it, and why.
-pub(super) fn step_of(draft: &Draft, shop: &Shop<'_>) -> Result<(RevsPerMinute, Limit, Because), KnowledgeError> {
-    spindle_step(rpm_at(draft.speed, draft.motion.turned), shop)
+/// The spindle step of a draft's speed.
+pub(super) fn step_of(draft: &Draft, shop: &Shop<'_>) -> Result<RevsPerMinute, KnowledgeError> {
+    Ok(Taken::of(rpm_at(draft.speed, draft.motion.turned), shop)?.rpm)
 }
 
 /// Chooses the spindle step and holds the feed inside the loads, power and feed range; `limited` names the load that
 /// has cut the feed back already.
 pub(super) fn hold(draft: &Draft, limited: Option<Limit>, cut: &Cut, shop: &Shop<'_>) -> Tried<Held, Uncut> {
-    let (rpm, limited_by, reason) = step_of(draft, shop)?;
+    let (rpm, limited_by, reason) = spindle_step(rpm_at(draft.speed, draft.motion.turned), shop)?;
     let mut best = at_step(draft, cut, rpm, (limited.unwrap_or(limited_by), vec![reason]), shop)?;
     // Where power limits, a slower step lets more feed through: the quickest of them is taken.
     for step in shop.machine.spindle_steps.iter().rev().filter(|step| step.0 < rpm.0) {
@@ -233,31 +233,59 @@ pub(super) fn synchronous(draft: &Draft, shop: &Shop<'_>) -> Tried<Held, Uncut> 
 /// # Errors
 /// The rule or the machine's series cannot answer.
 pub fn spindle_step(wanted: RevsPerMinute, shop: &Shop<'_>) -> Result<(RevsPerMinute, Limit, Because), KnowledgeError> {
-    let steps = &shop.machine.spindle_steps;
-    let below = steps.iter().rev().find(|step| step.0 <= wanted.0);
-    let above = steps.iter().find(|step| step.0 >= wanted.0);
-    let series = |code: &'static str, step: RevsPerMinute| -> Result<Because, KnowledgeError> {
-        let note = Note::new(code).with("computed", round_to(wanted.0, 1)).with("step", step.0);
-        Ok(Because::row(shop.machine.row(MachineQuantity::SpindleSpeeds)?, note))
-    };
-    match (below, above) {
-        (Some(below), Some(above)) => {
-            let excess = (above.0 / wanted.0 - 1.0) * 100.0;
-            let asked = shop.knowledge.ask(&SpindleStepFor { excess: Percent(excess) })?;
-            let step = match asked.need("this excess")?.take {
-                Neighbour::Above => *above,
-                Neighbour::Below => *below,
-            };
-            let note = Note::new("spindle-step")
-                .with("computed", round_to(wanted.0, 1))
-                .with("below", below.0)
-                .with("above", above.0)
-                .with("excess", round_to(excess, 1))
-                .with("step", step.0);
-            Ok((step, Limit::CuttingSpeed, Because::answer(&asked.answer, note)))
+    let taken = Taken::of(wanted, shop)?;
+    Ok((taken.rpm, taken.limit, taken.because(wanted, shop)?))
+}
+
+/// A step of the series, before words are made of it: the loads ask for the step alone.
+struct Taken<'k> {
+    rpm: RevsPerMinute,
+    limit: Limit,
+    /// Where the speed lies between two steps.
+    between: Option<Between<'k>>,
+}
+
+/// The steps around a speed, by how much the faster one exceeds it, %, and what the rule says of that.
+struct Between<'k> {
+    below: RevsPerMinute,
+    above: RevsPerMinute,
+    excess: f64,
+    answer: Answer<'k>,
+}
+
+impl<'k> Taken<'k> {
+    fn of(wanted: RevsPerMinute, shop: &Shop<'k>) -> Result<Self, KnowledgeError> {
+        let steps = &shop.machine.spindle_steps;
+        let below = steps.iter().rev().find(|step| step.0 <= wanted.0).copied();
+        let above = steps.iter().find(|step| step.0 >= wanted.0).copied();
+        match (below, above) {
+            (Some(below), Some(above)) => {
+                let excess = (above.0 / wanted.0 - 1.0) * 100.0;
+                let asked = shop.knowledge.ask(&SpindleStepFor { excess: Percent(excess) })?;
+                let rpm = match asked.need("this excess")?.take {
+                    Neighbour::Above => above,
+                    Neighbour::Below => below,
+                };
+                let between = Some(Between { below, above, excess, answer: asked.answer });
+                Ok(Self { rpm, limit: Limit::CuttingSpeed, between })
+            }
+            (Some(rpm), None) => Ok(Self { rpm, limit: Limit::SpindleSpeedMax, between: None }),
+            (None, Some(rpm)) => Ok(Self { rpm, limit: Limit::SpindleSpeedMin, between: None }),
+            (None, None) => Err(KnowledgeError::no_row(shop.machine.table, "spindle-speeds")),
         }
-        (Some(below), None) => Ok((*below, Limit::SpindleSpeedMax, series("spindle-fastest", *below)?)),
-        (None, Some(above)) => Ok((*above, Limit::SpindleSpeedMin, series("spindle-slowest", *above)?)),
-        (None, None) => Err(KnowledgeError::no_row(shop.machine.table, "spindle-speeds")),
+    }
+
+    fn because(&self, wanted: RevsPerMinute, shop: &Shop<'_>) -> Result<Because, KnowledgeError> {
+        let code = match (&self.between, self.limit) {
+            (Some(_), _) => "spindle-step",
+            (None, Limit::SpindleSpeedMax) => "spindle-fastest",
+            (None, _) => "spindle-slowest",
+        };
+        let note = Note::new(code).with("computed", round_to(wanted.0, 1)).with("step", self.rpm.0);
+        let Some(Between { below, above, excess, answer }) = &self.between else {
+            return Ok(Because::row(shop.machine.row(MachineQuantity::SpindleSpeeds)?, note));
+        };
+        let note = note.with("below", below.0).with("above", above.0).with("excess", round_to(*excess, 1));
+        Ok(Because::answer(answer, note))
     }
 }

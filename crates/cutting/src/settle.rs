@@ -39,7 +39,7 @@ pub(super) fn settle(cut: &Cut, shop: &Shop<'_>) -> Tried<Settled, Uncut> {
     }
     let (mut limited_by, mut because) = (None, Vec::new());
     for _ in 0..ROUNDS {
-        let (rpm, ..) = limits::step_of(&found.draft, shop)?;
+        let rpm = limits::step_of(&found.draft, shop)?;
         let Some(Borne { feed, limit, because: reasons }) =
             limits::borne(&found.draft, found.draft.feed, cut, rpm, shop)?
         else {

@@ -8,6 +8,7 @@ use std::sync::OnceLock;
 
 use serde::{Deserialize, Serialize};
 
+use crate::by_id::ById;
 use crate::diagnostic::Diagnostic;
 use crate::lint::cases::CaseFile;
 use crate::load::table_with;
@@ -84,7 +85,7 @@ struct Packed<'a> {
 /// Every table, ordered by id, and the examples beside the decision tables.
 #[derive(Debug, Default)]
 pub struct Knowledge {
-    tables: BTreeMap<Cow<'static, str>, Stored>,
+    tables: ById<Stored>,
     /// Examples of decision tables; only when read from YAML.
     pub(crate) cases: Vec<CaseFile>,
 }
@@ -102,6 +103,7 @@ impl Knowledge {
     /// As [`Self::from_sources`], with what could be read beside the problems.
     pub fn read_sources(files: &[SourceFile<'_>]) -> (Self, Vec<Diagnostic>) {
         let mut knowledge = Self::default();
+        let mut tables = BTreeMap::<Cow<'static, str>, Stored>::new();
         let mut problems = Vec::new();
         let mut vocabularies = Vocabularies::of_code();
         let (words, others): (Vec<_>, Vec<&SourceFile<'_>>) =
@@ -115,22 +117,23 @@ impl Knowledge {
                 continue;
             }
             match table_with(file.path, file.text, &vocabularies) {
-                Ok(table) => match knowledge.table(&table.id) {
-                    Ok(first) => problems.push(Diagnostic::error(
+                Ok(table) => match tables.get(table.id.as_str()).and_then(|first| first.table().ok()) {
+                    Some(first) => problems.push(Diagnostic::error(
                         "duplicate-table",
                         format!("{}: the table {} is already in {}", file.path, table.id, first.file),
                         None,
                     )),
-                    Err(_) => {
+                    None => {
                         if file.path.starts_with(VOCABULARIES) {
                             vocabularies.add(&table);
                         }
-                        knowledge.tables.insert(Cow::Owned(table.id.clone()), Stored::read(table));
+                        tables.insert(Cow::Owned(table.id.clone()), Stored::read(table));
                     }
                 },
                 Err(found) => problems.extend(found),
             }
         }
+        knowledge.tables = tables.into();
         (knowledge, problems)
     }
 
@@ -167,7 +170,7 @@ impl Knowledge {
 
     /// Every table, by id.
     pub fn tables(&self) -> impl Iterator<Item = &Table> {
-        self.tables.values().filter_map(|stored| stored.table().ok())
+        self.tables.things().filter_map(|stored| stored.table().ok())
     }
 
     /// The tables of cutters, by id.
@@ -181,17 +184,17 @@ impl Knowledge {
     }
 
     fn of_family(&self, is: impl Fn(&Family<'static>) -> bool) -> impl Iterator<Item = &Table> {
-        self.tables.values().filter(move |stored| is(&stored.family)).filter_map(|stored| stored.table().ok())
+        self.tables.things().filter(move |stored| is(&stored.family)).filter_map(|stored| stored.table().ok())
     }
 
     /// The ids of the tables, in their order.
     pub fn ids(&self) -> impl Iterator<Item = &str> {
-        self.tables.keys().map(AsRef::as_ref)
+        self.tables.ids()
     }
 
     /// Every table, given away.
     pub fn into_tables(self) -> impl Iterator<Item = Table> {
-        self.tables.into_values().filter_map(|stored| {
+        self.tables.into_things().filter_map(|stored| {
             let table = stored.table.into_inner().unwrap_or_else(|| unpacked(stored.packed));
             table.ok()
         })
@@ -220,7 +223,8 @@ impl Knowledge {
             let Cow::Borrowed(packed) = bytes else { return Err("the tables are not embedded".to_owned()) };
             Ok((Cow::Borrowed(id), Stored { packed, table: OnceLock::new(), family }))
         });
-        Ok(Self { tables: stored.collect::<Result<_, _>>()?, cases: Vec::new() })
+        let tables = stored.collect::<Result<BTreeMap<_, _>, String>>()?;
+        Ok(Self { tables: tables.into(), cases: Vec::new() })
     }
 }
 

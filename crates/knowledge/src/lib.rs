@@ -8,11 +8,13 @@
 //! ([`Knowledge::read_folder`]), and it decides nothing: decisions are rows.
 
 pub mod alike;
+mod by_id;
 pub mod cell;
 pub mod column;
 pub mod contract;
 pub mod diagnostic;
 pub mod error;
+mod few;
 pub mod knowledge;
 pub mod lint;
 pub mod load;

@@ -11,6 +11,7 @@ use std::marker::PhantomData;
 use crate::column::{Column, ColumnType};
 use crate::contract::{Question, TableRow, Which};
 use crate::error::KnowledgeError;
+use crate::few::Few;
 use crate::knowledge::Knowledge;
 use crate::set::Set;
 use crate::table::{Cell, HitPolicy, Kind, RowRef, Table, TableError};
@@ -207,20 +208,33 @@ impl ColumnIndex {
         Self { column: index, domain: column.domain.clone(), default, starts, bits }
     }
 
-    fn matching(&self, rank: i64, words: usize) -> &[u64] {
-        let segment = self.starts.partition_point(|&start| start <= rank) - 1;
+    /// An input, with the interval it lies in.
+    fn given(&self, rank: i64) -> Given {
+        Given { rank, segment: self.starts.partition_point(|&start| start <= rank) - 1 }
+    }
+
+    /// The rows whose test an interval satisfies.
+    fn matching(&self, segment: usize, words: usize) -> &[u64] {
         &self.bits[segment * words..(segment + 1) * words]
     }
+}
+
+/// An input of a query.
+#[derive(Debug, Clone, Copy, Default)]
+struct Given {
+    rank: i64,
+    /// The number of its elementary interval.
+    segment: usize,
 }
 
 /// The answer of a decision table: which rows won, which were passed over, and why every other row lost.
 #[derive(Debug, Clone)]
 pub struct Answer<'t> {
     table: &'t Table,
-    /// The rank of each input, in the order of the input columns.
-    ranks: Vec<i64>,
+    /// The inputs, in the order of their columns.
+    inputs: Few<Given, 6>,
     /// The rows that apply, under the hit policy.
-    winners: Vec<u32>,
+    winners: Few<u32, 1>,
     /// Rows that match but that the hit policy does not take.
     passed_over: Vec<u32>,
 }
@@ -248,7 +262,7 @@ impl Table {
         }
         let index = self.index();
         let words = index.words;
-        let mut ranks = Vec::with_capacity(index.columns.len());
+        let mut given = Few::default();
         let mut used = 0;
         for (at, compiled) in index.columns.iter().enumerate() {
             let column = &self.columns[compiled.column];
@@ -265,31 +279,37 @@ impl Table {
                 }
                 _ => compiled.default.ok_or_else(|| self.missing(column))?,
             };
-            ranks.push(rank);
+            given.push(compiled.given(rank));
         }
         if used != inputs.iter().filter(|(_, input)| input.is_some()).count() {
             return Err(self.unknown_input(inputs));
         }
-        let mut alive = all_rows(self.rows.len(), words);
-        for (compiled, &rank) in index.columns.iter().zip(&ranks) {
-            for (alive, matching) in alive.iter_mut().zip(compiled.matching(rank, words)) {
-                *alive &= matching;
-            }
+        let mut matched = Few::default();
+        for word in 0..words {
+            let tests = index.columns.iter().zip(given.iter());
+            let alive = tests.fold(all_of_word(self.rows.len(), word), |alive, (compiled, given)| {
+                alive & compiled.matching(given.segment, words)[word]
+            });
+            rows_of_word(alive, word).for_each(|row| matched.push(row));
         }
-        let matched: Vec<u32> = rows_of(&alive).collect();
         let (winners, passed_over) = self.apply_policy(matched)?;
-        Ok(Answer { table: self, ranks, winners, passed_over })
+        Ok(Answer { table: self, inputs: given, winners, passed_over })
     }
 
-    fn apply_policy(&self, matched: Vec<u32>) -> Result<(Vec<u32>, Vec<u32>), QueryError> {
+    fn apply_policy(&self, matched: Few<u32, 1>) -> Result<(Few<u32, 1>, Vec<u32>), QueryError> {
         if matched.len() <= 1 || self.hit == HitPolicy::Collect {
             return Ok((matched, Vec::new()));
         }
+        let matched: Vec<u32> = matched.iter().collect();
         let conflict = |rows: &[u32]| QueryError::Conflict {
             table: self.id.clone(),
             rows: rows.iter().map(|row| (row + 1).to_string()).collect::<Vec<_>>().join(", "),
         };
-        let keep = |winner: u32| (vec![winner], matched.iter().copied().filter(|&row| row != winner).collect());
+        let keep = |winner: u32| {
+            let mut only = Few::default();
+            only.push(winner);
+            (only, matched.iter().copied().filter(|&row| row != winner).collect())
+        };
         match self.hit {
             HitPolicy::First => Ok(keep(matched[0])),
             HitPolicy::Any if matched.iter().all(|&row| self.same_outputs(matched[0] as usize, row as usize)) => {
@@ -352,24 +372,23 @@ pub fn describe(column: &Column) -> String {
     }
 }
 
-fn all_rows(count: usize, words: usize) -> Vec<u64> {
-    let mut bits = vec![u64::MAX; words];
-    let spare = words * 64 - count;
-    if let Some(last) = bits.last_mut() {
-        *last = if spare == 64 { 0 } else { u64::MAX >> spare };
+/// The bits of the rows there are, of the word of that number.
+fn all_of_word(rows: usize, word: usize) -> u64 {
+    match rows.saturating_sub(word * 64) {
+        0 => 0,
+        there @ 1..64 => u64::MAX >> (64 - there),
+        _ => u64::MAX,
     }
-    bits
 }
 
-fn rows_of(bits: &[u64]) -> impl Iterator<Item = u32> + '_ {
-    bits.iter().zip(0_u32..).flat_map(|(&word, index)| {
-        let mut left = word;
-        std::iter::from_fn(move || {
-            (left != 0).then(|| {
-                let bit = left.trailing_zeros();
-                left &= left - 1;
-                index * 64 + bit
-            })
+/// The rows whose bits stand in the word of that number.
+fn rows_of_word(bits: u64, word: usize) -> impl Iterator<Item = u32> {
+    let (mut left, first) = (bits, word as u32 * 64);
+    std::iter::from_fn(move || {
+        (left != 0).then(|| {
+            let bit = left.trailing_zeros();
+            left &= left - 1;
+            first + bit
         })
     })
 }
@@ -382,12 +401,12 @@ impl<'t> Answer<'t> {
 
     /// The row that applies; the first of several under `collect`.
     pub fn winner(&self) -> Option<RowRef<'t>> {
-        self.winners.first().map(|&row| RowRef { table: self.table, index: row as usize })
+        self.winners().next()
     }
 
     /// Every row that applies.
     pub fn winners(&self) -> impl Iterator<Item = RowRef<'t>> + '_ {
-        self.winners.iter().map(|&row| RowRef { table: self.table, index: row as usize })
+        self.winners.iter().map(|row| RowRef { table: self.table, index: row as usize })
     }
 
     /// Rows that match but were not taken.
@@ -399,20 +418,23 @@ impl<'t> Answer<'t> {
     pub fn rejected(&self) -> impl Iterator<Item = (RowRef<'t>, &'t Column)> + '_ {
         // Made here, not when the table is asked: most answers are taken without asking why the others lost.
         let (table, index) = (self.table, self.table.index());
-        let mut alive = all_rows(table.rows.len(), index.words);
-        index.columns.iter().zip(&self.ranks).flat_map(move |(compiled, &rank)| {
+        let mut alive: Vec<u64> = (0..index.words).map(|word| all_of_word(table.rows.len(), word)).collect();
+        index.columns.iter().zip(self.inputs.iter()).flat_map(move |(compiled, given)| {
             let column = &table.columns[compiled.column];
-            let matching = compiled.matching(rank, index.words);
+            let matching = compiled.matching(given.segment, index.words);
             let lost: Vec<u64> = alive.iter().zip(matching).map(|(alive, matching)| alive & !matching).collect();
             alive.iter_mut().zip(matching).for_each(|(alive, matching)| *alive &= matching);
-            let rows: Vec<u32> = rows_of(&lost).collect();
-            rows.into_iter().map(move |row| (RowRef { table, index: row as usize }, column))
+            let rows = lost.into_iter().enumerate().flat_map(|(word, lost)| rows_of_word(lost, word));
+            rows.map(move |row| (RowRef { table, index: row as usize }, column))
         })
     }
 
     /// The inputs as they were understood, defaults included.
     pub fn inputs(&self) -> impl Iterator<Item = (&'t str, String)> + '_ {
-        self.table.inputs().zip(&self.ranks).map(|((_, column), &rank)| (column.name.as_str(), column.show_rank(rank)))
+        self.table
+            .inputs()
+            .zip(self.inputs.iter())
+            .map(|((_, column), given)| (column.name.as_str(), column.show_rank(given.rank)))
     }
 }
 
@@ -496,7 +518,7 @@ impl Knowledge {
     /// # Errors
     /// There is no such table, or a row is not what its contract says; the latter never of tables that were checked.
     pub fn rows<'k, R: TableRow<'k>>(&'k self) -> Result<Vec<R>, TableError> {
-        self.table_of::<R>()?.rows().collect()
+        self.table_of::<R>()?.read()
     }
 
     /// The first row of which `is` holds; nothing where there is none.

@@ -237,6 +237,19 @@ impl Table {
         self.all_rows().map(R::read)
     }
 
+    /// All rows, read as their row type.
+    ///
+    /// # Errors
+    /// A row is not what its contract says; never of a table that was checked.
+    pub fn read<'t, R: TableRow<'t>>(&'t self) -> Result<Vec<R>, TableError> {
+        // Not collected: that would not know how many there are, and copy them as the list grows.
+        let mut rows = Vec::with_capacity(self.rows.len());
+        for row in self.rows() {
+            rows.push(row?);
+        }
+        Ok(rows)
+    }
+
     /// A row by its position.
     pub fn row(&self, index: usize) -> Option<RowRef<'_>> {
         (index < self.rows.len()).then_some(RowRef { table: self, index })

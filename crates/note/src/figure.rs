@@ -18,6 +18,8 @@ pub enum Figure {
     List(Vec<Figure>, &'static str),
     /// A sentence within the sentence.
     Note(Box<Note>),
+    /// Read back from an answer for machines, which does not say what kind of figure it was.
+    Stored(String),
 }
 
 /// A word of the program: the vocabulary it belongs to, and its id there.
@@ -79,6 +81,7 @@ impl Figure {
                 parts.iter().map(|part| part.text().into_owned()).collect::<Vec<_>>().join(between).into()
             }
             Self::Note(note) => note.code().to_owned().into(),
+            Self::Stored(text) => Cow::Borrowed(text),
         }
     }
 }

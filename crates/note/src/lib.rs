@@ -62,7 +62,7 @@ impl Serialize for Params {
 impl<'de> Deserialize<'de> for Params {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let map = BTreeMap::<String, String>::deserialize(deserializer)?;
-        Ok(Self(map.into_iter().map(|(name, value)| (Cow::Owned(name), Figure::Text(value.into()))).collect()))
+        Ok(Self(map.into_iter().map(|(name, value)| (Cow::Owned(name), Figure::Stored(value))).collect()))
     }
 }
 

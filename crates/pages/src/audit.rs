@@ -10,9 +10,9 @@ mod words;
 
 use crate::note::{Because, Figure};
 use technolog_audit::{Audit, Finding, Section};
+use technolog_words::say;
 use technolog_core::words::with_unit;
 use technolog_document::{self as document, Document, Inlines};
-use technolog_words::say;
 
 use super::{Lang, sentence};
 pub use words::severity;

@@ -43,8 +43,10 @@ impl Language {
         let mut arguments = FluentArgs::with_capacity(figures.len());
         for (name, figure) in figures {
             let value = match figure {
-                // As a number, so that plurals can go by it.
-                Figure::Number(number) => number.parse::<FluentNumber>().map(FluentValue::Number).ok(),
+                // As a number, so that plurals can go by it; one with its plus would lose it.
+                Figure::Number(number) if !number.starts_with('+') => {
+                    number.parse::<FluentNumber>().map(FluentValue::Number).ok()
+                }
                 _ => None,
             };
             arguments.set(*name, value.unwrap_or_else(|| FluentValue::String(shown(figure).into())));

@@ -129,8 +129,52 @@ fn collect_text<'p>(pattern: &Pattern<&'p str>, texts: &mut Vec<&'p str>) {
 
 #[cfg(test)]
 mod tests {
+    use technolog_note::{Figure, Note};
+
     use super::*;
-    use crate::LANGUAGES;
+    use crate::{LANGUAGES, Lang};
+
+    /// A language as somebody begins it: one folder, one line, three messages.
+    static POLISH: Language = Language::new(
+        "pl",
+        &[(
+            "pl",
+            &[
+                ("general.ftl", "decimal-comma = tak\n"),
+                ("operations.ftl", "operation-drill = wiercenie\n    .verb = Wiercić\n"),
+                ("holes.ftl", "reaches-again = znowu klasa { $it }, { $roughness }\n"),
+            ],
+        )],
+    );
+
+    #[test]
+    fn a_third_language_may_be_partial() {
+        let polish = Lang::of(&POLISH);
+        assert_eq!(polish.term("operation", "drill"), "wiercenie");
+        assert_eq!(polish.form("operation", "drill", "verb"), "Wiercić");
+        // What it lacks is said in English, numbers too.
+        assert_eq!(polish.term("operation", "tap"), "tapping");
+        let note = Note::new("stages").with("stages", Figure::sum_of_words(["finish-nc"])).with("delta", 0.2);
+        let note = note.with("sigma", 0.05);
+        assert_eq!(polish.say(&note), "stages: finishing on the NC machine (Δ0 = 0.2 mm, σc = 0.05 mm)");
+        let lacks = polish.lacks();
+        assert!(lacks.contains(&"operation-tap".to_owned()) && !lacks.contains(&"operation-drill".to_owned()));
+        assert_eq!(entries(&POLISH).1, Vec::<String>::new());
+    }
+
+    #[test]
+    fn what_the_user_wrote_is_not_translated() {
+        let note = Note::new("unknown-material").with("material", "drill");
+        assert!(Lang::UK.say(&note).contains("`drill`"), "{}", Lang::UK.say(&note));
+    }
+
+    #[test]
+    fn plurals_follow_their_number() {
+        for (count, said) in [(1, "1 рядок"), (3, "3 рядки"), (12, "12 рядків"), (21, "21 рядок"), (104, "104 рядки")]
+        {
+            assert_eq!(Lang::UK.say(&Note::new("cli-rows-counted").with("count", count)), said);
+        }
+    }
 
     #[test]
     fn the_catalogue_has_no_fault() {

@@ -11,6 +11,7 @@ mod catalogue;
 pub mod check;
 mod registered;
 
+use std::borrow::Cow;
 use std::fmt;
 
 pub use catalogue::Language;
@@ -43,6 +44,11 @@ impl Lang {
         Self::all().find(|lang| lang.tag().eq_ignore_ascii_case(primary)).unwrap_or(Self::UK)
     }
 
+    /// The messages that it lacks and says in English.
+    pub fn lacks(self) -> Vec<String> {
+        check::differences(self.0, &registered::EN).0
+    }
+
     /// Its tag (BCP 47), which is its folder: `uk`.
     pub const fn tag(self) -> &'static str {
         self.0.tag
@@ -67,7 +73,14 @@ impl Lang {
     /// The message of a note. One that no language has shows its code and figures, so that nothing is lost.
     #[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
     pub fn say(self, note: &Note) -> String {
-        let figures: Vec<(&str, &Figure)> = note.figures().collect();
+        let known: Vec<(&str, Cow<'_, Figure>)> = note
+            .figures()
+            .map(|(name, figure)| match figure {
+                Figure::Stored(text) => (name, Cow::Owned(self.stored(name, text))),
+                figure => (name, Cow::Borrowed(figure)),
+            })
+            .collect();
+        let figures: Vec<(&str, &Figure)> = known.iter().map(|(name, figure)| (*name, &**figure)).collect();
         let Some(mut said) = self.message(note.code(), None, &figures) else {
             let figures: Vec<String> =
                 figures.iter().map(|(name, value)| format!("{name} = {}", value.text())).collect();
@@ -117,11 +130,44 @@ impl Lang {
                 parts.iter().map(|part| self.figure(part)).collect::<Vec<_>>().join(between)
             }
             Figure::Note(note) => self.say(note),
+            Figure::Stored(text) => text.clone(),
         }
     }
 
     fn plain(self, key: &str, form: Option<&str>) -> Option<&'static str> {
         self.0.plain(key, form).or_else(|| registered::EN.plain(key, form))
+    }
+
+    /// A figure of a stored note, of which only its name tells what it is.
+    fn stored(self, name: &str, text: &str) -> Figure {
+        const OPERATIONS: [&str; 7] = ["operation", "instead", "transitions", "better", "scheme", "same", "first"];
+        const WORDS: [&str; 12] = [
+            "kind",
+            "method",
+            "variant",
+            "direction",
+            "rival",
+            "take",
+            "by",
+            "name",
+            "shank",
+            "bound",
+            "feature",
+            "stages",
+        ];
+        let list = |one: fn(String) -> Figure| {
+            let between = if text.contains(" + ") { " + " } else { ", " };
+            Figure::List(text.split(between).map(|part| one(part.to_owned())).collect(), between)
+        };
+        if text.parse::<f64>().is_ok() {
+            Figure::number(text.to_owned())
+        } else if OPERATIONS.contains(&name) {
+            list(Figure::operation)
+        } else if WORDS.contains(&name) {
+            list(Figure::word)
+        } else {
+            Figure::Text(text.to_owned().into())
+        }
     }
 
     fn message(self, key: &str, form: Option<&str>, figures: &[(&str, &Figure)]) -> Option<String> {

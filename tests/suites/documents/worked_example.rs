@@ -528,7 +528,7 @@ fn the_rows_of_the_page_are_rows_of_the_plan() {
     }
     let mut rows = BTreeSet::new();
     METHODS.iter().for_each(|method| collect(&plan(method), &mut rows));
-    for (path, mark) in [("docs/worked-example.md", "`, row ")] {
+    for (path, mark) in [("docs/worked-example.md", "`, row "), ("docs/uk/worked-example.md", "`, рядок ")] {
         let page = std::fs::read_to_string(root().join(path)).unwrap();
         let mut cited = 0;
         for (at, mark) in page.match_indices(mark) {

@@ -23,7 +23,9 @@ fn doubts(plan: &Plan, table: &str, row: usize) -> bool {
     let row = row.to_string();
     plan.findings.iter().any(|finding| {
         let param = |name: &str| finding.note.figure(name).map(|figure| figure.text().into_owned());
-        finding.note.code() == "unconfirmed" && param("table").as_deref() == Some(table) && param("row") == Some(row.clone())
+        finding.note.code() == "unconfirmed"
+            && param("table").as_deref() == Some(table)
+            && param("row") == Some(row.clone())
     })
 }
 

@@ -235,8 +235,14 @@ fn a_lathe_says_what_does_not_go_in() {
     let lathe = Lathe::find(knowledge, "16k20f3").unwrap();
     let mm = Micrometres::from_mm;
     assert!(lathe.refuses_part(mm(220), mm(1000)).is_none());
-    assert_eq!(lathe.refuses_part(mm(221), mm(10)).unwrap().figure_text("quantity").as_deref(), Some("diameter-over-carriage"));
-    assert_eq!(lathe.refuses_part(mm(20), mm(1001)).unwrap().figure_text("quantity").as_deref(), Some("length-between-centres"));
+    assert_eq!(
+        lathe.refuses_part(mm(221), mm(10)).unwrap().figure_text("quantity").as_deref(),
+        Some("diameter-over-carriage")
+    );
+    assert_eq!(
+        lathe.refuses_part(mm(20), mm(1001)).unwrap().figure_text("quantity").as_deref(),
+        Some("length-between-centres")
+    );
     let tool = |name: &str| TurningTool::find(knowledge, name).unwrap().unwrap();
     assert!(lathe.refuses_tool(&tool("PCLNR 2525M12")).is_none());
     assert_eq!(lathe.refuses_tool(&tool("PCLNR 3225P16")).unwrap().code(), "shank-too-high");

@@ -233,7 +233,7 @@ impl OfOther {
         match self {
             Self::Operation { operation, transitions } => new("tool-of-other-operation")
                 .with("operation", Figure::operation(operation.name()))
-                .with("transitions", Figure::operations(transitions.iter().map(|known| known.name()))),
+                .with("transitions", Figure::operations(transitions.iter().map(|made| made.name()))),
             Self::Stage { rough: true } => new("bar-of-other-stage-rough"),
             Self::Stage { rough: false } => new("bar-of-other-stage-finish"),
             Self::Range { low, high, needed } => {

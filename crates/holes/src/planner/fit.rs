@@ -1,6 +1,7 @@
 //! Gives the steps of one hole their cutters, holders and conditions, or says why one cannot have them.
 
 mod centring;
+mod one_drill;
 mod reach;
 
 use std::cell::RefCell;
@@ -18,16 +19,18 @@ use crate::route::bores::Edge;
 use crate::route::{Place, Step};
 use crate::shop::Shop;
 use crate::tables::holes::HoleDefault;
-use crate::tables::rules::{Lead, ReamerLeadFor, TwoPassDrilling};
+use crate::tables::rules::{Lead, ReamerLeadFor};
 use crate::tooling::{self, Assembly, CutterNeed};
-use crate::units::{ItGrade, Micrometres, Roughness, round_to};
+use crate::units::{ItGrade, Micrometres, Roughness};
 
 pub(super) use centring::widest_spot;
+use one_drill::{SingleDrill, SingleKey};
 use reach::point_angle;
 
 /// A step with what it is done with.
 #[derive(Clone, Debug)]
 pub(super) struct Fitted {
+    /// Its reasons stand among all those below.
     pub step: Step,
     /// Absent for centring until the whole part is known.
     pub tool: Option<Rc<FittedTool>>,
@@ -49,6 +52,7 @@ pub(super) struct FittedTool {
     pub diameter: Micrometres,
     /// The size it is ground or set to; distinguishes two tools of one designation.
     pub size: Micrometres,
+    /// Its reasons stand among those below.
     pub assembly: Assembly,
     pub because: Vec<Because>,
 }
@@ -103,6 +107,8 @@ pub(super) struct Fitting<'p, 'k> {
     known: RefCell<BTreeMap<Key, Result<Outfit, Reason>>>,
     /// The conditions of the spots that were asked for.
     spots: RefCell<BTreeMap<SpotKey, Rc<Conditions>>>,
+    /// The single drills that second ones were compared with; none where there are no conditions for them.
+    single_drills: RefCell<BTreeMap<SingleKey, Option<SingleDrill>>>,
 }
 
 /// What the conditions of a spot depend on: its step's place, its diameter and that before it, its passes, and the travel.
@@ -138,6 +144,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             tap_lead: shop.share(HoleDefault::TapLeadPitches)?,
             known: RefCell::new(BTreeMap::new()),
             spots: RefCell::new(BTreeMap::new()),
+            single_drills: RefCell::new(BTreeMap::new()),
         })
     }
 
@@ -191,9 +198,9 @@ impl<'p, 'k> Fitting<'p, 'k> {
     }
 
     /// One step that is not centring.
-    pub fn one(&self, step: Step, follows: Option<Operation>, last: bool) -> Tried<Fitted> {
+    pub fn one(&self, mut step: Step, follows: Option<Operation>, last: bool) -> Tried<Fitted> {
         let Outfit { tool, travel, conditions, doubts } = self.outfit(&step, follows, last)?;
-        let mut because = step.because.clone();
+        let mut because = std::mem::take(&mut step.because);
         let (approach, _, reason) = self.travels(step.place.through);
         because.push(reason.clone());
         because.extend(self.conventions(&step)?);
@@ -259,7 +266,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             }
             None => tooling::find_tool(&need, shop)?,
         };
-        let (cutter, assembly) = found.map_err(|why| Refusal::Not(Reason::no_tool(step.operation, why)))?;
+        let (cutter, mut assembly) = found.map_err(|why| Refusal::Not(Reason::no_tool(step.operation, why)))?;
         // A step drill goes on until its wide part is as deep as the opening.
         let travel = match (step.also, cutter.row.step_length) {
             (Some(_), Some(pilot)) => self.travels(step.place.through).0 + self.opening_depth() + pilot,
@@ -286,7 +293,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             let note = Note::new("ground-within").with("limit", self.grind_limit);
             because.push(Because::row(self.shop.default_row(HoleDefault::CutterGrindLimit)?.row, note));
         }
-        because.extend(assembly.because.clone());
+        because.append(&mut assembly.because);
         let tool = FittedTool {
             designation: cutter.designation.to_owned(),
             table: cutter.row.row.table.id.clone(),
@@ -340,42 +347,6 @@ impl<'p, 'k> Fitting<'p, 'k> {
             tool_diameter: step.also.map(|_| step.diameter),
         }
     }
-
-    /// Says what the second drill costs in time and saves in thrust against one drill of full size.
-    pub fn compare_with_one_drill(&self, fitted: &mut [Fitted]) -> Result<(), KnowledgeError> {
-        let Some(second) = fitted
-            .iter()
-            .position(|one| one.step.operation == Operation::DrillOut && one.step.place.feature == Feature::Bore)
-        else {
-            return Ok(());
-        };
-        let single = Step {
-            operation: Operation::Drill,
-            from: Micrometres::ZERO,
-            because: Vec::new(),
-            ..fitted[second].step.clone()
-        };
-        let (travel, _) = self.travel(&single);
-        let follows = fitted.get(second + 1).map(|one| one.step.operation);
-        let cut = self.cut(&single, follows, ToolMaterial::HighSpeedSteel, travel);
-        let Ok(one) = cutting::conditions(&cut, self.shop) else { return Ok(()) };
-        let pair = &fitted[second.saturating_sub(1)..=second];
-        let time: f64 = pair.iter().map(|step| step.conditions.machine_time_min.0).sum();
-        let thrust = pair
-            .iter()
-            .filter_map(|step| step.conditions.axial_force_n)
-            .fold(0.0, |most: f64, force| most.max(force.0));
-        let table = self.shop.knowledge.table_of::<TwoPassDrilling<'_>>()?;
-        let note = Note::new("two-passes-cost")
-            .with("time", format!("{:+.3}", time - one.machine_time_min.0))
-            .with("thrust", round_to(thrust, 0))
-            .with(
-                "one-thrust",
-                one.axial_force_n.map_or_else(|| "-".to_owned(), |force| round_to(force.0, 0).to_string()),
-            );
-        fitted[second].because.push(Because::table(table, note));
-        Ok(())
-    }
 }
 
 /// How far the tool of somebody's step goes in one pass, and how far above the metal its feed begins.
@@ -422,7 +393,7 @@ const fn eases(next: Operation) -> bool {
 }
 
 /// The shape of an end mill, where the row has teeth.
-fn cutter_shape(cutter: &tooling::Cutter<'_>) -> Option<cutting::CutterShape> {
+fn cutter_shape(cutter: &tooling::Cutter<'_, '_>) -> Option<cutting::CutterShape> {
     let teeth = u32::try_from(cutter.row.teeth?).ok()?;
     let cutting_length = cutter.row.cutting_length?;
     Some(cutting::CutterShape { diameter: cutter.diameter, teeth, cutting_length })

@@ -43,10 +43,10 @@ pub(super) fn choose_centre_drill(
         return Ok(());
     }
     let need = CutterNeed::plain(Operation::CentreDrill, needed);
-    let fitted = tooling::find_tool(&need, shop)?.map(|(cutter, assembly)| {
+    let fitted = tooling::find_tool(&need, shop)?.map(|(cutter, mut assembly)| {
         let why = Note::new("centre-drill-for-all").with("needed", &shown);
         let mut because = vec![Because { note: why, ..cutter.because() }];
-        because.extend(assembly.because.clone());
+        because.append(&mut assembly.because);
         Rc::new(FittedTool {
             designation: cutter.designation.to_owned(),
             table: cutter.row.row.table.id.clone(),

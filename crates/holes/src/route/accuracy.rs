@@ -36,13 +36,14 @@ pub(super) fn after<'k>(
     shop.knowledge.ask(&NextTransitionFor { after: state, diameter })
 }
 
-/// The accuracy that a row of `next-transition` refers to; absent where its transition only prepares.
-pub(super) fn of_row(
+/// The accuracy that a row of `next-transition` refers to, with the row that has it; absent where its transition only
+/// prepares.
+pub(super) fn of_row<'k>(
     row: &NextTransition<'_>,
-    shop: &Shop<'_>,
-) -> Result<Option<(ItGrade, Roughness, Because)>, KnowledgeError> {
+    shop: &Shop<'k>,
+) -> Result<Option<(ItGrade, Roughness, RowRef<'k>)>, KnowledgeError> {
     let knowledge = shop.knowledge;
-    let (found, it, ra): (RowRef<'_>, _, _) = if let Some(number) = row.a1 {
+    let (found, it, ra): (RowRef<'k>, _, _) = if let Some(number) = row.a1 {
         let found = knowledge.need(&number.to_string(), |row: &HoleAccuracy<'_>| row.no == number)?;
         (found.row, finest(&found)?, found.ra_finest)
     } else if let Some(method) = row.a2 {
@@ -54,7 +55,15 @@ pub(super) fn of_row(
     } else {
         return Ok(None);
     };
-    let roughness = Roughness::from_ra(ra);
+    Ok(Some((it, Roughness::from_ra(ra), found)))
+}
+
+/// The same, told.
+fn told_of_row(
+    row: &NextTransition<'_>,
+    shop: &Shop<'_>,
+) -> Result<Option<(ItGrade, Roughness, Because)>, KnowledgeError> {
+    let Some((it, roughness, found)) = of_row(row, shop)? else { return Ok(None) };
     let note = Note::new("reaches").with("it", it).with("roughness", roughness);
     let mut because = Because::row(found, note);
     if because.unconfirmed.is_none() {
@@ -96,7 +105,7 @@ pub fn write(
         let next = if state == HoleState::Finished { Vec::new() } else { after(state, asked, shop)?.winners()? };
         if let Some(row) = next.iter().find(|row| row.operation == operation) {
             state = row.leaves;
-            reached = of_row(row, shop)?;
+            reached = told_of_row(row, shop)?;
         }
         if step.operation == Operation::CentreDrill {
             continue;

@@ -1,5 +1,7 @@
 //! Which schemes the tables A.6, A.8 and A.9 give a cylinder, best first.
 
+use std::rc::Rc;
+
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::query::Asked;
 use crate::knowledge::{Column, Knowledge};
@@ -12,7 +14,7 @@ use crate::tables::holes::{
 };
 use crate::tables::rules::{
     BlankState, CellTaken, CentreColumn, CentreFirstFor, CentredTwin, EmptyCellFor, GradeAsked, SchemeTaken,
-    TableForHoleFor, WhichOfTwoSchemesFor,
+    TableForHole, TableForHoleFor, WhichOfTwoSchemesFor,
 };
 use crate::units::{Decimal, ItGrade, Micrometres, Roughness};
 
@@ -42,8 +44,29 @@ struct Cell<'k> {
     roughness: Roughness,
     row: SchemesOfMainHole<'k>,
     answer: Asked<'k, SchemesOfMainHole<'k>>,
-    because: Vec<Because>,
+    /// Why its table was asked.
+    table_asked: Rc<TableAsked<'k>>,
     finish_elsewhere: bool,
+}
+
+/// Why a table was asked, before words are made of it: of most cells none are.
+struct TableAsked<'k> {
+    answer: Asked<'k, TableForHole<'k>>,
+    table: &'k str,
+    grade: ItGrade,
+    asked_grade: ItGrade,
+    asked_centre: Micrometres,
+}
+
+impl TableAsked<'_> {
+    fn because(&self) -> Because {
+        let note = Note::new("table-for-hole")
+            .with("it", self.grade)
+            .with("table", self.table)
+            .with("asked-it", self.asked_grade)
+            .with("centre", self.asked_centre);
+        Because::answer(&self.answer.answer, note)
+    }
 }
 
 impl Cell<'_> {
@@ -93,10 +116,9 @@ pub fn candidates(question: &Question<'_>, shop: &Shop<'_>) -> Tried<Vec<Candida
 
     let mut schemes = Vec::new();
     for cell in own.filled.into_iter().chain(finer) {
-        let mut because = cell.because.clone();
-        because.push(taken.clone());
+        let because = [cell.table_asked.because(), taken.clone()];
         for (scheme, reason) in in_order(&cell, question, knowledge)? {
-            let mut because = because.clone();
+            let mut because = because.to_vec();
             let note = Note::new("scheme")
                 .with("scheme", Figure::scheme(&scheme))
                 .with("it", cell.grade)
@@ -188,6 +210,7 @@ fn cells<'k>(
         CentreColumn::UpTo03 => Micrometres::new(300),
     };
     let columns = SchemesOfMainHoleFor::roughness(table).map(Column::roughness_points).unwrap_or_default();
+    let table_asked = Rc::new(TableAsked { answer, table: &table.id, grade, asked_grade, asked_centre });
     let mut found = GradeCells { own_is_filled: false, filled: Vec::new(), table_columns: columns.clone() };
     for (position, roughness) in columns.into_iter().filter(|column| *column <= bore.roughness).enumerate() {
         let cell = table.ask(&SchemesOfMainHoleFor {
@@ -200,18 +223,13 @@ fn cells<'k>(
         })?;
         let Some(row) = cell.winner()? else { continue };
         found.own_is_filled |= position == 0;
-        let note = Note::new("table-for-hole")
-            .with("it", grade)
-            .with("table", &table.id)
-            .with("asked-it", asked_grade)
-            .with("centre", asked_centre);
         found.filled.push(Cell {
             grade,
             roughness,
             finish_elsewhere: choice.finish_elsewhere || row.finish_elsewhere == Some(true),
             row,
             answer: cell,
-            because: vec![Because::answer(&answer.answer, note)],
+            table_asked: Rc::clone(&table_asked),
         });
     }
     Ok(found)

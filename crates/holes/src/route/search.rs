@@ -160,6 +160,8 @@ struct Graph<'a, 'k> {
     failed: Vec<Reason>,
     /// The rows of the rule `next-transition`.
     rule: Rc<[NextTransition<'k>]>,
+    /// The states that a transition may follow, each with the transition that leaves it.
+    states_before: Vec<(HoleState, Option<Operation>)>,
     centre: bool,
     bore: &'a Bore,
     sizes: &'a Sizes<'a>,
@@ -175,13 +177,18 @@ impl<'a, 'k> Graph<'a, 'k> {
         shop: &'a Shop<'k>,
     ) -> Result<Self, KnowledgeError> {
         let (centre, _) = super::scheme::centre_first(bore, shop)?;
+        let rule: Rc<[NextTransition<'k>]> = shop.knowledge.rows()?.into();
+        let leaves = |state| rule.iter().find(|row| row.leaves == state).map(|row| row.operation);
+        let before = HoleState::NAMES.iter().filter(|(_, state)| *state != HoleState::Finished);
+        let states_before = before.map(|&(_, state)| (state, leaves(state))).collect();
         Ok(Self {
             states: DiGraph::new(),
             known: BTreeMap::new(),
             answers: BTreeMap::new(),
             start: None,
             failed: Vec::new(),
-            rule: shop.knowledge.rows()?.into(),
+            rule,
+            states_before,
             centre,
             bore,
             sizes,
@@ -209,13 +216,13 @@ impl<'a, 'k> Graph<'a, 'k> {
     fn enter(&mut self, node: NodeIndex, row: &NextTransition<'_>, last: bool) -> Tried<()> {
         let after = self.states[node].diameter;
         let operation = row.operation;
-        for &(_, state) in HoleState::NAMES.iter().filter(|(_, state)| *state != HoleState::Finished) {
+        for at in 0..self.states_before.len() {
+            let (state, previous) = self.states_before[at];
             // Solid metal is drilled without centring only where the rule lets it.
             if state == HoleState::Solid && operation == Operation::Drill && self.centre {
                 continue;
             }
-            // The transition that leaves a state; a state that none leaves is a beginning, and ours is one of them.
-            let previous = self.rule.iter().find(|row| row.leaves == state).map(|row| row.operation);
+            // A state that no transition leaves is a beginning, and ours is one of them.
             if previous.is_none() && state != accuracy::start(self.bore) {
                 continue;
             }

@@ -18,7 +18,7 @@ use crate::plan::{HolePlan, Stop, Times, Visit};
 use crate::units::{Micrometres, Minutes};
 
 use metric::Metric;
-use tour::{Effort, Space};
+use tour::{Effort, Path, Space};
 
 /// Visits of every tool, in order, and where the time goes.
 ///
@@ -28,6 +28,8 @@ use tour::{Effort, Space};
 pub fn sequence(part: &Part, holes: &[HolePlan], machine: &Machine<'_>, effort: Option<Effort>) -> (Vec<Visit>, Times) {
     let mut visits = Vec::new();
     let mut times = Times::default();
+    let mut paths =
+        Paths { home: tool_change_point(part, machine), rapid: machine.rapids(), effort, known: Vec::new() };
     for (setup, face) in [(1, Face::Entry), (2, Face::Back)] {
         // What is still to be done to each group, last first.
         let mut to_do: Vec<Vec<usize>> = holes
@@ -50,7 +52,7 @@ pub fn sequence(part: &Part, holes: &[HolePlan], machine: &Machine<'_>, effort: 
                     places.extend(hole.at.iter().map(|&at| own.iter().map(|&step| stop(at, step)).collect()));
                 }
             }
-            let visit = visit(tool, setup, places, holes, part, machine, effort);
+            let visit = visit(tool, setup, places, holes, &mut paths);
             times.rapid_min = times.rapid_min + visit.rapid_min;
             visits.push(visit);
         }
@@ -79,28 +81,38 @@ fn tool_of(plan: &HolePlan, transition: usize) -> Option<u32> {
     plan.transitions.get(transition).map(|step| step.tool.number)
 }
 
+/// The paths from the tool-change position and back; tools often go over the same points.
+struct Paths {
+    home: Point,
+    rapid: Rapid,
+    effort: Option<Effort>,
+    /// Points, the tool-change position first, with the path over them.
+    known: Vec<(Vec<Point>, Path)>,
+}
+
+impl Paths {
+    fn over(&mut self, points: &[Point]) -> Path {
+        if let Some((_, path)) = self.known.iter().find(|(known, _)| known == points) {
+            return path.clone();
+        }
+        let space = Space::closed(points, Metric::Rapid(self.rapid));
+        let path = self.effort.map_or_else(|| tour::plan_path(&space), |effort| tour::path(&space, effort));
+        self.known.push((points.to_vec(), path.clone()));
+        path
+    }
+}
+
 /// A tool's way over its places, from the tool-change position and back; what is done at one place stays
 /// together, in the order of its transitions.
-fn visit(
-    tool: u32,
-    setup: u32,
-    mut places: Vec<Vec<Stop>>,
-    holes: &[HolePlan],
-    part: &Part,
-    machine: &Machine<'_>,
-    effort: Option<Effort>,
-) -> Visit {
-    let home = tool_change_point(part, machine);
+fn visit(tool: u32, setup: u32, mut places: Vec<Vec<Stop>>, holes: &[HolePlan], paths: &mut Paths) -> Visit {
     let at = places.iter().filter_map(|stops| stops.first()).map(|stop| stop.at);
-    let points: Vec<Point> = std::iter::once(home).chain(at).collect();
-    let rapid = machine.rapids();
-    let metric = Metric::Rapid(rapid);
-    let space = Space::closed(&points, metric);
-    let path = effort.map_or_else(|| tour::plan_path(&space), |effort| tour::path(&space, effort));
+    let points: Vec<Point> = std::iter::once(paths.home).chain(at).collect();
+    let (rapid, metric) = (paths.rapid, Metric::Rapid(paths.rapid));
+    let path = paths.over(&points);
     let withdrawals: f64 = places.iter().flatten().map(|stop| withdrawal(stop, holes, rapid).0).sum();
     let time = |cost| Minutes(metric.minutes(cost).unwrap_or_default().0 + withdrawals).rounded(3);
     let rapid_min = time(path.cost);
-    let nearest_rapid_min = time(tour::nearest_rule(&space).cost);
+    let nearest_rapid_min = time(tour::nearest_rule(&Space::closed(&points, metric)).cost);
     let path_mm = Micrometres::new(Space::closed(&points, Metric::Euclid).length(&path.order));
     let stops = path.order.iter().skip(1).flat_map(|&point| std::mem::take(&mut places[point - 1])).collect();
     let bound_min = path.optimal.then_some(rapid_min);

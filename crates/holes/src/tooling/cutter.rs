@@ -20,9 +20,9 @@ use super::sizes::{fitting, nothing_of_size};
 
 /// A cutter of a catalog, as planning uses it.
 #[derive(Clone, Debug)]
-pub struct Cutter<'k> {
+pub struct Cutter<'s, 'k> {
     /// Its row.
-    pub row: CutterRow<'k>,
+    pub row: &'s CutterRow<'k>,
     /// What its table says of all its cutters.
     pub head: &'k ToolHead,
     /// The designation that fits the hole (through or blind, lead angle).
@@ -62,7 +62,7 @@ pub enum By<'k> {
     Named,
 }
 
-impl Cutter<'_> {
+impl Cutter<'_, '_> {
     /// How it was chosen.
     pub fn because(&self) -> Because {
         let because = match &self.by {
@@ -158,13 +158,13 @@ pub(super) type Tables<'s, 'k> = Vec<(&'k ToolHead, &'s [CutterRow<'k>])>;
 ///
 /// # Errors
 /// The knowledge cannot answer.
-pub(super) fn cutters<'k>(
+pub(super) fn cutters<'s, 'k>(
     need: &CutterNeed<'_>,
-    shop: &Shop<'k>,
-) -> Result<(Vec<Cutter<'k>>, Vec<Unfit>), KnowledgeError> {
+    shop: &'s Shop<'k>,
+) -> Result<(Vec<Cutter<'s, 'k>>, Vec<Unfit>), KnowledgeError> {
     let question = ToolTablesFor { operation: need.operation, diameter: need.nominal };
     let rule = Rc::new(shop.knowledge.ask(&question)?.need(need.operation.name())?);
-    let mut tables: Tables<'_, 'k> = Vec::with_capacity(rule.tables.len());
+    let mut tables: Tables<'s, 'k> = Vec::with_capacity(rule.tables.len());
     for id in &rule.tables {
         let cutters = shop.shelf.cutters_of(id)?;
         tables.push((cutters.head, cutters.rows()?));
@@ -182,7 +182,7 @@ pub(super) fn cutters<'k>(
                 continue;
             }
             cutters.push(Cutter {
-                row: candidate.clone(),
+                row: candidate,
                 head,
                 designation: designation(candidate, need)?,
                 diameter: candidate.diameter.unwrap_or(need.diameter),
@@ -206,13 +206,13 @@ pub(super) fn cutters<'k>(
 ///
 /// # Errors
 /// The knowledge cannot answer.
-pub(super) fn step_drills<'k>(
+pub(super) fn step_drills<'s, 'k>(
     need: &CutterNeed<'_>,
     wide: Micrometres,
     pilot: Micrometres,
     opening: Operation,
-    shop: &Shop<'k>,
-) -> Result<(Vec<Cutter<'k>>, Vec<Unfit>), KnowledgeError> {
+    shop: &'s Shop<'k>,
+) -> Result<(Vec<Cutter<'s, 'k>>, Vec<Unfit>), KnowledgeError> {
     let (mut cutters, mut rejected) = (Vec::new(), Vec::new());
     // A flat step for screw heads, or a cone for the chamfer of a thread.
     for tables in shop.shelf.cutters().iter().filter(|tables| tables.head.operations.contains(&opening)) {
@@ -229,7 +229,7 @@ pub(super) fn step_drills<'k>(
                 continue;
             }
             cutters.push(Cutter {
-                row: row.clone(),
+                row,
                 head,
                 designation,
                 diameter: need.diameter,
@@ -260,7 +260,7 @@ pub(super) fn stated<T>(row: &CutterRow<'_>, what: &str, figure: Option<T>) -> R
     })
 }
 
-fn designation<'k>(row: &CutterRow<'k>, need: &CutterNeed<'_>) -> Result<&'k str, KnowledgeError> {
+pub(super) fn designation<'k>(row: &CutterRow<'k>, need: &CutterNeed<'_>) -> Result<&'k str, KnowledgeError> {
     let by_bottom = if need.through { row.designation_through } else { row.designation_blind };
     let by_lead = if need.lead == Some(Lead::Deg5) { row.designation_5deg } else { row.designation_15deg };
     stated(row, "designation", row.designation.or(by_bottom).or(by_lead))

@@ -46,11 +46,11 @@ pub struct Assembly {
 /// # Errors
 /// The knowledge cannot answer. That no holder fits is not an error: the inner `Err` says why.
 pub fn assemble<'k>(
-    cutter: &Cutter<'k>,
+    cutter: &Cutter<'_, 'k>,
     need: &CutterNeed<'_>,
     shop: &Shop<'k>,
 ) -> Result<Result<Assembly, Vec<Unfit>>, KnowledgeError> {
-    let held = match hold(cutter, need, shop)? {
+    let held = match hold(cutter, need, holders(cutter.head, need.operation, shop)?, shop)? {
         Ok(held) => held,
         Err(why) => return Ok(Err(why)),
     };
@@ -104,9 +104,9 @@ pub fn assemble<'k>(
 }
 
 /// A cutter in its holder, before words are made of it.
-pub(super) struct Held<'k> {
+pub(super) struct Held<'s, 'k> {
     /// The holder, and those before it that do not take the cutter; none where the cutter has the machine's taper.
-    holder: Option<(HolderRow<'k>, Vec<(&'k str, HolderFault)>)>,
+    holder: Option<(&'s HolderRow<'k>, Vec<(&'k str, HolderFault)>)>,
     pub overhang: Overhang<'k>,
     /// From the spindle's face to the tip.
     length: Micrometres,
@@ -114,12 +114,27 @@ pub(super) struct Held<'k> {
     mass_kg: Option<f64>,
 }
 
-/// Looks for the first holder that takes a cutter, as [`assemble`] does.
-pub(super) fn hold<'k>(
-    cutter: &Cutter<'k>,
+/// The holders among which one is looked for; none where the cutter has the machine's taper.
+pub(super) fn holders<'s, 'k>(
+    head: &ToolHead,
+    operation: Operation,
+    shop: &'s Shop<'k>,
+) -> Result<&'s [HolderRow<'k>], KnowledgeError> {
+    if head.shank == Shank::Taper {
+        return Ok(&[]);
+    }
+    let family = family(head, operation, shop.knowledge)?;
+    let table = family.holders.ok_or_else(|| KnowledgeError::lacks(&family.row.table.id, "holders of this shank"))?;
+    shop.shelf.holders_of(table)
+}
+
+/// Looks for the first of the holders that takes a cutter, as [`assemble`] does.
+pub(super) fn hold<'s, 'k>(
+    cutter: &Cutter<'_, 'k>,
     need: &CutterNeed<'_>,
+    holders: &'s [HolderRow<'k>],
     shop: &Shop<'k>,
-) -> Result<Result<Held<'k>, Vec<Unfit>>, KnowledgeError> {
+) -> Result<Result<Held<'s, 'k>, Vec<Unfit>>, KnowledgeError> {
     let machine = &shop.machine;
     let overhang = overhang(cutter, need, shop)?;
     if cutter.head.shank == Shank::Taper {
@@ -127,10 +142,8 @@ pub(super) fn hold<'k>(
         let held = Held { holder: None, length: overhang.length, overhang, mass_kg };
         return Ok(within_limits(held, cutter, machine));
     }
-    let family = family(cutter.head, need.operation, shop.knowledge)?;
-    let holders = family.holders.ok_or_else(|| KnowledgeError::lacks(&family.row.table.id, "holders of this shank"))?;
     let mut rejected = Vec::new();
-    for row in shop.shelf.holders_of(holders)? {
+    for row in holders {
         let why = refuse(row, cutter, machine).or_else(|| too_short(row, cutter, overhang.length, need));
         if let Some(fault) = why {
             rejected.push((row.designation, fault));
@@ -138,7 +151,7 @@ pub(super) fn hold<'k>(
         }
         let length = row.length + overhang.length;
         let mass_kg = row.mass.map(|holder| holder.0 + bar_mass(cutter));
-        let held = Held { holder: Some((row.clone(), rejected)), overhang, length, mass_kg };
+        let held = Held { holder: Some((row, rejected)), overhang, length, mass_kg };
         return Ok(within_limits(held, cutter, machine));
     }
     Ok(Err(rejected.into_iter().map(|(holder, fault)| unfit(cutter, holder, fault)).collect()))
@@ -157,11 +170,15 @@ pub(super) fn family<'k>(
     knowledge.ask(&question)?.need(head.shank.name())
 }
 
-fn unfit(cutter: &Cutter<'_>, holder: &str, fault: HolderFault) -> Unfit {
+fn unfit(cutter: &Cutter<'_, '_>, holder: &str, fault: HolderFault) -> Unfit {
     Unfit::Holder { tool: cutter.designation.to_owned(), holder: holder.to_owned(), fault }
 }
 
-fn within_limits<'k>(held: Held<'k>, cutter: &Cutter<'_>, machine: &Machine<'_>) -> Result<Held<'k>, Vec<Unfit>> {
+fn within_limits<'s, 'k>(
+    held: Held<'s, 'k>,
+    cutter: &Cutter<'_, '_>,
+    machine: &Machine<'_>,
+) -> Result<Held<'s, 'k>, Vec<Unfit>> {
     let holder = held.holder.as_ref().map_or(cutter.designation, |(row, _)| row.designation);
     if held.length > machine.overhang_max {
         let fault = HolderFault::TooLong { length: held.length, limit: machine.overhang_max };
@@ -175,7 +192,7 @@ fn within_limits<'k>(held: Held<'k>, cutter: &Cutter<'_>, machine: &Machine<'_>)
 }
 
 /// Mass of a steel bar as thick and long as the cutter, kg: above the cutter's own, which has flutes.
-fn bar_mass(cutter: &Cutter<'_>) -> f64 {
+fn bar_mass(cutter: &Cutter<'_, '_>) -> f64 {
     // Density of steel, kg/mm3.
     const STEEL: f64 = 7.85e-6;
     let length = cutter.row.length.unwrap_or_default().to_mm();
@@ -184,7 +201,7 @@ fn bar_mass(cutter: &Cutter<'_>) -> f64 {
 }
 
 /// Why a holder does not take the cutter.
-pub(super) fn refuse(row: &HolderRow<'_>, cutter: &Cutter<'_>, machine: &Machine<'_>) -> Option<HolderFault> {
+pub(super) fn refuse(row: &HolderRow<'_>, cutter: &Cutter<'_, '_>, machine: &Machine<'_>) -> Option<HolderFault> {
     if row.taper != machine.taper {
         return Some(HolderFault::OtherTaper { own: row.taper, spindle: machine.taper });
     }
@@ -214,7 +231,7 @@ pub(super) fn refuse(row: &HolderRow<'_>, cutter: &Cutter<'_>, machine: &Machine
 /// Whether what stands out of the spindle is too short for the hole, or too thick to enter it.
 fn too_short(
     row: &HolderRow<'_>,
-    cutter: &Cutter<'_>,
+    cutter: &Cutter<'_, '_>,
     overhang: Micrometres,
     need: &CutterNeed<'_>,
 ) -> Option<HolderFault> {
@@ -239,7 +256,7 @@ pub(super) fn is_ranged(shank: Shank, operation: Operation) -> bool {
 /// With a cylindrical shank L − seat + 2…3 mm (textbook 5.2 item 5); with a Morse shank the length
 /// outside the taper; a shell cutter sits on its arbor; a tool with the machine's taper stands out whole.
 pub(super) fn overhang<'k>(
-    cutter: &Cutter<'k>,
+    cutter: &Cutter<'_, 'k>,
     need: &CutterNeed<'_>,
     shop: &Shop<'k>,
 ) -> Result<Overhang<'k>, KnowledgeError> {

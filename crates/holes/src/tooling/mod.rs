@@ -24,10 +24,10 @@ pub use sizes::{DrillSize, drill_sizes};
 ///
 /// # Errors
 /// The knowledge cannot answer. That nothing fits is not an error: the inner `Err` says why each did not.
-pub fn find_tool<'k>(
+pub fn find_tool<'s, 'k>(
     need: &CutterNeed<'_>,
-    shop: &Shop<'k>,
-) -> Result<Result<(Cutter<'k>, Assembly), Vec<Unfit>>, KnowledgeError> {
+    shop: &'s Shop<'k>,
+) -> Result<Result<(Cutter<'s, 'k>, Assembly), Vec<Unfit>>, KnowledgeError> {
     let (cutters, rejected) = cutter::cutters(need, shop)?;
     first_that_fits(cutters, rejected, need, shop)
 }
@@ -37,23 +37,23 @@ pub fn find_tool<'k>(
 ///
 /// # Errors
 /// As of [`find_tool`].
-pub fn find_step_drill<'k>(
+pub fn find_step_drill<'s, 'k>(
     need: &CutterNeed<'_>,
     wide: Micrometres,
     pilot: Micrometres,
     opening: Operation,
-    shop: &Shop<'k>,
-) -> Result<Result<(Cutter<'k>, Assembly), Vec<Unfit>>, KnowledgeError> {
+    shop: &'s Shop<'k>,
+) -> Result<Result<(Cutter<'s, 'k>, Assembly), Vec<Unfit>>, KnowledgeError> {
     let (cutters, rejected) = cutter::step_drills(need, wide, pilot, opening, shop)?;
     first_that_fits(cutters, rejected, need, shop)
 }
 
-fn first_that_fits<'k>(
-    cutters: Vec<Cutter<'k>>,
+fn first_that_fits<'s, 'k>(
+    cutters: Vec<Cutter<'s, 'k>>,
     mut rejected: Vec<Unfit>,
     need: &CutterNeed<'_>,
-    shop: &Shop<'k>,
-) -> Result<Result<(Cutter<'k>, Assembly), Vec<Unfit>>, KnowledgeError> {
+    shop: &'s Shop<'k>,
+) -> Result<Result<(Cutter<'s, 'k>, Assembly), Vec<Unfit>>, KnowledgeError> {
     for cutter in cutters {
         match holder::assemble(&cutter, need, shop)? {
             Ok(assembly) => {

@@ -60,7 +60,7 @@ pub fn holders(knowledge: &Knowledge) -> Result<Vec<HolderRow<'_>>, TableError> 
 pub fn unsuited(cutter: &NamedCutter<'_>, need: &CutterNeed<'_>, machine: &Machine<'_>) -> Option<Unfit> {
     let operation = need.operation;
     if !cutter.head.operations.contains(&operation) {
-        let transitions = cutter.head.operations.to_vec();
+        let transitions = cutter.head.operations.clone();
         return Some(Unfit::OfOther(OfOther::Operation { operation, transitions }));
     }
     if !size_fits(&cutter.row, need) {
@@ -155,9 +155,9 @@ pub fn point_angle(cutter: &NamedCutter<'_>) -> Option<f64> {
     cutter.head.point_angle.map(|angle| angle.to_f64())
 }
 
-fn as_cutter<'k>(named: &NamedCutter<'k>) -> Cutter<'k> {
+fn as_cutter<'s, 'k>(named: &'s NamedCutter<'k>) -> Cutter<'s, 'k> {
     Cutter {
-        row: named.row.clone(),
+        row: &named.row,
         head: named.head,
         designation: named.designation,
         diameter: named.row.diameter.unwrap_or_default(),

@@ -1,17 +1,19 @@
 //! Which rows of a table are of the size that is asked, and what sizes there are where none is.
 
 use std::cmp::Reverse;
+use std::rc::Rc;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::units::Micrometres;
 use crate::plan::Operation;
 use crate::reason::NoSize;
 use crate::shop::Shop;
-use crate::tables::rules::ToolTables;
+use crate::tables::rules::{ToolTables, ToolTablesFor};
 use crate::tables::tools::{BoringStage, CutterRow};
 
-use super::cutter::{CutterNeed, Tables, cutters, is_grindable};
-use super::reach::reach_of;
+use super::cutter::{By, Cutter, CutterNeed, Tables, designation, is_grindable};
+use super::holder::{hold, holders};
+use super::reach::{reach_of, refuse};
 
 /// Rows of the right size, in the order in which they are tried: mills from the largest, cones and what is ground from the
 /// smallest, the others as their table has them.
@@ -115,19 +117,32 @@ pub struct DrillSize {
 /// # Errors
 /// The knowledge cannot answer.
 pub fn drill_sizes(shop: &Shop<'_>) -> Result<Vec<DrillSize>, KnowledgeError> {
-    let drills = shop.shelf.cutters_for(Operation::Drill)?;
-    let mut diameters: Vec<Micrometres> = drills.iter().filter_map(|row| row.diameter).collect();
-    diameters.retain(|diameter| *diameter <= shop.machine.drill_max);
-    diameters.sort_unstable();
-    diameters.dedup();
-    let mut sizes = Vec::with_capacity(diameters.len());
-    for diameter in diameters {
+    let tables = shop.shelf.cutters().iter().filter(|tables| tables.head.operations.contains(&Operation::Drill));
+    let mut drills = Vec::new();
+    for tables in tables {
+        let holders = holders(tables.head, Operation::Drill, shop)?;
+        let sized = tables.rows()?.iter().filter_map(|row| Some((row.diameter?, tables.head, row, holders)));
+        drills.extend(sized.filter(|(diameter, ..)| *diameter <= shop.machine.drill_max));
+    }
+    drills.sort_by_key(|(diameter, ..)| *diameter);
+    let mut sizes = Vec::new();
+    for drills in drills.chunk_by(|a, b| a.0 == b.0) {
+        let diameter = drills[0].0;
         let need = CutterNeed::plain(Operation::Drill, diameter);
-        let (cutters, _) = cutters(&need, shop)?;
+        let operation = Operation::Drill;
+        let rule = shop.knowledge.ask(&ToolTablesFor { operation, diameter })?.need(operation.name())?;
+        let rule = Rc::new(rule);
         let mut reach = Micrometres::ZERO;
-        for cutter in cutters {
-            if let Ok(held) = super::holder::hold(&cutter, &need, shop)? {
-                reach = reach.max(reach_of(&cutter.row).unwrap_or_default().min(held.overhang.length));
+        for &(_, head, row, holders) in
+            drills.iter().filter(|(.., row, _)| rule.tables.contains(&row.row.table.id.as_str()))
+        {
+            if refuse(row, &need, &shop.machine).is_some() {
+                continue;
+            }
+            let by = By::Order { rule: Rc::clone(&rule), operation, ground: None, size: diameter };
+            let cutter = Cutter { row, head, designation: designation(row, &need)?, diameter, by, over: Vec::new() };
+            if let Ok(held) = hold(&cutter, &need, holders, shop)? {
+                reach = reach.max(reach_of(row).unwrap_or_default().min(held.overhang.length));
             }
         }
         if reach > Micrometres::ZERO {

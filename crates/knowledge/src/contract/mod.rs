@@ -201,6 +201,7 @@ pub trait Question {
 #[derive(Debug)]
 pub struct Reader<'t> {
     row: RowRef<'t>,
+    cells: &'t [Cell],
     contract: &'static Contract,
     /// Where the fields stand among the columns, if the table was first read by this contract.
     layout: Option<&'t [Option<usize>]>,
@@ -210,13 +211,14 @@ pub struct Reader<'t> {
 impl<'t> Reader<'t> {
     /// At the first field of a row.
     pub fn new(row: RowRef<'t>, contract: &'static Contract) -> Self {
-        Self { row, contract, layout: row.table.layout_of(contract), next: 0 }
+        Self { row, cells: &row.row().cells, contract, layout: row.table.layout_of(contract), next: 0 }
     }
 
     /// The next field.
     ///
     /// # Errors
     /// Its cell is not of the field's type.
+    #[inline]
     pub fn cell<T: FromCell<'t>>(&mut self) -> Result<T, TableError> {
         let position = self.next;
         self.next += 1;
@@ -225,14 +227,14 @@ impl<'t> Reader<'t> {
             Some(layout) => layout.get(position).copied().flatten(),
             None => self.contract.fields.get(position).and_then(|asked| self.row.table.column_index(asked.name)),
         };
-        let cell = match column {
-            Some(column) => &self.row.row().cells[column],
-            None => &Cell::Empty,
-        };
-        T::from_cell(cell).ok_or_else(|| {
-            let name = self.contract.fields.get(position).map_or("", |field| field.name);
-            self.row.problem(format!("the column `{name}` does not hold what {} reads", self.contract.row))
-        })
+        let cell = column.map_or(&Cell::Empty, |column| &self.cells[column]);
+        T::from_cell(cell).ok_or_else(|| self.other_type(position))
+    }
+
+    #[cold]
+    fn other_type(&self, position: usize) -> TableError {
+        let name = self.contract.fields.get(position).map_or("", |field| field.name);
+        self.row.problem(format!("the column `{name}` does not hold what {} reads", self.contract.row))
     }
 }
 

@@ -2,9 +2,9 @@
 
 use crate::note::Figure;
 use technolog_audit::{Comparison, Cost, Difference};
+use technolog_words::say;
 use technolog_core::words::unit;
 use technolog_document::{Block, Column, Document, Field, Inlines, Table};
-use technolog_words::say;
 
 use super::super::Lang;
 use super::words::{self, figure, number};

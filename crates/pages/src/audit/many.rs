@@ -1,8 +1,8 @@
 //! Audits of many plans as a table: a line for each, where to begin in it.
 
 use technolog_audit::{Audit, Audited, Counts, Unread, total};
-use technolog_document::{Column, Document, Inlines, Keep, Table};
 use technolog_words::say;
+use technolog_document::{Column, Document, Inlines, Keep, Table};
 
 use super::super::Lang;
 use super::words::{change, figure, whereabouts};

@@ -2,8 +2,8 @@
 
 use technolog_audit::Audit;
 use technolog_audit::marks::{Deduction, Ground, Marks};
-use technolog_document::{Column, Inlines, Keep, Table};
 use technolog_words::say;
+use technolog_document::{Column, Inlines, Keep, Table};
 
 use super::super::Lang;
 use super::words::{figure, number, whereabouts};

@@ -3,9 +3,9 @@
 use crate::note::{Figure, Note, Severity};
 use technolog_audit::quantity::Quantity;
 use technolog_audit::{Audit, Finding, Lack, Section, Subject};
+use technolog_words::say;
 use technolog_core::words::quantity_noun;
 use technolog_document as document;
-use technolog_words::say;
 
 use super::super::{Lang, operation_noun, sentence};
 use super::keys;

@@ -49,7 +49,8 @@ fn refreshed(page: Page) -> Refreshed {
     Refreshed { page, text: lines.join("\n") + "\n", shown, faults }
 }
 
-/// The lines of a `console` block as they should be. A command that is refused must be followed by one that shows its code.
+/// The lines of a `console` block as they should be. A command that is refused must be followed by one that shows its code;
+/// one that writes no file must show something.
 fn printed(block: &Block, shell: &mut Shell) -> Result<Vec<String>, String> {
     let commands: Vec<&str> = block.lines.iter().filter_map(|line| line.strip_prefix("$ ")).collect();
     if !block.lines.first().is_some_and(|line| line.starts_with("$ ")) {
@@ -65,6 +66,10 @@ fn printed(block: &Block, shell: &mut Shell) -> Result<Vec<String>, String> {
         let code_is_shown = commands.get(number + 1) == Some(&"echo $?");
         if shell.code > 1 && !code_is_shown {
             return Err(format!("`{command}` ends with {}:\n{told}", shell.code));
+        }
+        let writes = command.contains(" -o ") || command.contains(" > ");
+        if told.trim().is_empty() && !writes {
+            return Err(format!("`{command}` shows nothing: has a word changed that it looks for?"));
         }
         lines.extend(told.trim_end().lines().map(str::to_owned));
     }
@@ -176,4 +181,36 @@ fn the_page_on_plans_names_every_section_and_column() {
         let missing: Vec<&String> = heads.iter().filter(|head| !page.text.contains(*head)).collect();
         assert!(missing.is_empty(), "{path} does not name {missing:?}");
     }
+}
+
+/// The table on the page of outputs has the formats of every command; a command that is asked for another names its own.
+#[test]
+fn the_page_of_outputs_names_every_format() {
+    for path in ["docs/outputs.md", "docs/uk/outputs.md"] {
+        let page = Page::read(path);
+        let rows: Vec<Vec<&str>> =
+            page.prose().into_iter().filter(|line| line.contains("| `technolog ")).map(cells).collect();
+        assert!(rows.len() > 12, "{path}: {rows:?}");
+        let mut shell = Shell::new(&format!("{path}-formats"));
+        for block in page.blocks() {
+            if let Some(file) = block.file() {
+                fs::write(shell.folder.join(file), block.text()).unwrap();
+            }
+        }
+        for row in rows {
+            let command = row[1].trim_matches('`');
+            let refused = ["junit", "hand"].into_iter().find_map(|format| {
+                let said = shell.run(&format!("{command} --format {format} --lang en"));
+                (shell.code == 2).then_some(said)
+            });
+            let said = refused.unwrap_or_else(|| panic!("{path}: `{command}` has both formats"));
+            let formats = format!("its formats are {}\n", row[2]);
+            assert!(said.ends_with(&formats), "{path}: `{command}`: {said}");
+        }
+    }
+}
+
+/// The cells of a row of a table in Markdown.
+fn cells(line: &str) -> Vec<&str> {
+    line.trim_matches('|').split('|').map(str::trim).collect()
 }

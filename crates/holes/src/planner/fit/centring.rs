@@ -72,7 +72,7 @@ impl<'k> Fitting<'_, 'k> {
         let depth = spot.half();
         let travel = self.travels(false).0 + depth;
         let place = Place { depth, through: false, ..step.place };
-        let step = Step { diameter: spot, nominal: spot, place, ..step };
+        let mut step = Step { diameter: spot, nominal: spot, place, ..step };
         // Until the tool is chosen for the whole part it is the widest of the catalogs.
         let key = (step.place, step.diameter, step.from, step.passes, travel);
         let known = self.spots.borrow().get(&key).cloned();
@@ -84,7 +84,7 @@ impl<'k> Fitting<'_, 'k> {
                 conditions
             }
         };
-        let mut because = step.because.clone();
+        let mut because = std::mem::take(&mut step.because);
         because.push(Because::row(rule.row, note));
         let (approach, doubts, makes_edge) = (self.travels(false).0, Vec::new(), edge.is_some());
         Ok(Fitted { step, tool: None, travel, approach, conditions, doubts, makes_edge, because })

@@ -5,6 +5,9 @@ use super::Space;
 /// The most points beside the first one for which the shortest tour is found exactly.
 pub const EXACT_POINTS: usize = 12;
 
+/// What no way costs, nor a few of them one after the other.
+const NONE: i64 = i64::MAX / 64;
+
 /// The shortest closed tour over all nodes of a small space, from node 0.
 ///
 /// `best[set][last]` is the cost of the shortest way from node 0 over the nodes of the set to its node `last`;
@@ -15,35 +18,34 @@ pub(super) fn tour(space: &Space<'_>) -> Vec<usize> {
         return (0..space.nodes()).collect();
     }
     let sets = 1_usize << count;
-    let mut best = vec![i64::MAX; sets * count];
-    let costs: Vec<i64> = (0..count * count).map(|pair| space.cost(pair / count + 1, pair % count + 1)).collect();
-    for last in 0..count {
-        best[(1 << last) * count + last] = space.cost(0, last + 1);
+    // Of so many columns each, whatever the count: a row is then gone through without counting.
+    let mut best = vec![[NONE; EXACT_POINTS]; sets];
+    let mut costs = [[NONE; EXACT_POINTS]; EXACT_POINTS];
+    for (last, costs) in costs.iter_mut().enumerate().take(count) {
+        best[1 << last][last] = space.cost(0, last + 1);
+        for (before, cost) in costs.iter_mut().enumerate().take(count) {
+            *cost = space.cost(before + 1, last + 1);
+        }
     }
     for set in 1..sets {
         for last in nodes_of(set) {
-            let so_far = best[set * count + last];
-            let mut free = !set & (sets - 1);
-            while free != 0 {
-                let next = free.trailing_zeros() as usize;
-                free &= free - 1;
-                let longer = so_far.saturating_add(costs[last * count + next]);
-                let known = &mut best[(set | 1 << next) * count + next];
-                *known = longer.min(*known);
+            let before = set & !(1 << last);
+            // To a node outside the set there is no way: it is looked at with the others, and is never the least.
+            if before != 0 {
+                let ways = best[before].iter().zip(&costs[last]).map(|(so_far, cost)| so_far + cost);
+                best[set][last] = ways.fold(NONE, i64::min);
             }
         }
     }
     // Back along the costs: the node before is the first from which the cost is right.
     let mut set = sets - 1;
-    let mut last =
-        (0..count).min_by_key(|&last| (best[set * count + last].saturating_add(space.cost(0, last + 1)), last));
+    let mut last = (0..count).min_by_key(|&last| (best[set][last] + space.cost(0, last + 1), last));
     let mut tour = vec![0];
     while let Some(node) = last {
         tour.push(node + 1);
-        let cost = best[set * count + node];
+        let cost = best[set][node];
         set &= !(1 << node);
-        last = nodes_of(set)
-            .find(|&before| best[set * count + before].saturating_add(costs[before * count + node]) == cost);
+        last = nodes_of(set).find(|&before| best[set][before] + costs[node][before] == cost);
     }
     tour
 }

@@ -300,8 +300,9 @@ mod tests {
     #[test]
     fn characters_that_do_not_show_are_named_and_a_mark_of_encoding_is_none() {
         let told = |text: &str| -> Vec<(String, u32)> {
-            let figure =
-                |fault: &Fault| fault.note.figures().next().map(|(_, value)| value.text().into_owned()).unwrap_or_default();
+            let figure = |fault: &Fault| {
+                fault.note.figures().next().map(|(_, value)| value.text().into_owned()).unwrap_or_default()
+            };
             read(text).1.iter().map(|fault| (format!("{} {}", fault.code, figure(fault)), fault.span.column)).collect()
         };
         assert_eq!(told("\u{feff}%\r\nN1 X1\r\n"), []);

@@ -1,0 +1,66 @@
+//! Two drills against one: what the second one costs in time and saves in thrust.
+
+use crate::cutting;
+use crate::error::KnowledgeError;
+use crate::knowledge::vocabulary::ToolMaterial;
+use crate::note::{Because, Figure, Note};
+use crate::plan::{Feature, Operation};
+use crate::route::{Place, Step};
+use crate::tables::rules::TwoPassDrilling;
+use crate::units::{ItGrade, Micrometres, Minutes, Newtons, round_to};
+
+use super::{Fitted, Fitting};
+
+/// What one drill of full size comes to.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SingleDrill {
+    time: Minutes,
+    thrust: Option<Newtons>,
+}
+
+/// What it depends on: the step's place, its diameters, its passes, the grade that is asked, and what follows.
+pub(super) type SingleKey = (Place, Micrometres, Option<Micrometres>, u32, Option<ItGrade>, Option<Operation>);
+
+impl Fitting<'_, '_> {
+    /// Says what the second drill costs in time and saves in thrust against one drill of full size.
+    pub fn compare_with_one_drill(&self, fitted: &mut [Fitted]) -> Result<(), KnowledgeError> {
+        let Some(second) = fitted
+            .iter()
+            .position(|one| one.step.operation == Operation::DrillOut && one.step.place.feature == Feature::Bore)
+        else {
+            return Ok(());
+        };
+        let follows = fitted.get(second + 1).map(|one| one.step.operation);
+        let Some(single) = self.single_drill(&fitted[second].step, follows) else { return Ok(()) };
+        let pair = &fitted[second.saturating_sub(1)..=second];
+        let time: f64 = pair.iter().map(|step| step.conditions.machine_time_min.0).sum();
+        let thrust = pair
+            .iter()
+            .filter_map(|step| step.conditions.axial_force_n)
+            .fold(0.0, |most: f64, force| most.max(force.0));
+        let table = self.shop.knowledge.table_of::<TwoPassDrilling<'_>>()?;
+        let note = Note::new("two-passes-cost")
+            .with("time", Figure::number(format!("{:+.3}", time - single.time.0)))
+            .with("thrust", round_to(thrust, 0))
+            .with("one-thrust", single.thrust.map_or_else(|| "-".to_owned(), |force| round_to(force.0, 0).to_string()));
+        fitted[second].because.push(Because::table(table, note));
+        Ok(())
+    }
+
+    /// What a second drill's step would come to, were its diameter drilled at once; none where there are no conditions.
+    fn single_drill(&self, second: &Step, follows: Option<Operation>) -> Option<SingleDrill> {
+        let it = second.asks.map(|(it, _)| it);
+        let key = (second.place, second.diameter, second.also, second.passes, it, follows);
+        if let Some(known) = self.single_drills.borrow().get(&key) {
+            return *known;
+        }
+        let single =
+            Step { operation: Operation::Drill, from: Micrometres::ZERO, because: Vec::new(), ..second.clone() };
+        let (travel, _) = self.travel(&single);
+        let cut = self.cut(&single, follows, ToolMaterial::HighSpeedSteel, travel);
+        let found = cutting::conditions(&cut, self.shop).ok();
+        let found = found.map(|found| SingleDrill { time: found.machine_time_min, thrust: found.axial_force_n });
+        self.single_drills.borrow_mut().insert(key, found);
+        found
+    }
+}
