@@ -6,19 +6,22 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use serde::Serialize;
+use technolog::document::{Block, Document, Table};
 use technolog::knowledge::yaml::text_of;
 use technolog::knowledge::{Diagnostic, Knowledge, Place};
 use technolog::machine::Machine;
 use technolog::motion::Step;
 use technolog::motion::time::{Clock, Times};
 use technolog::motion::trace;
+use technolog::note::Figure;
 use technolog::program::proof::Held;
 use technolog::program::{Fault, Language, Setting};
 use technolog::report;
+use technolog::units::Minutes;
+use technolog::words::say;
 
-use super::diagnostics::{Texts, render};
-use super::proof;
-use super::{CliError, Context, Format, Outcome, control, knowledge, words};
+use super::diagnostics::Texts;
+use super::{CliError, Context, Format, Lang, Outcome, control, knowledge, problems, proof};
 
 // Read and run an NC program: its mistakes, the trace of its motions, its time
 #[derive(Debug, clap::Args)]
@@ -64,7 +67,7 @@ struct Finding<'a> {
 /// # Errors
 /// The program, the setting or the machine cannot be used.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    let format = context.format("check", &[Format::Text, Format::Json, Format::Svg])?;
+    let format = context.format("check", &[Format::Text, Format::Json, Format::Svg, Format::Markdown, Format::Html])?;
     let knowledge = knowledge::load(context)?;
     let at_fault = |error: technolog::error::KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let shown = args.program.display().to_string();
@@ -73,8 +76,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let of_part = held.as_ref().map(|held| held.plan.part.machine.clone());
     let id = args.machine.as_deref().or(of_part.as_deref()).unwrap_or("gf2171");
     if let Some(own) = of_part.as_deref().filter(|own| *own != id) {
-        let message = words::other_machine(context.lang, id, own);
-        return Err(Diagnostic::error("other-machine", message, None).help(words::leave_machine(context.lang)).into());
+        let message = say!(context.lang, "cli-other-machine", asked = id, own = own);
+        return Err(Diagnostic::error("other-machine", message, None).help(context.word("cli-leave-machine")).into());
     }
     let machine = machine(id, knowledge, context)?;
     let control = control::meant(args.control.as_deref(), &machine, context)?;
@@ -126,12 +129,15 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             let file: Arc<str> = Arc::from(shown.as_str());
             let mut problems: Vec<Diagnostic> = faults.iter().map(|fault| diagnostic(fault, &file, context)).collect();
             problems.extend(proof::of_part(&serious, context));
-            let mut made = String::new();
+            let texts = Texts::default().with(&shown, shown.clone(), Cow::Owned(text.clone()));
+            let mut made = None;
             if let (Some(held), Some(proof)) = (&held, &proof) {
                 problems.extend(proof::diagnostics(proof, &text, &file, context));
-                made = proof::table(held, proof, context);
+                made = Some(proof::table(held, proof, context.lang));
             }
-            context.emit(&page(&problems, &made, &steps, clock.times(), &shown, text, context))?;
+            let told = (problems.len(), problems::blocks(&problems, &texts, format, context.lang));
+            let page = page(&shown, told, made, &steps, clock.times(), context.lang);
+            context.emit_document(&problems::untitled(page, format), format)?;
         }
     }
     let unproven = !serious.is_empty() || proof.as_ref().is_some_and(technolog::program::proof::Proof::has_errors);
@@ -141,56 +147,50 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
 fn machine<'k>(id: &str, knowledge: &'k Knowledge, context: &Context) -> Result<Machine<'k>, CliError> {
     let known: Vec<&str> = Machine::ids(knowledge).collect();
     if !known.contains(&id) {
-        return Err(Diagnostic::error("unknown-machine", words::no_machine(context.lang, id), None)
-            .help(words::known(context.lang, known.join(", ")))
-            .into());
+        let message = say!(context.lang, "cli-no-machine", id = id);
+        let help = say!(context.lang, "cli-known", names = known.join(", "));
+        return Err(Diagnostic::error("unknown-machine", message, None).help(help).into());
     }
     Machine::find(knowledge, id).map_err(|error| CliError::of_knowledge(&error, context.lang))
 }
 
 fn read(path: &Path, context: &Context) -> Result<String, CliError> {
     let shown = path.display().to_string();
-    let bytes = std::fs::read(path).map_err(|error| {
-        let message = words::cannot_read(context.lang, &shown, error);
-        CliError::from(Diagnostic::error("unreadable", message, None).help(words::check_path(context.lang)))
-    })?;
+    let bytes = std::fs::read(path).map_err(|error| problems::unreadable(&shown, &error, context.lang))?;
     Ok(text_of(&shown, bytes)?)
 }
 
 /// The answer for people: mistakes with their lines, what is made of the part, the trace, the times.
 fn page(
-    problems: &[Diagnostic],
-    made: &str,
+    program: &str,
+    (count, problems): (usize, Vec<Block>),
+    made: Option<Table>,
     steps: &[Step],
     times: Times,
-    shown: &str,
-    text: String,
-    context: &Context,
-) -> String {
-    let texts = Texts::default().with(shown, shown.to_owned(), Cow::Owned(text));
-    let mut page = render(problems, &texts, context.lang);
-    if !problems.is_empty() {
-        page.push('\n');
-    }
-    if !made.is_empty() {
-        page.push_str(made);
-        page.push('\n');
+    lang: Lang,
+) -> Document {
+    let mut page = Document::new(lang.tag(), say!(lang, "check-title", program = program));
+    page.blocks.extend(problems);
+    if let Some(made) = made {
+        page.heading(2, lang.word("check-made"));
+        page.push(made);
     }
     if !steps.is_empty() {
-        page.push_str(context.word("cli-trace"));
-        page.push('\n');
-        for step in steps {
-            page.push_str(&trace::line(step));
-            page.push('\n');
-        }
-        page.push('\n');
-        let t = [times.feed_min, times.rapid_min, times.dwell_min, times.tool_change_min, times.total_min];
-        let [feed, rapid, dwell, change, total] = t.map(|time| time.0);
-        page.push_str(&words::times(context.lang, total, feed, rapid, dwell, change));
-        page.push('\n');
+        page.heading(2, lang.word("check-trace"));
+        page.push(Block::Code(steps.iter().map(|step| trace::line(step) + "\n").collect()));
+        page.heading(2, lang.word("check-times"));
+        let minutes = |minutes: Minutes| Figure::fixed(minutes.0, 2);
+        page.paragraph(say!(
+            lang,
+            "check-times-of",
+            total = minutes(times.total_min),
+            feed = minutes(times.feed_min),
+            rapid = minutes(times.rapid_min),
+            dwell = minutes(times.dwell_min),
+            change = minutes(times.tool_change_min)
+        ));
     }
-    page.push_str(&words::findings(context.lang, problems.len()));
-    page.push('\n');
+    page.paragraph(say!(lang, "cli-findings-counted", count = count));
     page
 }
 
@@ -205,6 +205,6 @@ pub fn diagnostic(fault: &Fault, file: &Arc<str>, context: &Context) -> Diagnost
         None => sentence,
     };
     let help = report::remedy(&fault.note, context.lang).unwrap_or_default();
-    let help = words::by_rule(context.lang, help, fault.rule);
+    let help = say!(context.lang, "cli-by-rule", what = help, section = fault.rule);
     Diagnostic { severity, code: fault.code, message: message.into(), place: Some(place), help: Some(help.into()) }
 }

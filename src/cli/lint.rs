@@ -1,11 +1,12 @@
 //! `technolog lint`: proves the knowledge base.
 
 use serde_json::json;
+use technolog::document::{Column, Document, Table};
 use technolog::knowledge::{Diagnostic, Knowledge, Severity, lint};
-use technolog::report::grid;
-use technolog::tables::{self, ForPeople};
+use technolog::tables;
+use technolog::words::say;
 
-use super::{CliError, Context, Format, Outcome, diagnostics, knowledge, words};
+use super::{CliError, Context, Format, Lang, Outcome, diagnostics, knowledge, problems};
 
 // Prove the knowledge base: gaps, contradictions, dead rows, references, laws, examples
 #[derive(Debug, clap::Args)]
@@ -19,7 +20,7 @@ pub struct Args {
 /// # Errors
 /// A file could not be used; what was found in it and in the others is shown all the same.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    let format = context.format("lint", &[Format::Text, Format::Json])?;
+    let format = context.format("lint", &[Format::Text, Format::Json, Format::Markdown, Format::Html])?;
     let texts = knowledge::texts(context)?;
     let (knowledge, mut problems) = Knowledge::read_sources(&knowledge::sources(&texts));
     if args.documentation {
@@ -41,12 +42,10 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             )?;
         }
         _ => {
-            let mut text = diagnostics::render(&problems, &texts, context.lang);
-            if !problems.is_empty() {
-                text.push('\n');
-            }
-            text.push_str(&summary(&knowledge, problems.len(), context));
-            context.emit(&text)?;
+            let mut page = Document::new(context.lang.tag(), context.word("lint-title"));
+            page.blocks.extend(problems::blocks(&problems, &texts, format, context.lang));
+            page.paragraph(summary(&knowledge, problems.len(), context.lang));
+            context.emit_document(&problems::untitled(page, format), format)?;
         }
     }
     if unusable {
@@ -65,9 +64,14 @@ fn documentation(knowledge: &Knowledge, format: Format, context: &Context) -> Re
         let rows = listed.iter().map(|of| json!({"table": of.table, "columns": of.columns, "rows": of.rows}));
         context.emit_json(&rows.collect::<Vec<_>>())?;
     } else {
-        let line = |of: &ForPeople<'_>| vec![of.table.to_owned(), of.columns.join(", "), of.rows.join(", ")];
-        let rows: Vec<Vec<String>> = listed.iter().map(line).collect();
-        context.emit(&grid::columns(&rows, 0))?;
+        let mut page = Document::new(context.lang.tag(), context.word("lint-documentation"));
+        let heads = ["cli-table", "cli-columns", "cli-row-count"].map(|head| Column::text(context.word(head)));
+        let mut table = Table::new(heads);
+        for of in &listed {
+            table.row([of.table.to_owned(), of.columns.join(", "), of.rows.join(", ")]);
+        }
+        page.push(table);
+        context.emit_document(&page, format)?;
     }
     Ok(Outcome::Done)
 }
@@ -76,8 +80,13 @@ fn is_error(problem: &Diagnostic) -> bool {
     problem.severity == Severity::Error
 }
 
-fn summary(knowledge: &Knowledge, findings: usize, context: &Context) -> String {
-    let lang = context.lang;
-    let (tables, rows) = (knowledge.tables().count(), knowledge.tables().map(|table| table.rows.len()).sum());
-    format!("{}, {}, {}\n", words::tables(lang, tables), words::rows(lang, rows), words::findings(lang, findings))
+fn summary(knowledge: &Knowledge, findings: usize, lang: Lang) -> String {
+    let (tables, rows) = (knowledge.tables().count(), knowledge.tables().map(|table| table.rows.len()).sum::<usize>());
+    say!(
+        lang,
+        "lint-summary",
+        tables = say!(lang, "cli-tables-counted", count = tables),
+        rows = say!(lang, "cli-rows-counted", count = rows),
+        findings = say!(lang, "cli-findings-counted", count = findings)
+    )
 }

@@ -5,9 +5,10 @@ mod decision;
 mod near;
 mod question;
 
+use technolog::document::{Block, Document, Field, Inlines};
 use technolog::knowledge::Kind;
 
-use super::{CliError, Context, Format, Outcome, knowledge};
+use super::{CliError, Context, Format, Lang, Outcome, knowledge};
 use question::Question;
 
 // One query against one table, with the reason of its answer
@@ -25,7 +26,7 @@ pub struct Args {
 /// # Errors
 /// The question does not fit the table; every slip in it is told at once.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    let format = context.format("lookup", &[Format::Text, Format::Json])?;
+    let format = context.format("lookup", &[Format::Text, Format::Json, Format::Markdown, Format::Html])?;
     let knowledge = knowledge::load_to_read(context)?;
     let table = knowledge::table(knowledge, &args.table, context)?;
     let question = Question::read(table, args, context)?;
@@ -33,4 +34,9 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         Kind::Decision => decision::answer(&question, args.all, format, context),
         Kind::Catalog => catalog::answer(&question, format, context),
     }
+}
+
+/// What the table answers.
+fn result(page: &mut Document, result: &str, lang: Lang) {
+    page.push(Block::Fields(vec![Field::new(lang.word("cli-result"), Inlines::default().strong(result))]));
 }

@@ -4,14 +4,15 @@ use std::path::Path;
 use std::sync::Arc;
 
 use serde::Serialize;
+use technolog::document::{Column, Inlines, Table};
 use technolog::knowledge::{Diagnostic, Knowledge, Place, Severity};
 use technolog::note;
 use technolog::plan::CuttingMethod;
 use technolog::program::proof::{Finding, Held, Missing, Proof, Superfluous, Visit};
+use technolog::report;
 use technolog::report::backplot::Frame;
-use technolog::report::{self, grid};
 
-use super::{CliError, Context, plan};
+use super::{CliError, Context, Lang, plan};
 
 /// The answer for programs.
 #[derive(Serialize)]
@@ -45,8 +46,11 @@ pub fn frame(held: &Held) -> Frame<'_> {
 }
 
 /// Transition by transition how many points are made of those that are needed.
-pub fn table(held: &Held, proof: &Proof, context: &Context) -> String {
-    let mut rows = Vec::new();
+pub fn table(held: &Held, proof: &Proof, lang: Lang) -> Table {
+    let [hole, transition, tool, made] =
+        ["cli-hole", "cli-transition", "cli-tool", "cli-made"].map(|key| lang.word(key));
+    let heads = [hole, transition, tool].map(Column::text).into_iter().chain([Column::number(made, "")]);
+    let mut table = Table::new(heads);
     for hole in &held.plan.holes {
         for (number, transition) in hole.transitions.iter().enumerate() {
             let of = |name: &str, transition: usize| name == hole.name && transition == number;
@@ -54,18 +58,16 @@ pub fn table(held: &Held, proof: &Proof, context: &Context) -> String {
             let missing = proof.missing.iter().filter(|stop| of(&stop.hole, stop.transition)).count();
             // What is done on another machine is in no job.
             if made + missing > 0 {
-                rows.push(vec![
-                    hole.name.clone(),
-                    report::operation_noun(transition.operation.name(), context.lang).to_owned(),
-                    format!("T{}", transition.tool.number),
-                    format!("{made}/{}", made + missing),
+                table.row([
+                    Inlines::from(hole.name.as_str()),
+                    report::operation_noun(transition.operation.name(), lang).into(),
+                    format!("T{}", transition.tool.number).into(),
+                    Inlines::number(format!("{made}/{}", made + missing)),
                 ]);
             }
         }
     }
-    let head = ["cli-hole", "cli-transition", "cli-tool", "cli-made"].map(|word| context.word(word).to_owned());
-    let table = grid::table(&head, &rows, 2);
-    format!("{}\n{table}", context.word("cli-proof-head"))
+    table
 }
 
 /// How grave a finding is, as a diagnostic.

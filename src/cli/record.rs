@@ -1,17 +1,10 @@
-//! Rows and cells as they are shown: as text for people, as objects for programs.
+//! Rows and cells for programs: as a query or a table writes them.
 
 use serde::ser::{SerializeMap, SerializeSeq};
 use serde::{Serialize, Serializer};
 use technolog::knowledge::table::Cell;
-use technolog::knowledge::{Column, ColumnType, Role, RowRef, Source, Table, Value};
+use technolog::knowledge::{Column, Role, RowRef, Table, Value};
 use technolog::units::Unit;
-
-use super::words::{self, Lang};
-
-/// The title of a table.
-pub fn title(lang: Lang, table: &Table) -> &str {
-    lang.pick(&table.title.uk, &table.title.en)
-}
 
 /// The columns that a lookup answers with: those the table names, else all that are no inputs.
 pub fn results(table: &Table) -> Vec<usize> {
@@ -34,41 +27,6 @@ pub fn bare(column: &Column, value: &Value) -> String {
         Value::List(items) => items.iter().map(|item| bare(column, item)).collect::<Vec<_>>().join(", "),
         Value::Length(_) => column.rank(value).map_or_else(|| value.to_string(), |rank| column.show_rank(rank)),
         other => other.to_string(),
-    }
-}
-
-/// A value with its unit.
-pub fn with_unit(lang: Lang, column: &Column, value: &Value) -> String {
-    let text = bare(column, value);
-    match (column.ty, words::unit(lang, column.unit)) {
-        // A roughness names its parameter, and its unit is understood.
-        (ColumnType::Roughness, _) | (_, "") => text,
-        (ColumnType::Angle, unit) => format!("{text}{unit}"),
-        (_, unit) => format!("{text} {unit}"),
-    }
-}
-
-/// The symbol and the unit of a column, for a head: `d, мм`.
-pub fn symbol_and_unit(lang: Lang, column: &Column) -> String {
-    let unit = words::unit(lang, column.unit);
-    match (column.symbol.as_deref(), unit) {
-        (Some(symbol), "") => symbol.to_owned(),
-        (Some(symbol), unit) => format!("{symbol}, {unit}"),
-        (None, unit) => unit.to_owned(),
-    }
-}
-
-/// The name of a column for people, where it has one.
-pub fn label(lang: Lang, column: &Column) -> Option<&str> {
-    column.label.as_ref().map(|label| lang.pick(&label.uk, &label.en))
-}
-
-/// Where the figures of a row come from, in words.
-pub fn source(lang: Lang, source: Source) -> &'static str {
-    match source {
-        Source::Seed => lang.word("cli-seed"),
-        Source::Standard => lang.word("cli-standard"),
-        Source::Reconstructed => lang.word("cli-reconstructed"),
     }
 }
 
@@ -234,20 +192,6 @@ impl Serialize for Results<'_> {
         }
         list.end()
     }
-}
-
-/// The values of the result columns for people: `32`, or `minimum 0.1 мм, maximum 0.2 мм`.
-pub fn results_text(lang: Lang, row: RowRef<'_>) -> String {
-    let columns = results(row.table);
-    let shown = columns.iter().filter_map(|&index| {
-        let column = &row.table.columns[index];
-        match &row.row().cells[index] {
-            Cell::Value(value) if columns.len() == 1 => Some(with_unit(lang, column, value)),
-            Cell::Value(value) => Some(format!("{} {}", column.name, with_unit(lang, column, value))),
-            _ => None,
-        }
-    });
-    shown.collect::<Vec<_>>().join(", ")
 }
 
 /// What a column is for, as JSON names it.

@@ -1,74 +1,119 @@
-//! A table as text: its rows under their columns, and below them everything that no cell can say.
+//! A table as a page: its rows under their columns, and below them everything that no cell can say.
 
 use std::collections::BTreeMap;
 
-use technolog::knowledge::{Column, Role, Row, RowRef, Table};
+use technolog::document::{Block, Column as Head, Document, Field, Inlines, Item, Keep, Table as Grid};
+use technolog::knowledge::{Column, Kind, Role, Row, RowRef, Table};
+use technolog::report::unit;
+use technolog::words::say;
 
-use super::words;
-use super::{Context, grid, record};
+use super::Lang;
+use super::record::results;
+use super::shown;
+
+/// Wider than the first, in columns of a terminal, a table has numbers for heads, as those of the source have; wider than
+/// the second these do not help either.
+const NARROW: usize = 80;
+const WIDE: usize = 120;
 
 /// One table: title, source, rows, then everything the rows cannot say in their cells.
-pub fn whole(table: &Table, context: &Context) -> String {
+pub fn whole(table: &Table, lang: Lang) -> Document {
     let all: Vec<RowRef<'_>> = table.all_rows().collect();
-    let mut text = title(table, context);
-    let standard = table.standard.as_deref().map(|standard| format!("; {standard}")).unwrap_or_default();
-    text.push_str(&grid::paragraph(&format!("{}: {}{standard}", context.word("cli-source"), table.place), 0));
-    text.push('\n');
-    let (drawn, numbered) = rows(table, &all, context);
-    text.push_str(&drawn);
-    text.push_str(&columns(table, numbered, context));
-    text.push_str(&said(&all, context));
-    text.push_str(&section("cli-gaps", context, table.uncovered.iter().map(|gap| gap.reason.as_str())));
-    text.push_str(&section("cli-notes", context, table.notes.iter().map(String::as_str)));
-    text
+    let mut page = titled(table, lang);
+    let mut source = Inlines::from(table.place.as_str());
+    if let Some(standard) = &table.standard {
+        source = source.text("; ").text(standard);
+    }
+    page.push(Block::Fields(vec![Field::new(lang.word("cli-source"), source)]));
+    let numbered = rows(&mut page, table, &all, lang);
+    columns(&mut page, table, numbered, lang);
+    said(&mut page, &all, lang);
+    let gaps = table.uncovered.iter().map(|gap| gap.reason.clone());
+    section(&mut page, lang.word("cli-gaps"), gaps);
+    section(&mut page, lang.word("cli-notes"), table.notes.iter().cloned());
+    page
 }
 
-/// The line with the id and the title.
-pub fn title(table: &Table, context: &Context) -> String {
-    grid::paragraph(&format!("{}  {}", table.id, record::title(context.lang, table)), 0)
+/// A page with the id and the title of a table.
+pub fn titled(table: &Table, lang: Lang) -> Document {
+    Document::new(lang.tag(), say!(lang, "table-title", table = &table.id, title = shown::title(lang, table)))
 }
 
-/// The rows: under the names of the columns, or where those are too wide together under numbers, as
-/// the source does; or one row under the other. Says whether the columns have numbers.
-pub fn rows(table: &Table, rows: &[RowRef<'_>], context: &Context) -> (String, bool) {
-    let one_source = rows.windows(2).all(|pair| pair[0].row().source == pair[1].row().source);
-    let cells: Vec<Vec<String>> = rows
+/// The rows under the names of the columns, or where those are too wide together under their numbers. Says whether the
+/// columns have numbers.
+pub fn rows(page: &mut Document, table: &Table, rows: &[RowRef<'_>], lang: Lang) -> bool {
+    let first = rows.first().map(|row| row.row().source);
+    let one_source = rows.iter().all(|row| Some(row.row().source) == first);
+    let mut heads: Vec<Head> = table
+        .columns
         .iter()
-        .map(|row| {
-            let content = row.row();
-            let mut cells = vec![format!("{}{}", row.number(), marks(content))];
-            cells.extend(table.columns.iter().zip(&content.cells).map(|(column, cell)| record::cell(column, cell)));
-            if !one_source {
-                cells.push(record::source(context.lang, content.source).to_owned());
+        .enumerate()
+        .map(|(index, column)| {
+            let head = shown::head(lang, column, keep(table, index));
+            match column.role {
+                Role::Output => Head { heading: Inlines::from("→ ").then(head.heading.clone()), ..head },
+                _ => head,
             }
-            cells
         })
         .collect();
-    let head = |name: &dyn Fn(usize, &Column) -> String| {
-        let mut head = vec![context.word("cli-row-number").to_owned()];
-        head.extend(table.columns.iter().enumerate().map(|(index, column)| name(index, column)));
-        if !one_source {
-            head.push(context.word("cli-row-source").to_owned());
-        }
-        head
-    };
-    let named = head(&|_, column| {
-        let arrow = if column.role == Role::Output { "→ " } else { "" };
-        let below = record::symbol_and_unit(context.lang, column);
-        format!("{arrow}{}\n{below}", column.name).trim_end().to_owned()
-    });
-    let numbers = head(&|index, _| (index + 1).to_string());
-    let (mut text, numbered) = match (grid::ruled(&named, &cells), grid::ruled(&numbers, &cells)) {
-        (Some(text), _) => (text, false),
-        (None, Some(text)) => (text, true),
-        (None, None) => (one_by_one(table, &cells, context), false),
-    };
-    if one_source && let Some(first) = rows.first() {
-        text.push('\n');
-        text.push_str(&words::all_rows_of_one_source(context.lang, record::source(context.lang, first.row().source)));
-        text.push('\n');
+    let cells: Vec<Vec<Inlines>> = rows
+        .iter()
+        .map(|row| {
+            let cells = table.columns.iter().zip(&row.row().cells).zip(&heads);
+            let cell = |((column, cell), head): ((&Column, _), &Head)| {
+                let text = shown::cell(lang, column, cell);
+                if shown::is_right(head) { Inlines::number(text) } else { text.into() }
+            };
+            cells.map(cell).collect()
+        })
+        .collect();
+    let numbers: Vec<Head> = (1..).zip(&heads).map(|(number, head)| numbered_head(number, head)).collect();
+    let numbered = width(&heads, &cells) > NARROW && width(&numbers, &cells) <= WIDE;
+    if numbered {
+        heads = numbers;
     }
-    (text, numbered)
+    let mut columns = vec![Head::number(lang.word("cli-row-number"), "")];
+    columns.extend(heads);
+    columns.extend((!one_source).then(|| Head::text(lang.word("cli-row-source")).keep(Keep::Optional)));
+    let mut grid = Grid::new(columns);
+    for (row, cells) in rows.iter().zip(cells) {
+        let number = Inlines::number(format!("{}{}", row.number(), marks(row.row())));
+        let source = (!one_source).then(|| shown::source(lang, row.row().source).into());
+        grid.row(std::iter::once(number).chain(cells).chain(source));
+    }
+    if let Some(source) = first.filter(|_| one_source) {
+        grid.notes.push(say!(lang, "cli-all-rows-of-one-source", source = shown::source(lang, source)).into());
+    }
+    page.push(grid);
+    numbered
+}
+
+/// What a row is found by, and what it answers, is never left out.
+fn keep(table: &Table, index: usize) -> Keep {
+    let column = &table.columns[index];
+    let sought = match table.kind {
+        Kind::Decision => column.role == Role::Input || results(table).contains(&index),
+        Kind::Catalog => index == 0 || table.key.contains(&column.name) || table.result.contains(&column.name),
+    };
+    match (sought, column.optional) {
+        (true, _) => Keep::Always,
+        (false, false) => Keep::Useful,
+        (false, true) => Keep::Optional,
+    }
+}
+
+fn numbered_head(number: usize, head: &Head) -> Head {
+    Head { heading: number.to_string().into(), unit: String::new(), ..head.clone() }
+}
+
+/// How wide a table is at least, before its longest words are broken.
+fn width(heads: &[Head], cells: &[Vec<Inlines>]) -> usize {
+    let longest = |text: &str| text.split_whitespace().map(|word| word.chars().count()).max().unwrap_or(0);
+    let column = |(index, head): (usize, &Head)| {
+        let cells = cells.iter().filter_map(|row| row.get(index)).map(|cell| longest(&cell.plain()));
+        cells.chain([longest(&head.heading.plain())]).max().unwrap_or(0)
+    };
+    heads.iter().enumerate().map(|one| column(one) + 3).sum::<usize>() + 6
 }
 
 /// The marks beside the number of a row: `*` for a correction, `?` for a figure that is not confirmed.
@@ -78,80 +123,82 @@ fn marks(row: &Row) -> String {
     format!("{corrected}{unconfirmed}")
 }
 
-fn one_by_one(table: &Table, rows: &[Vec<String>], context: &Context) -> String {
-    let mut text = String::new();
-    for row in rows {
-        let mut cells = row.iter();
-        text.push_str(&format!("{} {}\n", context.word("cli-row-number"), cells.next().map_or("", String::as_str)));
-        let lines: Vec<Vec<String>> = table
-            .columns
-            .iter()
-            .zip(cells)
-            .filter(|(_, cell)| !cell.is_empty())
-            .map(|(column, cell)| vec![column.name.clone(), cell.clone()])
-            .collect();
-        text.push_str(&grid::columns(&lines, 2));
-    }
-    text
-}
-
 /// What each column is, and what a lookup may ask of it.
-pub fn columns(table: &Table, numbered: bool, context: &Context) -> String {
-    let lang = context.lang;
-    let rows: Vec<Vec<String>> = table
-        .columns
-        .iter()
-        .enumerate()
-        .map(|(index, column)| {
-            let number = if numbered { (index + 1).to_string() } else { String::new() };
-            let mut about = Vec::new();
-            about.extend(record::label(lang, column).map(str::to_owned));
-            match column.role {
-                Role::Field => {}
-                Role::Input => about.push(context.word("cli-input").to_owned()),
-                Role::Output => about.push(context.word("cli-output").to_owned()),
-            }
-            about.push(words::expected(lang, column));
-            about.extend(column.domain_text.clone());
-            if column.list {
-                about.push(context.word("cli-list").to_owned());
-            }
-            if column.optional {
-                about.push(context.word("cli-optional").to_owned());
-            }
-            about.extend(column.default.as_ref().map(|value| words::default_is(lang, record::bare(column, value))));
-            about.extend(column.refers.as_ref().map(|(table, column)| words::refers_to(lang, table, column)));
-            let symbol = record::symbol_and_unit(lang, column);
-            let mut cells = vec![number, column.name.clone(), symbol, about.join("; ")];
-            if !numbered {
-                cells.remove(0);
-            }
-            cells
-        })
-        .collect();
-    format!("\n{}\n{}", context.word("cli-columns"), grid::columns(&rows, 2))
+pub fn columns(page: &mut Document, table: &Table, numbered: bool, lang: Lang) {
+    page.heading(2, lang.word("cli-columns"));
+    let text = |head: &str| Head::text(lang.word(head));
+    let number = Head::number(lang.word("cli-row-number"), "");
+    let heads =
+        vec![number, text("table-key"), text("table-what"), text("table-symbol"), text("table-expected").least(24)];
+    let row = |(index, column): (usize, &Column)| {
+        let number = if numbered { (index + 1).to_string() } else { String::new() };
+        let key = Inlines::default().code(&column.name);
+        let label = shown::label(lang, column).unwrap_or_default();
+        let about = about(column, lang).join("; ");
+        vec![Inlines::number(number), key, label.into(), symbol(column, lang).into(), about.into()]
+    };
+    page.push(filled(heads, table.columns.iter().enumerate().map(row).collect()));
 }
 
-/// What these rows say beside their cells: corrections, doubts, reasons, places, notes. Rows that say
-/// the same stand together.
-pub fn said(rows: &[RowRef<'_>], context: &Context) -> String {
-    let lang = context.lang;
+/// A table without the columns in which nothing stands.
+pub fn filled(heads: Vec<Head>, rows: Vec<Vec<Inlines>>) -> Grid {
+    let is_filled = |index: &usize| rows.iter().any(|row| row.get(*index).is_some_and(|cell| !cell.is_empty()));
+    let kept: Vec<usize> = (0..heads.len()).filter(is_filled).collect();
+    let mut grid = Grid::new(kept.iter().filter_map(|&index| heads.get(index).cloned()));
+    for row in &rows {
+        grid.row(kept.iter().filter_map(|&index| row.get(index).cloned()));
+    }
+    grid
+}
+
+/// The symbol and the unit of a column: `d, мм`.
+fn symbol(column: &Column, lang: Lang) -> String {
+    match (column.symbol.as_deref().unwrap_or_default(), unit(column.unit, lang)) {
+        (symbol, "") => symbol.to_owned(),
+        ("", unit) => unit.to_owned(),
+        (symbol, unit) => say!(lang, "table-symbol-unit", symbol = symbol, unit = unit),
+    }
+}
+
+/// What may stand in a column, in the words of a query.
+fn about(column: &Column, lang: Lang) -> Vec<String> {
+    let mut about = Vec::new();
+    let said = |key: &str| lang.word(key).to_owned();
+    match column.role {
+        Role::Field => {}
+        Role::Input => about.push(said("cli-input")),
+        Role::Output => about.push(said("cli-output")),
+    }
+    about.push(shown::expected(lang, column));
+    about.extend(column.domain_text.as_deref().map(|domain| shown::test(lang, column, domain)));
+    about.extend(column.list.then(|| said("cli-list")));
+    about.extend(column.optional.then(|| said("cli-optional")));
+    let default = column.default.as_ref().map(|value| super::record::bare(column, value));
+    about.extend(default.map(|value| say!(lang, "cli-default-is", value = value)));
+    let refers = column.refers.as_ref();
+    about.extend(refers.map(|(table, column)| say!(lang, "cli-refers-to", table = table, column = column)));
+    about
+}
+
+/// What these rows say beside their cells: corrections, doubts, reasons, places, notes. Rows that say the same stand
+/// together.
+pub fn said(page: &mut Document, rows: &[RowRef<'_>], lang: Lang) {
     let corrections = |row: &Row| -> Vec<String> {
-        let said = row.corrections.iter();
-        said.map(|it| words::printed_otherwise(lang, &it.column, &it.printed, &it.reason)).collect()
+        let said = row.corrections.iter().map(|it| {
+            let (column, printed, reason) = (&it.column, &it.printed, &it.reason);
+            say!(lang, "cli-printed-otherwise", column = column, printed = printed, reason = reason)
+        });
+        said.collect()
     };
     let one = |text: &Option<String>| -> Vec<String> { text.iter().cloned().collect() };
-    [
-        said_by_rows(rows, "cli-corrections", context, &corrections),
-        said_by_rows(rows, "cli-unconfirmed", context, &|row| one(&row.unconfirmed)),
-        said_by_rows(rows, "cli-reasons", context, &|row| one(&row.reason)),
-        said_by_rows(rows, "cli-places", context, &|row| one(&row.place)),
-        said_by_rows(rows, "cli-row-notes", context, &|row| one(&row.note)),
-    ]
-    .concat()
+    by_rows(page, rows, "cli-corrections", lang, &corrections);
+    by_rows(page, rows, "cli-unconfirmed", lang, &|row| one(&row.unconfirmed));
+    by_rows(page, rows, "cli-reasons", lang, &|row| one(&row.reason));
+    by_rows(page, rows, "cli-places", lang, &|row| one(&row.place));
+    by_rows(page, rows, "cli-row-notes", lang, &|row| one(&row.note));
 }
 
-fn said_by_rows(rows: &[RowRef<'_>], word: &str, context: &Context, said: &dyn Fn(&Row) -> Vec<String>) -> String {
+fn by_rows(page: &mut Document, rows: &[RowRef<'_>], head: &str, lang: Lang, said: &dyn Fn(&Row) -> Vec<String>) {
     let mut rows_of: BTreeMap<String, Vec<usize>> = BTreeMap::new();
     for row in rows {
         for sentence in said(row.row()) {
@@ -160,13 +207,17 @@ fn said_by_rows(rows: &[RowRef<'_>], word: &str, context: &Context, said: &dyn F
     }
     let mut said: Vec<(Vec<usize>, String)> = rows_of.into_iter().map(|(sentence, rows)| (rows, sentence)).collect();
     said.sort();
-    let lines: Vec<String> =
-        said.iter().map(|(rows, sentence)| format!("{}: {sentence}", words::rows_named(context.lang, rows))).collect();
-    section(word, context, lines.iter().map(String::as_str))
+    let line = |(rows, said): (Vec<usize>, String)| {
+        say!(lang, "table-of-rows", rows = shown::rows_named(lang, &rows), said = said)
+    };
+    section(page, lang.word(head), said.into_iter().map(line));
 }
 
 /// A heading with its lines; nothing without lines.
-pub fn section<'a>(word: &str, context: &Context, lines: impl Iterator<Item = &'a str>) -> String {
-    let lines: Vec<String> = lines.map(|line| grid::paragraph(line, 2)).collect();
-    if lines.is_empty() { String::new() } else { format!("\n{}\n{}", context.word(word), lines.concat()) }
+pub fn section(page: &mut Document, head: &str, lines: impl Iterator<Item = String>) {
+    let lines: Vec<Item> = lines.map(|line| Inlines::sentence(&line).into()).collect();
+    if !lines.is_empty() {
+        page.heading(2, head);
+        page.push(Block::List(lines));
+    }
 }

@@ -1,10 +1,11 @@
 //! `technolog table`: the list of tables, or one table as its source prints it.
 
 use serde::Serialize;
+use technolog::document::{Column as Head, Document, Inlines, Keep, Table as Grid};
 use technolog::knowledge::{Column, Kind, Table};
 use technolog::units::Unit;
 
-use super::{CliError, Context, Format, Outcome, grid, knowledge, record, sheet};
+use super::{CliError, Context, Format, Lang, Outcome, knowledge, record, sheet, shown};
 
 // The list of tables, or one table as its source prints it
 #[derive(Debug, clap::Args)]
@@ -17,7 +18,7 @@ pub struct Args {
 /// # Errors
 /// There is no such table, or the answer cannot be written.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    let format = context.format("table", &[Format::Text, Format::Json, Format::Csv])?;
+    let format = context.format("table", &[Format::Text, Format::Json, Format::Csv, Format::Markdown, Format::Html])?;
     let knowledge = knowledge::load_to_read(context)?;
     let Some(id) = &args.table else {
         let mut tables: Vec<&Table> = knowledge.tables().collect();
@@ -25,7 +26,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         match format {
             Format::Json => context.emit_json(&list_json(&tables, context))?,
             Format::Csv => context.emit(&list_csv(&tables, context))?,
-            _ => context.emit(&list_text(&tables, context))?,
+            _ => context.emit_document(&list_page(&tables, context.lang), format)?,
         }
         return Ok(Outcome::Done);
     };
@@ -33,7 +34,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     match format {
         Format::Json => context.emit_json(&table_json(table, context))?,
         Format::Csv => context.emit(&table_csv(table))?,
-        _ => context.emit(&sheet::whole(table, context))?,
+        _ => context.emit_document(&sheet::whole(table, context.lang), format)?,
     }
     Ok(Outcome::Done)
 }
@@ -45,24 +46,28 @@ const fn kind(table: &Table) -> &'static str {
     }
 }
 
-fn list_text(tables: &[&Table], context: &Context) -> String {
-    let head = ["cli-table", "cli-row-count", "cli-kind", "cli-title"].map(|word| context.word(word).to_owned());
-    let rows: Vec<Vec<String>> = tables
-        .iter()
-        .map(|table| {
-            let kind = match table.kind {
-                Kind::Catalog => "cli-catalog",
-                Kind::Decision => "cli-decision",
-            };
-            vec![
-                table.id.clone(),
-                table.rows.len().to_string(),
-                context.word(kind).to_owned(),
-                record::title(context.lang, table).to_owned(),
-            ]
-        })
-        .collect();
-    grid::table(&head, &rows, 0)
+fn list_page(tables: &[&Table], lang: Lang) -> Document {
+    let mut page = Document::new(lang.tag(), lang.word("table-list"));
+    let mut list = Grid::new([
+        Head::text(lang.word("cli-table")).least(24),
+        Head::number(lang.word("cli-row-count"), "").keep(Keep::Optional),
+        Head::text(lang.word("cli-kind")).least(7).keep(Keep::Optional),
+        Head::text(lang.word("cli-title")).least(30),
+    ]);
+    for table in tables {
+        let kind = match table.kind {
+            Kind::Catalog => "cli-catalog",
+            Kind::Decision => "cli-decision",
+        };
+        list.row([
+            Inlines::default().code(&table.id),
+            Inlines::number(table.rows.len().to_string()),
+            lang.word(kind).into(),
+            shown::title(lang, table).into(),
+        ]);
+    }
+    page.push(list);
+    page
 }
 
 #[derive(Serialize)]
@@ -79,7 +84,7 @@ fn list_json<'t>(tables: &[&'t Table], context: &Context) -> Vec<Listed<'t>> {
         .iter()
         .map(|table| Listed {
             table: &table.id,
-            title: record::title(context.lang, table),
+            title: shown::title(context.lang, table),
             kind: kind(table),
             rows: table.rows.len(),
             file: &table.file,
@@ -94,7 +99,7 @@ fn list_csv(tables: &[&Table], context: &Context) -> String {
             &table.id,
             &table.rows.len().to_string(),
             kind(table),
-            record::title(context.lang, table),
+            shown::title(context.lang, table),
             &table.file,
         ])
     });
@@ -147,7 +152,7 @@ struct TableJson<'t> {
 fn table_json<'t>(table: &'t Table, context: &Context) -> TableJson<'t> {
     TableJson {
         table: &table.id,
-        title: record::title(context.lang, table),
+        title: shown::title(context.lang, table),
         kind: kind(table),
         place: &table.place,
         standard: table.standard.as_deref(),
@@ -168,7 +173,7 @@ fn column_json<'t>(column: &'t Column, context: &Context) -> ColumnJson<'t> {
         ty: column.ty.name(),
         unit: has_unit.then(|| column.unit.text()),
         symbol: column.symbol.as_deref(),
-        label: record::label(context.lang, column),
+        label: shown::label(context.lang, column),
         role: record::role(column.role),
         list: column.list,
         optional: column.optional,

@@ -8,6 +8,7 @@ use std::collections::BTreeSet;
 use serde::Serialize;
 
 use crate::error::KnowledgeError;
+use crate::note;
 use crate::plan::Operation;
 
 use super::auditor::Auditor;
@@ -47,6 +48,9 @@ pub struct Difference {
     /// Which figure it is.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub quantity: Option<Quantity>,
+    /// The name of the factor it is.
+    #[serde(skip)]
+    pub factor: Option<note::Figure>,
     /// In the first plan.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub a: Option<String>,
@@ -257,6 +261,7 @@ impl Found<'_> {
             self.say(section, subject, &what, text(a), text(b));
             if let Some(last) = self.differences.last_mut() {
                 last.quantity = Some(quantity);
+                last.factor = name.map(|name| self.a.factor(name));
             }
         }
     }
@@ -271,7 +276,7 @@ impl Found<'_> {
 
     fn say(&mut self, section: Section, subject: &Subject, what: &str, a: Option<String>, b: Option<String>) {
         let (subject, what) = (subject.clone(), what.to_owned());
-        self.differences.push(Difference { section, subject, what, quantity: None, a, b });
+        self.differences.push(Difference { section, subject, what, quantity: None, factor: None, a, b });
     }
 }
 

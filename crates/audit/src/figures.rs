@@ -23,6 +23,7 @@ fn finding(verdict: &Verdict, all: &[Verdict], context: &Context<'_>, graph: &Gr
     let figure = context.stated.figure(id)?;
     let formula = graph.formula(id)?;
     let changes = changes(id, all, context);
+    let mut is_slip = false;
     let (severity, note, roots) = match &verdict.status {
         Status::Fine => return None,
         Status::Root(severity, Some(note)) => (*severity, note.clone(), Vec::new()),
@@ -35,8 +36,8 @@ fn finding(verdict: &Verdict, all: &[Verdict], context: &Context<'_>, graph: &Gr
                 context.stated.figure(other).is_some()
                     && all.iter().any(|verdict| verdict.id == other && verdict.status == Status::Fine)
             });
-            let note = if changes.is_empty() && went_on { note.with("carried", "no") } else { note };
-            (*severity, note, Vec::new())
+            is_slip = changes.is_empty() && went_on;
+            (*severity, if is_slip { note.with("carried", "no") } else { note }, Vec::new())
         }
         Status::Follows(roots) => {
             let fields: Vec<String> = roots.iter().map(|root| context.field(*root)).collect();
@@ -45,11 +46,13 @@ fn finding(verdict: &Verdict, all: &[Verdict], context: &Context<'_>, graph: &Gr
     };
     let mut finding = Finding::new(severity, Context::section(id), context.field(id), note).at(&figure.place);
     finding.rule = formula.rule.id.to_owned();
+    finding.is_slip = is_slip;
     finding.kind = match verdict.status {
         Status::Follows(_) => Kind::Follows(formula.rule),
         _ => Kind::Formula(formula.rule),
     };
-    finding.source = formula.rule.source;
+    finding.source = Some(Note::new(format!("audit-source-{}", formula.rule.id)));
+    finding.factor = context.factor(id);
     finding.subject = context.subject(id.scope);
     finding.quantity = Some(id.quantity);
     finding.stated = Some(figure.text.clone());

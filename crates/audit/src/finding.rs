@@ -5,9 +5,10 @@ use std::collections::BTreeMap;
 use serde::{Serialize, Serializer};
 
 use crate::knowledge::diagnostic::Place;
-use crate::note::{Because, Note, Severity};
-use crate::plan::Operation;
+use crate::note::{Because, Figure, Note, Severity, Told as _, Word};
+use crate::plan::{CuttingMethod, Operation};
 use crate::reason::OfOther;
+use technolog_core::lang::Lang;
 
 use super::context::Context;
 use super::graph::Rule;
@@ -202,9 +203,15 @@ pub struct Finding {
     /// The formula with its figures.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub formula: String,
-    /// Where the formula comes from, in Ukrainian and in English; English for programs.
-    #[serde(serialize_with = "english", skip_serializing_if = "is_unsaid")]
-    pub source: (&'static str, &'static str),
+    /// Where the formula comes from; programs read it in English.
+    #[serde(serialize_with = "english", skip_serializing_if = "Option::is_none")]
+    pub source: Option<Note>,
+    /// The name of the factor it is about.
+    #[serde(skip)]
+    pub factor: Option<Figure>,
+    /// Whether the author went on with the right figure.
+    #[serde(skip)]
+    pub is_slip: bool,
     /// What the plan does not state and was taken from tables or computed.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub supplied: Vec<Shown>,
@@ -228,14 +235,9 @@ pub struct Finding {
     pub because: Vec<Because>,
 }
 
-#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde asks for it")]
-fn english<S: Serializer>(source: &(&'static str, &'static str), serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(source.1)
-}
-
-#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde asks for it")]
-fn is_unsaid(source: &(&'static str, &'static str)) -> bool {
-    source.1.is_empty()
+#[expect(clippy::ref_option, reason = "serde asks for it")]
+fn english<S: Serializer>(source: &Option<Note>, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(&source.as_ref().map(|source| Lang::EN.say(source)).unwrap_or_default())
 }
 
 impl Finding {
@@ -258,7 +260,9 @@ impl Finding {
             by_stated: None,
             deviation_percent: None,
             formula: String::new(),
-            source: ("", ""),
+            source: None,
+            factor: None,
+            is_slip: false,
             supplied: Vec::new(),
             follows_from: Vec::new(),
             changes: Vec::new(),
@@ -360,6 +364,13 @@ impl Context<'_> {
         }
     }
 
+    /// The name of a factor.
+    pub(super) fn factor(&self, id: Id) -> Option<Figure> {
+        let Scope::Conditions(at) = id.scope else { return None };
+        let factor = self.stated.conditions.get(at)?.factors.get(&id.quantity)?.get(id.index)?;
+        Some(self.stated.factor(&factor.name.value))
+    }
+
     /// What a part of the plan is about.
     pub(super) fn subject(&self, scope: Scope) -> Subject {
         let rows = match scope {
@@ -403,6 +414,16 @@ impl Context<'_> {
                 | Quantity::BookCorrection,
             ) => Section::Lengths,
             (Scope::Tool(_), _) => Section::Tools,
+        }
+    }
+}
+
+impl Stated {
+    /// The name of a factor: of the card it is one of the table of corrections, else it is the author's own.
+    pub(super) fn factor(&self, name: &str) -> Figure {
+        match self.method {
+            CuttingMethod::Card => Figure::Word(Word { of: "factor", id: name.to_owned().into() }),
+            CuttingMethod::Formula => name.told(),
         }
     }
 }

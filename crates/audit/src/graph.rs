@@ -17,12 +17,10 @@ use super::tolerance::Tolerances;
 /// A rule that computes a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rule {
-    /// Stable id.
+    /// Stable id; where it comes from is the message `audit-source-` with it.
     pub id: &'static str,
     /// Its formula in symbols.
     pub formula: &'static str,
-    /// Where it comes from, in Ukrainian and in English.
-    pub source: (&'static str, &'static str),
 }
 
 /// How a value that is chosen, not computed, stands to what may be chosen: nothing against it, or how grave it is and why.

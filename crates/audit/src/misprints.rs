@@ -11,11 +11,7 @@ use super::figures::{Nature, nature};
 use super::graph::{Formula, Graph, Rule, Status};
 use super::quantity::Id;
 
-const MISPRINT: Rule = Rule {
-    id: "misprinted",
-    formula: "",
-    source: ("те, що з нього рахували, дає інше значення", "what was computed from it agrees on another value"),
-};
+const MISPRINT: Rule = Rule { id: "misprinted", formula: "" };
 
 pub(super) const RULES: &[Rule] = &[MISPRINT];
 

@@ -102,7 +102,7 @@ mod tests {
 
     use super::*;
 
-    const RULE: Rule = Rule { id: "rule", formula: "", source: ("", "") };
+    const RULE: Rule = Rule { id: "rule", formula: "" };
 
     fn finding(field: &str, follows: &[&str]) -> Finding {
         let finding = Finding::new(Severity::Wrong, Section::Route, field.to_owned(), Note::new("audit-figure"));

@@ -1,8 +1,10 @@
-//! Names of operations: plans written by people are read by them, pages print them.
+//! Names of operations, quantities and units: plans written by people are read by the first, pages print them all.
 
 use crate::knowledge::Word as _;
+use crate::knowledge::units::Unit;
 use crate::lang::Lang;
 use crate::plan::Operation;
+use crate::tables::quantity::Quantity;
 
 /// The operation as an instruction: `Центрувати`, `Centre`.
 pub fn operation_verb(name: &str, lang: Lang) -> &str {
@@ -21,4 +23,29 @@ pub fn operation_named(text: &str, lang: Lang) -> Option<Operation> {
 /// The operation as a noun: `центрування`, `centring`.
 pub fn operation_noun(name: &str, lang: Lang) -> &str {
     lang.term("operation", name)
+}
+
+/// The name of a figure of a plan: `глибина різання`.
+pub fn quantity_noun(quantity: Quantity, lang: Lang) -> &'static str {
+    let key = quantity.key();
+    // A key of two parts has a point, which no name of a message has.
+    lang.find(&format!("quantity-{}", key.replace('.', "-"))).unwrap_or(key)
+}
+
+/// A unit as people write it; nothing for a pure number.
+pub fn unit(unit: Unit, lang: Lang) -> &'static str {
+    match unit {
+        Unit::None => "",
+        // Some are written alike in every language.
+        _ => lang.find(&format!("unit-{}", unit.text().replace(['*', '/'], "-"))).unwrap_or(unit.text()),
+    }
+}
+
+/// A figure with its unit: `0,25 мм/об`, `118°`.
+pub fn with_unit(figure: &str, unit: Unit, lang: Lang) -> String {
+    match self::unit(unit, lang) {
+        "" => figure.to_owned(),
+        unit if unit.starts_with('°') => format!("{figure}{unit}"),
+        unit => format!("{figure} {unit}"),
+    }
 }

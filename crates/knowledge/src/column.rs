@@ -97,6 +97,13 @@ pub struct Label {
     pub en: String,
 }
 
+impl Label {
+    /// The name in the language of that tag; tables name things in English for languages that they do not speak.
+    pub fn of(&self, tag: &str) -> &str {
+        if tag == "uk" { &self.uk } else { &self.en }
+    }
+}
+
 /// One column of a table.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Column {

@@ -18,7 +18,7 @@ pub mod sheet;
 
 pub use sentences::{remedy, sentence};
 pub use technolog_core::lang::Lang;
-pub use technolog_core::words::{operation_named, operation_noun, operation_verb};
+pub use technolog_core::words::{operation_named, operation_noun, operation_verb, unit, with_unit};
 pub use why::explain;
 
 // This room and those below, under one name each in the whole program; `audit` and `turning` are rooms of pages here.

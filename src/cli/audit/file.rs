@@ -8,12 +8,12 @@ use technolog::audit::rules;
 use technolog::audit::stated::Stated;
 use technolog::audit::{Auditor, Unreadable, read_if_plan, read_plan};
 use technolog::error::KnowledgeError;
-use technolog::knowledge::Diagnostic;
 use technolog::knowledge::yaml::text_of;
 use technolog::report::Lang;
 
 use super::super::diagnostics::Texts;
-use super::super::{CliError, Context, words};
+use super::super::problems::{of_system, unreadable};
+use super::super::{CliError, Context};
 
 /// A plan.
 ///
@@ -73,16 +73,13 @@ pub fn scheme(path: &Path, context: &Context) -> Result<Scheme, CliError> {
 /// # Errors
 /// It cannot be read, or is no text.
 pub fn content(path: &Path, shown: &str, context: &Context) -> Result<String, CliError> {
-    let bytes = std::fs::read(path).map_err(|error| {
-        let message = words::cannot_read(context.lang, shown, error);
-        CliError::from(Diagnostic::error("unreadable", message, None).help(words::check_path(context.lang)))
-    })?;
+    let bytes = std::fs::read(path).map_err(|error| unreadable(shown, &error, context.lang))?;
     Ok(text_of(shown, bytes)?)
 }
 
 /// A file that a plan names: relative to the plan.
 fn named(plan: &Path, name: &str, context: &Context) -> Result<String, String> {
-    let bytes = std::fs::read(beside(plan).join(name)).map_err(|error| words::of_system(context.lang, &error))?;
+    let bytes = std::fs::read(beside(plan).join(name)).map_err(|error| of_system(&error, context.lang))?;
     String::from_utf8(bytes).map_err(|error| error.to_string())
 }
 

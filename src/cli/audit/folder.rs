@@ -6,12 +6,13 @@ use std::path::{Path, PathBuf};
 use technolog::audit::marks::Scheme;
 use technolog::audit::{Audited, Auditor, Unread};
 use technolog::knowledge::Diagnostic;
+use technolog::words::say;
 use technolog::{parallel, report};
 
+use super::super::problems::unreadable;
 use super::super::progress::Progress;
-use super::super::words::{cannot_read, check_path};
 use super::super::{CliError, Context, Format, Outcome, output};
-use super::{file, words};
+use super::file;
 
 /// What became of a file of the folder.
 enum Seen {
@@ -32,10 +33,7 @@ pub fn run(
     context: &Context,
 ) -> Result<Outcome, CliError> {
     let mut files = Vec::new();
-    collect(folder, &mut files).map_err(|error| {
-        let message = cannot_read(context.lang, folder.display(), error);
-        CliError::from(Diagnostic::error("unreadable", message, None).help(check_path(context.lang)))
-    })?;
+    collect(folder, &mut files).map_err(|error| unreadable(folder.display(), &error, context.lang))?;
     let progress = Progress::new(files.len());
     let seen = parallel::map(&files, |path| one(path, auditor, scheme, context), |done| progress.show(done));
     progress.clear();
@@ -44,20 +42,19 @@ pub fn run(
         match seen? {
             Seen::Plan(plan) => audited.push(plan),
             Seen::NoPlan => {
-                output::complain(&format!("{}\n", words::no_plan(context.lang, path.display())));
+                let skipped = say!(context.lang, "audit-skipped-file", file = path.display().to_string());
+                output::complain(&format!("{skipped}\n"));
             }
         }
     }
     if audited.is_empty() {
-        let message = words::no_plans(context.lang, folder.display());
-        return Err(Diagnostic::error("no-plans", message, None).help(words::what_is_a_plan(context.lang)).into());
+        let message = say!(context.lang, "audit-no-plans", folder = folder.display().to_string());
+        return Err(Diagnostic::error("no-plans", message, None).help(context.word("audit-what-is-a-plan")).into());
     }
     match format {
         Format::Json => context.emit_json(&audited)?,
         Format::Yaml => context.emit_yaml(&audited)?,
-        Format::Markdown => context.emit(&report::audit::many::markdown(&audited, context.lang))?,
-        Format::Html => context.emit(&report::audit::html::folder(&audited, context.lang))?,
-        _ => context.emit(&report::audit::many::page(&audited, context.lang))?,
+        _ => context.emit_document(&report::audit::many::page(&audited, context.lang), format)?,
     }
     if audited.iter().any(|one| one.audit().is_none()) {
         return Err(CliError::Shown);
@@ -71,7 +68,7 @@ fn one(path: &Path, auditor: &Auditor<'_>, scheme: Option<&Scheme>, context: &Co
         Ok(Some(stated)) => stated,
         Ok(None) => return Ok(Seen::NoPlan),
         Err(CliError::Unusable { problems, .. }) => {
-            return Ok(unreadable(path, &problems, context));
+            return Ok(unread(path, &problems, context));
         }
         Err(error) => return Err(error),
     };
@@ -79,14 +76,14 @@ fn one(path: &Path, auditor: &Auditor<'_>, scheme: Option<&Scheme>, context: &Co
         Ok(found) => found,
         Err(error) => {
             let problem = stated.at_fault(&error).ok_or_else(|| CliError::of_knowledge(&error, context.lang))?;
-            return Ok(unreadable(path, &[problem], context));
+            return Ok(unread(path, &[problem], context));
         }
     };
     found.marks = scheme.map(|scheme| scheme.mark(&found));
     Ok(Seen::Plan(Audited::Plan(Box::new(found))))
 }
 
-fn unreadable(path: &Path, problems: &[Diagnostic], context: &Context) -> Seen {
+fn unread(path: &Path, problems: &[Diagnostic], context: &Context) -> Seen {
     Seen::Plan(Audited::Unreadable(Unread::new(&path.display().to_string(), problems, context.lang)))
 }
 

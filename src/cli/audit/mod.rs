@@ -2,7 +2,6 @@
 
 mod file;
 mod folder;
-mod words;
 
 use std::path::PathBuf;
 
@@ -38,10 +37,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let scheme = args.marks.as_deref().map(|path| file::scheme(path, context)).transpose()?;
     if args.plan.is_dir() {
         if args.against.is_some() {
-            let message = words::folder_against(context.lang);
-            return Err(Diagnostic::error("folder-against", message, None)
-                .help(words::name_a_plan(context.lang))
-                .into());
+            let problem = Diagnostic::error("folder-against", context.word("audit-folder-against"), None);
+            return Err(problem.help(context.word("audit-name-a-plan")).into());
         }
         return folder::run(&args.plan, format, &auditor, scheme.as_ref(), context);
     }
@@ -53,9 +50,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         match format {
             Format::Json => context.emit_json(&compared)?,
             Format::Yaml => context.emit_yaml(&compared)?,
-            Format::Markdown => context.emit(&report::audit::against::markdown(&compared, context.lang))?,
-            Format::Html => context.emit(&report::audit::html::comparison(&compared, context.lang))?,
-            _ => context.emit(&report::audit::against::page(&compared, context.lang))?,
+            _ => context.emit_document(&report::audit::against::page(&compared, context.lang), format)?,
         }
         return Ok(Outcome::Done);
     }
@@ -69,8 +64,6 @@ fn give_out(found: &Audit, format: Format, context: &Context) -> Result<(), CliE
     match format {
         Format::Json => context.emit_json(found),
         Format::Yaml => context.emit_yaml(found),
-        Format::Markdown => context.emit(&report::audit::markdown(found, context.lang)),
-        Format::Html => context.emit(&report::audit::html::page(found, context.lang)),
-        _ => context.emit(&report::audit::page(found, context.lang)),
+        _ => context.emit_document(&report::audit::page(found, context.lang), format),
     }
 }

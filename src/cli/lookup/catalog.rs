@@ -3,15 +3,16 @@
 use std::collections::BTreeMap;
 
 use serde::Serialize;
+use technolog::document::{Column as Head, Document, Inlines};
 use technolog::knowledge::alike::has;
 use technolog::knowledge::diagnostic::nearest;
 use technolog::knowledge::table::Cell;
 use technolog::knowledge::{Column, RowRef, Table, Value};
+use technolog::words::say;
 
 use super::near::{self, Near};
 use super::question::Question;
-use crate::cli::words;
-use crate::cli::{CliError, Context, Format, Outcome, grid, record, sheet};
+use crate::cli::{CliError, Context, Format, Lang, Outcome, record, sheet, shown};
 
 /// So many values of a text column are all named where none is near.
 const FEW: usize = 12;
@@ -43,8 +44,8 @@ pub fn answer(question: &Question<'_>, format: Format, context: &Context) -> Res
             nearest: near::json(&missed.near),
             nearest_values: missed.keys.iter().map(|key| (key.column.name.as_str(), key)).collect(),
         })?,
-        _ if rows.is_empty() => context.emit(&missed_text(table, &missed, context))?,
-        _ => context.emit(&found_text(table, &rows, context))?,
+        _ if rows.is_empty() => context.emit_document(&missed_page(table, &missed, context.lang), format)?,
+        _ => context.emit_document(&found_page(table, &rows, context.lang), format)?,
     }
     Ok(if rows.is_empty() { Outcome::Findings } else { Outcome::Done })
 }
@@ -112,46 +113,36 @@ fn nearest_values<'a>(table: &'a Table, index: usize, wanted: &Value) -> Vec<&'a
     near.iter().filter_map(|text| by_text.get(text).copied()).collect()
 }
 
-fn found_text(table: &Table, rows: &[RowRef<'_>], context: &Context) -> String {
-    let lang = context.lang;
-    let mut text = sheet::title(table, context);
-    let results: Vec<String> = rows.iter().map(|&row| record::results_text(lang, row)).collect();
-    text.push('\n');
-    text.push_str(&grid::paragraph(&format!("{}: {}", context.word("cli-result"), results.join("; ")), 0));
-    text.push('\n');
-    let (drawn, numbered) = sheet::rows(table, rows, context);
-    text.push_str(&drawn);
+fn found_page(table: &Table, rows: &[RowRef<'_>], lang: Lang) -> Document {
+    let mut page = sheet::titled(table, lang);
+    let results: Vec<String> = rows.iter().map(|&row| shown::result(lang, row)).collect();
+    super::result(&mut page, &results.join("; "), lang);
+    let numbered = sheet::rows(&mut page, table, rows, lang);
     if numbered {
-        text.push_str(&sheet::columns(table, numbered, context));
+        sheet::columns(&mut page, table, numbered, lang);
     }
-    text.push_str(&sheet::said(rows, context));
-    text
+    sheet::said(&mut page, rows, lang);
+    page
 }
 
-fn missed_text(table: &Table, missed: &Missed<'_>, context: &Context) -> String {
-    let lang = context.lang;
-    let mut text = sheet::title(table, context);
-    text.push_str(&format!("\n{}: {}\n", context.word("cli-result"), context.word("cli-no-row")));
-    let keys: Vec<Vec<String>> = missed
-        .keys
-        .iter()
-        .map(|key| {
-            let near: Vec<String> = key.near.iter().map(|value| record::bare(key.column, value)).collect();
-            let near = match near.len() {
-                0 => String::new(),
-                _ => format!("{}: {}", context.word("cli-nearest-values"), near.join(", ")),
-            };
-            vec![
-                key.column.name.clone(),
-                record::with_unit(lang, key.column, key.wanted),
-                words::rows(lang, key.rows),
-                near,
-            ]
-        })
-        .collect();
-    text.push_str(&format!("\n{}\n{}", context.word("cli-each-alone"), grid::columns(&keys, 2)));
-    text.push_str(&near::text(&missed.near, context));
-    text
+fn missed_page(table: &Table, missed: &Missed<'_>, lang: Lang) -> Document {
+    let mut page = sheet::titled(table, lang);
+    super::result(&mut page, lang.word("cli-no-row"), lang);
+    page.heading(2, lang.word("cli-each-alone"));
+    let heads = ["table-key", "table-asked", "table-found", "cli-nearest-values"];
+    let row = |key: &Key<'_>| {
+        let near: Vec<String> = key.near.iter().map(|value| shown::value(lang, key.column, value)).collect();
+        vec![
+            Inlines::default().code(&key.column.name),
+            shown::full(lang, key.column, key.wanted).into(),
+            say!(lang, "cli-rows-counted", count = key.rows).into(),
+            near.join("; ").into(),
+        ]
+    };
+    let heads = heads.map(|head| Head::text(lang.word(head))).to_vec();
+    page.push(sheet::filled(heads, missed.keys.iter().map(row).collect()));
+    near::section(&mut page, &missed.near, lang);
+    page
 }
 
 #[derive(Serialize)]

@@ -1,14 +1,15 @@
 //! A query against a decision table: the row that won, and why every other one lost.
 
 use serde::Serialize;
+use technolog::document::{Block, Column as Head, Document, Field, Inlines, Keep, Table as Grid};
 use technolog::knowledge::query::Answer;
 use technolog::knowledge::table::{Cell, Uncovered};
 use technolog::knowledge::{Column, Diagnostic, Input, RowRef, Table, Value};
+use technolog::words::say;
 
 use super::near::{self, Near};
 use super::question::Question;
-use crate::cli::words;
-use crate::cli::{CliError, Context, Format, Outcome, grid, record, sheet};
+use crate::cli::{CliError, Context, Format, Lang, Outcome, record, sheet, shown};
 
 /// More rejected rows than this are grouped by column, unless all are asked for.
 const LISTED: usize = 12;
@@ -27,13 +28,13 @@ pub fn answer(question: &Question<'_>, all: bool, format: Format, context: &Cont
         })
         .collect();
     let answer = table.decide(&inputs).map_err(|error| {
-        let help = words::run_lint(context.lang);
+        let help = context.word("cli-run-lint");
         Diagnostic::error("contradiction", technolog::note::Note::from(&error), None).help(help)
     })?;
     let told = Told::of(question, &answer);
     match format {
         Format::Json => context.emit_json(&told.json())?,
-        _ => context.emit(&told.text(all, context))?,
+        _ => context.emit_document(&told.page(all, context.lang), format)?,
     }
     Ok(if told.winners.is_empty() { Outcome::Findings } else { Outcome::Done })
 }
@@ -94,124 +95,105 @@ impl<'a> Told<'a> {
         Self { table, asked, winners, passed_over: answer.passed_over().collect(), rejected, gap, near }
     }
 
-    fn text(&self, all: bool, context: &Context) -> String {
-        let lang = context.lang;
-        let mut text = sheet::title(self.table, context);
-        let result = match &self.winners[..] {
-            [] => context.word("cli-no-row").to_owned(),
-            rows => rows.iter().map(|&row| record::results_text(lang, row)).collect::<Vec<_>>().join("; "),
-        };
-        text.push('\n');
-        text.push_str(&grid::paragraph(&format!("{}: {result}", context.word("cli-result")), 0));
+    fn page(&self, all: bool, lang: Lang) -> Document {
+        let mut page = sheet::titled(self.table, lang);
+        let results: Vec<String> = self.winners.iter().map(|&row| shown::result(lang, row)).collect();
+        let result = if results.is_empty() { lang.word("cli-no-row") } else { &results.join("; ") };
+        super::result(&mut page, result, lang);
         if let Some(gap) = self.gap {
-            text.push_str(&grid::paragraph(&format!("{}: {}", context.word("cli-gap"), gap.reason), 0));
+            page.push(Block::Fields(vec![Field::new(lang.word("cli-gap"), gap.reason.as_str())]));
         }
         for &row in &self.winners {
-            text.push_str(&self.winner(row, context));
+            self.winner(&mut page, row, lang);
         }
         if self.winners.is_empty() {
-            text.push_str(&format!(
-                "\n{}\n{}",
-                context.word("cli-question"),
-                grid::columns(&self.question(context), 2)
-            ));
-            text.push_str(&near::text(&self.near, context));
+            page.heading(2, lang.word("cli-question"));
+            page.push(self.question(None, lang));
+            near::section(&mut page, &self.near, lang);
         }
-        text.push_str(&sheet::said(&self.winners, context));
+        sheet::said(&mut page, &self.winners, lang);
         if !self.passed_over.is_empty() {
-            let rows: Vec<Vec<String>> = self
-                .passed_over
-                .iter()
-                .map(|&row| {
-                    let result = record::results_text(lang, row);
-                    vec![words::rows_named(lang, &[row.number()]), format!("→ {result}")]
-                })
-                .collect();
-            text.push_str(&format!("\n{}\n{}", context.word("cli-passed-over"), grid::columns(&rows, 2)));
+            page.heading(2, lang.word("cli-passed-over"));
+            let mut rows = grid(&["cli-row", "table-answer"], lang);
+            for &row in &self.passed_over {
+                rows.row([Inlines::number(row.number().to_string()), shown::result(lang, row).into()]);
+            }
+            page.push(rows);
         }
-        text.push_str(&self.rejected(all, context));
-        text
+        self.rejected(&mut page, all, lang);
+        page
     }
 
-    /// The inputs with their units.
-    fn question(&self, context: &Context) -> Vec<Vec<String>> {
-        self.asked
-            .iter()
-            .map(|asked| {
-                let default = if asked.by_default { context.word("cli-by-default") } else { "" };
-                let value = record::with_unit(context.lang, asked.column, asked.value);
-                vec![asked.column.name.clone(), value, default.to_owned()]
-            })
-            .collect()
+    /// The inputs with their units, beside the tests of a row.
+    fn question(&self, row: Option<RowRef<'_>>, lang: Lang) -> Grid {
+        let mut heads =
+            vec![Head::text(lang.word("table-key")), Head::text(lang.word("table-what")).keep(Keep::Optional)];
+        heads.push(Head::text(lang.word("table-asked")));
+        heads.extend(row.map(|_| Head::text(lang.word("cli-row"))));
+        let one = |asked: &Asked<'_>| {
+            let value = shown::full(lang, asked.column, asked.value);
+            let value = if asked.by_default { say!(lang, "table-by-default", value = value) } else { value };
+            let mut cells = vec![key(asked.column), shown::label(lang, asked.column).unwrap_or_default().into()];
+            cells.push(value.into());
+            cells.extend(row.map(|row| shown::cell(lang, asked.column, &row.row().cells[asked.index]).into()));
+            cells
+        };
+        sheet::filled(heads, self.asked.iter().map(one).collect())
     }
 
     /// A row that won: its source, its tests against the inputs, and what it says beside the result.
-    fn winner(&self, row: RowRef<'_>, context: &Context) -> String {
-        let lang = context.lang;
-        let source = record::source(lang, row.row().source);
-        let named = words::rows_named(lang, &[row.number()]);
-        let mut text = String::from("\n");
-        text.push_str(&grid::paragraph(&format!("{} ({source}): {}", capital(&named), row.place()), 0));
-        let mut lines = self.question(context);
-        for (line, asked) in lines.iter_mut().zip(&self.asked) {
-            line.insert(2, record::cell(asked.column, &row.row().cells[asked.index]));
-        }
-        text.push_str(&grid::columns(&lines, 2));
+    fn winner(&self, page: &mut Document, row: RowRef<'_>, lang: Lang) {
+        let source = shown::source(lang, row.row().source);
+        page.heading(2, say!(lang, "table-winner", row = row.number(), source = source, place = row.place()));
+        page.push(self.question(Some(row), lang));
         let results = record::results(self.table);
-        let others: Vec<Vec<String>> = self
-            .table
-            .outputs()
-            .filter(|(index, _)| !results.contains(index))
-            .filter_map(|(index, column)| match &row.row().cells[index] {
-                Cell::Value(value) => {
-                    let label = record::label(lang, column).unwrap_or_default();
-                    Some(vec![column.name.clone(), record::with_unit(lang, column, value), label.to_owned()])
-                }
-                _ => None,
-            })
-            .collect();
-        if !others.is_empty() {
-            text.push_str(&format!("\n{}\n{}", context.word("cli-also-says"), grid::columns(&others, 2)));
+        let mut others = grid(&["table-key", "table-what", "table-answer"], lang);
+        for (index, column) in self.table.outputs().filter(|(index, _)| !results.contains(index)) {
+            if let Cell::Value(value) = &row.row().cells[index] {
+                let label = shown::label(lang, column).unwrap_or_default();
+                others.row([key(column), label.into(), shown::full(lang, column, value).into()]);
+            }
         }
-        text
+        if !others.is_empty() {
+            page.heading(2, lang.word("cli-also-says"));
+            page.push(others);
+        }
     }
 
     /// The rejected rows, each with its first failing column, or counted by column where they are many.
-    fn rejected(&self, all: bool, context: &Context) -> String {
-        let lang = context.lang;
+    fn rejected(&self, page: &mut Document, all: bool, lang: Lang) {
         if self.rejected.is_empty() {
-            return String::new();
+            return;
         }
-        let heading = context.word("cli-rejected");
+        page.heading(2, lang.word("cli-rejected"));
         if all || self.rejected.len() <= LISTED {
-            let rows: Vec<Vec<String>> = self
-                .rejected
-                .iter()
-                .map(|(row, column, test)| {
-                    vec![words::rows_named(lang, &[row.number()]), column.name.clone(), (*test).to_owned()]
-                })
-                .collect();
-            return format!("\n{heading}\n{}", grid::columns(&rows, 2));
+            let mut rows = grid(&["cli-row", "table-key", "table-failed"], lang);
+            for (row, column, test) in &self.rejected {
+                let number = Inlines::number(row.number().to_string());
+                rows.row([number, key(column), shown::test(lang, column, test).into()]);
+            }
+            return page.push(rows);
         }
-        let rows: Vec<Vec<String>> = self
-            .asked
-            .iter()
-            .filter_map(|asked| {
-                let own = self.rejected.iter().filter(|(_, column, _)| column.name == asked.column.name);
-                // In the order of the table, where neighbouring intervals follow each other.
-                let mut counts: Vec<(&str, usize)> = Vec::new();
-                for (_, _, test) in own {
-                    match counts.iter_mut().find(|(known, _)| known == test) {
-                        Some((_, count)) => *count += 1,
-                        None => counts.push((test, 1)),
-                    }
+        let mut rows = grid(&["table-key", "cli-row-count", "table-failed"], lang);
+        for asked in &self.asked {
+            let own = self.rejected.iter().filter(|(_, column, _)| column.name == asked.column.name);
+            // In the order of the table, where neighbouring intervals follow each other.
+            let mut counts: Vec<(&str, usize)> = Vec::new();
+            for (_, _, test) in own {
+                match counts.iter_mut().find(|(known, _)| known == test) {
+                    Some((_, count)) => *count += 1,
+                    None => counts.push((test, 1)),
                 }
-                let total: usize = counts.iter().map(|(_, count)| count).sum();
-                let tests: Vec<String> = counts.iter().map(|(test, count)| format!("{test} ×{count}")).collect();
-                (total > 0).then(|| vec![asked.column.name.clone(), words::rows(lang, total), tests.join(", ")])
-            })
-            .collect();
-        format!("\n{heading} ({})\n{}", context.word("cli-all-rejected"), grid::columns(&rows, 2))
+            }
+            let total: usize = counts.iter().map(|(_, count)| count).sum();
+            let test = |(test, count): &(&str, usize)| format!("{} ×{count}", shown::test(lang, asked.column, test));
+            let tests: Vec<String> = counts.iter().map(test).collect();
+            if total > 0 {
+                rows.row([key(asked.column), Inlines::number(total.to_string()), tests.join("; ").into()]);
+            }
+        }
+        rows.notes.push(Inlines::sentence(lang.word("cli-all-rejected")));
+        page.push(rows);
     }
 
     fn json(&self) -> Json<'_> {
@@ -240,10 +222,13 @@ impl<'a> Told<'a> {
     }
 }
 
-/// With its first letter large.
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
+/// The key of a column, as a query names it.
+fn key(column: &Column) -> Inlines {
+    Inlines::default().code(&column.name)
+}
+
+fn grid(heads: &[&str], lang: Lang) -> Grid {
+    Grid::new(heads.iter().map(|head| Head::text(lang.word(head))))
 }
 
 #[derive(Serialize)]

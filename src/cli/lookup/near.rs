@@ -1,10 +1,11 @@
 //! Where no row applies: the rows that come nearest, and what fails in them.
 
 use serde::Serialize;
+use technolog::document::{Column as Head, Document, Inlines, Table as Grid};
 use technolog::knowledge::{Column, RowRef};
+use technolog::words::say;
 
-use crate::cli::words;
-use crate::cli::{Context, grid, record};
+use crate::cli::{Lang, record, shown};
 
 /// More rows than this are counted, not listed.
 const LISTED: usize = 5;
@@ -35,30 +36,26 @@ fn failed<'n>(near: &'n Near<'_>) -> impl Iterator<Item = (&'n Column, String)> 
 }
 
 /// For people; nothing without such rows.
-pub fn text(near: &[Near<'_>], context: &Context) -> String {
-    let lang = context.lang;
+pub fn section(page: &mut Document, near: &[Near<'_>], lang: Lang) {
     if near.is_empty() {
-        return String::new();
+        return;
     }
-    let rows: Vec<Vec<String>> = near
-        .iter()
-        .take(LISTED)
-        .map(|near| {
-            let failed: Vec<String> = failed(near)
-                .map(|(column, cell)| {
-                    let cell = if cell.is_empty() { context.word("cli-empty-cell").to_owned() } else { cell };
-                    format!("{} {cell}", column.name)
-                })
-                .collect();
-            let result = record::results_text(lang, near.row);
-            vec![words::rows_named(lang, &[near.row.number()]), failed.join(", "), format!("→ {result}")]
-        })
-        .collect();
-    let mut text = format!("\n{}\n{}", context.word("cli-nearest"), grid::columns(&rows, 2));
+    page.heading(2, lang.word("cli-nearest"));
+    let mut rows = Grid::new(["cli-row", "table-failed", "table-answer"].map(|head| Head::text(lang.word(head))));
+    for near in near.iter().take(LISTED) {
+        let failed = near.failed.iter().map(|&index| {
+            let column = &near.row.table.columns[index];
+            let cell = shown::cell(lang, column, &near.row.row().cells[index]);
+            let cell = if cell.is_empty() { lang.word("cli-empty-cell") } else { &cell };
+            Inlines::default().code(&column.name).text(format!(" {cell}"))
+        });
+        let number = Inlines::number(near.row.number().to_string());
+        rows.row([number, Inlines::joined(failed, ", "), shown::result(lang, near.row).into()]);
+    }
     if near.len() > LISTED {
-        text.push_str(&grid::paragraph(&words::and_more(lang, near.len() - LISTED), 2));
+        rows.notes.push(say!(lang, "cli-and-more", count = near.len() - LISTED).into());
     }
-    text
+    page.push(rows);
 }
 
 #[derive(Debug, Serialize)]

@@ -4,11 +4,11 @@ use std::borrow::Cow;
 
 use technolog::knowledge::diagnostic::nearest;
 use technolog::knowledge::{Column, Diagnostic, Kind, Place, Role, Table, Value};
+use technolog::words::say;
 
 use super::Args;
 use crate::cli::diagnostics::Texts;
-use crate::cli::words;
-use crate::cli::{CliError, Context, record};
+use crate::cli::{CliError, Context, shown};
 
 /// A question to a table, in which every key is a column and every value is of its type.
 #[derive(Debug)]
@@ -123,8 +123,8 @@ impl Reader<'_, '_> {
         let lang = self.context.lang;
         let Some((key, text)) = pair.split_once('=') else {
             let example = self.keys().first().map(|(_, column)| example(column)).unwrap_or_default();
-            let message = words::not_a_pair(lang, pair);
-            return self.problem("bad-argument", message, at, words::write_pair(lang, example));
+            let message = say!(lang, "cli-not-a-pair", text = pair);
+            return self.problem("bad-argument", message, at, say!(lang, "cli-write-pair", example = example));
         };
         let key_at = At { start: at.start, width: key.chars().count() };
         let value_start = at.start + key.chars().count() + 1;
@@ -134,22 +134,37 @@ impl Reader<'_, '_> {
             return self.unknown(key, key_at);
         };
         if self.named.contains(&index) {
-            return self.problem("duplicate-key", words::key_twice(lang, key), key_at, words::keep_one(lang));
+            return self.problem(
+                "duplicate-key",
+                say!(lang, "cli-key-twice", key = key),
+                key_at,
+                say!(lang, "cli-keep-one").to_owned(),
+            );
         }
         self.named.push(index);
         let column = &self.table.columns[index];
         let expected = |domain: bool| {
             let domain = column.domain_text.as_deref().filter(|_| domain);
             let domain = domain.map(|domain| format!(", {domain}")).unwrap_or_default();
-            words::expected_is(lang, words::expected(lang, column) + &domain)
+            say!(lang, "cli-expected-is", expected = shown::expected(lang, column) + &domain)
         };
         let value = match column.parse_value(text) {
             Ok(value) if !text.is_empty() => value,
             Ok(_) => {
-                return self.problem("bad-value", words::bad_value(lang, key, text), value_at, expected(true));
+                return self.problem(
+                    "bad-value",
+                    say!(lang, "cli-bad-value", key = key, value = text),
+                    value_at,
+                    expected(true),
+                );
             }
             Err(why) => {
-                return self.problem("bad-value", words::bad_value_because(lang, key, why), value_at, expected(true));
+                return self.problem(
+                    "bad-value",
+                    say!(lang, "cli-bad-value-because", key = key, why = why),
+                    value_at,
+                    expected(true),
+                );
             }
         };
         // A catalog simply has no row outside its bounds; a decision table says nothing there.
@@ -158,7 +173,8 @@ impl Reader<'_, '_> {
             && !domain.contains(rank)
         {
             let bounds = column.domain_text.as_deref().unwrap_or_default();
-            let message = words::out_of_domain(lang, key, record::with_unit(lang, column, &value), bounds);
+            let message =
+                say!(lang, "cli-out-of-domain", key = key, value = shown::full(lang, column, &value), domain = bounds);
             return self.problem("out-of-domain", message, value_at, expected(false));
         }
         self.given.push((index, value));
@@ -169,16 +185,16 @@ impl Reader<'_, '_> {
         let names: Vec<&str> = self.keys().iter().map(|(_, column)| column.name.as_str()).collect();
         let is_output = self.table.columns.iter().any(|column| column.name == key && column.role == Role::Output);
         let message = if is_output {
-            words::is_output(lang, &self.table.id, key)
+            say!(lang, "cli-is-output", table = &self.table.id, key = key)
         } else {
-            words::no_such_key(lang, &self.table.id, key)
+            say!(lang, "cli-no-such-key", table = &self.table.id, key = key)
         };
         let known = names.join(", ");
         let near = nearest(key, names.iter().copied()).filter(|_| !is_output);
         let meant = near.and_then(|near| self.table.column_index(near));
         let help = match near {
-            Some(near) => words::no_such_key_but(lang, near, known),
-            None => words::the_keys_are(lang, known),
+            Some(near) => say!(lang, "cli-no-such-key-but", near = near, known = known),
+            None => say!(lang, "cli-the-keys-are", known = known),
         };
         // One slip is one problem: what was misspelt is not missing too.
         self.misspelt.extend(meant);
@@ -203,10 +219,10 @@ impl Reader<'_, '_> {
             return;
         }
         let keys: Vec<String> =
-            missing.iter().map(|column| format!("`{}` ({})", column.name, words::expected(lang, column))).collect();
+            missing.iter().map(|column| format!("`{}` ({})", column.name, shown::expected(lang, column))).collect();
         let examples: Vec<String> = missing.iter().map(|column| example(column)).collect();
-        let message = words::missing_keys(lang, &self.table.id, keys.join(", "));
-        let help = words::give_keys(lang, examples.join(" "));
+        let message = say!(lang, "cli-missing-keys", table = &self.table.id, keys = keys.join(", "));
+        let help = say!(lang, "cli-give-keys", example = examples.join(" "));
         self.problem("missing-key", message, self.line.table, help);
     }
 }

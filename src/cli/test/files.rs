@@ -8,10 +8,10 @@ use technolog::cases::{Around, CaseFile, read_cases};
 use technolog::knowledge::yaml::text_of;
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::report::Lang;
+use technolog::words::say;
 
-use super::super::words::{cannot_read, check_path};
+use super::super::problems::unreadable;
 use super::super::{CliError, Context};
-use super::words;
 
 /// What a file of cases in a folder is called.
 const ENDING: &str = ".test.yaml";
@@ -31,19 +31,16 @@ pub struct Found {
 /// # Errors
 /// A path cannot be read, or a folder has no cases.
 pub fn collect(paths: &[PathBuf], context: &Context) -> Result<Vec<Found>, CliError> {
-    let unreadable = |path: &Path, error: io::Error| {
-        let message = cannot_read(context.lang, path.display(), error);
-        CliError::from(Diagnostic::error("unreadable", message, None).help(check_path(context.lang)))
-    };
+    let unreadable = |path: &Path, error: io::Error| unreadable(path.display(), &error, context.lang);
     let mut files: Vec<PathBuf> = Vec::new();
     for path in paths {
         let mut found = Vec::new();
         if path.is_dir() {
             walk(path, &mut found).map_err(|error| unreadable(path, error))?;
             if found.is_empty() {
-                let message = words::no_cases(context.lang, path.display());
+                let message = say!(context.lang, "test-no-cases", folder = path.display().to_string());
                 return Err(Diagnostic::error("no-cases", message, None)
-                    .help(words::what_is_a_case(context.lang))
+                    .help(context.word("test-what-is-a-case"))
                     .into());
             }
         } else {
@@ -96,11 +93,11 @@ pub fn spare_inputs(found: &[Found], write: bool, context: &Context) -> Result<(
         Err(Diagnostic::error(code, message, None).help(help).into())
     };
     if place(output).is_some() && found.iter().any(|file| place(&file.path) == place(output)) {
-        let message = words::would_replace(context.lang, output.display());
-        return refused("replaces-input", message, words::another_file(context.lang));
+        let message = say!(context.lang, "test-would-replace", file = output.display().to_string());
+        return refused("replaces-input", message, context.word("test-another-file"));
     }
     if write && found.len() != 1 {
-        return refused("several-files", words::one_copy(context.lang).to_owned(), words::one_by_one(context.lang));
+        return refused("several-files", context.word("test-one-copy").to_owned(), context.word("test-one-by-one"));
     }
     Ok(())
 }

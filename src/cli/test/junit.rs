@@ -53,10 +53,8 @@ fn case(ran: &Ran, file: &str, context: &Context) -> String {
     let line = ran.case.place.line;
     let head = format!("    <testcase name=\"{name}\" classname=\"{file}\" file=\"{file}\" line=\"{line}\"");
     let Some(first) = ran.failures.first() else { return head + "/>\n" };
-    let mut told: String = ran.failures.iter().map(|failure| page::told(failure, context.lang)).collect();
-    for (head, text) in page::origin(ran, context.lang) {
-        told.push_str(&format!("    {head}: {text}\n"));
-    }
+    let lines = ran.failures.iter().flat_map(|failure| page::told(failure, context.lang));
+    let told: String = lines.chain(page::origin(ran, context.lang)).map(|line| line + "\n").collect();
     format!(
         "{head}>\n      <failure type=\"expectation\" message=\"{}\">{}</failure>\n    </testcase>\n",
         escaped(&page::short(first, context.lang)),

@@ -4,7 +4,6 @@ mod answer;
 mod files;
 mod junit;
 mod page;
-mod words;
 
 use std::borrow::Cow;
 use std::path::PathBuf;
@@ -17,6 +16,7 @@ use technolog::parallel;
 
 use self::files::{Found, around, collect};
 use super::diagnostics::{Texts, render};
+use super::problems::untitled;
 use super::progress::Progress;
 use super::{CliError, Context, Format, Outcome, knowledge, output, turn};
 
@@ -72,14 +72,14 @@ impl Run {
 /// # Errors
 /// A file of cases, or one that it names, cannot be used, which the answer has said; or there are no cases at all.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    let knowledge = knowledge::load(context)?;
-    let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
-    let asker = Asker::new(knowledge);
     let found = collect(&args.paths, context)?;
     files::spare_inputs(&found, args.write, context)?;
     // What `--write -o FILE` names is a copy of the cases, not the answer.
-    let formats = [Format::Text, Format::Json, Format::Junit];
+    let formats = [Format::Text, Format::Json, Format::Junit, Format::Markdown, Format::Html];
     let format = if args.write { context.format.unwrap_or(Format::Text) } else { context.format("test", &formats)? };
+    let knowledge = knowledge::load(context)?;
+    let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
+    let asker = Asker::new(knowledge);
     let mut read: Vec<CaseFile> = parallel::map(&found, |file| files::read(file, knowledge), |_| ());
     let all: Vec<&Case> = read.iter().flat_map(|file| &file.cases).collect();
     let progress = Progress::new(all.len());
@@ -97,7 +97,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let text = match format {
         Format::Json => answer::json(&runs, context)?,
         Format::Junit => junit::document(&runs, context),
-        _ => page::page(&runs, context),
+        _ => context.written(&untitled(page::page(&runs, context.lang), format), format),
     };
     output::write(text.as_bytes(), screen, context.lang)?;
     let mistakes: String = runs.iter().map(|run| render(&run.mistakes, &run.texts, context.lang)).collect();

@@ -1,12 +1,13 @@
 //! Cases that were run, for people.
 
 use technolog::cases::{Came, Failure, Why, brief};
-use technolog::note::{Because, Note};
-use technolog::report::{grid, sentence};
+use technolog::document::{Column, Document, Finding, Inlines, Severity, Table};
+use technolog::note::{Because, Figure, Note};
+use technolog::report::sentence;
+use technolog::words::say;
 
-use super::super::Context;
-use super::super::words::Lang;
-use super::{Ran, Run, words};
+use super::super::Lang;
+use super::{Ran, Run};
 
 /// The most letters of a value that are shown.
 const LONG: usize = 400;
@@ -14,77 +15,85 @@ const LONG: usize = 400;
 const REASONS: usize = 4;
 
 /// A line for each file, what of its cases is not as expected, and the sum.
-pub fn page(runs: &[Run], context: &Context) -> String {
-    let lang = context.lang;
-    let lines: Vec<Vec<String>> = runs.iter().map(|run| line(run, lang)).collect();
-    let mut page = grid::columns(&lines, 0);
+pub fn page(runs: &[Run], lang: Lang) -> Document {
+    let mut page = Document::new(lang.tag(), lang.word("test-title"));
+    let mut files = Table::new([Column::text(""), Column::text(""), Column::number("", "")]);
+    runs.iter().for_each(|run| files.row(line(run, lang)));
+    page.push(files);
     for run in runs {
         for ran in run.cases.iter().filter(|ran| !ran.passed()) {
-            page.push('\n');
-            page.push_str(&grid::paragraph(&format!("{} «{}»", ran.case.place, cut(&ran.case.name)), 0));
-            for failure in &ran.failures {
-                page.push_str(&told(failure, lang));
-            }
-            for (head, text) in origin(ran, lang) {
-                page.push_str(&pair(head, &text));
-            }
+            let words = say!(lang, "test-case", name = cut(&ran.case.name));
+            let lines = ran.failures.iter().flat_map(|failure| told(failure, lang)).chain(origin(ran, lang));
+            page.push(Finding {
+                place: Some(ran.case.place.to_string()),
+                details: lines.map(|line| Inlines::from(line.as_str())).collect(),
+                ..Finding::new(Severity::Wrong, lang.word("test-failed"), words)
+            });
         }
     }
     let written: usize = runs.iter().map(Run::written).sum();
     if written > 0 {
-        page.push_str(&format!("\n{}: {}\n", words::cases(lang, written), words::review(lang)));
+        page.paragraph(say!(lang, "test-review", cases = say!(lang, "test-cases-counted", count = written)));
     }
-    page + "\n" + &sum(runs, lang) + "\n"
+    page.paragraph(sum(runs, lang));
+    page
 }
 
-fn line(run: &Run, lang: Lang) -> Vec<String> {
+fn line(run: &Run, lang: Lang) -> [Inlines; 3] {
     let state = match (run.mistakes.is_empty(), run.failed()) {
-        (false, _) => words::unusable(lang),
-        (true, 0) => words::passed(lang),
-        (true, _) => words::failed(lang),
+        (false, _) => "test-unusable",
+        (true, 0) => "test-passed",
+        (true, _) => "test-failed",
     };
     let failed = run.failed();
     let share = if failed == 0 { run.cases.len().to_string() } else { format!("{failed}/{}", run.cases.len()) };
-    vec![state.to_owned(), run.file.clone(), share]
+    [lang.word(state).into(), run.file.as_str().into(), Inlines::number(share)]
 }
 
 fn sum(runs: &[Run], lang: Lang) -> String {
     let cases: usize = runs.iter().map(|run| run.cases.len()).sum();
     let failed: usize = runs.iter().map(Run::failed).sum();
     let unusable = runs.iter().filter(|run| !run.mistakes.is_empty()).count();
-    words::summary(lang, words::files(lang, runs.len()), words::cases(lang, cases), failed, unusable)
+    let (files, cases) =
+        (say!(lang, "test-files-counted", count = runs.len()), say!(lang, "test-cases-counted", count = cases));
+    let mut said = match failed {
+        0 => say!(lang, "test-all-as-expected", files = files, cases = cases),
+        _ => say!(lang, "test-some-failed", files = files, cases = cases, failed = failed),
+    };
+    if unusable > 0 {
+        said.push_str(&say!(lang, "test-unusable-files", count = unusable));
+    }
+    said
 }
 
 /// Where the expectation comes from.
-pub fn origin(ran: &Ran, lang: Lang) -> Vec<(&'static str, String)> {
-    let source = ran.case.source.clone().map(|text| (words::source(lang), text));
-    let because = ran.case.because.clone().map(|text| (words::because(lang), text));
-    source.into_iter().chain(because).collect()
+pub fn origin(ran: &Ran, lang: Lang) -> impl Iterator<Item = String> {
+    let source = ran.case.source.as_ref().map(|text| say!(lang, "test-source", text = text));
+    let because = ran.case.because.as_ref().map(|text| say!(lang, "test-because", text = text));
+    source.into_iter().chain(because)
 }
 
 /// A failure: where it stands, what of the answer it is about, and the two values with the reasons.
-pub fn told(failure: &Failure, lang: Lang) -> String {
+pub fn told(failure: &Failure, lang: Lang) -> Vec<String> {
     let place = &failure.place;
-    let mut text = grid::paragraph(&format!("{}:{} {}", place.line, place.column, failure.path), 2);
-    text.push_str(&pair(words::expected(lang), &cut(&expected(failure, lang))));
-    text.push_str(&pair(words::came(lang), &cut(&came(failure, lang))));
-    for reason in failure.why.iter().take(REASONS) {
-        text.push_str(&pair(words::why(lang), &why(reason, lang)));
-    }
-    text
+    let mut lines = vec![format!("{}:{} {}", place.line, place.column, failure.path)];
+    lines.push(say!(lang, "test-expected", value = cut(&expected(failure, lang))));
+    lines.push(say!(lang, "test-came", value = cut(&came(failure, lang))));
+    lines.extend(failure.why.iter().take(REASONS).map(|reason| say!(lang, "test-why", reason = why(reason, lang))));
+    lines
 }
 
 /// The failure in one line.
 pub fn short(failure: &Failure, lang: Lang) -> String {
     let (expected, came) = (cut(&expected(failure, lang)), cut(&came(failure, lang)));
-    format!("{}: {} {expected}; {} {came}", failure.path, words::expected(lang), words::came(lang))
+    say!(lang, "test-short", path = &failure.path, expected = expected, came = came)
 }
 
 /// What was expected.
 pub fn expected(failure: &Failure, lang: Lang) -> String {
     match (&failure.came, failure.expected.as_str()) {
-        (Came::Open(_), _) => words::nothing_yet(lang).to_owned(),
-        (Came::Unwanted(_), written) => format!("{}: {written}", words::not_there(lang)),
+        (Came::Open(_), _) => say!(lang, "test-nothing-yet").to_owned(),
+        (Came::Unwanted(_), written) => say!(lang, "test-not-there", written = written),
         (_, written) => written.to_owned(),
     }
 }
@@ -93,15 +102,17 @@ pub fn expected(failure: &Failure, lang: Lang) -> String {
 pub fn came(failure: &Failure, lang: Lang) -> String {
     match &failure.came {
         Came::Value(value) | Came::Open(Some(value)) => brief(value),
-        Came::Nothing | Came::Open(None) => words::nothing(lang).to_owned(),
-        Came::Without(list) => words::without(lang, brief(list)),
+        Came::Nothing | Came::Open(None) => say!(lang, "test-nothing").to_owned(),
+        Came::Without(list) => say!(lang, "test-without", list = brief(list)),
         Came::Unwanted(value) => match serde_json::from_value::<Note>(value.clone()) {
             // A finding of an audit says its figures itself.
             Ok(note) if value.get("field").is_none() => format!("{}: {}", brief(value), sentence(&note, lang)),
             _ => brief(value),
         },
-        Came::NoSuch { key, near, known } => words::no_such_key(lang, key, near.as_deref(), known),
-        Came::NoSuchWord { word, near } => words::no_such_word(lang, word, near.as_deref()),
+        Came::NoSuch { key, near: Some(near), .. } => say!(lang, "test-no-such-key-near", key = key, near = near),
+        Came::NoSuch { key, known, .. } => say!(lang, "test-no-such-key", key = key, known = known.join(", ")),
+        Came::NoSuchWord { word, near: Some(near) } => say!(lang, "test-no-such-word-near", word = word, near = near),
+        Came::NoSuchWord { word, near: None } => say!(lang, "test-no-such-word", word = word),
     }
 }
 
@@ -109,20 +120,20 @@ pub fn came(failure: &Failure, lang: Lang) -> String {
 pub fn why(reason: &Why, lang: Lang) -> String {
     match reason {
         Why::Because(because) => decision(because, lang),
-        Why::NotTaken { scheme, why } => words::not_taken(lang, scheme, sentence(why, lang)),
+        Why::NotTaken { scheme, why } => {
+            say!(lang, "test-not-taken", scheme = Figure::scheme(scheme), why = sentence(why, lang))
+        }
         Why::Finding(finding) => sentence(&finding.note, lang),
-        Why::OtherRow { row, column, cell } => words::other_row(lang, *row, column, cell),
+        Why::OtherRow { row, column, cell } => say!(lang, "test-other-row", row = *row, column = column, cell = cell),
     }
 }
 
 fn decision(because: &Because, lang: Lang) -> String {
-    let row = words::row(lang, &because.table, because.row);
     let said = if because.note.is_empty() { because.place.clone() } else { sentence(&because.note, lang) };
-    format!("{row}: {said}")
-}
-
-fn pair(head: &str, text: &str) -> String {
-    grid::paragraph(&format!("{head}: {text}"), 4)
+    match because.row {
+        Some(row) => say!(lang, "test-row", table = &because.table, row = row, said = said),
+        None => say!(lang, "test-table", table = &because.table, said = said),
+    }
 }
 
 fn cut(text: &str) -> String {

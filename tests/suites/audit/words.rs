@@ -9,9 +9,10 @@ use technolog::audit::marks::read_scheme;
 use technolog::audit::quantity::Quantity;
 use technolog::audit::stated::Stated;
 use technolog::audit::{Audit, Audited, Unread, read_plan, rules};
+use technolog::document::{self, Document, Format};
 use technolog::plan::CuttingMethod;
 use technolog::report::Lang;
-use technolog::report::audit::{against, html, many, markdown, page};
+use technolog::report::audit::{against, many, page};
 use technolog_laws::share;
 use technolog_testing::{AUDITOR, KNOWLEDGE, planned, read};
 
@@ -121,9 +122,11 @@ fn visible(page: &str) -> String {
         .fold(shown, |text, (from, to)| text.replace(from, to))
 }
 
-/// Every page of an audit.
-fn pages(audit: &Audit, lang: Lang) -> Vec<String> {
-    vec![page(audit, lang), markdown(audit, lang), visible(&html::page(audit, lang))]
+/// A page as each writer gives it out.
+fn written(page: &Document) -> Vec<String> {
+    let words = document::Words { left_out: "", see_all: "", help: "", figure: "" };
+    let written = |format| document::write(page, format, 120, false, &words);
+    vec![written(Format::Text), written(Format::Markdown), visible(&written(Format::Html))]
 }
 
 /// Every plan with its audit.
@@ -145,25 +148,20 @@ fn everything(lang: Lang) -> Vec<(String, String)> {
     let mut all = Vec::new();
     let mut audited = Vec::new();
     for (_, audit) in PLANS.iter() {
-        all.extend(pages(audit, lang).into_iter().map(|page| (audit.plan.clone(), page)));
+        all.extend(written(&page(audit, lang)).into_iter().map(|page| (audit.plan.clone(), page)));
         audited.push(Audited::Plan(Box::new(audit.clone())));
     }
-    let none = |_: &str| Err("no such file".to_owned());
+    let none = |_: &str| Err("2".to_owned());
     for broken in ["part: [\n", "tools: {}\n", "part: here.yaml\n", &text("tests/audit/bad.yaml")] {
         let unreadable = read_plan("broken.yaml", broken, &KNOWLEDGE, &none).unwrap_err();
         audited.push(Audited::Unreadable(Unread::new("broken.yaml", &unreadable.problems, lang)));
     }
-    let folder = [many::page(&audited, lang), many::markdown(&audited, lang), visible(&html::folder(&audited, lang))];
-    all.extend(folder.map(|page| ("folder".to_owned(), page)));
+    all.extend(written(&many::page(&audited, lang)).into_iter().map(|page| ("folder".to_owned(), page)));
     // Some beside another of their kind, and one by hand beside one of ours.
     let pairs = PLANS.chunks_exact(2).step_by(3).map(|pair| (&pair[0].0, &pair[1].0));
     for (a, b) in pairs.chain(PLANS.first().zip(PLANS.last()).map(|(a, b)| (&a.0, &b.0))) {
         let compared = AUDITOR.compare(a, b).unwrap();
-        let pages = [
-            against::page(&compared, lang),
-            against::markdown(&compared, lang),
-            visible(&html::comparison(&compared, lang)),
-        ];
+        let pages = written(&against::page(&compared, lang)).into_iter();
         all.extend(pages.map(|page| (format!("{} against {}", a.name, b.name), page)));
     }
     all

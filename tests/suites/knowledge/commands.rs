@@ -191,10 +191,14 @@ fn fields_of_a_catalog_are_compared_as_what_they_are() {
 fn many_rejected_rows_are_counted_unless_all_are_asked_for() {
     let few = stdout(&run(&EXAMPLE));
     let all = stdout(&run(&[&EXAMPLE[..], &["--all"]].concat()));
-    let listed = |text: &str| text.lines().filter(|line| line.starts_with("  рядок ")).count();
+    // The last table: a line for each rejected row, or one for each key that rejects some.
+    let listed = |text: &str| {
+        text.lines().rev().take_while(|line| !line.starts_with("---")).filter(|line| line.contains(" | ")).count()
+    };
     let rejected = json_of(&EXAMPLE, 0)["rejected"].as_array().unwrap().len();
     assert!(rejected > 12);
-    assert_eq!((listed(&few), listed(&all)), (0, rejected));
+    assert!(listed(&few) < 12, "{few}");
+    assert_eq!(listed(&all), rejected, "{all}");
 }
 
 #[test]

@@ -170,7 +170,7 @@ fn the_command_checks_all_three_controls() {
             Command::new(env!("CARGO_BIN_EXE_technolog")).args(&arguments).current_dir(root()).output().unwrap();
         let text = String::from_utf8([output.stdout, output.stderr].concat()).unwrap();
         assert_eq!(output.status.code(), Some(0), "{control}: {text}");
-        assert!(text.contains("Time, min:"), "{control}: {text}");
+        assert!(text.contains("Time, min\n"), "{control}: {text}");
     }
 }
 

@@ -45,7 +45,7 @@ fn conditions(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), 
             };
             let note = Note::new("audit-beyond-machine")
                 .with("limit", note::Figure::number(shown(most)))
-                .with("quantity", bound.name());
+                .with("quantity", note::Figure::word(bound.name()));
             let field = context.field(Id::new(Scope::Conditions(at), quantity));
             let finding = Finding::new(Severity::Error, Section::Conditions, field, note);
             let finding = beside(finding, figure, format!("<= {}", shown(most)), quantity);
@@ -82,7 +82,7 @@ fn lengths(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), Kno
         let Some(figure) = tool.figures.get(&Q::Assembly).filter(|figure| figure.value > most) else { continue };
         let note = Note::new("audit-beyond-machine")
             .with("limit", note::Figure::number(shown(most)))
-            .with("quantity", Bound::ToolOverhangMax.name());
+            .with("quantity", note::Figure::word(Bound::ToolOverhangMax.name()));
         let field = context.field(Id::new(Scope::Tool(at), Q::Assembly));
         let finding = beside(
             Finding::new(Severity::Error, Section::Lengths, field, note),
@@ -162,7 +162,7 @@ fn drills(context: &Context<'_>, findings: &mut Vec<Finding>) -> Result<(), Know
         };
         let note = Note::new("audit-beyond-machine")
             .with("limit", note::Figure::number(shown(most)))
-            .with("quantity", Bound::DrillDiameterMax.name());
+            .with("quantity", note::Figure::word(Bound::DrillDiameterMax.name()));
         let field = context.field(Id::new(Scope::Row(at), Q::Diameter));
         let finding = Finding::new(Severity::Error, Section::Route, field, note);
         let finding = beside(finding, figure, format!("<= {}", shown(most)), Q::Diameter);

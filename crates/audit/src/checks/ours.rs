@@ -5,7 +5,7 @@ use serde_json::Value;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::yaml::{Node, NodeKind};
-use crate::note::{Note, Severity};
+use crate::note::{Figure, Note, Severity, Told as _, Word};
 use crate::plan::Operation;
 
 use super::super::context::Context;
@@ -150,14 +150,30 @@ impl Known {
                     _ => *text == shown || (node.is_null() && ours.is_null()),
                 };
                 if !alike {
-                    let note =
-                        Note::new("audit-not-ours").with("field", path).with("stated", text).with("right", &shown);
+                    let note = Note::new("audit-not-ours").with("field", path);
+                    let note = note.with("stated", value(path, text)).with("right", value(path, &shown));
                     let finding = Finding::new(Severity::Doubtful, section, path.to_owned(), note).at(&node.place);
                     self.found.push(finding.about(subject.clone()));
                 }
             }
             _ => {}
         }
+    }
+}
+
+/// A value as people read it: what is an id of ours in that field is a word, what the author calls so himself is not.
+fn value(path: &str, text: &str) -> Figure {
+    let own = |of| Figure::Word(Word { of, id: text.to_owned().into() });
+    let mut keys = path.split('.').rev().skip_while(|key| key.bytes().all(|letter| letter.is_ascii_digit()));
+    match keys.next().unwrap_or_default() {
+        _ if matches!(text, "true" | "false" | "null") => own("audit-value"),
+        "operation" => Figure::operation(text.to_owned()),
+        "scheme" => Figure::scheme(text),
+        "name" | "hole" | "designation" | "standard" | "table" => text.told(),
+        "feature" | "face" | "way" | "kind" => own("audit-value"),
+        "limited_by" | "shank" => Figure::word(text.to_owned()),
+        _ if text.parse::<f64>().is_ok() => Figure::number(text.to_owned()),
+        _ => text.told(),
     }
 }
 

@@ -10,51 +10,16 @@ use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::conditions::torque_of_power;
 use super::{formula, given, largest, same};
 
-const POWER: Rule = Rule {
-    id: "clamping-power",
-    formula: "N",
-    source: ("посібник, додаток Г, п. 7 і 8", "textbook, Appendix Г items 7 and 8"),
-};
-const RPM: Rule = Rule {
-    id: "clamping-rpm",
-    formula: "nпр",
-    source: ("посібник, додаток Г, п. 7 і 8", "textbook, Appendix Г items 7 and 8"),
-};
-const ROW: Rule = Rule {
-    id: "clamping-torque",
-    formula: "M",
-    source: ("посібник, додаток Г, п. 7 і 8", "textbook, Appendix Г items 7 and 8"),
-};
-const PLACES: Rule =
-    Rule {
-        id: "clamps-by-places", formula: "zп", source: ("місця притискачів", "the places of the clamps")
-    };
-const LARGEST: Rule = Rule {
-    id: "largest-torque",
-    formula: "M",
-    source: ("посібник 5.2, п. 7: найбільший крутний момент", "textbook 5.2 item 7: the largest torque"),
-};
-const CONSTANT: Rule = Rule {
-    id: "clamping-constant",
-    formula: "",
-    source: ("посібник 5.2, п. 7 (рядки 4675-4677)", "textbook 5.2 item 7 (l. 4675-4677)"),
-};
-const DISTANCE: Rule =
-    Rule { id: "distance-to-clamp", formula: "d", source: ("посібник 5.2, п. 7", "textbook 5.2 item 7") };
-const FORCE: Rule =
-    Rule {
-        id: "clamping-force", formula: "W = k·M/(f·d)", source: ("посібник 5.2, п. 7", "textbook 5.2 item 7")
-    };
-const CLAMPS: Rule = Rule {
-    id: "two-clamps",
-    formula: "zп",
-    source: ("посібник 5.2, п. 7 (рядки 4653-4654)", "textbook 5.2 item 7 (l. 4653-4654)"),
-};
-const EACH: Rule = Rule {
-    id: "force-per-clamp",
-    formula: "Q = W/zп",
-    source: ("посібник 5.2, п. 7 (рядки 4680-4686)", "textbook 5.2 item 7 (l. 4680-4686)"),
-};
+const POWER: Rule = Rule { id: "clamping-power", formula: "N" };
+const RPM: Rule = Rule { id: "clamping-rpm", formula: "nпр" };
+const ROW: Rule = Rule { id: "clamping-torque", formula: "M" };
+const PLACES: Rule = Rule { id: "clamps-by-places", formula: "zп" };
+const LARGEST: Rule = Rule { id: "largest-torque", formula: "M" };
+const CONSTANT: Rule = Rule { id: "clamping-constant", formula: "" };
+const DISTANCE: Rule = Rule { id: "distance-to-clamp", formula: "d" };
+const FORCE: Rule = Rule { id: "clamping-force", formula: "W = k·M/(f·d)" };
+const CLAMPS: Rule = Rule { id: "two-clamps", formula: "zп" };
+const EACH: Rule = Rule { id: "force-per-clamp", formula: "Q = W/zп" };
 
 pub(super) const RULES: &[Rule] = &[POWER, RPM, ROW, PLACES, LARGEST, CONSTANT, DISTANCE, FORCE, CLAMPS, EACH];
 

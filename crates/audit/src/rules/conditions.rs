@@ -18,73 +18,20 @@ use super::super::graph::{Constant, Formula, Graph, Judged, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::{formula, given, same};
 
-const DEPTH: Rule = Rule {
-    id: "depth-of-cut",
-    formula: "t = (D − D0)/2",
-    source: ("посібник 1.2; додаток Г, п. 7", "textbook 1.2; Appendix Г item 7"),
-};
-const FEED: Rule = Rule {
-    id: "feed",
-    formula: "S = Sт·Ks",
-    source: ("посібник, додаток Г, п. 7 (рядок 10102)", "textbook, Appendix Г item 7 (l. 10102)"),
-};
-const TAKEN: Rule = Rule {
-    id: "feed-taken",
-    formula: "S",
-    source: ("посібник, додаток Г, п. 7 (рядок 10102)", "textbook, Appendix Г item 7 (l. 10102)"),
-};
-const SPEED: Rule = Rule {
-    id: "speed",
-    formula: "V = Vт·ΠKv",
-    source: ("посібник, додаток Г, п. 7 (рядки 10104-10106)", "textbook, Appendix Г item 7 (l. 10104-10106)"),
-};
-const COMPUTED: Rule = Rule {
-    id: "rpm-computed",
-    formula: "n = 1000·V/(π·D)",
-    source: ("посібник, додаток Г, п. 7 (рядок 10112)", "textbook, Appendix Г item 7 (l. 10112)"),
-};
-const STEP: Rule = Rule {
-    id: "spindle-step",
-    formula: "nпр",
-    source: ("ряд частот верстата, правило spindle-step", "the machine's series, rule spindle-step"),
-};
-const AT_STEP: Rule = Rule {
-    id: "speed-taken",
-    formula: "Vд = π·D·n/1000",
-    source: ("посібник, додаток Г, п. 7", "textbook, Appendix Г item 7"),
-};
-const MINUTE: Rule =
-    Rule { id: "minute-feed", formula: "Sхв = S·n", source: ("посібник 1.4", "textbook 1.4") };
-const FORCE: Rule = Rule {
-    id: "force",
-    formula: "P = Pт/Kp",
-    source: ("посібник, додаток Г, п. 7 (рядок 10108)", "textbook, Appendix Г item 7 (l. 10108)"),
-};
-const POWER: Rule = Rule {
-    id: "power",
-    formula: "N = Nт/KN",
-    source: ("посібник, додаток Г, п. 7 (рядок 10110)", "textbook, Appendix Г item 7 (l. 10110)"),
-};
-const POWER_OF: Rule = Rule {
-    id: "power-of-torque",
-    formula: "N = M·n/9750",
-    source: ("посібник, додаток Г, п. 8", "textbook, Appendix Г item 8"),
-};
-const TORQUE: Rule = Rule {
-    id: "torque-of-power",
-    formula: "M = 9750·N/n",
-    source: ("посібник, додаток Г, п. 8", "textbook, Appendix Г item 8"),
-};
-const TIME: Rule =
-    Rule { id: "machine-time", formula: "Tм = L·i/Sхв", source: ("посібник 1.4", "textbook 1.4") };
-const BY_TABLES: Rule = Rule {
-    id: "by-tables",
-    formula: "",
-    source: (
-        "таблиці режимів різання, як їх читає `technolog plan`",
-        "the cutting tables, as `technolog plan` reads them",
-    ),
-};
+const DEPTH: Rule = Rule { id: "depth-of-cut", formula: "t = (D − D0)/2" };
+const FEED: Rule = Rule { id: "feed", formula: "S = Sт·Ks" };
+const TAKEN: Rule = Rule { id: "feed-taken", formula: "S" };
+const SPEED: Rule = Rule { id: "speed", formula: "V = Vт·ΠKv" };
+const COMPUTED: Rule = Rule { id: "rpm-computed", formula: "n = 1000·V/(π·D)" };
+const STEP: Rule = Rule { id: "spindle-step", formula: "nпр" };
+const AT_STEP: Rule = Rule { id: "speed-taken", formula: "Vд = π·D·n/1000" };
+const MINUTE: Rule = Rule { id: "minute-feed", formula: "Sхв = S·n" };
+const FORCE: Rule = Rule { id: "force", formula: "P = Pт/Kp" };
+const POWER: Rule = Rule { id: "power", formula: "N = Nт/KN" };
+const POWER_OF: Rule = Rule { id: "power-of-torque", formula: "N = M·n/9750" };
+const TORQUE: Rule = Rule { id: "torque-of-power", formula: "M = 9750·N/n" };
+const TIME: Rule = Rule { id: "machine-time", formula: "Tм = L·i/Sхв" };
+const BY_TABLES: Rule = Rule { id: "by-tables", formula: "" };
 
 pub(super) const RULES: &[Rule] =
     &[DEPTH, FEED, TAKEN, SPEED, COMPUTED, STEP, AT_STEP, MINUTE, FORCE, POWER, POWER_OF, TORQUE, TIME, BY_TABLES];

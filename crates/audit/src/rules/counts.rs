@@ -8,37 +8,14 @@ use super::super::graph::{Graph, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::{formula, given, largest, marks, same};
 
-const COUNT: Rule = Rule { id: "holes-of-group", formula: "z", source: ("креслення", "the drawing") };
-const COUNT_OF_CONDITIONS: Rule = Rule {
-    id: "holes-of-rows",
-    formula: "z = Σz",
-    source: ("посібник, додаток Г, п. 4 і 7", "textbook, Appendix Г items 4 and 7"),
-};
-pub(crate) const FROM: Rule = Rule {
-    id: "diameter-before",
-    formula: "D0",
-    source: ("посібник 1.2: що лишає попередній перехід", "textbook 1.2: what the transition before leaves"),
-};
-pub(crate) const DIAMETER: Rule = Rule {
-    id: "diameter-of-tool",
-    formula: "D",
-    source: ("свердло лишає власний діаметр", "a drill leaves its own diameter"),
-};
-pub(crate) const PASS_DIAMETER: Rule =
-    Rule {
-        id: "diameter-of-row", formula: "D", source: ("посібник, додаток Г, п. 7", "textbook, Appendix Г item 7")
-    };
-const ONE_DIAMETER: Rule = Rule {
-    id: "diameter-of-conditions",
-    formula: "D",
-    source: ("режими рахують для одного діаметра", "conditions are computed for one diameter"),
-};
-const MILL_DIAMETER: Rule = Rule {
-    id: "diameter-of-mill",
-    formula: "D",
-    source: ("швидкість фрези - це швидкість її кромки", "the speed of a mill is that of its own edge"),
-};
-const DEPTH: Rule = Rule { id: "depth-of-hole", formula: "l", source: ("креслення", "the drawing") };
+const COUNT: Rule = Rule { id: "holes-of-group", formula: "z" };
+const COUNT_OF_CONDITIONS: Rule = Rule { id: "holes-of-rows", formula: "z = Σz" };
+pub(crate) const FROM: Rule = Rule { id: "diameter-before", formula: "D0" };
+pub(crate) const DIAMETER: Rule = Rule { id: "diameter-of-tool", formula: "D" };
+pub(crate) const PASS_DIAMETER: Rule = Rule { id: "diameter-of-row", formula: "D" };
+const ONE_DIAMETER: Rule = Rule { id: "diameter-of-conditions", formula: "D" };
+const MILL_DIAMETER: Rule = Rule { id: "diameter-of-mill", formula: "D" };
+const DEPTH: Rule = Rule { id: "depth-of-hole", formula: "l" };
 
 pub(super) const RULES: &[Rule] =
     &[COUNT, COUNT_OF_CONDITIONS, FROM, DIAMETER, PASS_DIAMETER, ONE_DIAMETER, MILL_DIAMETER, DEPTH];

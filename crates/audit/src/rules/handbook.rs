@@ -23,37 +23,11 @@ pub(crate) fn is_of(rule: &Rule) -> bool {
     [SPEED, FORCE, TORQUE, POWER].contains(rule)
 }
 
-const LIFE: Rule = Rule {
-    id: "tool-life",
-    formula: "T",
-    source: ("Косилова/Мещеряков, т. 2, табл. 30", "Kosilova/Meshcheryakov vol. 2 table 30 (facts 1.3)"),
-};
-const SPEED: Rule = Rule {
-    id: "handbook-speed",
-    formula: "V = Cv·D^q·Kv/(T^m·t^x·S^y)",
-    source: (
-        "Косилова/Мещеряков, т. 2, табл. 28, 29",
-        "Kosilova/Meshcheryakov vol. 2 tables 28, 29 (facts 1.1, 1.2, 1.5)",
-    ),
-};
-const FORCE: Rule = Rule {
-    id: "handbook-force",
-    formula: "P = 10·Cp·D^q·t^x·S^y·Kp",
-    source: ("Косилова/Мещеряков, т. 2, табл. 32", "Kosilova/Meshcheryakov vol. 2 table 32 (facts 1.4, 1.5)"),
-};
-const TORQUE: Rule = Rule {
-    id: "handbook-torque",
-    formula: "M = 10·Cm·D^q·t^x·S^y·Kp",
-    source: ("Косилова/Мещеряков, т. 2, табл. 32", "Kosilova/Meshcheryakov vol. 2 table 32 (facts 1.4, 1.5)"),
-};
-const POWER: Rule = Rule {
-    id: "handbook-power",
-    formula: "N = M·n/9750",
-    source: (
-        "Косилова/Мещеряков, т. 2, табл. 32; посібник, додаток Г, п. 8",
-        "Kosilova/Meshcheryakov vol. 2 table 32 (facts 1.4, 1.5); textbook, Appendix Г item 8",
-    ),
-};
+const LIFE: Rule = Rule { id: "tool-life", formula: "T" };
+const SPEED: Rule = Rule { id: "handbook-speed", formula: "V = Cv·D^q·Kv/(T^m·t^x·S^y)" };
+const FORCE: Rule = Rule { id: "handbook-force", formula: "P = 10·Cp·D^q·t^x·S^y·Kp" };
+const TORQUE: Rule = Rule { id: "handbook-torque", formula: "M = 10·Cm·D^q·t^x·S^y·Kp" };
+const POWER: Rule = Rule { id: "handbook-power", formula: "N = M·n/9750" };
 
 pub(super) const RULES: &[Rule] = &[LIFE, SPEED, FORCE, TORQUE, POWER];
 

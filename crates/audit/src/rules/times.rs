@@ -9,19 +9,10 @@ use super::super::graph::{Graph, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::{formula, given};
 
-const MACHINE: Rule =
-    Rule { id: "machine-time-of-part", formula: "ΣTм = Σz·Tм", source: ("посібник 1.4", "textbook 1.4") };
-const CHANGE: Rule =
-    Rule {
-        id: "tool-change-time", formula: "Tзм = m·tзм", source: ("дані верстата", "the machine's record")
-    };
-const RAPID: Rule = Rule {
-    id: "rapid-time",
-    formula: "Tх",
-    source: ("посібник 1.3.1, як рахує `technolog order`", "textbook 1.3.1, as `technolog order` computes it"),
-};
-const TOTAL: Rule =
-    Rule { id: "total-time", formula: "T = ΣTм + Tх + Tзм", source: ("посібник 1.3.1", "textbook 1.3.1") };
+const MACHINE: Rule = Rule { id: "machine-time-of-part", formula: "ΣTм = Σz·Tм" };
+const CHANGE: Rule = Rule { id: "tool-change-time", formula: "Tзм = m·tзм" };
+const RAPID: Rule = Rule { id: "rapid-time", formula: "Tх" };
+const TOTAL: Rule = Rule { id: "total-time", formula: "T = ΣTм + Tх + Tзм" };
 
 pub(super) const RULES: &[Rule] = &[MACHINE, CHANGE, RAPID, TOTAL];
 

@@ -14,54 +14,15 @@ use super::super::graph::{Graph, Judge, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::{formula, given, largest, same};
 
-pub(crate) const DIMENSION: Rule = Rule {
-    id: "tool-dimension",
-    formula: "",
-    source: ("каталог за позначенням інструмента", "the catalog of the tool's designation"),
-};
-const HOLDER: Rule = Rule {
-    id: "holder-dimension",
-    formula: "",
-    source: ("каталог за позначенням допоміжного інструмента", "the catalog of the holder's designation"),
-};
-pub(crate) const OVERHANG: Rule = Rule {
-    id: "overhang",
-    formula: "lв",
-    source: ("посібник 5.2, примітка до п. 5 (рядки 4614-4618)", "textbook 5.2 item 5, note (l. 4614-4618)"),
-};
-const HOLDER_USED: Rule = Rule {
-    id: "one-holder-length",
-    formula: "lопр",
-    source: (
-        "в одного допоміжного інструмента одна довжина: додаток Г, п. 6 і 9",
-        "one holder has one length: items 6 and 9 of Appendix Г",
-    ),
-};
-const ASSEMBLY: Rule = Rule {
-    id: "assembly-length",
-    formula: "Lк = lв + lопр",
-    source: ("посібник, додаток Г, п. 9 (рядки 10270-10285)", "textbook, Appendix Г item 9 (l. 10270-10285)"),
-};
-const REFERENCE: Rule = Rule {
-    id: "reference-tool",
-    formula: "Lет = max Lк",
-    source: ("посібник 4.2.1.3; додаток Г, п. 9", "textbook 4.2.1.3, Appendix Г item 9"),
-};
-const PLUS: Rule = Rule {
-    id: "correction",
-    formula: "K = Lк − Lет",
-    source: ("посібник 3.11.3: G43 додає коректор; 4.2.1.4", "textbook 3.11.3: G43 adds the corrector; 4.2.1.4"),
-};
-const MINUS: Rule = Rule {
-    id: "correction-g44",
-    formula: "K = Lет − Lк",
-    source: ("посібник 3.11.3: G44 віднімає коректор", "textbook 3.11.3: G44 subtracts it"),
-};
-const BOOK: Rule = Rule {
-    id: "book-correction",
-    formula: "K = Lет − Lк",
-    source: ("посібник, додаток Г, п. 9", "textbook, Appendix Г item 9"),
-};
+pub(crate) const DIMENSION: Rule = Rule { id: "tool-dimension", formula: "" };
+const HOLDER: Rule = Rule { id: "holder-dimension", formula: "" };
+pub(crate) const OVERHANG: Rule = Rule { id: "overhang", formula: "lв" };
+const HOLDER_USED: Rule = Rule { id: "one-holder-length", formula: "lопр" };
+const ASSEMBLY: Rule = Rule { id: "assembly-length", formula: "Lк = lв + lопр" };
+const REFERENCE: Rule = Rule { id: "reference-tool", formula: "Lет = max Lк" };
+const PLUS: Rule = Rule { id: "correction", formula: "K = Lк − Lет" };
+const MINUS: Rule = Rule { id: "correction-g44", formula: "K = Lет − Lк" };
+const BOOK: Rule = Rule { id: "book-correction", formula: "K = Lет − Lк" };
 
 pub(super) const RULES: &[Rule] = &[DIMENSION, HOLDER, OVERHANG, HOLDER_USED, ASSEMBLY, REFERENCE, PLUS, MINUS, BOOK];
 

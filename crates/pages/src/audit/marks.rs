@@ -1,59 +1,66 @@
 //! Marks in words.
 
+use technolog_audit::Audit;
 use technolog_audit::marks::{Deduction, Ground, Marks};
-use technolog_audit::{Audit, Finding};
+use technolog_document::{Column, Inlines, Keep, Table};
+use technolog_words::say;
 
 use super::super::Lang;
-use super::words::whereabouts;
-use super::{comma, place, severity};
+use super::words::{figure, number, whereabouts};
+use super::{place, severity};
 
 /// `Курсовий проєкт: 71,5 з 100, зараховано`.
 pub fn headline(marks: &Marks, lang: Lang) -> String {
-    let (points, of) = (marks.points, marks.of);
-    let score = format!("{points} {} {of}", lang.pick("з", "of"));
-    let passed = match marks.passed {
-        Some(true) => lang.pick(", зараховано", ", passed"),
-        Some(false) => lang.pick(", не зараховано", ", not passed"),
-        None => "",
-    };
-    let name = if marks.scheme.is_empty() { lang.pick("Бали", "Marks") } else { &marks.scheme };
-    format!("{name}: {}{passed}", comma(&score, lang))
+    let name = if marks.scheme.is_empty() { lang.word("audit-marks") } else { &marks.scheme };
+    let (points, of) = (number(marks.points), number(marks.of));
+    match marks.passed {
+        Some(true) => say!(lang, "audit-score-passed", name = name, points = points, of = of),
+        Some(false) => say!(lang, "audit-score-failed", name = name, points = points, of = of),
+        None => say!(lang, "audit-score", name = name, points = points, of = of),
+    }
 }
 
-/// What costs points, a line each; what is free only in numbers.
-pub(super) fn lines(marks: &Marks, audit: &Audit, lang: Lang) -> Vec<String> {
+/// What costs points, a row each; what is free only in numbers.
+pub(super) fn table(marks: &Marks, audit: &Audit, lang: Lang) -> Table {
+    let text = |head: &str| Column::text(lang.word(head));
+    let mut table = Table::new([
+        Column::number(lang.word("audit-column-taken"), ""),
+        text("audit-column-severity").keep(Keep::Useful),
+        text("audit-column-place"),
+        text("audit-column-about"),
+        text("audit-column-ground").keep(Keep::Optional),
+    ]);
     // Deductions stand in the order of the findings, one for each.
-    let costly = marks.deductions.iter().zip(&audit.findings).filter(|(one, _)| one.points > 0.0);
-    let mut lines: Vec<String> = costly.map(|(one, finding)| line(one, finding, &audit.file, lang)).collect();
+    for (one, finding) in marks.deductions.iter().zip(&audit.findings).filter(|(one, _)| one.points > 0.0) {
+        table.row([
+            Inlines::number(figure(&format!("-{}", one.points), lang)),
+            severity(one.severity, lang).into(),
+            Inlines::default().code(place(finding, &audit.file).unwrap_or_default()),
+            Inlines::sentence(&whereabouts(finding, lang)),
+            ground(one, lang).into(),
+        ]);
+    }
     let free =
         |by: &dyn Fn(&Deduction) -> bool| marks.deductions.iter().filter(|one| one.points == 0.0 && by(one)).count();
     let (capped, follow) = (free(&|one| one.capped), free(&|one| one.by == Ground::Consequence));
-    let rest = free(&|_| true) - capped - follow;
-    let mut said = Vec::new();
-    let counts =
-        [(follow, "наслідків", "consequences"), (capped, "понад межу", "beyond a cap"), (rest, "інших", "others")];
-    said.extend(
-        counts.iter().filter(|(count, ..)| *count > 0).map(|(count, uk, en)| format!("{} {count}", lang.pick(uk, en))),
-    );
-    if !said.is_empty() {
-        lines.push(format!("{}: {}", lang.pick("без втрати балів", "at no cost"), said.join(", ")));
+    let other = free(&|_| true) - capped - follow;
+    let mut counts = Vec::new();
+    counts.extend((follow > 0).then(|| say!(lang, "audit-free-follow", count = follow)));
+    counts.extend((capped > 0).then(|| say!(lang, "audit-free-capped", count = capped)));
+    counts.extend((other > 0).then(|| say!(lang, "audit-free-other", count = other)));
+    if !counts.is_empty() {
+        table.notes.push(say!(lang, "audit-free", counts = counts.join(", ")).into());
     }
-    lines
+    table
 }
 
-/// `-4 хибно 90:11 свердління A, B: подача S (за вагою)`.
-fn line(deduction: &Deduction, finding: &Finding, file: &str, lang: Lang) -> String {
+/// By what of the scheme points are taken off.
+fn ground(deduction: &Deduction, lang: Lang) -> String {
     let by = match deduction.by {
-        Ground::Consequence => lang.pick("як наслідок", "as a consequence").to_owned(),
-        Ground::Rule => format!("{} {}", lang.pick("за правилом", "by the rule"), deduction.rule),
-        Ground::Section => {
-            format!("{} «{}»", lang.pick("за розділом", "by the section"), super::heading(deduction.section, lang))
-        }
-        Ground::Severity => lang.pick("за вагою", "by its severity").to_owned(),
+        Ground::Consequence => say!(lang, "audit-by-consequence").to_owned(),
+        Ground::Rule => say!(lang, "audit-by-rule", rule = &deduction.rule),
+        Ground::Section => say!(lang, "audit-by-section", section = super::heading(deduction.section, lang)),
+        Ground::Severity => say!(lang, "audit-by-severity").to_owned(),
     };
-    let capped = if deduction.capped { lang.pick(", до межі", ", up to the cap") } else { "" };
-    let points = comma(&deduction.points.to_string(), lang);
-    let at = place(finding, file).map(|place| format!(" {place}")).unwrap_or_default();
-    let severity = severity(deduction.severity, lang);
-    format!("-{points} {severity}{at} {} ({by}{capped})", whereabouts(finding, lang))
+    if deduction.capped { say!(lang, "audit-by-capped", by = by) } else { by }
 }

@@ -3,34 +3,67 @@
 use crate::note::{Figure, Note, Severity};
 use technolog_audit::quantity::Quantity;
 use technolog_audit::{Audit, Finding, Lack, Section, Subject};
+use technolog_core::words::quantity_noun;
+use technolog_document as document;
+use technolog_words::say;
 
-use super::super::sentences::term;
 use super::super::{Lang, operation_noun, sentence};
 use super::keys;
 
 /// The heading of a section.
 pub(super) fn heading(section: Section, lang: Lang) -> &'static str {
-    match section {
-        Section::Route => lang.pick("Маршрут", "Route"),
-        Section::Tools => lang.pick("Різальний інструмент", "Cutters"),
-        Section::Holders => lang.pick("Допоміжний інструмент", "Holders"),
-        Section::Conditions => lang.pick("Режими різання", "Cutting conditions"),
-        Section::Clamping => lang.pick("Закріплення", "Clamping"),
-        Section::Lengths => lang.pick("Довжини і корекції", "Lengths and corrections"),
-        Section::Program => lang.pick("Керуюча програма", "Program"),
-        Section::Times => lang.pick("Час", "Times"),
-        Section::Missing => lang.pick("Не вказано", "Not stated"),
-    }
+    lang.word(match section {
+        Section::Route => "audit-section-route",
+        Section::Tools => "audit-section-tools",
+        Section::Holders => "audit-section-holders",
+        Section::Conditions => "audit-section-conditions",
+        Section::Clamping => "audit-section-clamping",
+        Section::Lengths => "audit-section-lengths",
+        Section::Program => "audit-section-program",
+        Section::Times => "audit-section-times",
+        Section::Missing => "audit-section-missing",
+    })
 }
 
 /// How grave a finding is, in a word.
 pub fn severity(severity: Severity, lang: Lang) -> &'static str {
+    lang.word(match severity {
+        Severity::Error => "audit-severity-error",
+        Severity::Wrong => "audit-severity-wrong",
+        Severity::Doubtful => "audit-severity-doubtful",
+        Severity::Note => "audit-severity-note",
+    })
+}
+
+/// How grave a finding is, as its colour.
+pub(super) const fn colour(severity: Severity) -> document::Severity {
     match severity {
-        Severity::Error => lang.pick("помилка", "error"),
-        Severity::Wrong => lang.pick("хибно", "wrong"),
-        Severity::Doubtful => lang.pick("сумнівно", "doubtful"),
-        Severity::Note => lang.pick("зауваження", "note"),
+        Severity::Error => document::Severity::Error,
+        Severity::Wrong => document::Severity::Wrong,
+        Severity::Doubtful => document::Severity::Doubtful,
+        Severity::Note => document::Severity::Note,
     }
+}
+
+/// A figure that is written already, or a formula with its figures: with the signs of print.
+pub(super) fn figure(written: &str, lang: Lang) -> String {
+    let (mut printed, mut before) = (String::with_capacity(written.len()), ' ');
+    for sign in written.replace("<=", "≤").replace(">=", "≥").chars() {
+        // A minus stands before a number, not within a name.
+        printed.push(if sign == '-' && !before.is_alphanumeric() { '−' } else { sign });
+        before = sign;
+    }
+    lang.figure(&Figure::number(printed))
+}
+
+/// A figure as it is.
+pub(super) fn number(value: f64) -> Figure {
+    Figure::number(value.to_string())
+}
+
+/// `0,25 → 0,325`.
+pub(super) fn change(stated: &str, right: &str, lang: Lang) -> String {
+    say!(lang, "audit-change", stated = figure(stated, lang), right = figure(right, lang))
 }
 
 /// `12:5`, with the file where it is another than the plan's.
@@ -44,8 +77,7 @@ pub(super) fn place(finding: &Finding, file: &str) -> Option<String> {
 
 /// `подача S`.
 pub(super) fn name(quantity: Quantity, lang: Lang) -> String {
-    let (uk, en) = quantity.name();
-    format!("{} {}", lang.pick(uk, en), quantity.symbol())
+    say!(lang, "audit-quantity", name = quantity_noun(quantity, lang), symbol = quantity.symbol())
 }
 
 /// `свердління A, B`, `T2`.
@@ -55,7 +87,7 @@ pub(super) fn subject(subject: &Subject, lang: Lang) -> String {
     if !subject.holes.is_empty() {
         parts.push(subject.holes.join(", "));
     }
-    parts.extend(subject.tool.map(|tool| format!("T{tool}")));
+    parts.extend(subject.tool.map(|tool| say!(lang, "audit-tool", number = tool)));
     parts.join(" ")
 }
 
@@ -83,10 +115,7 @@ fn about(finding: &Finding, lang: Lang) -> String {
 pub(super) fn what(finding: &Finding, lang: Lang) -> String {
     match finding.quantity {
         Some(quantity) => {
-            // conditions.2.factors.speed.material: the last is the factor's name.
-            let inner = finding.field.splitn(3, '.').nth(2).unwrap_or_default();
-            let factor = inner.strip_prefix(quantity.key()).and_then(|rest| rest.strip_prefix('.'));
-            factor.map_or_else(|| name(quantity, lang), |factor| self::factor(quantity, factor, lang))
+            finding.factor.as_ref().map_or_else(|| name(quantity, lang), |own| factor(quantity, own, lang))
         }
         // About a section as a whole, which is said already; what is not stated says of which.
         None if finding.section == Section::Program => String::new(),
@@ -96,14 +125,14 @@ pub(super) fn what(finding: &Finding, lang: Lang) -> String {
 }
 
 /// `коефіцієнт швидкості Kv (матеріал)`.
-pub(super) fn factor(quantity: Quantity, factor: &str, lang: Lang) -> String {
-    format!("{} ({})", name(quantity, lang), keys::factor(factor, lang))
+pub(super) fn factor(quantity: Quantity, factor: &Figure, lang: Lang) -> String {
+    say!(lang, "audit-factor", quantity = name(quantity, lang), factor = factor)
 }
 
 /// Where a finding is, in words: `T1: довжина комплекту Lк`.
 pub(super) fn whereabouts(finding: &Finding, lang: Lang) -> String {
     let (about, what) = (about(finding, lang), what(finding, lang));
-    if what.is_empty() { about } else { format!("{about}: {what}") }
+    if what.is_empty() { about } else { say!(lang, "audit-about", about = about, said = what) }
 }
 
 /// Figures and choices of a plan by their paths, each with what is said of it; those of one tool or of one transition
@@ -123,7 +152,7 @@ pub(super) fn fields<'a>(fields: impl Iterator<Item = (&'a str, String)>, audit:
     }
     let group = |(about, list): &(String, Vec<String>)| {
         let list = list.iter().filter(|text| !text.is_empty()).map(String::as_str).collect::<Vec<_>>().join(", ");
-        if list.is_empty() { about.clone() } else { format!("{about}: {list}") }
+        if list.is_empty() { about.clone() } else { say!(lang, "audit-about", about = about, said = list) }
     };
     groups.iter().map(group).collect::<Vec<_>>().join("; ")
 }
@@ -136,13 +165,8 @@ pub(super) fn said(finding: &Finding, lang: Lang) -> String {
             .with("section", keys::words(&finding.field, lang).unwrap_or_default())
             .with("what", missing(&finding.missing, &finding.field, lang)),
         "audit-not-ours" => {
-            let of = |name: &str| figure_value(finding.note.figure(name), lang);
-            let field = keys::words(&finding.field, lang).unwrap_or_else(|| lang.pick("число", "a figure").to_owned());
-            Note::new("audit-not-ours").with("field", field).with("stated", of("stated")).with("right", of("right"))
-        }
-        "audit-beyond-machine" => {
-            let bound = finding.note.figure("quantity");
-            finding.note.clone().with("quantity", figure_value(bound, lang))
+            let field = keys::words(&finding.field, lang);
+            finding.note.clone().with("field", field.unwrap_or_else(|| lang.word("audit-some-figure").to_owned()))
         }
         _ => finding.note.clone(),
     };
@@ -160,7 +184,7 @@ fn missing(missing: &[Lack], section: &str, lang: Lang) -> String {
         }
     }
     if matches!(missing, [lack] if lack.keys == [section]) {
-        return lang.pick("увесь розділ", "the whole section").to_owned();
+        return lang.word("audit-whole-section").to_owned();
     }
     let whole = missing.iter().all(|lack| lack.of.is_empty());
     let group = |(keys, whose): &(&[&str], Vec<String>)| {
@@ -173,51 +197,12 @@ fn missing(missing: &[Lack], section: &str, lang: Lang) -> String {
             return names;
         }
         let whose = match (section, whose.len()) {
-            ("route", 1) => format!("{} {}", lang.pick("рядок", "row"), whose.join(", ")),
-            ("route", _) => format!("{} {}", lang.pick("рядки", "rows"), whose.join(", ")),
+            ("route", count) => say!(lang, "audit-lacking-rows", count = count, rows = whose.join(", ")),
             // A transition has commas of its own: `свердління A, B`.
             ("conditions", _) => whose.join("; "),
             _ => whose.join(", "),
         };
-        format!("{whose} - {names}")
+        say!(lang, "audit-lacks", whose = whose, what = names)
     };
     groups.iter().map(group).collect::<Vec<_>>().join(if whole { ", " } else { "; " })
-}
-
-/// A figure of a note, of which a text may be an id.
-fn figure_value(figure: Option<&Figure>, lang: Lang) -> String {
-    match figure {
-        Some(Figure::Text(text)) => value(text, lang),
-        Some(figure) => lang.figure(figure),
-        None => String::new(),
-    }
-}
-
-/// A value that a file has as an id: `drill`, `morse`, `true`; anything else is as it is.
-pub(super) fn value(text: &str, lang: Lang) -> String {
-    let known = match text {
-        "true" => Some(lang.pick("так", "yes")),
-        "false" | "null" => Some(lang.pick("ні", "no")),
-        _ => None,
-    };
-    known
-        .unwrap_or_else(|| {
-            let noun = operation_noun(text, lang);
-            if noun == text { keys::value(text, lang).unwrap_or_else(|| term(text, lang)) } else { noun }
-        })
-        .to_owned()
-}
-
-/// Decimal points as the language writes them: a point between two digits.
-pub(super) fn comma(text: &str, lang: Lang) -> String {
-    if lang == Lang::EN {
-        return text.to_owned();
-    }
-    let letters: Vec<char> = text.chars().collect();
-    let digit = |at: Option<usize>| at.and_then(|at| letters.get(at)).is_some_and(char::is_ascii_digit);
-    let shown = |(at, letter): (usize, &char)| match letter {
-        '.' if digit(at.checked_sub(1)) && digit(at.checked_add(1)) => ',',
-        other => *other,
-    };
-    letters.iter().enumerate().map(shown).collect()
 }

@@ -64,7 +64,7 @@ audit-missing = { $section }: { $what }
 audit-by-formula = { $share } % of the { $value } that the handbook's formula makes of what is stated
 audit-tool-life = { $share } % of the { $value } min for which the handbook gives speeds at this diameter
 # The working zone.
-audit-zone-turned = turned by 90°, the holes would span { $span } <= { $travel } mm along { $axis }
+audit-zone-turned = turned by 90°, the holes would span { $span } ≤ { $travel } mm along { $axis }
 audit-blank-off-table = the blank along { $axis }: { $size } > { $table } mm of table, { $over } mm stand out; lay it otherwise or on a fixture
 audit-zone-over = the assembly does not pass over the part: { $length } + approach { $approach } + part { $thickness } + fixture { $fixture } = { $needed } > { $most } mm from table to spindle nose; one of up to { $fits } mm would pass
 audit-zone-under = the quill does not bring the tool to the bottom: assembly of T{ $other } { $longest } − { $length } + approach { $approach } + depth of the tip { $depth } = { $way } > { $travel } mm of travel; an assembly of { $fits } mm or more would do

@@ -2,7 +2,7 @@
 audit-scheme-mixed = the row names the scheme { $stated }, and the other rows of the group { $other }
 audit-scheme-uncentred = { $printed } gives the scheme { $stated }, but by section 1.2.1 such a hole is centred first, so { $scheme } ({ $table })
 audit-route-by-scheme = the transitions of { $printed } for the scheme { $stated } word for word; `technolog plan` makes { $scheme } ({ $table }): { $better }
-audit-one-drill = Ø{ $diameter } with one drill: section 1.2.1 asks for two, the first of 0.5-0.6 of the diameter
+audit-one-drill = Ø{ $diameter } with one drill: section 1.2.1 asks for two, the first of 0.5–0.6 of the diameter
 # Openings.
 audit-opening-not-made = no transition makes the { $feature } Ø{ $diameter } of the drawing
 audit-opening-not-centred = no transition makes the { $feature } Ø{ $diameter }, and the centring spot Ø{ $spot } is narrower
@@ -26,7 +26,7 @@ audit-passes = { $stock } mm on diameter are bored in { $needed } passes by sect
 # Cutters, holders, places.
 bar-of-other-stage-rough = { $tool } is a bar for rough boring
 bar-of-other-stage-finish = { $tool } is a bar for finish boring
-bar-of-other-range = { $tool } bores Ø{ $low }-{ $high }, and the transition asks for Ø{ $needed }
+bar-of-other-range = { $tool } bores Ø{ $low }–{ $high }, and the transition asks for Ø{ $needed }
 tap-of-other-thread = { $tool } is a tap { $own }, and the thread is { $needed }
 tool-of-other-angle = { $tool } has an angle of { $own }°, and the transition asks for { $needed }°
 tool-for-blind-holes = { $tool } is for blind holes, and the hole goes through: for it { $known }

@@ -4,18 +4,15 @@ cli-warning = warning
 cli-note = note
 cli-help = help
 # Heads of tables.
-cli-table = table
-cli-row-count = rows
-cli-kind = kind
-cli-title = title
+cli-table = Table
+cli-row-count = Rows
+cli-kind = Kind
+cli-title = Title
+cli-row = Row
 cli-row-number = No.
-cli-row-source = origin
+cli-row-source = Origin
 cli-catalog = catalog
 cli-decision = decision
-# Where the figures of a row come from.
-cli-seed = text
-cli-standard = standard
-cli-reconstructed = reconstructed
 # Parts of a printed table.
 cli-source = Source
 cli-columns = Columns
@@ -33,7 +30,6 @@ cli-gaps = What the table does not hold
 # A lookup.
 cli-result = Result
 cli-no-row = no row applies
-cli-by-default = by default
 cli-passed-over = Match too, but not taken
 cli-rejected = Rejected, by the first column that failed
 cli-nearest = Nearest rows and what failed in them
@@ -44,13 +40,11 @@ cli-each-alone = Each key on its own finds
 cli-empty-cell = (empty)
 cli-command-line = command line
 cli-all-rejected = every row on its own: --all
-cli-trace = Motions: line, block, motion, machine position in mm
 cli-also-says = The row also says
 # The proof.
-cli-proof-head = Made of what the plan asks for:
-cli-hole = hole
-cli-transition = transition
-cli-made = made
+cli-hole = Hole
+cli-transition = Transition
+cli-made = Made
 cli-tool = T
 # Phrases of commands.
 cli-unknown-table = there is no table `{ $id }`
@@ -65,6 +59,9 @@ cli-print-to-file = name a file for the answer: -o FILE
 cli-broken-build = the embedded knowledge cannot be read: { $error }
 cli-rebuild = build the program anew, or name a folder with --knowledge DIR
 cli-cannot-read = { $path }: cannot be read: { $error }
+cli-not-found = { $path }: there is no such file
+cli-not-permitted = { $path }: reading it is not permitted
+cli-is-a-folder = { $path }: this is a folder, not a file
 cli-check-path = check the path of the file
 cli-no-hole = { $path }: there is no group of holes `{ $name }`
 cli-known = there are: { $names }
@@ -92,30 +89,13 @@ cli-alien-control = the machine `{ $machine }` has the control `{ $control }`, w
 cli-name-control = name one with --control: there are { $known }
 cli-no-machine = the catalog has no machine `{ $id }`
 cli-by-rule = { $what } (rule: { $section })
-cli-times = Time, min: { $total } (feed { $feed }, rapid { $rapid }, dwell { $dwell }, tool change { $change })
 cli-run-lint = the table is at fault; `technolog lint` shows where
 cli-printed-otherwise = { $column }: printed as "{ $printed }": { $reason }
-cli-all-rows-of-one-source = origin of every row: { $source }
+cli-all-rows-of-one-source = Origin of every row: { $source }
 cli-default-is = { $value } unless given
 cli-refers-to = see { $table }, { $column }
 cli-one-of = one of { $values }
 cli-and-more = and { $count } more
-test-what-is-a-case = in a folder cases are the files that end in .test.yaml; a single file may be named itself
-test-another-file = name another file
-test-one-copy = a copy with -o can be of one file only
-test-one-by-one = name one file, or leave out -o
-test-passed = ok
-test-failed = FAILED
-test-unusable = unusable
-test-expected = expected
-test-came = came
-test-why = why
-test-source = source
-test-because = because
-test-nothing = nothing
-test-nothing-yet = nothing yet: `technolog test --write` fills in what comes
-test-not-there = that it is not there
-test-review = written; review them before you rely on them
 # Counts.
 cli-rows-counted = { $count } { $count ->
         [one] row
@@ -129,10 +109,6 @@ cli-findings-counted = { $count } { $count ->
         [one] finding
        *[other] findings
     }
-cli-rows-named = { $count ->
-        [1] row
-       *[other] rows
-    } { $rows }
 # What a column expects.
 cli-expected-text = a text
 cli-expected-bool = true or false
@@ -143,33 +119,5 @@ cli-expected-angle = an angle
 cli-expected-it = a tolerance grade, 1 to 18
 cli-expected-roughness = a roughness such as "Ra 2.5"
 cli-expected-in-unit = { $what } in { $unit }
-# Folders of plans.
-audit-skipped-file = { $file }: no plan, skipped
-audit-no-plans = there is no plan in the folder `{ $folder }`
-audit-what-is-a-plan = plans are files .yaml, .yml and .json as docs/audit.md describes them
-audit-folder-against = only two plans can be compared, no folder
-audit-name-a-plan = name a plan file
-# Cases.
-test-no-cases = there are no cases in the folder `{ $folder }`
-test-would-replace = { $file }: -o would replace the file of cases
-test-without = not among { $list }
-test-no-such-key-near = there is no `{ $key }` here; did you mean `{ $near }`?
-test-no-such-key = there is no `{ $key }` here; there are: { $known }
-test-no-such-word = nothing here is called `{ $word }`
-test-no-such-word-near = nothing here is called `{ $word }`; did you mean `{ $near }`?
-test-not-taken = scheme { $scheme } was not taken: { $why }
-test-other-row = row { $row } would give what is expected, but its column { $column } says { $cell }
-test-row = { $table }, row { $row }
-test-cases-counted = { $count } { $count ->
-        [one] case
-       *[other] cases
-    }
-test-files-counted = { $count } { $count ->
-        [one] file
-       *[other] files
-    }
-test-all-as-expected = { $files }, { $cases }: all as expected
-test-some-failed = { $files }, { $cases }: { $failed } failed
-test-unusable-files = {""}, unusable files: { $count }
 cli-format-contradiction = { $file }: its ending means { $meant }, and --format asks for { $asked }
 cli-format-contradiction-help = leave out --format, or give the file another ending

@@ -4,14 +4,14 @@ audit-decimal-point = десяткова кома не на місці
 audit-sign = знак протилежний
 audit-follows = наслідок: { $fields }
 audit-ground = каталог цього позначення має { $own } мм: під { $size } мм його треба перешліфувати
-audit-no-such-reference = довжини такого комплекту немає: еталонний інструмент - один із комплектів плану
+audit-no-such-reference = довжини такого комплекту немає: еталонний інструмент – один із комплектів плану
 audit-sign-by-g44 = знак для G44; ні план, ні програма не кажуть, G43 чи G44, а для G43 він протилежний
-audit-other-corrector = { $tool } має коректор { $corrector }, а решта інструментів - коректор свого номера
+audit-other-corrector = { $tool } має коректор { $corrector }, а решта інструментів – коректор свого номера
 audit-by-table = { $share } % від { $value }, що дають таблиці
-audit-clamp-not-largest = рахували для M = { $torque }, а найбільшого зусилля потребує рядок { $row }: M = { $other }
+audit-clamp-not-largest = рахували для M = { $torque }, а найбільшої сили закріплення потребує рядок { $row }: M = { $other }
 audit-overhang = за приміткою до 5.2 п. 5 виліт від { $least } до { $most } мм
 audit-no-step = верстат такого ступеня не має (сусідні { $below } і { $above }); для розрахункових { $computed } це { $step }, написане відхиляється на { $excess } %
-audit-step-fast = на { $excess } % вище за розрахункові { $computed }: стійкість падає; правило дає { $step }
+audit-step-fast = на { $excess } % вище за розрахункові { $computed }: період стійкості зменшується; правило дає { $step }
 audit-step-slow = на { $excess } % від розрахункових { $computed }: безпечно, але довше; правило дає { $step }
 audit-not-in-series = верстат такого ступеня не має: сусідні { $below } і { $above }
 audit-series = ряд частот верстата
@@ -21,8 +21,8 @@ audit-tool-change = час однієї заміни
 audit-rank = черга { $rank }
 audit-beyond-machine = понад межу верстата { $limit } ({ $quantity })
 audit-clamps = закріплення не симетричне: 5.2 п. 7 радить { $needed } притискачі
-audit-load-low = { $share } % від { $load }, що дають формули довідника при подачі { $feed } мм/об: усе, що з цього рахують, може бути заслабке
-audit-load-high = { $share } % від { $load }, що дають формули довідника при подачі { $feed } мм/об
+audit-load-low = { $share } % від { $load }, що дають формули довідника за подачі { $feed } мм/об: усе, що з цього рахують, може бути заслабке
+audit-load-high = { $share } % від { $load }, що дають формули довідника за подачі { $feed } мм/об
 # Designations.
 named = рядок каталогу
 audit-designation-misprinted = позначення { $tool } у каталогах немає; мабуть, це { $known } без початку
@@ -57,16 +57,16 @@ audit-same-corrector = коректор { $corrector } уже в { $other }
 audit-magazine = інструментів { $tools }, а місць у магазині { $places }
 # A plan of ours, changed.
 audit-not-ours = { $field }: написано { $stated }, а `technolog plan` дає { $right }
-audit-tool-of-transition = перехід називає { $tool }, а інструмент T{ $number } - це { $other }
+audit-tool-of-transition = перехід називає { $tool }, а інструмент T{ $number } – це { $other }
 # What is missing.
 audit-missing = { $section }: { $what }
 # Beside the handbook's formulas.
 audit-by-formula = { $share } % від { $value }, що дає формула довідника з написаних величин
 audit-tool-life = { $share } % від { $value } хв, для яких довідник дає швидкості за цього діаметра
 # The working zone.
-audit-zone-turned = повернуті на 90°, отвори займали б { $span } <= { $travel } мм по { $axis }
-audit-blank-off-table = заготовка по { $axis }: { $size } > { $table } мм стола, звисає на { $over } мм; покладіть її інакше або на пристрій
-audit-zone-over = комплект не проходить над деталлю: { $length } + недобіг { $approach } + деталь { $thickness } + пристрій { $fixture } = { $needed } > { $most } мм від стола до торця шпинделя; пройшов би комплект до { $fits } мм
+audit-zone-turned = повернуті на 90°, отвори займали б { $span } ≤ { $travel } мм по { $axis }
+audit-blank-off-table = заготовка по { $axis }: { $size } > { $table } мм стола, звисає на { $over } мм; покладіть її інакше або на пристосування
+audit-zone-over = комплект не проходить над деталлю: { $length } + недобіг { $approach } + деталь { $thickness } + пристосування { $fixture } = { $needed } > { $most } мм від стола до торця шпинделя; пройшов би комплект до { $fits } мм
 audit-zone-under = повзун не опускає інструмент до дна: комплект T{ $other } { $longest } − { $length } + недобіг { $approach } + глибина вістря { $depth } = { $way } > { $travel } мм ходу; досить було б комплекту від { $fits } мм
 audit-zone-low = повзун не опускає інструмент до дна: торець шпинделя щонайменше { $least } над столом − { $length } − дно { $lowest } = { $way } > { $travel } мм ходу; досить було б комплекту від { $fits } мм
 audit-zone-unknown = висоту не перевірено: у записі верстата немає відстані від стола до торця шпинделя

@@ -7,4 +7,4 @@ audit-program-row-depth = програму не порівняно з плано
 audit-program-row-thread = програму не порівняно з планом: рядок { $row } нарізає різь в отворі, який її на кресленні не має
 audit-program-row-mill = програму не порівняно з планом: рядок { $row } ({ $operation }) не каже, від якого діаметра (`from`) і якою фрезою
 audit-program-row-conditions = програму не порівняно з планом: рядок { $row } ({ $operation }) не має режимів (`rpm` і `feed` чи `minute_feed`)
-audit-setting-correction = наладка: H{ $corrector } = { $value }, а за планом корекція T{ $tool } дорівнює { $needed }
+audit-setting-correction = налагодження: H{ $corrector } = { $value }, а за планом корекція T{ $tool } дорівнює { $needed }

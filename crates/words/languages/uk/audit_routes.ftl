@@ -2,7 +2,7 @@
 audit-scheme-mixed = рядок названо за схемою { $stated }, а інші рядки групи за { $other }
 audit-scheme-uncentred = { $printed } дає схему { $stated }, але за 1.2.1 такий отвір спершу центрують, тож { $scheme } ({ $table })
 audit-route-by-scheme = переходи { $printed } для схеми { $stated } слово в слово; `technolog plan` робить { $scheme } ({ $table }) так: { $better }
-audit-one-drill = Ø{ $diameter } одним свердлом: за 1.2.1 свердлять двома, перше 0,5-0,6 діаметра
+audit-one-drill = Ø{ $diameter } одним свердлом: за 1.2.1 свердлять двома, перше 0,5–0,6 діаметра
 # Openings.
 audit-opening-not-made = { $feature } Ø{ $diameter } креслення не робить жоден перехід
 audit-opening-not-centred = { $feature } Ø{ $diameter } не робить жоден перехід, а лунка Ø{ $spot } вужча
@@ -22,11 +22,11 @@ audit-thread-elsewhere = різь { $thread } у плані не нарізаю�
 audit-cannot-tap = верстат { $machine } різь не нарізає: перехід роблять на іншому (`elsewhere: true`)
 # Allowances.
 audit-allowance = перехід { $row } ({ $operation }) знаходить { $stock } мм на діаметр, а за 1.2.1 від { $low } до { $high }
-audit-passes = { $stock } мм на діаметр за 1.2.1 (до { $high } за прохід) розточують за стільки проходів: { $needed }
+audit-passes = { $stock } мм на діаметр за 1.2.1 (до { $high } за робочий хід) розточують за стільки робочих ходів: { $needed }
 # Cutters, holders, places.
-bar-of-other-stage-rough = { $tool }: оправка для чорнового розточування
-bar-of-other-stage-finish = { $tool }: оправка для чистового розточування
-bar-of-other-range = { $tool } розточує Ø{ $low }-{ $high }, а перехід вимагає Ø{ $needed }
+bar-of-other-stage-rough = { $tool }: борштанга для чорнового розточування
+bar-of-other-stage-finish = { $tool }: борштанга для чистового розточування
+bar-of-other-range = { $tool } розточує Ø{ $low }…{ $high }, а перехід вимагає Ø{ $needed }
 tap-of-other-thread = { $tool }: мітчик { $own }, а різь { $needed }
 tool-of-other-angle = { $tool }: кут { $own }°, а перехід вимагає { $needed }°
 tool-for-blind-holes = { $tool } для глухих отворів, а отвір наскрізний: для нього { $known }

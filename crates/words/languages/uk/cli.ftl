@@ -4,18 +4,15 @@ cli-warning = попередження
 cli-note = зауваження
 cli-help = підказка
 # Heads of tables.
-cli-table = таблиця
-cli-row-count = рядків
-cli-kind = вид
-cli-title = назва
+cli-table = Таблиця
+cli-row-count = Рядки
+cli-kind = Вид
+cli-title = Назва
+cli-row = Рядок
 cli-row-number = №
-cli-row-source = походження
+cli-row-source = Походження
 cli-catalog = каталог
 cli-decision = рішення
-# Where the figures of a row come from.
-cli-seed = текст
-cli-standard = стандарт
-cli-reconstructed = відновлено
 # Parts of a printed table.
 cli-source = Джерело
 cli-columns = Графи
@@ -33,7 +30,6 @@ cli-gaps = Чого в таблиці немає
 # A lookup.
 cli-result = Результат
 cli-no-row = жоден рядок не підходить
-cli-by-default = за замовчуванням
 cli-passed-over = Підходять теж, але не взяті
 cli-rejected = Відкинуто, за першою графою, що не підійшла
 cli-nearest = Найближчі рядки й що в них не підійшло
@@ -44,17 +40,15 @@ cli-each-alone = Кожен ключ окремо знаходить
 cli-empty-cell = (порожньо)
 cli-command-line = командний рядок
 cli-all-rejected = усі рядки поодинці: --all
-cli-trace = Рухи: рядок, кадр, рух, положення осей верстата, мм
 cli-also-says = Рядок каже також
 # The proof.
-cli-proof-head = Зроблено з того, що вимагає план:
-cli-hole = отвір
-cli-transition = перехід
-cli-made = зроблено
+cli-hole = Отвір
+cli-transition = Перехід
+cli-made = Зроблено
 cli-tool = T
 # Phrases of commands.
 cli-unknown-table = таблиці `{ $id }` немає
-cli-did-you-mean = мабуть, `{ $name }`?
+cli-did-you-mean = можливо, `{ $name }`?
 cli-list-tables = перелік таблиць дає `technolog table`
 cli-no-format = команда { $command } не має формату { $format }
 cli-formats = її формати: { $known }
@@ -65,6 +59,9 @@ cli-print-to-file = назвіть файл для відповіді: -o FILE
 cli-broken-build = вбудована база знань не читається: { $error }
 cli-rebuild = перезберіть програму або вкажіть теку з базою: --knowledge DIR
 cli-cannot-read = { $path }: не вдалося прочитати: { $error }
+cli-not-found = { $path }: немає такого файлу
+cli-not-permitted = { $path }: немає дозволу на читання
+cli-is-a-folder = { $path }: це тека, а не файл
 cli-check-path = перевірте шлях до файлу
 cli-no-hole = { $path }: групи отворів `{ $name }` немає
 cli-known = є: { $names }
@@ -74,8 +71,8 @@ cli-leave-out = приберіть { $option }
 cli-not-a-pair = `{ $text }` не має вигляду ключ=значення
 cli-write-pair = пишіть, наприклад, { $example }
 cli-no-such-key = таблиця { $table } не має ключа `{ $key }`
-cli-is-output = `{ $key }` - це відповідь таблиці { $table }, а не її вхід
-cli-no-such-key-but = мабуть, `{ $near }`? ключі таблиці: { $known }
+cli-is-output = `{ $key }` – це відповідь таблиці { $table }, а не її вхід
+cli-no-such-key-but = можливо, `{ $near }`? ключі таблиці: { $known }
 cli-the-keys-are = ключі таблиці: { $known }
 cli-key-twice = ключ `{ $key }` стоїть двічі
 cli-keep-one = лишіть один
@@ -92,30 +89,13 @@ cli-alien-control = на верстаті `{ $machine }` ПЧПК `{ $control }`
 cli-name-control = назвіть його: --control, є { $known }
 cli-no-machine = верстата `{ $id }` в каталозі немає
 cli-by-rule = { $what } (правило: { $section })
-cli-times = Час, хв: { $total } (подача { $feed }, прискорено { $rapid }, паузи { $dwell }, заміна інструмента { $change })
 cli-run-lint = це вада таблиці; її показує `technolog lint`
 cli-printed-otherwise = { $column }: надруковано «{ $printed }»: { $reason }
-cli-all-rows-of-one-source = походження всіх рядків: { $source }
+cli-all-rows-of-one-source = Походження всіх рядків: { $source }
 cli-default-is = якщо не вказано, { $value }
 cli-refers-to = див. { $table }, { $column }
 cli-one-of = одне з: { $values }
 cli-and-more = і ще { $count }
-test-what-is-a-case = у теці випадки - це файли, назва яких кінчається на .test.yaml; окремий файл можна назвати сам
-test-another-file = назвіть інший файл
-test-one-copy = копія з -o може бути лише одного файлу
-test-one-by-one = назвіть один файл, або приберіть -o
-test-passed = гаразд
-test-failed = не зійшлося
-test-unusable = не читається
-test-expected = очікувалося
-test-came = вийшло
-test-why = чому
-test-source = звідки
-test-because = бо
-test-nothing = нічого
-test-nothing-yet = ще нічого: `technolog test --write` впише те, що виходить
-test-not-there = щоб цього не було
-test-review = вписано; перегляньте, перш ніж на них покладатися
 # Counts.
 cli-rows-counted = { $count } { $count ->
         [one] рядок
@@ -132,10 +112,6 @@ cli-findings-counted = { $count } { $count ->
         [few] зауваження
        *[many] зауважень
     }
-cli-rows-named = { $count ->
-        [1] рядок
-       *[other] рядки
-    } { $rows }
 # What a column expects.
 cli-expected-text = текст
 cli-expected-bool = true або false
@@ -146,35 +122,5 @@ cli-expected-angle = кут
 cli-expected-it = квалітет, від 1 до 18
 cli-expected-roughness = шорсткість, наприклад "Ra 2.5"
 cli-expected-in-unit = { $what }, { $unit }
-# Folders of plans.
-audit-skipped-file = { $file }: не план, пропущено
-audit-no-plans = у теці `{ $folder }` немає жодного плану
-audit-what-is-a-plan = плани - це файли .yaml, .yml і .json, як їх описує docs/audit.md
-audit-folder-against = порівняти можна лише два плани, не теку
-audit-name-a-plan = назвіть файл плану
-# Cases.
-test-no-cases = у теці `{ $folder }` немає випадків
-test-would-replace = { $file }: -o замінило б файл випадків
-test-without = серед цього немає: { $list }
-test-no-such-key-near = `{ $key }` тут немає; мабуть, `{ $near }`?
-test-no-such-key = `{ $key }` тут немає; є: { $known }
-test-no-such-word = нічого тут не називається `{ $word }`
-test-no-such-word-near = нічого тут не називається `{ $word }`; мабуть, `{ $near }`?
-test-not-taken = схему { $scheme } не взято: { $why }
-test-other-row = рядок { $row } дав би очікуване, але його графа { $column } каже { $cell }
-test-row = { $table }, рядок { $row }
-test-cases-counted = { $count } { $count ->
-        [one] випадок
-        [few] випадки
-       *[many] випадків
-    }
-test-files-counted = { $count } { $count ->
-        [one] файл
-        [few] файли
-       *[many] файлів
-    }
-test-all-as-expected = { $files }, { $cases }: усе зійшлося
-test-some-failed = { $files }, { $cases }: не зійшлося { $failed }
-test-unusable-files = {""}, не читається файлів: { $count }
 cli-format-contradiction = { $file }: за закінченням це { $meant }, а --format просить { $asked }
 cli-format-contradiction-help = приберіть --format або дайте файлові інше закінчення

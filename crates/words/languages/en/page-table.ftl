@@ -1,0 +1,95 @@
+# Tables and questions to them.
+table-list = Tables
+table-title = { $table } { $title }
+table-key = Key
+table-what = What it is
+table-symbol = Symbol
+table-expected = What it can be
+table-asked = Asked
+table-found = Found
+table-failed = Failed
+table-answer = Answer
+table-symbol-unit = { $symbol }, { $unit }
+table-winner = Row { $row } ({ $source }): { $place }
+table-by-default = { $value } (by default)
+table-of-rows = { $rows }: { $said }
+table-rows-named = { $count ->
+        [1] row
+       *[other] rows
+    } { $rows }
+# Where the figures of a row come from.
+table-source-seed = as printed
+table-source-standard = standard
+table-source-reconstructed = reconstructed
+# Tests of decision tables.
+table-test-not = not { $test }
+table-test-within = { $low }–{ $high }
+table-test-over = over { $low } to { $high }
+table-test-below = { $low } to below { $high }
+table-test-between = over { $low }, below { $high }
+# Values of the textbook's tables.
+table-value-true = yes
+table-value-false = no
+table-value-solid = solid
+table-value-cast-or-pre-machined = cast or pre-machined
+table-value-with-hole = with a hole
+table-value-above = above what is allowed
+table-value-not-above = not above what is allowed
+table-value-plain = plain
+table-value-smooth = smooth
+table-value-precise = precise
+table-value-threaded = threaded
+table-value-counterbored = counterbored
+table-value-counterbored-cylindrical = counterbored, cylindrical
+table-value-countersunk = countersunk
+table-value-thread-cylindrical = cylindrical thread
+table-value-thread-conical = conical thread
+table-value-countersink-90 = countersink of 90°
+table-value-countersink-other = countersink of another angle
+table-value-final-other = final, on another machine
+table-value-finish-nc = finish, on an NC machine
+table-value-rough-nc = rough, on an NC machine
+table-value-rough = rough
+table-value-finish = finish
+table-value-fine = fine
+table-value-semi-finish-or-single = semi-finish or single
+# Columns that need no other name in any table.
+table-column-diameter = diameter
+table-column-length = length
+table-column-designation = designation
+table-column-flute_length = flute length
+table-column-morse = Morse taper
+table-column-operation = transition
+table-column-name = name
+table-column-cutting_length = cutting length
+table-column-projection = length outside the taper
+table-column-shank_diameter = shank diameter
+table-column-shank_length = shank length
+table-column-material_group = material group
+table-column-taper = taper
+table-column-bore = bore
+table-column-mass = mass
+table-column-thread = thread
+table-column-max_diameter = largest diameter
+table-column-roughness = roughness
+table-column-pitch = pitch
+table-column-it = tolerance grade
+table-column-feed_min = smallest feed
+table-column-feed_max = largest feed
+table-column-teeth = teeth
+table-column-accuracy = accuracy
+table-column-step_diameter = diameter of the step
+table-column-step_length = length of the step
+table-column-tool_material = tool material
+table-column-unit = unit
+table-column-value = value
+table-column-scheme = scheme
+table-column-state = state of the hole
+table-column-centre_tolerance = centre tolerance
+table-column-clamp_min = smallest diameter clamped
+table-column-clamp_max = largest diameter clamped
+table-column-thread_min = smallest thread
+table-column-thread_max = largest thread
+table-column-method = method
+table-column-zone = zone
+table-column-entry = entry

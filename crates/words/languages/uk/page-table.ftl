@@ -1,0 +1,95 @@
+# Tables and questions to them.
+table-list = Таблиці
+table-title = { $table } { $title }
+table-key = Ключ
+table-what = Що це
+table-symbol = Символ
+table-expected = Що може бути
+table-asked = Запит
+table-found = Знайдено
+table-failed = Не підійшло
+table-answer = Відповідь
+table-symbol-unit = { $symbol }, { $unit }
+table-winner = Рядок { $row } ({ $source }): { $place }
+table-by-default = { $value } (типово)
+table-of-rows = { $rows }: { $said }
+table-rows-named = { $count ->
+        [1] рядок
+       *[other] рядки
+    } { $rows }
+# Where the figures of a row come from.
+table-source-seed = надруковано
+table-source-standard = за стандартом
+table-source-reconstructed = відновлено
+# Tests of decision tables.
+table-test-not = не { $test }
+table-test-within = { $low }…{ $high }
+table-test-over = понад { $low } до { $high }
+table-test-below = від { $low } до { $high } (не включно)
+table-test-between = понад { $low }, менше { $high }
+# Values of the textbook's tables.
+table-value-true = так
+table-value-false = ні
+table-value-solid = суцільний метал
+table-value-cast-or-pre-machined = литий або попередньо оброблений
+table-value-with-hole = з отвором
+table-value-above = вище за допустиме
+table-value-not-above = не вище за допустиме
+table-value-plain = гладкий
+table-value-smooth = гладкий
+table-value-precise = точний
+table-value-threaded = різевий
+table-value-counterbored = цекований
+table-value-counterbored-cylindrical = цекований циліндричний
+table-value-countersunk = зенкований
+table-value-thread-cylindrical = циліндрична різь
+table-value-thread-conical = конічна різь
+table-value-countersink-90 = зенківка 90°
+table-value-countersink-other = зенківка іншого кута
+table-value-final-other = остаточна на іншому верстаті
+table-value-finish-nc = чистова на верстаті з ЧПК
+table-value-rough-nc = чорнова на верстаті з ЧПК
+table-value-rough = чорнове
+table-value-finish = чистове
+table-value-fine = тонке
+table-value-semi-finish-or-single = напівчистове або одноразове
+# Columns that need no other name in any table.
+table-column-diameter = діаметр
+table-column-length = довжина
+table-column-designation = позначення
+table-column-flute_length = довжина робочої частини
+table-column-morse = конус Морзе
+table-column-operation = перехід
+table-column-name = назва
+table-column-cutting_length = довжина різальної частини
+table-column-projection = довжина без конуса хвостовика
+table-column-shank_diameter = діаметр хвостовика
+table-column-shank_length = довжина хвостовика
+table-column-material_group = група матеріалу
+table-column-taper = конус
+table-column-bore = діаметр отвору
+table-column-mass = маса
+table-column-thread = різь
+table-column-max_diameter = найбільший діаметр
+table-column-roughness = шорсткість
+table-column-pitch = крок
+table-column-it = квалітет
+table-column-feed_min = найменша подача
+table-column-feed_max = найбільша подача
+table-column-teeth = кількість зубців
+table-column-accuracy = точність
+table-column-step_diameter = діаметр ступеня
+table-column-step_length = довжина ступеня
+table-column-tool_material = матеріал інструмента
+table-column-unit = одиниця
+table-column-value = значення
+table-column-scheme = схема
+table-column-state = стан отвору
+table-column-centre_tolerance = допуск міжосьової відстані
+table-column-clamp_min = найменший затискний діаметр
+table-column-clamp_max = найбільший затискний діаметр
+table-column-thread_min = найменша різь
+table-column-thread_max = найбільша різь
+table-column-method = метод
+table-column-zone = зона
+table-column-entry = вхід

@@ -1,0 +1,58 @@
+//! Problems within a page: framed lines of their files on a terminal, findings elsewhere; files that cannot be read.
+
+use std::fmt::Display;
+use std::io::{self, ErrorKind};
+
+use technolog::document::{Block, Document, Finding, Inlines, Severity as Colour};
+use technolog::knowledge::{Diagnostic, Severity};
+use technolog::words::say;
+
+use super::diagnostics::{Texts, render};
+use super::{CliError, Format, Lang};
+
+/// A file or a folder that cannot be read.
+pub fn unreadable(path: impl Display, error: &io::Error, lang: Lang) -> CliError {
+    let path = path.to_string();
+    let message = match error.kind() {
+        ErrorKind::NotFound => say!(lang, "cli-not-found", path = path),
+        ErrorKind::PermissionDenied => say!(lang, "cli-not-permitted", path = path),
+        ErrorKind::IsADirectory => say!(lang, "cli-is-a-folder", path = path),
+        _ => say!(lang, "cli-cannot-read", path = path, error = error.to_string()),
+    };
+    Diagnostic::error("unreadable", message, None).help(lang.word("cli-check-path")).into()
+}
+
+/// What the system says of a file that another one names; that there is none in the language of the answers.
+pub fn of_system(error: &io::Error, lang: Lang) -> String {
+    match error.kind() {
+        ErrorKind::NotFound => lang.word("file-not-there").to_owned(),
+        _ => error.to_string(),
+    }
+}
+
+/// A page without its title on a terminal, where the command stands above its answer.
+pub fn untitled(page: Document, format: Format) -> Document {
+    if format == Format::Text { Document { title: Inlines::default(), ..page } } else { page }
+}
+
+/// The blocks of these problems, in the order in which they are given.
+pub fn blocks(problems: &[Diagnostic], texts: &Texts, format: Format, lang: Lang) -> Vec<Block> {
+    match format {
+        Format::Text if problems.is_empty() => Vec::new(),
+        Format::Text => vec![Block::Code(render(problems, texts, lang))],
+        _ => problems.iter().map(|problem| finding(problem, lang).into()).collect(),
+    }
+}
+
+fn finding(problem: &Diagnostic, lang: Lang) -> Finding {
+    let (severity, word) = match problem.severity {
+        Severity::Error => (Colour::Error, "cli-error"),
+        Severity::Warning => (Colour::Doubtful, "cli-warning"),
+        Severity::Note => (Colour::Note, "cli-note"),
+    };
+    Finding {
+        place: problem.place.as_ref().map(ToString::to_string),
+        help: problem.help.as_ref().map(|help| Inlines::sentence(&lang.say(help))),
+        ..Finding::new(severity, lang.word(word), Inlines::sentence(&lang.say(&problem.message)))
+    }
+}

@@ -1,0 +1,222 @@
+//! Cells, columns and rows as people read them: names instead of ids, the signs and separators of the language. Programs
+//! get what `record` makes of them.
+
+use technolog::document::{Align, Column as Head, Inlines, Keep};
+use technolog::knowledge::table::Cell;
+use technolog::knowledge::{Column, ColumnType, Role, RowRef, Source, Table, Value};
+use technolog::note::Figure;
+use technolog::plan::Operation;
+use technolog::report::{operation_noun, unit, with_unit};
+use technolog::words::say;
+
+use super::Lang;
+use super::record::{bare, results};
+
+/// The title of a table.
+pub fn title(lang: Lang, table: &Table) -> &str {
+    table.title.of(lang.tag())
+}
+
+/// The name of a column, where it has one beside its key.
+pub fn label(lang: Lang, column: &Column) -> Option<&str> {
+    let usual = || lang.find(&format!("table-column-{}", column.name));
+    column.label.as_ref().map(|label| label.of(lang.tag())).or_else(usual)
+}
+
+/// The column of a page: its name with symbol and unit, figures to the right.
+pub fn head(lang: Lang, column: &Column, keep: Keep) -> Head {
+    let name = Inlines::from(label(lang, column).map_or_else(|| column.name.clone(), capital));
+    let name = match &column.symbol {
+        Some(symbol) => name.text(format!(" {symbol}")),
+        None => name,
+    };
+    let unit = unit(column.unit, lang);
+    // An input has tests, which are words.
+    let is_figure =
+        !column.list && column.role != Role::Input && column.ty.is_ordered() && column.ty != ColumnType::Roughness;
+    let head = if is_figure { Head::number(name, unit) } else { Head { unit: unit.to_owned(), ..Head::text(name) } };
+    // Tables have many columns of short cells.
+    head.keep(keep).least(6)
+}
+
+/// With its first letter large, as heads have it.
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
+}
+
+/// Whether the cells of a column stand to the right.
+pub fn is_right(head: &Head) -> bool {
+    head.align == Align::Right
+}
+
+/// A cell without its unit.
+pub fn cell(lang: Lang, column: &Column, cell: &Cell) -> String {
+    match cell {
+        Cell::Empty => String::new(),
+        Cell::Test(_, text) => test(lang, column, text),
+        Cell::Value(value) => self::value(lang, column, value),
+    }
+}
+
+/// A value without its unit.
+pub fn value(lang: Lang, column: &Column, value: &Value) -> String {
+    match value {
+        Value::List(items) => items.iter().map(|item| self::value(lang, column, item)).collect::<Vec<_>>().join(", "),
+        other => figure(lang, column, &bare(column, other)),
+    }
+}
+
+/// One figure or id of a column as it is written in a table.
+fn figure(lang: Lang, column: &Column, written: &str) -> String {
+    match column.ty {
+        ColumnType::Text => written.to_owned(),
+        ColumnType::Bool => lang.find(&format!("table-value-{written}")).unwrap_or(written).to_owned(),
+        ColumnType::Enum => word(lang, column, written).to_owned(),
+        _ => lang.figure(&Figure::number(written.to_owned())),
+    }
+}
+
+/// A word of an enum; its id where it has no other name.
+fn word<'v>(lang: Lang, column: &Column, id: &'v str) -> &'v str {
+    if column.values.iter().all(|value| Operation::from_name(value).is_some()) {
+        return operation_noun(id, lang);
+    }
+    lang.find(&format!("table-value-{id}")).unwrap_or(id)
+}
+
+/// A test of a decision table: `(10..15]` is `понад 10 до 15`.
+pub fn test(lang: Lang, column: &Column, written: &str) -> String {
+    let written = written.trim();
+    let figure = |text: &str| figure(lang, column, text.trim());
+    if written == "-" {
+        return "–".to_owned();
+    }
+    if let Some(inner) = written.strip_prefix("not(").and_then(|rest| rest.strip_suffix(')')) {
+        return say!(lang, "table-test-not", test = test(lang, column, inner));
+    }
+    if written.contains('|') {
+        return written.split('|').map(|one| test(lang, column, one)).collect::<Vec<_>>().join(" | ");
+    }
+    for (sign, shown) in [("<=", "≤"), (">=", "≥"), ("<", "<"), (">", ">")] {
+        if let Some(bound) = written.strip_prefix(sign) {
+            return format!("{shown} {}", figure(bound));
+        }
+    }
+    let ends = |open, close| written.strip_prefix(open)?.strip_suffix(close)?.split_once("..");
+    for (open, close) in [('[', ']'), ('(', ']'), ('[', ')'), ('(', ')')] {
+        let Some((low, high)) = ends(open, close) else { continue };
+        let (low, high) = (figure(low), figure(high));
+        return match (open, close) {
+            ('[', ']') => say!(lang, "table-test-within", low = low, high = high),
+            ('(', ']') => say!(lang, "table-test-over", low = low, high = high),
+            ('[', _) => say!(lang, "table-test-below", low = low, high = high),
+            _ => say!(lang, "table-test-between", low = low, high = high),
+        };
+    }
+    figure(written)
+}
+
+/// A value with its unit.
+pub fn full(lang: Lang, column: &Column, value: &Value) -> String {
+    let shown = self::value(lang, column, value);
+    match column.ty {
+        // A roughness names its parameter, and its unit is understood.
+        ColumnType::Roughness => shown,
+        _ => with_unit(&shown, column.unit, lang),
+    }
+}
+
+/// Where the figures of a row come from.
+pub fn source(lang: Lang, source: Source) -> &'static str {
+    lang.word(match source {
+        Source::Seed => "table-source-seed",
+        Source::Standard => "table-source-standard",
+        Source::Reconstructed => "table-source-reconstructed",
+    })
+}
+
+/// The values of the result columns: `32`, or `найменше 0,1 мм, найбільше 0,2 мм`.
+pub fn result(lang: Lang, row: RowRef<'_>) -> String {
+    let columns = results(row.table);
+    let shown = columns.iter().filter_map(|&index| {
+        let column = &row.table.columns[index];
+        match &row.row().cells[index] {
+            Cell::Value(value) if columns.len() == 1 => Some(full(lang, column, value)),
+            Cell::Value(value) => {
+                Some(format!("{} {}", label(lang, column).unwrap_or(&column.name), full(lang, column, value)))
+            }
+            _ => None,
+        }
+    });
+    shown.collect::<Vec<_>>().join(", ")
+}
+
+/// `рядок 3`, `рядки 3, 5–8`: rows by their numbers.
+pub fn rows_named(lang: Lang, numbers: &[usize]) -> String {
+    let mut spans: Vec<(usize, usize)> = Vec::new();
+    for &number in numbers {
+        match spans.last_mut() {
+            Some((_, last)) if *last + 1 == number => *last = number,
+            _ => spans.push((number, number)),
+        }
+    }
+    let shown: Vec<String> = spans
+        .iter()
+        .map(|&(first, last)| match last - first {
+            0 => first.to_string(),
+            1 => format!("{first}, {last}"),
+            _ => format!("{first}–{last}"),
+        })
+        .collect();
+    say!(lang, "table-rows-named", count = numbers.len(), rows = shown.join(", "))
+}
+
+/// What a query may say of a column: `довжина, мм`, in the words of a query.
+pub fn expected(lang: Lang, column: &Column) -> String {
+    let what = match column.ty {
+        ColumnType::Text => "cli-expected-text",
+        ColumnType::Enum => return say!(lang, "cli-one-of", values = column.values.join(", ")),
+        ColumnType::Bool => "cli-expected-bool",
+        ColumnType::Int => "cli-expected-int",
+        ColumnType::Number => "cli-expected-number",
+        ColumnType::Length => "cli-expected-length",
+        ColumnType::Angle => "cli-expected-angle",
+        ColumnType::It => return lang.word("cli-expected-it").to_owned(),
+        ColumnType::Roughness => return lang.word("cli-expected-roughness").to_owned(),
+    };
+    match unit(column.unit, lang) {
+        "" => lang.word(what).to_owned(),
+        unit => say!(lang, "cli-expected-in-unit", what = lang.word(what), unit = unit),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn row_numbers_are_drawn_together() {
+        assert_eq!(rows_named(Lang::EN, &[1, 2, 3, 5, 7, 8]), "rows 1–3, 5, 7, 8");
+        assert_eq!(rows_named(Lang::UK, &[4]), "рядок 4");
+    }
+
+    #[test]
+    fn tests_of_decision_tables_are_words() {
+        let knowledge = technolog::shipped::knowledge().unwrap();
+        let table = knowledge.tables().find(|table| table.id == "A.8").unwrap();
+        let column = |name: &str| &table.columns[table.column_index(name).unwrap()];
+        for (name, written, uk, en) in [
+            ("diameter", "(10..15]", "понад 10 до 15", "over 10 to 15"),
+            ("centre_tolerance", "(0.05..0.3]", "понад 0,05 до 0,3", "over 0.05 to 0.3"),
+            ("it", "[9..10]", "9…10", "9–10"),
+            ("diameter", "<= 6", "≤ 6", "≤ 6"),
+            ("roughness", "Ra 2.5 | Ra 1.25", "Ra 2,5 | Ra 1,25", "Ra 2.5 | Ra 1.25"),
+            ("state", "solid", "суцільний метал", "solid"),
+            ("outer_wall", "-", "–", "–"),
+        ] {
+            assert_eq!(test(Lang::UK, column(name), written), uk);
+            assert_eq!(test(Lang::EN, column(name), written), en);
+        }
+    }
+}
