@@ -35,9 +35,6 @@ phrases! {
     name_machine(): "cli-name-machine";
     option_of_lists(option): "cli-option-of-lists";
     leave_out(option): "cli-leave-out";
-    visiting_line(hole, why, parallel, sequential, true_sequential): "cli-visiting-line";
-    stand_of_part(setup, supports, nose): "cli-stand-of-part";
-    tool_in_place(place, corrector, name, diameter, length): "cli-tool-in-place";
     no_control(machine): "cli-no-control";
     alien_control(machine, control): "cli-alien-control";
     name_control(known): "cli-name-control";

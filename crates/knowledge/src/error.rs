@@ -35,7 +35,7 @@ impl KnowledgeError {
     /// A table does not hold what is asked of it, for that reason.
     pub fn lacks(table: &str, why: impl Into<Note>) -> Self {
         let table = table.to_owned();
-        Self::Table(TableError { table, file: String::new(), row: String::new(), problem: why.into() })
+        Self::Table(TableError { table, file: String::new(), row: String::new(), problem: Box::new(why.into()) })
     }
 
     /// A table has no row where it must have one.
@@ -44,7 +44,7 @@ impl KnowledgeError {
             table: table.id.clone(),
             file: table.file.clone(),
             row: String::new(),
-            problem: note!("table-no-row-for", wanted = wanted),
+            problem: note!("table-no-row-for", wanted = wanted).into(),
         })
     }
 }

@@ -69,7 +69,7 @@ fn unpacked(bytes: &[u8]) -> Result<Table, TableError> {
         table: String::new(),
         file: "knowledge".to_owned(),
         row: String::new(),
-        problem: note!("table-compiled-tables-do-fit-this", error = error.to_string()),
+        problem: note!("table-compiled-tables-do-fit-this", error = error.to_string()).into(),
     })
 }
 
@@ -165,7 +165,7 @@ impl Knowledge {
             table: id.to_owned(),
             file: "knowledge".to_owned(),
             row: String::new(),
-            problem: note!("table-there-no-such-table-technolog"),
+            problem: note!("table-there-no-such-table-technolog").into(),
         })?;
         stored.table()
     }

@@ -286,14 +286,14 @@ pub struct TableError {
     /// The row, for messages.
     pub row: String,
     /// What is wrong and what to do.
-    pub problem: Note,
+    pub problem: Box<Note>,
 }
 
 impl From<&TableError> for Note {
     fn from(error: &TableError) -> Self {
         let TableError { table, file, row, problem } = error;
         let file = if file.is_empty() { String::new() } else { format!("{file}: ") };
-        note!("table-does-not-hold", file = file, table = table, row = row, problem = problem)
+        note!("table-does-not-hold", file = file, table = table, row = row, problem = **problem)
     }
 }
 
@@ -335,7 +335,7 @@ impl<'t> RowRef<'t> {
             table: self.table.id.clone(),
             file: format!("{}:{}", self.table.file, self.row().line),
             row: format!(", row {}", self.number()),
-            problem,
+            problem: Box::new(problem),
         }
     }
 

@@ -79,6 +79,7 @@ impl Node {
 ///
 /// # Errors
 /// They are not UTF-8: the place is that of the first wrong byte.
+#[expect(clippy::result_large_err, reason = "a file is read once")]
 pub fn text_of(file: &str, bytes: Vec<u8>) -> Result<String, Diagnostic> {
     String::from_utf8(bytes).map_err(|error| {
         let sound = &error.as_bytes()[..error.utf8_error().valid_up_to()];

@@ -154,7 +154,7 @@ impl Reader<'_> {
         let help = note!("part-give-difference-diameters-over-length");
         let taper: Decimal = match text.parse() {
             Ok(taper) => taper,
-            Err(error) => return self.problems.error_help("bad-value", format!("{error}"), &node.place, help),
+            Err(error) => return self.problems.error_help("bad-value", error, &node.place, help),
         };
         let millideg = (2.0 * libm::atan(taper.to_f64() / 2.0).to_degrees() * 1000.0).round() as i64;
         match u32::try_from(millideg) {

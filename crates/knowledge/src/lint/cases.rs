@@ -117,7 +117,7 @@ pub(super) fn check(knowledge: &Knowledge, findings: &mut Vec<Diagnostic>) {
         for case in &file.cases {
             if let Err(message) = run(table, case) {
                 findings.push(
-                    Diagnostic::error("failed-example", format!("table {}: {message}", table.id), case.place.clone())
+                    Diagnostic::error("failed-example", note!("lint-table-example-fails", table = table.id, message = message), case.place.clone())
                         .help(note!("lint-expectation-comes-from", because = case.because)),
                 );
             }

@@ -169,3 +169,4 @@ lint-bore-length = `bore` and `length`
 lint-column-named = `{ $name }`
 table-lacks-figure-of = there is no figure for `{ $name }`
 table-no-words-of-control = no table says what the words of this control mean
+lint-table-example-fails = table { $table }: { $message }

@@ -169,3 +169,4 @@ lint-bore-length = `bore` і `length`
 lint-column-named = `{ $name }`
 table-lacks-figure-of = немає величини для `{ $name }`
 table-no-words-of-control = жодна таблиця не каже, що означають слова цього пристрою ЧПК
+lint-table-example-fails = таблиця { $table }: { $message }
