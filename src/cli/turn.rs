@@ -193,7 +193,9 @@ impl<'a> Answer<'a> {
 
 /// What a pass adds: 0 to 100,000 mm, so that sums stay exact.
 fn per_pass(text: &str) -> Result<Micrometres, String> {
-    let length: Micrometres = text.parse().map_err(|error: technolog::units::ParseError| super::help::language(Lang::of_environment(None)).say(&error.0))?;
+    let length: Micrometres = text.parse().map_err(|error: technolog::units::ParseError| {
+        super::help::language(Lang::of_environment(None)).say(&error.0)
+    })?;
     if (Micrometres::ZERO..=Micrometres::from_mm(100_000)).contains(&length) {
         Ok(length)
     } else {

@@ -113,7 +113,10 @@ fn changed(path: &str, change: impl Fn(&str) -> String) -> Knowledge {
 
 /// The codes and messages of what is found.
 fn found(knowledge: &Knowledge) -> Vec<String> {
-    check(knowledge).into_iter().map(|finding| format!("{}: {}", finding.code, technolog_words::Lang::EN.say(&finding.message))).collect()
+    check(knowledge)
+        .into_iter()
+        .map(|finding| format!("{}: {}", finding.code, technolog_words::Lang::EN.say(&finding.message)))
+        .collect()
 }
 
 #[test]

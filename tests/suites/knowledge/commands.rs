@@ -399,7 +399,8 @@ fn finds(folder: &Path, exit: i32, code: &str, (file, line, column): (String, us
     assert!(text.contains(&format!("--> {file}:{line}:{column}\n")), "{code} at {file}:{line}:{column}: {text}");
     assert!(text.contains(says) && text.contains('^'), "{says}: {text}");
 
-    let output = technolog(folder, &["lint", "--knowledge", "base", "--format", "json", "--lang", "en"]).output().unwrap();
+    let output =
+        technolog(folder, &["lint", "--knowledge", "base", "--format", "json", "--lang", "en"]).output().unwrap();
     assert_eq!(output.status.code(), Some(exit));
     let findings: Value = serde_json::from_slice(&output.stdout).unwrap();
     let found = findings.as_array().unwrap().iter().find(|it| it["code"] == code && it["line"] == line).unwrap();

@@ -117,8 +117,12 @@ pub(super) fn check(knowledge: &Knowledge, findings: &mut Vec<Diagnostic>) {
         for case in &file.cases {
             if let Err(message) = run(table, case) {
                 findings.push(
-                    Diagnostic::error("failed-example", note!("lint-table-example-fails", table = table.id, message = message), case.place.clone())
-                        .help(note!("lint-expectation-comes-from", because = case.because)),
+                    Diagnostic::error(
+                        "failed-example",
+                        note!("lint-table-example-fails", table = table.id, message = message),
+                        case.place.clone(),
+                    )
+                    .help(note!("lint-expectation-comes-from", because = case.because)),
                 );
             }
         }
