@@ -190,7 +190,7 @@ pub fn said(page: &mut Document, rows: &[RowRef<'_>], lang: Lang) {
         });
         said.collect()
     };
-    let one = |text: &Option<String>| -> Vec<String> { text.iter().cloned().collect() };
+    let one = |text: &Option<String>| -> Vec<String> { text.iter().map(|text| lang.remark(text).to_owned()).collect() };
     by_rows(page, rows, "cli-corrections", lang, &corrections);
     by_rows(page, rows, "cli-unconfirmed", lang, &|row| one(&row.unconfirmed));
     by_rows(page, rows, "cli-reasons", lang, &|row| one(&row.reason));

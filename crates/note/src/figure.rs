@@ -18,6 +18,8 @@ pub enum Figure {
     List(Vec<Figure>, &'static str),
     /// A sentence within the sentence.
     Note(Box<Note>),
+    /// What a row of a table says of itself, in English; languages have their translations.
+    Remark(String),
     /// Read back from an answer for machines, which does not say what kind of figure it was.
     Stored(String),
 }
@@ -86,7 +88,7 @@ impl Figure {
                 parts.iter().map(|part| part.text().into_owned()).collect::<Vec<_>>().join(between).into()
             }
             Self::Note(note) => note.code().to_owned().into(),
-            Self::Stored(text) => Cow::Borrowed(text),
+            Self::Stored(text) | Self::Remark(text) => Cow::Borrowed(text),
         }
     }
 }

@@ -73,8 +73,8 @@ fn one(reason: &Because, lang: Lang) -> Item {
     let place = [Some(reason.table.clone()), row, source].into_iter().flatten().collect::<Vec<_>>().join(", ");
     let decided =
         say!(lang, "explain-decision", decision = reason.note.clone(), rests = place, place = reason.place.as_str());
-    let why = reason.reason.iter().map(|why| say!(lang, "explain-reason", why = why.as_str()));
-    let doubt = reason.unconfirmed.iter().map(|why| say!(lang, "explain-unconfirmed", why = why.as_str()));
+    let why = reason.reason.iter().map(|why| say!(lang, "explain-reason", why = lang.remark(why)));
+    let doubt = reason.unconfirmed.iter().map(|why| say!(lang, "explain-unconfirmed", why = lang.remark(why)));
     let passed = reason.rejected.iter().map(|passed| say!(lang, "explain-not-taken", why = passed.clone()));
     let items = why.chain(doubt).chain(passed).map(|said| sentence(&said)).collect();
     Item { items, ..sentence(&decided) }

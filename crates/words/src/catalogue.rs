@@ -1,5 +1,6 @@
 //! The messages of one language, parsed when the first of them is said.
 
+use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
 use fluent_bundle::concurrent::FluentBundle;
@@ -18,17 +19,35 @@ pub struct Language {
     pub(crate) tag: &'static str,
     folders: Folders,
     messages: OnceLock<Bundle>,
+    remarks: OnceLock<BTreeMap<&'static str, &'static str>>,
 }
 
 impl Language {
     /// A language by the name of its folder.
     pub const fn new(tag: &'static str, folders: Folders) -> Self {
-        Self { tag, folders, messages: OnceLock::new() }
+        Self { tag, folders, messages: OnceLock::new(), remarks: OnceLock::new() }
     }
 
-    /// Its files, name and text of each.
-    pub fn files(&self) -> &'static [(&'static str, &'static str)] {
+    /// Its tag.
+    pub const fn tag(&self) -> &'static str {
+        self.tag
+    }
+
+    /// Its files of messages, name and text of each.
+    pub fn files(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
+        self.all_files().iter().copied().filter(|(name, _)| name.ends_with(".ftl"))
+    }
+
+    fn all_files(&self) -> &'static [(&'static str, &'static str)] {
         self.folders.iter().find(|(tag, _)| *tag == self.tag).map_or(&[], |(_, files)| files)
+    }
+
+    /// The remarks of table rows that this language has: English, translation.
+    pub fn remarks(&self) -> &BTreeMap<&'static str, &'static str> {
+        self.remarks.get_or_init(|| {
+            let texts = self.all_files().iter().filter(|(name, _)| name.ends_with(".tsv")).map(|(_, text)| *text);
+            texts.flat_map(str::lines).filter_map(|line| line.split_once('\t')).collect()
+        })
     }
 
     /// A message with its figures filled in; nothing where this language has none of that name.
@@ -90,7 +109,7 @@ impl Language {
             bundle.set_use_isolating(false);
             for (_, text) in self.files() {
                 // A file with a fault gives its sound messages; the check of the catalogue tells the fault.
-                let resource = match FluentResource::try_new((*text).to_owned()) {
+                let resource = match FluentResource::try_new(text.to_owned()) {
                     Ok(resource) | Err((resource, _)) => resource,
                 };
                 // The same name twice: the first stays, and the check tells it.

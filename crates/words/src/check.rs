@@ -20,7 +20,7 @@ pub fn entries(language: &Language) -> (BTreeMap<String, Entered>, Vec<String>) 
     let (mut entries, mut faults) = (BTreeMap::new(), Vec::new());
     for (file, text) in language.files() {
         let place = format!("{}/{file}", language.tag);
-        let resource = match parse(*text) {
+        let resource = match parse(text) {
             Ok(resource) => resource,
             Err((resource, errors)) => {
                 faults.extend(errors.into_iter().map(|error| {

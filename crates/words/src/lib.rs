@@ -131,7 +131,14 @@ impl Lang {
             }
             Figure::Note(note) => self.say(note),
             Figure::Stored(text) => text.clone(),
+            Figure::Remark(text) => self.remark(text).to_owned(),
         }
+    }
+
+    /// What a row of a table says of itself: from what it was inferred, why it is not confirmed. English where this
+    /// language lacks it.
+    pub fn remark(self, english: &str) -> &str {
+        self.0.remarks().get(english).copied().unwrap_or(english)
     }
 
     fn plain(self, key: &str, form: Option<&str>) -> Option<&'static str> {

@@ -11,3 +11,4 @@
 mod commands;
 mod index;
 mod readings;
+mod remarks;
