@@ -134,7 +134,12 @@ impl Because {
     pub fn doubt(&self) -> Option<Note> {
         let why = self.unconfirmed.as_ref()?;
         let row = self.row.map_or_else(|| "-".told(), Told::told);
-        Some(Note::new("unconfirmed").with("table", &self.table).with("row", row).with("why", Figure::Remark(why.clone())))
+        Some(
+            Note::new("unconfirmed")
+                .with("table", &self.table)
+                .with("row", row)
+                .with("why", Figure::Remark(why.clone())),
+        )
     }
 
     /// Whether the row was inferred or is not fully trusted.

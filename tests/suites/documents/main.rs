@@ -16,4 +16,5 @@ mod provenance;
 mod reasons;
 mod statements;
 mod testing;
+mod words;
 mod worked_example;

@@ -33,3 +33,4 @@ case-technolog-table-shows-columns = `technolog table` shows its columns
 case-table-has-no-input = table { $table } has no input `{ $key }`
 case-table-gives-no = table { $table } gives no `{ $key }`
 case-case-cannot-filled-where-stands = case { $case } cannot be filled in where it stands
+case-write-expect-on-line-own = write `expect: ~` on a line of its own

@@ -33,3 +33,4 @@ case-technolog-table-shows-columns = її графи показує `technolog t
 case-table-has-no-input = таблиця { $table } не має входу `{ $key }`
 case-table-gives-no = таблиця { $table } не дає `{ $key }`
 case-case-cannot-filled-where-stands = випадок { $case } не можна дописати там, де він стоїть
+case-write-expect-on-line-own = напишіть `expect: ~` окремим рядком
