@@ -121,7 +121,7 @@ pub fn of_text(
     // A machine without a record is an error, so that nobody reads a sheet of another one.
     let named = &Machine::find(knowledge, machine)?.table.title;
     // The title of a table stands in the table, in both languages.
-    let machine = lang.pick(&named.uk, &named.en);
+    let machine = named.of(lang.tag());
     let equipment = say!(lang, "encoding-equipment-is", machine = machine, control = name(control, lang));
     Ok(Sheet { form: FORM, part: None, equipment, instructions: Vec::new(), rows, supplied: SUPPLIED, lang })
 }

@@ -101,7 +101,7 @@ fn head(page: &mut Document, plan: &Plan, knowledge: &Knowledge, lang: Lang) {
     let material = material.map_or(part.material.as_str(), |material| material.designation());
     let machine = Machine::find(knowledge, &part.machine).map(|machine| &machine.table.title);
     // The title of a table stands in the table, in both languages.
-    let machine = machine.map_or(part.machine.as_str(), |title| lang.pick(&title.uk, &title.en));
+    let machine = machine.map_or(part.machine.as_str(), |title| title.of(lang.tag()));
     let (length, width, thickness) = (part.blank.length, part.blank.width, part.blank.thickness);
     let blank = say!(lang, "plan-plate", length = length, width = width, thickness = thickness);
     page.push(crate::document::Block::Fields(vec![

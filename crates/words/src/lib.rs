@@ -60,11 +60,6 @@ impl Lang {
         entries.into_iter().filter(|(_, entered)| !is_wording(entered.file)).map(|(name, _)| name).collect()
     }
 
-    /// The one of two texts in this language.
-    pub fn pick<'a>(self, uk: &'a str, en: &'a str) -> &'a str {
-        if self == Self::UK { uk } else { en }
-    }
-
     /// A message that is nothing but text; its name where no language has it.
     pub fn word(self, key: &str) -> &str {
         self.plain(key, None).unwrap_or(key)

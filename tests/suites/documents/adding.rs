@@ -193,7 +193,8 @@ fn a_word_or_a_limit_of_a_control() {
 #[test]
 fn a_page_has_what_it_is_made_of() {
     let plan = plate(&SHIPPED);
-    let page = kit::page(&plan, Lang::EN);
+    let words = technolog::document::Words { left_out: "", see_all: "", help: "", figure: "" };
+    let page = technolog::document::text(&kit::page(&plan, Lang::EN), 120, false, &words);
     assert!(page.contains("Cutter") && !plan.tools.is_empty());
     for tool in &plan.tools {
         let line = page.lines().find(|line| line.contains(&format!("T{} ", tool.number))).unwrap();

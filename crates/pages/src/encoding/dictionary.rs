@@ -229,10 +229,11 @@ impl Meaning {
 
     /// What the table says: it says it in both languages itself.
     fn text(&self, incremental: bool, lang: Lang) -> &str {
-        match &self.incremental {
-            Some((uk, en)) if incremental => lang.pick(uk, en),
-            _ => lang.pick(&self.uk, &self.en),
-        }
+        let (uk, en) = match &self.incremental {
+            Some((uk, en)) if incremental => (uk, en),
+            _ => (&self.uk, &self.en),
+        };
+        if lang.tag() == "uk" { uk } else { en }
     }
 }
 
