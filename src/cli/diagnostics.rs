@@ -10,7 +10,8 @@ use serde::Serialize;
 use technolog::knowledge::{Diagnostic, Place, Severity};
 
 use super::words::Lang;
-use technolog::report::grid::WIDTH;
+/// Lines of files are shown no wider than this.
+const WIDTH: usize = 120;
 
 /// The texts that places are in, by the file name the places use.
 #[derive(Debug, Default)]

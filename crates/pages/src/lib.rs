@@ -5,7 +5,6 @@ pub mod backplot;
 mod canvas;
 pub mod cycles;
 pub mod encoding;
-pub mod grid;
 pub mod order;
 pub mod order_drawing;
 pub mod sentences;
