@@ -14,6 +14,7 @@ mod book;
 mod cases;
 mod provenance;
 mod reasons;
+mod formats;
 mod statements;
 mod testing;
 mod words;
