@@ -6,7 +6,7 @@ audit-follows = follows from { $fields }
 audit-ground = the catalog of this designation has { $own } mm: it must be ground down to { $size } mm
 audit-no-such-reference = no assembly has that length: the reference tool is one of the plan's assemblies
 audit-sign-by-g44 = the sign for G44; neither plan nor program says G43 or G44; for G43 it is the opposite one
-audit-other-corrector = { $tool } has the corrector { $corrector }, and every other tool that of its own number
+audit-other-corrector = { $tool } uses offset register { $corrector }, but every other tool uses the register of its own number
 audit-by-table = { $share } % of the { $value } that the tables give
 audit-clamp-not-largest = it was computed for M = { $torque }, but the largest force is needed by row { $row }: M = { $other }
 audit-overhang = by the note of section 5.2 item 5 the overhang is { $least } to { $most } mm
@@ -53,7 +53,7 @@ audit-tool-changes = { $changes } tool changes ({ $order }) where { $needed } wo
 audit-no-screw = the table has no screw { $screw }: { $known }
 audit-screw-weak = the screw { $screw } bears { $bears } N, but { $force } N are needed
 audit-screw-large = the screw { $screw } is larger than { $force } N needs
-audit-same-corrector = the corrector { $corrector } is that of { $other } already
+audit-same-corrector = offset register { $corrector } is already used by { $other }
 audit-magazine = { $tools } tools, but the magazine has { $places } places
 # A plan of ours, changed.
 audit-not-ours = { $field }: stated { $stated }, but `technolog plan` gives { $right }

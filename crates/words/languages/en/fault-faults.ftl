@@ -1,8 +1,8 @@
 # What tables lack that planning asks for.
 nc-switch-has = the switch has { $known } %
 nc-switch-has-no-step = the switch has no step { $value }
-nc-correctors-have-numbers = correctors have the numbers 1 to { $correctors }
-nc-there-no-such-corrector = there is no such corrector
+nc-correctors-have-numbers = offset registers are numbered 1 to { $correctors }
+nc-there-no-such-corrector = there is no such offset register
 nc-this-no-axis = this is not an axis
 nc-name-x-y-z = name X, Y or Z
 nc-this-must-above = this must be above 0

@@ -1,6 +1,6 @@
 lathe-language-not-documented = nothing is written for { $control }: no public description of its language was found, of its words for turning only the names { $words } are known
     .help = take linuxcnc or sinumerik, or add rows to the tables lathe-… from its manual
-lathe-way-empty = the way has no move
+lathe-way-empty = the toolpath has no move
     .help = check whether there is stock over the contour
 lathe-contour-empty = the contour has no piece
     .help = give a contour
@@ -30,7 +30,7 @@ lathe-nothing-to-cut = the contour begins on the surface of the blank or ends at
     .help = begin the contour where there is stock, or take the program of single moves
 lathe-not-above-zero = `{ $key }` of the cycle is not above 0
     .help = give a length above 0
-lathe-retract-beyond-clearance = the retract of { $retract } mm is more than the clearance of { $clearance } mm: the way back would meet the blank
+lathe-retract-beyond-clearance = the retract of { $retract } mm is more than the clearance of { $clearance } mm: the return move would hit the blank
     .help = make the retract smaller or the clearance larger
 lathe-bore-too-narrow = the bore Ø{ $bore } is too narrow: the cycle begins { $clearance } mm nearer to the axis
     .help = make the clearance smaller
