@@ -88,9 +88,9 @@ plan-clamps-proposed = Clamps { $points } (proposed): { $force } N each, screw {
 plan-weak-screw = The screw is too weak: bears { $bears } < { $force } N.
 plan-times = Machine time { $machine } + rapids { $rapid } + tool changes { $change } = { $total } min
 # Findings: how grave they are.
-plan-impossible = impossible:
-plan-wrong = wrong:
-plan-note = note:
+plan-impossible = impossible
+plan-wrong = wrong
+plan-note = note
 plan-of-hole = hole { $hole }: { $finding }
 # Why a hole is made as it is.
 explain-title = Hole { $hole } { $size }

@@ -1,7 +1,6 @@
 # What all pages of turning say.
 turn-by-row = { $said } (`{ $table }`, row { $row }; { $place })
 turn-by-table = { $said } (`{ $table }`; { $place })
-turn-severity = { $severity }:
 turn-findings = Findings
 turn-figure = The half section; the free end is on the right.
 turn-map-figure = The same as a plot; L/D on a logarithmic scale.
