@@ -70,7 +70,7 @@ fn list(page: &mut String, items: &[Item]) {
 
 fn finding(page: &mut String, finding: &Finding, words: &Words) {
     let place = finding.place.iter().map(|place| format!(" <code>{}</code>", escaped(place))).collect::<String>();
-    let (class, word) = (finding.severity.name(), escaped(&finding.word));
+    let (class, word) = (finding.severity.name(), escaped(&finding.label()));
     page.push_str(&format!("<li class=\"{class}\"><b>{word}</b>{place} {}", line(&finding.words)));
     let help = finding.help.iter().map(|help| format!("<b>{}:</b> {}", escaped(words.help), line(help)));
     let details: Vec<String> = finding.details.iter().map(line).chain(help).collect();

@@ -95,7 +95,7 @@ impl Page<'_> {
             Some((Kind::Findings, mark)) => mark,
             _ => self.list(Kind::Findings),
         };
-        let mut words = Inlines::default().strong(&finding.word);
+        let mut words = Inlines::default().strong(&finding.label());
         if let Some(place) = &finding.place {
             words = words.text(" ").code(place);
         }

@@ -112,7 +112,7 @@ impl Page<'_> {
     }
 
     fn finding(&mut self, finding: &Finding) {
-        let mut line = wrap::styled(&finding.word.as_str().into(), Style::Of(finding.severity));
+        let mut line = wrap::styled(&finding.label().as_str().into(), Style::Of(finding.severity));
         if let Some(place) = &finding.place {
             line.extend(wrap::styled(&place.as_str().into(), Style::Code));
         }

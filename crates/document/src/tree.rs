@@ -125,7 +125,7 @@ impl Severity {
 pub struct Finding {
     /// How bad it is.
     pub severity: Severity,
-    /// The word for that in the language of the page.
+    /// The word for that in the language of the page, without a colon, or a mark such as `*`.
     pub word: String,
     /// Where in a file it is: `13:47`.
     pub place: Option<String>,
@@ -138,6 +138,12 @@ pub struct Finding {
 }
 
 impl Finding {
+    /// What stands before it on every page: a word with a colon, or the mark alone.
+    pub(crate) fn label(&self) -> String {
+        let colon = if self.word.ends_with(char::is_alphanumeric) { ":" } else { "" };
+        format!("{}{colon}", self.word)
+    }
+
     /// A finding with nothing but what is found.
     pub fn new(severity: Severity, word: impl Into<String>, words: impl Into<Inlines>) -> Self {
         let (word, words) = (word.into(), words.into());

@@ -97,9 +97,9 @@ impl Language {
         Some(gaps(self.pattern(key, None)?).contains(&figure))
     }
 
-    /// What stands between the whole part of a number and its decimals.
-    pub(crate) fn separator(&self) -> &'static str {
-        if self.bundle().has_message("decimal-comma") { "," } else { "." }
+    /// A number as people write it in this language.
+    pub(crate) fn number(&self, written: &str) -> String {
+        if self.bundle().has_message("decimal-comma") { with_comma(written) } else { written.to_owned() }
     }
 
     fn bundle(&self) -> &Bundle {
@@ -117,13 +117,19 @@ impl Language {
             }
             if bundle.has_message("decimal-comma") {
                 bundle.set_formatter(Some(|value, _| match value {
-                    FluentValue::Number(number) => Some(number.as_string().replace('.', ",")),
+                    FluentValue::Number(number) => Some(with_comma(&number.as_string())),
                     _ => None,
                 }));
             }
             bundle
         })
     }
+}
+
+/// A number with a comma before its decimals; where that is the rule, a minus is a sign of its own and no hyphen.
+fn with_comma(written: &str) -> String {
+    let (sign, digits) = written.strip_prefix('-').map_or(("", written), |digits| ("−", digits));
+    format!("{sign}{}", digits.replace('.', ","))
 }
 
 /// The names of the figures that a pattern has gaps for.

@@ -115,11 +115,11 @@ impl Lang {
         self.plain(&format!("{of}-{id}"), Some(form)).unwrap_or(id)
     }
 
-    /// A figure by itself: a number with this language's separator, a word translated.
+    /// A figure by itself: a number as this language writes it, a word translated.
     pub fn figure(self, figure: &Figure) -> String {
         match figure {
             Figure::Text(text) => text.to_string(),
-            Figure::Number(number) => number.replace('.', self.0.separator()),
+            Figure::Number(number) => self.0.number(number),
             Figure::Word(Word { of, id }) => self.term(of, id).to_owned(),
             Figure::List(parts, between) => {
                 parts.iter().map(|part| self.figure(part)).collect::<Vec<_>>().join(between)

@@ -37,11 +37,7 @@ pub(super) fn finding(finding: &note::Finding, lang: Lang) -> Finding {
         note::Severity::Doubtful => Severity::Doubtful,
         note::Severity::Note => Severity::Note,
     };
-    Finding::new(
-        severity,
-        say!(lang, "turn-severity", severity = word(finding.severity.name())),
-        said(&finding.note, lang),
-    )
+    Finding::new(severity, lang.term("word", finding.severity.name()), said(&finding.note, lang))
 }
 
 /// A word of the general vocabulary, as a figure of a sentence.

@@ -5,12 +5,12 @@ audit-sign = the sign is the opposite one
 audit-follows = follows from { $fields }
 audit-ground = the catalog of this designation has { $own } mm: it must be ground down to { $size } mm
 audit-no-such-reference = no assembly has that length: the reference tool is one of the plan's assemblies
-audit-sign-by-g44 = the sign for G44; neither plan nor program says G43 or G44, and for G43 it is the opposite one
-audit-other-corrector = { $tool } has the corrector { $corrector }, and every other tool that of its own number
+audit-sign-by-g44 = the sign for G44; neither plan nor program says G43 or G44; for G43 it is the opposite one
+audit-other-corrector = { $tool } uses offset register { $corrector }, but every other tool uses the register of its own number
 audit-by-table = { $share } % of the { $value } that the tables give
-audit-clamp-not-largest = it was computed for M = { $torque }, and the largest force is needed by row { $row }: M = { $other }
+audit-clamp-not-largest = it was computed for M = { $torque }, but the largest force is needed by row { $row }: M = { $other }
 audit-overhang = by the note of section 5.2 item 5 the overhang is { $least } to { $most } mm
-audit-no-step = no step of the machine (its neighbours are { $below } and { $above }); for the computed { $computed } it is { $step }, and what is stated is { $excess } % off
+audit-no-step = no step of the machine (its neighbours are { $below } and { $above }); for the computed { $computed } it is { $step }, and the stated value is { $excess } % off
 audit-step-fast = { $excess } % above the computed { $computed }: tool life falls; the rule gives { $step }
 audit-step-slow = { $excess } % from the computed { $computed }: safe but slower; the rule gives { $step }
 audit-not-in-series = no step of the machine: its neighbours are { $below } and { $above }
@@ -20,12 +20,12 @@ audit-limit = a limit of the machine
 audit-tool-change = the time of one change
 audit-rank = rank { $rank }
 audit-beyond-machine = beyond the machine's limit of { $limit } ({ $quantity })
-audit-clamps = the clamping is not symmetric: section 5.2 item 7 asks for { $needed } clamps
-audit-load-low = { $share } % of the { $load } that the handbook's formulas give at a feed of { $feed } mm/rev: whatever is reckoned from it may be too weak
+audit-clamps = the clamping is not symmetric: section 5.2 item 7 recommends { $needed } clamps
+audit-load-low = { $share } % of the { $load } that the handbook's formulas give at a feed of { $feed } mm/rev: whatever is calculated from it may be too weak
 audit-load-high = { $share } % of the { $load } that the handbook's formulas give at a feed of { $feed } mm/rev
 # Designations.
 named = the row of the catalog
-audit-designation-misprinted = no catalog has { $tool }; doubtless { $known }, its beginning lost
+audit-designation-misprinted = no catalog has { $tool }; probably { $known } without its beginning
 audit-designation-unknown = no catalog has { $tool }; the nearest is { $known }
 audit-designation-alien = no catalog has { $tool }
 audit-dimensions-of = the dimensions are not those of { $tool } but of { $known }
@@ -36,28 +36,28 @@ audit-standard-unchecked = the standard { $standard } cannot be checked: the cat
 audit-shank = the shank is not { $shank }: in the catalog of this designation it is { $name }
 audit-no-catalog = { $designation }: there is no catalog of it, so it was not checked
 tool-of-other-operation = { $tool } is not for { $operation } but for { $transitions }
-tool-of-other-size = { $tool } is Ø{ $own }, and the transition asks for Ø{ $needed }
+tool-of-other-size = { $tool } is Ø{ $own }, but the transition needs Ø{ $needed }
 holder-of-other-shank = { $holder } does not hold { $tool }: its shank is { $shank }
 # The route.
 audit-hole-not-made = no transition makes the group { $hole } ({ $count } holes)
-audit-order = { $operation } stands after row { $row } ({ $instead }), and by section 1.1.2 it comes before
-audit-not-opened = the transition leaves Ø{ $diameter }, and the hole is Ø{ $before } already
-audit-last-diameter = the last transition leaves Ø{ $diameter }, and the drawing asks for { $hole }
+audit-order = { $operation } stands after row { $row } ({ $instead }), but by section 1.1.2 it comes before
+audit-not-opened = the transition leaves Ø{ $diameter }, but the hole is Ø{ $before } already
+audit-last-diameter = the last transition leaves Ø{ $diameter }, but the drawing requires { $hole }
 audit-scheme-unknown = { $hole }: the tables give no scheme { $stated }; the best is { $scheme } ({ $table })
 audit-scheme-table = { $hole }: the scheme is not of table { $stated }; it stands in { $table } ({ $scheme })
-audit-route-dominated = { $hole }: the route is possible but ranks { $rank }, slower by { $slower } min; better is { $scheme } ({ $table }): { $better }
-audit-route-refused = { $hole }: the route "{ $transitions }" cannot be carried out; the best is { $scheme } ({ $table })
+audit-route-dominated = { $hole }: the route is possible but ranks { $rank }, longer by { $slower } min; better is { $scheme } ({ $table }): { $better }
+audit-route-refused = { $hole }: the route "{ $transitions }" is not possible; the best is { $scheme } ({ $table })
 audit-route-unknown = { $hole }: the tables give no route "{ $transitions }"; the best is { $scheme } ({ $table })
 audit-tool-changes = { $changes } tool changes ({ $order }) where { $needed } would do: { $time } min too much
 # Clamping, lengths, magazine.
 audit-no-screw = the table has no screw { $screw }: { $known }
-audit-screw-weak = the screw { $screw } bears { $bears } N, and { $force } N are needed
-audit-screw-large = the screw { $screw } is larger than { $force } N asks for
-audit-same-corrector = the corrector { $corrector } is that of { $other } already
-audit-magazine = { $tools } tools, and the magazine has { $places } places
+audit-screw-weak = the screw { $screw } bears { $bears } N, but { $force } N are needed
+audit-screw-large = the screw { $screw } is larger than { $force } N needs
+audit-same-corrector = offset register { $corrector } is already used by { $other }
+audit-magazine = { $tools } tools, but the magazine has { $places } places
 # A plan of ours, changed.
-audit-not-ours = { $field }: stated { $stated }, and `technolog plan` gives { $right }
-audit-tool-of-transition = the transition names { $tool }, and the tool T{ $number } is { $other }
+audit-not-ours = { $field }: stated { $stated }, but `technolog plan` gives { $right }
+audit-tool-of-transition = the transition names { $tool }, but the tool T{ $number } is { $other }
 # What is missing.
 audit-missing = { $section }: { $what }
 # Beside the handbook's formulas.
@@ -65,8 +65,8 @@ audit-by-formula = { $share } % of the { $value } that the handbook's formula ma
 audit-tool-life = { $share } % of the { $value } min for which the handbook gives speeds at this diameter
 # The working zone.
 audit-zone-turned = turned by 90°, the holes would span { $span } ≤ { $travel } mm along { $axis }
-audit-blank-off-table = the blank along { $axis }: { $size } > { $table } mm of table, { $over } mm stand out; lay it otherwise or on a fixture
-audit-zone-over = the assembly does not pass over the part: { $length } + approach { $approach } + part { $thickness } + fixture { $fixture } = { $needed } > { $most } mm from table to spindle nose; one of up to { $fits } mm would pass
+audit-blank-off-table = the blank along { $axis }: { $size } > { $table } mm of table, { $over } mm overhang; turn it, or use a fixture
+audit-zone-over = the assembly does not pass over the part: { $length } + approach { $approach } + part { $thickness } + fixture { $fixture } = { $needed } > { $most } mm from table to spindle nose; an assembly of up to { $fits } mm would pass
 audit-zone-under = the quill does not bring the tool to the bottom: assembly of T{ $other } { $longest } − { $length } + approach { $approach } + depth of the tip { $depth } = { $way } > { $travel } mm of travel; an assembly of { $fits } mm or more would do
 audit-zone-low = the quill does not bring the tool to the bottom: spindle nose at least { $least } over the table − { $length } − bottom { $lowest } = { $way } > { $travel } mm of travel; an assembly of { $fits } mm or more would do
 audit-zone-unknown = the height was not checked: the record of the machine has no distance from table to spindle nose

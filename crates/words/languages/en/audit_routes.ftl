@@ -1,8 +1,8 @@
 # Schemes.
-audit-scheme-mixed = the row names the scheme { $stated }, and the other rows of the group { $other }
+audit-scheme-mixed = the row names the scheme { $stated }, but the other rows of the group { $other }
 audit-scheme-uncentred = { $printed } gives the scheme { $stated }, but by section 1.2.1 such a hole is centred first, so { $scheme } ({ $table })
 audit-route-by-scheme = the transitions of { $printed } for the scheme { $stated } word for word; `technolog plan` makes { $scheme } ({ $table }): { $better }
-audit-one-drill = Ø{ $diameter } with one drill: section 1.2.1 asks for two, the first of 0.5–0.6 of the diameter
+audit-one-drill = Ø{ $diameter } with one drill: section 1.2.1 requires two, the first of 0.5–0.6 of the diameter
 # Openings.
 audit-opening-not-made = no transition makes the { $feature } Ø{ $diameter } of the drawing
 audit-opening-not-centred = no transition makes the { $feature } Ø{ $diameter }, and the centring spot Ø{ $spot } is narrower
@@ -12,7 +12,7 @@ audit-opening-depth = by the drawing: { $feature }
 # Depths.
 audit-depth-of-hole = the hole { $hole } of the drawing is not of that depth
 audit-spot-depth = the depth of the spot is t = (D/2)/tan φ by the angle of the centring drill
-audit-breaks-through = the tip of the tool is at { $end } mm, and the part is { $thickness } mm thick: the blind hole goes through
+audit-breaks-through = the tip of the tool is at { $end } mm, but the part is { $thickness } mm thick: the blind hole goes through
 # Threads.
 audit-tap-drill = the hole under { $thread } is { $low } to { $high } mm
 audit-thread-short = the thread { $thread } of the drawing is { $depth } mm deep
@@ -26,11 +26,11 @@ audit-passes = { $stock } mm on diameter are bored in { $needed } passes by sect
 # Cutters, holders, places.
 bar-of-other-stage-rough = { $tool } is a bar for rough boring
 bar-of-other-stage-finish = { $tool } is a bar for finish boring
-bar-of-other-range = { $tool } bores Ø{ $low }–{ $high }, and the transition asks for Ø{ $needed }
-tap-of-other-thread = { $tool } is a tap { $own }, and the thread is { $needed }
-tool-of-other-angle = { $tool } has an angle of { $own }°, and the transition asks for { $needed }°
-tool-for-blind-holes = { $tool } is for blind holes, and the hole goes through: for it { $known }
-tool-for-through-holes = { $tool } is for through holes, and the hole is blind: for it { $known }
+bar-of-other-range = { $tool } bores Ø{ $low }–{ $high }, but the transition needs Ø{ $needed }
+tap-of-other-thread = { $tool } is a tap { $own }, but the thread is { $needed }
+tool-of-other-angle = { $tool } has an angle of { $own }°, but the transition needs { $needed }°
+tool-for-blind-holes = { $tool } is for blind holes, but the hole goes through: for it { $known }
+tool-for-through-holes = { $tool } is for through holes, but the hole is blind: for it { $known }
 holder-of-whole-tool = { $tool } has its own 7:24 taper and stands in the spindle itself: { $holder } does not hold it
 holder-of-other-family = { $holder } is not for such a shank as that of { $tool }: for it { $known }
 audit-no-place = there is no place T{ $number }: the magazine has { $places }

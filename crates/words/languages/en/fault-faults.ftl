@@ -1,9 +1,9 @@
 # What tables lack that planning asks for.
 nc-switch-has = the switch has { $known } %
 nc-switch-has-no-step = the switch has no step { $value }
-nc-correctors-have-numbers = correctors have the numbers 1 to { $correctors }
-nc-there-no-such-corrector = there is no such corrector
-nc-this-no-axis = this is no axis
+nc-correctors-have-numbers = offset registers are numbered 1 to { $correctors }
+nc-there-no-such-corrector = there is no such offset register
+nc-this-no-axis = this is not an axis
 nc-name-x-y-z = name X, Y or Z
 nc-this-must-above = this must be above 0
 nc-give-length-mm = give a length in mm
@@ -11,7 +11,7 @@ order-share-drill = a share of the drill
 order-row-has-no-grade = row { $no } has no grade
 order-grade-drilling = a grade of drilling
 order-has-neither-share-nor = `{ $row }` has neither a share nor a { $what }
-order-row-has-no-which-shank = row { $row } has no { $what }, which its shank or use asks for
+order-row-has-no-which-shank = row { $row } has no { $what }, which its shank or use requires
 order-holders-this-shank = holders of this shank
 order-there-no-row-for = there is no row for { $number }
 nc-step-cycle-steps = the step of a cycle in steps

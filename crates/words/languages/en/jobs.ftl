@@ -1,10 +1,10 @@
 machining-cycle = cycle { $cycle }, { $ratio } diameters deep
-no-room-under-part = a tool comes out { $below } mm under the part and the fixture is { $height } mm high: it goes into the table
-supports-assumed = no height of the fixture is given (fixture.height) and a tool comes out { $below } mm under the part: supports of { $height } mm are assumed
+no-room-under-part = a tool comes out { $below } mm below the part, but the fixture is { $height } mm high: the tool would hit the table
+supports-assumed = no height of the fixture is given (fixture.height) and a tool comes out { $below } mm below the part: supports of { $height } mm are assumed
 change-over-part = the place of the tool change, X{ $x } Y{ $y }, is over the part
-ways-over-clamps = ways of tools lead over the clamps at { $clamps }, { $height } mm over the part, and how high these are is not known
+ways-over-clamps = toolpaths cross the clamps at { $clamps } { $height } mm above the part; the height of the clamps is not known
 cooled = { $operation }: with coolant
 dry = { $operation }: without coolant
-withdrawal = { $height } mm over the part from hole to hole
-no-room-over-part = { $needed } mm from table to spindle nose are needed and the machine gives { $most } at most: a tool of { $tool } does not pass over the part
-quill-too-short = tool T{ $tool } needs { $way } mm of the quill's travel and the machine has { $travel }
+withdrawal = { $height } mm above the part from hole to hole
+no-room-over-part = { $needed } mm from table to spindle nose are needed, but the machine gives { $most } at most: a tool { $tool } mm long does not pass over the part
+quill-too-short = tool T{ $tool } needs { $way } mm of the quill's travel, but the machine has { $travel }

@@ -1,22 +1,22 @@
 no-lathe = no lathe is named (`machine:`): what it can finish, depth, conditions and power are not checked
-no-intermediate-contour = the intermediate allowance cannot be laid on: { $why }
-no-rough-contour = the rough contour cannot be laid: { $why }
-set-up-not-held = set-up { $number }: nothing of the part is long enough for the jaws; hold it between centres or leave a longer blank
+no-intermediate-contour = the intermediate allowance cannot be applied: { $why }
+no-rough-contour = the rough contour cannot be built: { $why }
+set-up-not-held = set-up { $number }: no part of it is long enough for the jaws; hold it between centres or leave a longer blank
 far-face-cut-away = set-up { $number }: { $length } mm of the blank are left behind the part; they are faced away, parting is not planned
 bore-drilled-first = the bore is drilled first: Ø{ $diameter }, { $depth } mm deep; the diameter is our choice: a multiple of { $step } mm, at least { $stock } mm a side below the rough bore
 bore-too-narrow-to-drill = the bore of Ø{ $diameter } is too narrow to be drilled and bored
-no-limiting-depth = nothing tells the limiting depth: give `roughing: {"{"}limiting_depth: …{"}"}` or a lathe, `machine:`
+no-limiting-depth = the limiting depth is not known: give `roughing: {"{"}limiting_depth: …{"}"}` or a lathe, `machine:`
 no-depth-allowed = { $tool }: no depth is allowed by { $bound }; take a lower feed, a stronger tool or a more powerful lathe
 one-feed-for-all = these feeds are not given: { $feeds }; the main one is taken, so times are approximate
 no-tool-for-zone = zone { $zone } ({ $side }): no tool of the catalog fits: φ ≥ { $main }° and φ1 ≥ { $secondary }° are needed
 scheme-not-possible = zone { $zone }: the scheme { $scheme } is not possible, for the reason in the next line; the quickest of those that leave an even allowance is taken, if there is one
 face-stock-thin = the blank's stock on the face is { $lack } mm less than the finishing allowance: take a longer blank
-zone-behind-standing = zone { $zone }: the tool cannot come to it, because zone { $before } before it is not cleared
+zone-behind-standing = zone { $zone }: the tool cannot reach it, because zone { $before } in front of it is not cleared
 groove-too-deep = it is { $depth } mm deep, more than the { $reach } mm of the tool
-bounds-exceeded = { $tool }: at t_p = { $depth } mm these are exceeded: { $bounds }
+bounds-exceeded = { $tool }: at t_p = { $depth } mm these limits are exceeded: { $bounds }
 tool-order = of those that fit this one is taken: { $prefer }
 turning-skin = blank: { $kind }, its surface: { $surface }
-returns-saved = one zone in place of one over each part: on the same levels of { $depth } mm { $joined } passes and returns in place of { $split }
+returns-saved = one zone instead of one over each part: on the same levels of { $depth } mm { $joined } passes and returns instead of { $split }
 turning-tool-taken = { $tool }: it fits this many zones: { $zones }
 only-for-steps = this is shown for a stepped shaft (`steps:`) only
     .help = for a contour there are `--show operation`, `program` and `cycle`

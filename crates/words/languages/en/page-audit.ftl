@@ -52,7 +52,7 @@ audit-factor = { $quantity } ({ $factor })
 audit-tool = T{ $number }
 # What it rests on.
 audit-by-stated = by the stated figures: { $value }
-audit-is-slip = the sums after it were made with the right value: a slip of the pen
+audit-is-slip = later calculations use the right value: a slip of the pen
 audit-supplied = not in the plan, taken: { $taken }
 audit-supplied-one = { $what } = { $value }
 audit-rests-on = rests on: { $reasons }
@@ -137,7 +137,7 @@ audit-key-name = name
 audit-key-way = how the scheme was found
 audit-key-finish_elsewhere = whether it is finished elsewhere
 audit-key-elsewhere = whether it is done elsewhere
-audit-key-meets = whether it meets what is asked
+audit-key-meets = whether it meets what is required
 audit-key-centre_tolerance_mm = centre tolerance
 audit-key-time_min = time of the route
 audit-key-margin_min = gain over the next route
@@ -225,7 +225,7 @@ factor-tool-material = tool material
 factor-hole-depth = hole depth
 factor-surface-state = state of the surface
 # The command.
-audit-skipped-file = { $file }: no plan, skipped
+audit-skipped-file = { $file }: not a plan, skipped
 audit-no-plans = there is no plan in the folder `{ $folder }`
 audit-what-is-a-plan = plans are files .yaml, .yml and .json as docs/audit.md describes them
 audit-folder-against = only two plans can be compared, no folder

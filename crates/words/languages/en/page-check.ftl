@@ -1,6 +1,6 @@
 # A program that was run.
 check-title = Check of the program { $program }
-check-made = Made of what the plan asks for
+check-made = Made of what the plan requires
 check-trace = Motions: line, block, motion, machine position in mm
 check-times = Time, min
 check-times-of = { $total } (feed { $feed }, rapid { $rapid }, dwell { $dwell }, tool change { $change })

@@ -7,16 +7,16 @@ order-rapids = Rapids
 order-nearest = By the textbook's rule
 order-saved = Saved
 order-bound = Lower bound
-order-visiting = Way of visiting by 1.3.1 (the plan visits in parallel)
+order-visiting = Visiting method by 1.3.1 (the plan visits in parallel)
 order-method = { $hole }: { $why }
 order-times-of-methods = in parallel { $parallel } min, in sequence { $sequential } min, on this machine in sequence { $here } min
 order-mixture-quicker = { $tools ->
-    [one] quickest mixture: the last tool in sequence ({ $tools }); { $time } min, quicker than either way
-   *[other] quickest mixture: the last { $tools } tools in sequence; { $time } min, quicker than either way
+    [one] quickest combination: the last tool in sequence ({ $tools }); { $time } min, quicker than either method
+   *[other] quickest combination: the last { $tools } tools in sequence; { $time } min, quicker than either method
 }
 order-mixture-not-quicker = { $tools ->
-    [one] quickest mixture: the last tool in sequence ({ $tools }); { $time } min, not quicker than one of the two ways
-   *[other] quickest mixture: the last { $tools } tools in sequence; { $time } min, not quicker than one of the two ways
+    [one] quickest combination: the last tool in sequence ({ $tools }); { $time } min, not quicker than one of the two methods
+   *[other] quickest combination: the last { $tools } tools in sequence; { $time } min, not quicker than one of the two methods
 }
 # The path over a list of points.
 order-list-title = Path over a list of points

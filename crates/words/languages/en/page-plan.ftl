@@ -55,7 +55,7 @@ plan-choices = Required, the route taken, and the runner-up
 plan-choice = { $required }. Route { $route }, { $time } min; { $against }
 plan-required = IT{ $it }, { $roughness }, tolerance of centre distances { $centre } mm
 plan-required-thread = { $thread }, tolerance of centre distances { $centre } mm
-plan-no-runner-up = no other route can be carried out
+plan-no-runner-up = no other route is possible
 plan-runner-up = next { $route } ({ $operations }): { $why }
 # The tools.
 plan-designation = Designation
@@ -88,14 +88,14 @@ plan-clamps-proposed = Clamps { $points } (proposed): { $force } N each, screw {
 plan-weak-screw = The screw is too weak: bears { $bears } < { $force } N.
 plan-times = Machine time { $machine } + rapids { $rapid } + tool changes { $change } = { $total } min
 # Findings: how grave they are.
-plan-impossible = impossible:
-plan-wrong = wrong:
-plan-note = note:
+plan-impossible = impossible
+plan-wrong = wrong
+plan-note = note
 plan-of-hole = hole { $hole }: { $finding }
 # Why a hole is made as it is.
 explain-title = Hole { $hole } { $size }
 explain-scheme = Scheme { $scheme } ({ $table })
-explain-others = Other routes, and why not they
+explain-others = Other routes, and why they were not taken
 explain-other-route = { $route }: { $why }
 explain-other-route-timed = { $route }, { $time } min: { $why }
 explain-made = { $operation } Ø{ $diameter }

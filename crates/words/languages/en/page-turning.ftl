@@ -1,7 +1,6 @@
 # What all pages of turning say.
 turn-by-row = { $said } (`{ $table }`, row { $row }; { $place })
 turn-by-table = { $said } (`{ $table }`; { $place })
-turn-severity = { $severity }:
 turn-findings = Findings
 turn-figure = The half section; the free end is on the right.
 turn-map-figure = The same as a plot; L/D on a logarithmic scale.
@@ -36,7 +35,7 @@ turn-variant = Variant
 turn-path = Cutting path
 turn-passes-along = Longitudinal passes
 turn-passes-across = Transverse passes
-turn-above-optimum = Above the optimum
+turn-above-optimum = Above optimum
 turn-proven = Proven: on the grid of { $radii } { $radii ->
         [one] radius
        *[other] radii
@@ -78,7 +77,7 @@ turn-contour-inner = Inner contour
 turn-surface = Surface
 turn-surface-kind = Kind of surface
 turn-all-main = All surfaces are main elements.
-turn-rest-main = Main elements are all but those told below.
+turn-rest-main = All are main elements except those below.
 turn-finish-allowance = Finishing allowance
 turn-later = { $surface }: { $operation } follows, { $allowance } mm are left for it
 turn-allowances = Allowances (lecture 12.2)
@@ -103,7 +102,7 @@ turn-depth-of-pass = t_p
 turn-zones-key = t_lim: limiting depth of cut, t_p: depth of a pass; φ, φ1: the angle needed ≤ that of the tool.
 turn-angles-key = φ, φ1: the angle needed ≤ that of the tool.
 turn-of-zone = zone { $zone }: { $said }
-turn-limits = zone { $zone }: at a feed of { $feed } mm/rev the depth is limited by { $bound }; all bounds, mm: { $bounds }
+turn-limits = zone { $zone }: at a feed of { $feed } mm/rev the depth is limited by { $bound }; all limits, mm: { $bounds }
 turn-bound = { $bound } { $depth }
 turn-tool-refused = zone { $zone }: { $tool } does not fit: { $why }
 turn-closed-zones = Additional elements: closed zones

@@ -21,7 +21,7 @@ transition-semi-finishing = straight passes, then one along the contour that cut
 transition-equidistant = passes at equal distances from the rough contour
 transition-contour = passes repeat the contour, shifted along a line
 transition-as-quick = { $variant }: as quick as { $rival }
-finishing-must-follow = the scheme gives a roughness down to { $finest }, and { $asked } is asked: finishing must follow it
+finishing-must-follow = the scheme gives a roughness down to { $finest }, but { $asked } is required: finishing must follow it
 # Why a zone is not worked.
 zone-contour-not-monotone = the contour of the zone ({ $contour }) is empty, broken or leads back towards the free end
     .help = give the contour from the free end towards the chuck, each element from the end of the one before
@@ -31,7 +31,7 @@ zone-settings-not-positive = the depth of a pass, the approach and the retract m
     .help = give them in mm, greater than zero
 rough-above-blank = at Z{ $z } the rough contour is above the blank
     .help = make the blank larger or the finishing allowance there smaller
-flank-too-steep = from Z{ $z } the contour goes at { $angle }°, and the tool allows { $limit }°
+flank-too-steep = from Z{ $z } the contour goes at { $angle }°, but the tool allows { $limit }°
     .help = take a tool with a larger angle, or leave that stretch to another transition
 stop-needs-steps = only stepped rollers that do not fall towards the chuck are worked against a stop
     .help = take the loop without a stop

@@ -9,7 +9,7 @@ unknown-material-near = there is no material `{ $material }`; did you mean `{ $n
     .help = `technolog table materials` lists them
 no-such-choice = `{ $word }` is not known here; there are { $known }
     .help = take one of them
-not-above-zero = `{ $key }` is { $length }, and must be above 0
+not-above-zero = `{ $key }` is { $length }, but must be above 0
     .help = give millimetres, without a sign
 length-too-large = `{ $key }` is { $length } > { $most }
     .help = give millimetres
@@ -24,9 +24,9 @@ steps-beyond-blank = all steps are { $sum } mm, longer than the blank of { $blan
 grid-too-fine = too many levels and slices: { $states } states, at most { $most } are looked through
     .help = take larger depths
 # What the command cannot do with what it was given.
-no-rates = no feeds to reckon time with: the file has no `rates`
+no-rates = no feeds to calculate the time with: the file has no `rates`
     .help = add rates: {"{"}longitudinal_feed: 180, transverse_feed: 150, rapid: 6000{"}"}, mm/min
-rich-has-no-time = with the rich moves the time is not what can be searched for
+rich-has-no-time = time cannot be the objective with rich moves
     .help = take another objective: path, path-and-passes or passes
 # Why a pass.
 pass-shorter = { $left } mm to go, { $otherwise } mm with the other direction
@@ -41,5 +41,5 @@ take-lengthwise = between centres the fewest passes run along the axis
 take-searched = in a chuck passes along and across the axis may be combined
 take-contour = a blank near the shape of the part is turned parallel to the contour
 contour-passes-elsewhere = passes parallel to the contour are shown by `--show operation`; those shown here would take a full cylinder
-variant-beyond-model = the variant { $variant } beats the best of the model: its longitudinal passes stop within a level
+variant-beyond-model = the variant { $variant } is shorter than the best of the model: its longitudinal passes stop within a level
 nothing-to-turn = no step is smaller than the blank: nothing to turn

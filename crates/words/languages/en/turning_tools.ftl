@@ -1,14 +1,14 @@
 # What is not known, and what does not fit.
 lathe-lacks = the record of the lathe { $lathe } has no `{ $quantity }`
 turning-tool-lacks = the row of the tool { $tool } has no `{ $quantity }`
-bound-not-reckoned = the bound { $bound } is left out: { $of } has no `{ $what }`
+bound-not-reckoned = the limit “{ $bound }” is left out: { $of } has no `{ $what }`
 limit-not-known = the limiting depth of cut is not known: { $of } has no `{ $what }` ({ $bound })
 angle-beyond-table = an angle of { $angle } degrees is outside the table { $table }
 lathe-too-small = lathe { $lathe }: { $is } > { $most } mm, `{ $quantity }`
 shank-too-high = lathe { $lathe }: the shank of { $tool } is { $is } > { $most } mm high
-nothing-to-cut = `{ $quantity }` is { $is }, and must be above 0
+nothing-to-cut = `{ $quantity }` is { $is }, but must be above 0
 tool-has-no-depth = the tool { $tool } has no depth of cut to choose: a groove is as wide as its blade, a thread as deep as its profile
-threads-not-reckoned = cutting conditions of threading with { $tool } are not reckoned yet
+threads-not-reckoned = cutting conditions of threading with { $tool } are not calculated yet
 too-fine-to-turn = { $roughness } is finer than the feed tables of turning go
 too-fine-for-lathe = lathe { $lathe }: { $roughness } is finer than its best, { $best }
 # Why a figure.
@@ -16,7 +16,7 @@ turning-feed = feed { $feed } mm/rev, tool { $tool }
 turning-finish-feed = feed by the roughness { $feed } mm/rev
 feed-strength-factor = feed × { $factor }: strength of the steel
 force-coefficients = coefficients of the force { $component }
-grade-factor = speed × { $factor }: grade { $grade } in place of { $reference }
+grade-factor = speed × { $factor }: grade { $grade } instead of { $reference }
 internal-factor = speed × { $factor }: in a bore
 angle-speed-factor = speed × { $factor }: angle { $angle } degrees
 angle-force-factor = force × { $factor }: angle { $angle } degrees

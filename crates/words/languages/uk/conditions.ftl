@@ -1,6 +1,6 @@
 # Conditions.
 feed = подача: верхня межа { $upper } мм/об × { $multiple }
-feed-choice = звідки береться подача
+feed-choice = звідки взято подачу
 feed-before-finishing = подача × { $factor }: далі розвертання
 depth-feed-factor = подача × { $factor } за глибиною
 depth-speed-factor = швидкість × { $factor } за глибиною
@@ -9,33 +9,33 @@ speed-alloy-factor = швидкість × { $factor } за сплавом
 material-force-factor = сили × { $factor } за матеріалом
 force-alloy-factor = сили × { $factor } за сплавом
 surface-factor = швидкість × { $factor } за станом поверхні
-tool-life = стійкість { $minutes } хв
+tool-life = період стійкості { $minutes } хв
 speed-coefficients = коефіцієнти швидкості, Cv = { $cv }
 load-coefficients = коефіцієнти моменту й осьової сили
 boring-feed = подача розточування { $feed } мм/об
 boring-finish-feed = подача за шорсткістю { $feed } мм/об
-too-fine-to-bore = { $roughness } розточуванням не досягається
-spindle-step = розрахункова частота { $computed }; ступені { $below } і { $above } (вищий на { $excess } %): { $step } об/хв
+too-fine-to-bore = { $roughness } розточуванням не досягти
+spindle-step = розрахункова частота { $computed }; сусідні ступені частоти обертання { $below } і { $above } (вищий на { $excess } %): { $step } об/хв
 spindle-fastest = розрахункова частота { $computed } вища за найбільшу: { $step } об/хв
 spindle-slowest = розрахункова частота { $computed } нижча за найменшу: { $step } об/хв
 feed-reduced = подачу зменшено з { $from } до { $to } мм/об: { $by }, межа { $limit }
 speed-for-feed = швидкість узято для подачі { $feed } мм/об: { $speed } м/хв замість { $before }
-life-for-feed = для подачі { $feed } мм/об формула дає { $speed } м/хв: стійкість порахована від неї
-tap-lead = забірна частина мітчика { $lead } мм проходить далі за повну різьбу
-thread-runout = під глуху різьбу свердлять на { $runout } мм глибше
+life-for-feed = для подачі { $feed } мм/об формула дає { $speed } м/хв: період стійкості пораховано від неї
+tap-lead = забірна частина мітчика { $lead } мм проходить далі за повну різь
+thread-runout = під глуху різь свердлять на { $runout } мм глибше
 mill-clearance = фреза менша за отвір, у який входить, щонайменше на { $clearance } мм
 ground-within = перешліфовується щонайбільше на { $limit } мм
 feed-held = подачу обмежено { $limit } мм/хв
-stand-in = { $table } не має числа для матеріалу { $material }; береться { $group }
+stand-in = { $table } не має числа для матеріалу { $material }; взято { $group }
 no-figure = { $operation }: таблиця { $table } не має числа для матеріалу { $material }
-stand-in-operation = { $operation }: власних чисел немає; беруться числа переходу «{ $instead }»
-stand-in-tool-material = { $table } не має числа для інструмента { $tool }; береться { $other }
+stand-in-operation = { $operation }: власних чисел немає; взято числа переходу «{ $instead }»
+stand-in-tool-material = { $table } не має числа для інструмента { $tool }; взято { $other }
 no-cutter-shape = { $operation }: фрезу не вказано
-no-pitch = { $operation }: крок різьби не вказано
+no-pitch = { $operation }: крок різі не вказано
 mill-does-not-enter = { $operation }: фреза Ø{ $diameter } не входить в отвір Ø{ $hole }
-milling-rounds = проходів { $passes }, рівнів { $levels }: t = { $t } мм, B = { $b } мм; шлях осі фрези { $path } мм, її подача × { $factor }
+milling-rounds = робочих ходів { $passes }, рівнів { $levels }: t = { $t } мм, B = { $b } мм; шлях осі фрези { $path } мм, її подача × { $factor }
 feed-per-tooth = подача на зуб { $feed } мм
-milling-finish-feed = подача на зуб × { $factor }: останній прохід, { $roughness }
+milling-finish-feed = подача на зуб × { $factor }: останній робочий хід, { $roughness }
 milling-load-coefficients = коефіцієнти сили Pz фрези
 tapping-coefficients = коефіцієнти швидкості мітчика, Cv = { $cv }, T = { $minutes } хв
 tapping-load-coefficients = коефіцієнти моменту мітчика
@@ -44,7 +44,7 @@ spindle-step-below = розрахункова частота { $computed }; ст
 no-step-below = { $operation }: жоден ступінь шпинделя не нижчий за { $computed } об/хв з достатньою потужністю й подачею
 torque-beyond-spindle = { $operation }: момент { $torque } > { $limit } Н·м шпинделя
 reaming-feed = подача розвертання × { $factor }
-reaming-feed-blind = глухий отвір: подача в межах { $low }-{ $high } мм/об
+reaming-feed-blind = глухий отвір: подача в межах { $low }–{ $high } мм/об
 reaming-load-coefficients = коефіцієнти сили різання зуба розвертки
 reamer-teeth = зубів розвертки { $teeth }
 too-deep = { $operation }: глибина { $ratio } D поза таблицею { $table }

@@ -1,45 +1,45 @@
 # Visiting the holes.
-visiting-method = { $method } (квалітет { $it }, допуск міжосьової відстані { $centre } мм, K_T = { $ratio })
-position-lost-at-tool-change = 1.3.1 радить робити кінцеві переходи послідовно, не рухаючи деталь; верстат змінює інструмент у X { $x } Y { $y }, тож стіл рухається і правила дотримати не можна: { $tools } інструментами паралельно { $parallel } хв, послідовно { $sequential } хв
+visiting-method = { $method } (квалітет { $it }, допуск міжосьової відстані { $centre } мм, { "К" }т = { $ratio })
+position-lost-at-tool-change = 1.3.1 радить робити кінцеві переходи послідовно, не рухаючи деталь; верстат замінює інструмент у X { $x } Y { $y }, тож стіл рухається і правила дотримати не можна: { $tools } інструментами паралельно { $parallel } хв, послідовно { $sequential } хв
 visited-in-parallel = за 1.3.1 послідовний обхід був би швидший, але заміна інструмента в X { $x } Y { $y } рухає стіл: { $tools } інструментами паралельно { $parallel } хв, послідовно { $sequential } хв
 # Schemes.
 stages = етапи: { $stages } (Δ0 = { $delta } мм, σс = { $sigma } мм)
 no-stages = для квалітету { $it } етапів таблиця не дає
-table-for-hole = квалітет { $it } шукаємо в { $table } за рядками квалітету { $asked-it }, допуск міжосьової відстані { $centre } мм
-cell = береться { $take }
+table-for-hole = квалітет { $it } шукано в { $table } за рядками квалітету { $asked-it }, допуск міжосьової відстані { $centre } мм
+cell = взято { $take }
 scheme = схема { $scheme } (квалітет { $it }, { $roughness })
-which-of-two = у клітинці { $schemes }; береться { $take }
+which-of-two = у клітинці { $schemes }; взято { $take }
 centre = центрувати: у суцільному металі, глибина { $ratio } діаметра
 no-centre = центрування не потрібне: квалітет { $it }, Ø{ $diameter }, глибина { $ratio } D
-twin = схема { $scheme } з центруванням - це схема { $centred }
-no-twin = схема { $scheme } не має пари з центруванням; воно додається
+twin = схема { $scheme } з центруванням – це схема { $centred }
+no-twin = схема { $scheme } не має пари з центруванням; його додано
 transitions = переходи схеми { $scheme }
 no-scheme = таблиці не дають схеми: квалітет { $it }, { $roughness }, допуск { $centre } мм; графи шорсткості { $columns }
 no-route = { $diameter }: жодна зі схем не здійсненна (відхилено { $tried })
 finish-elsewhere = за таблицями отвір остаточно обробляють на верстаті іншого типу; тут схема { $scheme }
 grade-without-distance = centre_tolerance: IT{ $it } потребує двох отворів у групі; вкажіть ширину допуску в мм
 grade-outside-table = IT{ $it } на міжосьовій відстані { $distance } мм поза таблицею: { $why }
-point-breaks-through = вершина свердла Ø{ $diameter } сягає { $depth } >= { $limit } мм товщини заготовки: глухий отвір проб’ється
-spot-too-deep = лунка Ø{ $diameter } глибиною { $depth } >= { $limit } мм, глибини отвору
+point-breaks-through = вершина свердла Ø{ $diameter } сягає { $depth } ≥ { $limit } мм товщини заготовки: глухий отвір проб’ється
+spot-too-deep = лунка Ø{ $diameter } завглибшки { $depth } ≥ { $limit } мм, глибини отвору
 too-heavy = маса { $mass } > { $limit } кг, найбільшої для верстата
-not-planned = { $operation }: цей перехід тут не проектується
+not-planned = { $operation }: цей перехід тут не проєктують
 rows-rejected = рядки за графою { $column }: { $rows }
 # Diameters.
-allowance = { $operation }: припуск { $taken } мм на діаметр, діапазон { $low }-{ $high } мм
+allowance = { $operation }: припуск { $taken } мм на діаметр, діапазон { $low }–{ $high } мм
 ground-to-size = інструмент Ø{ $nominal } каталогу, виконаний на розмір Ø{ $size }
-rough-boring = чорнове розточування: { $stock } мм на діаметр за проходів: { $passes }, по { $low }-{ $high } мм
+rough-boring = чорнове розточування: { $stock } мм на діаметр робочих ходів – { $passes }, по { $low }–{ $high } мм
 stock-for-elsewhere = лишено { $stock } мм на діаметр для іншого верстата
 one-pass = свердлити Ø{ $diameter } за один перехід
-two-passes = свердлити у два переходи: спершу Ø{ $first }, далі Ø{ $diameter } (перше свердло { $low }-{ $high } мм)
-first-drill = перше свердло Ø{ $first }: { $share-min }-{ $share-max } від Ø{ $diameter }
+two-passes = свердлити у два переходи: спершу Ø{ $first }, далі Ø{ $diameter } (перше свердло { $low }–{ $high } мм)
+first-drill = перше свердло Ø{ $first }: { $share-min }–{ $share-max } від Ø{ $diameter }
 two-passes-cost = проти одного свердла: час { $time } хв на отвір, осьова сила { $thrust } Н замість { $one-thrust } Н
-bored-by-stand-in = Ø{ $diameter } замалий для оправки (від Ø{ $smallest }); замість розточування - { $instead }
-too-small-to-bore = { $operation }: Ø{ $diameter } < Ø{ $smallest }, найменшого отвору для оправки
+bored-by-stand-in = Ø{ $diameter } замалий для борштанги (від Ø{ $smallest }); замість розточування – { $instead }
+too-small-to-bore = { $operation }: Ø{ $diameter } < Ø{ $smallest }, найменшого отвору для борштанги
 no-drill = немає свердла Ø{ $diameter }, що сягає дна; найближчі { $below } і { $above }
 no-drill-in-allowance = { $operation } до Ø{ $diameter }: немає свердла від Ø{ $low } до Ø{ $high }
 no-drill-before-boring = під розточування до Ø{ $diameter } немає свердла від Ø{ $smallest } до Ø{ $largest }
-no-bar-enters = до Ø{ $diameter }: жодна оправка не входить в отвір Ø{ $hole }
-bar-set-by-hand = розточування за кілька проходів: між проходами оправку переналагоджують вручну; великі отвори доцільно фрезерувати (1.2.1)
+no-bar-enters = до Ø{ $diameter }: жодна борштанга не входить в отвір Ø{ $hole }
+bar-set-by-hand = розточування за кілька робочих ходів: між ними борштангу переналагоджують вручну; великі отвори доцільно фрезерувати (1.2.1)
 spot-by-drill = лунка Ø{ $spot }: { $share } від свердла Ø{ $drill }
 spot-by-depth = лунка Ø{ $spot }, не { $share } від свердла Ø{ $drill }: глибша за половину отвору не буде
 spot-by-chamfer = лунка Ø{ $spot } утворює і фаску

@@ -151,7 +151,7 @@ audit-key-mass_kg = маса
 audit-key-load = завантаження магазину
 # Of conditions.
 audit-key-limited_by = чим обмежено режим
-audit-key-coolant = охолодження
+audit-key-coolant = МОР
 audit-key-rounds = обходи фрези
 audit-key-mill_diameter_mm = діаметр фрези
 audit-key-levels = кількість рівнів
@@ -203,7 +203,7 @@ word-taper = конус шпинделя
 # Factors of the cards.
 factor-material = матеріал
 factor-point-grinding = заточення вершини
-factor-coolant = охолодження
+factor-coolant = МОР
 factor-tool-life = період стійкості
 factor-coating = покриття
 factor-tool-material = матеріал інструмента
@@ -212,6 +212,6 @@ factor-surface-state = стан поверхні
 # The command.
 audit-skipped-file = { $file }: не план, пропущено
 audit-no-plans = у теці `{ $folder }` немає жодного плану
-audit-what-is-a-plan = плани - це файли .yaml, .yml і .json, як їх описує docs/audit.md
+audit-what-is-a-plan = плани – це файли .yaml, .yml і .json, як їх описує docs/audit.md
 audit-folder-against = порівняти можна лише два плани, не теку
 audit-name-a-plan = назвіть файл плану

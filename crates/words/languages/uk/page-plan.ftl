@@ -77,9 +77,9 @@ plan-clamps-proposed = Притискачі { $points } (запропонова�
 plan-weak-screw = Гвинт заслабкий: витримує { $bears } < { $force } Н.
 plan-times = Машинний час { $machine } + час холостих ходів { $rapid } + час заміни інструмента { $change } = { $total } хв
 # Findings: how grave they are.
-plan-impossible = неможливо:
-plan-wrong = хибно:
-plan-note = до відома:
+plan-impossible = неможливо
+plan-wrong = хибно
+plan-note = до відома
 plan-of-hole = отвір { $hole }: { $finding }
 # Why a hole is made as it is.
 explain-title = Отвір { $hole } { $size }

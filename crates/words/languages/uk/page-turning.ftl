@@ -1,7 +1,6 @@
 # What all pages of turning say.
 turn-by-row = { $said } (`{ $table }`, рядок { $row }; { $place })
 turn-by-table = { $said } (`{ $table }`; { $place })
-turn-severity = { $severity }:
 turn-findings = Зауваження
 turn-figure = Половина осьового перерізу; вільний торець праворуч.
 turn-map-figure = Те саме графіком; L/D за логарифмічною шкалою.
@@ -26,7 +25,7 @@ turn-levels = Рівні, глибина до { $depth } мм
 turn-slices = Шари, глибина до { $depth } мм
 turn-objective = Мета
 turn-least-path = найменший шлях різання
-turn-least-path-and-passes = найменший шлях різання; кожен робочий хід рахується за { $per_pass } мм
+turn-least-path-and-passes = найменший шлях різання; кожен робочий хід додає { $per_pass } мм
 turn-least-time = найменший час
 turn-fewest-passes = найменше робочих ходів
 turn-equal-division = Припуск між уступами поділено порівну.

@@ -3,7 +3,7 @@ bar-with-steps = пруток не має ступенів
 blank-step-rises-to-the-free-end = ступінь { $step } заготовки: Ø{ $diameter } менший за Ø{ $before } перед ним
     .help = перевірте порядок: від вільного торця до патрона діаметри заготовки не спадають
 blank-step-beyond-blank = ступінь { $step } заготовки: Ø{ $diameter } більший за її найбільший Ø{ $blank }
-    .help = diameter заготовки - найбільший; збільште його
+    .help = diameter заготовки – найбільший; збільште його
 # What the schemes are.
 scheme-verticals = припуск знімається над одним циліндром за іншим
 scheme-levels = припуск знімається рівень за рівнем над усіма циліндрами

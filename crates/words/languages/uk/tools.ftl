@@ -1,30 +1,30 @@
 # Tools.
-tool-tables = { $operation }: інструмент шукаємо в таблицях { $order }
+tool-tables = { $operation }: інструмент шукано в таблицях { $order }
 cutter = перший інструмент, що підходить
-centre-drill-for-all = найменше свердло для центрування всіх груп отворів: { $needed }
+centre-drill-for-all = найменше свердло для зацентрування всіх груп отворів: { $needed }
 holder = перший допоміжний інструмент, що приймає хвостовик ({ $shank })
 overhang-cylindrical = виліт: { $free } мм поза посадкою + { $extra } мм
 overhang-morse = виліт: { $projection } мм поза конусом
-overhang-shell = насадний інструмент: виліт - його довжина
+overhang-shell = насадний інструмент: виліт – його довжина
 overhang-taper = інструмент із хвостовиком верстата
 does-not-reach = { $tool } ({ $table }): робоча довжина { $reach } < { $needed } мм
 drill-too-large = { $tool } ({ $table }): Ø{ $diameter } > Ø{ $limit }, найбільшого свердла верстата
-bar-does-not-enter = { $tool } ({ $table }): оправка Ø{ $bar } не входить в отвір Ø{ $hole }
+bar-does-not-enter = { $tool } ({ $table }): борштанга Ø{ $bar } не входить в отвір Ø{ $hole }
 no-cutter-of-size = { $operation }: у таблицях { $tables } немає Ø{ $diameter }; найближчі { $below } і { $above }
 no-cutter = { $operation }: інструмента немає
-shank-outside-clamp = { $holder }: хвостовик Ø{ $shank } поза діапазоном { $low }-{ $high } мм
+shank-outside-clamp = { $holder }: хвостовик Ø{ $shank } поза діапазоном { $low }–{ $high } мм
 other-morse = { $holder }: конус Морзе { $taken }, а в інструмента { $own }
 other-taper = { $holder }: конус 7:24 № { $own }, а в шпинделя № { $spindle }
 stands-out-too-little = { $holder }: виліт { $reach } < { $needed } мм
 arbor-does-not-enter = { $holder }: оправка Ø{ $arbor } не входить в отвір Ø{ $hole }
-start-near-clamp = точка заміни інструмента за { $distance } мм від прихоплювача, менше безпечних { $needed } мм: потрібні упори для ключа (1.11)
-clamp-near-hole = прихоплювач за { $distance } мм від осі отвору, менше { $needed } мм
+start-near-clamp = точка заміни інструмента за { $distance } мм від притискача, ближче ніж безпечні { $needed } мм: потрібні упори для ключа (1.11)
+clamp-near-hole = притискач за { $distance } мм від осі отвору, ближче ніж { $needed } мм
 other-bore = { $holder }: посадка { $taken } мм, а в інструмента { $own } мм
 assembly-too-long = { $tool } у { $holder }: довжина { $length } > { $limit } мм, найбільшого вильоту верстата
 # Clamping, travel.
 safety = коефіцієнт запасу k = { $value }
 friction = коефіцієнт тертя f = { $value }
 screw = потрібен { $needed }, узято { $taken }: витримує { $bears } Н
-no-screw = жоден гвинт не витримує { $force } Н на прихоплювач ({ $clamps })
-screw-too-weak = гвинт { $screw } витримує { $bears } < { $force } Н на прихоплювач; потрібен { $needed }
+no-screw = жоден гвинт не витримує { $force } Н на притискач ({ $clamps })
+screw-too-weak = гвинт { $screw } витримує { $bears } < { $force } Н на притискач; потрібен { $needed }
 beyond-travel = отвори по { $axis } займають { $span } > { $travel } мм ходу стола

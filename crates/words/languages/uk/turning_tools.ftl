@@ -7,9 +7,9 @@ angle-beyond-table = кут { $angle }° поза таблицею { $table }
 lathe-too-small = верстат { $lathe }: { $is } > { $most } мм, `{ $quantity }`
 shank-too-high = верстат { $lathe }: державка різця { $tool } { $is } > { $most } мм
 nothing-to-cut = `{ $quantity }` дорівнює { $is }, а має бути більше за 0
-tool-has-no-depth = різець { $tool } не має глибини різання, яку можна вибирати: канавку він ріже на свою ширину, різь - на її профіль
+tool-has-no-depth = різець { $tool } не має глибини різання, яку можна вибирати: канавку він ріже на свою ширину, різь – на її профіль
 threads-not-reckoned = режими нарізання різі різцем { $tool } ще не рахуються
-too-fine-to-turn = { $roughness } - чистіше, ніж мають таблиці подач точіння
+too-fine-to-turn = { $roughness } – чистіше, ніж мають таблиці подач точіння
 too-fine-for-lathe = верстат { $lathe }: { $roughness } чистіше за найкращу для нього { $best }
 # Why a figure.
 turning-feed = подача { $feed } мм/об, різець { $tool }
