@@ -23,7 +23,6 @@ mod figures;
 pub mod file;
 mod finding;
 mod graph;
-mod keys;
 mod many;
 pub mod marks;
 mod misprints;

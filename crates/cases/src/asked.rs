@@ -2,8 +2,10 @@
 
 use crate::audit::{read_plan, read_plan_node, stated::Stated};
 use crate::knowledge::diagnostic::{Diagnostic, Place};
+use crate::knowledge::form::KeyOf;
 use crate::knowledge::yaml::{Fields, Key, Node, NodeKind};
 use crate::machine::Machine;
+use crate::part::file::{PartFile, hole::Hole};
 use crate::part::{Part, read_part, read_part_node};
 use crate::plan::CuttingMethod;
 use crate::program::{Language, Setting};
@@ -11,16 +13,41 @@ use crate::turning::passes::cost::Objective;
 use crate::turning::workpiece::{Turned, read_turned, read_turned_node};
 use technolog_note::{Note, note};
 
+use super::file::CaseForm;
 use super::question::{Program, Question};
-use super::read::{AUDIT, Around, PROGRAM, Reader, TABLE, TURN};
+use super::read::{Around, Reader};
 use super::{merge, table};
 
-/// Keys of a case that asks about a part, and of one that asks nothing yet.
-const ASKED: &[&str] = &["part", "hole", "cutting", "table", "turn", "program", "audit"];
+/// Keys of a case that belong together.
+type Keys = &'static [KeyOf<CaseForm>];
 
-/// Keys that say by themselves what a case asks; `part` goes with `program` too.
-pub(super) const ASKING: [(&str, &[&str]); 4] =
-    [("table", TABLE), ("turn", TURN), ("program", PROGRAM), ("audit", AUDIT)];
+/// Keys of a case that asks about a part, and of one that asks nothing yet.
+const ASKED: Keys = &[
+    CaseForm::part,
+    CaseForm::hole,
+    CaseForm::cutting,
+    CaseForm::table,
+    CaseForm::turn,
+    CaseForm::program,
+    CaseForm::audit,
+];
+
+/// What a key says by itself to be asked.
+#[derive(Clone, Copy)]
+enum Asking {
+    Table,
+    Turn,
+    Program,
+    Audit,
+}
+
+/// Those keys first, each with what goes with it; `part` goes with `program` too.
+const ASKING: [(Asking, Keys); 4] = [
+    (Asking::Table, &[CaseForm::table, CaseForm::given]),
+    (Asking::Turn, &[CaseForm::turn, CaseForm::show, CaseForm::objective]),
+    (Asking::Program, &[CaseForm::program, CaseForm::control, CaseForm::machine, CaseForm::setting, CaseForm::part]),
+    (Asking::Audit, &[CaseForm::audit]),
+];
 
 /// What a question is about: a file that is named, or what stands here.
 enum Input<'n> {
@@ -30,33 +57,34 @@ enum Input<'n> {
 
 impl Reader<'_> {
     /// What is asked, and the keys that belong to it.
-    pub(super) fn question(&mut self, fields: &mut Fields<'_>) -> (Option<Question>, &'static [&'static str]) {
-        let asked: Vec<(&Node, &str, &'static [&'static str])> =
-            ASKING.iter().filter_map(|(key, keys)| Some((fields.take(key)?, *key, *keys))).collect();
-        if let [(_, first, _), (second, name, _), ..] = asked.as_slice() {
-            let message = note!("case-two-questions-one-case", first = first, name = name);
+    pub(super) fn question(&mut self, fields: &mut Fields<'_, CaseForm>) -> (Option<Question>, Keys) {
+        let asked: Vec<(&Node, Asking, Keys)> =
+            ASKING.iter().filter_map(|(asking, keys)| Some((fields.take(*keys.first()?)?, *asking, *keys))).collect();
+        if let [(.., first), (second, _, other), ..] = asked.as_slice() {
+            let name = |keys: Keys| keys.first().map(|key| key.name()).unwrap_or_default();
+            let message = note!("case-two-questions-one-case", first = name(first), name = name(other));
             return (
                 self.problems.error_help("two-questions", message, &second.place, note!("case-make-two-cases")),
                 ASKED,
             );
         }
-        match asked.first() {
-            Some((node, "table", keys)) => {
-                let given = fields.take("given");
+        let Some((node, asking, keys)) = asked.first() else { return (self.planned(fields), ASKED) };
+        let question = match asking {
+            Asking::Table => {
+                let given = fields.take(CaseForm::given);
                 let knowledge = self.around.knowledge;
-                let question = table::Question::read(node, given, knowledge, &mut self.problems);
-                (question.map(Question::Table), keys)
+                table::Question::read(node, given, knowledge, &mut self.problems).map(Question::Table)
             }
-            Some((node, "turn", keys)) => (self.turned(node, fields), keys),
-            Some((node, "program", keys)) => (self.program(node, fields), keys),
-            Some((node, _, keys)) => (self.audit(node).map(Box::new).map(Question::Audit), keys),
-            None => (self.planned(fields), ASKED),
-        }
+            Asking::Turn => self.turned(node, fields),
+            Asking::Program => self.program(node, fields),
+            Asking::Audit => self.audit(node).map(Box::new).map(Question::Audit),
+        };
+        (question, keys)
     }
 
-    fn planned(&mut self, fields: &mut Fields<'_>) -> Option<Question> {
-        let (part, hole) = (fields.take("part"), fields.take("hole"));
-        let method = fields.take("cutting");
+    fn planned(&mut self, fields: &mut Fields<'_, CaseForm>) -> Option<Question> {
+        let (part, hole) = (fields.take(CaseForm::part), fields.take(CaseForm::hole));
+        let method = fields.take(CaseForm::cutting);
         let methods = [("formula", CuttingMethod::Formula), ("card", CuttingMethod::Card)];
         let method = method.map_or(Some(CuttingMethod::default()), |node| self.choice(node, &methods));
         let part = match (part, hole) {
@@ -72,21 +100,21 @@ impl Reader<'_> {
 
     /// A part of one group of holes, of which the case writes only what is not usual.
     fn part_of_hole(&mut self, part: Option<&Node>, hole: &Node) -> Option<Node> {
-        let _ = self.problems.map(hole)?;
+        let _ = self.problems.open_map(hole)?;
         let at = |kind: NodeKind| Node { kind, place: hole.place.clone() };
         let key = |text: &str| Key { text: text.to_owned(), place: hole.place.clone() };
         let text = |text: &str| at(NodeKind::Scalar { text: text.to_owned(), quoted: true });
         let origin = at(NodeKind::Seq(vec![at(NodeKind::Seq(vec![text("0"), text("0")]))]));
-        let mut usual = vec![(key("name"), text("A"))];
-        if hole.get("pattern").is_none() {
-            usual.push((key("at"), origin));
+        let mut usual = vec![(key(Hole::name.name()), text("A"))];
+        if hole.get(Hole::pattern.name()).is_none() {
+            usual.push((key(Hole::at.name()), origin));
         }
         let hole = merge::over(hole, &at(NodeKind::Map(usual)));
         let part = match part {
             None => at(NodeKind::Map(Vec::new())),
             Some(part) => {
-                let _ = self.problems.map(part)?;
-                if let Some(holes) = part.get("holes") {
+                let _ = self.problems.open_map(part)?;
+                if let Some(holes) = part.get(PartFile::holes.name()) {
                     let message = note!("case-part-has-holes-case-has");
                     return self.problems.error_help(
                         "two-questions",
@@ -98,7 +126,8 @@ impl Reader<'_> {
                 part.clone()
             }
         };
-        let own = vec![(key("part"), text("A")), (key("holes"), at(NodeKind::Seq(vec![hole])))];
+        let own =
+            vec![(key(PartFile::part.name()), text("A")), (key(PartFile::holes.name()), at(NodeKind::Seq(vec![hole])))];
         Some(merge::over(&part, &at(NodeKind::Map(own))))
     }
 
@@ -113,14 +142,14 @@ impl Reader<'_> {
         }
     }
 
-    fn turned(&mut self, node: &Node, fields: &mut Fields<'_>) -> Option<Question> {
+    fn turned(&mut self, node: &Node, fields: &mut Fields<'_, CaseForm>) -> Option<Question> {
         let knowledge = self.around.knowledge;
-        let show = fields.take("show");
+        let show = fields.take(CaseForm::show);
         let operation = match show {
             None => Some(false),
             Some(node) => self.choice(node, &[("passes", false), ("operation", true)]),
         };
-        let aim = fields.take("objective");
+        let aim = fields.take(CaseForm::objective);
         let read = match self.input(node)? {
             Input::Here(node) => read_turned_node(node, knowledge),
             Input::File(path, text) => read_turned(&path, &text, knowledge),
@@ -157,13 +186,13 @@ impl Reader<'_> {
         }
     }
 
-    fn program(&mut self, node: &Node, fields: &mut Fields<'_>) -> Option<Question> {
+    fn program(&mut self, node: &Node, fields: &mut Fields<'_, CaseForm>) -> Option<Question> {
         let knowledge = self.around.knowledge;
-        let control = fields.need("control", &mut self.problems);
+        let control = fields.need(CaseForm::control, &mut self.problems);
         let names = Language::NAMES.map(|name| (name, name));
         let control = control.and_then(|node| self.choice(node, &names));
-        let machine = fields.take("machine");
-        let (setting, part) = (fields.take("setting"), fields.take("part"));
+        let machine = fields.take(CaseForm::machine);
+        let (setting, part) = (fields.take(CaseForm::setting), fields.take(CaseForm::part));
         let text = self.named_or_text(node).map(|(_, text)| text);
         let part = match part {
             Some(node) => self.part(node).map(Some),

@@ -5,6 +5,7 @@
 
 use crate::knowledge::Word;
 use crate::knowledge::diagnostic::{Place, nearest};
+use crate::knowledge::form::AnyKeys;
 use crate::knowledge::yaml::{Fields, Key, Node, NodeKind, Problems};
 use crate::note::Severity;
 use technolog_note::note;
@@ -166,7 +167,7 @@ fn all(nodes: &[Node], problems: &mut Problems) -> Option<Vec<Expected>> {
 fn items(nodes: &[Node], problems: &mut Problems) -> Option<Vec<Item>> {
     let read_item = |node: &Node, problems: &mut Problems| {
         if let Some(inner) = node.get("optional") {
-            let mut fields = problems.map(node)?;
+            let mut fields = problems.open_map(node)?;
             let _ = fields.take("optional");
             fields.finish(&["optional"], problems);
             return Some(Item { expected: read(inner, problems)?, optional: true });
@@ -205,7 +206,7 @@ fn spelt_out(key: &Key, node: &Node) -> (Key, Node) {
 }
 
 fn range(from: &Node, problems: &mut Problems) -> Option<What> {
-    let mut fields = problems.map(from)?;
+    let mut fields = problems.open_map(from)?;
     let mut end = |key: &str, problems: &mut Problems| match fields.take(key) {
         Some(node) => number(node, problems).map(Some),
         None => Some(None),
@@ -222,7 +223,7 @@ fn range(from: &Node, problems: &mut Problems) -> Option<What> {
 }
 
 fn matcher(from: &Node, problems: &mut Problems) -> Option<What> {
-    let mut fields = problems.map(from)?;
+    let mut fields = problems.open_map(from)?;
     if let Some(is) = fields.take("is") {
         let within = fields.take("within");
         fields.finish(&["is", "within"], problems);
@@ -246,7 +247,7 @@ fn matcher(from: &Node, problems: &mut Problems) -> Option<What> {
     Some(What::Some(Box::new(part?)))
 }
 
-fn part(fields: &mut Fields<'_>, problems: &mut Problems) -> Option<Part> {
+fn part(fields: &mut Fields<'_, AnyKeys>, problems: &mut Problems) -> Option<Part> {
     // A single one may stand without brackets.
     fn several(node: &Node) -> &[Node] {
         match &node.kind {

@@ -17,7 +17,7 @@ mod asked;
 mod called;
 mod digest;
 pub mod expected;
-mod file;
+pub mod file;
 pub mod hold;
 mod merge;
 mod planned;

@@ -4,13 +4,14 @@ use crate::audit::{Files, NamedText, rules};
 use crate::knowledge::Knowledge;
 use crate::knowledge::Word;
 use crate::knowledge::diagnostic::nearest;
+use crate::knowledge::form::{Form, KeyOf};
 use crate::knowledge::yaml::{Node, Problems, parse};
 use crate::note::Severity;
 use crate::turning::shaft::Mistake;
 use technolog_note::note;
 
-use super::asked::ASKING;
 use super::expected::{self, Expected, What};
+use super::file::{CaseForm, CasesFile};
 use super::question::Question;
 use super::written::node as written;
 use super::{Case, CaseFile, merge, planned, table};
@@ -33,12 +34,7 @@ impl std::fmt::Debug for Around<'_> {
 }
 
 /// Keys that every case may have.
-pub(super) const COMMON: &[&str] = &["name", "source", "because", "expect"];
-pub(super) const TABLE: &[&str] = &["table", "given"];
-pub(super) const PART: &[&str] = &["part", "hole", "cutting"];
-pub(super) const TURN: &[&str] = &["turn", "show", "objective"];
-pub(super) const PROGRAM: &[&str] = &["program", "control", "machine", "setting", "part"];
-pub(super) const AUDIT: &[&str] = &["audit"];
+const COMMON: [KeyOf<CaseForm>; 4] = [CaseForm::name, CaseForm::source, CaseForm::because, CaseForm::expect];
 
 /// Reads a file of cases. What can be asked is there beside the mistakes.
 pub fn read_cases(file: &str, text: &str, around: Around<'_>) -> CaseFile {
@@ -77,36 +73,34 @@ pub(super) struct Reader<'a> {
 impl Reader<'_> {
     fn file(&mut self, root: &Node) -> Vec<Case> {
         let Some(mut fields) = self.problems.map(root) else { return Vec::new() };
-        let tests = fields.need("tests", &mut self.problems);
-        let asking = ASKING.iter().flat_map(|(_, keys)| *keys).chain(PART);
-        let known: Vec<&str> = asking.copied().chain(["source", "because", "tests"]).collect();
-        for key in &known {
-            let _ = fields.take(key);
+        let tests = fields.need(CasesFile::tests, &mut self.problems);
+        for key in CasesFile::KEYS {
+            let _ = fields.take(*key);
         }
-        fields.finish(&known, &mut self.problems);
+        fields.finish(&mut self.problems);
         let Some(tests) = tests.and_then(|tests| self.problems.list(tests)) else { return Vec::new() };
         if tests.is_empty() {
             let message = note!("case-there-no-cases-here");
             self.problems.error_help::<()>("no-cases", message, &root.place, note!("case-write-them-under-tests"));
         }
-        let head = merge::without(root, &["tests", "name", "expect"]);
+        let head = merge::without(root, &[CasesFile::tests.name(), CaseForm::name.name(), CaseForm::expect.name()]);
         let cases = tests.iter().enumerate();
         cases.filter_map(|(index, own)| self.case(index + 1, own, &head)).collect()
     }
 
     fn case(&mut self, number: usize, own: &Node, head: &Node) -> Option<Case> {
         let mistakes = self.mistakes();
-        let _ = self.problems.map(own)?;
+        let _ = self.problems.open_map(own)?;
         let whole = merge::over(own, head);
         let mut fields = self.problems.map(&whole)?;
-        let name = fields.take("name").and_then(|node| self.problems.text(node)).map(str::to_owned);
-        let mut text = |key: &str| fields.take(key).and_then(|node| self.problems.text(node)).map(str::to_owned);
-        let (source, because) = (text("source"), text("because"));
-        let expected = fields.take("expect").map(|node| expected::read(node, &mut self.problems));
+        let name = fields.take(CaseForm::name).and_then(|node| self.problems.text(node)).map(str::to_owned);
+        let mut text = |key| fields.take(key).and_then(|node| self.problems.text(node)).map(str::to_owned);
+        let (source, because) = (text(CaseForm::source), text(CaseForm::because));
+        let expected = fields.take(CaseForm::expect).map(|node| expected::read(node, &mut self.problems));
         let title = name.unwrap_or_else(|| title(own));
         let (question, known) = self.question(&mut fields);
-        let known: Vec<&str> = COMMON.iter().chain(known).copied().collect();
-        fields.finish(&known, &mut self.problems);
+        let known: Vec<KeyOf<CaseForm>> = COMMON.iter().chain(known).copied().collect();
+        fields.finish_among(&known, &mut self.problems);
         if question.is_none() && self.mistakes() == mistakes {
             let help = note!("case-one-table-part-hole-turn");
             self.problems.error_help::<()>("no-question", note!("case-this-case-asks-nothing"), &own.place, help);
@@ -117,7 +111,9 @@ impl Reader<'_> {
                 match &question {
                     Some(question) => self.fit(&mut expected, question),
                     // The faults of both are told at once.
-                    None if whole.get("hole").is_some() => planned::fit(&expected, 1, &mut self.problems),
+                    None if whole.get(CaseForm::hole.name()).is_some() => {
+                        planned::fit(&expected, 1, &mut self.problems)
+                    }
                     None => {}
                 }
                 self.codes_of(&expected);
@@ -187,8 +183,9 @@ fn title(own: &Node) -> String {
         let text = written(node);
         text.strip_prefix('{').and_then(|text| text.strip_suffix('}')).map_or(text.clone(), str::to_owned)
     };
-    let told = ["given", "hole", "part", "turn", "program", "audit"].iter().find_map(|key| own.get(key)).map(keys);
-    match (own.get("table").and_then(Node::text), told) {
+    let told = [CaseForm::given, CaseForm::hole, CaseForm::part, CaseForm::turn, CaseForm::program, CaseForm::audit];
+    let told = told.into_iter().find_map(|key| own.get(key.name())).map(keys);
+    match (own.get(CaseForm::table.name()).and_then(Node::text), told) {
         (Some(table), Some(given)) => format!("{table}: {given}"),
         (Some(table), None) => table.to_owned(),
         (None, told) => told.unwrap_or_default(),

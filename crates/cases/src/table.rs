@@ -41,7 +41,7 @@ impl Question {
         let mut columns = Vec::new();
         let mut whole = true;
         if let Some(given) = given {
-            let NodeKind::Map(entries) = &given.kind else { return problems.map(given).and(None) };
+            let NodeKind::Map(entries) = &given.kind else { return problems.open_map(given).and(None) };
             for (key, node) in entries {
                 match value(found, &key.text, &key.place, node, problems) {
                     Some(column) => columns.push(column),

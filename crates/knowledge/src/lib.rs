@@ -15,6 +15,8 @@ pub mod contract;
 pub mod diagnostic;
 pub mod error;
 mod few;
+pub mod form;
+mod hint;
 pub mod knowledge;
 pub mod lint;
 pub mod load;

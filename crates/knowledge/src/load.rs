@@ -4,6 +4,7 @@ use crate::cell::{TestError, parse_test};
 use crate::column::{Column, ColumnType, Label, Role};
 use crate::contract::Word;
 use crate::diagnostic::{Diagnostic, Place, Severity};
+use crate::form::AnyKeys;
 use crate::set::Set;
 use crate::table::{Cell, Correction, HitPolicy, Kind, Law, Row, Source, Table, ToolHead, Uncovered};
 use crate::units::Unit;
@@ -66,7 +67,7 @@ struct Loader<'a> {
 
 impl Loader<'_> {
     fn table(&mut self, root: &Node) -> Option<Table> {
-        let mut head = self.problems.map(root)?;
+        let mut head = self.problems.open_map(root)?;
         let id = head.need("table", self.problems).and_then(|node| self.owned(node));
         let title = head.need("title", self.problems).and_then(|node| self.label(node));
         let kind = match head.need("kind", self.problems) {
@@ -136,7 +137,7 @@ impl Loader<'_> {
     }
 
     fn label(&mut self, node: &Node) -> Option<Label> {
-        let mut fields = self.problems.map(node)?;
+        let mut fields = self.problems.open_map(node)?;
         let uk = fields.need("uk", self.problems).and_then(|node| self.owned(node));
         let en = fields.need("en", self.problems).and_then(|node| self.owned(node));
         fields.finish(&["uk", "en"], self.problems);
@@ -168,7 +169,7 @@ impl Loader<'_> {
     }
 
     fn tool(&mut self, node: &Node) -> Option<ToolHead> {
-        let mut fields = self.problems.map(node)?;
+        let mut fields = self.problems.open_map(node)?;
         let operations = fields.need("operations", self.problems).map(|node| self.operations(node));
         let shank: Option<Shank> = fields.need("shank", self.problems).and_then(|node| self.word(node));
         let material: Option<ToolMaterial> = fields.need("material", self.problems).and_then(|node| self.word(node));
@@ -191,7 +192,7 @@ impl Loader<'_> {
     fn laws(&mut self, node: &Node) -> Vec<Law> {
         let mut laws = Vec::new();
         for item in self.problems.list(node).unwrap_or_default() {
-            let Some(mut fields) = self.problems.map(item) else { continue };
+            let Some(mut fields) = self.problems.open_map(item) else { continue };
             let name = fields.need("law", self.problems).and_then(|node| self.owned(node));
             let parameters =
                 fields.rest().into_iter().map(|(key, node)| (key.text.clone(), self.texts(node).join(" "))).collect();
@@ -220,7 +221,7 @@ impl Loader<'_> {
     }
 
     fn column(&mut self, node: &Node, kind: Kind) -> Option<Column> {
-        let mut fields = self.problems.map(node)?;
+        let mut fields = self.problems.open_map(node)?;
         let name = fields.need("name", self.problems).and_then(|node| self.owned(node));
         if let Some(reserved) = name.as_deref().filter(|name| ROW.contains(name)) {
             let message = note!("table-key-every-row-cannot-name", reserved = reserved);
@@ -349,7 +350,7 @@ impl Loader<'_> {
     }
 
     fn refers(&mut self, node: &Node) -> Option<(String, String)> {
-        let mut fields = self.problems.map(node)?;
+        let mut fields = self.problems.open_map(node)?;
         let table = fields.need("table", self.problems).and_then(|node| self.owned(node));
         let column = fields.need("column", self.problems).and_then(|node| self.owned(node));
         fields.finish(&["table", "column"], self.problems);
@@ -362,12 +363,12 @@ impl Loader<'_> {
     }
 
     fn row(&mut self, node: &Node, columns: &[Column], hit: HitPolicy) -> Option<Row> {
-        let mut fields = self.problems.map(node)?;
+        let mut fields = self.problems.open_map(node)?;
         let mut cells = Vec::with_capacity(columns.len());
         let mut places = Vec::with_capacity(columns.len());
         let mut sound = true;
         for column in columns {
-            let node = fields.take(&column.name);
+            let node = fields.take(column.name.as_str());
             places.push(node.map(|node| node.place.clone()));
             match self.cell(node, column, fields.place) {
                 Some(cell) => cells.push(cell),
@@ -453,13 +454,13 @@ impl Loader<'_> {
     }
 
     fn corrections(&mut self, node: &Node, columns: &[Column]) -> Vec<Correction> {
-        let Some(mut fields) = self.problems.map(node) else { return Vec::new() };
+        let Some(mut fields) = self.problems.open_map(node) else { return Vec::new() };
         let mut corrections = Vec::new();
         for (key, node) in fields.rest() {
             if !columns.iter().any(|column| column.name == key.text) {
                 self.problems.error::<()>("unknown-column", note!("table-no-column-2", key = key.text), &key.place);
             }
-            let Some(mut fields) = self.problems.map(node) else { continue };
+            let Some(mut fields) = self.problems.open_map(node) else { continue };
             let printed = fields.need("printed", self.problems).and_then(|node| self.owned(node));
             let reason = fields.need("reason", self.problems).and_then(|node| self.owned(node));
             fields.finish(&["printed", "reason"], self.problems);
@@ -473,11 +474,11 @@ impl Loader<'_> {
     fn uncovered(&mut self, node: &Node, columns: &[Column]) -> Vec<Uncovered> {
         let mut gaps = Vec::new();
         for item in self.problems.list(node).unwrap_or_default() {
-            let Some(mut fields) = self.problems.map(item) else { continue };
+            let Some(mut fields) = self.problems.open_map(item) else { continue };
             let when = fields.need("when", self.problems);
             let reason = fields.need("reason", self.problems).and_then(|node| self.owned(node));
             fields.finish(&["when", "reason"], self.problems);
-            let sets = when.and_then(|node| self.problems.map(node)).map(|when| self.when(when, columns));
+            let sets = when.and_then(|node| self.problems.open_map(node)).map(|when| self.when(when, columns));
             if let (Some(sets), Some(reason)) = (sets, reason) {
                 gaps.push(Uncovered { sets, reason, place: Some(item.place.clone()) });
             }
@@ -485,11 +486,11 @@ impl Loader<'_> {
         gaps
     }
 
-    fn when(&mut self, mut when: Fields<'_>, columns: &[Column]) -> Vec<Set> {
+    fn when(&mut self, mut when: Fields<'_, AnyKeys>, columns: &[Column]) -> Vec<Set> {
         let inputs: Vec<&Column> = columns.iter().filter(|column| column.role == Role::Input).collect();
         let sets = inputs
             .iter()
-            .map(|column| match when.take(&column.name) {
+            .map(|column| match when.take(column.name.as_str()) {
                 None => column.allowed(),
                 Some(node) => match self.problems.text(node).map(|text| parse_test(text, column)) {
                     Some(Ok(set)) => set.intersection(&column.allowed()),

@@ -6,7 +6,10 @@ use technolog_note::{Note, note};
 
 use saphyr_parser::{Event, Marker, Parser, ScalarStyle, Span};
 
-use crate::diagnostic::{Diagnostic, Place, nearest};
+use crate::diagnostic::{Diagnostic, Place};
+use crate::form::{AnyKeys, Form};
+
+pub use crate::form::{Fields, missing_key};
 
 /// A value of a YAML file and where it stands.
 #[derive(Clone, Debug)]
@@ -309,76 +312,24 @@ impl Problems {
         }
     }
 
-    /// The fields of a mapping.
-    pub fn map<'n>(&mut self, node: &'n Node) -> Option<Fields<'n>> {
+    /// The fields of a mapping whose keys a description of the format lists.
+    pub fn map<'n, F: Form>(&mut self, node: &'n Node) -> Option<Fields<'n, F>> {
+        self.fields(node)
+    }
+
+    /// The fields of a mapping whose keys are data, such as the columns of a table.
+    pub fn open_map<'n>(&mut self, node: &'n Node) -> Option<Fields<'n, AnyKeys>> {
+        self.fields(node)
+    }
+
+    fn fields<'n, F>(&mut self, node: &'n Node) -> Option<Fields<'n, F>> {
         match &node.kind {
-            NodeKind::Map(entries) => Some(Fields { entries, taken: vec![false; entries.len()], place: &node.place }),
+            NodeKind::Map(entries) => Some(Fields::new(entries, &node.place)),
             _ => {
                 self.error("bad-value", note!("yaml-mapping-expected-here", kind_name = node.kind_name()), &node.place)
             }
         }
     }
-}
-
-/// The fields of one mapping; what nobody takes is an unknown key.
-#[derive(Debug)]
-pub struct Fields<'n> {
-    entries: &'n [(Key, Node)],
-    taken: Vec<bool>,
-    /// Where the mapping begins.
-    pub place: &'n Place,
-}
-
-impl<'n> Fields<'n> {
-    /// Takes an optional field; an empty value counts as absent.
-    pub fn take(&mut self, name: &str) -> Option<&'n Node> {
-        let index = self.entries.iter().position(|(key, _)| key.text == name)?;
-        self.taken[index] = true;
-        Some(&self.entries[index].1).filter(|node| !node.is_null())
-    }
-
-    /// Takes a field that must be there.
-    pub fn need(&mut self, name: &str, problems: &mut Problems) -> Option<&'n Node> {
-        let node = self.take(name);
-        if node.is_none() {
-            problems.0.push(missing_key(name, self.place));
-        }
-        node
-    }
-
-    /// The fields not yet taken, in order.
-    pub fn rest(&mut self) -> Vec<(&'n Key, &'n Node)> {
-        let entries = self.entries;
-        let rest =
-            entries.iter().zip(&self.taken).filter(|(_, taken)| !**taken).map(|((key, node), _)| (key, node)).collect();
-        self.taken.fill(true);
-        rest
-    }
-
-    /// Reports every field that nobody took; `known` are the right ones. A mistyped key that was
-    /// needed is one mistake, not two: it is no longer reported as missing.
-    pub fn finish(mut self, known: &[&str], problems: &mut Problems) {
-        for (key, node) in self.rest() {
-            let near = nearest(&key.text, known.iter().copied());
-            let help = match near {
-                _ if node.is_null() && key.text.bytes().all(|byte| byte.is_ascii_digit()) => {
-                    note!("yaml-write-decimal-point-number-comma")
-                }
-                Some(near) => note!("yaml-did-you-mean", near = near),
-                None => note!("yaml-known-here", known = known.join(", ")),
-            };
-            if let Some(near) = near {
-                let missing = missing_key(near, self.place);
-                problems.0.retain(|one| *one != missing);
-            }
-            problems.error_help::<()>("unknown-key", note!("yaml-unknown-key", key = key.text), &key.place, help);
-        }
-    }
-}
-
-/// What [`Fields::need`] reports of a mapping that lacks a key.
-pub fn missing_key(name: &str, place: &Place) -> Diagnostic {
-    Diagnostic::error("missing-key", note!("yaml-key-missing", name = name), place.clone())
 }
 
 #[cfg(test)]
@@ -413,11 +364,13 @@ mod tests {
             ("name: {{x}}\ndepth: 2\n", "yaml"),
             ("name: &n 1\ndepth: *n\n", "yaml"),
             ("depth: 2\n", "missing-key"),
+            ("назва: 1\ndepth: 2\n", "unknown-key"),
+            ("name: 1\nglybyna: 2\ndepth: 2\n", "unknown-key"),
         ] {
             let (root, problems) = parse("t.yaml", text);
             let mut problems = Problems(problems);
             if let Some(root) = root {
-                let mut fields = problems.map(&root).unwrap();
+                let mut fields = problems.open_map(&root).unwrap();
                 let _ = (fields.need("name", &mut problems), fields.need("depth", &mut problems));
                 fields.finish(&["name", "depth"], &mut problems);
             }

@@ -2,6 +2,7 @@
 
 use crate::knowledge::Knowledge;
 use crate::knowledge::diagnostic::{Diagnostic, Place, Severity};
+use crate::knowledge::form::KeyOf;
 use crate::knowledge::yaml::{Fields, Node, Problems, parse};
 use crate::material;
 use crate::note::{Note, Tell};
@@ -146,8 +147,8 @@ impl<'a> Reader<'a> {
         Some((length, node.place.clone()))
     }
 
-    pub(super) fn need(&mut self, fields: &mut Fields<'_>, key: &str) -> Option<Placed<Micrometres>> {
+    pub(super) fn need<F>(&mut self, fields: &mut Fields<'_, F>, key: KeyOf<F>) -> Option<Placed<Micrometres>> {
         let node = fields.need(key, &mut self.problems);
-        self.length(node, key)
+        self.length(node, key.name())
     }
 }

@@ -2,30 +2,25 @@
 
 use crate::knowledge::Diagnostic;
 use crate::knowledge::diagnostic::nearest;
+use crate::knowledge::form::KeyOf;
 use crate::knowledge::yaml::{Fields, Node, Problems, parse};
 use technolog_note::note;
 
 use super::super::finding::Section;
 use super::super::read::number;
+use super::scheme::{Deduct, SchemeFile, Section as Own, Sections};
 use super::{BySeverity, Scheme, SectionScheme};
 
-/// Keys of a scheme.
-pub(super) const SCHEME: &[&str] = &["scheme", "points", "pass", "deduct", "consequences", "sections", "rules"];
-/// Keys of deductions.
-pub(super) const SEVERITIES: &[&str] = &["error", "wrong", "doubtful", "note"];
-/// Keys of a section.
-pub(super) const SECTION: &[&str] = &["error", "wrong", "doubtful", "note", "at_most"];
-
-const SECTIONS: [(&str, Section); 9] = [
-    ("route", Section::Route),
-    ("tools", Section::Tools),
-    ("holders", Section::Holders),
-    ("conditions", Section::Conditions),
-    ("clamping", Section::Clamping),
-    ("lengths", Section::Lengths),
-    ("program", Section::Program),
-    ("times", Section::Times),
-    ("missing", Section::Missing),
+const SECTIONS: [(KeyOf<Sections>, Section); 9] = [
+    (Sections::route, Section::Route),
+    (Sections::tools, Section::Tools),
+    (Sections::holders, Section::Holders),
+    (Sections::conditions, Section::Conditions),
+    (Sections::clamping, Section::Clamping),
+    (Sections::lengths, Section::Lengths),
+    (Sections::program, Section::Program),
+    (Sections::times, Section::Times),
+    (Sections::missing, Section::Missing),
 ];
 
 /// Reads a scheme; `rules` are the ids that a finding can have.
@@ -47,15 +42,15 @@ pub fn read_scheme(file: &str, text: &str, rules: &[&str]) -> Result<Scheme, Vec
 
 fn scheme(root: &Node, rules: &[&str], problems: &mut Problems) -> Option<Scheme> {
     let mut fields = problems.map(root)?;
-    let name = fields.take("scheme").and_then(|node| problems.text(node)).unwrap_or_default().to_owned();
-    let points = fields.need("points", problems).and_then(|node| positive(node, problems));
-    let pass_node = fields.take("pass");
+    let name = fields.take(SchemeFile::scheme).and_then(|node| problems.text(node)).unwrap_or_default().to_owned();
+    let points = fields.need(SchemeFile::points, problems).and_then(|node| positive(node, problems));
+    let pass_node = fields.take(SchemeFile::pass);
     let pass = pass_node.and_then(|node| positive(node, problems));
-    let deduct = fields.take("deduct").map(|node| deductions(node, problems)).unwrap_or_default();
-    let consequences = fields.take("consequences").and_then(|node| positive(node, problems)).unwrap_or(0.0);
-    let sections = fields.take("sections").map(|node| sections(node, problems)).unwrap_or_default();
-    let named = fields.take("rules").map(|node| by_rule(node, rules, problems)).unwrap_or_default();
-    fields.finish(SCHEME, problems);
+    let deduct = fields.take(SchemeFile::deduct).map(|node| deductions(node, problems)).unwrap_or_default();
+    let consequences = fields.take(SchemeFile::consequences).and_then(|node| positive(node, problems)).unwrap_or(0.0);
+    let sections = fields.take(SchemeFile::sections).map(|node| sections(node, problems)).unwrap_or_default();
+    let named = fields.take(SchemeFile::rules).map(|node| by_rule(node, rules, problems)).unwrap_or_default();
+    fields.finish(problems);
     if let (Some(node), Some(pass), Some(points)) = (pass_node, pass, points)
         && pass > points
     {
@@ -83,14 +78,14 @@ fn positive(node: &Node, problems: &mut Problems) -> Option<f64> {
 
 fn deductions(node: &Node, problems: &mut Problems) -> BySeverity {
     let Some(mut fields) = problems.map(node) else { return BySeverity::default() };
-    let deduct = severities(&mut fields, problems);
-    fields.finish(SEVERITIES, problems);
+    let deduct = severities(&mut fields, [Deduct::error, Deduct::wrong, Deduct::doubtful, Deduct::note], problems);
+    fields.finish(problems);
     deduct
 }
 
-fn severities(fields: &mut Fields<'_>, problems: &mut Problems) -> BySeverity {
-    let mut points = |key: &str| fields.take(key).and_then(|node| positive(node, problems));
-    BySeverity { error: points("error"), wrong: points("wrong"), doubtful: points("doubtful"), note: points("note") }
+fn severities<F>(fields: &mut Fields<'_, F>, keys: [KeyOf<F>; 4], problems: &mut Problems) -> BySeverity {
+    let [error, wrong, doubtful, note] = keys.map(|key| fields.take(key).and_then(|node| positive(node, problems)));
+    BySeverity { error, wrong, doubtful, note }
 }
 
 fn sections(node: &Node, problems: &mut Problems) -> Vec<(Section, SectionScheme)> {
@@ -99,17 +94,17 @@ fn sections(node: &Node, problems: &mut Problems) -> Vec<(Section, SectionScheme
     for (key, section) in SECTIONS {
         let Some(node) = fields.take(key) else { continue };
         let Some(mut own) = problems.map(node) else { continue };
-        let deduct = severities(&mut own, problems);
-        let at_most = own.take("at_most").and_then(|node| positive(node, problems));
-        own.finish(SECTION, problems);
+        let deduct = severities(&mut own, [Own::error, Own::wrong, Own::doubtful, Own::note], problems);
+        let at_most = own.take(Own::at_most).and_then(|node| positive(node, problems));
+        own.finish(problems);
         read.push((section, SectionScheme { deduct, at_most }));
     }
-    fields.finish(&SECTIONS.map(|(key, _)| key), problems);
+    fields.finish(problems);
     read
 }
 
 fn by_rule(node: &Node, rules: &[&str], problems: &mut Problems) -> Vec<(String, f64)> {
-    let Some(mut fields) = problems.map(node) else { return Vec::new() };
+    let Some(mut fields) = problems.open_map(node) else { return Vec::new() };
     let mut read = Vec::new();
     for (key, node) in fields.rest() {
         if !rules.contains(&key.text.as_str()) {

@@ -3,12 +3,13 @@
 use std::collections::BTreeMap;
 use technolog_note::note;
 
+use crate::knowledge::form::Form;
 use crate::knowledge::yaml::{Node, NodeKind};
 
 use crate::units::Micrometres;
 
 use super::Reader;
-use crate::audit::keys::{CARD, CLAMPING, CONDITIONS};
+use crate::audit::file::{self, Card, Factors};
 use crate::audit::quantity::Quantity;
 use crate::audit::stated::{Clamping, Conditions, Factor, Row, Said};
 use crate::part::{Part, Point};
@@ -37,25 +38,25 @@ impl Reader<'_> {
 
     fn one(&mut self, node: &Node, rows: &[Row]) -> Option<Conditions> {
         let mut fields = self.problems.map(node)?;
-        let named = fields.need("for", &mut self.problems).map(|node| self.rows_named(node, rows));
-        let card = fields.take("card");
-        let factors_node = fields.take("factors");
-        let limited_by = fields.take("limited_by").and_then(|node| self.choice(node, &Limit::NAMES));
-        let mut figures = self.figures(&mut fields, CONDITIONS);
-        fields.finish(CONDITIONS, &mut self.problems);
-        if let Some(mut fields) = card.and_then(|node| self.problems.map(node)) {
-            figures.extend(self.figures_under("card.", &mut fields, CARD));
-            fields.finish(CARD, &mut self.problems);
+        let named = fields.need(file::Conditions::r#for, &mut self.problems).map(|node| self.rows_named(node, rows));
+        let card = fields.take(file::Conditions::card);
+        let factors_node = fields.take(file::Conditions::factors);
+        let limited_by = fields.take(file::Conditions::limited_by).and_then(|node| self.choice(node, &Limit::NAMES));
+        let mut figures = self.figures(&mut fields);
+        fields.finish(&mut self.problems);
+        if let Some(mut fields) = card.and_then(|node| self.problems.map::<Card>(node)) {
+            figures.extend(self.figures_under("card.", &mut fields));
+            fields.finish(&mut self.problems);
         }
         let mut factors = BTreeMap::new();
         if let Some(mut fields) = factors_node.and_then(|node| self.problems.map(node)) {
-            for key in CARD {
-                let quantity = Quantity::of_key(&format!("factors.{key}"));
-                if let Some((quantity, node)) = quantity.zip(fields.take(key)) {
+            for key in Factors::KEYS {
+                let quantity = Quantity::of_key(&format!("factors.{}", key.name()));
+                if let Some((quantity, node)) = quantity.zip(fields.take(*key)) {
                     factors.insert(quantity, self.factors(node));
                 }
             }
-            fields.finish(CARD, &mut self.problems);
+            fields.finish(&mut self.problems);
         }
         let place = node.place.clone();
         let held = limited_by.is_some_and(|limit| limit != Limit::CuttingSpeed);
@@ -105,7 +106,7 @@ impl Reader<'_> {
 
     pub(super) fn clamping(&mut self, node: &Node, rows: &[Row], part: &Part) -> Option<Clamping> {
         let mut fields = self.problems.map(node)?;
-        let row = fields.take("for").and_then(|node| match self.rows_named(node, rows).as_slice() {
+        let row = fields.take(file::Clamping::r#for).and_then(|node| match self.rows_named(node, rows).as_slice() {
             [value] => Some(Said { value: *value, place: node.place.clone() }),
             [] => None,
             _ => {
@@ -113,19 +114,18 @@ impl Reader<'_> {
                 self.problems.error_help("bad-value", note!("planfile-part-clamped-for-one-row"), &node.place, help)
             }
         });
-        let hole = self.hole(&mut fields, part);
-        let at = fields.take("at").map(|node| self.points(node)).unwrap_or_default();
-        let screw = self.text_of(&mut fields, "screw").map(|text| {
+        let hole = self.hole(&mut fields, file::Clamping::hole, part);
+        let at = fields.take(file::Clamping::at).map(|node| self.points(node)).unwrap_or_default();
+        let screw = self.text_of(&mut fields, file::Clamping::screw).map(|text| {
             // Cyrillic М is typed as often as the Latin letter.
             Said { value: text.value.replace('М', "M"), ..text }
         });
-        let designation = self.text_of(&mut fields, "designation");
-        let standard = self.text_of(&mut fields, "standard");
-        let force = fields.take("force").and_then(|node| self.figure(node));
-        let keys: Vec<&str> = CLAMPING.iter().copied().filter(|key| *key != "force").collect();
-        let mut figures = self.figures(&mut fields, &keys);
+        let designation = self.text_of(&mut fields, file::Clamping::designation);
+        let standard = self.text_of(&mut fields, file::Clamping::standard);
+        let force = fields.take(file::Clamping::force).and_then(|node| self.figure(node));
+        let mut figures = self.figures(&mut fields);
         figures.extend(force.map(|force| (Quantity::ClampForce, force)));
-        fields.finish(CLAMPING, &mut self.problems);
+        fields.finish(&mut self.problems);
         Some(Clamping { place: node.place.clone(), row, hole, screw, designation, standard, at, figures })
     }
 }

@@ -1,5 +1,6 @@
 //! Numbers with their printed places.
 
+use crate::knowledge::form::Form;
 use crate::knowledge::yaml::{Fields, Node};
 use technolog_note::note;
 
@@ -12,17 +13,17 @@ use crate::audit::tolerance::Range;
 const MOST: f64 = 1e9;
 
 impl Reader<'_> {
-    /// The fields of those keys that are figures.
-    pub(super) fn figures(&mut self, fields: &mut Fields<'_>, keys: &[&str]) -> Figures {
-        self.figures_under("", fields, keys)
+    /// The fields not yet taken that are figures.
+    pub(super) fn figures<F: Form>(&mut self, fields: &mut Fields<'_, F>) -> Figures {
+        self.figures_under("", fields)
     }
 
     /// The same where the keys of the quantities have a prefix: `card.`.
-    pub(super) fn figures_under(&mut self, prefix: &str, fields: &mut Fields<'_>, keys: &[&str]) -> Figures {
+    pub(super) fn figures_under<F: Form>(&mut self, prefix: &str, fields: &mut Fields<'_, F>) -> Figures {
         let mut figures = Figures::new();
-        for key in keys {
-            let Some(quantity) = Quantity::of_key(&format!("{prefix}{key}")) else { continue };
-            let Some(node) = fields.take(key) else { continue };
+        for key in F::KEYS {
+            let Some(quantity) = Quantity::of_key(&format!("{prefix}{}", key.name())) else { continue };
+            let Some(node) = fields.take_once(*key) else { continue };
             // The clamping calls its force as the conditions call theirs; both are in one range.
             figures
                 .extend(self.figure(node).and_then(|figure| self.possible(quantity, figure)).map(|it| (quantity, it)));

@@ -9,13 +9,14 @@ pub(super) use figures::number;
 
 use crate::knowledge::Knowledge;
 use crate::knowledge::diagnostic::{Diagnostic, Severity};
+use crate::knowledge::form::{Form, KeyOf};
 use crate::knowledge::yaml::{Fields, Node, NodeKind, Problems, parse};
 use crate::part::{Part, read_part, read_part_node};
 use crate::plan::CuttingMethod;
 use crate::program::Language;
 use technolog_note::note;
 
-use super::keys::{PLAN, PROGRAM, TIMES};
+use super::file::{self, PlanFile};
 use super::stated::{Figures, Program, Said, Stated, Text};
 use super::tolerance::Tolerances;
 
@@ -74,10 +75,10 @@ fn is_plan(root: &Node) -> bool {
     if root.get("holes").is_some() {
         return root.get("sequence").is_some();
     }
-    let own = |key: &str| PLAN.contains(&key);
-    let parts = ["route", "tools", "conditions", "clamping", "program"];
-    parts.iter().any(|key| root.get(key).is_some())
-        || root.get("part").is_some() && entries.iter().all(|(key, _)| own(&key.text))
+    let own = |key: &str| PlanFile::KEYS.iter().any(|known| known.name() == key);
+    let has = |key: KeyOf<PlanFile>| root.get(key.name()).is_some();
+    let parts = [PlanFile::route, PlanFile::tools, PlanFile::conditions, PlanFile::clamping, PlanFile::program];
+    parts.into_iter().any(has) || has(PlanFile::part) && entries.iter().all(|(key, _)| own(&key.text))
 }
 
 fn read_tree(
@@ -121,18 +122,18 @@ struct Reader<'a> {
 impl Reader<'_> {
     fn plan(&mut self, root: &Node) -> Option<Stated> {
         let mut fields = self.problems.map(root)?;
-        let name = self.text(fields.take("plan")).map(|name| name.value).unwrap_or_default();
-        let part = fields.need("part", &mut self.problems).and_then(|node| self.part(node));
-        let cutting = fields.take("cutting");
+        let name = self.text(fields.take(PlanFile::plan)).map(|name| name.value).unwrap_or_default();
+        let part = fields.need(PlanFile::part, &mut self.problems).and_then(|node| self.part(node));
+        let cutting = fields.take(PlanFile::cutting);
         let method = cutting
             .and_then(|node| self.choice(node, &[("formula", CuttingMethod::Formula), ("card", CuttingMethod::Card)]));
-        let route = fields.take("route");
-        let tools = fields.take("tools");
-        let conditions = fields.take("conditions");
-        let clamping = fields.take("clamping");
-        let program = fields.take("program");
-        let times = fields.take("times");
-        fields.finish(PLAN, &mut self.problems);
+        let route = fields.take(PlanFile::route);
+        let tools = fields.take(PlanFile::tools);
+        let conditions = fields.take(PlanFile::conditions);
+        let clamping = fields.take(PlanFile::clamping);
+        let program = fields.take(PlanFile::program);
+        let times = fields.take(PlanFile::times);
+        fields.finish(&mut self.problems);
 
         let part = part?;
         let rows = route.map(|node| self.rows(node, &part)).unwrap_or_default();
@@ -208,10 +209,10 @@ impl Reader<'_> {
 
     fn program(&mut self, node: &Node) -> Option<Program> {
         let mut fields = self.problems.map(node)?;
-        let file_node = fields.need("file", &mut self.problems);
-        let control_node = fields.need("control", &mut self.problems);
-        let setting_node = fields.take("setting");
-        fields.finish(PROGRAM, &mut self.problems);
+        let file_node = fields.need(file::Program::file, &mut self.problems);
+        let control_node = fields.need(file::Program::control, &mut self.problems);
+        let setting_node = fields.take(file::Program::setting);
+        fields.finish(&mut self.problems);
         let names = Language::NAMES.map(|name| (name, name));
         let control = control_node.and_then(|node| self.choice(node, &names));
         let path = self.text(file_node);
@@ -238,9 +239,9 @@ impl Reader<'_> {
     }
 
     fn times(&mut self, node: &Node) -> Figures {
-        let Some(mut fields) = self.problems.map(node) else { return Figures::new() };
-        let figures = self.figures(&mut fields, TIMES);
-        fields.finish(TIMES, &mut self.problems);
+        let Some(mut fields) = self.problems.map::<file::Times>(node) else { return Figures::new() };
+        let figures = self.figures(&mut fields);
+        fields.finish(&mut self.problems);
         figures
     }
 
@@ -268,7 +269,7 @@ impl Reader<'_> {
     }
 
     /// A field that holds a text.
-    fn text_of(&mut self, fields: &mut Fields<'_>, key: &str) -> Option<Text> {
+    fn text_of<F>(&mut self, fields: &mut Fields<'_, F>, key: KeyOf<F>) -> Option<Text> {
         let node = fields.take(key);
         self.text(node)
     }

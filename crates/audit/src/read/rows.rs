@@ -1,6 +1,7 @@
 //! The route.
 
 use crate::knowledge::diagnostic::nearest;
+use crate::knowledge::form::KeyOf;
 use crate::knowledge::yaml::{Fields, Node};
 use crate::part::Part;
 use crate::plan::{Feature, Operation};
@@ -9,7 +10,7 @@ use technolog_core::words::operation_named;
 use technolog_note::note;
 
 use super::Reader;
-use crate::audit::keys::ROW;
+use crate::audit::file;
 use crate::audit::near::plain;
 use crate::audit::stated::{Row, Said, Text};
 
@@ -32,23 +33,23 @@ impl Reader<'_> {
 
     fn row(&mut self, node: &Node, number: u32, part: &Part) -> Option<Row> {
         let mut fields = self.problems.map(node)?;
-        let own = fields.take("row").and_then(|node| self.problems.scalar::<u32>(node));
-        let operation = fields.need("operation", &mut self.problems).and_then(|node| {
+        let own = fields.take(file::Row::row).and_then(|node| self.problems.scalar::<u32>(node));
+        let operation = fields.need(file::Row::operation, &mut self.problems).and_then(|node| {
             // By its name in tables, or as the report calls it: `drill`, `свердління`, `свердлити`.
             let named = node.text().and_then(|text| operation_named(text, Lang::UK));
             let value = named.or_else(|| self.choice(node, Operation::NAMES))?;
             Some(Said { value, place: node.place.clone() })
         });
-        let hole = self.hole(&mut fields, part);
-        let feature = fields.take("feature").and_then(|node| self.choice(node, &Feature::NAMES));
-        let step = fields.take("step").and_then(|node| self.problems.scalar::<usize>(node));
-        let setup = fields.take("setup").and_then(|node| self.problems.scalar::<u32>(node));
-        let elsewhere = fields.take("elsewhere").and_then(|node| self.problems.boolean(node));
-        let tool = fields.take("tool").and_then(|node| self.tool_number(node));
-        let scheme = self.text_of(&mut fields, "scheme");
-        let table = self.text_of(&mut fields, "table");
-        let figures = self.figures(&mut fields, ROW);
-        fields.finish(ROW, &mut self.problems);
+        let hole = self.hole(&mut fields, file::Row::hole, part);
+        let feature = fields.take(file::Row::feature).and_then(|node| self.choice(node, &Feature::NAMES));
+        let step = fields.take(file::Row::step).and_then(|node| self.problems.scalar::<usize>(node));
+        let setup = fields.take(file::Row::setup).and_then(|node| self.problems.scalar::<u32>(node));
+        let elsewhere = fields.take(file::Row::elsewhere).and_then(|node| self.problems.boolean(node));
+        let tool = fields.take(file::Row::tool).and_then(|node| self.tool_number(node));
+        let scheme = self.text_of(&mut fields, file::Row::scheme);
+        let table = self.text_of(&mut fields, file::Row::table);
+        let figures = self.figures(&mut fields);
+        fields.finish(&mut self.problems);
         Some(Row {
             number: own.unwrap_or(number),
             place: node.place.clone(),
@@ -66,8 +67,8 @@ impl Reader<'_> {
     }
 
     /// The group of holes that a field names.
-    pub(super) fn hole(&mut self, fields: &mut Fields<'_>, part: &Part) -> Option<Text> {
-        let mut hole = self.text_of(fields, "hole")?;
+    pub(super) fn hole<F>(&mut self, fields: &mut Fields<'_, F>, key: KeyOf<F>, part: &Part) -> Option<Text> {
+        let mut hole = self.text_of(fields, key)?;
         // A Cyrillic letter that looks like the Latin one of the part is meant as that.
         let alike: Vec<&str> = part
             .holes

@@ -1,11 +1,12 @@
 //! Tools and holders.
 
+use crate::knowledge::form::Form;
 use crate::knowledge::yaml::{Node, NodeKind};
 use technolog_note::note;
 
 use super::Reader;
 use super::rows::number_of_tool;
-use crate::audit::keys::{HOLDER, TOOL};
+use crate::audit::file;
 use crate::audit::quantity::Quantity;
 use crate::audit::stated::{Figure, Said, Tool};
 
@@ -34,7 +35,8 @@ impl Reader<'_> {
                 let help = note!("planfile-give-each-tool-own-place");
                 let _ = self.problems.error_help::<()>("duplicate-tool", message, &key.place, help);
             }
-            let holder = node.get("holder").filter(|holder| holder.text().is_some() && !holder.is_null());
+            let holder =
+                node.get(file::Tool::holder.name()).filter(|holder| holder.text().is_some() && !holder.is_null());
             if let Some(same) = holder.and_then(|holder| self.tool_number(holder)) {
                 shared.push((number, same));
             }
@@ -59,7 +61,7 @@ impl Reader<'_> {
         let place = || same.place.clone();
         tool.holder = of.holder.map(|text| Said { place: place(), ..text });
         tool.holder_standard = of.holder_standard.map(|text| Said { place: place(), ..text });
-        let keys = HOLDER.iter().filter_map(|key| Quantity::of_key(&format!("holder.{key}")));
+        let keys = file::Holder::KEYS.iter().filter_map(|key| Quantity::of_key(&format!("holder.{}", key.name())));
         for quantity in keys {
             let figure = of.figures.get(&quantity).cloned();
             tool.figures.extend(figure.map(|figure| (quantity, Figure { place: place(), ..figure })));
@@ -68,30 +70,29 @@ impl Reader<'_> {
 
     fn tool(&mut self, node: &Node, number: u32) -> Option<Tool> {
         let mut fields = self.problems.map(node)?;
-        let designation = self.text_of(&mut fields, "designation");
-        let standard = self.text_of(&mut fields, "standard");
-        let table = self.text_of(&mut fields, "table");
-        let shank = fields.take("shank").and_then(|node| {
+        let designation = self.text_of(&mut fields, file::Tool::designation);
+        let standard = self.text_of(&mut fields, file::Tool::standard);
+        let table = self.text_of(&mut fields, file::Tool::table);
+        let shank = fields.take(file::Tool::shank).and_then(|node| {
             let names = ["cylindrical", "morse", "shell", "taper"].map(|name| (name, name));
             let value = self.choice(node, &names)?.to_owned();
             Some(Said { value, place: node.place.clone() })
         });
-        let correction_word = fields.take("with").and_then(|node| {
+        let correction_word = fields.take(file::Tool::with).and_then(|node| {
             let value = self.choice(node, &[("G43", "G43"), ("G44", "G44")])?.to_owned();
             Some(Said { value, place: node.place.clone() })
         });
-        let holder_node = fields.take("holder");
-        let keys: Vec<&str> = TOOL.iter().copied().filter(|key| *key != "holder").collect();
-        let mut figures = self.figures(&mut fields, &keys);
-        fields.finish(TOOL, &mut self.problems);
+        let holder_node = fields.take(file::Tool::holder);
+        let mut figures = self.figures(&mut fields);
+        fields.finish(&mut self.problems);
         let (mut holder, mut holder_standard) = (None, None);
         // A text names the tool that has the same holder.
         let holder_node = holder_node.filter(|node| node.text().is_none());
         if let Some(mut fields) = holder_node.and_then(|node| self.problems.map(node)) {
-            holder = self.text_of(&mut fields, "designation");
-            holder_standard = self.text_of(&mut fields, "standard");
-            figures.extend(self.figures_under("holder.", &mut fields, HOLDER));
-            fields.finish(HOLDER, &mut self.problems);
+            holder = self.text_of(&mut fields, file::Holder::designation);
+            holder_standard = self.text_of(&mut fields, file::Holder::standard);
+            figures.extend(self.figures_under("holder.", &mut fields));
+            fields.finish(&mut self.problems);
         }
         Some(Tool {
             number,

@@ -5,6 +5,7 @@ use crate::units::{Micrometres, Roughness};
 use technolog_note::note;
 
 use super::check::Span;
+use super::file::hole as form;
 use super::read::Reader;
 use super::read_steps::{Whole, depth_or_length};
 use super::{Bottom, Face, HoleStep, Thread, ToleratedDiameter};
@@ -94,7 +95,7 @@ impl Reader<'_> {
             // Without a readable blank the depth of a through hole is not known, and that is reported there.
             if !whole.through {
                 let help = note!("part-holes-own-diameter-goes-on");
-                self.problems.error_help::<()>("missing-key", note!("part-key-depth-missing"), whole.place, help);
+                self.problems.missing::<_, ()>(form::Hole::depth, whole.place, help);
             }
             return None;
         };
@@ -108,7 +109,7 @@ impl Reader<'_> {
             None if own.thread.is_some() => self.thread_roughness(&own.place)?,
             None => {
                 let help = note!("part-holes-own-diameter-goes-on-2");
-                return self.problems.error_help("missing-key", note!("part-key-roughness-missing"), whole.place, help);
+                return self.problems.missing(form::Hole::roughness, whole.place, help);
             }
         };
         cylinders.push(Cylinder {

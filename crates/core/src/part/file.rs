@@ -1,13 +1,14 @@
 //! The part file as its author writes it: the source of docs/part.schema.json, which editors use for
 //! completion and hints.
 //!
-//! These types say which keys there are, what they hold and in which units. [`super::read_part`] reads
-//! the file itself, because it says where every mistake stands; tests hold the two together.
+//! These types say which keys there are, what they hold and in which units. [`super::read_part`] takes the keys from them,
+//! and reads the file itself, because it says where every mistake stands.
 
 pub mod hole;
 
 use schemars::{JsonSchema, Schema, schema_for};
 use serde::Deserialize;
+use technolog_knowledge::forms;
 
 use super::{BlankKind, Entry};
 use hole::Hole;
@@ -17,59 +18,72 @@ pub fn schema() -> Schema {
     schema_for!(PartFile)
 }
 
-/// A part to be planned by `technolog plan`. All lengths are in mm with a decimal point and at most
-/// three decimal places.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct PartFile {
-    /// Name of the part.
-    pub part: Name,
-    /// Material: an id of `technolog table materials` (`steel-45`) or another name of it (`Сталь 45`, `C45`).
-    pub material: Name,
-    /// What the part is made from.
-    pub blank: Blank,
-    /// The machine's id: `gf2171`.
-    pub machine: String,
-    /// Where the zeros of X, Y and Z lie; else in the middle of the top face.
-    pub datum: Option<Datum>,
-    /// The face that the tools enter; `machined` unless said.
-    pub entry: Option<Entry>,
+forms! {
+    /// A part to be planned by `technolog plan`. All lengths are in mm with a decimal point and at most
+    /// three decimal places.
+    pub struct PartFile {
+        /// Name of the part.
+        pub part: Name,
+        /// Material: an id of `technolog table materials` (`steel-45`) or another name of it (`Сталь 45`, `C45`).
+        pub material: Name,
+        /// What the part is made from.
+        pub blank: Blank,
+        /// The machine's id: `gf2171`.
+        pub machine: String,
+        /// Where the zeros of X, Y and Z lie; else in the middle of the top face.
+        pub datum: Option<Datum>,
+        /// The face that the tools enter; `machined` unless said.
+        pub entry: Option<Entry>,
+        /// How the part is held.
+        pub fixture: Option<Fixture>,
+        /// Permitted position error Δ0 of table A.6, mm; else the centre tolerance of each group.
+        pub position_tolerance: Option<Size>,
+        /// Mass of the blank, kg.
+        pub mass: Option<Mass>,
+        /// The groups of equal holes.
+        #[schemars(length(min = 1))]
+        pub holes: Vec<Hole>,
+    }
+
+    /// The blank, with the hole axes along Z.
+    pub struct Blank {
+        /// Its kind.
+        pub kind: BlankKind,
+        /// Along X, mm.
+        pub length: Size,
+        /// Along Y, mm.
+        pub width: Size,
+        /// Along Z, mm.
+        pub thickness: Size,
+    }
+
+    /// Where the part's zeros lie: a side by its word, or the zero's distance from the left, front or
+    /// bottom side, mm.
+    pub struct Datum {
+        /// Zero of X: `left`, `centre` (unless said), `right`, or its distance from the left side, mm.
+        pub x: Option<ZeroX>,
+        /// Zero of Y: `front`, `centre` (unless said), `back`, or its distance from the front side, mm.
+        pub y: Option<ZeroY>,
+        /// Zero of Z: `top` (unless said), `middle`, `bottom`, or its distance from the bottom, mm.
+        pub z: Option<ZeroZ>,
+    }
+
     /// How the part is held.
-    pub fixture: Option<Fixture>,
-    /// Permitted position error Δ0 of table A.6, mm; else the centre tolerance of each group.
-    pub position_tolerance: Option<Size>,
-    /// Mass of the blank, kg.
-    pub mass: Option<Mass>,
-    /// The groups of equal holes.
-    #[schemars(length(min = 1))]
-    pub holes: Vec<Hole>,
-}
+    pub struct Fixture {
+        /// Height of the fixture under the part, mm.
+        pub height: Option<Size>,
+        /// The clamps; without them a symmetric pair is proposed.
+        pub clamps: Option<Vec<Clamp>>,
+    }
 
-/// The blank, with the hole axes along Z.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Blank {
-    /// Its kind.
-    pub kind: BlankKind,
-    /// Along X, mm.
-    pub length: Size,
-    /// Along Y, mm.
-    pub width: Size,
-    /// Along Z, mm.
-    pub thickness: Size,
-}
-
-/// Where the part's zeros lie: a side by its word, or the zero's distance from the left, front or
-/// bottom side, mm.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Datum {
-    /// Zero of X: `left`, `centre` (unless said), `right`, or its distance from the left side, mm.
-    pub x: Option<ZeroX>,
-    /// Zero of Y: `front`, `centre` (unless said), `back`, or its distance from the front side, mm.
-    pub y: Option<ZeroY>,
-    /// Zero of Z: `top` (unless said), `middle`, `bottom`, or its distance from the bottom, mm.
-    pub z: Option<ZeroZ>,
+    /// A clamp.
+    pub struct Clamp {
+        /// Where it presses, `[X, Y]`, mm: on the blank, and not on a hole.
+        pub at: [Coordinate; 2],
+        /// Its screw, M6 to M24: `M10`; else the smallest that bears the force.
+        #[schemars(regex(pattern = r"^[MМ][0-9]+$"))]
+        pub screw: Option<String>,
+    }
 }
 
 /// Zero of X.
@@ -132,27 +146,6 @@ pub enum SideZ {
     Top,
 }
 
-/// How the part is held.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Fixture {
-    /// Height of the fixture under the part, mm.
-    pub height: Option<Size>,
-    /// The clamps; without them a symmetric pair is proposed.
-    pub clamps: Option<Vec<Clamp>>,
-}
-
-/// A clamp.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Clamp {
-    /// Where it presses, `[X, Y]`, mm: on the blank, and not on a hole.
-    pub at: [Coordinate; 2],
-    /// Its screw, M6 to M24: `M10`; else the smallest that bears the force.
-    #[schemars(regex(pattern = r"^[MМ][0-9]+$"))]
-    pub screw: Option<String>,
-}
-
 /// A text; a bare number is one too (`45`).
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(untagged)]
@@ -195,9 +188,9 @@ pub struct Mass(pub f64);
 mod tests {
     use std::path::PathBuf;
 
-    use super::super::keys;
     use super::*;
     use crate::knowledge::Knowledge;
+    use crate::knowledge::form::Form;
     use crate::shipped;
 
     /// Every key of the format.
@@ -264,14 +257,6 @@ holes:
         shipped::knowledge().unwrap()
     }
 
-    fn keys(pointer: &str) -> Vec<String> {
-        let schema = serde_json::to_value(schema()).unwrap();
-        let properties = schema.pointer(pointer).unwrap_or_else(|| panic!("{pointer}"));
-        let mut keys: Vec<String> = properties["properties"].as_object().unwrap().keys().cloned().collect();
-        keys.sort();
-        keys
-    }
-
     #[test]
     fn the_schema_in_docs_is_the_generated_one() {
         let path = root("docs/part.schema.json");
@@ -281,33 +266,6 @@ holes:
         }
         let kept = std::fs::read_to_string(&path).unwrap_or_default();
         assert!(kept == generated, "docs/part.schema.json is old: run `UPDATE_SCHEMA=1 cargo test schema`");
-    }
-
-    #[test]
-    fn the_schema_has_the_keys_that_the_reader_knows() {
-        for (pointer, known) in [
-            ("", keys::PART),
-            ("/$defs/Blank", keys::BLANK),
-            ("/$defs/Datum", keys::DATUM),
-            ("/$defs/Fixture", keys::FIXTURE),
-            ("/$defs/Clamp", keys::CLAMP),
-            ("/$defs/Hole", keys::HOLE),
-            ("/$defs/Limits", keys::DIAMETER),
-            ("/$defs/Counterbore", keys::COUNTERBORE),
-            ("/$defs/Countersink", keys::COUNTERSINK),
-            ("/$defs/Pattern", keys::PATTERN),
-            ("/$defs/Grid", keys::GRID),
-            ("/$defs/Line", keys::LINE),
-            ("/$defs/Circle", keys::CIRCLE),
-            ("/$defs/Cone", keys::CONE),
-            ("/$defs/FaceKeys", keys::FACE),
-            ("/$defs/Groove", keys::GROOVE),
-            ("/$defs/Step", keys::STEP),
-        ] {
-            let mut known: Vec<String> = known.iter().map(|&key| key.to_owned()).collect();
-            known.sort();
-            assert_eq!(keys(pointer), known, "{pointer}");
-        }
     }
 
     #[test]
@@ -349,8 +307,11 @@ holes:
         assert_eq!(part.material, "steel-45");
         assert_eq!(part.holes.iter().map(|hole| hole.at.len()).collect::<Vec<_>>(), [2, 3, 1, 4, 6]);
         serde_yaml::from_str::<PartFile>(FULL).unwrap();
-        let used = |keys: &[&str]| keys.iter().all(|key| FULL.contains(&format!("{key}:")));
-        assert!([keys::PART, keys::HOLE, keys::STEP, keys::GRID, keys::CIRCLE, keys::CONE].into_iter().all(used));
+        fn used<F: Form>() -> bool {
+            F::KEYS.iter().all(|key| FULL.contains(&format!("{}:", key.name())))
+        }
+        assert!(used::<PartFile>() && used::<Hole>() && used::<hole::Step>());
+        assert!(used::<hole::Grid>() && used::<hole::Circle>() && used::<hole::Cone>());
     }
 
     #[test]

@@ -8,7 +8,6 @@ mod check;
 mod check_features;
 mod domain;
 pub mod file;
-mod keys;
 mod read;
 mod read_diameter;
 mod read_features;

@@ -2,6 +2,7 @@
 
 use crate::knowledge::Knowledge;
 use crate::knowledge::diagnostic::{Diagnostic, Place, Severity, nearest};
+use crate::knowledge::form::KeyOf;
 use crate::knowledge::yaml::{Fields, Node, Problems, parse};
 use crate::machine::Machine;
 use crate::material;
@@ -10,7 +11,7 @@ use crate::units::{Decimal, Micrometres};
 use technolog_note::note;
 
 use super::check;
-use super::keys::{BLANK, CLAMP, DATUM, FIXTURE, PART};
+use super::file::{self, PartFile};
 use super::{Blank, BlankKind, Clamp, Datum, Entry, Fixture, Part, Point};
 
 /// Reads a part file.
@@ -53,21 +54,20 @@ impl<'a> Reader<'a> {
 impl Reader<'_> {
     fn part(&mut self, root: &Node) -> Option<Part> {
         let mut fields = self.problems.map(root)?;
-        let name = self.need_text(&mut fields, "part");
-        let material = fields.need("material", self.problems).and_then(|node| self.material(node));
-        let blank = fields.need("blank", self.problems).and_then(|node| self.blank(node));
-        let machine = fields.need("machine", self.problems).and_then(|node| self.machine(node));
-        let datum_node = fields.take("datum");
-        let entry = match fields.take("entry") {
+        let name = fields.need(PartFile::part, self.problems).and_then(|node| self.name(node));
+        let material = fields.need(PartFile::material, self.problems).and_then(|node| self.material(node));
+        let blank = fields.need(PartFile::blank, self.problems).and_then(|node| self.blank(node));
+        let machine = fields.need(PartFile::machine, self.problems).and_then(|node| self.machine(node));
+        let datum_node = fields.take(PartFile::datum);
+        let entry = match fields.take(PartFile::entry) {
             Some(node) => self.choice(node, Entry::NAMES),
             None => Some(Entry::default()),
         };
-        let fixture_node = fields.take("fixture");
-        let position_tolerance =
-            fields.take("position_tolerance").and_then(|node| self.positive(node, "position_tolerance"));
-        let mass_kg = fields.take("mass").and_then(|node| self.mass(node));
-        let holes_node = fields.need("holes", self.problems);
-        fields.finish(PART, self.problems);
+        let fixture_node = fields.take(PartFile::fixture);
+        let position_tolerance = self.size(&mut fields, PartFile::position_tolerance);
+        let mass_kg = fields.take(PartFile::mass).and_then(|node| self.mass(node));
+        let holes_node = fields.need(PartFile::holes, self.problems);
+        fields.finish(self.problems);
 
         let datum = match (datum_node, blank) {
             (Some(node), Some(blank)) => self.datum(node, &blank),
@@ -99,10 +99,6 @@ impl Reader<'_> {
             mass_kg,
             holes: groups.into_iter().map(|group| group.hole).collect::<Option<_>>()?,
         })
-    }
-
-    pub(super) fn need_text(&mut self, fields: &mut Fields<'_>, name: &str) -> Option<String> {
-        fields.need(name, self.problems).and_then(|node| self.name(node))
     }
 
     /// A text that is not empty.
@@ -143,6 +139,16 @@ impl Reader<'_> {
         Some(length)
     }
 
+    /// The length above zero of a key that may be absent.
+    pub(super) fn size<F>(&mut self, fields: &mut Fields<'_, F>, key: KeyOf<F>) -> Option<Micrometres> {
+        fields.take(key).and_then(|node| self.positive(node, key.name()))
+    }
+
+    /// The length above zero of a key that must be there.
+    pub(super) fn need_size<F>(&mut self, fields: &mut Fields<'_, F>, key: KeyOf<F>) -> Option<Micrometres> {
+        fields.need(key, self.problems).and_then(|node| self.positive(node, key.name()))
+    }
+
     fn mass(&mut self, node: &Node) -> Option<f64> {
         let mass: Decimal = self.problems.scalar(node)?;
         if mass.millionths() <= 0 {
@@ -180,24 +186,23 @@ impl Reader<'_> {
 
     pub(super) fn blank(&mut self, node: &Node) -> Option<Blank> {
         let mut fields = self.problems.map(node)?;
-        let kind = match fields.need("kind", self.problems) {
+        let kind = match fields.need(file::Blank::kind, self.problems) {
             Some(node) => self.choice(node, &[("plate", BlankKind::Plate)]),
             None => None,
         };
-        let mut side = |name: &str, reader: &mut Self| {
-            fields.need(name, reader.problems).and_then(|node| reader.positive(node, name))
-        };
-        let (length, width, thickness) = (side("length", self), side("width", self), side("thickness", self));
-        fields.finish(BLANK, self.problems);
+        let length = self.need_size(&mut fields, file::Blank::length);
+        let width = self.need_size(&mut fields, file::Blank::width);
+        let thickness = self.need_size(&mut fields, file::Blank::thickness);
+        fields.finish(self.problems);
         Some(Blank { kind: kind?, length: length?, width: width?, thickness: thickness? })
     }
 
     pub(super) fn datum(&mut self, node: &Node, blank: &Blank) -> Option<Datum> {
         let mut fields = self.problems.map(node)?;
-        let x = fields.take("x").map(|node| self.zero(node, ["left", "centre", "right"], blank.length));
-        let y = fields.take("y").map(|node| self.zero(node, ["front", "centre", "back"], blank.width));
-        let z = fields.take("z").map(|node| self.zero(node, ["bottom", "middle", "top"], blank.thickness));
-        fields.finish(DATUM, self.problems);
+        let x = fields.take(file::Datum::x).map(|node| self.zero(node, ["left", "centre", "right"], blank.length));
+        let y = fields.take(file::Datum::y).map(|node| self.zero(node, ["front", "centre", "back"], blank.width));
+        let z = fields.take(file::Datum::z).map(|node| self.zero(node, ["bottom", "middle", "top"], blank.thickness));
+        fields.finish(self.problems);
         let left = x.unwrap_or(Some(-blank.length.half()))?;
         let front = y.unwrap_or(Some(-blank.width.half()))?;
         let bottom = z.unwrap_or(Some(-blank.thickness))?;
@@ -224,17 +229,17 @@ impl Reader<'_> {
     /// The fixture; `placed` takes the points of the clamps with their places.
     pub(super) fn fixture(&mut self, node: &Node, placed: &mut Vec<(Point, Place)>) -> Option<Fixture> {
         let mut fields = self.problems.map(node)?;
-        let height = fields.take("height").and_then(|node| self.positive(node, "height"));
-        let clamps_node = fields.take("clamps");
-        fields.finish(FIXTURE, self.problems);
+        let height = self.size(&mut fields, file::Fixture::height);
+        let clamps_node = fields.take(file::Fixture::clamps);
+        fields.finish(self.problems);
         let mut clamps = Vec::new();
         for node in clamps_node.and_then(|node| self.problems.list(node)).unwrap_or_default() {
             let Some(mut fields) = self.problems.map(node) else { continue };
-            let at_node = fields.need("at", self.problems);
+            let at_node = fields.need(file::Clamp::at, self.problems);
             let at = at_node.and_then(|node| self.point(node));
             placed.extend(at.zip(at_node.map(|node| node.place.clone())));
-            let screw = fields.take("screw").and_then(|node| self.screw(node));
-            fields.finish(CLAMP, self.problems);
+            let screw = fields.take(file::Clamp::screw).and_then(|node| self.screw(node));
+            fields.finish(self.problems);
             clamps.extend(at.map(|at| Clamp { at, screw }));
         }
         Some(Fixture { height, clamps })
@@ -375,5 +380,66 @@ holes:
     fn a_key_that_asks_for_nothing_changes_nothing() {
         let asked = read("    at:", "    outer_wall: false\n    state: solid\n    steps: []\n    thread:\n    at:");
         assert_eq!(asked, read("", ""));
+    }
+
+    const MANY_KEYS: &str = "part: П
+material: Сталь 45
+machine: gf2171
+blank: {kind: plate, length: 200, width: 100, thickness: 40}
+holes:
+  - {name: A, diameter: 10, depth: 30, roughness: Ra 12.5, centre_tolerance: 0.46, at: [[0, 0]], chamfer: 1}
+  - name: B
+    thread: M12
+    through: true
+    centre_tolerance: 0.46
+    face: 30
+    counterbore: {diameter: 20, depth: 9}
+    pattern: {line: {start: [50, 0], count: 2, step: 35}}
+  - {name: D, through: true, centre_tolerance: 0.46, at: [[0, 30]], steps: [{diameter: 10, depth: 20, roughness: Ra 6.3}, {diameter: 9, roughness: Ra 6.3}]}
+  - name: C
+    diameter: 10
+    depth: 30
+    roughness: Ra 12.5
+    centre_tolerance: 0.46
+    countersink: {diameter: 17}
+    at: [[-50, 0]]
+";
+
+    #[test]
+    fn a_key_in_ukrainian_is_one_fault_and_names_the_key() {
+        let knowledge = shipped::knowledge().unwrap();
+        for (key, typed) in [
+            ("part", "назва"),
+            ("material", "матеріал"),
+            ("blank", "заготовка"),
+            ("length", "довжина"),
+            ("width", "ширина"),
+            ("thickness", "товщина"),
+            ("machine", "верстат"),
+            ("holes", "отвори"),
+            ("name", "назва"),
+            ("diameter", "діаметр"),
+            ("depth", "глибина"),
+            ("roughness", "шорсткість"),
+            ("centre_tolerance", "допуск"),
+            ("at", "точки"),
+            ("thread", "різь"),
+            ("pattern", "розташування"),
+            ("steps", "ступені"),
+            ("chamfer", "фаска"),
+            ("counterbore", "цеківка"),
+            ("countersink", "зенківка"),
+            ("face", "торець"),
+            ("through", "наскрізний"),
+            ("count", "кількість"),
+            ("step", "крок"),
+        ] {
+            let from = MANY_KEYS.find(&format!("{key}:")).unwrap();
+            let text = format!("{}{typed}{}", &MANY_KEYS[..from], &MANY_KEYS[from + key.len()..]);
+            let problems = read_part("part", &text, &knowledge).unwrap_err();
+            let meant = note!("yaml-did-you-mean", near = key);
+            assert_eq!(problems.len(), 1, "{typed}: {problems:?}");
+            assert_eq!((problems[0].code, &problems[0].help), ("unknown-key", &Some(meant)), "{typed}");
+        }
     }
 }

@@ -1,12 +1,13 @@
 //! What a hole or a step says of its diameter: a size with its tolerance, or a thread.
 
 use crate::knowledge::diagnostic::Place;
+use crate::knowledge::form::{Form, KeyOf};
 use crate::knowledge::yaml::{Fields, Node, NodeKind};
 use crate::units::Micrometres;
 use crate::units::Roughness;
 use technolog_note::note;
 
-use super::keys::DIAMETER;
+use super::file::hole::Limits;
 use super::read::Reader;
 use super::{Thread, ToleratedDiameter, thread};
 
@@ -27,11 +28,17 @@ impl Sized {
 
 impl Reader<'_> {
     /// The diameter and the thread of a hole or a step; a thread says its diameter itself.
-    pub(super) fn sized(&mut self, fields: &mut Fields<'_>, required: bool) -> Option<Sized> {
-        let thread_node = fields.take("thread");
+    pub(super) fn sized<F: Form>(
+        &mut self,
+        fields: &mut Fields<'_, F>,
+        thread: KeyOf<F>,
+        diameter: KeyOf<F>,
+        required: bool,
+    ) -> Option<Sized> {
+        let thread_node = fields.take(thread);
         let diameter_node = match thread_node {
-            None if required => fields.need("diameter", self.problems),
-            _ => fields.take("diameter"),
+            None if required && !fields.means(thread) => fields.need(diameter, self.problems),
+            _ => fields.take(diameter),
         };
         let Some(node) = thread_node else {
             let node = diameter_node?;
@@ -75,10 +82,10 @@ impl Reader<'_> {
     fn diameter(&mut self, node: &Node) -> Option<ToleratedDiameter> {
         let diameter = if matches!(node.kind, NodeKind::Map(_)) {
             let mut fields = self.problems.map(node)?;
-            let nominal = fields.need("nominal", self.problems).and_then(|node| self.positive(node, "nominal"));
-            let upper = fields.need("upper", self.problems).and_then(|node| self.problems.scalar(node));
-            let lower = fields.need("lower", self.problems).and_then(|node| self.problems.scalar(node));
-            fields.finish(DIAMETER, self.problems);
+            let nominal = self.need_size(&mut fields, Limits::nominal);
+            let upper = fields.need(Limits::upper, self.problems).and_then(|node| self.problems.scalar(node));
+            let lower = fields.need(Limits::lower, self.problems).and_then(|node| self.problems.scalar(node));
+            fields.finish(self.problems);
             ToleratedDiameter::from_limits(nominal?, upper?, lower?, self.knowledge)
         } else {
             ToleratedDiameter::parse(self.problems.text(node)?, self.knowledge)

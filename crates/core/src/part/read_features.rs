@@ -1,12 +1,13 @@
 //! What a hole has beside its cylinders: openings at the entry, a groove, and its state in the blank.
 
 use crate::knowledge::diagnostic::Place;
+use crate::knowledge::form::KeyOf;
 use crate::knowledge::yaml::{Fields, Node, NodeKind};
 use crate::units::{Decimal, Micrometres};
 use technolog_note::note;
 
 use super::check::Span;
-use super::keys::{CONE, COUNTERBORE, COUNTERSINK, FACE, GROOVE};
+use super::file::hole as form;
 use super::read::Reader;
 use super::{BlankHole, Cone, Counterbore, Countersink, Groove};
 
@@ -51,13 +52,13 @@ impl Features {
 }
 
 impl Reader<'_> {
-    pub(super) fn features(&mut self, fields: &mut Fields<'_>) -> Features {
+    pub(super) fn features(&mut self, fields: &mut Fields<'_, form::Hole>) -> Features {
         let mut features = Features {
-            cone: self.placed(fields, "cone", Self::cone),
-            counterbore: self.placed(fields, "counterbore", Self::counterbore),
-            countersink: self.placed(fields, "countersink", Self::countersink),
-            face: self.placed(fields, "face", Self::face),
-            groove: self.placed(fields, "groove", Self::groove),
+            cone: self.placed(fields, form::Hole::cone, Self::cone),
+            counterbore: self.placed(fields, form::Hole::counterbore, Self::counterbore),
+            countersink: self.placed(fields, form::Hole::countersink, Self::countersink),
+            face: self.placed(fields, form::Hole::face, Self::face),
+            groove: self.placed(fields, form::Hole::groove, Self::groove),
             ..Features::default()
         };
         self.state(fields, &mut features);
@@ -66,23 +67,19 @@ impl Reader<'_> {
 
     fn placed<T>(
         &mut self,
-        fields: &mut Fields<'_>,
-        name: &str,
+        fields: &mut Fields<'_, form::Hole>,
+        key: KeyOf<form::Hole>,
         read: impl FnOnce(&mut Self, &Node) -> Option<T>,
     ) -> Option<(T, Place)> {
-        let node = fields.take(name)?;
+        let node = fields.take(key)?;
         Some((read(self, node)?, node.place.clone()))
-    }
-
-    fn need_size(&mut self, fields: &mut Fields<'_>, name: &str) -> Option<Micrometres> {
-        fields.need(name, self.problems).and_then(|node| self.positive(node, name))
     }
 
     fn cone(&mut self, node: &Node) -> Option<Cone> {
         let mut fields = self.problems.map(node)?;
-        let diameter = self.need_size(&mut fields, "diameter");
-        let angle_node = fields.take("angle");
-        let taper_node = fields.take("taper");
+        let diameter = self.need_size(&mut fields, form::Cone::diameter);
+        let angle_node = fields.take(form::Cone::angle);
+        let taper_node = fields.take(form::Cone::taper);
         let angle = match (angle_node, taper_node) {
             (Some(angle), None) => self.angle(angle),
             (None, Some(taper)) => self.taper(taper),
@@ -92,25 +89,28 @@ impl Reader<'_> {
             }
             (None, None) => {
                 let help = note!("part-taper-difference-diameters-over-length");
-                self.problems.error_help("missing-key", note!("part-key-angle-missing"), &node.place, help)
+                self.problems.missing(form::Cone::angle, &node.place, help)
             }
         };
-        fields.finish(CONE, self.problems);
+        fields.finish(self.problems);
         Some(Cone { diameter: diameter?, angle_millideg: angle? })
     }
 
     fn counterbore(&mut self, node: &Node) -> Option<Counterbore> {
         let mut fields = self.problems.map(node)?;
-        let (diameter, depth) = (self.need_size(&mut fields, "diameter"), self.need_size(&mut fields, "depth"));
-        fields.finish(COUNTERBORE, self.problems);
+        let (diameter, depth) = (
+            self.need_size(&mut fields, form::Counterbore::diameter),
+            self.need_size(&mut fields, form::Counterbore::depth),
+        );
+        fields.finish(self.problems);
         Some(Counterbore { diameter: diameter?, depth: depth? })
     }
 
     fn countersink(&mut self, node: &Node) -> Option<Countersink> {
         let mut fields = self.problems.map(node)?;
-        let diameter = self.need_size(&mut fields, "diameter");
-        let angle = fields.take("angle").map_or(Some(COUNTERSINK_ANGLE), |node| self.angle(node));
-        fields.finish(COUNTERSINK, self.problems);
+        let diameter = self.need_size(&mut fields, form::Countersink::diameter);
+        let angle = fields.take(form::Countersink::angle).map_or(Some(COUNTERSINK_ANGLE), |node| self.angle(node));
+        fields.finish(self.problems);
         Some(Countersink { diameter: diameter?, angle_millideg: angle? })
     }
 
@@ -119,16 +119,17 @@ impl Reader<'_> {
             return self.positive(node, "face");
         }
         let mut fields = self.problems.map(node)?;
-        let diameter = self.need_size(&mut fields, "diameter");
-        fields.finish(FACE, self.problems);
+        let diameter = self.need_size(&mut fields, form::FaceKeys::diameter);
+        fields.finish(self.problems);
         diameter
     }
 
     fn groove(&mut self, node: &Node) -> Option<Groove> {
         let mut fields = self.problems.map(node)?;
-        let diameter = self.need_size(&mut fields, "diameter");
-        let (width, depth) = (self.need_size(&mut fields, "width"), self.need_size(&mut fields, "depth"));
-        fields.finish(GROOVE, self.problems);
+        let diameter = self.need_size(&mut fields, form::Groove::diameter);
+        let (width, depth) =
+            (self.need_size(&mut fields, form::Groove::width), self.need_size(&mut fields, form::Groove::depth));
+        fields.finish(self.problems);
         Some(Groove { diameter: diameter?, width: width?, depth: depth? })
     }
 
@@ -164,17 +165,17 @@ impl Reader<'_> {
     }
 
     /// `state`, `state_diameter` and `outer_wall`, which hang together.
-    fn state(&mut self, fields: &mut Fields<'_>, features: &mut Features) {
+    fn state(&mut self, fields: &mut Fields<'_, form::Hole>, features: &mut Features) {
         type Kind = Option<fn(Micrometres) -> BlankHole>;
         let choices: &[(&str, Kind)] =
             &[("solid", None), ("cast", Some(BlankHole::Cast)), ("pre-machined", Some(BlankHole::PreMachined))];
-        let kind = fields.take("state").map_or(Some(None), |node| self.choice(node, choices));
-        let wall_node = fields.take("outer_wall");
+        let kind = fields.take(form::Hole::state).map_or(Some(None), |node| self.choice(node, choices));
+        let wall_node = fields.take(form::Hole::outer_wall);
         let outer_wall = wall_node.and_then(|node| self.problems.boolean(node)) == Some(true);
         let remedy = note!("part-say-state-cast-state-pre");
         let diameter_node = match kind {
-            Some(Some(_)) => fields.need("state_diameter", self.problems),
-            _ => fields.take("state_diameter"),
+            Some(Some(_)) => fields.need(form::Hole::state_diameter, self.problems),
+            _ => fields.take(form::Hole::state_diameter),
         };
         let diameter = diameter_node.and_then(|node| self.positive(node, "state_diameter"));
         match kind {

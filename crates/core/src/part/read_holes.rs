@@ -9,7 +9,7 @@ use technolog_note::note;
 
 use super::arrange_steps::Cylinders;
 use super::check::{Centres, Group, Span};
-use super::keys::HOLE;
+use super::file::hole as form;
 use super::read::Reader;
 use super::read_diameter::Sized;
 use super::read_steps::Whole;
@@ -31,49 +31,50 @@ impl Reader<'_> {
 
     fn group(&mut self, node: &Node, blank: Option<&Blank>) -> Option<Group> {
         let mut fields = self.problems.map(node)?;
-        let name_node = fields.need("name", self.problems);
+        let name_node = fields.need(form::Hole::name, self.problems);
         let name = name_node.and_then(|node| self.name(node));
-        let steps_node = fields.take("steps");
+        let steps_node = fields.take(form::Hole::steps);
         let steps = steps_node.and_then(|node| self.problems.list(node)).unwrap_or_default();
         // An empty list asks for nothing; what is no list was meant to say the diameters.
-        let stepped = steps_node.is_some_and(|node| !matches!(&node.kind, NodeKind::Seq(items) if items.is_empty()));
-        let sized = self.sized(&mut fields, !stepped);
-        let through = match fields.take("through") {
+        let stepped = steps_node.map_or_else(
+            || fields.means(form::Hole::steps),
+            |node| !matches!(&node.kind, NodeKind::Seq(items) if items.is_empty()),
+        );
+        let sized = self.sized(&mut fields, form::Hole::thread, form::Hole::diameter, !stepped);
+        let through = match fields.take(form::Hole::through) {
             Some(node) => self.problems.boolean(node),
-            None => Some(false),
+            None => (!fields.means(form::Hole::through)).then_some(false),
         };
-        let depth_node = fields.take("depth");
+        let depth_node = fields.take(form::Hole::depth);
         let depth = match (depth_node, through, blank) {
             (Some(node), ..) => self.positive(node, "depth"),
             (None, Some(true), Some(blank)) => Some(blank.thickness),
-            (None, Some(false), _) if !stepped => self.problems.error_help(
-                "missing-key",
-                note!("part-key-depth-missing"),
-                fields.place,
-                note!("part-blind-hole-has-depth-through"),
-            ),
+            (None, Some(false), _) if !stepped => {
+                let help = note!("part-blind-hole-has-depth-through");
+                self.problems.missing(form::Hole::depth, fields.place, help)
+            }
             _ => None,
         };
-        let bottom = match fields.take("bottom") {
+        let bottom = match fields.take(form::Hole::bottom) {
             Some(node) => self.choice(node, &[("flat", Bottom::Flat), ("free", Bottom::Free)]),
             None => None,
         };
         // A thread has a roughness of its own, and steps may each have one.
-        let free = stepped || node.get("thread").is_some_and(|thread| !thread.is_null());
-        let roughness = if free { fields.take("roughness") } else { fields.need("roughness", self.problems) };
+        let free = stepped || fields.means(form::Hole::thread);
+        let roughness =
+            if free { fields.take(form::Hole::roughness) } else { fields.need(form::Hole::roughness, self.problems) };
         let roughness = roughness.map(|node| self.roughness(node));
         let centre_tolerance =
-            fields.need("centre_tolerance", self.problems).and_then(|node| self.centre_tolerance(node));
-        let chamfer_node = fields.take("chamfer");
+            fields.need(form::Hole::centre_tolerance, self.problems).and_then(|node| self.centre_tolerance(node));
+        let chamfer_node = fields.take(form::Hole::chamfer);
         let chamfer = chamfer_node.and_then(|node| Some((self.positive(node, "chamfer")?, node.place.clone())));
-        let skin = match fields.take("skin") {
+        let skin = match fields.take(form::Hole::skin) {
             Some(node) => self.problems.boolean(node),
             None => Some(false),
         };
         let features = self.features(&mut fields);
         let (at, points) = self.centres(&mut fields);
         let place = fields.place;
-        fields.finish(HOLE, self.problems);
 
         let alone = sized.as_ref().filter(|_| !stepped).map(|sized| sized.diameter.clone());
         let cylinders = if stepped {
@@ -99,6 +100,9 @@ impl Reader<'_> {
             self.face_on_blank(&features, blank);
             spans.extend(features.spans());
         }
+
+        // Only now, so that a mistyped key is not reported as missing too.
+        fields.finish(self.problems);
 
         let mut group = Group {
             name: name.clone().zip(name_node.map(|node| node.place.clone())),
@@ -166,9 +170,12 @@ impl Reader<'_> {
     }
 
     /// The centres, from `at` or from `pattern`. The points of a pattern stand at its place.
-    fn centres(&mut self, fields: &mut Fields<'_>) -> (Option<Centres>, Vec<(Point, Place)>) {
-        let pattern = fields.take("pattern");
-        let at = if pattern.is_some() { fields.take("at") } else { fields.need("at", self.problems) };
+    fn centres(&mut self, fields: &mut Fields<'_, form::Hole>) -> (Option<Centres>, Vec<(Point, Place)>) {
+        let pattern = fields.take(form::Hole::pattern);
+        let at = match fields.means(form::Hole::pattern) {
+            true => fields.take(form::Hole::at),
+            false => fields.need(form::Hole::at, self.problems),
+        };
         if let (Some(node), Some(_)) = (at, pattern) {
             let message = note!("part-at-pattern-both-say-where");
             self.problems.error_help::<()>("bad-value", message, &node.place, note!("part-keep-one-them"));

@@ -1,11 +1,12 @@
 //! Patterns of centres: a grid, a line or a circle instead of a list of points.
 
+use crate::knowledge::form::KeyOf;
 use crate::knowledge::yaml::{Fields, Node, NodeKind};
 use crate::units::{Decimal, Micrometres};
 use technolog_note::note;
 
 use super::Point;
-use super::keys::{CIRCLE, GRID, LINE, PATTERN};
+use super::file::hole as form;
 use super::read::Reader;
 
 /// More points than this are a slip of the keyboard: a day would not drill them.
@@ -19,14 +20,14 @@ impl Reader<'_> {
     /// The points of a pattern, in its order; none when something of it is wrong.
     pub(super) fn pattern(&mut self, node: &Node) -> Vec<Point> {
         let Some(mut fields) = self.problems.map(node) else { return Vec::new() };
-        let kinds: Vec<(&str, &Node)> = PATTERN.iter().filter_map(|kind| Some((*kind, fields.take(kind)?))).collect();
+        let kinds = [form::Pattern::grid, form::Pattern::line, form::Pattern::circle].map(|kind| fields.take(kind));
         let before = self.problems.0.len();
-        fields.finish(PATTERN, self.problems);
-        match kinds.as_slice() {
-            [("grid", node)] => self.grid(node),
-            [("line", node)] => self.line(node),
-            [(_, node)] => self.circle(node),
-            [] => {
+        fields.finish(self.problems);
+        match kinds {
+            [Some(node), None, None] => self.grid(node),
+            [None, Some(node), None] => self.line(node),
+            [None, None, Some(node)] => self.circle(node),
+            [None, None, None] => {
                 // A misspelt kind has been named already.
                 if self.problems.0.len() == before {
                     let help = note!("part-give-one-grid-line-circle");
@@ -46,12 +47,12 @@ impl Reader<'_> {
 
     fn grid(&mut self, node: &Node) -> Option<Vec<Point>> {
         let mut fields = self.problems.map(node)?;
-        let start = fields.need("start", self.problems).and_then(|node| self.point(node));
-        let columns = self.count(&mut fields, "columns", 1);
-        let rows = self.count(&mut fields, "rows", 1);
-        let step = fields.need("step", self.problems).and_then(|node| self.grid_step(node));
-        let angle = self.direction(&mut fields, "angle");
-        fields.finish(GRID, self.problems);
+        let start = fields.need(form::Grid::start, self.problems).and_then(|node| self.point(node));
+        let columns = self.count(&mut fields, form::Grid::columns, 1);
+        let rows = self.count(&mut fields, form::Grid::rows, 1);
+        let step = fields.need(form::Grid::step, self.problems).and_then(|node| self.grid_step(node));
+        let angle = self.direction(&mut fields, form::Grid::angle);
+        fields.finish(self.problems);
         let (start, (step_x, step_y), turn) = (start?, step?, Turn::new(angle?, TURN));
         let (columns, rows) = (columns?, rows?);
         self.room_for(columns.saturating_mul(rows), node)?;
@@ -62,11 +63,11 @@ impl Reader<'_> {
 
     fn line(&mut self, node: &Node) -> Option<Vec<Point>> {
         let mut fields = self.problems.map(node)?;
-        let start = fields.need("start", self.problems).and_then(|node| self.point(node));
-        let count = self.count(&mut fields, "count", 1);
-        let step = fields.need("step", self.problems).and_then(|node| self.positive(node, "step"));
-        let angle = self.direction(&mut fields, "angle");
-        fields.finish(LINE, self.problems);
+        let start = fields.need(form::Line::start, self.problems).and_then(|node| self.point(node));
+        let count = self.count(&mut fields, form::Line::count, 1);
+        let step = self.need_size(&mut fields, form::Line::step);
+        let angle = self.direction(&mut fields, form::Line::angle);
+        fields.finish(self.problems);
         let (start, count, step, turn) = (start?, count?, step?, Turn::new(angle?, TURN));
         self.room_for(count, node)?;
         Some((0..count).map(|index| turn.place(start, index as f64 * step.to_mm(), 0.0)).collect())
@@ -74,11 +75,11 @@ impl Reader<'_> {
 
     fn circle(&mut self, node: &Node) -> Option<Vec<Point>> {
         let mut fields = self.problems.map(node)?;
-        let centre = fields.need("centre", self.problems).and_then(|node| self.point(node));
-        let diameter = fields.need("diameter", self.problems).and_then(|node| self.positive(node, "diameter"));
-        let count = self.count(&mut fields, "count", 2);
-        let start = self.direction(&mut fields, "start_angle");
-        fields.finish(CIRCLE, self.problems);
+        let centre = fields.need(form::Circle::centre, self.problems).and_then(|node| self.point(node));
+        let diameter = self.need_size(&mut fields, form::Circle::diameter);
+        let count = self.count(&mut fields, form::Circle::count, 2);
+        let start = self.direction(&mut fields, form::Circle::start_angle);
+        fields.finish(self.problems);
         let (centre, radius_mm, count, start) = (centre?, diameter?.to_mm() / 2.0, count?, start?);
         self.room_for(count, node)?;
         // In parts of a turn that divide it evenly, so that opposite points are opposite to the micrometre.
@@ -101,20 +102,20 @@ impl Reader<'_> {
         Some((x?, y?))
     }
 
-    fn count(&mut self, fields: &mut Fields<'_>, name: &str, least: usize) -> Option<usize> {
-        let node = fields.need(name, self.problems)?;
+    fn count<F>(&mut self, fields: &mut Fields<'_, F>, key: KeyOf<F>, least: usize) -> Option<usize> {
+        let node = fields.need(key, self.problems)?;
         let number: Decimal = self.problems.scalar(node)?;
         let count = number.to_int().and_then(|count| usize::try_from(count).ok()).filter(|count| *count >= least);
         if count.is_none() {
-            let message = note!("part-must-whole-number-at-least", name = name, number = number, least = least);
+            let message = note!("part-must-whole-number-at-least", name = key.name(), number = number, least = least);
             return self.problems.error("bad-value", message, &node.place);
         }
         count
     }
 
     /// An angle in millionths of a degree, counter-clockwise from +X; zero when left out.
-    fn direction(&mut self, fields: &mut Fields<'_>, name: &str) -> Option<i128> {
-        match fields.take(name) {
+    fn direction<F>(&mut self, fields: &mut Fields<'_, F>, key: KeyOf<F>) -> Option<i128> {
+        match fields.take(key) {
             Some(node) => self.problems.scalar::<Decimal>(node).map(|angle| i128::from(angle.millionths())),
             None => Some(0),
         }

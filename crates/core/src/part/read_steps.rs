@@ -7,7 +7,7 @@ use technolog_note::{Note, note};
 
 use super::Bottom;
 use super::arrange_steps::{Cylinder, Cylinders};
-use super::keys::STEP;
+use super::file::hole as form;
 use super::read::Reader;
 use super::read_diameter::Sized;
 
@@ -68,26 +68,24 @@ impl Reader<'_> {
         whole: &Whole<'_>,
     ) -> (Option<Cylinder>, Option<Micrometres>) {
         let Some(mut fields) = self.problems.map(node) else { return (None, None) };
-        let sized = self.sized(&mut fields, true);
+        let sized = self.sized(&mut fields, form::Step::thread, form::Step::diameter, true);
         let end = self.step_end(&mut fields, number, last, start, whole);
-        let roughness = match (fields.take("roughness"), whole.roughness) {
+        let roughness = match (fields.take(form::Step::roughness), whole.roughness) {
             (Some(node), _) => self.roughness(node),
             (None, Some(default)) => default,
             (None, None) => match &sized {
                 Some(Sized { thread: Some(_), place, .. }) => self.thread_roughness(place),
-                Some(_) => self.problems.error_help(
-                    "missing-key",
-                    note!("part-key-roughness-missing"),
-                    &node.place,
-                    note!("part-give-here-hole-for-all"),
-                ),
+                Some(_) => {
+                    let help = note!("part-give-here-hole-for-all");
+                    self.problems.missing(form::Step::roughness, &node.place, help)
+                }
                 None => None,
             },
         };
         let bottoms = &[("flat", Bottom::Flat), ("free", Bottom::Free)];
-        let bottom = fields.take("bottom").and_then(|node| self.choice(node, bottoms));
-        let chamfer = fields.take("chamfer").and_then(|node| self.positive(node, "chamfer"));
-        fields.finish(STEP, self.problems);
+        let bottom = fields.take(form::Step::bottom).and_then(|node| self.choice(node, bottoms));
+        let chamfer = self.size(&mut fields, form::Step::chamfer);
+        fields.finish(self.problems);
         let cylinder = sized.zip(end).zip(roughness).map(|((sized, end), roughness)| Cylinder {
             diameter: sized.diameter,
             thread: sized.thread,
@@ -102,13 +100,13 @@ impl Reader<'_> {
 
     fn step_end(
         &mut self,
-        fields: &mut Fields<'_>,
+        fields: &mut Fields<'_, form::Step>,
         number: usize,
         last: bool,
         start: Option<Micrometres>,
         whole: &Whole<'_>,
     ) -> Option<Micrometres> {
-        match (fields.take("depth"), fields.take("length")) {
+        match (fields.take(form::Step::depth), fields.take(form::Step::length)) {
             (Some(_), Some(node)) => {
                 let message = note!("part-depth-length-both-say-where");
                 self.problems.error_help("bad-value", message, &node.place, note!("part-keep-one-them"))
@@ -134,9 +132,8 @@ impl Reader<'_> {
                 Some(end)
             }
             (None, None) => {
-                let message = note!("part-key-depth-missing");
                 let help = note!("part-length-only-last-step-through");
-                self.problems.error_help("missing-key", message, fields.place, help)
+                self.problems.missing(form::Step::depth, fields.place, help)
             }
         }
     }

@@ -58,7 +58,7 @@ impl CaseFile {
 }
 
 fn read(file: &str, root: &Node, problems: &mut Problems) -> Option<CaseFile> {
-    let mut head = problems.map(root)?;
+    let mut head = problems.open_map(root)?;
     let table = head.need("table", problems).and_then(|node| problems.text(node)).map(str::to_owned);
     let tests = head.need("tests", problems).and_then(|node| problems.list(node));
     head.finish(&["table", "tests"], problems);
@@ -67,8 +67,8 @@ fn read(file: &str, root: &Node, problems: &mut Problems) -> Option<CaseFile> {
 }
 
 fn case(node: &Node, problems: &mut Problems) -> Option<Case> {
-    let mut fields = problems.map(node)?;
-    let given = fields.need("given", problems).and_then(|node| problems.map(node)).map(|mut given| {
+    let mut fields = problems.open_map(node)?;
+    let given = fields.need("given", problems).and_then(|node| problems.open_map(node)).map(|mut given| {
         let mut pairs = Vec::new();
         for (key, node) in given.rest() {
             pairs.extend(problems.text(node).map(|text| (key.text.clone(), text.to_owned())));
@@ -94,7 +94,7 @@ fn expectation(node: &Node, problems: &mut Problems) -> Option<Expectation> {
     if node.text() == Some("none") {
         return Some(None);
     }
-    let mut fields = problems.map(node)?;
+    let mut fields = problems.open_map(node)?;
     let mut outputs = Vec::new();
     for (key, node) in fields.rest() {
         let values = match &node.kind {

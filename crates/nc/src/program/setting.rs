@@ -138,7 +138,7 @@ pub fn read_setting(file: &str, text: &str, limits: &Limits) -> Result<Setting, 
 
 fn read(root: &Node, limits: &Limits, problems: &mut Problems) -> Option<Setting> {
     let mut setting = Setting::default();
-    let mut fields = problems.map(root)?;
+    let mut fields = problems.open_map(root)?;
     if let Some(node) = fields.take("start") {
         setting.start = position(node, problems);
     }
@@ -188,7 +188,7 @@ fn read(root: &Node, limits: &Limits, problems: &mut Problems) -> Option<Setting
     if let Some(node) = fields.take("zeros") {
         zeros(node, &mut setting, limits, problems);
     }
-    if let Some(mut entries) = fields.take("correctors").and_then(|node| problems.map(node)) {
+    if let Some(mut entries) = fields.take("correctors").and_then(|node| problems.open_map(node)) {
         for (key, node) in entries.rest() {
             let number = key.text.parse::<u32>().ok().filter(|n| (1..=limits.correctors).contains(&i64::from(*n)));
             match number {
@@ -230,9 +230,9 @@ fn positive(node: Option<&Node>, problems: &mut Problems) -> Option<Micrometres>
 /// The zeros of the systems, and the two further shifts.
 fn zeros(node: &Node, setting: &mut Setting, limits: &Limits, problems: &mut Problems) {
     let names = if limits.panel_2c42_65 { ZEROS } else { ZEROS.get(..6).unwrap_or(ZEROS) };
-    let Some(mut fields) = problems.map(node) else { return };
+    let Some(mut fields) = problems.open_map(node) else { return };
     for (index, name) in names.iter().enumerate() {
-        let Some(node) = fields.take(name) else { continue };
+        let Some(node) = fields.take(*name) else { continue };
         let values = axes(node, problems);
         match setting.zeros.get_mut(index) {
             Some(zero) => *zero = values,
@@ -253,9 +253,9 @@ fn position(node: &Node, problems: &mut Problems) -> Position {
 
 fn axes(node: &Node, problems: &mut Problems) -> [Option<Micrometres>; 3] {
     let mut values = [None; 3];
-    let Some(mut fields) = problems.map(node) else { return values };
+    let Some(mut fields) = problems.open_map(node) else { return values };
     for (value, name) in values.iter_mut().zip(AXES) {
-        *value = fields.take(name).and_then(|node| problems.scalar::<Micrometres>(node));
+        *value = fields.take(*name).and_then(|node| problems.scalar::<Micrometres>(node));
     }
     fields.finish(AXES, problems);
     values

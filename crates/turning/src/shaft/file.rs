@@ -4,121 +4,81 @@
 //! These types say which keys there are and what they hold. [`super::read_shaft`] reads the file itself, because it says
 //! where every mistake stands; a test holds the keys of the two together.
 
-use schemars::{JsonSchema, Schema, schema_for};
+use schemars::JsonSchema;
 use serde::Deserialize;
+use technolog_knowledge::forms;
 
 use super::{BlankKind, Division, Holding, Moves};
-
-/// The JSON Schema of the short form.
-pub fn schema() -> Schema {
-    schema_for!(ShaftFile)
-}
 
 /// A length above zero, mm, with a decimal point and at most three decimal places.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 pub struct Size(#[schemars(range(min = 0.001, max = 100_000.0))] pub f64);
 
-/// A shaft to be turned by `technolog turn`. All lengths are in mm.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct ShaftFile {
-    /// Name of the shaft.
-    pub shaft: String,
-    /// Material: an id of `technolog table materials` (`steel-45`) or another name of it (`Сталь 45`, `C45`).
-    pub material: String,
-    /// What it is made from.
-    pub blank: Blank,
-    /// How it is held; in the chuck unless said.
-    pub holding: Option<Holding>,
-    /// Its cylinders from the free end towards the chuck, none smaller than the one before it.
-    #[schemars(length(min = 1))]
-    pub steps: Vec<Step>,
-    /// How much one pass takes.
-    pub roughing: Roughing,
-    /// How fast the tool moves; without it no times are told.
-    pub rates: Option<Rates>,
-}
+forms! {
+    /// A shaft to be turned by `technolog turn`. All lengths are in mm.
+    pub struct ShaftFile {
+        /// Name of the shaft.
+        pub shaft: String,
+        /// Material: an id of `technolog table materials` (`steel-45`) or another name of it (`Сталь 45`, `C45`).
+        pub material: String,
+        /// What it is made from.
+        pub blank: Blank,
+        /// How it is held; in the chuck unless said.
+        pub holding: Option<Holding>,
+        /// Its cylinders from the free end towards the chuck, none smaller than the one before it.
+        #[schemars(length(min = 1))]
+        pub steps: Vec<Step>,
+        /// How much one pass takes.
+        pub roughing: Roughing,
+        /// How fast the tool moves; without it no times are told.
+        pub rates: Option<Rates>,
+    }
 
-/// The blank.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Blank {
-    /// Its kind.
-    pub kind: BlankKind,
-    /// Its diameter; of a forging or casting that of the cylinder around it.
-    pub diameter: Size,
-    /// Its length, not less than that of all steps.
-    pub length: Size,
-    /// Of a forging or casting: its own cylinders from the free end, none smaller than the one before it; behind them it
-    /// has its full diameter.
-    #[schemars(length(min = 1))]
-    pub steps: Option<Vec<Step>>,
-}
+    /// The blank.
+    pub struct Blank {
+        /// Its kind.
+        pub kind: BlankKind,
+        /// Its diameter; of a forging or casting that of the cylinder around it.
+        pub diameter: Size,
+        /// Its length, not less than that of all steps.
+        pub length: Size,
+        /// Of a forging or casting: its own cylinders from the free end, none smaller than the one before it; behind them it
+        /// has its full diameter.
+        #[schemars(length(min = 1))]
+        pub steps: Option<Vec<Step>>,
+    }
 
-/// A cylinder of the shaft.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Step {
-    /// Its diameter after roughing.
-    pub diameter: Size,
-    /// Its length.
-    pub length: Size,
-}
+    /// A cylinder of the shaft.
+    pub struct Step {
+        /// Its diameter after roughing.
+        pub diameter: Size,
+        /// Its length.
+        pub length: Size,
+    }
 
-/// How much stock one pass takes.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Roughing {
-    /// Largest radial depth of a longitudinal pass.
-    pub longitudinal_depth: Size,
-    /// Largest axial depth of a transverse pass.
-    pub transverse_depth: Size,
-    /// How stock is divided between shoulders: full depths with the remainder last unless said.
-    pub division: Option<Division>,
-    /// Which moves passes may make: those of the paper unless said.
-    pub moves: Option<Moves>,
-}
+    /// How much stock one pass takes.
+    pub struct Roughing {
+        /// Largest radial depth of a longitudinal pass.
+        pub longitudinal_depth: Size,
+        /// Largest axial depth of a transverse pass.
+        pub transverse_depth: Size,
+        /// How stock is divided between shoulders: full depths with the remainder last unless said.
+        pub division: Option<Division>,
+        /// Which moves passes may make: those of the paper unless said.
+        pub moves: Option<Moves>,
+    }
 
-/// How fast the tool moves.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Rates {
-    /// Feed of longitudinal passes, mm/min.
-    pub longitudinal_feed: Size,
-    /// Feed of transverse passes, mm/min.
-    pub transverse_feed: Size,
-    /// Rapid rate, mm/min.
-    pub rapid: Size,
-    /// How far before the metal the feed begins; 2 unless said.
-    pub approach: Option<Size>,
-    /// How far the tool draws back after a pass; 0.5 unless said.
-    pub retract: Option<Size>,
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::keys;
-    use super::*;
-
-    #[test]
-    fn the_schema_has_the_keys_of_the_reader() {
-        let schema = schema();
-        let of = |pointer: &str| -> Vec<String> {
-            let value = schema.as_value().pointer(pointer).unwrap();
-            let mut keys: Vec<String> = value.as_object().unwrap().keys().cloned().collect();
-            keys.sort();
-            keys
-        };
-        for (pointer, keys) in [
-            ("/properties", keys::SHAFT),
-            ("/$defs/Blank/properties", keys::BLANK),
-            ("/$defs/Step/properties", keys::STEP),
-            ("/$defs/Roughing/properties", keys::ROUGHING),
-            ("/$defs/Rates/properties", keys::RATES),
-        ] {
-            let mut keys: Vec<&str> = keys.to_vec();
-            keys.sort_unstable();
-            assert_eq!(of(pointer), keys, "{pointer}");
-        }
+    /// How fast the tool moves.
+    pub struct Rates {
+        /// Feed of longitudinal passes, mm/min.
+        pub longitudinal_feed: Size,
+        /// Feed of transverse passes, mm/min.
+        pub transverse_feed: Size,
+        /// Rapid rate, mm/min.
+        pub rapid: Size,
+        /// How far before the metal the feed begins; 2 unless said.
+        pub approach: Option<Size>,
+        /// How far the tool draws back after a pass; 0.5 unless said.
+        pub retract: Option<Size>,
     }
 }

@@ -5,7 +5,6 @@
 
 mod check;
 pub mod file;
-pub(super) mod keys;
 pub(super) mod read;
 pub(super) mod shape;
 
@@ -17,7 +16,6 @@ use crate::units::{Micrometres, MillimetresPerMinute};
 
 pub use super::reading::Mistake;
 pub use crate::tables::turning::part::Holding;
-pub use file::schema;
 pub use read::read_shaft;
 
 /// A stepped shaft.

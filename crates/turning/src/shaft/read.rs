@@ -1,12 +1,13 @@
 //! The shaft file: YAML to [`Shaft`], collecting every mistake.
 
 use crate::knowledge::Knowledge;
+use crate::knowledge::form::KeyOf;
 use crate::knowledge::yaml::{Fields, Node};
 use crate::turning::reading::{Mistake, Placed, Reader};
 use crate::units::{Micrometres, MillimetresPerMinute};
 
 use super::check;
-use super::keys::{BLANK, RATES, ROUGHING, SHAFT, STEP};
+use super::file::{self, ShaftFile};
 use super::shape::{self, Shape};
 use super::{Blank, BlankKind, Division, Holding, Moves, Rates, Roughing, Shaft, Step};
 
@@ -43,17 +44,17 @@ struct PlacedBlank {
 impl Reader<'_> {
     pub(crate) fn shaft(&mut self, root: &Node) -> Option<Shaft> {
         let mut fields = self.problems.map(root)?;
-        let name = fields.need("shaft", &mut self.problems).and_then(|node| self.name(node));
-        let material = fields.need("material", &mut self.problems).and_then(|node| self.material(node));
-        let blank_node = fields.need("blank", &mut self.problems);
-        let holding = match fields.take("holding") {
+        let name = fields.need(ShaftFile::shaft, &mut self.problems).and_then(|node| self.name(node));
+        let material = fields.need(ShaftFile::material, &mut self.problems).and_then(|node| self.material(node));
+        let blank_node = fields.need(ShaftFile::blank, &mut self.problems);
+        let holding = match fields.take(ShaftFile::holding) {
             Some(node) => self.choice(node, &[("chuck", Holding::Chuck), ("centres", Holding::Centres)]),
             None => Some(Holding::default()),
         };
-        let steps_node = fields.need("steps", &mut self.problems);
-        let roughing_node = fields.need("roughing", &mut self.problems);
-        let rates_node = fields.take("rates");
-        fields.finish(SHAFT, &mut self.problems);
+        let steps_node = fields.need(ShaftFile::steps, &mut self.problems);
+        let roughing_node = fields.need(ShaftFile::roughing, &mut self.problems);
+        let rates_node = fields.take(ShaftFile::rates);
+        fields.finish(&mut self.problems);
 
         let PlacedBlank { kind, diameter, length, shape } =
             blank_node.map(|node| self.stepped_blank(node)).unwrap_or_default();
@@ -87,15 +88,16 @@ impl Reader<'_> {
     fn stepped_blank(&mut self, node: &Node) -> PlacedBlank {
         let Some(mut fields) = self.problems.map(node) else { return PlacedBlank::default() };
         let kinds = [BlankKind::Bar, BlankKind::Forging, BlankKind::Casting].map(|kind| (kind.name(), kind));
-        let kind = fields.need("kind", &mut self.problems).and_then(|node| match node.text() {
+        let kind = fields.need(file::Blank::kind, &mut self.problems).and_then(|node| match node.text() {
             // A tube has a bore, for which the short form has no words.
             Some("tube") => self.fault("tube-with-steps", &[], &node.place),
             _ => self.choice(node, &kinds),
         });
-        let diameter = self.need(&mut fields, "diameter");
-        let length = self.need(&mut fields, "length");
-        let shape = fields.take("steps").map(|node| Shape { steps: self.steps(node), place: node.place.clone() });
-        fields.finish(BLANK, &mut self.problems);
+        let diameter = self.need(&mut fields, file::Blank::diameter);
+        let length = self.need(&mut fields, file::Blank::length);
+        let shape =
+            fields.take(file::Blank::steps).map(|node| Shape { steps: self.steps(node), place: node.place.clone() });
+        fields.finish(&mut self.problems);
         PlacedBlank { kind, diameter, length, shape }
     }
 
@@ -107,9 +109,9 @@ impl Reader<'_> {
         let mut steps = Vec::new();
         for node in nodes {
             let Some(mut fields) = self.problems.map(node) else { continue };
-            let diameter = self.need(&mut fields, "diameter");
-            let length = self.need(&mut fields, "length");
-            fields.finish(STEP, &mut self.problems);
+            let diameter = self.need(&mut fields, file::Step::diameter);
+            let length = self.need(&mut fields, file::Step::length);
+            fields.finish(&mut self.problems);
             steps.push(PlacedStep { diameter, length });
         }
         steps
@@ -117,17 +119,17 @@ impl Reader<'_> {
 
     fn depths(&mut self, node: &Node) -> Option<Roughing> {
         let mut fields = self.problems.map(node)?;
-        let longitudinal = self.need(&mut fields, "longitudinal_depth");
-        let transverse = self.need(&mut fields, "transverse_depth");
-        let division = match fields.take("division") {
+        let longitudinal = self.need(&mut fields, file::Roughing::longitudinal_depth);
+        let transverse = self.need(&mut fields, file::Roughing::transverse_depth);
+        let division = match fields.take(file::Roughing::division) {
             Some(node) => self.choice(node, &[("full", Division::Full), ("equal", Division::Equal)]),
             None => Some(Division::default()),
         };
-        let moves = match fields.take("moves") {
+        let moves = match fields.take(file::Roughing::moves) {
             Some(node) => self.choice(node, &[("basic", Moves::Basic), ("rich", Moves::Rich)]),
             None => Some(Moves::default()),
         };
-        fields.finish(ROUGHING, &mut self.problems);
+        fields.finish(&mut self.problems);
         Some(Roughing {
             longitudinal_depth: longitudinal?.0,
             transverse_depth: transverse?.0,
@@ -138,22 +140,33 @@ impl Reader<'_> {
 
     fn rates(&mut self, node: &Node) -> Option<Rates> {
         let mut fields = self.problems.map(node)?;
-        let rates = self.rates_of(&mut fields);
-        fields.finish(RATES, &mut self.problems);
+        let keys = [
+            file::Rates::longitudinal_feed,
+            file::Rates::transverse_feed,
+            file::Rates::rapid,
+            file::Rates::approach,
+            file::Rates::retract,
+        ];
+        let rates = self.rates_of(&mut fields, keys);
+        fields.finish(&mut self.problems);
         rates
     }
 
     /// The rates that every form of the file knows.
-    pub(crate) fn rates_of(&mut self, fields: &mut Fields<'_>) -> Option<Rates> {
-        let longitudinal = self.need(fields, "longitudinal_feed");
-        let transverse = self.need(fields, "transverse_feed");
-        let rapid = self.need(fields, "rapid");
-        let mut optional = |key: &str, default: Micrometres, reader: &mut Self| match fields.take(key) {
+    pub(crate) fn rates_of<F>(
+        &mut self,
+        fields: &mut Fields<'_, F>,
+        [longitudinal, transverse, rapid, approach, retract]: [KeyOf<F>; 5],
+    ) -> Option<Rates> {
+        let longitudinal = self.need(fields, longitudinal);
+        let transverse = self.need(fields, transverse);
+        let rapid = self.need(fields, rapid);
+        let mut optional = |key: KeyOf<F>, default: Micrometres, reader: &mut Self| match fields.take(key) {
             None => Some(default),
-            Some(node) => reader.length(Some(node), key).map(|(length, _)| length),
+            Some(node) => reader.length(Some(node), key.name()).map(|(length, _)| length),
         };
-        let approach = optional("approach", APPROACH, self);
-        let retract = optional("retract", RETRACT, self);
+        let approach = optional(approach, APPROACH, self);
+        let retract = optional(retract, RETRACT, self);
         Some(Rates {
             longitudinal_feed: MillimetresPerMinute(longitudinal?.0.to_mm()),
             transverse_feed: MillimetresPerMinute(transverse?.0.to_mm()),

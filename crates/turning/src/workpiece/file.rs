@@ -6,6 +6,7 @@
 
 use schemars::{JsonSchema, Schema, schema_for};
 use serde::Deserialize;
+use technolog_knowledge::forms;
 
 use crate::turning::shaft::Holding;
 use crate::turning::shaft::file::{ShaftFile, Size, Step};
@@ -40,71 +41,113 @@ pub struct Z(#[schemars(range(min = -100_000.0, max = 100_000.0))] pub f64);
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 pub struct Micron(#[schemars(range(min = 0.0))] pub f64);
 
-/// A turned part by its contour. All lengths are in mm; diameters across, Z along the axis.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct WorkpieceFile {
-    /// Name of the part.
-    pub shaft: String,
-    /// Material: an id of `technolog table materials` (`steel-45`) or another name of it (`Сталь 45`, `C45`).
-    pub material: String,
-    /// What it is made from.
-    pub blank: BlankFile,
-    /// The id of a lathe.
-    pub machine: Option<String>,
-    /// How it is held; in the chuck unless said.
-    pub holding: Option<Holding>,
-    /// Whether and when it is heat-treated; not unless said.
-    pub heat_treatment: Option<HeatTreatment>,
-    /// Its outside from the axis, or from the bore, at the free end towards the chuck.
-    #[schemars(length(min = 2))]
-    pub outer: Vec<ItemFile>,
-    /// Its bore from the free end.
-    #[schemars(length(min = 2))]
-    pub inner: Option<Vec<ItemFile>>,
+forms! {
+    /// A turned part by its contour. All lengths are in mm; diameters across, Z along the axis.
+    pub struct WorkpieceFile {
+        /// Name of the part.
+        pub shaft: String,
+        /// Material: an id of `technolog table materials` (`steel-45`) or another name of it (`Сталь 45`, `C45`).
+        pub material: String,
+        /// What it is made from.
+        pub blank: BlankFile,
+        /// The id of a lathe.
+        pub machine: Option<String>,
+        /// How it is held; in the chuck unless said.
+        pub holding: Option<Holding>,
+        /// Whether and when it is heat-treated; not unless said.
+        pub heat_treatment: Option<HeatTreatment>,
+        /// Its outside from the axis, or from the bore, at the free end towards the chuck.
+        #[schemars(length(min = 2))]
+        pub outer: Vec<ItemFile>,
+        /// Its bore from the free end.
+        #[schemars(length(min = 2))]
+        pub inner: Option<Vec<ItemFile>>,
+        /// How roughing is bounded.
+        pub roughing: Option<ContourRoughing>,
+        /// Where finishing allowances come from; from tables unless said.
+        pub allowances: Option<AllowancesFile>,
+        /// How fast the tool moves.
+        pub rates: Option<ContourRates>,
+    }
+
+    /// The blank of a contour form. A forging or casting has `outer` (and `inner`), or `diameter`, `length` and `steps`.
+    pub struct BlankFile {
+        /// Its kind.
+        pub kind: StockKind,
+        /// Its diameter.
+        pub diameter: Option<Size>,
+        /// Of a tube: the diameter of its bore.
+        pub bore: Option<Size>,
+        /// Its whole length.
+        pub length: Option<Size>,
+        /// The stock on the finished face of the free end; none unless said.
+        pub face: Option<Width>,
+        /// How much its length may deviate.
+        pub length_tolerance: Option<Width>,
+        /// Of a forging or casting: its cylinders from the free end; behind them it has its full diameter.
+        #[schemars(length(min = 1))]
+        pub steps: Option<Vec<Step>>,
+        /// Of a forging or casting: its outside; it may begin before the finished face, at Z above 0.
+        #[schemars(length(min = 2))]
+        pub outer: Option<Vec<ItemFile>>,
+        /// Of a forging or casting: its bore.
+        #[schemars(length(min = 2))]
+        pub inner: Option<Vec<ItemFile>>,
+    }
+
     /// How roughing is bounded.
-    pub roughing: Option<ContourRoughing>,
-    /// Where finishing allowances come from; from tables unless said.
-    pub allowances: Option<AllowancesFile>,
+    pub struct ContourRoughing {
+        /// The limiting depth of a pass, radial; computed from tool and lathe unless said.
+        pub limiting_depth: Option<Size>,
+        /// The scheme of passes; chosen by the rules unless said.
+        pub scheme: Option<Scheme>,
+    }
+
+    /// Where finishing allowances come from.
+    pub struct AllowancesFile {
+        /// How they are found.
+        pub method: MethodFile,
+        /// `stated`: on the diameter.
+        pub on_diameter: Option<Width>,
+        /// `stated`: on a face.
+        pub on_face: Option<Width>,
+        /// `analytic`: what is added up.
+        pub errors: Option<ErrorsFile>,
+    }
+
+    /// The errors of the analytic method, micrometres.
+    pub struct ErrorsFile {
+        /// Rz that the previous pass left.
+        pub rz_um: Micron,
+        /// The defect layer that it left.
+        pub defect_layer_um: Micron,
+        /// The spatial deviation that is left of the blank's.
+        pub spatial_deviation_um: Micron,
+        /// The error of set-up.
+        pub setup_error_um: Micron,
+    }
+
     /// How fast the tool moves.
-    pub rates: Option<ContourRates>,
-}
-
-/// The blank of a contour form. A forging or casting has `outer` (and `inner`), or `diameter`, `length` and `steps`.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct BlankFile {
-    /// Its kind.
-    pub kind: StockKind,
-    /// Its diameter.
-    pub diameter: Option<Size>,
-    /// Of a tube: the diameter of its bore.
-    pub bore: Option<Size>,
-    /// Its whole length.
-    pub length: Option<Size>,
-    /// The stock on the finished face of the free end; none unless said.
-    pub face: Option<Width>,
-    /// How much its length may deviate.
-    pub length_tolerance: Option<Width>,
-    /// Of a forging or casting: its cylinders from the free end; behind them it has its full diameter.
-    #[schemars(length(min = 1))]
-    pub steps: Option<Vec<Step>>,
-    /// Of a forging or casting: its outside; it may begin before the finished face, at Z above 0.
-    #[schemars(length(min = 2))]
-    pub outer: Option<Vec<ItemFile>>,
-    /// Of a forging or casting: its bore.
-    #[schemars(length(min = 2))]
-    pub inner: Option<Vec<ItemFile>>,
-}
-
-/// How roughing is bounded.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct ContourRoughing {
-    /// The limiting depth of a pass, radial; computed from tool and lathe unless said.
-    pub limiting_depth: Option<Size>,
-    /// The scheme of passes; chosen by the rules unless said.
-    pub scheme: Option<Scheme>,
+    pub struct ContourRates {
+        /// Feed of longitudinal passes, mm/min.
+        pub longitudinal_feed: Size,
+        /// Feed of transverse passes, mm/min.
+        pub transverse_feed: Size,
+        /// Rapid rate, mm/min.
+        pub rapid: Size,
+        /// How far before the metal the feed begins; 2 unless said.
+        pub approach: Option<Size>,
+        /// How far the tool draws back after a pass; 0.5 unless said.
+        pub retract: Option<Size>,
+        /// Feed of cutting in, mm/min.
+        pub infeed: Option<Size>,
+        /// Feed of picking up along the contour, mm/min.
+        pub pick_up_feed: Option<Size>,
+        /// Feed of the semi-finishing pass, mm/min.
+        pub semi_finishing_feed: Option<Size>,
+        /// Feed of finishing, mm/min.
+        pub finishing_feed: Option<Size>,
+    }
 }
 
 /// How allowances are found.
@@ -119,68 +162,15 @@ pub enum MethodFile {
     Stated,
 }
 
-/// Where finishing allowances come from.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct AllowancesFile {
-    /// How they are found.
-    pub method: MethodFile,
-    /// `stated`: on the diameter.
-    pub on_diameter: Option<Width>,
-    /// `stated`: on a face.
-    pub on_face: Option<Width>,
-    /// `analytic`: what is added up.
-    pub errors: Option<ErrorsFile>,
-}
-
-/// The errors of the analytic method, micrometres.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct ErrorsFile {
-    /// Rz that the previous pass left.
-    pub rz_um: Micron,
-    /// The defect layer that it left.
-    pub defect_layer_um: Micron,
-    /// The spatial deviation that is left of the blank's.
-    pub spatial_deviation_um: Micron,
-    /// The error of set-up.
-    pub setup_error_um: Micron,
-}
-
-/// How fast the tool moves.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct ContourRates {
-    /// Feed of longitudinal passes, mm/min.
-    pub longitudinal_feed: Size,
-    /// Feed of transverse passes, mm/min.
-    pub transverse_feed: Size,
-    /// Rapid rate, mm/min.
-    pub rapid: Size,
-    /// How far before the metal the feed begins; 2 unless said.
-    pub approach: Option<Size>,
-    /// How far the tool draws back after a pass; 0.5 unless said.
-    pub retract: Option<Size>,
-    /// Feed of cutting in, mm/min.
-    pub infeed: Option<Size>,
-    /// Feed of picking up along the contour, mm/min.
-    pub pick_up_feed: Option<Size>,
-    /// Feed of the semi-finishing pass, mm/min.
-    pub semi_finishing_feed: Option<Size>,
-    /// Feed of finishing, mm/min.
-    pub finishing_feed: Option<Size>,
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::groove::Kind;
-    use super::super::keys;
     use super::*;
     use crate::knowledge::Word;
     use std::path::Path;
 
     #[test]
-    fn the_schema_of_the_book_is_this_one_and_has_the_keys_of_the_reader() {
+    fn the_schema_of_the_book_is_this_one() {
         let schema = schema();
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/shaft.schema.json");
         let generated = serde_json::to_string_pretty(&schema).unwrap() + "\n";
@@ -189,37 +179,6 @@ mod tests {
         }
         let kept = std::fs::read_to_string(&path).unwrap_or_default();
         assert!(kept == generated, "docs/shaft.schema.json is old: run `UPDATE_SCHEMA=1 cargo test schema`");
-        let of = |name: &str| -> Vec<String> {
-            let value = schema.as_value().pointer(&format!("/$defs/{name}/properties")).unwrap();
-            let mut keys: Vec<String> = value.as_object().unwrap().keys().cloned().collect();
-            keys.sort();
-            keys
-        };
-        let hold = |name: &str, keys: &[&str]| {
-            let mut keys = keys.to_vec();
-            keys.sort_unstable();
-            assert_eq!(of(name), keys, "{name}");
-        };
-        for (name, keys) in [
-            ("WorkpieceFile", keys::WORKPIECE),
-            ("BlankFile", keys::BLANK),
-            ("ContourRoughing", keys::ROUGHING),
-            ("AllowancesFile", keys::ALLOWANCES),
-            ("ErrorsFile", keys::ERRORS),
-            ("ContourRates", keys::RATES),
-            ("PointFile", keys::POINT),
-            ("Stretch", keys::STRETCH),
-        ] {
-            hold(name, keys);
-        }
-        for (main, beside) in keys::ITEMS {
-            let mut letters = main.chars();
-            let name = letters.next().unwrap().to_uppercase().chain(letters).collect::<String>() + "Item";
-            let said = if *main == "from" { &[][..] } else { keys::SAID };
-            let keys: Vec<&str> =
-                std::iter::once(*main).chain(beside.iter().copied()).chain(said.iter().copied()).collect();
-            hold(&name, &keys);
-        }
     }
 
     #[test]

@@ -2,7 +2,9 @@
 
 use schemars::JsonSchema;
 use serde::Deserialize;
+use technolog_knowledge::forms;
 
+use crate::knowledge::form::{Form, KeyOf};
 use crate::turning::shaft::file::Size;
 
 use super::file::{Width, Z};
@@ -29,30 +31,26 @@ pub enum ItemFile {
     Groove(GrooveItem),
 }
 
-/// A point.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct PointFile {
-    /// Diameter.
-    pub d: Width,
-    /// Z.
-    pub z: Z,
-}
+forms! {
+    /// A point.
+    pub struct PointFile {
+        /// Diameter.
+        pub d: Width,
+        /// Z.
+        pub z: Z,
+    }
 
-/// Where a contour begins: the first item.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct FromItem {
-    /// The point.
-    pub from: PointFile,
-}
+    /// Where a contour begins: the first item.
+    pub struct FromItem {
+        /// The point.
+        pub from: PointFile,
+    }
 
-/// The length of a cylinder.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Stretch {
-    /// So long.
-    pub length: Size,
+    /// The length of a cylinder.
+    pub struct Stretch {
+        /// So long.
+        pub length: Size,
+    }
 }
 
 /// Where a cylinder ends.
@@ -75,21 +73,31 @@ pub enum GradeFile {
     Field(String),
 }
 
+/// An item that is a surface, and may say so of itself.
+pub trait Surface: Form {
+    /// `name`, `grade`, `roughness`, `allowance`.
+    const SAID: [KeyOf<Self>; 4];
+}
+
 macro_rules! items {
     ($($(#[$doc:meta])* $name:ident { $($(#[$field_doc:meta])* $field:ident: $kind:ty),* $(,)? })*) => {$(
-        $(#[$doc])*
-        #[derive(Clone, Debug, Deserialize, JsonSchema)]
-        #[serde(deny_unknown_fields)]
-        pub struct $name {
-            $($(#[$field_doc])* pub $field: $kind,)*
-            /// A name of its own; its place on the contour unless said.
-            pub name: Option<String>,
-            /// Its accuracy.
-            pub grade: Option<GradeFile>,
-            /// Its roughness: `Ra 1.25` or `Rz 20`.
-            pub roughness: Option<String>,
-            /// Its finishing allowance on one side, instead of that of `allowances`.
-            pub allowance: Option<Width>,
+        forms! {
+            $(#[$doc])*
+            pub struct $name {
+                $($(#[$field_doc])* pub $field: $kind,)*
+                /// A name of its own; its place on the contour unless said.
+                pub name: Option<String>,
+                /// Its accuracy.
+                pub grade: Option<GradeFile>,
+                /// Its roughness: `Ra 1.25` or `Rz 20`.
+                pub roughness: Option<String>,
+                /// Its finishing allowance on one side, instead of that of `allowances`.
+                pub allowance: Option<Width>,
+            }
+        }
+
+        impl Surface for $name {
+            const SAID: [KeyOf<Self>; 4] = [Self::name, Self::grade, Self::roughness, Self::allowance];
         }
     )*};
 }

@@ -1,6 +1,7 @@
 //! What is written along a contour, item by item, before it is walked: each value with its place, as far as it could be read.
 
-use crate::knowledge::diagnostic::{Place, nearest};
+use crate::knowledge::diagnostic::Place;
+use crate::knowledge::form::{KeyOf, meant};
 use crate::knowledge::yaml::{Fields, Node, NodeKind};
 use crate::turning::contour::Side;
 use crate::turning::length::Half;
@@ -9,7 +10,10 @@ use crate::units::{Decimal, ItGrade, Micrometres, Roughness};
 
 use super::grade;
 use super::groove::Kind;
-use super::keys::{BLANK_ITEMS, ITEMS, POINT, SAID, STRETCH};
+use super::item_file::{
+    ArcItem, ChamferItem, ConeItem, CylinderItem, FaceItem, FromItem, GrooveItem, PointFile, Stretch, Surface,
+    ThreadItem,
+};
 use super::thread::{self, Named};
 
 /// Whose contour is read.
@@ -20,6 +24,31 @@ pub(super) enum Whose {
     /// The blank's: it may begin before that face, and has neither threads nor grooves.
     Blank,
 }
+
+/// What kind of item it is.
+#[derive(Clone, Copy)]
+enum ItemKind {
+    From,
+    Face,
+    Cylinder,
+    Cone,
+    Chamfer,
+    Arc,
+    Thread,
+    Groove,
+}
+
+/// The kinds, each with the key that says so.
+const ITEMS: [(ItemKind, &str); 8] = [
+    (ItemKind::From, FromItem::from.name()),
+    (ItemKind::Face, FaceItem::face.name()),
+    (ItemKind::Cylinder, CylinderItem::cylinder.name()),
+    (ItemKind::Cone, ConeItem::cone.name()),
+    (ItemKind::Chamfer, ChamferItem::chamfer.name()),
+    (ItemKind::Arc, ArcItem::arc.name()),
+    (ItemKind::Thread, ThreadItem::thread.name()),
+    (ItemKind::Groove, GrooveItem::groove.name()),
+];
 
 /// A length as far as it could be read.
 pub(super) type Measure = Option<Placed<Micrometres>>;
@@ -97,64 +126,102 @@ impl Reader<'_> {
     }
 
     fn item(&mut self, node: &Node, side: Side, whose: Whose) -> Option<Item> {
-        let mut fields = self.problems.map(node)?;
-        let NodeKind::Map(entries) = &node.kind else { return None };
-        let mut mains = ITEMS.iter().filter(|(main, _)| entries.iter().any(|(key, _)| key.text == *main));
-        let Some((main, beside)) = mains.next() else {
-            let known: Vec<&str> = ITEMS.iter().map(|(main, _)| *main).collect();
-            let mistyped = |key: &str| !SAID.contains(&key) && nearest(key, known.iter().copied()).is_some();
+        let fields = self.problems.open_map(node)?;
+        let mut mains = ITEMS.iter().filter(|(_, main)| node.get(main).is_some());
+        let Some((kind, main)) = mains.next() else {
+            let known = ITEMS.map(|(_, main)| main);
+            let said = FaceItem::SAID.map(KeyOf::name);
+            let NodeKind::Map(entries) = &node.kind else { return None };
+            let mistyped = |key: &str| !said.contains(&key) && meant(key, &known).is_some();
             if entries.iter().any(|(key, _)| mistyped(&key.text)) {
-                let all: Vec<&str> = known.iter().chain(SAID).copied().collect();
+                let all: Vec<&str> = known.into_iter().chain(said).collect();
                 fields.finish(&all, &mut self.problems);
                 return None;
             }
             return self.fault("item-without-surface", &[("known", &known.join(", "))], &node.place);
         };
-        if let Some((other, _)) = mains.next() {
+        if let Some((_, other)) = mains.next() {
             return self.fault("two-surfaces-in-one", &[("one", main), ("other", other)], &node.place);
         }
-        if whose == Whose::Blank && !BLANK_ITEMS.contains(main) {
+        if whose == Whose::Blank && matches!(kind, ItemKind::Thread | ItemKind::Groove) {
             return self.fault("item-of-a-part", &[("key", main)], &node.place);
         }
-        let value = fields.need(main, &mut self.problems);
-        let what = match *main {
-            "from" => What::From(self.to(value, whose)),
-            "face" => What::Face(self.diameter(value, "face")),
-            "cylinder" => What::Cylinder(self.along(value, whose)),
-            "cone" => What::Cone { to: self.to(value, whose), chamfer: self.is_chamfer(&mut fields) },
-            "chamfer" => What::Chamfer(self.length(value, "chamfer")),
-            "arc" => {
-                let to = self.to(value, whose);
-                let radius = self.arc_radius(&mut fields);
-                let bulge = fields.need("bulge", &mut self.problems);
-                let hollow = bulge.and_then(|node| self.choice(node, &[("in", true), ("out", false)]));
-                What::Arc { to, radius, hollow }
+        let at = (node, side, whose);
+        match kind {
+            ItemKind::From => {
+                let mut fields = self.problems.map(node)?;
+                let point = fields.need(FromItem::from, &mut self.problems);
+                let what = What::From(self.to(point, whose));
+                fields.finish(&mut self.problems);
+                Some(Item { place: node.place.clone(), what, said: Said::default() })
             }
-            "thread" => What::Thread {
-                named: value.and_then(|node| self.thread(node)),
-                along: self.thread_end(&mut fields, whose),
-            },
-            _ => What::Groove(self.groove(value, &mut fields)),
+            ItemKind::Face => self.surface(at, FaceItem::face, |reader, value, _| {
+                What::Face(reader.diameter(value, FaceItem::face.name()))
+            }),
+            ItemKind::Cylinder => {
+                self.surface(at, CylinderItem::cylinder, |reader, value, _| What::Cylinder(reader.along(value, whose)))
+            }
+            ItemKind::Cone => self.surface(at, ConeItem::cone, |reader, value, fields| What::Cone {
+                to: reader.to(value, whose),
+                chamfer: reader.is_chamfer(fields),
+            }),
+            ItemKind::Chamfer => self.surface(at, ChamferItem::chamfer, |reader, value, _| {
+                What::Chamfer(reader.length(value, ChamferItem::chamfer.name()))
+            }),
+            ItemKind::Arc => self.surface(at, ArcItem::arc, |reader, value, fields| {
+                let to = reader.to(value, whose);
+                let radius = reader.arc_radius(fields);
+                let bulge = fields.need(ArcItem::bulge, &mut reader.problems);
+                let hollow = bulge.and_then(|node| reader.choice(node, &[("in", true), ("out", false)]));
+                What::Arc { to, radius, hollow }
+            }),
+            ItemKind::Thread => self.surface(at, ThreadItem::thread, |reader, value, fields| What::Thread {
+                named: value.and_then(|node| reader.thread(node)),
+                along: reader.thread_end(fields, whose),
+            }),
+            ItemKind::Groove => {
+                self.surface(at, GrooveItem::groove, |reader, value, fields| What::Groove(reader.groove(value, fields)))
+            }
+        }
+    }
+
+    /// An item that is a surface; one of a blank says nothing of itself.
+    fn surface<'n, F: Surface>(
+        &mut self,
+        (node, side, whose): (&'n Node, Side, Whose),
+        main: KeyOf<F>,
+        read: impl FnOnce(&mut Self, Option<&'n Node>, &mut Fields<'n, F>) -> What,
+    ) -> Option<Item> {
+        let mut fields = self.problems.map(node)?;
+        let value = fields.need(main, &mut self.problems);
+        let what = read(self, value, &mut fields);
+        let said = match whose {
+            Whose::Part => {
+                let said = self.said(&mut fields, side);
+                fields.finish(&mut self.problems);
+                said
+            }
+            Whose::Blank => {
+                let own = F::KEYS.len() - F::SAID.len();
+                fields.finish_among(&F::KEYS[..own], &mut self.problems);
+                Said::default()
+            }
         };
-        let says = whose == Whose::Part && *main != "from";
-        let said = if says { self.said(&mut fields, side) } else { Said::default() };
-        let known: Vec<&str> =
-            std::iter::once(*main).chain(beside.iter().copied()).chain(SAID.iter().copied().filter(|_| says)).collect();
-        fields.finish(&known, &mut self.problems);
         Some(Item { place: node.place.clone(), what, said })
     }
 
-    fn said(&mut self, fields: &mut Fields<'_>, side: Side) -> Said {
-        let name = fields.take("name").and_then(|node| Some((self.name(node)?, node.place.clone())));
-        let grade = fields.take("grade").and_then(|node| {
+    fn said<F: Surface>(&mut self, fields: &mut Fields<'_, F>, side: Side) -> Said {
+        let [name, grade, roughness, allowance] = F::SAID;
+        let name = fields.take(name).and_then(|node| Some((self.name(node)?, node.place.clone())));
+        let grade = fields.take(grade).and_then(|node| {
             let text = self.problems.text(node)?;
             match grade::read(text, side) {
                 Ok(grade) => Some(grade),
                 Err(code) => self.fault(code, &[("grade", &text)], &node.place),
             }
         });
-        let roughness = fields.take("roughness").and_then(|node| self.problems.scalar(node));
-        let allowance = fields.take("allowance").and_then(|node| self.not_below_zero(node, "allowance"));
+        let roughness = fields.take(roughness).and_then(|node| self.problems.scalar(node));
+        let allowance = fields.take(allowance).and_then(|node| self.not_below_zero(node, allowance.name()));
         Said { name, grade, roughness, allowance: allowance.map(Half::of) }
     }
 
@@ -196,37 +263,38 @@ impl Reader<'_> {
 
     fn to(&mut self, node: Option<&Node>, whose: Whose) -> To {
         let Some(mut fields) = node.and_then(|node| self.problems.map(node)) else { return To::default() };
-        let d = fields.need("d", &mut self.problems);
-        let z = fields.need("z", &mut self.problems);
-        fields.finish(POINT, &mut self.problems);
-        To { d: self.diameter(d, "d"), z: self.z(z, "z", whose) }
+        let d = fields.need(PointFile::d, &mut self.problems);
+        let z = fields.need(PointFile::z, &mut self.problems);
+        fields.finish(&mut self.problems);
+        To { d: self.diameter(d, PointFile::d.name()), z: self.z(z, PointFile::z.name(), whose) }
     }
 
     fn along(&mut self, node: Option<&Node>, whose: Whose) -> Along {
         match node {
             Some(node) if matches!(node.kind, NodeKind::Map(_)) => {
                 let Some(mut fields) = self.problems.map(node) else { return Along::Length(None) };
-                let length = self.need(&mut fields, "length");
-                fields.finish(STRETCH, &mut self.problems);
+                let length = self.need(&mut fields, Stretch::length);
+                fields.finish(&mut self.problems);
                 Along::Length(length)
             }
-            node => Along::Z(self.z(node, "cylinder", whose)),
+            node => Along::Z(self.z(node, CylinderItem::cylinder.name(), whose)),
         }
     }
 
-    fn is_chamfer(&mut self, fields: &mut Fields<'_>) -> bool {
-        let kind = fields.take("kind").and_then(|node| self.choice(node, &[("cone", false), ("chamfer", true)]));
+    fn is_chamfer(&mut self, fields: &mut Fields<'_, ConeItem>) -> bool {
+        let kind =
+            fields.take(ConeItem::kind).and_then(|node| self.choice(node, &[("cone", false), ("chamfer", true)]));
         kind.unwrap_or(false)
     }
 
     /// The radius of an arc. Programs of controls write that of the greater part of a circle with a minus.
-    fn arc_radius(&mut self, fields: &mut Fields<'_>) -> Measure {
-        let node = fields.need("radius", &mut self.problems)?;
+    fn arc_radius(&mut self, fields: &mut Fields<'_, ArcItem>) -> Measure {
+        let node = fields.need(ArcItem::radius, &mut self.problems)?;
         match node.text().and_then(|text| text.parse::<Micrometres>().ok()) {
             Some(radius) if radius < Micrometres::ZERO => {
                 self.fault("arc-over-half-a-circle", &[("radius", &radius)], &node.place)
             }
-            _ => self.length(Some(node), "radius"),
+            _ => self.length(Some(node), ArcItem::radius.name()),
         }
     }
 
@@ -239,31 +307,32 @@ impl Reader<'_> {
     }
 
     /// Where a thread ends: by `to` or by `length`.
-    fn thread_end(&mut self, fields: &mut Fields<'_>, whose: Whose) -> Along {
-        match (fields.take("to"), fields.take("length")) {
+    fn thread_end(&mut self, fields: &mut Fields<'_, ThreadItem>, whose: Whose) -> Along {
+        match (fields.take(ThreadItem::to), fields.take(ThreadItem::length)) {
             (None, None) => {
-                let _ = fields.need("to", &mut self.problems);
+                let _ = fields.need(ThreadItem::to, &mut self.problems);
                 Along::Z(None)
             }
-            (None, length) => Along::Length(self.length(length, "length")),
-            (to, None) => Along::Z(self.z(to, "to", whose)),
+            (None, length) => Along::Length(self.length(length, ThreadItem::length.name())),
+            (to, None) => Along::Z(self.z(to, ThreadItem::to.name(), whose)),
             (to, Some(length)) => {
                 self.fault::<()>("end-said-twice", &[], &length.place);
-                Along::Z(self.z(to, "to", whose))
+                Along::Z(self.z(to, ThreadItem::to.name(), whose))
             }
         }
     }
 
-    fn groove(&mut self, node: Option<&Node>, fields: &mut Fields<'_>) -> Option<Written> {
+    fn groove(&mut self, node: Option<&Node>, fields: &mut Fields<'_, GrooveItem>) -> Option<Written> {
         let mut spoilt = false;
-        let mut size = |key: &str, reader: &mut Self| {
+        let mut size = |key: KeyOf<GrooveItem>, reader: &mut Self| {
             let node = fields.take(key)?;
-            let size = reader.length(Some(node), key);
+            let size = reader.length(Some(node), key.name());
             spoilt |= size.is_none();
             size
         };
-        let (width, depth, radius) = (size("width", self), size("depth", self), size("radius", self));
-        let angle = fields.take("angle").and_then(|node| {
+        let (width, depth, radius) =
+            (size(GrooveItem::width, self), size(GrooveItem::depth, self), size(GrooveItem::radius, self));
+        let angle = fields.take(GrooveItem::angle).and_then(|node| {
             let angle = self.problems.scalar::<Decimal>(node);
             spoilt |= angle.is_none();
             Some((angle?, node.place.clone()))

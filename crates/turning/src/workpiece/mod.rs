@@ -14,7 +14,6 @@ mod grade;
 mod groove;
 pub mod item_file;
 mod items;
-mod keys;
 mod preparation;
 mod read;
 mod read_blank;

@@ -2,16 +2,17 @@
 
 use std::collections::BTreeMap;
 
-use crate::knowledge::diagnostic::nearest;
+use crate::knowledge::form::{Form, meant};
 use crate::knowledge::yaml::{Node, NodeKind, missing_key, parse};
 use crate::knowledge::{Diagnostic, Knowledge};
 use crate::turning::contour::Side;
 use crate::turning::reading::{Mistake, Placed, Reader};
 use crate::turning::shaft::Holding;
+use crate::turning::shaft::file::ShaftFile;
 
 use super::check;
+use super::file::WorkpieceFile;
 use super::items::Whose;
-use super::keys::{ONLY_CONTOUR, WORKPIECE};
 use super::walk::{Walked, walk};
 use super::{Allowances, HeatTreatment, Roughing, Turned, Workpiece};
 
@@ -38,9 +39,12 @@ fn turned(root: Option<Node>, problems: Vec<Diagnostic>, knowledge: &Knowledge) 
         _ => Vec::new(),
     };
     let has = |key: &str| keys.contains(&key);
-    let nearly = |key: &str| keys.iter().any(|typed| nearest(typed, [key]).is_some());
-    let contour =
-        has("outer") || !has("steps") && !nearly("steps") && ONLY_CONTOUR.iter().any(|key| has(key) || nearly(key));
+    let nearly = |key: &str| keys.iter().any(|typed| meant(typed, &[key]).is_some());
+    let (outer, steps) = (WorkpieceFile::outer.name(), ShaftFile::steps.name());
+    // Keys that only the contour form has: by them a file without `outer` is known to be meant as one.
+    let shafts: Vec<&str> = ShaftFile::KEYS.iter().map(|key| key.name()).collect();
+    let mut only = WorkpieceFile::KEYS.iter().map(|key| key.name()).filter(|key| !shafts.contains(key));
+    let contour = has(outer) || !has(steps) && !nearly(steps) && only.any(nearly);
     let mut reader = Reader::over(problems, knowledge);
     if contour {
         let workpiece = root.and_then(|root| reader.workpiece(&root));
@@ -51,7 +55,7 @@ fn turned(root: Option<Node>, problems: Vec<Diagnostic>, knowledge: &Knowledge) 
     // A file without either is told so, rather than that it lacks the key of one form.
     read.map_err(|mut mistakes| {
         let Some(place) = root.map(|root| root.place) else { return mistakes };
-        let lacks = missing_key("steps", &place);
+        let lacks = missing_key(steps, &place);
         let all = mistakes.len();
         mistakes.retain(|one| !matches!(one, Mistake::Form(problem) if *problem == lacks));
         if mistakes.len() < all {
@@ -75,38 +79,39 @@ pub fn read_workpiece(file: &str, text: &str, knowledge: &Knowledge) -> Result<W
 impl Reader<'_> {
     fn workpiece(&mut self, root: &Node) -> Option<Workpiece> {
         let mut fields = self.problems.map(root)?;
-        let name = fields.need("shaft", &mut self.problems).and_then(|node| self.name(node));
-        let material = fields.need("material", &mut self.problems).and_then(|node| self.material(node));
-        let blank_node = fields.need("blank", &mut self.problems);
-        let machine = match fields.take("machine") {
+        let name = fields.need(WorkpieceFile::shaft, &mut self.problems).and_then(|node| self.name(node));
+        let material = fields.need(WorkpieceFile::material, &mut self.problems).and_then(|node| self.material(node));
+        let blank_node = fields.need(WorkpieceFile::blank, &mut self.problems);
+        let machine = match fields.take(WorkpieceFile::machine) {
             Some(node) => self.lathe(node).map(Some),
             None => Some(None),
         };
-        let holding = match fields.take("holding") {
+        let holding = match fields.take(WorkpieceFile::holding) {
             Some(node) => self.choice(node, &[("chuck", Holding::Chuck), ("centres", Holding::Centres)]),
             None => Some(Holding::default()),
         };
-        let heat_treatment = match fields.take("heat_treatment") {
+        let heat_treatment = match fields.take(WorkpieceFile::heat_treatment) {
             Some(node) => self.choice(node, HeatTreatment::NAMES),
             None => Some(HeatTreatment::default()),
         };
-        let (outer_node, inner_node) = (fields.need("outer", &mut self.problems), fields.take("inner"));
-        let roughing = match fields.take("roughing") {
+        let (outer_node, inner_node) =
+            (fields.need(WorkpieceFile::outer, &mut self.problems), fields.take(WorkpieceFile::inner));
+        let roughing = match fields.take(WorkpieceFile::roughing) {
             Some(node) => self.roughing(node),
             None => Some(Roughing::default()),
         };
-        let allowances = match fields.take("allowances") {
+        let allowances = match fields.take(WorkpieceFile::allowances) {
             Some(node) => self.allowances(node),
             None => Some(Allowances::default()),
         };
-        let rates = match fields.take("rates") {
+        let rates = match fields.take(WorkpieceFile::rates) {
             Some(node) => self.all_rates(node).map(Some),
             None => Some(None),
         };
-        if let Some(steps) = fields.take("steps") {
+        if let Some(steps) = fields.take_foreign(ShaftFile::steps) {
             self.fault::<()>("both-steps-and-outer", &[], &steps.place);
         }
-        fields.finish(WORKPIECE, &mut self.problems);
+        fields.finish(&mut self.problems);
 
         let blank = blank_node.and_then(|node| self.blank(node));
         let (outer, outer_names) = outer_node.map(|node| self.contour(node, Side::Outer)).unzip();

@@ -2,6 +2,7 @@
 
 use crate::note::Tell;
 
+use crate::knowledge::form::KeyOf;
 use crate::knowledge::yaml::{Fields, Node};
 use crate::turning::contour::{Contour, Side};
 use crate::turning::length::Half;
@@ -12,28 +13,30 @@ use crate::turning::shaft::read::PlacedStep;
 use crate::turning::shaft::shape::{self, Shape};
 use crate::units::Micrometres;
 
+use super::file::BlankFile;
 use super::items::Whose;
-use super::keys::BLANK;
 use super::walk::{Walked, walk};
 use super::{Blank, StockKind, check};
 
 impl Reader<'_> {
     pub(super) fn blank(&mut self, node: &Node) -> Option<Blank> {
         let mut fields = self.problems.map(node)?;
-        let kind = fields.need("kind", &mut self.problems).and_then(|node| self.choice(node, StockKind::NAMES));
-        let length_tolerance =
-            fields.take("length_tolerance").map(|node| self.not_below_zero(node, "length_tolerance"));
-        let shaped = fields.take("outer");
+        let kind =
+            fields.need(BlankFile::kind, &mut self.problems).and_then(|node| self.choice(node, StockKind::NAMES));
+        let length_tolerance = fields
+            .take(BlankFile::length_tolerance)
+            .map(|node| self.not_below_zero(node, BlankFile::length_tolerance.name()));
+        let shaped = fields.take(BlankFile::outer);
         let blank = match (kind, shaped) {
             (None, _) => {
                 let _ = fields.rest();
                 None
             }
             (Some(kind @ (StockKind::Forging | StockKind::Casting)), Some(outer)) => {
-                let inner = fields.take("inner");
+                let inner = fields.take(BlankFile::inner);
                 self.refuse(
                     &mut fields,
-                    &["diameter", "length", "face", "bore", "steps"],
+                    &[BlankFile::diameter, BlankFile::length, BlankFile::face, BlankFile::bore, BlankFile::steps],
                     "blank-key-beside-outer",
                     kind,
                 );
@@ -43,15 +46,15 @@ impl Reader<'_> {
                 if let Some(outer) = shaped {
                     self.fault::<()>(
                         "blank-key-of-another-kind",
-                        &[("key", &"outer"), ("stock", &kind.name())],
+                        &[("key", &BlankFile::outer.name()), ("stock", &kind.name())],
                         &outer.place,
                     );
                 }
-                self.refuse(&mut fields, &["inner"], "blank-key-of-another-kind", kind);
+                self.refuse(&mut fields, &[BlankFile::inner], "blank-key-of-another-kind", kind);
                 self.sized_blank(kind, &mut fields)
             }
         };
-        fields.finish(BLANK, &mut self.problems);
+        fields.finish(&mut self.problems);
         let length_tolerance = match length_tolerance {
             Some(read) => Some(read?),
             None => None,
@@ -60,33 +63,40 @@ impl Reader<'_> {
     }
 
     /// Keys that this blank has not.
-    fn refuse(&mut self, fields: &mut Fields<'_>, keys: &[&str], code: &'static str, kind: StockKind) {
+    fn refuse(
+        &mut self,
+        fields: &mut Fields<'_, BlankFile>,
+        keys: &[KeyOf<BlankFile>],
+        code: &'static str,
+        kind: StockKind,
+    ) {
         for key in keys {
-            if let Some(node) = fields.take(key) {
-                self.fault::<()>(code, &[("key", key), ("stock", &kind.name())], &node.place);
+            if let Some(node) = fields.take(*key) {
+                self.fault::<()>(code, &[("key", &key.name()), ("stock", &kind.name())], &node.place);
             }
         }
     }
 
     /// A cylinder, with a bore if it is a tube, with steps if it is a forging or casting.
-    fn sized_blank(&mut self, kind: StockKind, fields: &mut Fields<'_>) -> Option<Blank> {
-        let diameter = self.need(fields, "diameter");
-        let length = self.need(fields, "length");
-        let face = match fields.take("face") {
-            Some(node) => self.not_below_zero(node, "face"),
+    fn sized_blank(&mut self, kind: StockKind, fields: &mut Fields<'_, BlankFile>) -> Option<Blank> {
+        let diameter = self.need(fields, BlankFile::diameter);
+        let length = self.need(fields, BlankFile::length);
+        let face = match fields.take(BlankFile::face) {
+            Some(node) => self.not_below_zero(node, BlankFile::face.name()),
             None => Some(Micrometres::ZERO),
         };
         if kind != StockKind::Tube {
-            self.refuse(fields, &["bore"], "blank-key-of-another-kind", kind);
+            self.refuse(fields, &[BlankFile::bore], "blank-key-of-another-kind", kind);
         }
         let bore = match kind {
-            StockKind::Tube => Some(self.need(fields, "bore")),
+            StockKind::Tube => Some(self.need(fields, BlankFile::bore)),
             _ => None,
         };
         if matches!(kind, StockKind::Bar | StockKind::Tube) {
-            self.refuse(fields, &["steps"], "blank-key-of-another-kind", kind);
+            self.refuse(fields, &[BlankFile::steps], "blank-key-of-another-kind", kind);
         }
-        let steps = fields.take("steps").map(|node| Shape { steps: self.steps(node), place: node.place.clone() });
+        let steps =
+            fields.take(BlankFile::steps).map(|node| Shape { steps: self.steps(node), place: node.place.clone() });
         if let Some(shape) = &steps {
             shape::check(shape, Some(BlankKind::Forging), &[], diameter.as_ref(), length.as_ref(), self);
         }

@@ -1,0 +1,220 @@
+//! One description of a mapping of a file format, and the reader that takes its keys from there.
+//!
+//! [`forms!`](crate::forms) declares what a mapping may have, with units and remarks. The JSON Schema comes of it, the
+//! list of known keys and one constant for each key. A reader takes a field by its constant, so it cannot know a key
+//! that the description has not.
+
+use std::marker::PhantomData;
+
+use technolog_note::{Note, note};
+
+use crate::diagnostic::{Diagnostic, Place};
+use crate::hint;
+use crate::yaml::{Key, Node, Problems};
+
+/// A mapping of a file format.
+pub trait Form: Sized + 'static {
+    /// Its keys, in the order of its description.
+    const KEYS: &'static [KeyOf<Self>];
+}
+
+/// A key of the mapping `F`.
+#[derive(Debug)]
+pub struct KeyOf<F>(&'static str, PhantomData<fn() -> F>);
+
+impl<F> Clone for KeyOf<F> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<F> Copy for KeyOf<F> {}
+
+impl<F> KeyOf<F> {
+    /// Only for [`forms!`](crate::forms): the name of the field in Rust.
+    #[doc(hidden)]
+    pub const fn of_field(field: &'static str) -> Self {
+        let name = match field.as_bytes() {
+            [b'r', b'#', ..] => field.split_at(2).1,
+            _ => field,
+        };
+        Self(name, PhantomData)
+    }
+
+    /// As it is written in files.
+    pub const fn name(self) -> &'static str {
+        self.0
+    }
+}
+
+/// Marks a mapping whose keys are data.
+#[derive(Debug)]
+pub struct AnyKeys;
+
+/// What a field of the mapping `F` can be asked by.
+pub trait KeyIn<F> {
+    /// As it is written in files.
+    fn written(&self) -> &str;
+}
+
+impl<F> KeyIn<F> for KeyOf<F> {
+    fn written(&self) -> &str {
+        self.0
+    }
+}
+
+impl KeyIn<AnyKeys> for &str {
+    fn written(&self) -> &str {
+        self
+    }
+}
+
+/// Declares mappings of a file format. A field that is no `Option` must be there; its remark is the description in the
+/// JSON Schema. The constants have the names of the fields: `Hole::diameter`.
+#[macro_export]
+macro_rules! forms {
+    ($(
+        $(#[$meta:meta])*
+        pub struct $name:ident { $($(#[$remark:meta])* pub $field:ident: $kind:ty),* $(,)? }
+    )*) => {$(
+        #[derive(Clone, Debug, serde::Deserialize, schemars::JsonSchema)]
+        $(#[$meta])*
+        #[serde(deny_unknown_fields)]
+        pub struct $name {
+            $($(#[$remark])* pub $field: $kind,)*
+        }
+
+        impl $crate::form::Form for $name {
+            const KEYS: &'static [$crate::form::KeyOf<Self>] = &[$(Self::$field),*];
+        }
+
+        #[allow(non_upper_case_globals, missing_docs)] // they are the fields
+        impl $name {
+            $(pub const $field: $crate::form::KeyOf<Self> = $crate::form::KeyOf::of_field(stringify!($field));)*
+        }
+    )*};
+}
+
+/// The fields of one mapping; what nobody takes is an unknown key.
+#[derive(Debug)]
+pub struct Fields<'n, F> {
+    entries: &'n [(Key, Node)],
+    taken: Vec<bool>,
+    /// Where the mapping begins.
+    pub place: &'n Place,
+    form: PhantomData<F>,
+}
+
+impl<'n, F> Fields<'n, F> {
+    pub(crate) fn new(entries: &'n [(Key, Node)], place: &'n Place) -> Self {
+        Self { entries, taken: vec![false; entries.len()], place, form: PhantomData }
+    }
+
+    /// Takes an optional field; an empty value counts as absent.
+    pub fn take(&mut self, key: impl KeyIn<F>) -> Option<&'n Node> {
+        let index = self.entries.iter().position(|(known, _)| known.text == key.written())?;
+        self.taken[index] = true;
+        Some(&self.entries[index].1).filter(|node| !node.is_null())
+    }
+
+    /// Takes a field that belongs to another form, for which the mapping may be mistaken.
+    pub fn take_foreign<G>(&mut self, key: KeyOf<G>) -> Option<&'n Node> {
+        self.take(KeyOf::of_field(key.0))
+    }
+
+    /// Takes a field that must be there.
+    pub fn need(&mut self, key: impl KeyIn<F>, problems: &mut Problems) -> Option<&'n Node> {
+        let missing = missing_key(key.written(), self.place);
+        let node = self.take(key);
+        if node.is_none() {
+            problems.0.push(missing);
+        }
+        node
+    }
+
+    /// Takes an optional field unless it has been taken before.
+    pub fn take_once(&mut self, key: KeyOf<F>) -> Option<&'n Node> {
+        let index = self.entries.iter().position(|(known, _)| known.text == key.0)?;
+        if self.taken[index] { None } else { self.take(key) }
+    }
+
+    /// The fields not yet taken, in order.
+    pub fn rest(&mut self) -> Vec<(&'n Key, &'n Node)> {
+        let entries = self.entries;
+        let rest =
+            entries.iter().zip(&self.taken).filter(|(_, taken)| !**taken).map(|((key, node), _)| (key, node)).collect();
+        self.taken.fill(true);
+        rest
+    }
+
+    /// Reports every field that nobody took. A mistyped key that was needed is one mistake, not two: it is no longer
+    /// reported as missing.
+    fn report(mut self, known: &[&str], problems: &mut Problems) {
+        let entries = self.entries;
+        for (key, node) in self.rest() {
+            let hint = hint::of(&key.text, known, entries);
+            let help = match &hint {
+                _ if node.is_null() && key.text.bytes().all(|byte| byte.is_ascii_digit()) => {
+                    note!("yaml-write-decimal-point-number-comma")
+                }
+                Some(hint) => hint.told(),
+                None => note!("yaml-known-here", known = known.join(", ")),
+            };
+            if let Some(hint) = hint {
+                let missing = missing_key(hint.key(), self.place).message;
+                let same = |one: &Diagnostic| one.message == missing && one.place.as_ref() == Some(self.place);
+                problems.0.retain(|one| !same(one));
+            }
+            problems.error_help::<()>("unknown-key", note!("yaml-unknown-key", key = key.text), &key.place, help);
+        }
+    }
+}
+
+impl<F: Form> Fields<'_, F> {
+    /// Reports every field that nobody took.
+    pub fn finish(self, problems: &mut Problems) {
+        self.finish_among(F::KEYS, problems);
+    }
+
+    /// The same where only some keys of the mapping belong together.
+    pub fn finish_among(self, known: &[KeyOf<F>], problems: &mut Problems) {
+        let known: Vec<&str> = known.iter().map(|key| key.0).collect();
+        self.report(&known, problems);
+    }
+
+    /// Whether the field says something, taken or not, or is only mistyped: then what else must be there cannot be told.
+    pub fn means(&self, key: KeyOf<F>) -> bool {
+        let known: Vec<&str> = F::KEYS.iter().map(|key| key.0).collect();
+        let meant = |typed: &str| {
+            typed == key.0
+                || !known.contains(&typed)
+                    && hint::of(typed, &known, self.entries).is_some_and(|hint| hint.key() == key.0)
+        };
+        self.entries.iter().any(|(typed, node)| !node.is_null() && meant(&typed.text))
+    }
+}
+
+impl Fields<'_, AnyKeys> {
+    /// Reports every field that nobody took; `known` are the right ones.
+    pub fn finish(self, known: &[&str], problems: &mut Problems) {
+        self.report(known, problems);
+    }
+}
+
+impl Problems {
+    /// Notes that a mapping lacks a key which it needs as it is otherwise written, and yields nothing.
+    pub fn missing<F, T>(&mut self, key: KeyOf<F>, place: &Place, help: impl Into<Note>) -> Option<T> {
+        self.0.push(missing_key(key.0, place).help(help));
+        None
+    }
+}
+
+/// Which of the known keys is meant by one that is mistyped or Ukrainian.
+pub fn meant<'k>(typed: &str, known: &[&'k str]) -> Option<&'k str> {
+    hint::of(typed, known, &[]).map(|hint| hint.key())
+}
+
+/// What [`Fields::need`] reports of a mapping that lacks a key.
+pub fn missing_key(name: &str, place: &Place) -> Diagnostic {
+    Diagnostic::error("missing-key", note!("yaml-key-missing", name = name), place.clone())
+}

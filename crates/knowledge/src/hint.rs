@@ -1,0 +1,142 @@
+//! Which key was meant by one that a mapping does not know.
+
+use technolog_note::{Note, note};
+
+use crate::alike::latin;
+use crate::diagnostic::{edit_distance, nearest_few};
+use crate::yaml::{Key, Node};
+
+mod words;
+
+use words::WORDS;
+
+/// What to do about an unknown key.
+pub(crate) enum Hint<'k> {
+    /// This one was meant.
+    Meant(&'k str),
+    /// It is this one but for Cyrillic letters.
+    Alphabet(&'k str),
+    /// The one that was meant stands already, in that line.
+    Stands(&'k str, u32),
+}
+
+impl<'k> Hint<'k> {
+    /// The key that was meant.
+    pub(crate) const fn key(&self) -> &'k str {
+        match self {
+            Self::Meant(key) | Self::Alphabet(key) | Self::Stands(key, _) => key,
+        }
+    }
+
+    /// As a sentence.
+    pub(crate) fn told(&self) -> Note {
+        match *self {
+            Self::Meant(key) => note!("yaml-did-you-mean", near = key),
+            Self::Alphabet(key) => note!("yaml-write-key-in-latin-letters", near = key),
+            Self::Stands(key, line) => note!("yaml-meant-key-stands-already", near = key, line = line),
+        }
+    }
+}
+
+/// The key that was meant by `typed`, if one of `known` is near enough. A key that stands in the mapping already is never
+/// proposed: the reader would refuse it.
+pub(crate) fn of<'k>(typed: &str, known: &[&'k str], entries: &[(Key, Node)]) -> Option<Hint<'k>> {
+    let line = |key: &str| entries.iter().find(|(there, _)| there.text == key).map(|(there, _)| there.place.line);
+    let or_stands = |hint: fn(&'k str) -> Hint<'k>, key: &'k str| match line(key) {
+        Some(line) => Hint::Stands(key, line),
+        None => hint(key),
+    };
+    let folded = latin(typed);
+    if folded != typed
+        && let Some(key) = known.iter().find(|key| **key == folded)
+    {
+        return Some(or_stands(Hint::Alphabet, key));
+    }
+    let free_first = |keys: Vec<&'k str>| {
+        let free = keys.iter().find(|key| line(key).is_none());
+        free.or(keys.first()).copied()
+    };
+    let key = match translated(typed, known) {
+        keys if !keys.is_empty() => free_first(keys),
+        _ if folded.chars().any(|letter| letter.is_ascii_alphabetic()) => {
+            free_first(nearest_few(&folded, known.iter().copied()))
+        }
+        _ => None,
+    };
+    key.map(|key| or_stands(Hint::Meant, key))
+}
+
+/// The known keys that a Ukrainian word names, the likeliest first. One slip in four letters does not hide it.
+fn translated<'k>(typed: &str, known: &[&'k str]) -> Vec<&'k str> {
+    let typed = typed.trim().to_lowercase().replace([' ', '-'], "_");
+    let limit = typed.chars().count() / 4;
+    let named = |keys: &&str| -> Vec<&'k str> {
+        keys.split(' ').filter_map(|key| known.iter().find(|known| **known == key).copied()).collect()
+    };
+    let words = WORDS.iter().map(|(word, keys)| (edit_distance(&typed, word), named(keys)));
+    let near = words.filter(|(distance, keys)| *distance <= limit && !keys.is_empty());
+    near.min_by_key(|(distance, _)| *distance).map(|(_, keys)| keys).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::yaml::{NodeKind, parse};
+    use technolog_words::Lang;
+
+    const KNOWN: &[&str] =
+        &["name", "diameter", "depth", "through", "thread", "step", "steps", "state", "state_diameter"];
+
+    /// What is said of the last key of the mapping, in both languages.
+    fn told(text: &str) -> Option<[String; 2]> {
+        let root = parse("t.yaml", text).0.unwrap();
+        let NodeKind::Map(entries) = &root.kind else { panic!("{text}") };
+        let hint = of(&entries.last().unwrap().0.text, KNOWN, entries)?;
+        Some([Lang::EN, Lang::UK].map(|lang| lang.say(&hint.told())))
+    }
+
+    #[test]
+    fn a_key_that_was_meant_is_proposed() {
+        for (typed, meant) in [
+            ("diametr", "diameter"),
+            ("діаметр", "diameter"),
+            ("Діаметр", "diameter"),
+            ("диаметр", "diameter"),
+            ("глибина", "depth"),
+            ("наскрізний", "through"),
+            ("різь", "thread"),
+            ("крок", "step"),
+            ("назва", "name"),
+            // Half of each alphabet.
+            ("diameтр", "diameter"),
+        ] {
+            let both = [format!("did you mean `{meant}`?"), format!("може, `{meant}`?")];
+            assert_eq!(told(&format!("{typed}: 1\n")), Some(both), "{typed}");
+        }
+        for typed in ["colour", "колір", "верстат", "як", "y"] {
+            assert_eq!(told(&format!("{typed}: 1\n")), None, "{typed}");
+        }
+    }
+
+    #[test]
+    fn letters_of_the_other_alphabet_are_named() {
+        for (typed, meant) in [("dіameter", "diameter"), ("nаme", "name"), ("stеp", "step")] {
+            let both = [
+                format!("some letters are Cyrillic; write `{meant}` in Latin letters"),
+                format!("деякі букви тут кириличні; напишіть `{meant}` латиницею"),
+            ];
+            assert_eq!(told(&format!("{typed}: 1\n")), Some(both), "{typed}");
+        }
+    }
+
+    #[test]
+    fn a_key_that_stands_already_is_not_proposed() {
+        for typed in ["diametr", "діаметр", "dіameter"] {
+            let [en, uk] = told(&format!("diameter: 1\n{typed}: 1\n")).unwrap();
+            assert_eq!(en, "`diameter` already stands at line 1; remove this key or correct it", "{typed}");
+            assert_eq!(uk, "`diameter` уже стоїть у рядку 1; приберіть цей ключ або виправте його", "{typed}");
+        }
+        // Of two that are as near the free one.
+        assert_eq!(told("step: 1\nstepe: 1\n").unwrap()[0], "did you mean `steps`?");
+    }
+}
