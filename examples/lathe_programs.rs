@@ -11,9 +11,9 @@ use technolog::turning::contour::{Contour, Piece, Side, Turn};
 use technolog::turning::length::Half;
 use technolog::turning::point::Point;
 use technolog::turning::program::{Allowance, Control, Direction, Feeds, Roughing, Setting, Speed, cycle, plain};
-use technolog::turning::way::{Purpose, Way};
+use technolog::turning::toolpath::{Purpose, Toolpath};
 use technolog::units::{MetresPerMinute, MillimetresPerRev, RevsPerMinute};
-use technolog_testing::told::told_piece;
+use technolog_testing::oracle_json::told_piece;
 
 /// A generator of random numbers (splitmix64).
 struct Dice(u64);
@@ -60,9 +60,9 @@ fn setting(dice: &mut Dice) -> Setting {
     Setting { name: "Вал".to_owned(), tool: 1, speed, feeds, coolant: dice.below(2) == 0 }
 }
 
-fn random_way(dice: &mut Dice) -> Way {
+fn random_way(dice: &mut Dice) -> Toolpath {
     let point = |dice: &mut Dice| Point::new(dice.length(-1.0, 60.0), dice.length(-5.0, 120.0));
-    let mut way = Way::at(point(dice));
+    let mut way = Toolpath::at(point(dice));
     let feeds = [Purpose::Cut, Purpose::Infeed, Purpose::PickUp, Purpose::SemiFinish, Purpose::Finish, Purpose::Return];
     for _ in 0..3 + dice.below(20) {
         let mut to = point(dice);

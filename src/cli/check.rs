@@ -10,11 +10,11 @@ use technolog::document::{Block, Document, Table};
 use technolog::knowledge::yaml::text_of;
 use technolog::knowledge::{Diagnostic, Knowledge, Place};
 use technolog::machine::Machine;
-use technolog::motion::Step;
+use technolog::motion::MotionStep;
 use technolog::motion::time::{Clock, Times};
 use technolog::motion::trace;
 use technolog::note::Figure;
-use technolog::program::proof::Held;
+use technolog::program::proof::PlannedJob;
 use technolog::program::{Fault, Language, Setting};
 use technolog::report;
 use technolog::units::Minutes;
@@ -48,7 +48,7 @@ struct Answer<'a> {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     part: Vec<String>,
     findings: Vec<Finding<'a>>,
-    trace: &'a [Step],
+    trace: &'a [MotionStep],
     time: Times,
     #[serde(skip_serializing_if = "Option::is_none")]
     proof: Option<proof::Answer<'a>>,
@@ -95,11 +95,11 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     if let Some(held) = &mut held {
         held.set(&mut setting);
     }
-    let mut sink = (Vec::<Step>::new(), Clock::new(&machine, setting.start));
+    let mut sink = (Vec::<MotionStep>::new(), Clock::new(&machine, setting.start));
     let faults = language.check(&text, &machine, &setting, &mut sink);
     let (steps, clock) = sink;
     let proof = held.as_ref().map(|held| held.prove(&steps, &setting));
-    let serious = held.as_ref().map(Held::serious).unwrap_or_default();
+    let serious = held.as_ref().map(PlannedJob::serious).unwrap_or_default();
     match format {
         Format::Json => {
             let findings = faults
@@ -165,7 +165,7 @@ fn page(
     program: &str,
     (count, problems): (usize, Vec<Block>),
     made: Option<Table>,
-    steps: &[Step],
+    steps: &[MotionStep],
     times: Times,
     lang: Lang,
 ) -> Document {

@@ -6,7 +6,7 @@ mod near;
 mod question;
 
 use technolog::document::{Block, Document, Field, Inlines};
-use technolog::knowledge::Kind;
+use technolog::knowledge::TableKind;
 
 use super::{CliError, Context, Format, Lang, Outcome, knowledge};
 use question::Question;
@@ -31,8 +31,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let table = knowledge::table(knowledge, &args.table, context)?;
     let question = Question::read(table, args, context)?;
     match table.kind {
-        Kind::Decision => decision::answer(&question, args.all, format, context),
-        Kind::Catalog => catalog::answer(&question, format, context),
+        TableKind::Decision => decision::answer(&question, args.all, format, context),
+        TableKind::Catalog => catalog::answer(&question, format, context),
     }
 }
 

@@ -10,11 +10,11 @@ use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::machine::Machine;
 use technolog::note::Finding;
 use technolog::part::Point;
-use technolog::plan::{CuttingMethod, Times, Visit, Visiting};
+use technolog::plan::{CuttingMethod, Times, ToolVisit, Visiting};
 use technolog::report;
 use technolog::report::order::Tour;
 use technolog::report::order_drawing::{self, Panel};
-use technolog::sequence::list::{Form, List, Slip, read_list};
+use technolog::sequence::list::{Form, List, ListFault, read_list};
 use technolog::sequence::metric::Metric;
 use technolog::sequence::tour::{Effort, Space, nearest_rule, path};
 use technolog::sequence::visiting::not_kept;
@@ -63,7 +63,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
 /// The order of a part, for programs.
 #[derive(Serialize)]
 struct PartAnswer<'p> {
-    sequence: &'p [Visit],
+    sequence: &'p [ToolVisit],
     visiting: &'p [Visiting],
     time: Times,
     tool_change_at: Point,
@@ -95,7 +95,7 @@ fn of_part(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
             tool_change_at: home,
         })?,
         Format::Svg => {
-            let panel = |visit: &Visit| {
+            let panel = |visit: &ToolVisit| {
                 let mut path = vec![home];
                 path.extend(visit.stops.iter().map(|stop| stop.at));
                 path.dedup();
@@ -194,7 +194,7 @@ fn read(args: &Args, context: &Context) -> Result<List, CliError> {
     })
 }
 
-fn problem(slip: Slip, context: &Context) -> Diagnostic {
+fn problem(slip: ListFault, context: &Context) -> Diagnostic {
     let problem = Diagnostic::error(slip.code, context.lang.say(&slip.note), slip.place);
     match context.lang.remedy(&slip.note) {
         Some(remedy) => problem.help(remedy),

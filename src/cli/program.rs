@@ -7,12 +7,12 @@ use clap::ValueEnum;
 use serde::Serialize;
 use technolog::error::KnowledgeError;
 use technolog::job::Job;
-use technolog::motion::Step;
+use technolog::motion::MotionStep;
 use technolog::motion::time::{Clock, Times};
 use technolog::note::{Finding, Severity};
 use technolog::plan::{CuttingMethod, Plan};
-use technolog::program::proof::{Held, Proof};
-use technolog::program::written::{Form, Line};
+use technolog::program::proof::{PlannedJob, Proof};
+use technolog::program::written::{Form, ProgramLine};
 use technolog::program::{Fault, Language, Setting};
 use technolog::report;
 use technolog::report::encoding::encoding_sheet;
@@ -50,17 +50,17 @@ struct Answer<'a> {
     control: &'a str,
     machine: &'a str,
     program: &'a str,
-    lines: &'a [Line],
+    lines: &'a [ProgramLine],
     job: &'a Job,
-    trace: &'a [Step],
+    trace: &'a [MotionStep],
     time: Times,
-    findings: Vec<Told<'a>>,
+    findings: Vec<FindingMessage<'a>>,
     faults: &'a [Fault],
     proof: proof::Answer<'a>,
 }
 
 #[derive(Serialize)]
-struct Told<'a> {
+struct FindingMessage<'a> {
     message: String,
     #[serde(flatten)]
     finding: &'a Finding,
@@ -81,7 +81,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let knowledge = knowledge::load(context)?;
     let at_fault = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let plan = plan::make(&args.part, CuttingMethod::default(), knowledge, context)?;
-    let held = Held::of(plan, knowledge).map_err(at_fault)?;
+    let held = PlannedJob::of(plan, knowledge).map_err(at_fault)?;
     let (plan, job) = (&held.plan, &held.job);
     let shop = Shop::new(&plan.part, plan.cutting, knowledge).map_err(at_fault)?;
     let form = Form::read(&shop).map_err(at_fault)?;
@@ -89,7 +89,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let language = Language::read(control, knowledge).map_err(at_fault)?;
     let written = language.write(job, form);
     let setting = Setting::of_job(job);
-    let mut sink = (Vec::<Step>::new(), Clock::new(&shop.machine, setting.start));
+    let mut sink = (Vec::<MotionStep>::new(), Clock::new(&shop.machine, setting.start));
     let text = written.text();
     let faults = language.check(&text, &shop.machine, &setting, &mut sink);
     let (steps, clock) = sink;
@@ -145,8 +145,8 @@ fn serious<'a>(plan: &'a Plan, job: &'a Job) -> Vec<&'a Finding> {
     plan.findings.iter().filter(|finding| finding.severity <= Severity::Wrong).chain(&job.findings).collect()
 }
 
-fn told<'a>(finding: &'a Finding, context: &Context) -> Told<'a> {
-    Told { message: context.lang.say(&finding.note), finding }
+fn told<'a>(finding: &'a Finding, context: &Context) -> FindingMessage<'a> {
+    FindingMessage { message: context.lang.say(&finding.note), finding }
 }
 
 /// What is wrong with the program, beside it: of the part, of the machine, of its blocks.

@@ -8,7 +8,7 @@ use technolog::document::{Column, Inlines, Table};
 use technolog::knowledge::{Diagnostic, Knowledge, Place, Severity};
 use technolog::note;
 use technolog::plan::CuttingMethod;
-use technolog::program::proof::{Finding, Held, Missing, Proof, Superfluous, Visit};
+use technolog::program::proof::{Finding, MadeStop, MissingStop, PlannedJob, Proof, SuperfluousCut};
 use technolog::report;
 use technolog::report::backplot::Frame;
 
@@ -17,14 +17,14 @@ use super::{CliError, Context, Lang, plan};
 /// The answer for programs.
 #[derive(Serialize)]
 pub struct Answer<'a> {
-    visits: &'a [Visit],
-    missing: &'a [Missing],
-    superfluous: &'a [Superfluous],
-    findings: Vec<Said<'a>>,
+    visits: &'a [MadeStop],
+    missing: &'a [MissingStop],
+    superfluous: &'a [SuperfluousCut],
+    findings: Vec<ProofMessage<'a>>,
 }
 
 #[derive(Serialize)]
-struct Said<'a> {
+struct ProofMessage<'a> {
     message: String,
     help: Option<String>,
     #[serde(flatten)]
@@ -35,18 +35,18 @@ struct Said<'a> {
 ///
 /// # Errors
 /// The part cannot be used, or the knowledge has no answer.
-pub fn held(path: &Path, knowledge: &Knowledge, context: &Context) -> Result<Held, CliError> {
+pub fn held(path: &Path, knowledge: &Knowledge, context: &Context) -> Result<PlannedJob, CliError> {
     let plan = plan::make(path, CuttingMethod::default(), knowledge, context)?;
-    Held::of(plan, knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))
+    PlannedJob::of(plan, knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))
 }
 
 /// The part under the motions of a program.
-pub fn frame(held: &Held) -> Frame<'_> {
+pub fn frame(held: &PlannedJob) -> Frame<'_> {
     Frame::of(&held.job, &held.plan.part)
 }
 
 /// Transition by transition how many points are made of those that are needed.
-pub fn table(held: &Held, proof: &Proof, lang: Lang) -> Table {
+pub fn table(held: &PlannedJob, proof: &Proof, lang: Lang) -> Table {
     let [hole, transition, tool, made] =
         ["cli-hole", "cli-transition", "cli-tool", "cli-made"].map(|key| lang.word(key));
     let heads = [hole, transition, tool].map(Column::text).into_iter().chain([Column::number(made, "")]);
@@ -92,7 +92,7 @@ pub fn of_part(findings: &[&note::Finding], context: &Context) -> Vec<Diagnostic
 
 /// The proof with its words.
 pub fn answer<'a>(proof: &'a Proof, context: &Context) -> Answer<'a> {
-    let said = |finding: &'a Finding| Said {
+    let said = |finding: &'a Finding| ProofMessage {
         message: report::sentence(&finding.note, context.lang),
         help: report::remedy(&finding.note, context.lang),
         finding,

@@ -3,7 +3,7 @@
 use serde::ser::{SerializeMap, SerializeSeq};
 use serde::{Serialize, Serializer};
 use technolog::knowledge::table::Cell;
-use technolog::knowledge::{Column, Role, RowRef, Table, Value};
+use technolog::knowledge::{Column, ColumnRole, RowRef, Table, Value};
 use technolog::units::Unit;
 
 /// The columns that a lookup answers with: those the table names, else all that are no inputs.
@@ -195,10 +195,10 @@ impl Serialize for Results<'_> {
 }
 
 /// What a column is for, as JSON names it.
-pub const fn role(role: Role) -> &'static str {
+pub const fn role(role: ColumnRole) -> &'static str {
     match role {
-        Role::Field => "field",
-        Role::Input => "input",
-        Role::Output => "output",
+        ColumnRole::Field => "field",
+        ColumnRole::Input => "input",
+        ColumnRole::Output => "output",
     }
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use technolog::document::{Block, Column as Head, Document, Field, Inlines, Item, Keep, Table as Grid};
-use technolog::knowledge::{Column, Kind, Role, Row, RowRef, Table};
+use technolog::knowledge::{Column, ColumnRole, Row, RowRef, Table, TableKind};
 use technolog::report::unit;
 use technolog::words::say;
 
@@ -51,7 +51,7 @@ pub fn rows(page: &mut Document, table: &Table, rows: &[RowRef<'_>], lang: Lang)
         .map(|(index, column)| {
             let head = shown::head(lang, column, keep(table, index));
             match column.role {
-                Role::Output => Head { heading: Inlines::from("→ ").then(head.heading.clone()), ..head },
+                ColumnRole::Output => Head { heading: Inlines::from("→ ").then(head.heading.clone()), ..head },
                 _ => head,
             }
         })
@@ -92,8 +92,8 @@ pub fn rows(page: &mut Document, table: &Table, rows: &[RowRef<'_>], lang: Lang)
 fn keep(table: &Table, index: usize) -> Keep {
     let column = &table.columns[index];
     let sought = match table.kind {
-        Kind::Decision => column.role == Role::Input || results(table).contains(&index),
-        Kind::Catalog => index == 0 || table.key.contains(&column.name) || table.result.contains(&column.name),
+        TableKind::Decision => column.role == ColumnRole::Input || results(table).contains(&index),
+        TableKind::Catalog => index == 0 || table.key.contains(&column.name) || table.result.contains(&column.name),
     };
     match (sought, column.optional) {
         (true, _) => Keep::Always,
@@ -165,9 +165,9 @@ fn about(column: &Column, lang: Lang) -> Vec<String> {
     let mut about = Vec::new();
     let said = |key: &str| lang.word(key).to_owned();
     match column.role {
-        Role::Field => {}
-        Role::Input => about.push(said("cli-input")),
-        Role::Output => about.push(said("cli-output")),
+        ColumnRole::Field => {}
+        ColumnRole::Input => about.push(said("cli-input")),
+        ColumnRole::Output => about.push(said("cli-output")),
     }
     about.push(shown::expected(lang, column));
     about.extend(column.domain_text.as_deref().map(|domain| shown::test(lang, column, domain)));

@@ -3,7 +3,7 @@
 
 use technolog::document::{Align, Column as Head, Inlines, Keep};
 use technolog::knowledge::table::Cell;
-use technolog::knowledge::{Column, ColumnType, Role, RowRef, Source, Table, Value};
+use technolog::knowledge::{Column, ColumnRole, ColumnType, RowRef, Source, Table, Value};
 use technolog::note::Figure;
 use technolog::plan::Operation;
 use technolog::report::{operation_noun, unit, with_unit};
@@ -32,8 +32,10 @@ pub fn head(lang: Lang, column: &Column, keep: Keep) -> Head {
     };
     let unit = unit(column.unit, lang);
     // An input has tests, which are words.
-    let is_figure =
-        !column.list && column.role != Role::Input && column.ty.is_ordered() && column.ty != ColumnType::Roughness;
+    let is_figure = !column.list
+        && column.role != ColumnRole::Input
+        && column.ty.is_ordered()
+        && column.ty != ColumnType::Roughness;
     let head = if is_figure { Head::number(name, unit) } else { Head { unit: unit.to_owned(), ..Head::text(name) } };
     // Tables have many columns of short cells.
     head.keep(keep).least(6)

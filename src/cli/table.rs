@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use technolog::document::{Column as Head, Document, Inlines, Keep, Table as Grid};
-use technolog::knowledge::{Column, Kind, Table};
+use technolog::knowledge::{Column, Table, TableKind};
 use technolog::units::Unit;
 
 use super::{CliError, Context, Format, Lang, Outcome, knowledge, record, sheet, shown};
@@ -41,8 +41,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
 
 const fn kind(table: &Table) -> &'static str {
     match table.kind {
-        Kind::Catalog => "catalog",
-        Kind::Decision => "decision",
+        TableKind::Catalog => "catalog",
+        TableKind::Decision => "decision",
     }
 }
 
@@ -56,8 +56,8 @@ fn list_page(tables: &[&Table], lang: Lang) -> Document {
     ]);
     for table in tables {
         let kind = match table.kind {
-            Kind::Catalog => "cli-catalog",
-            Kind::Decision => "cli-decision",
+            TableKind::Catalog => "cli-catalog",
+            TableKind::Decision => "cli-decision",
         };
         list.row([
             Inlines::default().code(&table.id),

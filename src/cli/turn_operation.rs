@@ -4,7 +4,7 @@ use clap::ValueEnum;
 use technolog::error::KnowledgeError;
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::report::{self, remedy};
-use technolog::turning::operation::programs::{Form, Written, programs};
+use technolog::turning::operation::programs::{Form, OperationProgram, programs};
 use technolog::turning::operation::{self, Operation};
 use technolog::turning::workpiece::Workpiece;
 use technolog::units::RevsPerMinute;
@@ -100,7 +100,7 @@ pub fn program(
     }
 }
 
-fn not_written(written: &Written, note: technolog::note::Note, context: &Context) -> CliError {
+fn not_written(written: &OperationProgram, note: technolog::note::Note, context: &Context) -> CliError {
     let said = say!(context.lang, "turn-tool-not-written", tool = &written.tool, why = &note);
     let problem = Diagnostic::error("not-written", said, None);
     match remedy(&note, context.lang) {

@@ -1,4 +1,4 @@
-//! Two plans beside each other: where they differ, and what that costs.
+//! Compares two plans: where they differ, and what that costs.
 //!
 //! Rows are matched by their hole and operation, tools and conditions by the rows they are for: the same choice under
 //! another number or in another place of the file is no difference.
@@ -81,7 +81,7 @@ impl Auditor<'_> {
     /// # Errors
     /// The knowledge cannot answer.
     pub fn compare(&self, a: &Stated, b: &Stated) -> Result<Comparison, KnowledgeError> {
-        let mut found = Found { a, b, differences: Vec::new() };
+        let mut found = PlanComparison { a, b, differences: Vec::new() };
         found.rows();
         found.clamping();
         found.figures(Section::Times, &Subject::default(), &a.times, &b.times);
@@ -121,13 +121,13 @@ fn costs(a: &[(&'static str, Option<f64>)], b: &[(&'static str, Option<f64>)]) -
     .collect()
 }
 
-struct Found<'s> {
+struct PlanComparison<'s> {
     a: &'s Stated,
     b: &'s Stated,
     differences: Vec<Difference>,
 }
 
-/// What a row does: its hole, its operation, and the how manieth of these it is.
+/// The key of a row: its hole, its operation, and its count among rows with both the same, from 0.
 fn names(stated: &Stated) -> Vec<(Option<&str>, Operation, usize)> {
     let mut names: Vec<(Option<&str>, Operation, usize)> = Vec::new();
     for row in &stated.rows {
@@ -138,7 +138,7 @@ fn names(stated: &Stated) -> Vec<(Option<&str>, Operation, usize)> {
     names
 }
 
-impl Found<'_> {
+impl PlanComparison<'_> {
     fn rows(&mut self) {
         let (a, b) = (self.a, self.b);
         let (names_a, names_b) = (names(a), names(b));

@@ -6,7 +6,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::machine::Machine;
 use crate::memo::Memo;
-use crate::motion::Step;
+use crate::motion::MotionStep;
 use crate::plan::Plan;
 use crate::planner;
 use crate::program::{Fault, Language, Setting};
@@ -28,14 +28,14 @@ pub struct Auditor<'k> {
     pub(super) holders: Names<'k, HolderRow<'k>>,
     tolerances: Tolerances,
     plans: Memo<Result<Arc<Plan>, KnowledgeError>>,
-    runs: Memo<Run>,
+    runs: Memo<SimulatedProgram>,
 }
 
-/// What a program does on a machine as it is set.
+/// The simulation of a program on a machine with its setting.
 #[derive(Clone, Debug)]
-pub(super) struct Run {
+pub(super) struct SimulatedProgram {
     pub faults: Arc<[Fault]>,
-    pub steps: Arc<[Step]>,
+    pub steps: Arc<[MotionStep]>,
 }
 
 impl<'k> Auditor<'k> {
@@ -56,7 +56,7 @@ impl<'k> Auditor<'k> {
         })
     }
 
-    /// Holds a plan against the knowledge. The same part is planned once.
+    /// Checks a plan against the knowledge. The same part is planned once.
     ///
     /// # Errors
     /// The knowledge cannot answer. What is wrong with the plan is a finding.
@@ -95,12 +95,18 @@ impl<'k> Auditor<'k> {
     }
 
     /// Carries a program out. The same program with the same setting is carried out once.
-    pub(super) fn run(&self, program: &Program, language: &Language, machine: &Machine<'_>, setting: &Setting) -> Run {
+    pub(super) fn run(
+        &self,
+        program: &Program,
+        language: &Language,
+        machine: &Machine<'_>,
+        setting: &Setting,
+    ) -> SimulatedProgram {
         let key = format!("{} {} {setting:?}\n{}", program.control, machine.table.id, program.text);
         self.runs.get(key, || {
-            let mut steps: Vec<Step> = Vec::new();
+            let mut steps: Vec<MotionStep> = Vec::new();
             let faults = language.check(&program.text, machine, setting, &mut steps);
-            Run { faults: faults.into(), steps: steps.into() }
+            SimulatedProgram { faults: faults.into(), steps: steps.into() }
         })
     }
 }

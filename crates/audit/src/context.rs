@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use crate::error::KnowledgeError;
 use crate::knowledge::units::Percent;
 use crate::knowledge::vocabulary::Shank;
-use crate::knowledge::{Asked, Question};
+use crate::knowledge::{Question, TypedAnswer};
 use crate::part::{Hole, Point};
 use crate::plan::{Plan, Transition};
 use crate::shop::Shop;
@@ -180,9 +180,9 @@ impl<'a> Context<'a> {
         &self,
         share: f64,
         question: impl FnOnce(Percent) -> Q,
-    ) -> Result<(f64, Asked<'a, Q::Row<'a>>), KnowledgeError> {
+    ) -> Result<(f64, TypedAnswer<'a, Q::Row<'a>>), KnowledgeError> {
         let percent = share * 100.0;
-        // The columns begin at nothing, and beyond ten thousand times nothing is told apart.
+        // The columns begin at nothing, and beyond ten thousand times nothing is distinguished.
         Ok((percent, self.shop.knowledge.ask(&question(Percent(percent.clamp(0.0, 1e6))))?))
     }
 

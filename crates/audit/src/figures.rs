@@ -3,7 +3,7 @@
 use crate::note::{Note, Severity};
 
 use super::context::Context;
-use super::finding::{Change, Finding, Kind, Shown};
+use super::finding::{Change, Finding, FindingKind, Shown};
 use super::graph::{Graph, Status, Verdict};
 use super::quantity::{Id, Quantity};
 use super::stated::Figure;
@@ -31,7 +31,7 @@ fn finding(verdict: &Verdict, all: &[Verdict], context: &Context<'_>, graph: &Gr
             // A slip of the comma or of the sign is told by the figures it was computed from.
             let by_stated = verdict.by_stated.map(|by| nature(figure.value, by)).filter(|own| *own != Nature::Figure);
             let note = Note::new(by_stated.unwrap_or_else(|| nature(figure.value, verdict.right)).code());
-            // The author went on with the right figure: a slip of the pen.
+            // Later figures use the right value: a misprint.
             let went_on = graph.dependents(id).into_iter().any(|other| {
                 context.stated.figure(other).is_some()
                     && all.iter().any(|verdict| verdict.id == other && verdict.status == Status::Fine)
@@ -48,8 +48,8 @@ fn finding(verdict: &Verdict, all: &[Verdict], context: &Context<'_>, graph: &Gr
     finding.rule = formula.rule.id.to_owned();
     finding.is_slip = is_slip;
     finding.kind = match verdict.status {
-        Status::Follows(_) => Kind::Follows(formula.rule),
-        _ => Kind::Formula(formula.rule),
+        Status::Follows(_) => FindingKind::Follows(formula.rule),
+        _ => FindingKind::Formula(formula.rule),
     };
     finding.source = Some(Note::new(format!("audit-source-{}", formula.rule.id)));
     finding.factor = context.factor(id);

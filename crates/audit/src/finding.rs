@@ -107,13 +107,13 @@ pub struct Change {
     pub right: String,
 }
 
-/// What a part of the plan leaves out.
+/// The keys that a part of the plan leaves out.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Lack {
+pub struct MissingKeys {
     /// Which part: the number of a row, of conditions, or of a tool as `T3`; empty: the section as a whole.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub of: String,
-    /// About whom that part is.
+    /// The subject of that part.
     pub subject: Subject,
     /// The keys it lacks, as a plan file has them.
     pub keys: Vec<&'static str>,
@@ -133,10 +133,10 @@ pub struct Subject {
     pub tool: Option<u32>,
 }
 
-/// What other checks know a finding by.
+/// What other checks need to know about a finding.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) enum Kind {
-    /// Nothing goes by it.
+pub(super) enum FindingKind {
+    /// No other check uses it.
     #[default]
     Other,
     /// A figure is not what a rule gives.
@@ -151,7 +151,7 @@ pub(super) enum Kind {
     ToolOfTransition,
 }
 
-impl Kind {
+impl FindingKind {
     /// The rule whose figure it is, where it is one's.
     pub const fn rule(&self) -> Option<&'static Rule> {
         match self {
@@ -167,14 +167,14 @@ pub struct Finding {
     /// The rule or check that found it; stable.
     pub rule: String,
     #[serde(skip)]
-    pub(super) kind: Kind,
+    pub(super) kind: FindingKind,
     /// What of the plan it is about, as a path: `conditions.2.feed`.
     pub field: String,
     /// How grave.
     pub severity: Severity,
     /// Where in the report.
     pub section: Section,
-    /// About whom.
+    /// Its subject.
     pub subject: Subject,
     /// The figure it is about.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -223,7 +223,7 @@ pub struct Finding {
     pub changes: Vec<Change>,
     /// What the plan does not state, where the finding is of that.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub missing: Vec<Lack>,
+    pub missing: Vec<MissingKeys>,
     /// What it says.
     #[serde(flatten)]
     pub note: Note,
@@ -246,7 +246,7 @@ impl Finding {
     pub fn new(severity: Severity, section: Section, field: String, note: Note) -> Self {
         Self {
             rule: note.code().to_owned(),
-            kind: Kind::Other,
+            kind: FindingKind::Other,
             field,
             severity,
             section,
@@ -275,7 +275,7 @@ impl Finding {
 
     /// Of that kind.
     #[must_use]
-    pub(super) fn of_kind(mut self, kind: Kind) -> Self {
+    pub(super) fn of_kind(mut self, kind: FindingKind) -> Self {
         self.kind = kind;
         self
     }
@@ -392,7 +392,7 @@ impl Context<'_> {
         Subject { operation: rows.first().map(|row| row.operation.value), holes, tool }
     }
 
-    /// The section in which a figure is told.
+    /// The report section of a figure.
     pub(super) fn section(id: Id) -> Section {
         match (id.scope, id.quantity) {
             (Scope::Row(_), _) => Section::Route,

@@ -184,8 +184,8 @@ impl<'a> Graph<'a> {
                 (Some(judge), Some(stated)) if may_stand(&judge(stated, &inputs)) => Some(stated),
                 _ => {
                     let value = (formula.compute)(&inputs).filter(|value| value.is_finite())?;
-                    // A plan of ours is printed from figures that nobody sees: its own print is nearer to them than
-                    // what comes out of other prints.
+                    // A plan of ours is printed from unrounded figures: the printed one is nearer to them than what
+                    // comes out of other prints.
                     let figure = self.stated.figure(id).filter(|_| self.stated.own);
                     let nearer = figure.filter(|own| self.fits(id, own, value, self.slack(formula, &inputs)));
                     Some(nearer.map_or(value, |own| own.value))
@@ -279,7 +279,7 @@ impl<'a> Graph<'a> {
         let mut slack = 0.0;
         for (at, input) in formula.inputs.iter().enumerate() {
             let Some(figure) = self.stated.figure(*input) else { continue };
-            // A formula gives the whole figure; only a plan of ours is printed from figures that nobody sees.
+            // A formula gives the whole figure; only a plan of ours is printed from unrounded figures.
             let whole = !self.stated.own && self.formula(*input).is_some();
             if !self.tolerances.rounded(input.quantity) || whole {
                 continue;

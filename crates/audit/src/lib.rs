@@ -10,7 +10,7 @@
 //! - [`rules`] compute figures from others, `graph` says where a deviation begins and what follows from it;
 //! - [`checks`] hold choices against the tables: designations, cutters, holders, routes, limits, the program;
 //! - [`Auditor`] keeps what many audits share;
-//! - what may be rounded how stands in the table `audit-tolerance`.
+//! - the table `audit-tolerance` gives the rounding tolerances.
 //!
 //! Architecture invariant: an audit invents nothing. What a plan does not state is listed as missing, and what had to be
 //! taken from the tables instead is named in the finding that rests on it.
@@ -52,7 +52,7 @@ use crate::plan::Plan;
 pub use against::{Comparison, Cost, Difference};
 pub use auditor::Auditor;
 pub use file::schema;
-pub use finding::{Audit, Change, Counts, Finding, Lack, Section, Shown, Subject, Summary};
+pub use finding::{Audit, Change, Counts, Finding, MissingKeys, Section, Shown, Subject, Summary};
 pub use graph::Rule;
 pub use many::{Audited, Mistake, Unread, total};
 pub use read::{Files, NamedText, Unreadable, read_if_plan, read_plan, read_plan_node};

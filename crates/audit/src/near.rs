@@ -57,7 +57,7 @@ impl<'n, T: Clone> Names<'n, T> {
         if let Some((value, ..)) = same.find(|(value, ..)| may_be(value)) {
             return Near::Found(value.clone());
         }
-        // Spaces stand for dashes: `035 2300 1273`. Two names that differ by their dashes alone are not told apart.
+        // Spaces stand for dashes: `035 2300 1273`. Two names that differ by their dashes alone count as equal.
         let bare = without_dashes(&wanted);
         let alike = |other: &&(T, &str, Vec<char>)| without_dashes(&other.2) == bare && may_be(&other.0);
         let mut spaced = self.all.iter().filter(alike);

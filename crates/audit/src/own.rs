@@ -13,7 +13,7 @@ use crate::plan::{CuttingMethod, Feature, Limit, Operation};
 
 use super::quantity::Quantity;
 use super::read::number;
-use super::stated::{Clamping, Conditions, Figure, Figures, Row, Said, Stated, Text, Tool};
+use super::stated::{Clamping, Conditions, Figure, Figures, Row, Stated, StatedValue, Text, Tool};
 use super::tolerance::Tolerances;
 
 /// What of the file is needed as a whole; all else is read with its places.
@@ -184,18 +184,18 @@ impl Own<'_> {
         ];
         let feature = node.get("feature").and_then(Node::text);
         let number_node = node.get("tool").and_then(|tool| tool.get("number"));
-        let tool =
-            number_node.and_then(|node| Some(Said { value: node.text()?.parse().ok()?, place: node.place.clone() }));
+        let tool = number_node
+            .and_then(|node| Some(StatedValue { value: node.text()?.parse().ok()?, place: node.place.clone() }));
         Some(Row {
             number: u32::try_from(at + 1).unwrap_or(u32::MAX),
             place: node.place.clone(),
-            operation: Said { value, place: operation.place.clone() },
+            operation: StatedValue { value, place: operation.place.clone() },
             hole: None,
             feature: feature.and_then(|text| serde_yaml::from_str::<Feature>(text).ok()),
             step: node.get("step").and_then(Node::text).and_then(|text| text.parse().ok()),
             setup: None,
             elsewhere: node.get("elsewhere").and_then(Node::text) == Some("true"),
-            tool: tool.filter(|tool: &Said<u32>| tool.value > 0),
+            tool: tool.filter(|tool: &StatedValue<u32>| tool.value > 0),
             scheme: None,
             table: None,
             figures: self.figures(node, &keys),
@@ -278,5 +278,5 @@ pub(super) fn items(node: Option<&Node>) -> &[Node] {
 
 fn text_of(node: &Node, key: &str) -> Option<Text> {
     let node = node.get(key).filter(|node| !node.is_null())?;
-    Some(Said { value: node.text()?.to_owned(), place: node.place.clone() })
+    Some(StatedValue { value: node.text()?.to_owned(), place: node.place.clone() })
 }

@@ -1,11 +1,11 @@
-//! One slip, one root: what is wrong only because of another finding names that one, whoever found the two.
+//! One mistake, one root: a finding that follows from another one names it, whichever checks found them.
 
 use std::collections::BTreeSet;
 
 use crate::note::Severity;
 
 use super::figures::follows;
-use super::finding::{Change, Finding, Kind};
+use super::finding::{Change, Finding, FindingKind};
 use super::graph::{Graph, Rule, Status};
 use super::quantity::Id;
 
@@ -52,7 +52,7 @@ pub(super) fn settle(findings: &mut [Finding]) {
             continue;
         }
         one.follows_from = roots.into_iter().collect();
-        if matches!(one.kind, Kind::Follows(_)) {
+        if matches!(one.kind, FindingKind::Follows(_)) {
             one.note = follows(&one.follows_from);
         }
     }
@@ -85,7 +85,7 @@ fn roots(one: &Finding, all: &[Finding]) -> BTreeSet<String> {
             continue;
         }
         let at = || all.iter().filter(|other| other.field == field && grave(other));
-        // A field of which nothing is said is one that a check names.
+        // A field without a formula finding is one that a check names.
         if at().next().is_none() || at().any(|other| other.follows_from.is_empty()) {
             found.insert(field);
         } else {
@@ -128,7 +128,7 @@ mod tests {
     fn a_slip_is_taken_back_with_what_followed_from_it_alone() {
         let mut findings = vec![finding("a", &[]), finding("b", &["a"]), finding("c", &["a", "d"]), finding("d", &[])];
         for one in &mut findings {
-            one.kind = Kind::Formula(&RULE);
+            one.kind = FindingKind::Formula(&RULE);
         }
         retract(&mut findings, "a", &RULE);
         let left: Vec<&str> = findings.iter().map(|one| one.field.as_str()).collect();

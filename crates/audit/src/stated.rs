@@ -1,4 +1,4 @@
-//! A plan as somebody states it: what is written, as it is printed and where, and nothing that is not.
+//! A plan as it is stated: what the file says, how it is printed and where, and nothing more.
 
 use std::collections::BTreeMap;
 use technolog_note::note;
@@ -11,9 +11,9 @@ use crate::plan::{CuttingMethod, Feature, Operation};
 
 use super::quantity::{Id, Quantity, Scope};
 
-/// Something written, with its place.
+/// A stated value with its place.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Said<T> {
+pub struct StatedValue<T> {
     /// What it means.
     pub value: T,
     /// Where it stands.
@@ -21,7 +21,7 @@ pub struct Said<T> {
 }
 
 /// A text as written.
-pub type Text = Said<String>;
+pub type Text = StatedValue<String>;
 
 /// A number as written.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,7 +48,7 @@ pub struct Stated {
     pub file: String,
     /// The part it is for.
     pub part: Part,
-    /// By what its conditions were found: whose feeds and speeds ours are compared with.
+    /// The method of its cutting conditions, which our plan uses too for the comparison.
     pub method: CuttingMethod,
     /// Whether it was written by `technolog plan`: its figures are rounded as that rounds, and its route is listed
     /// hole by hole.
@@ -90,7 +90,7 @@ pub struct Row {
     /// Where it stands.
     pub place: Place,
     /// What is done.
-    pub operation: Said<Operation>,
+    pub operation: StatedValue<Operation>,
     /// The group of holes.
     pub hole: Option<Text>,
     /// What of the hole it makes, where the plan says so.
@@ -102,7 +102,7 @@ pub struct Row {
     /// Whether it is done on another machine.
     pub elsewhere: bool,
     /// The number of its tool.
-    pub tool: Option<Said<u32>>,
+    pub tool: Option<StatedValue<u32>>,
     /// The scheme it belongs to.
     pub scheme: Option<Text>,
     /// The table of the scheme.
@@ -188,7 +188,7 @@ pub struct Clamping {
     /// Where it stands.
     pub place: Place,
     /// The row whose torque it is computed for.
-    pub row: Option<Said<usize>>,
+    pub row: Option<StatedValue<usize>>,
     /// The group of holes, where the plan names it instead.
     pub hole: Option<Text>,
     /// The screw.

@@ -1,4 +1,4 @@
-//! A plan of ours as somebody would write it by hand: to begin with, to change and to have audited.
+//! A plan of ours in the form of a hand-written one, to edit and audit.
 //!
 //! What it says is read back by `read`; a plan by hand says no reasons and nothing that it was weighed against.
 

@@ -6,11 +6,11 @@ use serde_json::Value;
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::machine::Machine;
-use crate::motion::Step;
+use crate::motion::MotionStep;
 use crate::motion::time::Clock;
 use crate::plan::CuttingMethod;
 use crate::planner;
-use crate::program::proof::Held;
+use crate::program::proof::PlannedJob;
 use crate::turning::passes;
 use crate::turning::schemes;
 use crate::turning::shaft::Shaft;
@@ -64,7 +64,7 @@ fn checked(program: &Program, knowledge: &Knowledge) -> Result<Value, KnowledgeE
     let held = match &program.part {
         None => None,
         Some(part) => {
-            let mut held = Held::of(planner::plan(part, CuttingMethod::default(), knowledge)?, knowledge)?;
+            let mut held = PlannedJob::of(planner::plan(part, CuttingMethod::default(), knowledge)?, knowledge)?;
             held.set(&mut setting);
             Some(held)
         }
@@ -72,7 +72,7 @@ fn checked(program: &Program, knowledge: &Knowledge) -> Result<Value, KnowledgeE
     let of_part = held.as_ref().map(|held| held.plan.part.machine.as_str());
     let id = program.machine.as_deref().or(of_part).unwrap_or("gf2171");
     let machine = Machine::find(knowledge, id)?;
-    let mut sink = (Vec::<Step>::new(), Clock::new(&machine, setting.start));
+    let mut sink = (Vec::<MotionStep>::new(), Clock::new(&machine, setting.start));
     let faults = program.language.check(&program.text, &machine, &setting, &mut sink);
     let (trace, clock) = sink;
     let mut answer = serde_json::json!({

@@ -14,7 +14,7 @@ type Object = Map<String, Value>;
 
 /// A word that no such thing can be called by.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Slip {
+pub struct UnknownWord {
     /// The word.
     pub word: String,
     /// The word that was perhaps meant.
@@ -28,7 +28,7 @@ const OF_FINDING: [&str; 5] = ["severity", "rule", "code", "field", "hole"];
 ///
 /// # Errors
 /// No object of this kind can be.
-pub fn is_called(object: &Object, text: &str) -> Result<bool, Slip> {
+pub fn is_called(object: &Object, text: &str) -> Result<bool, UnknownWord> {
     let has = |key: &str, text: &str| object.get(key).and_then(Value::as_str).is_some_and(|own| same(own, text));
     if is_transition(object) {
         return Ok(Pattern::read(text)?.fits(object));
@@ -81,13 +81,13 @@ impl<'t> Pattern<'t> {
     ///
     /// # Errors
     /// A word that means nothing.
-    pub fn read(text: &'t str) -> Result<Self, Slip> {
+    pub fn read(text: &'t str) -> Result<Self, UnknownWord> {
         let mut words = text.split_whitespace();
         let operations: Vec<&str> = words.next().unwrap_or_default().split('|').collect();
         let known = || Operation::NAMES.iter().map(|(name, _)| *name);
         if let Some(word) = operations.iter().find(|word| Operation::from_name(word).is_none()) {
             let near = nearest(word, known()).map(str::to_owned);
-            return Err(Slip { word: (*word).to_owned(), near });
+            return Err(UnknownWord { word: (*word).to_owned(), near });
         }
         let mut own = Self {
             operations,
@@ -115,7 +115,7 @@ impl<'t> Pattern<'t> {
                     _ => {
                         let features = Feature::NAMES.iter().map(|(name, _)| *name);
                         let near = nearest(word, features.chain(["back", "elsewhere"])).map(str::to_owned);
-                        return Err(Slip { word: word.to_owned(), near });
+                        return Err(UnknownWord { word: word.to_owned(), near });
                     }
                 }
             }

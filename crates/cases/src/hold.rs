@@ -9,7 +9,7 @@ use crate::knowledge::diagnostic::{Place, nearest};
 use crate::knowledge::yaml::Key;
 use crate::note::Severity;
 
-use super::called::{self, NAMES, Slip};
+use super::called::{self, NAMES, UnknownWord};
 use super::expected::{Expected, Item, Part, What, number_of};
 use super::reasons::{Why, reasons};
 
@@ -182,7 +182,7 @@ impl<'v> Holder<'v, '_> {
             (What::Is(text), Some(value)) => match is(text, value) {
                 Ok(true) => {}
                 Ok(false) => self.fail(expected, came()),
-                Err(Slip { word, near }) => self.fail(expected, Came::NoSuchWord { word, near }),
+                Err(UnknownWord { word, near }) => self.fail(expected, Came::NoSuchWord { word, near }),
             },
             (What::Near { is, by }, Some(value)) => {
                 let near = |number: f64| (number - is).abs() <= by + HAIR * number.abs().max(is.abs());
@@ -368,7 +368,7 @@ pub fn is_from(finding: &Value, severity: Severity) -> bool {
     own.is_some_and(|own| own <= severity)
 }
 
-fn is(text: &str, value: &Value) -> Result<bool, Slip> {
+fn is(text: &str, value: &Value) -> Result<bool, UnknownWord> {
     Ok(match value {
         Value::String(own) => called::same(own, text),
         Value::Number(own) => own.as_f64().is_some_and(|own| number_of(text) == Some(own)),

@@ -13,7 +13,7 @@ use serde_json::{Map, Value};
 
 use crate::knowledge::diagnostic::nearest;
 use crate::knowledge::yaml::{Key, Problems};
-use crate::plan::{HolePlan, Made, Plan, Way};
+use crate::plan::{AlternativeStep, HolePlan, Plan, RouteSource};
 
 use super::called::Pattern;
 use super::expected::{Expected, What};
@@ -31,7 +31,7 @@ struct ByTables {
     /// Its scheme.
     scheme: String,
     /// Its transitions.
-    operations: Vec<Made>,
+    operations: Vec<AlternativeStep>,
     /// Whether it is finished on another machine.
     finish_elsewhere: bool,
     /// Whether it is the one that was taken.
@@ -44,15 +44,16 @@ impl Short {
         let made = |hole: &HolePlan| {
             hole.transitions
                 .iter()
-                .map(|step| Made { operation: step.operation, diameter_mm: step.diameter_mm })
+                .map(|step| AlternativeStep { operation: step.operation, diameter_mm: step.diameter_mm })
                 .collect()
         };
         let by_tables = route.and_then(|route| {
-            if route.way == Way::Tables {
+            if route.way == RouteSource::Tables {
                 let (scheme, finish_elsewhere) = (route.scheme.clone(), route.finish_elsewhere);
                 return Some(ByTables { scheme, operations: made(hole), finish_elsewhere, taken: true });
             }
-            let carried_out = |other: &&crate::plan::Alternative| other.way == Way::Tables && other.time_min.is_some();
+            let carried_out =
+                |other: &&crate::plan::Alternative| other.way == RouteSource::Tables && other.time_min.is_some();
             let other = route.alternatives.iter().find(carried_out)?;
             let (scheme, operations) = (other.scheme.clone(), other.operations.clone());
             Some(ByTables { scheme, operations, finish_elsewhere: false, taken: false })
@@ -98,16 +99,16 @@ pub fn fit(expected: &Expected, groups: usize, problems: &mut Problems) {
     if groups == 1 {
         top.extend(&holes);
     }
-    Walk { holes, problems }.fit(expected, &top);
+    KeyCheck { holes, problems }.fit(expected, &top);
 }
 
-struct Walk<'s, 'p> {
+struct KeyCheck<'s, 'p> {
     /// What describes a group of holes.
     holes: Vec<&'s Value>,
     problems: &'p mut Problems,
 }
 
-impl<'s> Walk<'s, '_> {
+impl<'s> KeyCheck<'s, '_> {
     fn fit(&mut self, expected: &Expected, schemas: &[&'s Value]) {
         let forms = self.forms(schemas);
         match &expected.what {

@@ -7,7 +7,7 @@ use crate::knowledge::alike::{has, latin};
 use crate::knowledge::diagnostic::{Place, nearest};
 use crate::knowledge::table::Cell;
 use crate::knowledge::yaml::{Node, NodeKind, Problems};
-use crate::knowledge::{Answer, Column, Input, Kind, Knowledge, QueryError, RowRef, Table, Value};
+use crate::knowledge::{Answer, Column, Input, Knowledge, QueryError, RowRef, Table, TableKind, Value};
 use crate::note::{Because, Note};
 use crate::units::Unit;
 
@@ -53,7 +53,7 @@ impl Question {
             return None;
         }
         let own = Self { table: found.id.clone(), given: columns };
-        if found.kind == Kind::Decision
+        if found.kind == TableKind::Decision
             && let Err(error) = own.decide(found)
         {
             let place = given.map_or(&table.place, |given| &given.place);
@@ -78,8 +78,8 @@ impl Question {
     /// The rows that answer.
     pub fn rows<'t>(&self, table: &'t Table) -> Vec<RowRef<'t>> {
         match table.kind {
-            Kind::Decision => self.decide(table).map(|answer| answer.winners().collect()).unwrap_or_default(),
-            Kind::Catalog => {
+            TableKind::Decision => self.decide(table).map(|answer| answer.winners().collect()).unwrap_or_default(),
+            TableKind::Catalog => {
                 let fits = |row: &RowRef<'_>| {
                     self.given.iter().all(|(index, value)| {
                         let column = table.columns.get(*index).zip(row.row().cells.get(*index));
@@ -113,8 +113,8 @@ impl Question {
 
 fn value(table: &Table, key: &str, at: &Place, node: &Node, problems: &mut Problems) -> Option<(usize, Value)> {
     let keys: Vec<(usize, &Column)> = match table.kind {
-        Kind::Decision => table.inputs().collect(),
-        Kind::Catalog => table.columns.iter().enumerate().collect(),
+        TableKind::Decision => table.inputs().collect(),
+        TableKind::Catalog => table.columns.iter().enumerate().collect(),
     };
     let text = problems.text(node)?;
     let Some((index, column)) = keys.iter().find(|(_, column)| column.name == key) else {
@@ -151,7 +151,7 @@ pub fn about<'v>(expected: &mut Expected, rows: &'v Json, table: &Table) -> &'v 
             rows
         }
         (What::Map(_), [row]) => row,
-        (What::Map(_), [first, ..]) if table.kind == Kind::Decision => first,
+        (What::Map(_), [first, ..]) if table.kind == TableKind::Decision => first,
         (What::Map(_), _) => {
             // Not one row: the whole list is what came.
             let item = Item { expected: expected.clone(), optional: false };
@@ -187,8 +187,8 @@ fn row_json(row: RowRef<'_>) -> Json {
 /// The columns that a row answers with.
 fn said(table: &Table) -> Vec<(usize, &Column)> {
     match table.kind {
-        Kind::Decision => table.outputs().collect(),
-        Kind::Catalog => table.columns.iter().enumerate().collect(),
+        TableKind::Decision => table.outputs().collect(),
+        TableKind::Catalog => table.columns.iter().enumerate().collect(),
     }
 }
 

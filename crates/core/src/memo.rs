@@ -1,4 +1,4 @@
-//! What is made once and asked for many times, from many threads.
+//! A cache: values computed once and shared between threads.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};

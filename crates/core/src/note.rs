@@ -40,8 +40,8 @@ impl Finding {
         Self { severity, hole: None, note }
     }
 
-    /// Puts findings in the order in which they are told, each once: the gravest first, those of a hole together, those of
-    /// one table by their rows.
+    /// Sorts findings for output and removes duplicates: the gravest first, those of a hole together, those of one
+    /// table by their rows.
     pub fn in_order(findings: &mut Vec<Self>) {
         findings
             .sort_by(|a, b| (a.severity, &a.hole).cmp(&(b.severity, &b.hole)).then_with(|| a.note.in_order(&b.note)));

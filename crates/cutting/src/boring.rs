@@ -8,13 +8,13 @@ use crate::shop::Shop;
 use crate::tables::cutting::{BoringFeedFor, BoringFinishFeedFor, BoringForceFor, BoringSpeedFor, Process};
 use crate::units::{MetresPerMinute, MillimetresPerRev, Roughness};
 
-use super::{Cut, Draft, Loads, Motion, PowerLaw, factors, figures};
+use super::{Cut, CutMotion, DraftConditions, Loads, PowerLaw, factors, figures};
 
 /// Turning formulas, speed × 0.9 for internal work (Косилова/Мещеряков т.2; facts 1.8).
 ///
 /// - V = Cv / (T^m·t^x·s^y)·Kmv·Kpv·0.9;
 /// - Pz = 10·Cp·t^x·s^y·V^n·Kp, N, with V the speed that is driven; the torque is Pz·D/2.
-pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
+pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut> {
     let (tabulated, reason) = feed(cut, shop)?;
     let feed = taken.unwrap_or(tabulated);
     let mut because = vec![reason];
@@ -53,14 +53,14 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
         loads.torque =
             Some(PowerLaw { factor: force * cut.diameter.to_mm() / 2000.0, exponent: row.y, of_speed: row.n });
     }
-    Ok(Draft {
+    Ok(DraftConditions {
         feed,
         speed: MetresPerMinute(speed),
         tool_life: life,
         life_exponent,
         coolant: None,
         loads,
-        motion: Motion::along_axis(cut),
+        motion: CutMotion::along_axis(cut),
         because,
         doubts: Vec::new(),
         card: None,

@@ -13,7 +13,7 @@ use crate::tables::cutting::{CardCalibration, CardCorrections, CardFactor, CardP
 use crate::units::{Kilowatts, MetresPerMinute, MillimetresPerRev, NewtonMetres, Newtons, round_to};
 
 use super::drilling::Base;
-use super::{Cut, Draft, Loads, Motion, PowerLaw, power_of, rpm_at};
+use super::{Cut, CutMotion, DraftConditions, Loads, PowerLaw, power_of, rpm_at};
 
 /// What the cards cannot give, so that a plan by them rests on something else there.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,7 +53,7 @@ pub(super) fn draft(
     (loads, part): (Loads, f64),
     (mut because, mut doubts): (Vec<Because>, Vec<CardDoubt>),
     shop: &Shop<'_>,
-) -> Result<Draft, KnowledgeError> {
+) -> Result<DraftConditions, KnowledgeError> {
     let mut calibrated = |ratio: CardRatio| -> Result<f64, KnowledgeError> {
         let row = shop.knowledge.need(ratio.name(), |row: &CardCalibration<'_>| row.name.is(ratio))?;
         let note = Note::new("card-calibration").with("name", Figure::word(ratio.name())).with("factor", row.factor);
@@ -90,14 +90,14 @@ pub(super) fn draft(
     };
     // The worked example divides force and power by the factor by which it raises the feed. What the
     // machine and the clamps must bear is the formula's load at the feed really taken.
-    Ok(Draft {
+    Ok(DraftConditions {
         feed: MillimetresPerRev(feed.0 * material),
         speed: MetresPerMinute(speed.0 * product * part),
         tool_life: base.tool_life,
         life_exponent: base.life_exponent,
         coolant: base.coolant,
         loads,
-        motion: Motion::along_axis(cut),
+        motion: CutMotion::along_axis(cut),
         because,
         doubts,
         card: Some(card),

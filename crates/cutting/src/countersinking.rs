@@ -5,7 +5,7 @@ use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::units::MillimetresPerRev;
 
-use super::{Cut, Draft, drilling, feed, figures};
+use super::{Cut, DraftConditions, drilling, feed, figures};
 
 /// Conditions by the coefficients of core drilling (Косилова/Мещеряков т.2, tables 29, 30, 32; facts 1.2-1.4).
 ///
@@ -16,7 +16,7 @@ use super::{Cut, Draft, drilling, feed, figures};
 /// - V = Cv·D^q / (T^m·t^x·s^y)·Kv, m/min;
 /// - M = 10·Cm·D^q·t^x·s^y·Kp, N·m; P = 10·Cp·D^q·t^x·s^y·Kp, N;
 /// - t = (D - d)/2, mm: for a cone that of its full depth, where the load is largest.
-pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
+pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut> {
     let (instead, reason) = figures::stand_in_operation(cut.operation, shop)?;
     let mut feed = feed::tabulated(cut, shop)?.or(taken);
     feed.because.push(reason);

@@ -12,7 +12,7 @@ use super::card::CardDoubt;
 use super::factors::{ByDepth, Factor};
 use super::feed::{self, Feed};
 use super::laws::{self, LoadLaw, SpeedLaw};
-use super::{Cut, Draft, Loads, Motion, PowerLaw, card, factors};
+use super::{Cut, CutMotion, DraftConditions, Loads, PowerLaw, card, factors};
 
 /// The operation by which the coefficient tables know this transition: centring is drilling.
 pub(super) fn table_operation(operation: Operation) -> Coefficients {
@@ -28,7 +28,7 @@ pub(super) fn table_operation(operation: Operation) -> Coefficients {
 /// - V = Cv·D^q / (T^m·t^x·s^y)·Kv, m/min, with Kv = Kmv·Klv·Kpv; drilling has no t term (x = 0);
 /// - M = 10·Cm·D^q·t^x·s^y·Kp, N·m; P = 10·Cp·D^q·t^x·s^y·Kp, N;
 /// - D, t in mm, s in mm/rev, T in min.
-pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
+pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut> {
     by_tables(cut, feed::tabulated(cut, shop)?.or(in_table(cut, taken, shop)?), shop)
 }
 
@@ -50,7 +50,7 @@ fn by_card(cut: &Cut, shop: &Shop<'_>) -> bool {
 }
 
 /// The same for a feed found elsewhere: the tools that have no coefficients of their own take this way.
-pub(super) fn by_tables(cut: &Cut, feed: Feed, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
+pub(super) fn by_tables(cut: &Cut, feed: Feed, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut> {
     let Feed { feed, mut because, mut doubts } = feed;
     let mut base = base(cut, feed, shop)?;
     because.append(&mut base.because);
@@ -75,14 +75,14 @@ pub(super) fn by_tables(cut: &Cut, feed: Feed, shop: &Shop<'_>) -> Tried<Draft, 
         return Ok(card::draft(cut, feed, &base, (loads, factor), (because, doubts), shop)?);
     }
     let speed = base.speed * factor;
-    Ok(Draft {
+    Ok(DraftConditions {
         feed,
         speed: MetresPerMinute(speed),
         tool_life: base.tool_life,
         life_exponent: base.life_exponent,
         coolant: base.coolant,
         loads,
-        motion: Motion::along_axis(cut),
+        motion: CutMotion::along_axis(cut),
         because,
         doubts,
         card: None,

@@ -100,7 +100,7 @@ impl Cut {
 
 /// Conditions on the way: what a formula yields, before and after the machine's limits.
 #[derive(Clone, Debug)]
-struct Draft {
+struct DraftConditions {
     feed: MillimetresPerRev,
     speed: MetresPerMinute,
     tool_life: Minutes,
@@ -108,7 +108,7 @@ struct Draft {
     life_exponent: f64,
     coolant: Option<bool>,
     loads: Loads,
-    motion: Motion,
+    motion: CutMotion,
     because: Vec<Because>,
     /// What the cards could not give.
     doubts: Vec<CardDoubt>,
@@ -118,7 +118,7 @@ struct Draft {
 
 /// How the tool moves: what the spindle turns, how deep it cuts and how far it is fed.
 #[derive(Clone, Copy, Debug)]
-struct Motion {
+struct CutMotion {
     /// The diameter at which the cutting speed is meant: the hole's, or the mill's own.
     turned: Micrometres,
     /// Depth of cut of one pass, mm.
@@ -129,7 +129,7 @@ struct Motion {
     synchronous: bool,
 }
 
-impl Motion {
+impl CutMotion {
     /// A tool of the hole's diameter fed along its axis, as often as there are passes.
     fn along_axis(cut: &Cut) -> Self {
         Self {
@@ -224,7 +224,7 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
 }
 
 /// What the formulas give for a feed: for that of the tables, or for the one `taken` in its place.
-fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
+fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut> {
     match cut.operation {
         Operation::CentreDrill | Operation::Drill | Operation::DrillOut | Operation::CoreDrill => {
             drilling::draft(cut, taken, shop)

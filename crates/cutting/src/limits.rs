@@ -12,10 +12,10 @@ use crate::tables::machines::MachineQuantity;
 use crate::tables::rules::{Neighbour, PracticeSpeedFor, SpindleStepFor};
 use crate::units::{MetresPerMinute, MillimetresPerRev, NewtonMetres, RevsPerMinute, round_to};
 
-use super::{Cut, Draft, PowerLaw, rpm_at, speed_at};
+use super::{Cut, DraftConditions, PowerLaw, rpm_at, speed_at};
 
 /// Conditions within the machine's limits.
-pub(super) struct Held {
+pub(super) struct LimitedConditions {
     pub feed: MillimetresPerRev,
     pub rpm: RevsPerMinute,
     pub limited_by: Limit,
@@ -34,7 +34,7 @@ struct Bound<'k> {
 
 /// Holds the speed of drills, mills and taps of high-speed steel to what shops drive, by the rule
 /// `practice-speed`; whether it was held.
-pub(super) fn practice(draft: &mut Draft, cut: &Cut, shop: &Shop<'_>) -> Result<bool, KnowledgeError> {
+pub(super) fn practice(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> Result<bool, KnowledgeError> {
     let drills =
         matches!(cut.operation, Operation::CentreDrill | Operation::Drill | Operation::DrillOut | Operation::CoreDrill);
     if !drills && !matches!(cut.operation, Operation::Mill | Operation::Tap) {
@@ -65,7 +65,7 @@ const SLACK: f64 = 1e-9;
 
 /// Holds a feed inside drill strength, thrust and torque at a spindle step; nothing where they bear it.
 pub(super) fn borne(
-    draft: &Draft,
+    draft: &DraftConditions,
     asked: MillimetresPerRev,
     cut: &Cut,
     rpm: RevsPerMinute,
@@ -114,13 +114,18 @@ fn within(bounds: &[Option<Bound<'_>>], asked: MillimetresPerRev, speed: MetresP
 }
 
 /// The spindle step of a draft's speed.
-pub(super) fn step_of(draft: &Draft, shop: &Shop<'_>) -> Result<RevsPerMinute, KnowledgeError> {
-    Ok(Taken::of(rpm_at(draft.speed, draft.motion.turned), shop)?.rpm)
+pub(super) fn step_of(draft: &DraftConditions, shop: &Shop<'_>) -> Result<RevsPerMinute, KnowledgeError> {
+    Ok(SpindleStepChoice::of(rpm_at(draft.speed, draft.motion.turned), shop)?.rpm)
 }
 
 /// Chooses the spindle step and holds the feed inside the loads, power and feed range; `limited` names the load that
 /// has cut the feed back already.
-pub(super) fn hold(draft: &Draft, limited: Option<Limit>, cut: &Cut, shop: &Shop<'_>) -> Tried<Held, Uncut> {
+pub(super) fn hold(
+    draft: &DraftConditions,
+    limited: Option<Limit>,
+    cut: &Cut,
+    shop: &Shop<'_>,
+) -> Tried<LimitedConditions, Uncut> {
     let (rpm, limited_by, reason) = spindle_step(rpm_at(draft.speed, draft.motion.turned), shop)?;
     let mut best = at_step(draft, cut, rpm, (limited.unwrap_or(limited_by), vec![reason]), shop)?;
     // Where power limits, a slower step lets more feed through: the quickest of them is taken.
@@ -145,12 +150,12 @@ pub(super) fn hold(draft: &Draft, limited: Option<Limit>, cut: &Cut, shop: &Shop
 
 /// The feed at one spindle step.
 fn at_step(
-    draft: &Draft,
+    draft: &DraftConditions,
     cut: &Cut,
     rpm: RevsPerMinute,
     (mut limited_by, mut because): (Limit, Vec<Because>),
     shop: &Shop<'_>,
-) -> Tried<Held, Uncut> {
+) -> Tried<LimitedConditions, Uncut> {
     let machine = &shop.machine;
     let (mut feed, mut reduced) = (draft.feed, false);
     let power = Bound {
@@ -177,7 +182,7 @@ fn at_step(
             because.push(Because::row(machine.row(quantity)?, Note::new("feed-held").with("limit", limit.0)));
         }
     }
-    Ok(Held { feed, rpm, limited_by, reduced, because })
+    Ok(LimitedConditions { feed, rpm, limited_by, reduced, because })
 }
 
 /// What a thin drill bears by itself (textbook 1.2.1, l. 223-226: below 10 mm the drill's own strength
@@ -186,7 +191,11 @@ fn at_step(
 /// Permissible torque Mp = k·d³·τ/1000, N·m, with the polar section modulus k·d³ of the fluted section, mm³,
 /// and the permissible shear stress τ, MPa (table `drill-strength`); d is the tool's own diameter, which for a spot is
 /// not that of the cut.
-fn drill_strength<'k>(draft: &Draft, cut: &Cut, shop: &Shop<'k>) -> Result<Option<Bound<'k>>, KnowledgeError> {
+fn drill_strength<'k>(
+    draft: &DraftConditions,
+    cut: &Cut,
+    shop: &Shop<'k>,
+) -> Result<Option<Bound<'k>>, KnowledgeError> {
     if !matches!(cut.operation, Operation::CentreDrill | Operation::Drill | Operation::DrillOut) {
         return Ok(None);
     }
@@ -205,7 +214,7 @@ fn drill_strength<'k>(draft: &Draft, cut: &Cut, shop: &Shop<'k>) -> Result<Optio
 ///
 /// The fastest step not above the computed speed at which power and feed rate suffice; the torque of a tap
 /// does not depend on speed, and where it is beyond the spindle the tap is refused.
-pub(super) fn synchronous(draft: &Draft, shop: &Shop<'_>) -> Tried<Held, Uncut> {
+pub(super) fn synchronous(draft: &DraftConditions, shop: &Shop<'_>) -> Tried<LimitedConditions, Uncut> {
     let machine = &shop.machine;
     let wanted = rpm_at(draft.speed, draft.motion.turned);
     let torque = draft.loads.torque.map_or(0.0, |law| law.at(draft.feed, draft.speed));
@@ -222,7 +231,7 @@ pub(super) fn synchronous(draft: &Draft, shop: &Shop<'_>) -> Tried<Held, Uncut> 
         } else {
             let note = Note::new("spindle-step-below").with("computed", round_to(wanted.0, 1)).with("step", step.0);
             let because = vec![Because::row(machine.row(MachineQuantity::SpindleSpeeds)?, note)];
-            return Ok(Held { feed: draft.feed, rpm: *step, limited_by, reduced: false, because });
+            return Ok(LimitedConditions { feed: draft.feed, rpm: *step, limited_by, reduced: false, because });
         }
     }
     Err(Refusal::Not(Uncut::NoStepBelow { computed: wanted }))
@@ -233,12 +242,12 @@ pub(super) fn synchronous(draft: &Draft, shop: &Shop<'_>) -> Tried<Held, Uncut> 
 /// # Errors
 /// The rule or the machine's series cannot answer.
 pub fn spindle_step(wanted: RevsPerMinute, shop: &Shop<'_>) -> Result<(RevsPerMinute, Limit, Because), KnowledgeError> {
-    let taken = Taken::of(wanted, shop)?;
+    let taken = SpindleStepChoice::of(wanted, shop)?;
     Ok((taken.rpm, taken.limit, taken.because(wanted, shop)?))
 }
 
 /// A step of the series, before words are made of it: the loads ask for the step alone.
-struct Taken<'k> {
+struct SpindleStepChoice<'k> {
     rpm: RevsPerMinute,
     limit: Limit,
     /// Where the speed lies between two steps.
@@ -253,7 +262,7 @@ struct Between<'k> {
     answer: Answer<'k>,
 }
 
-impl<'k> Taken<'k> {
+impl<'k> SpindleStepChoice<'k> {
     fn of(wanted: RevsPerMinute, shop: &Shop<'k>) -> Result<Self, KnowledgeError> {
         let steps = &shop.machine.spindle_steps;
         let below = steps.iter().rev().find(|step| step.0 <= wanted.0).copied();

@@ -14,7 +14,7 @@ use crate::tables::rules::ToolLifeBeyondFor;
 use crate::units::{MetresPerMinute, Micrometres, MillimetresPerRev, MillimetresPerTooth, Minutes, round_to};
 
 use super::figures::{self, missing};
-use super::{Cut, CutterShape, Draft, Loads, Motion, PowerLaw, factors};
+use super::{Cut, CutMotion, CutterShape, DraftConditions, Loads, PowerLaw, factors};
 
 /// The kind of mill in the milling tables: a solid end mill.
 const MILL: Mill = Mill::End;
@@ -29,7 +29,7 @@ const MILL: Mill = Mill::End;
 /// sz is meant where the teeth meet the wall. The mill's centre goes round a smaller circle than the wall,
 /// so its feed is smaller too: s = sz·z·(d1 - D)/d1, mm/rev, with d1 the diameter that the first and
 /// narrowest pass leaves; all passes are made with it.
-pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
+pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut> {
     let whole = |mill: &CutterShape| {
         mill.teeth > 0 && mill.diameter > Micrometres::ZERO && mill.cutting_length > Micrometres::ZERO
     };
@@ -88,14 +88,14 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
         let factor = force * d / 2000.0 / libm::pow(ratio, row.y);
         loads.torque = Some(PowerLaw { factor, exponent: row.y, of_speed: -row.w });
     }
-    Ok(Draft {
+    Ok(DraftConditions {
         feed: MillimetresPerRev(tooth_feed * ratio),
         speed: MetresPerMinute(speed),
         tool_life: life,
         life_exponent,
         coolant: None,
         loads,
-        motion: Motion { turned: mill.diameter, depth_of_cut: t, path: rounds.path, synchronous: false },
+        motion: CutMotion { turned: mill.diameter, depth_of_cut: t, path: rounds.path, synchronous: false },
         because,
         doubts: Vec::new(),
         card: None,

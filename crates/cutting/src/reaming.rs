@@ -13,14 +13,14 @@ use crate::units::{MetresPerMinute, MillimetresPerRev};
 
 use super::feed::Feed;
 use super::figures::{self, missing};
-use super::{Cut, Draft, Loads, Motion, PowerLaw, factors, feed, laws};
+use super::{Cut, CutMotion, DraftConditions, Loads, PowerLaw, factors, feed, laws};
 
 /// Conditions of a reamer (Косилова/Мещеряков т.2 table 29; facts 1, 1.2).
 ///
 /// - V = Cv·D^q / (T^m·t^x·s^y)·Kv, m/min;
 /// - M = Cp·t^x·sz^y·D·z/200·Kp, N·m, with Cp, x, y of turning (table `boring-force`), sz = s/z in mm/tooth;
 /// - D, t in mm, s in mm/rev, T in min, z the number of teeth.
-pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
+pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut> {
     let Feed { feed, mut because, doubts } = corrected_feed(cut, shop)?.or(taken);
     let (tool_life, life) = factors::tool_life(Coefficients::Ream, cut, shop)?;
     because.extend(life);
@@ -34,14 +34,14 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
     }
     let (torque, reasons) = torque(cut, shop)?;
     because.extend(reasons);
-    Ok(Draft {
+    Ok(DraftConditions {
         feed,
         speed: MetresPerMinute(speed),
         tool_life,
         life_exponent: law.m,
         coolant: figures.row.coolant,
         loads: Loads { torque, thrust: None },
-        motion: Motion::along_axis(cut),
+        motion: CutMotion::along_axis(cut),
         because,
         doubts,
         card: None,

@@ -7,8 +7,8 @@ use crate::shop::Shop;
 use crate::tables::rules::FeedChoice;
 use crate::units::{MetresPerMinute, MillimetresPerRev, round_to};
 
-use super::limits::{self, Borne, Held};
-use super::{Cut, Draft};
+use super::limits::{self, Borne, LimitedConditions};
+use super::{Cut, DraftConditions};
 
 /// The most rounds of cutting the feed back. Loads that do not depend on the speed settle in one; those that do
 /// (boring, V^-0.15) grow smaller with the higher speed of a smaller feed.
@@ -16,12 +16,12 @@ const ROUNDS: usize = 8;
 
 /// Conditions for the feed that is taken.
 pub(super) struct Settled {
-    pub draft: Draft,
+    pub draft: DraftConditions,
     /// The speed of the formula for the feed taken, before practice and the spindle's steps.
     pub formula_speed: MetresPerMinute,
     /// Whether practice holds the speed.
     pub practice: bool,
-    pub held: Held,
+    pub held: LimitedConditions,
 }
 
 /// The feed of the tables, or less where drill strength, thrust or torque ask for less; the speed that the formula
@@ -57,34 +57,34 @@ pub(super) fn settle(cut: &Cut, shop: &Shop<'_>) -> Tried<Settled, Uncut> {
         found = at(cut, Some(held.feed), shop)?;
         because.push(told("life-for-feed", held.feed, &found, None, shop)?);
     }
-    Ok(found.held(Held { because, ..held }))
+    Ok(found.held(LimitedConditions { because, ..held }))
 }
 
 /// Conditions of a feed, before the machine is asked.
-struct Found {
-    draft: Draft,
+struct DraftAtFeed {
+    draft: DraftConditions,
     formula_speed: MetresPerMinute,
     practice: bool,
 }
 
-impl Found {
-    fn held(self, held: Held) -> Settled {
+impl DraftAtFeed {
+    fn held(self, held: LimitedConditions) -> Settled {
         Settled { draft: self.draft, formula_speed: self.formula_speed, practice: self.practice, held }
     }
 }
 
-fn at(cut: &Cut, feed: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<Found, Uncut> {
+fn at(cut: &Cut, feed: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<DraftAtFeed, Uncut> {
     let mut draft = super::draft(cut, feed, shop)?;
     let formula_speed = draft.speed;
     let practice = limits::practice(&mut draft, cut, shop)?;
-    Ok(Found { draft, formula_speed, practice })
+    Ok(DraftAtFeed { draft, formula_speed, practice })
 }
 
 /// That the figures are those of the feed taken, which is not that of the tables.
 fn told(
     code: &'static str,
     feed: MillimetresPerRev,
-    found: &Found,
+    found: &DraftAtFeed,
     before: Option<MetresPerMinute>,
     shop: &Shop<'_>,
 ) -> Tried<Because, Uncut> {

@@ -8,7 +8,7 @@ use crate::tables::cutting::{Process, TappingSpeedFor, TappingTorqueFor};
 use crate::units::{MetresPerMinute, MillimetresPerRev};
 
 use super::figures;
-use super::{Cut, Draft, Loads, Motion, PowerLaw, factors};
+use super::{Cut, CutMotion, DraftConditions, Loads, PowerLaw, factors};
 
 /// Conditions of a machine tap (Косилова/Мещеряков т.2, tables 49, 51, from memory).
 ///
@@ -19,7 +19,7 @@ use super::{Cut, Draft, Loads, Motion, PowerLaw, factors};
 ///
 /// In, the spindle reversed, and out again at the same feed rate: the path is twice the travel. Kmv and Kp
 /// are those of drilling, as the rule `stand-in-operation` says.
-pub(super) fn draft(cut: &Cut, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
+pub(super) fn draft(cut: &Cut, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut> {
     let pitch = cut.pitch.ok_or(Refusal::Not(Uncut::NoPitch))?;
     let (d, p) = (cut.diameter.to_mm(), pitch.to_mm());
     let tool_material = cut.tool_material;
@@ -51,15 +51,15 @@ pub(super) fn draft(cut: &Cut, shop: &Shop<'_>) -> Tried<Draft, Uncut> {
         // The feed is the pitch, so the power law of the feed is that of the pitch.
         loads.torque = Some(PowerLaw::of_feed(factor, row.y));
     }
-    let along = Motion::along_axis(cut);
-    Ok(Draft {
+    let along = CutMotion::along_axis(cut);
+    Ok(DraftConditions {
         feed: MillimetresPerRev(p),
         speed: MetresPerMinute(speed),
         tool_life: row.life,
         life_exponent: row.m,
         coolant: None,
         loads,
-        motion: Motion { path: 2.0 * along.path, synchronous: true, ..along },
+        motion: CutMotion { path: 2.0 * along.path, synchronous: true, ..along },
         because,
         doubts: Vec::new(),
         card: None,

@@ -18,7 +18,7 @@ pub fn markdown(document: &Document, words: &Words) -> String {
 
 /// A kind of list. Two of a kind one after the other are two lists only with different marks.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
+enum ListKind {
     Items,
     Findings,
 }
@@ -26,7 +26,7 @@ enum Kind {
 struct Page<'p> {
     text: String,
     /// The list that stands last, and its mark.
-    list: Option<(Kind, char)>,
+    list: Option<(ListKind, char)>,
     words: &'p Words<'p>,
 }
 
@@ -36,11 +36,11 @@ impl Page<'_> {
             Block::Heading { level, words } => self.heading(*level, words),
             Block::Paragraph(words) => self.paragraph(words),
             Block::List(items) => {
-                let mark = self.list(Kind::Items);
+                let mark = self.list(ListKind::Items);
                 self.items(items, mark, 0);
             }
             Block::Fields(fields) => {
-                let mark = self.list(Kind::Items);
+                let mark = self.list(ListKind::Items);
                 for field in fields {
                     self.text.push_str(&format!("{mark} {}\n", labelled(field)));
                 }
@@ -74,7 +74,7 @@ impl Page<'_> {
     }
 
     /// Begins a list and gives its mark.
-    fn list(&mut self, kind: Kind) -> char {
+    fn list(&mut self, kind: ListKind) -> char {
         let mark = if matches!(self.list, Some((_, '-'))) { '*' } else { '-' };
         self.apart();
         self.list = Some((kind, mark));
@@ -92,8 +92,8 @@ impl Page<'_> {
     /// An item of the list of findings that it follows, or of a new one.
     fn finding(&mut self, finding: &Finding) {
         let mark = match self.list {
-            Some((Kind::Findings, mark)) => mark,
-            _ => self.list(Kind::Findings),
+            Some((ListKind::Findings, mark)) => mark,
+            _ => self.list(ListKind::Findings),
         };
         let mut words = Inlines::default().strong(&finding.label());
         if let Some(place) = &finding.place {

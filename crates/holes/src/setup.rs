@@ -1,4 +1,4 @@
-//! Clamping: the force that holds the part against the torque that asks most of it, and the screw that gives it.
+//! Clamping: the force that holds the part against the largest torque, and the screw that gives it.
 
 use crate::error::KnowledgeError;
 use crate::note::{Because, Note};

@@ -139,7 +139,7 @@ fn split_outside_parentheses(text: &str) -> Vec<&str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::column::{ColumnType, Role};
+    use crate::column::{ColumnRole, ColumnType};
     use crate::units::Unit;
 
     fn column(ty: ColumnType, values: &[&str]) -> Column {
@@ -149,7 +149,7 @@ mod tests {
             unit: ty.default_unit().unwrap_or(Unit::Millimetre),
             symbol: None,
             label: None,
-            role: Role::Input,
+            role: ColumnRole::Input,
             list: false,
             optional: false,
             values: values.iter().map(|&v| v.to_owned()).collect(),

@@ -79,7 +79,7 @@ impl ColumnType {
 
 /// What a column is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Role {
+pub enum ColumnRole {
     /// A field of a catalog.
     Field,
     /// An input of a decision table; its cells are tests.
@@ -118,7 +118,7 @@ pub struct Column {
     /// Its name for people, where the plain name does not do.
     pub label: Option<Label>,
     /// Field, input or output.
-    pub role: Role,
+    pub role: ColumnRole,
     /// Whether a cell holds a list.
     pub list: bool,
     /// Whether a row may leave it out.

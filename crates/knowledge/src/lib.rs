@@ -28,11 +28,11 @@ pub mod value;
 pub mod vocabulary;
 pub mod yaml;
 
-pub use column::{Column, ColumnType, Role};
+pub use column::{Column, ColumnRole, ColumnType};
 pub use contract::{Question, TableRow, Word};
 pub use diagnostic::{Diagnostic, Place, Severity};
 pub use error::KnowledgeError;
 pub use knowledge::{Knowledge, SourceFile};
-pub use query::{Answer, Asked, Input, QueryError};
-pub use table::{HitPolicy, Kind, Row, RowRef, Source, Table, TableError};
+pub use query::{Answer, Input, QueryError, TypedAnswer};
+pub use table::{HitPolicy, Row, RowRef, Source, Table, TableError, TableKind};
 pub use value::Value;

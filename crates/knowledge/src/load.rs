@@ -1,12 +1,12 @@
 //! From a YAML file to a table, collecting every problem of the file with its place.
 
 use crate::cell::{TestError, parse_test};
-use crate::column::{Column, ColumnType, Label, Role};
+use crate::column::{Column, ColumnRole, ColumnType, Label};
 use crate::contract::Word;
 use crate::diagnostic::{Diagnostic, Place, Severity};
 use crate::form::AnyKeys;
 use crate::set::Set;
-use crate::table::{Cell, Correction, HitPolicy, Kind, Law, Row, Source, Table, ToolHead, Uncovered};
+use crate::table::{Cell, Correction, HitPolicy, Law, Row, Source, Table, TableKind, ToolHead, Uncovered};
 use crate::units::Unit;
 use crate::value::Value;
 use crate::vocabulary::{Operation, Shank, ToolMaterial, Vocabularies};
@@ -71,7 +71,7 @@ impl Loader<'_> {
         let id = head.need("table", self.problems).and_then(|node| self.owned(node));
         let title = head.need("title", self.problems).and_then(|node| self.label(node));
         let kind = match head.need("kind", self.problems) {
-            Some(node) => self.named(node, &[("catalog", Kind::Catalog), ("decision", Kind::Decision)]),
+            Some(node) => self.named(node, &[("catalog", TableKind::Catalog), ("decision", TableKind::Decision)]),
             None => None,
         };
         let hit_node = head.take("hit");
@@ -97,7 +97,7 @@ impl Loader<'_> {
         let key = key_node.map(|node| self.column_names(node, &columns)).unwrap_or_default();
         let rows = self.rows(rows_node?, &columns, hit.unwrap_or(HitPolicy::Unique));
         let uncovered = uncovered_node.map(|node| self.uncovered(node, &columns)).unwrap_or_default();
-        if kind == Kind::Catalog && (hit_node.is_some() || uncovered_node.is_some()) {
+        if kind == TableKind::Catalog && (hit_node.is_some() || uncovered_node.is_some()) {
             self.problems.error::<()>("bad-head", note!("table-catalog-has-neither-hit-nor"), &root.place);
         }
         Some(Table {
@@ -203,7 +203,7 @@ impl Loader<'_> {
         laws
     }
 
-    fn columns(&mut self, node: &Node, kind: Kind) -> Option<Vec<Column>> {
+    fn columns(&mut self, node: &Node, kind: TableKind) -> Option<Vec<Column>> {
         let mut columns: Vec<Column> = Vec::new();
         let mut sound = true;
         for item in self.problems.list(node)? {
@@ -220,7 +220,7 @@ impl Loader<'_> {
         sound.then_some(columns)
     }
 
-    fn column(&mut self, node: &Node, kind: Kind) -> Option<Column> {
+    fn column(&mut self, node: &Node, kind: TableKind) -> Option<Column> {
         let mut fields = self.problems.open_map(node)?;
         let name = fields.need("name", self.problems).and_then(|node| self.owned(node));
         if let Some(reserved) = name.as_deref().filter(|name| ROW.contains(name)) {
@@ -236,14 +236,16 @@ impl Loader<'_> {
         let label = fields.take("label").and_then(|node| self.label(node));
         let role_node = fields.take("role");
         let role = match (kind, role_node) {
-            (Kind::Decision, Some(node)) => self.named(node, &[("input", Role::Input), ("output", Role::Output)]),
-            (Kind::Decision, None) => {
+            (TableKind::Decision, Some(node)) => {
+                self.named(node, &[("input", ColumnRole::Input), ("output", ColumnRole::Output)])
+            }
+            (TableKind::Decision, None) => {
                 self.problems.error("missing-key", note!("table-column-decision-table-needs-role"), fields.place)
             }
-            (Kind::Catalog, Some(node)) => {
+            (TableKind::Catalog, Some(node)) => {
                 self.problems.error("bad-value", note!("table-catalogs-columns-have-no-role"), &node.place)
             }
-            (Kind::Catalog, None) => Some(Role::Field),
+            (TableKind::Catalog, None) => Some(ColumnRole::Field),
         };
         let list = fields.take("list").and_then(|node| self.problems.boolean(node)).unwrap_or(false);
         let optional = fields.take("optional").and_then(|node| self.problems.boolean(node)).unwrap_or(false);
@@ -266,7 +268,7 @@ impl Loader<'_> {
             let message = note!("table-column-values-belong-enum-enum", name = name);
             return self.problems.error("bad-value", message, place);
         }
-        if ty == ColumnType::Text && role == Role::Input {
+        if ty == ColumnType::Text && role == ColumnRole::Input {
             let message = note!("table-input-cannot-free-text", name = name);
             return self.problems.error_help("bad-value", message, place, note!("table-make-enum-with-values"));
         }
@@ -410,7 +412,7 @@ impl Loader<'_> {
 
     fn cell(&mut self, node: Option<&Node>, column: &Column, row: &Place) -> Option<Cell> {
         let Some(node) = node else {
-            if column.role == Role::Input {
+            if column.role == ColumnRole::Input {
                 return Some(Cell::Test(column.allowed(), "-".to_owned()));
             }
             if column.optional {
@@ -418,7 +420,7 @@ impl Loader<'_> {
             }
             return self.problems.error("missing-cell", note!("table-row-has-no", column = column.name), row);
         };
-        if column.role == Role::Input {
+        if column.role == ColumnRole::Input {
             let text = self.problems.text(node)?.to_owned();
             return match parse_test(&text, column) {
                 Ok(set) => Some(Cell::Test(set, text)),
@@ -487,7 +489,7 @@ impl Loader<'_> {
     }
 
     fn when(&mut self, mut when: Fields<'_, AnyKeys>, columns: &[Column]) -> Vec<Set> {
-        let inputs: Vec<&Column> = columns.iter().filter(|column| column.role == Role::Input).collect();
+        let inputs: Vec<&Column> = columns.iter().filter(|column| column.role == ColumnRole::Input).collect();
         let sets = inputs
             .iter()
             .map(|column| match when.take(column.name.as_str()) {

@@ -16,7 +16,7 @@ use crate::error::KnowledgeError;
 use crate::few::Few;
 use crate::knowledge::Knowledge;
 use crate::set::Set;
-use crate::table::{Cell, HitPolicy, Kind, RowRef, Table, TableError};
+use crate::table::{Cell, HitPolicy, RowRef, Table, TableError, TableKind};
 use crate::units::{Decimal, ItGrade, Micrometres, Roughness, Unit};
 use crate::value::Value;
 
@@ -233,8 +233,8 @@ impl ColumnIndex {
     }
 
     /// An input, with the interval it lies in.
-    fn given(&self, rank: i64) -> Given {
-        Given { rank, segment: self.starts.partition_point(|&start| start <= rank) - 1 }
+    fn given(&self, rank: i64) -> InputValue {
+        InputValue { rank, segment: self.starts.partition_point(|&start| start <= rank) - 1 }
     }
 
     /// The rows whose test an interval satisfies.
@@ -245,7 +245,7 @@ impl ColumnIndex {
 
 /// An input of a query.
 #[derive(Debug, Clone, Copy, Default)]
-struct Given {
+struct InputValue {
     rank: i64,
     /// The number of its elementary interval.
     segment: usize,
@@ -256,7 +256,7 @@ struct Given {
 pub struct Answer<'t> {
     table: &'t Table,
     /// The inputs, in the order of their columns.
-    inputs: Few<Given, 6>,
+    inputs: Few<InputValue, 6>,
     /// The rows that apply, under the hit policy.
     winners: Few<u32, 1>,
     /// Rows that match but that the hit policy does not take.
@@ -281,7 +281,7 @@ impl Table {
 
     /// As [`Self::decide`]; an input that is none is left to the table's default.
     fn decided<'t>(&'t self, inputs: &[(&str, Option<Input<'_>>)]) -> Result<Answer<'t>, QueryError> {
-        if self.kind != Kind::Decision {
+        if self.kind != TableKind::Decision {
             return Err(QueryError::NotADecision { table: self.id.clone() });
         }
         let index = self.index();
@@ -464,13 +464,13 @@ impl<'t> Answer<'t> {
 
 /// The answer of a table whose rows are read as `R`.
 #[derive(Debug, Clone)]
-pub struct Asked<'t, R> {
+pub struct TypedAnswer<'t, R> {
     /// The answer itself, for those who cite what was passed over.
     pub answer: Answer<'t>,
     rows: PhantomData<R>,
 }
 
-impl<'t, R: TableRow<'t>> Asked<'t, R> {
+impl<'t, R: TableRow<'t>> TypedAnswer<'t, R> {
     /// The row that applies, if there is one; the first of several under `collect`.
     ///
     /// # Errors
@@ -501,8 +501,8 @@ impl Table {
     ///
     /// # Errors
     /// As [`Self::decide`].
-    pub fn ask<'t, Q: Question>(&'t self, question: &Q) -> Result<Asked<'t, Q::Row<'t>>, QueryError> {
-        Ok(Asked { answer: question.put(|inputs| self.decided(inputs))?, rows: PhantomData })
+    pub fn ask<'t, Q: Question>(&'t self, question: &Q) -> Result<TypedAnswer<'t, Q::Row<'t>>, QueryError> {
+        Ok(TypedAnswer { answer: question.put(|inputs| self.decided(inputs))?, rows: PhantomData })
     }
 }
 
@@ -511,7 +511,7 @@ impl Knowledge {
     ///
     /// # Errors
     /// There is no such table, or the question does not fit it; see [`Table::decide`].
-    pub fn ask<'k, Q: Question>(&'k self, question: &Q) -> Result<Asked<'k, Q::Row<'k>>, KnowledgeError> {
+    pub fn ask<'k, Q: Question>(&'k self, question: &Q) -> Result<TypedAnswer<'k, Q::Row<'k>>, KnowledgeError> {
         Ok(self.table(Q::TABLE)?.ask(question)?)
     }
 

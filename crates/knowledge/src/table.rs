@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use technolog_note::{Note, note};
 
-use crate::column::{Column, Label, Role};
+use crate::column::{Column, ColumnRole, Label};
 use crate::contract::TableRow;
 use crate::diagnostic::Place;
 use crate::query::Index;
@@ -18,7 +18,7 @@ use crate::vocabulary::{Operation, Shank, ToolMaterial};
 
 /// A catalog says what a source says; a decision table says which row applies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Kind {
+pub enum TableKind {
     /// Rows are looked up by their fields.
     Catalog,
     /// Rows match inputs by tests.
@@ -177,7 +177,7 @@ pub struct Table {
     /// Its title.
     pub title: Label,
     /// Catalog or decision table.
-    pub kind: Kind,
+    pub kind: TableKind,
     /// What happens when several rows match.
     pub hit: HitPolicy,
     /// Where its rows stand in the source.
@@ -225,12 +225,12 @@ impl Table {
 
     /// The input columns with their positions.
     pub fn inputs(&self) -> impl Iterator<Item = (usize, &Column)> {
-        self.columns.iter().enumerate().filter(|(_, column)| column.role == Role::Input)
+        self.columns.iter().enumerate().filter(|(_, column)| column.role == ColumnRole::Input)
     }
 
     /// The columns that are not inputs, with their positions.
     pub fn outputs(&self) -> impl Iterator<Item = (usize, &Column)> {
-        self.columns.iter().enumerate().filter(|(_, column)| column.role != Role::Input)
+        self.columns.iter().enumerate().filter(|(_, column)| column.role != ColumnRole::Input)
     }
 
     /// Every row, read as its row type.

@@ -1,6 +1,6 @@
 //! NC programs: [`job`] is a plan as work of a machine, [`program`] the languages of controls, written and read back.
 //!
-//! Architecture invariant: nothing here plans. A job is made of a plan by whoever planned it.
+//! Architecture invariant: nothing is planned here. A job is made from a finished plan.
 
 pub mod job;
 pub mod program;

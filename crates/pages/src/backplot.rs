@@ -11,7 +11,7 @@ use super::canvas::{Anchor, At, COLOURS, Canvas, Pen, width_of};
 use super::sheet::mm;
 use super::words::say;
 use crate::job::Job;
-use crate::motion::{Position, Sense, Step};
+use crate::motion::{MotionStep, Position, Sense};
 use crate::part::{Face, Part, Point};
 use crate::units::Micrometres;
 
@@ -21,7 +21,7 @@ mod read;
 
 use labels::Labels;
 use legend::{legend, zero};
-use read::{Line, Panel, Shape};
+use read::{Panel, PathSegment, Shape};
 
 /// Where the part lies while a program runs.
 #[derive(Clone, Debug)]
@@ -145,7 +145,7 @@ impl View {
 ///
 /// Rapids are drawn straight and dashed, whatever way each axis takes; feeds and arcs solid; plunges along Z are points
 /// with their numbers. A new panel begins with every tool and every stop for the operator.
-pub fn backplot(steps: &[Step], frame: Option<&Frame<'_>>, lang: Lang) -> String {
+pub fn backplot(steps: &[MotionStep], frame: Option<&Frame<'_>>, lang: Lang) -> String {
     let panels = read::panels(steps, frame);
     let Some(extent) = extent(&panels, frame) else {
         let mut canvas = Canvas::default();
@@ -179,7 +179,7 @@ pub fn backplot(steps: &[Step], frame: Option<&Frame<'_>>, lang: Lang) -> String
 /// The plate, everything cut, and the tool-change position where it is not far away.
 fn extent(panels: &[Panel<'_>], frame: Option<&Frame<'_>>) -> Option<Extent> {
     let cut = panels.iter().flat_map(|panel| {
-        let lines = panel.lines.iter().filter(|line| !line.rapid).flat_map(Line::reach);
+        let lines = panel.lines.iter().filter(|line| !line.rapid).flat_map(PathSegment::reach);
         lines.chain(panel.plunges.iter().copied())
     });
     let mut extent = Extent::of(cut)?;
@@ -291,7 +291,7 @@ fn numbers(canvas: &mut Canvas, panel: &Panel<'_>, view: View, colour: &'static 
     }
 }
 
-fn shape(canvas: &mut Canvas, line: &Line, view: View, pen: Pen, again: bool) {
+fn shape(canvas: &mut Canvas, line: &PathSegment, view: View, pen: Pen, again: bool) {
     let (from, to) = (view.at(line.from), view.at(line.to));
     match line.shape {
         Shape::Straight => {

@@ -10,11 +10,11 @@ use super::canvas::{Anchor, Canvas, Pen, broken, width_of};
 use super::sheet::{mm, rounded};
 use super::words::say;
 use super::{Lang, transitions};
-use crate::job::{Cycle, Job, Kind, SetUp, ToolWork};
+use crate::job::{Cycle, CycleKind, Job, SetUp, ToolWork};
 use crate::plan::Plan;
 
 mod section;
-mod way;
+mod toolpath;
 
 use section::Section;
 
@@ -88,7 +88,7 @@ fn rows(work: &ToolWork) -> Vec<Vec<usize>> {
 }
 
 fn row_height(work: &ToolWork, row: &[usize]) -> f64 {
-    let round = row.iter().any(|&cycle| matches!(work.cycles[cycle].kind, Kind::Circles { .. }));
+    let round = row.iter().any(|&cycle| matches!(work.cycles[cycle].kind, CycleKind::Circles { .. }));
     HEAD + BODY + if round { ABOVE } else { 0.0 }
 }
 
@@ -132,10 +132,17 @@ fn diagram(canvas: &mut Canvas, (x, y): (f64, f64), work: &ToolWork, index: usiz
     }
     let Some(section) = Section::of(plan, work, index, (x, y + HEAD)) else { return };
     section.hole(canvas, lang);
-    way::draw(canvas, &section, cycle);
+    toolpath::draw(canvas, &section, cycle);
     section.levels(canvas, cycle, lang);
-    if let Kind::Circles { radii, sense, .. } = &cycle.kind {
-        way::from_above(canvas, (x + WIDTH / 2.0, y + HEAD + BODY + ABOVE / 2.0 - 12.0), radii, *sense, &section, lang);
+    if let CycleKind::Circles { radii, sense, .. } = &cycle.kind {
+        toolpath::from_above(
+            canvas,
+            (x + WIDTH / 2.0, y + HEAD + BODY + ABOVE / 2.0 - 12.0),
+            radii,
+            *sense,
+            &section,
+            lang,
+        );
     }
 }
 
@@ -149,18 +156,18 @@ fn figures(cycle: &Cycle, work: &ToolWork, lang: Lang) -> String {
         parts.push(say!(lang, "cycles-dwell", seconds = rounded(dwell.0, 1)));
     }
     match &cycle.kind {
-        Kind::Peck { step, clearance } => {
+        CycleKind::Peck { step, clearance } => {
             parts.push(say!(lang, "cycles-step", step = *step));
             parts.push(say!(lang, "cycles-clearance", clearance = *clearance));
         }
-        Kind::ChipBreak { step, retreat } => {
+        CycleKind::ChipBreak { step, retreat } => {
             parts.push(say!(lang, "cycles-step", step = *step));
             parts.push(say!(lang, "cycles-retreat", retreat = *retreat));
         }
-        Kind::Tap { pitch } => parts.push(say!(lang, "cycles-pitch", pitch = *pitch)),
-        Kind::BoreStop => parts.push(say!(lang, "cycles-out-stopped").to_owned()),
-        Kind::FeedOut => parts.push(say!(lang, "cycles-out-at-feed").to_owned()),
-        Kind::Drill | Kind::Circles { .. } => {}
+        CycleKind::Tap { pitch } => parts.push(say!(lang, "cycles-pitch", pitch = *pitch)),
+        CycleKind::BoreStop => parts.push(say!(lang, "cycles-out-stopped").to_owned()),
+        CycleKind::FeedOut => parts.push(say!(lang, "cycles-out-at-feed").to_owned()),
+        CycleKind::Drill | CycleKind::Circles { .. } => {}
     }
     if work.coolant {
         parts.push(say!(lang, "cycles-coolant").to_owned());

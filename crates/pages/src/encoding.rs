@@ -13,7 +13,7 @@ use crate::job::{Job, ToolWork};
 use crate::knowledge::Knowledge;
 use crate::machine::Machine;
 use crate::plan::Plan;
-use crate::program::written::{Role, WorkRef, Written};
+use crate::program::written::{LineRole, WorkRef, WrittenProgram};
 
 use super::sheet::mm;
 use super::words::say;
@@ -27,7 +27,7 @@ pub use dictionary::Dictionary;
 
 /// The sheet.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Sheet {
+pub struct EncodingSheet {
     /// The form it follows.
     pub form: &'static str,
     /// The part; absent of a program without one.
@@ -72,23 +72,23 @@ const SUPPLIED: [&str; 3] = ["instructions", "tool", "meaning"];
 /// # Errors
 /// There are no tables of words for the control, or they lack a meaning.
 pub fn encoding_sheet(
-    written: &Written,
+    written: &WrittenProgram,
     job: &Job,
     plan: &Plan,
     control: &str,
     knowledge: &Knowledge,
     lang: Lang,
-) -> Result<Sheet, KnowledgeError> {
+) -> Result<EncodingSheet, KnowledgeError> {
     let mut sheet = of_text(&written.text(), &job.machine, control, knowledge, lang)?;
     sheet.part = Some(job.part.clone());
     sheet.instructions = instructions(job, lang);
     let named = written.lines.iter().filter_map(|line| Some((line.work?, line.cycle?))).collect();
-    let mut said = Said { named, ..Said::default() };
+    let mut said = SeenTransitions { named, ..SeenTransitions::default() };
     for row in &mut sheet.rows {
         let Some(line) = written.lines.get(row.line - 1) else { continue };
         let Some((at, work)) = line.work.and_then(|at| Some((at, work_of(job, at)?))) else { continue };
         row.transition = match line.role {
-            Role::Pause => said.pause(at, work, plan, lang),
+            LineRole::Pause => said.pause(at, work, plan, lang),
             _ => said.transition(at, work, line.cycle, plan, lang),
         };
     }
@@ -105,7 +105,7 @@ pub fn of_text(
     control: &str,
     knowledge: &Knowledge,
     lang: Lang,
-) -> Result<Sheet, KnowledgeError> {
+) -> Result<EncodingSheet, KnowledgeError> {
     let dictionary = Dictionary::read(control, knowledge)?;
     let mut modes = dictionary::Modes::default();
     let mut rows = Vec::new();
@@ -123,7 +123,7 @@ pub fn of_text(
     // The title of a table stands in the table, in both languages.
     let machine = named.of(lang.tag());
     let equipment = say!(lang, "encoding-equipment-is", machine = machine, control = name(control, lang));
-    Ok(Sheet { form: FORM, part: None, equipment, instructions: Vec::new(), rows, supplied: SUPPLIED, lang })
+    Ok(EncodingSheet { form: FORM, part: None, equipment, instructions: Vec::new(), rows, supplied: SUPPLIED, lang })
 }
 
 /// What people call a control.
@@ -166,7 +166,7 @@ fn instructions(job: &Job, lang: Lang) -> Vec<String> {
 
 /// What the sheet has said already: every transition stands at its first block only.
 #[derive(Debug, Default)]
-struct Said {
+struct SeenTransitions {
     /// The cycles that blocks of the program name.
     named: Vec<(WorkRef, usize)>,
     works: Vec<WorkRef>,
@@ -174,7 +174,7 @@ struct Said {
     pauses: Vec<WorkRef>,
 }
 
-impl Said {
+impl SeenTransitions {
     /// What begins at a block: at the first one of a work all that has no block of its own, or all where there is one
     /// cycle only; at the first block of a cycle what that cycle makes.
     fn transition(

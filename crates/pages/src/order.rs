@@ -9,7 +9,7 @@ use super::words::say;
 use crate::document::{Block, Column, Document, Field, Inlines, Item, Table};
 use crate::note::{Figure, Finding, Tell};
 use crate::part::Point;
-use crate::plan::{Plan, Stop, Visit, Visiting};
+use crate::plan::{Plan, Stop, ToolVisit, Visiting};
 use crate::units::{Micrometres, Minutes};
 
 /// The order of a part: its tools, their points, and how the holes are visited. `not_kept` are the findings of methods
@@ -39,7 +39,7 @@ pub fn of_part(plan: &Plan, home: Point, not_kept: &[Finding], lang: Lang) -> Do
     page
 }
 
-fn table(visits: &[Visit], lang: Lang) -> Table {
+fn table(visits: &[ToolVisit], lang: Lang) -> Table {
     let minutes = lang.word("unit-min");
     let mut table = Table::new([
         Column::text("T"),
@@ -93,7 +93,7 @@ fn visiting(visiting: &Visiting, lang: Lang) -> Item {
 }
 
 /// What stands over the path of a tool in the drawing.
-pub fn visit_title(visit: &Visit, lang: Lang) -> String {
+pub fn visit_title(visit: &ToolVisit, lang: Lang) -> String {
     say!(lang, "order-of-tool", tool = visit.tool, setup = visit.setup, time = exactly(visit.rapid_min.0, 3))
 }
 

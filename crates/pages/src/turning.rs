@@ -6,16 +6,16 @@ mod frames;
 mod map;
 mod operation;
 mod operation_drawing;
+mod phrases;
 mod schemes;
 mod schemes_drawing;
-mod told;
 mod view;
 
 use crate::document::{Block, Column, Document, Field, Figure, Keep, Table};
 use crate::knowledge::Knowledge;
 use crate::note;
 use technolog_turning::passes::cost::Objective;
-use technolog_turning::passes::pass::Kind;
+use technolog_turning::passes::pass::PassDirection;
 use technolog_turning::passes::{Sequences, Variant};
 use technolog_turning::schemes::Schemes;
 use technolog_turning::shaft::{Division, Moves};
@@ -24,7 +24,7 @@ use technolog_words::say;
 use super::Lang;
 use super::sentences::term;
 use cells::{Cell, arrow, figure, span, table};
-use told::{finding, material, rests_on, said, word};
+use phrases::{finding, material, rests_on, said, word};
 
 pub use drawing::drawing;
 pub use frames::frames;
@@ -139,7 +139,7 @@ fn variants(found: &Sequences, lang: Lang) -> Table {
         Column::number(say!(lang, "turn-above-optimum"), "%"),
     ];
     let row = |variant: &Variant| {
-        let along = variant.passes.iter().filter(|pass| pass.kind == Kind::Longitudinal).count();
+        let along = variant.passes.iter().filter(|pass| pass.kind == PassDirection::Longitudinal).count();
         vec![
             term(variant.name, lang).into(),
             Cell::Figure(variant.cutting_path_mm.to_mm(), 2),

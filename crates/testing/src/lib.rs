@@ -3,18 +3,18 @@
 #![allow(clippy::disallowed_methods, reason = "tests hold the codes of notes against what is expected")]
 pub mod cuts;
 pub mod extremes;
-pub mod held;
 pub mod holes;
 pub mod kinds;
 pub mod lawful;
 pub mod mutants;
+pub mod oracle_json;
 pub mod pages;
 pub mod patterns;
+pub mod proof_bench;
 pub mod section;
 pub mod shafts;
 pub mod side;
 pub mod spoilt;
-pub mod told;
 pub mod turned;
 
 use std::collections::BTreeMap;
@@ -24,7 +24,7 @@ use std::sync::LazyLock;
 use technolog::audit::Auditor;
 use technolog::knowledge::{Knowledge, RowRef, Value};
 use technolog::part::{Part, read_part};
-use technolog::plan::{CuttingMethod, Operation, Plan, Way};
+use technolog::plan::{CuttingMethod, Operation, Plan, RouteSource};
 use technolog::units::Micrometres;
 use technolog::{planner, shipped};
 
@@ -52,9 +52,9 @@ pub fn plan_of_hole(material: &str, machine: &str, thickness: &str, keys: &str) 
 
 /// A route of a group: the one taken, one that lost, or one that cannot be carried out.
 #[derive(Clone, Debug)]
-pub struct Found {
+pub struct RouteSummary {
     /// Absent where the group has no route at all: findings name only the scheme.
-    pub way: Option<Way>,
+    pub way: Option<RouteSource>,
     pub scheme: String,
     /// Operations with the diameters they leave; empty where it cannot be carried out.
     pub operations: Vec<(Operation, Micrometres)>,
@@ -65,17 +65,17 @@ pub struct Found {
 }
 
 /// Every route of the first group that the plan tells of, the one taken first.
-pub fn routes(plan: &Plan) -> Vec<Found> {
+pub fn routes(plan: &Plan) -> Vec<RouteSummary> {
     let hole = &plan.holes[0];
     let Some(route) = &hole.route else {
         let named = |finding: &technolog::note::Finding| {
             let scheme = finding.note.figure("scheme")?.text().into_owned();
             let why = finding.note.code().to_owned();
-            Some(Found { way: None, scheme, operations: Vec::new(), carried_out: false, taken: false, why })
+            Some(RouteSummary { way: None, scheme, operations: Vec::new(), carried_out: false, taken: false, why })
         };
         return plan.findings.iter().filter_map(named).collect();
     };
-    let taken = Found {
+    let taken = RouteSummary {
         way: Some(route.way),
         scheme: route.scheme.clone(),
         operations: hole.transitions.iter().map(|step| (step.operation, step.diameter_mm)).collect(),
@@ -83,7 +83,7 @@ pub fn routes(plan: &Plan) -> Vec<Found> {
         taken: true,
         why: String::new(),
     };
-    let others = route.alternatives.iter().map(|other| Found {
+    let others = route.alternatives.iter().map(|other| RouteSummary {
         way: Some(other.way),
         scheme: other.scheme.clone(),
         operations: other.operations.iter().map(|made| (made.operation, made.diameter_mm)).collect(),

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use technolog::motion::{Axis, Motion, Position, Step, trace};
+use technolog::motion::{Axis, Motion, MotionStep, Position, trace};
 use technolog_laws::share;
 
 /// A program with one fault.
@@ -35,7 +35,7 @@ impl Run {
     /// Takes the steps apart into motions and states. What moves nothing and switches nothing is left out, and rapids that
     /// go on along one axis are one. The order of two switches of different kinds does not count: what acts in a cut the
     /// proof has to tell.
-    pub fn of(steps: &[Step], start: Position, said: impl IntoIterator<Item = String>, time: String) -> Self {
+    pub fn of(steps: &[MotionStep], start: Position, said: impl IntoIterator<Item = String>, time: String) -> Self {
         let mut run = Self { time, ..Self::default() };
         for sentence in said {
             *run.said.entry(sentence).or_default() += 1;
@@ -48,7 +48,7 @@ impl Run {
         let mut rapid: Option<Position> = None;
         for step in steps {
             // Without line and block.
-            let line: String = trace::line(&Step { block: Default::default(), ..step.clone() });
+            let line: String = trace::line(&MotionStep { block: Default::default(), ..step.clone() });
             let line = line.trim_start_matches([' ', '0', '-']).to_owned();
             match step.motion {
                 Motion::Rapid | Motion::Feed { .. } if step.at == at => {}

@@ -5,8 +5,8 @@ use proptest::prelude::*;
 use technolog::turning::contour::{Contour, Curve, Piece, Side, Turn};
 use technolog::turning::length::Half;
 use technolog::turning::point::Point;
+use technolog::turning::toolpath::{Purpose, Toolpath};
 use technolog::turning::transitions::{Feeds, Settings, Stock, Tool};
-use technolog::turning::way::{Purpose, Way};
 use technolog::units::{Degrees, MillimetresPerMinute};
 
 /// What rounding of points to half a micrometre may do, mm.
@@ -100,7 +100,7 @@ pub struct Columns {
 
 impl Columns {
     /// Of a zone.
-    pub fn of(stock: &Stock, way: &Way) -> Self {
+    pub fn of(stock: &Stock, way: &Toolpath) -> Self {
         let corners: Vec<Half> =
             [&stock.rough, &stock.blank].into_iter().flat_map(Contour::corners).map(|corner| corner.z).collect();
         let places = places(&corners, way.moves.iter().map(|one| one.to.z), stock.from, stock.to);
@@ -173,7 +173,7 @@ pub struct Worked {
 }
 
 /// Place a whole way off.
-pub fn work_off(stock: &Stock, way: &Way, edge: Option<Half>) -> Worked {
+pub fn work_off(stock: &Stock, way: &Toolpath, edge: Option<Half>) -> Worked {
     let mut columns = Columns::of(stock, way);
     let (mut below, mut hit, mut depth) = (f64::NEG_INFINITY, f64::NEG_INFINITY, 0.0_f64);
     for (piece, purpose) in way.pieces() {

@@ -8,7 +8,7 @@ use technolog::turning::length::Half;
 use technolog::turning::passes::cost::Objective;
 use technolog::turning::passes::grid::Grid;
 use technolog::turning::passes::optimum::moves;
-use technolog::turning::passes::pass::{Kind, Pass};
+use technolog::turning::passes::pass::{Pass, PassDirection};
 use technolog::turning::point::Point;
 use technolog::turning::shaft::{Blank, BlankKind, Division, Holding, Moves, Rates, Roughing, Shaft, Step};
 use technolog::units::{Micrometres, MillimetresPerMinute};
@@ -112,14 +112,14 @@ pub fn combinations(grid: &Grid) -> Vec<Vec<Pass>> {
                     let mut outer = grid.bar;
                     for level in grid.levels.iter().take_while(|level| level.from > cylinder.radius) {
                         let at = |z| Point { radius: level.to, z };
-                        add(Kind::Longitudinal, at(cylinder.from), at(cylinder.to), outer - level.to);
+                        add(PassDirection::Longitudinal, at(cylinder.from), at(cylinder.to), outer - level.to);
                         outer = level.to;
                     }
                 } else {
                     for slice in grid.slices.iter().filter(|slice| cylinder.from < slice.to && slice.to <= cylinder.to)
                     {
                         let at = |radius| Point { radius, z: slice.to };
-                        add(Kind::Transverse, at(grid.bar), at(cylinder.radius), slice.to - slice.from);
+                        add(PassDirection::Transverse, at(grid.bar), at(cylinder.radius), slice.to - slice.from);
                     }
                 }
             }

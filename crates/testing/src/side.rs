@@ -5,8 +5,8 @@ use technolog::turning::contour::{Contour, Side};
 use technolog::turning::length::Half;
 use technolog::turning::operation::{Operation, SetUpWork, SideWork};
 use technolog::turning::point::Point;
+use technolog::turning::toolpath::{Move, Purpose, Toolpath};
 use technolog::turning::transitions::Scheme;
-use technolog::turning::way::{Move, Purpose, Way};
 
 use super::section::{Columns, ROUNDING, places, radius_at};
 
@@ -34,7 +34,7 @@ fn seen_point(point: Point, side: Side, top: Half) -> Point {
     if side == Side::Outer { point } else { Point { radius: top - point.radius, ..point } }
 }
 
-fn seen_way(way: &Way, side: Side, top: Half) -> Way {
+fn seen_way(way: &Toolpath, side: Side, top: Half) -> Toolpath {
     if side == Side::Outer {
         return way.clone();
     }
@@ -42,7 +42,7 @@ fn seen_way(way: &Way, side: Side, top: Half) -> Way {
         let piece = piece.mapped(true, |point| seen_point(point, side, top));
         Move { to: piece.to, curve: piece.curve, purpose }
     });
-    Way { moves: moves.collect(), from: seen_point(way.from, side, top) }
+    Toolpath { moves: moves.collect(), from: seen_point(way.from, side, top) }
 }
 
 fn seen(contour: &Contour, side: Side, top: Half) -> Contour {
@@ -219,7 +219,7 @@ fn set_up_off(metal: &mut Metal, set_up: &SetUpWork, one: &SideWork) -> (Vec<Fau
                 faults.push(Fault { law: "a bore's tool goes beyond the axis", at: at.clone(), by: 1.0, z: 0.0 });
             }
             // From the home of the way before to this one, as `programs` goes.
-            let mut whole = Way::at(last.unwrap_or(way.from));
+            let mut whole = Toolpath::at(last.unwrap_or(way.from));
             if let Some(last) = last {
                 for corner in over(last, way.from, side) {
                     whole.go(corner, Purpose::Rapid);

@@ -8,7 +8,7 @@ use technolog::units::Micrometres;
 
 /// An item of an outer contour. All sizes in micrometres.
 #[derive(Clone, Copy, Debug)]
-pub enum Item {
+pub enum OutlineItem {
     /// So long; fine: ground later.
     Cylinder(i64, bool),
     /// So much up, or down.
@@ -27,7 +27,7 @@ pub enum Item {
 
 /// What a blank is.
 #[derive(Clone, Copy, Debug)]
-pub enum Kind {
+pub enum BlankForm {
     Bar,
     /// A tube, if there is a bore.
     Tube,
@@ -48,14 +48,14 @@ pub struct Bore {
 
 /// A turned part.
 #[derive(Clone)]
-pub struct Draft {
+pub struct TurnedDraft {
     /// Radius of the first face.
     pub start: i64,
     /// The outer contour behind the first cylinder.
-    pub items: Vec<Item>,
+    pub items: Vec<OutlineItem>,
     /// The bore, if there is one.
     pub bore: Option<Bore>,
-    pub kind: Kind,
+    pub kind: BlankForm,
     /// Radial stock of the blank, that on its face, and what it is longer.
     pub stock: (i64, i64, i64),
     pub lathe: bool,
@@ -68,7 +68,7 @@ pub struct Draft {
     pub rates: bool,
 }
 
-impl fmt::Debug for Draft {
+impl fmt::Debug for TurnedDraft {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "\n{}", self.text())
     }
@@ -79,7 +79,7 @@ fn mm(um: i64) -> Micrometres {
 }
 
 /// The outer contour as it is written.
-struct Walk {
+struct OutlineText {
     radius: i64,
     z: i64,
     least: i64,
@@ -90,7 +90,7 @@ struct Walk {
     after_face_up: bool,
 }
 
-impl Walk {
+impl OutlineText {
     fn put(&mut self, line: String, radius: i64, z: i64) {
         self.spans.push((self.z, z, self.radius.max(radius)));
         self.lines.push(line);
@@ -115,7 +115,7 @@ impl Walk {
         self.put(format!("{{cone: {{d: {}, z: {}}}}}", mm(2 * radius), mm(-z)), radius, z);
     }
 
-    fn item(&mut self, item: Item) {
+    fn item(&mut self, item: OutlineItem) {
         let most = 90_000;
         let other = |walk: &Self, by: i64| {
             let radius = walk.radius + by;
@@ -123,22 +123,22 @@ impl Walk {
         };
         let fits = |walk: &Self, radius: i64| (walk.least..=most).contains(&radius);
         match item {
-            Item::Cylinder(length, fine) => {
+            OutlineItem::Cylinder(length, fine) => {
                 self.cylinder(length, if fine { ", grade: h6, roughness: Ra 0.8" } else { "" });
             }
-            Item::Face(by) if self.after_cylinder => {
+            OutlineItem::Face(by) if self.after_cylinder => {
                 let radius = other(self, by);
                 if fits(self, radius) {
                     self.face(radius);
                 }
             }
-            Item::Cone(by, length) => {
+            OutlineItem::Cone(by, length) => {
                 let radius = other(self, by);
                 if fits(self, radius) {
                     self.cone(radius, length);
                 }
             }
-            Item::Arc(by, hollow) => {
+            OutlineItem::Arc(by, hollow) => {
                 let radius = other(self, by);
                 let size = (radius - self.radius).abs();
                 if fits(self, radius) && size > 0 {
@@ -148,12 +148,12 @@ impl Walk {
                     self.put(format!("{{arc: {{d: {d}, z: {to}}}, radius: {}, bulge: {bulge}}}", mm(size)), radius, z);
                 }
             }
-            Item::Chamfer(size) if self.after_face_up && self.radius + size <= most => {
+            OutlineItem::Chamfer(size) if self.after_face_up && self.radius + size <= most => {
                 let z = self.z + size;
                 self.put(format!("{{chamfer: {}}}", mm(size)), self.radius + size, z);
                 self.cylinder(3_000, "");
             }
-            Item::Groove(kind, width, depth) if self.after_cylinder && self.radius - depth >= self.least => {
+            OutlineItem::Groove(kind, width, depth) if self.after_cylinder && self.radius - depth >= self.least => {
                 let mut line = format!("{{groove: {kind}, width: {}, depth: {}", mm(width), mm(depth));
                 if kind == "trapezoid" {
                     line.push_str(", angle: 30");
@@ -162,7 +162,7 @@ impl Walk {
                 self.put(line, self.radius, self.z + width);
                 self.cylinder(4_000, "");
             }
-            Item::Neck(depth, length) if self.radius - depth >= self.least => {
+            OutlineItem::Neck(depth, length) if self.radius - depth >= self.least => {
                 let (top, radius) = (self.radius, self.radius - depth);
                 self.cone(radius, 3 * depth);
                 self.cylinder(length, "");
@@ -174,12 +174,12 @@ impl Walk {
     }
 }
 
-impl Draft {
+impl TurnedDraft {
     /// Its file.
     pub fn text(&self) -> String {
         let least = if self.bore.is_some() { 32_000 } else { 6_000 };
         let start = self.start.max(least);
-        let mut walk = Walk {
+        let mut walk = OutlineText {
             radius: 0,
             z: 0,
             least,
@@ -256,11 +256,11 @@ impl Draft {
             format!("{{kind: {kind}, diameter: {d}, length: {}, face: {}{more}}}", mm(whole), mm(face))
         };
         match (self.kind, bore) {
-            (Kind::Tube, Some((narrow, true))) => {
+            (BlankForm::Tube, Some((narrow, true))) => {
                 bar("tube", &format!(", bore: {}", mm(2 * (narrow - over.min(3_000)))))
             }
-            (Kind::Bar | Kind::Tube, _) => bar("bar", ""),
-            (Kind::Stepped, _) => {
+            (BlankForm::Bar | BlankForm::Tube, _) => bar("bar", ""),
+            (BlankForm::Stepped, _) => {
                 // Three steps of a third each; the last is the blank itself.
                 let mut steps = Vec::new();
                 for third in 1..3 {
@@ -277,7 +277,7 @@ impl Draft {
                 let more = if told.is_empty() { String::new() } else { format!(", steps: [{}]", told.join(", ")) };
                 bar("forging", &more)
             }
-            (Kind::Contoured(shape), _) => {
+            (BlankForm::Contoured(shape), _) => {
                 let blocks = 4;
                 let radii: Vec<i64> =
                     (0..blocks).map(|at| under(length * at / blocks, length * (at + 1) / blocks) + over).collect();
@@ -363,29 +363,29 @@ fn bore(steps: &[(i64, i64, bool)], through: bool, within: i64, length: i64) -> 
     (mouth, narrow, through, lines)
 }
 
-fn item() -> impl Strategy<Value = Item> {
+fn item() -> impl Strategy<Value = OutlineItem> {
     let tens = |from: i64, to: i64| (from..to).prop_map(|tens| tens * 10);
     let by = || (50_i64..1_500, any::<bool>()).prop_map(|(tens, up)| if up { tens * 10 } else { -tens * 10 });
     prop_oneof![
-        3 => (tens(300, 4_000), prop::bool::weighted(0.2)).prop_map(|(length, fine)| Item::Cylinder(length, fine)),
-        3 => tens(50, 2_000).prop_map(Item::Face),
-        1 => by().prop_map(Item::Face),
-        2 => (by(), tens(200, 3_000)).prop_map(|(by, length)| Item::Cone(by, length)),
-        2 => (by(), any::<bool>()).prop_map(|(by, hollow)| Item::Arc(by, hollow)),
-        1 => tens(50, 300).prop_map(Item::Chamfer),
+        3 => (tens(300, 4_000), prop::bool::weighted(0.2)).prop_map(|(length, fine)| OutlineItem::Cylinder(length, fine)),
+        3 => tens(50, 2_000).prop_map(OutlineItem::Face),
+        1 => by().prop_map(OutlineItem::Face),
+        2 => (by(), tens(200, 3_000)).prop_map(|(by, length)| OutlineItem::Cone(by, length)),
+        2 => (by(), any::<bool>()).prop_map(|(by, hollow)| OutlineItem::Arc(by, hollow)),
+        1 => tens(50, 300).prop_map(OutlineItem::Chamfer),
         1 => (prop::sample::select(vec!["rectangular", "trapezoid"]), tens(300, 700), tens(30, 110))
-            .prop_map(|(kind, width, depth)| Item::Groove(kind, width, depth)),
-        2 => (tens(50, 900), tens(300, 3_000)).prop_map(|(depth, length)| Item::Neck(depth, length)),
+            .prop_map(|(kind, width, depth)| OutlineItem::Groove(kind, width, depth)),
+        2 => (tens(50, 900), tens(300, 3_000)).prop_map(|(depth, length)| OutlineItem::Neck(depth, length)),
     ]
 }
 
 /// Any part.
-pub fn drafts() -> impl Strategy<Value = Draft> {
+pub fn drafts() -> impl Strategy<Value = TurnedDraft> {
     let kind = prop_oneof![
-        3 => Just(Kind::Bar),
-        1 => Just(Kind::Tube),
-        1 => Just(Kind::Stepped),
-        2 => (0_u8..3).prop_map(Kind::Contoured),
+        3 => Just(BlankForm::Bar),
+        1 => Just(BlankForm::Tube),
+        1 => Just(BlankForm::Stepped),
+        2 => (0_u8..3).prop_map(BlankForm::Contoured),
     ];
     let step = (-1_000_i64..600, 300_i64..2_500, prop::bool::weighted(0.3));
     let step = step.prop_map(|(by, long, cone)| (by * 10, long * 10, cone));
@@ -407,7 +407,7 @@ pub fn drafts() -> impl Strategy<Value = Draft> {
         prop::bool::weighted(0.3),
     );
     (600_i64..4_000, prop::collection::vec(item(), 0..9), bore, kind, stock, how).prop_map(
-        |(start, items, bore, kind, stock, (lathe, centres, depth, allowances, scheme, rates))| Draft {
+        |(start, items, bore, kind, stock, (lathe, centres, depth, allowances, scheme, rates))| TurnedDraft {
             start: start * 10,
             items,
             bore,

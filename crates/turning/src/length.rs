@@ -110,7 +110,7 @@ impl Serialize for Half {
     }
 }
 
-/// A Z as it is told: negative towards the chuck.
+/// A Z as output shows it: negative towards the chuck.
 ///
 /// # Errors
 /// Those of the serializer.

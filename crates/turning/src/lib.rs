@@ -2,15 +2,15 @@
 //!
 //! - [`shaft`] is the file of a shaft: what it says, and every mistake of it at once;
 //! - [`workpiece`] is the same for a part of any contour, and reads either form of the file;
-//! - [`length`] is the exact length of this room, in halves of a micrometre, because half of a diameter is one;
-//! - [`contour`] is a section of lines and arcs, [`point`] its points, [`way`] the way of a tool along it;
-//! - [`levels`] splits the stock over a shaft into levels, [`schemes`] clears them in the ways of the lecture;
+//! - [`length`] is the exact length of this crate, in halves of a micrometre, because half of a diameter is one;
+//! - [`contour`] is a section of lines and arcs, [`point`] its points, [`toolpath`] what a tool does along it;
+//! - [`levels`] splits the stock over a shaft into levels, [`schemes`] clears them by the schemes of the lecture;
 //! - [`elements`] tells main elements from additional ones, [`allowances`] lays the rough contour, [`zones`] takes the stock
 //!   apart and says from which end it is turned;
 //! - [`tooling`] is lathes and turning tools, [`cutting`] how deep and how fast they cut (docs/turning-tools.md);
 //! - [`transitions`] clears a zone of any shape by the lecture's seven schemes of passes;
-//! - [`operation`] plans the whole of it, one room after the other;
-//! - [`program`] writes ways and contours as programs of controls (docs/turning-programs.md);
+//! - [`operation`] runs all of these in order;
+//! - [`program`] writes toolpaths and contours as programs of controls (docs/turning-programs.md);
 //! - [`passes`] finds the shortest sequence of longitudinal and transverse passes (docs/turning.md).
 //!
 //! Sources: "the paper" is the article on structural optimisation of multi-pass rough turning, "the lecture" is lecture
@@ -31,8 +31,8 @@ mod reading;
 pub mod schemes;
 pub mod shaft;
 pub mod tooling;
+pub mod toolpath;
 pub mod transitions;
-pub mod way;
 pub mod workpiece;
 pub mod zones;
 

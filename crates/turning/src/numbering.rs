@@ -1,4 +1,4 @@
-//! Names of the points of a way, as the figures of the lecture number them.
+//! Names of the points of a toolpath, as the figures of the lecture number them.
 
 use std::collections::BTreeMap;
 

@@ -5,8 +5,8 @@ use serde::{Serialize, Serializer};
 
 use super::length::Half;
 
-/// A point of the half section: radius from the axis, Z from the face of the free end towards the chuck. It is told as
-/// drawings have it, `diameter_mm` and `z_mm`, negative towards the chuck.
+/// A point of the half section: radius from the axis, Z from the face of the free end towards the chuck. Output shows
+/// it as drawings have it, `diameter_mm` and `z_mm`, negative towards the chuck.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub struct Point {
     /// Radius.
@@ -58,7 +58,7 @@ impl Point {
     }
 }
 
-/// A way in the half section, mm: what formulas work with. Z points towards the chuck, the radius away from the axis.
+/// A displacement in the half section, mm, for formulas. Z points towards the chuck, the radius away from the axis.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Vector {
     /// Along the axis, towards the chuck, mm.
@@ -68,7 +68,7 @@ pub struct Vector {
 }
 
 impl Vector {
-    /// A way, mm.
+    /// A displacement, mm.
     pub const fn new(z: f64, radius: f64) -> Self {
         Self { z, radius }
     }
@@ -84,7 +84,7 @@ impl Vector {
         Self { z: self.z * factor, radius: self.radius * factor }
     }
 
-    /// Both ways after each other.
+    /// The sum of both displacements.
     #[must_use]
     pub fn plus(self, other: Self) -> Self {
         Self { z: self.z + other.z, radius: self.radius + other.radius }
@@ -96,7 +96,7 @@ impl Vector {
         Self { z: self.z - other.z, radius: self.radius - other.radius }
     }
 
-    /// Turned by a quarter to the left of the way, which is outwards for a way towards the chuck.
+    /// Turned by a quarter to the left, which is outwards for a displacement towards the chuck.
     #[must_use]
     pub fn left(self) -> Self {
         Self { z: -self.radius, radius: self.z }
@@ -109,12 +109,12 @@ impl Vector {
         if length > 0.0 { self.times(1.0 / length) } else { self }
     }
 
-    /// What of another way goes along this one, times its length.
+    /// The dot product with another displacement.
     pub fn dot(self, other: Self) -> f64 {
         self.z * other.z + self.radius * other.radius
     }
 
-    /// Positive where another way turns to the left of this one.
+    /// The cross product: positive where the other displacement turns to the left of this one.
     pub fn cross(self, other: Self) -> f64 {
         self.z * other.radius - self.radius * other.z
     }

@@ -31,7 +31,7 @@ pub fn answer(question: &Question<'_>, all: bool, format: Format, context: &Cont
         let help = context.word("cli-run-lint");
         Diagnostic::error("contradiction", technolog::note::Note::from(&error), None).help(help)
     })?;
-    let told = Told::of(question, &answer);
+    let told = DecisionReport::of(question, &answer);
     match format {
         Format::Json => context.emit_json(&told.json())?,
         _ => context.emit_document(&told.page(all, context.lang), format)?,
@@ -40,7 +40,7 @@ pub fn answer(question: &Question<'_>, all: bool, format: Format, context: &Cont
 }
 
 /// An input as the table understood it.
-struct Asked<'a> {
+struct UnderstoodInput<'a> {
     index: usize,
     column: &'a Column,
     value: &'a Value,
@@ -49,9 +49,9 @@ struct Asked<'a> {
 }
 
 /// Everything there is to tell about an answer.
-struct Told<'a> {
+struct DecisionReport<'a> {
     table: &'a Table,
-    asked: Vec<Asked<'a>>,
+    asked: Vec<UnderstoodInput<'a>>,
     winners: Vec<RowRef<'a>>,
     passed_over: Vec<RowRef<'a>>,
     rejected: Vec<(RowRef<'a>, &'a Column, &'a str)>,
@@ -59,22 +59,22 @@ struct Told<'a> {
     near: Vec<Near<'a>>,
 }
 
-impl<'a> Told<'a> {
+impl<'a> DecisionReport<'a> {
     fn of(question: &'a Question<'a>, answer: &Answer<'a>) -> Self {
         let table = question.table;
-        let asked: Vec<Asked<'_>> = table
+        let asked: Vec<UnderstoodInput<'_>> = table
             .inputs()
             .filter_map(|(index, column)| {
                 let given = question.value(index);
                 let value = given.or(column.default.as_ref())?;
-                Some(Asked { index, column, value, rank: column.rank(value)?, by_default: given.is_none() })
+                Some(UnderstoodInput { index, column, value, rank: column.rank(value)?, by_default: given.is_none() })
             })
             .collect();
         let winners: Vec<RowRef<'_>> = answer.winners().collect();
         let lies_in = |gap: &&Uncovered| gap.sets.iter().zip(&asked).all(|(set, asked)| set.contains(asked.rank));
         let gap = if winners.is_empty() { table.uncovered.iter().find(lies_in) } else { None };
         let failed = |row: RowRef<'_>| -> Vec<usize> {
-            let fails = |asked: &&Asked<'_>| match &row.row().cells[asked.index] {
+            let fails = |asked: &&UnderstoodInput<'_>| match &row.row().cells[asked.index] {
                 Cell::Test(set, _) => !set.contains(asked.rank),
                 _ => false,
             };
@@ -130,7 +130,7 @@ impl<'a> Told<'a> {
             vec![Head::text(lang.word("table-key")), Head::text(lang.word("table-what")).keep(Keep::Optional)];
         heads.push(Head::text(lang.word("table-asked")));
         heads.extend(row.map(|_| Head::text(lang.word("cli-row"))));
-        let one = |asked: &Asked<'_>| {
+        let one = |asked: &UnderstoodInput<'_>| {
             let value = shown::full(lang, asked.column, asked.value);
             let value = if asked.by_default { say!(lang, "table-by-default", value = value) } else { value };
             let mut cells = vec![key(asked.column), shown::label(lang, asked.column).unwrap_or_default().into()];

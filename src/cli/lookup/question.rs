@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use technolog::knowledge::diagnostic::nearest;
-use technolog::knowledge::{Column, Diagnostic, Kind, Place, Role, Table, Value};
+use technolog::knowledge::{Column, ColumnRole, Diagnostic, Place, Table, TableKind, Value};
 use technolog::words::say;
 
 use super::Args;
@@ -114,8 +114,8 @@ impl Reader<'_, '_> {
     /// The columns that may be asked for, with their positions.
     fn keys(&self) -> Vec<(usize, &Column)> {
         match self.table.kind {
-            Kind::Decision => self.table.inputs().collect(),
-            Kind::Catalog => self.table.columns.iter().enumerate().collect(),
+            TableKind::Decision => self.table.inputs().collect(),
+            TableKind::Catalog => self.table.columns.iter().enumerate().collect(),
         }
     }
 
@@ -168,7 +168,7 @@ impl Reader<'_, '_> {
             }
         };
         // A catalog simply has no row outside its bounds; a decision table says nothing there.
-        if self.table.kind == Kind::Decision
+        if self.table.kind == TableKind::Decision
             && let (Some(domain), Some(rank)) = (&column.domain, column.rank(&value))
             && !domain.contains(rank)
         {
@@ -183,7 +183,7 @@ impl Reader<'_, '_> {
     fn unknown(&mut self, key: &str, at: At) {
         let lang = self.context.lang;
         let names: Vec<&str> = self.keys().iter().map(|(_, column)| column.name.as_str()).collect();
-        let is_output = self.table.columns.iter().any(|column| column.name == key && column.role == Role::Output);
+        let is_output = self.table.columns.iter().any(|column| column.name == key && column.role == ColumnRole::Output);
         let message = if is_output {
             say!(lang, "cli-is-output", table = &self.table.id, key = key)
         } else {
@@ -203,7 +203,7 @@ impl Reader<'_, '_> {
 
     /// Inputs of a decision table that have no default and were not named.
     fn missing(&mut self) {
-        if self.table.kind == Kind::Catalog {
+        if self.table.kind == TableKind::Catalog {
             return;
         }
         let lang = self.context.lang;

@@ -6,7 +6,7 @@ use technolog::cases::{Came, Failure};
 
 use super::super::diagnostics::Json as Mistake;
 use super::super::{CliError, Context, output};
-use super::{Ran, Run, page};
+use super::{CaseFileRun, Ran, page};
 
 #[derive(Serialize)]
 struct Answer<'a> {
@@ -56,18 +56,18 @@ struct FailureJson<'a> {
 ///
 /// # Errors
 /// It cannot be printed.
-pub fn json(runs: &[Run], context: &Context) -> Result<String, CliError> {
+pub fn json(runs: &[CaseFileRun], context: &Context) -> Result<String, CliError> {
     let answer = Answer {
         files: runs.iter().map(|run| file(run, context)).collect(),
-        passed: runs.iter().map(Run::passed).sum(),
-        failed: runs.iter().map(Run::failed).sum(),
+        passed: runs.iter().map(CaseFileRun::passed).sum(),
+        failed: runs.iter().map(CaseFileRun::failed).sum(),
         unusable: runs.iter().filter(|run| !run.mistakes.is_empty()).count(),
     };
     let text = serde_json::to_string_pretty(&answer).map_err(|error| output::unprintable(context.lang, error))?;
     Ok(text + "\n")
 }
 
-fn file<'a>(run: &'a Run, context: &Context) -> FileJson<'a> {
+fn file<'a>(run: &'a CaseFileRun, context: &Context) -> FileJson<'a> {
     FileJson {
         file: &run.file,
         passed: run.passed(),

@@ -17,7 +17,7 @@ use super::super::{CliError, Context};
 const ENDING: &str = ".test.yaml";
 
 /// A file of cases.
-pub struct Found {
+pub struct SourceFile {
     pub path: PathBuf,
     /// As the user knows it.
     pub shown: String,
@@ -30,7 +30,7 @@ pub struct Found {
 ///
 /// # Errors
 /// A path cannot be read, or a folder has no cases.
-pub fn collect(paths: &[PathBuf], context: &Context) -> Result<Vec<Found>, CliError> {
+pub fn collect(paths: &[PathBuf], context: &Context) -> Result<Vec<SourceFile>, CliError> {
     let unreadable = |path: &Path, error: io::Error| unreadable(path.display(), &error, context.lang);
     let mut files: Vec<PathBuf> = Vec::new();
     for path in paths {
@@ -59,7 +59,7 @@ pub fn collect(paths: &[PathBuf], context: &Context) -> Result<Vec<Found>, CliEr
             Ok(text) => (text, None),
             Err(problem) => (String::new(), Some(problem)),
         };
-        Ok(Found { path, shown, text, problem })
+        Ok(SourceFile { path, shown, text, problem })
     };
     files.into_iter().map(read).collect()
 }
@@ -86,7 +86,7 @@ fn walk(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
 ///
 /// # Errors
 /// It would, or there are several.
-pub fn spare_inputs(found: &[Found], write: bool, context: &Context) -> Result<(), CliError> {
+pub fn spare_inputs(found: &[SourceFile], write: bool, context: &Context) -> Result<(), CliError> {
     let Some(output) = context.output.as_deref().filter(|output| *output != Path::new("-")) else { return Ok(()) };
     let place = |path: &Path| std::fs::canonicalize(path).ok();
     let refused = |code: &'static str, message: String, help: &str| -> Result<(), CliError> {
@@ -103,7 +103,7 @@ pub fn spare_inputs(found: &[Found], write: bool, context: &Context) -> Result<(
 }
 
 /// Reads a file of cases.
-pub fn read(found: &Found, knowledge: &Knowledge) -> CaseFile {
+pub fn read(found: &SourceFile, knowledge: &Knowledge) -> CaseFile {
     if found.problem.is_some() {
         let (cases, mistakes, texts) = (Vec::new(), Vec::new(), Vec::new());
         return CaseFile { file: found.shown.clone(), cases, mistakes, texts };

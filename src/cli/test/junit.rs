@@ -3,12 +3,12 @@
 
 use super::super::Context;
 use super::super::diagnostics::render;
-use super::{Ran, Run, page};
+use super::{CaseFileRun, Ran, page};
 
 /// The document.
-pub fn document(runs: &[Run], context: &Context) -> String {
+pub fn document(runs: &[CaseFileRun], context: &Context) -> String {
     let cases: usize = runs.iter().map(|run| run.cases.len() + errors(run)).sum();
-    let failed: usize = runs.iter().map(Run::failed).sum();
+    let failed: usize = runs.iter().map(CaseFileRun::failed).sum();
     let unusable: usize = runs.iter().map(errors).sum();
     let mut text = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     text.push_str(&format!(
@@ -21,11 +21,11 @@ pub fn document(runs: &[Run], context: &Context) -> String {
 }
 
 /// A file that cannot be used is one case with an error.
-fn errors(run: &Run) -> usize {
+fn errors(run: &CaseFileRun) -> usize {
     usize::from(!run.mistakes.is_empty())
 }
 
-fn suite(run: &Run, context: &Context) -> String {
+fn suite(run: &CaseFileRun, context: &Context) -> String {
     let (file, errors) = (escaped(&run.file), errors(run));
     let mut text = format!(
         "  <testsuite name=\"{file}\" tests=\"{}\" failures=\"{}\" errors=\"{errors}\">\n",

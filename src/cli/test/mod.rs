@@ -14,7 +14,7 @@ use technolog::error::KnowledgeError;
 use technolog::knowledge::Diagnostic;
 use technolog::parallel;
 
-use self::files::{Found, around, collect};
+use self::files::{SourceFile, around, collect};
 use super::diagnostics::{Texts, render};
 use super::problems::untitled;
 use super::progress::Progress;
@@ -30,7 +30,7 @@ pub struct Args {
 }
 
 /// A file that was run.
-pub struct Run {
+pub struct CaseFileRun {
     /// Its name, as the user knows it.
     file: String,
     cases: Vec<Ran>,
@@ -53,7 +53,7 @@ impl Ran {
     }
 }
 
-impl Run {
+impl CaseFileRun {
     fn failed(&self) -> usize {
         self.cases.iter().filter(|case| !case.passed()).count()
     }
@@ -110,7 +110,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
 
 /// Writes what a file does not expect yet; the numbers of the cases it was written for.
 fn write(
-    found: &Found,
+    found: &SourceFile,
     read: &mut CaseFile,
     failures: &[Vec<Failure>],
     asker: &Asker<'_>,
@@ -138,7 +138,13 @@ fn write(
     }
 }
 
-fn told(found: &Found, read: &mut CaseFile, failures: Vec<Vec<Failure>>, written: &[usize], context: &Context) -> Run {
+fn told(
+    found: &SourceFile,
+    read: &mut CaseFile,
+    failures: Vec<Vec<Failure>>,
+    written: &[usize],
+    context: &Context,
+) -> CaseFileRun {
     let mut texts = Texts::default().with(&found.shown, found.shown.clone(), Cow::Owned(found.text.clone()));
     for (name, text) in std::mem::take(&mut read.texts) {
         let shown = found.path.with_file_name(&name).display().to_string();
@@ -153,5 +159,5 @@ fn told(found: &Found, read: &mut CaseFile, failures: Vec<Vec<Failure>>, written
         let stands = |failure: &Failure| !written || !failure.is_open();
         Ran { failures: failures.into_iter().filter(stands).collect(), case, written }
     });
-    Run { file: found.shown.clone(), cases: cases.collect(), mistakes, texts }
+    CaseFileRun { file: found.shown.clone(), cases: cases.collect(), mistakes, texts }
 }

@@ -7,7 +7,7 @@ use technolog::report::sentence;
 use technolog::words::say;
 
 use super::super::Lang;
-use super::{Ran, Run};
+use super::{CaseFileRun, Ran};
 
 /// The most letters of a value that are shown.
 const LONG: usize = 400;
@@ -15,7 +15,7 @@ const LONG: usize = 400;
 const REASONS: usize = 4;
 
 /// A line for each file, what of its cases is not as expected, and the sum.
-pub fn page(runs: &[Run], lang: Lang) -> Document {
+pub fn page(runs: &[CaseFileRun], lang: Lang) -> Document {
     let mut page = Document::new(lang.tag(), lang.word("test-title"));
     let mut files = Table::new([Column::text(""), Column::text(""), Column::number("", "")]);
     runs.iter().for_each(|run| files.row(line(run, lang)));
@@ -31,7 +31,7 @@ pub fn page(runs: &[Run], lang: Lang) -> Document {
             });
         }
     }
-    let written: usize = runs.iter().map(Run::written).sum();
+    let written: usize = runs.iter().map(CaseFileRun::written).sum();
     if written > 0 {
         page.paragraph(say!(lang, "test-review", cases = say!(lang, "test-cases-counted", count = written)));
     }
@@ -39,7 +39,7 @@ pub fn page(runs: &[Run], lang: Lang) -> Document {
     page
 }
 
-fn line(run: &Run, lang: Lang) -> [Inlines; 3] {
+fn line(run: &CaseFileRun, lang: Lang) -> [Inlines; 3] {
     let state = match (run.mistakes.is_empty(), run.failed()) {
         (false, _) => "test-unusable",
         (true, 0) => "test-passed",
@@ -50,9 +50,9 @@ fn line(run: &Run, lang: Lang) -> [Inlines; 3] {
     [lang.word(state).into(), run.file.as_str().into(), Inlines::number(share)]
 }
 
-fn sum(runs: &[Run], lang: Lang) -> String {
+fn sum(runs: &[CaseFileRun], lang: Lang) -> String {
     let cases: usize = runs.iter().map(|run| run.cases.len()).sum();
-    let failed: usize = runs.iter().map(Run::failed).sum();
+    let failed: usize = runs.iter().map(CaseFileRun::failed).sum();
     let unusable = runs.iter().filter(|run| !run.mistakes.is_empty()).count();
     let (files, cases) =
         (say!(lang, "test-files-counted", count = runs.len()), say!(lang, "test-cases-counted", count = cases));

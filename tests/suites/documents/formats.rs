@@ -47,7 +47,8 @@ fn no_line_of_a_page_is_wider_than_the_terminal() {
             for line in text.lines().filter(|line| line.width() > columns) {
                 // A single word that is longer than the line cannot be broken; a line of a file is shown as it stands.
                 let unbreakable = line.split_whitespace().any(|word| word.width() > columns / 2);
-                let of_file = line.trim_start().starts_with(|first: char| first.is_ascii_digit()) && line.contains(" | ");
+                let of_file =
+                    line.trim_start().starts_with(|first: char| first.is_ascii_digit()) && line.contains(" | ");
                 assert!(unbreakable || (of_file && page[0] == "check"), "{page:?} at {columns}: {line}");
             }
         }

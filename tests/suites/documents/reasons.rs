@@ -32,7 +32,7 @@ const READERS: [&str; 7] = [
     "crates/words/",
     "crates/pages/",
     "audit/src/finding.rs",
-    "turning/src/cutting/lack.rs",
+    "turning/src/cutting/refusal.rs",
 ];
 
 fn files(folder: &Path, found: &mut Vec<PathBuf>) {

@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use technolog::plan::{Operation, Plan};
-use technolog_testing::{Found, csv_rows, plan_of_hole, routes};
+use technolog_testing::{RouteSummary, csv_rows, plan_of_hole, routes};
 
 /// Operations with the diameters they leave, mm.
 fn shown(operations: &[(Operation, technolog::units::Micrometres)]) -> Vec<(&'static str, f64)> {
@@ -52,7 +52,7 @@ fn a_thread_m10_is_drilled_8_5() {
 }
 
 /// A route that was carried out with all of these operations and none of those.
-fn route_with<'a>(all: &'a [Found], with: &[Operation], without: &[Operation]) -> Option<&'a Found> {
+fn route_with<'a>(all: &'a [RouteSummary], with: &[Operation], without: &[Operation]) -> Option<&'a RouteSummary> {
     all.iter().filter(|found| found.carried_out).find(|found| {
         let has = |operation: &Operation| found.operations.iter().any(|(own, _)| own == operation);
         with.iter().all(has) && !without.iter().any(has)
@@ -79,7 +79,7 @@ fn h7_holes_are_made_in_the_steps_of_the_handbook() {
         let plan = plan_of_hole("steel-45", "gf2171", thickness, &keys);
         assert!(!plan.has_errors(), "Ø{diameter}: {:?}", plan.findings);
         let all = routes(&plan);
-        let mut compare = |route: &Found, column: &'static str, operations: &[Operation]| {
+        let mut compare = |route: &RouteSummary, column: &'static str, operations: &[Operation]| {
             let Some(expected) = number(column) else { return };
             let own = route.operations.iter().rev().find(|(own, _)| operations.contains(own));
             let own = own.map_or(0.0, |(_, diameter)| diameter.to_mm());

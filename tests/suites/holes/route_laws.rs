@@ -14,7 +14,7 @@ use proptest::prelude::*;
 use technolog::machine::Machine;
 use technolog::note::Severity;
 use technolog::part::Hole;
-use technolog::plan::{CuttingMethod, Feature, HolePlan, Made, Operation, Plan, Transition};
+use technolog::plan::{AlternativeStep, CuttingMethod, Feature, HolePlan, Operation, Plan, Transition};
 use technolog::units::Micrometres;
 use technolog_laws::{count, seed_of};
 use technolog_testing::lawful::{lawful, sound};
@@ -159,9 +159,11 @@ fn within_allowances(hole: &HolePlan) -> Result<(), TestCaseError> {
 }
 
 /// The stocks of a route that was not taken: of its diameters, with as many passes of rough boring as fit.
-fn alternative_within_allowances(operations: &[Made]) -> Result<(), TestCaseError> {
+fn alternative_within_allowances(operations: &[AlternativeStep]) -> Result<(), TestCaseError> {
     for pair in operations.windows(2) {
-        let [Made { diameter_mm: from, operation: before }, Made { diameter_mm: to, operation }] = pair else {
+        let [AlternativeStep { diameter_mm: from, operation: before }, AlternativeStep { diameter_mm: to, operation }] =
+            pair
+        else {
             continue;
         };
         let opened = !matches!(

@@ -20,8 +20,8 @@ use serde::Deserialize;
 use technolog::knowledge::cell::parse_test;
 use technolog::knowledge::load::table_from_text;
 use technolog::knowledge::set::Set;
-use technolog::knowledge::table::{Cell, Kind};
-use technolog::knowledge::{Column, ColumnType, HitPolicy, Knowledge, Role, Table, Value};
+use technolog::knowledge::table::{Cell, TableKind};
+use technolog::knowledge::{Column, ColumnRole, ColumnType, HitPolicy, Knowledge, Table, Value};
 use technolog::shipped;
 
 /// The column that stands for a whole row, which one reading has and the other has not.
@@ -153,7 +153,7 @@ fn read_second(table: &Table, csv: impl Read) -> Second {
 /// matches anything, any other cell is then empty.
 fn read_cell(column: &Column, text: &str) -> Result<Cell, technolog::note::Note> {
     let text = text.trim();
-    if column.role == Role::Input {
+    if column.role == ColumnRole::Input {
         let text = if text.is_empty() { "-" } else { text };
         return parse_test(text, column).map(|set| Cell::Test(set, text.to_owned())).map_err(|error| error.message);
     }
@@ -173,8 +173,8 @@ fn compare(table: &Table, second: &Second) -> BTreeSet<Pair> {
     let first: Rows = table.rows.iter().map(|row| row.cells.clone()).collect();
     let mut comparison = Comparison { table, pairs: BTreeSet::new() };
     match table.kind {
-        Kind::Catalog => comparison.catalog(&first, second),
-        Kind::Decision => comparison.decision(&first, second),
+        TableKind::Catalog => comparison.catalog(&first, second),
+        TableKind::Decision => comparison.decision(&first, second),
     }
     comparison.pairs
 }

@@ -14,7 +14,7 @@ use std::sync::LazyLock;
 
 use proptest::prelude::*;
 use technolog::machine::Machine;
-use technolog::motion::Step;
+use technolog::motion::MotionStep;
 use technolog::motion::trace::Trace;
 use technolog::program::{Fault, Language, Setting};
 use technolog_testing::KNOWLEDGE;
@@ -118,14 +118,14 @@ fn no_repetition_lasts() {
         let setting =
             Setting { correctors: [(1, technolog::units::Micrometres::from_mm(5))].into(), ..Setting::default() };
         let machine = Machine::find(&KNOWLEDGE, "gf2171").unwrap();
-        let faults = CONTROL.check(text, &machine, &setting, &mut Vec::<Step>::new());
+        let faults = CONTROL.check(text, &machine, &setting, &mut Vec::<MotionStep>::new());
         assert!(faults.iter().any(Fault::is_error), "{text}");
         // Not a measurement: what is not held by the budget takes hours.
         assert!(begin.elapsed().as_secs() < 60, "{text}");
     }
 }
 
-fn run(text: &str) -> (Vec<Fault>, Vec<Step>) {
+fn run(text: &str) -> (Vec<Fault>, Vec<MotionStep>) {
     let machine = Machine::find(&KNOWLEDGE, "gf2171").unwrap();
     let mut steps = Vec::new();
     let faults = CONTROL.check(text, &machine, &Setting::default(), &mut steps);

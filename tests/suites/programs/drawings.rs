@@ -7,12 +7,12 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use proptest::prelude::*;
-use technolog::job::{self, Job, Kind};
+use technolog::job::{self, CycleKind, Job};
 use technolog::machine::Machine;
-use technolog::motion::{BlockRef, Motion, Plane, Position, Step};
+use technolog::motion::{BlockRef, Motion, MotionStep, Plane, Position};
 use technolog::plan::{CuttingMethod, Plan};
 use technolog::program::control_2c42_65::{Control, check};
-use technolog::program::written::{Form, Line, Role, WorkRef, Written};
+use technolog::program::written::{Form, LineRole, ProgramLine, WorkRef, WrittenProgram};
 use technolog::program::{Language, Setting};
 use technolog::report::backplot::{Frame, backplot};
 use technolog::report::encoding::{self, Dictionary, encoding_sheet};
@@ -47,9 +47,9 @@ fn of_file(path: &str) -> (Plan, Job) {
 }
 
 /// The steps of a job without a program: over each point down and up again, or round it.
-fn steps(job: &Job) -> Vec<Step> {
+fn steps(job: &Job) -> Vec<MotionStep> {
     let mut steps = Vec::new();
-    let mut put = |motion: Motion, at: Position| steps.push(Step { motion, at, block: BlockRef::default() });
+    let mut put = |motion: Motion, at: Position| steps.push(MotionStep { motion, at, block: BlockRef::default() });
     let feed = || Motion::Feed { feed_mm_per_min: MillimetresPerMinute(100.0) };
     for setup in &job.setups {
         for work in &setup.works {
@@ -66,7 +66,7 @@ fn steps(job: &Job) -> Vec<Step> {
                 put(Motion::Rapid, at(cycle.out, none));
                 put(Motion::Rapid, at(cycle.begin, none));
                 put(feed(), at(cycle.end, none));
-                if let Kind::Circles { radii, sense, .. } = &cycle.kind {
+                if let CycleKind::Circles { radii, sense, .. } = &cycle.kind {
                     for radius in radii {
                         put(feed(), at(cycle.end, *radius));
                         let centre = [setup.zero.x + stop.at.x, setup.zero.y + stop.at.y];
@@ -89,7 +89,7 @@ fn of_job(plan: &Plan, job: &Job, lang: Lang) -> String {
 }
 
 /// The steps of the worked example's program.
-fn appendix_g() -> Vec<Step> {
+fn appendix_g() -> Vec<MotionStep> {
     let folder = root().join("examples/appendix-g");
     let control = Control::read(&KNOWLEDGE).unwrap();
     let machine = Machine::find(&KNOWLEDGE, "gf2171").unwrap();
@@ -110,28 +110,28 @@ fn grid(columns: u32, rows: u32) -> String {
 }
 
 /// The worked example's program as a writer of the plate's job might leave it: the first tool, a pause, the end.
-fn written() -> Written {
+fn written() -> WrittenProgram {
     let mut lines = Vec::new();
-    let mut put = |text: &str, role: Role, work: Option<usize>, cycle: Option<usize>| {
+    let mut put = |text: &str, role: LineRole, work: Option<usize>, cycle: Option<usize>| {
         let work = work.map(|work| WorkRef { setup: 0, work });
-        lines.push(Line { text: text.to_owned(), role, work, cycle });
+        lines.push(ProgramLine { text: text.to_owned(), role, work, cycle });
     };
-    put(":10", Role::Frame, None, None);
-    put("N5 G17 G40 G80 G90", Role::Frame, None, None);
-    put("N10 G49 G53 G0 Z0 M5", Role::Withdrawal, None, None);
-    put("N15 G53 G0 X0 Y196", Role::Withdrawal, None, None);
-    put("N20 T1 M6", Role::ToolChange, Some(0), None);
-    put("N25 S2000 M3 M8", Role::Spindle, Some(0), None);
-    put("N30 G0 G54 X-200 Y100", Role::Approach, Some(0), None);
-    put("N35 G43 H1 Z15", Role::Approach, Some(0), None);
-    put("N40 G81 U3 Z-3 I15 F300 E5", Role::Cycle, Some(0), Some(0));
-    put("N45 G0 Y0", Role::Point, Some(0), None);
-    put("N50 G91 L3 X25 G81 U-12 Z-6 I18", Role::Point, Some(0), None);
-    put("N55 G90 G80", Role::Withdrawal, Some(0), None);
-    put("N60 T2 M6", Role::ToolChange, Some(1), None);
-    put("/N65 M1", Role::Frame, None, None);
-    put("N70 M2", Role::End, None, None);
-    Written { lines }
+    put(":10", LineRole::Frame, None, None);
+    put("N5 G17 G40 G80 G90", LineRole::Frame, None, None);
+    put("N10 G49 G53 G0 Z0 M5", LineRole::Withdrawal, None, None);
+    put("N15 G53 G0 X0 Y196", LineRole::Withdrawal, None, None);
+    put("N20 T1 M6", LineRole::ToolChange, Some(0), None);
+    put("N25 S2000 M3 M8", LineRole::Spindle, Some(0), None);
+    put("N30 G0 G54 X-200 Y100", LineRole::Approach, Some(0), None);
+    put("N35 G43 H1 Z15", LineRole::Approach, Some(0), None);
+    put("N40 G81 U3 Z-3 I15 F300 E5", LineRole::Cycle, Some(0), Some(0));
+    put("N45 G0 Y0", LineRole::Point, Some(0), None);
+    put("N50 G91 L3 X25 G81 U-12 Z-6 I18", LineRole::Point, Some(0), None);
+    put("N55 G90 G80", LineRole::Withdrawal, Some(0), None);
+    put("N60 T2 M6", LineRole::ToolChange, Some(1), None);
+    put("/N65 M1", LineRole::Frame, None, None);
+    put("N70 M2", LineRole::End, None, None);
+    WrittenProgram { lines }
 }
 
 #[test]
@@ -166,19 +166,19 @@ fn no_transition_is_lost_or_said_twice() {
     for names_cycles in [true, false] {
         let mut lines = Vec::new();
         for (index, work) in works.iter().enumerate() {
-            let mut put = |text: &str, role: Role, cycle: Option<usize>| {
+            let mut put = |text: &str, role: LineRole, cycle: Option<usize>| {
                 let work = Some(WorkRef { setup: 0, work: index });
-                lines.push(Line { text: text.to_owned(), role, work, cycle });
+                lines.push(ProgramLine { text: text.to_owned(), role, work, cycle });
             };
             for _ in &work.pauses {
-                put("M0", Role::Pause, None);
+                put("M0", LineRole::Pause, None);
             }
-            put("T1 M6", Role::ToolChange, None);
+            put("T1 M6", LineRole::ToolChange, None);
             for stop in &work.stops {
-                put("X0 Y0", Role::Cycle, Some(stop.cycle).filter(|_| names_cycles));
+                put("X0 Y0", LineRole::Cycle, Some(stop.cycle).filter(|_| names_cycles));
             }
         }
-        let sheet = encoding_sheet(&Written { lines }, &job, &plan, "2c42-65", &KNOWLEDGE, Lang::EN).unwrap();
+        let sheet = encoding_sheet(&WrittenProgram { lines }, &job, &plan, "2c42-65", &KNOWLEDGE, Lang::EN).unwrap();
         let said: Vec<&str> = sheet.rows.iter().filter_map(|row| row.transition.as_deref()).collect();
         let said = said.join("; ").to_lowercase();
         for hole in &plan.holes {
@@ -359,7 +359,7 @@ fn programs_without_a_part_are_drawn() {
     assert!(drawn > 50, "{drawn}");
 }
 
-fn steps_of(text: &str) -> Vec<Step> {
+fn steps_of(text: &str) -> Vec<MotionStep> {
     let machine = Machine::find(&KNOWLEDGE, "gf2171").unwrap();
     let control = Control::read(&KNOWLEDGE).unwrap();
     let mut steps = Vec::new();
@@ -431,7 +431,7 @@ fn written_programs_are_drawn_and_told_in_words() {
         for control in Language::NAMES {
             let language = Language::read(control, &KNOWLEDGE).unwrap();
             let written = language.write(&job, form);
-            let mut steps: Vec<Step> = Vec::new();
+            let mut steps: Vec<MotionStep> = Vec::new();
             language.check(&written.text(), &shop.machine, &Setting::of_job(&job), &mut steps);
             let svg = backplot(&steps, Some(&Frame::of(&job, &plan.part)), Lang::UK);
             readable(name, &seen(&format!("{name}-{control}"), svg));

@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 
 use proptest::prelude::*;
 use technolog::machine::Machine;
-use technolog::motion::{Axis, Motion, Position, Sense, Step, Turning};
+use technolog::motion::{Axis, Motion, MotionStep, Position, Sense, Turning};
 use technolog::program::{Fault, Language, Setting};
 use technolog_testing::KNOWLEDGE;
 
@@ -37,7 +37,7 @@ struct Lines {
 }
 
 impl Lines {
-    fn take(&mut self, step: &Step) {
+    fn take(&mut self, step: &MotionStep) {
         let moved = std::mem::replace(&mut self.at, step.at) != step.at;
         match &step.motion {
             Motion::Rapid if moved => self.line("rapid", String::new()),
@@ -93,7 +93,7 @@ fn the_motions_for_linuxcnc_are_those_of_its_own_interpreter() {
         let Some(theirs) = read("rs274") else { panic!("{} has no rs274: see the README there", folder.display()) };
         let machine = Machine::find(&KNOWLEDGE, read("machine").as_deref().map_or("ir500pmf4", str::trim)).unwrap();
         let setting = read("setting.yaml").map_or_else(Setting::default, |text| LINUXCNC.setting("", &text).unwrap());
-        let mut steps = Vec::<Step>::new();
+        let mut steps = Vec::<MotionStep>::new();
         let faults = LINUXCNC.check(&read("program.ngc").unwrap(), &machine, &setting, &mut steps);
         let errors: Vec<&str> = faults.iter().filter(|fault| fault.is_error()).map(|fault| fault.code).collect();
         let alone = folder.file_name().unwrap().to_string_lossy().starts_with("bad-only");
@@ -189,7 +189,7 @@ fn a_setting_has_only_what_its_control_has() {
     }
 }
 
-fn run(language: &Language, text: &str) -> (Vec<Fault>, Vec<Step>) {
+fn run(language: &Language, text: &str) -> (Vec<Fault>, Vec<MotionStep>) {
     let machine = Machine::find(&KNOWLEDGE, "ir500pmf4").unwrap();
     let mut steps = Vec::new();
     let faults = language.check(text, &machine, &Setting::default(), &mut steps);

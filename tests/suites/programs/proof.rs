@@ -11,8 +11,8 @@ use technolog::job::Pause;
 use technolog::program::Language;
 use technolog::units::Micrometres;
 use technolog_testing::KNOWLEDGE;
-use technolog_testing::held::Held;
 use technolog_testing::mutants::{Score, score};
+use technolog_testing::proof_bench::ProofBench;
 
 static CONTROL: LazyLock<Language> = LazyLock::new(|| Language::read("2c42-65", &KNOWLEDGE).unwrap());
 
@@ -21,7 +21,7 @@ fn root() -> PathBuf {
 }
 
 /// The right programs: folder, program, part.
-fn right() -> Vec<(String, String, Held)> {
+fn right() -> Vec<(String, String, ProofBench)> {
     let mut folders: Vec<PathBuf> =
         fs::read_dir(root().join("tests/proof")).unwrap().map(|entry| entry.unwrap().path()).collect();
     folders.sort();
@@ -30,7 +30,7 @@ fn right() -> Vec<(String, String, Held)> {
         .into_iter()
         .map(|folder| {
             let name = folder.file_name().unwrap().to_string_lossy().into_owned();
-            (name, read(folder.join("program.nc")), Held::new(read(folder.join("part")).trim()))
+            (name, read(folder.join("program.nc")), ProofBench::new(read(folder.join("part")).trim()))
         })
         .collect()
 }
@@ -259,7 +259,7 @@ const APPENDIX: &[(&str, &str, Option<u32>, &str)] = &[
 #[test]
 fn appendix_g_is_held_against_its_part() {
     let text = fs::read_to_string(root().join("examples/appendix-g/program.nc")).unwrap();
-    let mut held = Held::new("examples/plate.yaml").own(&[(8, 0), (10, -85_000), (12, -50_000)]);
+    let mut held = ProofBench::new("examples/plate.yaml").own(&[(8, 0), (10, -85_000), (12, -50_000)]);
     // As its setting says.
     held.setting.zeros[0] = [0, 0, -120].map(|zero| Some(Micrometres::from_mm(zero)));
     held.job.setups[0].zero.z = Micrometres::from_mm(-120);

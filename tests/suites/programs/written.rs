@@ -10,9 +10,9 @@ use proptest::prelude::*;
 use technolog::note::Severity;
 use technolog::part::Point;
 use technolog::program::Language;
-use technolog_testing::held::Held;
 use technolog_testing::holes::part_files;
 use technolog_testing::mutants::{Score, score};
+use technolog_testing::proof_bench::ProofBench;
 use technolog_testing::{KNOWLEDGE, read};
 
 static LANGUAGES: LazyLock<Vec<(&str, Language)>> =
@@ -30,14 +30,14 @@ const PARTS: [&str; 7] = [
 ];
 
 /// Whether the part fits on its machine.
-fn fits(held: &Held) -> bool {
+fn fits(held: &ProofBench) -> bool {
     held.job.findings.iter().all(|finding| finding.severity > Severity::Wrong)
 }
 
 type Visits = Vec<(String, usize, u32, Point)>;
 
 /// The visits of the program of a control, after it was found right.
-fn visits(held: &Held, name: &str, language: &Language) -> Result<Visits, TestCaseError> {
+fn visits(held: &ProofBench, name: &str, language: &Language) -> Result<Visits, TestCaseError> {
     let text = held.written(language);
     let (faults, proof, _) = held.run(language, &text);
     // A part that does not fit on the machine has a finding of its job, and its program leaves the travels.
@@ -51,7 +51,7 @@ fn visits(held: &Held, name: &str, language: &Language) -> Result<Visits, TestCa
 }
 
 /// All three programs of a part make the stops of its job, in its order.
-fn holds(held: &Held) -> Result<(), TestCaseError> {
+fn holds(held: &ProofBench) -> Result<(), TestCaseError> {
     let planned: Visits =
         held.job.stops().map(|(.., stop)| (stop.hole.clone(), stop.transition, stop.pass, stop.at)).collect();
     if !fits(held) {
@@ -67,7 +67,7 @@ fn holds(held: &Held) -> Result<(), TestCaseError> {
 #[test]
 fn all_three_programs_of_a_part_make_the_same_stops() {
     for part in PARTS {
-        let held = Held::new(part);
+        let held = ProofBench::new(part);
         assert!(!held.job.setups.is_empty() && fits(&held), "{part}: {:?}", held.job.findings);
         holds(&held).unwrap_or_else(|error| panic!("{part}: {error}"));
     }
@@ -77,14 +77,14 @@ fn all_three_programs_of_a_part_make_the_same_stops() {
 #[test]
 fn programs_of_what_laws_found_make_their_stops() {
     for (name, text) in technolog_testing::found() {
-        holds(&Held::of(&read(&text))).unwrap_or_else(|error| panic!("{name}: {error}"));
+        holds(&ProofBench::of(&read(&text))).unwrap_or_else(|error| panic!("{name}: {error}"));
     }
 }
 
 /// The part that is to have every cycle has it, and both set-ups.
 #[test]
 fn the_part_of_every_cycle_has_them_all() {
-    let held = Held::new("tests/written/every-cycle.yaml");
+    let held = ProofBench::new("tests/written/every-cycle.yaml");
     let kinds: Vec<String> = held
         .job
         .setups
@@ -102,7 +102,7 @@ fn the_part_of_every_cycle_has_them_all() {
 #[test]
 fn programs_look_as_they_should() {
     for part in ["examples/plate.yaml", "tests/written/every-cycle.yaml"] {
-        let held = Held::new(part);
+        let held = ProofBench::new(part);
         let stem = Path::new(part).file_stem().unwrap().to_string_lossy().into_owned();
         for (name, language) in &*LANGUAGES {
             insta::assert_snapshot!(format!("{stem}-{name}"), held.written(language));
@@ -115,7 +115,7 @@ fn programs_look_as_they_should() {
 fn blocks_of_2c42_65_have_the_form_that_the_text_asks() {
     let (_, language) = &LANGUAGES[0];
     for part in PARTS {
-        let text = Held::new(part).written(language);
+        let text = ProofBench::new(part).written(language);
         assert!(text.len() <= 32 * 1024, "{part}");
         for line in text.lines() {
             // With the end of the block.
@@ -151,7 +151,7 @@ fn rows_of_equal_steps_are_repeated() {
     let part = "part: P\nmaterial: steel-45\nmachine: gf2171\nblank: {kind: plate, length: 600, width: 100, thickness: 20}\n\
                 holes:\n  - {name: A, diameter: 8H12, through: true, roughness: Rz 80, centre_tolerance: 0.46, \
                 pattern: {line: {start: [-250, 0], count: 26, step: 20}}}\n";
-    let text = Held::of(&read(part)).written(&LANGUAGES[0].1);
+    let text = ProofBench::of(&read(part)).written(&LANGUAGES[0].1);
     assert!(text.contains(" L25") || text.contains(" L24"), "{text}");
     assert!(text.lines().count() < 45, "{text}");
 }
@@ -173,7 +173,7 @@ fn changes_are_noticed(usual: usize) {
     let mut kinds: BTreeMap<(&str, &str), [usize; 3]> = BTreeMap::new();
     let mut unnoticed = Vec::new();
     for part in ["examples/plate.yaml", "tests/written/every-cycle.yaml"] {
-        let held = Held::new(part);
+        let held = ProofBench::new(part);
         for (name, language) in &*LANGUAGES {
             let label = format!("{part} {name}");
             let text = held.written(language);
@@ -203,7 +203,7 @@ proptest! {
     #[test]
     fn programs_of_random_parts_make_their_stops(text in part_files()) {
         let Ok(part) = technolog::part::read_part("part.yaml", &text, &KNOWLEDGE) else { return Ok(()) };
-        holds(&Held::of(&part))?;
+        holds(&ProofBench::of(&part))?;
     }
 }
 

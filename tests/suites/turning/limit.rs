@@ -22,8 +22,8 @@ use technolog::material::Material;
 use technolog::report::Lang;
 use technolog::report::sentences::sentence;
 use technolog::turning::cutting::{
-    Bound, BoundTold, Cut, Direction, Lack, LimitingDepth, Load, Speed, conditions, finish_feed, limiting_depth,
-    rough_feed,
+    Bound, BoundTold, Cut, CuttingRefusal, Direction, LimitingDepth, Load, Speed, conditions, finish_feed,
+    limiting_depth, rough_feed,
 };
 use technolog::turning::tooling::{Lathe, TurningTool};
 use technolog::units::{MetresPerMinute, Micrometres, MillimetresPerRev, RevsPerMinute};
@@ -295,7 +295,7 @@ fn refusals_say_why() {
     assert_eq!(refusal("16k20f3", "SER 2525M16", steel, 65.0, 1.0, None), "threads-not-reckoned");
     let case = Case::new(knowledge, "16k20f3", "MGEHR 2525-3", steel);
     let groove = limiting_depth(&case.cut(65.0, Direction::Transverse), MillimetresPerRev(0.1), Speed::ForToolLife);
-    assert!(matches!(groove, Err(Refusal::Not(Lack::NoDepth { .. }))));
+    assert!(matches!(groove, Err(Refusal::Not(CuttingRefusal::NoDepth { .. }))));
 }
 
 /// Grooving steel at Ø65 with a blade of 3 mm: feed 0.16; V = 47/(60^0.2·0.16^0.8)·1.25·0.9 = 47/(2.26793·0.23082)·1.125 =

@@ -8,12 +8,12 @@ use technolog::turning::contour::Side;
 use technolog::turning::operation::programs::{Form, programs};
 use technolog::turning::operation::work::{Work, ZoneWork};
 use technolog::turning::operation::{Operation, plan};
-use technolog::turning::way::Purpose;
+use technolog::turning::toolpath::Purpose;
 use technolog::turning::workpiece::{Turned, Workpiece, read_turned, read_workpiece};
 use technolog::turning::zones::Feed;
 use technolog::units::{RevsPerMinute, round_to};
+use technolog_testing::oracle_json::told_piece;
 use technolog_testing::side::{Fault, work_off};
-use technolog_testing::told::told_piece;
 use technolog_testing::{KNOWLEDGE, shafts, turned};
 
 fn example(name: &str) -> Workpiece {

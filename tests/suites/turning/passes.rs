@@ -12,7 +12,7 @@ use technolog::turning::passes::cost::{Cost, Objective};
 use technolog::turning::passes::enumeration::enumerate;
 use technolog::turning::passes::grid::{Grid, states};
 use technolog::turning::passes::optimum::CostToGo;
-use technolog::turning::passes::pass::{Kind, Pass, legs};
+use technolog::turning::passes::pass::{Pass, PassDirection, legs};
 use technolog::turning::passes::rich::staircase::{Lines, Stairs};
 use technolog::turning::passes::variants::{per_step, total};
 use technolog::turning::passes::{find, named, rich};
@@ -272,7 +272,7 @@ impl Stock {
     fn cut(&mut self, pass: &Pass) -> (Half, Half) {
         let (mut length, mut depth) = (Half::ZERO, Half::ZERO);
         match pass.kind {
-            Kind::Longitudinal => {
+            PassDirection::Longitudinal => {
                 for column in &mut self.columns {
                     if column.0 >= pass.from.z && column.1 <= pass.to.z && column.2 > pass.to.radius {
                         length = length + (column.1 - column.0);
@@ -281,7 +281,7 @@ impl Stock {
                     }
                 }
             }
-            Kind::Transverse => {
+            PassDirection::Transverse => {
                 let mut thick = Half::ZERO;
                 for column in &mut self.columns {
                     if column.1 <= pass.to.z && column.2 > pass.to.radius {
@@ -311,7 +311,8 @@ fn carry_out(grid: &Grid, passes: &[Pass], rates: &Rates) {
         legs(before, Some(pass.start()), grid.bar, rates).for_each(|leg| rapid(&stock, leg));
         let (length, depth) = stock.cut(pass);
         assert_eq!((length, depth), (pass.length(), pass.depth), "{pass:?}");
-        let most = if pass.kind == Kind::Longitudinal { grid.longitudinal_depth } else { grid.transverse_depth };
+        let most =
+            if pass.kind == PassDirection::Longitudinal { grid.longitudinal_depth } else { grid.transverse_depth };
         assert!(depth <= most && depth > Half::ZERO && length > Half::ZERO, "{pass:?}");
         for (column, part) in stock.columns.iter().zip(&stock.part) {
             assert!(column.2 >= part.2, "below the contour: {pass:?}");

@@ -9,7 +9,7 @@ use technolog::turning::point::Point;
 use technolog::turning::program::{
     Allowance, Control, CycleProgram, Direction, Feeds, NotWritten, Roughing, Setting, Speed, cycle, plain,
 };
-use technolog::turning::way::{Purpose, Way};
+use technolog::turning::toolpath::{Purpose, Toolpath};
 use technolog::units::{MetresPerMinute, MillimetresPerRev, RevsPerMinute};
 use technolog_testing::KNOWLEDGE;
 
@@ -71,8 +71,8 @@ fn bore() -> Contour {
 }
 
 /// One pass of a loop, a rest cut along an arc, and the way back.
-fn way() -> Way {
-    let mut way = Way::at(at(35.0, -2.0));
+fn way() -> Toolpath {
+    let mut way = Toolpath::at(at(35.0, -2.0));
     way.go(at(28.5, -2.0), Purpose::Rapid);
     way.go(at(28.5, 30.0), Purpose::Cut);
     way.go(at(29.0, 29.5), Purpose::Rapid);
@@ -104,7 +104,7 @@ fn arcs_have_the_words_that_were_worked_out_by_hand() {
         (thick, thin, Turn::Left, "G2 X20 Z0 I-10 K0"),
         (thick, thin, Turn::Right, "G3 X20 Z0 I0 K10"),
     ] {
-        let mut way = Way::at(from);
+        let mut way = Toolpath::at(from);
         way.follow(Piece::arc(from, to, mm(10.0), turn), Purpose::Cut);
         for name in ["linuxcnc", "sinumerik"] {
             let text = plain(&control(name), &way, &setting()).unwrap();
@@ -116,7 +116,7 @@ fn arcs_have_the_words_that_were_worked_out_by_hand() {
 /// A diameter of whole micrometres and a Z of half a micrometre are written exactly; a spindle speed needs no limit.
 #[test]
 fn lengths_are_exact_and_words_are_not_repeated() {
-    let mut way = Way::at(Point::new(Half::new(39_985), Half::new(-3)));
+    let mut way = Toolpath::at(Point::new(Half::new(39_985), Half::new(-3)));
     way.go(Point::new(Half::new(39_985), Half::new(20_001)), Purpose::Cut);
     way.go(Point::new(Half::new(40_001), Half::new(20_001)), Purpose::Cut);
     let setting =
@@ -189,15 +189,15 @@ fn the_controls_are_those_of_the_table() {
 #[test]
 fn what_cannot_be_written_is_refused_with_its_reason() {
     let linuxcnc = control("linuxcnc");
-    let bad_way = |moves: &dyn Fn(&mut Way), change: &dyn Fn(&mut Setting)| {
-        let (mut way, mut told) = (Way::at(at(20.0, 0.0)), setting());
+    let bad_way = |moves: &dyn Fn(&mut Toolpath), change: &dyn Fn(&mut Setting)| {
+        let (mut way, mut told) = (Toolpath::at(at(20.0, 0.0)), setting());
         moves(&mut way);
         change(&mut told);
         plain(&linuxcnc, &way, &told).unwrap_err()
     };
-    let cut = |way: &mut Way| way.go(at(20.0, 5.0), Purpose::Cut);
+    let cut = |way: &mut Toolpath| way.go(at(20.0, 5.0), Purpose::Cut);
     let arc = |radius: f64, purpose: Purpose| {
-        move |way: &mut Way| way.follow(Piece::arc(at(20.0, 0.0), at(20.0, 10.0), mm(radius), Turn::Left), purpose)
+        move |way: &mut Toolpath| way.follow(Piece::arc(at(20.0, 0.0), at(20.0, 10.0), mm(radius), Turn::Left), purpose)
     };
     let as_is = |_: &mut Setting| {};
     let bad_task = |contour: &Contour, corner: Point, asked: Roughing| {
@@ -254,12 +254,12 @@ fn what_cannot_be_written_is_refused_with_its_reason() {
 
 /// Reads a program of single moves for LinuxCNC back. It knows what `plain` writes and no more; the purpose of a move is
 /// that whose feed it has.
-fn read_way(text: &str, feeds: &Feeds) -> Way {
-    let mut way: Option<Way> = None;
+fn read_way(text: &str, feeds: &Feeds) -> Toolpath {
+    let mut way: Option<Toolpath> = None;
     let (mut motion, mut feed) = (String::new(), String::new());
     let moves = text.lines().skip_while(|line| !line.starts_with("G0 ")).take_while(|line| *line != "M5");
     for line in moves {
-        let from = way.as_ref().map(Way::end).unwrap_or_default();
+        let from = way.as_ref().map(Toolpath::end).unwrap_or_default();
         let (mut to, mut centre) = (from, None);
         for word in line.split(' ') {
             let (letter, number) = word.split_at(1);
@@ -284,7 +284,7 @@ fn read_way(text: &str, feeds: &Feeds) -> Way {
             _ => Curve::Line,
         };
         match &mut way {
-            None => way = Some(Way::at(to)),
+            None => way = Some(Toolpath::at(to)),
             Some(way) => way.follow(Piece { from, to, curve }, purpose),
         }
     }
@@ -316,7 +316,7 @@ proptest! {
             Purpose::Finish,
             Purpose::Return,
         ];
-        let mut way = Way::at(Point::new(Half::new(start.0), Half::new(start.1)));
+        let mut way = Toolpath::at(Point::new(Half::new(start.0), Half::new(start.1)));
         for ((radius, z), purpose, arc) in moves {
             let to = Point::new(Half::new(radius), Half::new(z));
             let purpose = purposes[purpose];

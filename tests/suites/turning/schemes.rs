@@ -10,10 +10,10 @@ use technolog::turning::length::Half;
 use technolog::turning::levels::Levels;
 use technolog::turning::point::Point;
 use technolog::turning::schemes::find;
-use technolog::turning::schemes::path::{Motion, Role, Vertex};
+use technolog::turning::schemes::path::{Motion, Vertex, VertexRole};
 use technolog::turning::schemes::removal::{self, Scheme};
-use technolog::turning::schemes::told::{measure, points};
-use technolog::turning::schemes::zones::Zone;
+use technolog::turning::schemes::report::{measure, points};
+use technolog::turning::schemes::zones::SchemeZone;
 use technolog::turning::shaft::{BlankKind, Division, Shaft, Step, read_shaft};
 use technolog::units::Micrometres;
 use technolog_testing::KNOWLEDGE;
@@ -92,10 +92,10 @@ fn levels_visit_the_points_in_the_order_of_figure_12_8() {
 fn working(scheme: Scheme, levels: &Levels) -> String {
     let kept: Vec<Vertex> = path(scheme, levels)
         .into_iter()
-        .filter(|vertex| !matches!(vertex.role, Role::Retracted | Role::Returned))
+        .filter(|vertex| !matches!(vertex.role, VertexRole::Retracted | VertexRole::Returned))
         .map(|mut vertex| {
             let first = levels.sections[0].cylinders[0];
-            if vertex.role == Role::Start && vertex.at.radius == first.radius {
+            if vertex.role == VertexRole::Start && vertex.at.radius == first.radius {
                 vertex.at.z = first.from;
             }
             vertex
@@ -157,7 +157,7 @@ fn lengths_and_time_of_a_path_are_those_of_its_motions() {
 #[test]
 fn zones_and_their_schemes_come_from_the_rules() {
     let found = find(&example("shaft-three-cylinders"), &KNOWLEDGE).unwrap();
-    let schemes = |zone: &Zone| zone.schemes.iter().map(|scheme| scheme.name()).collect::<Vec<_>>().join("+");
+    let schemes = |zone: &SchemeZone| zone.schemes.iter().map(|scheme| scheme.name()).collect::<Vec<_>>().join("+");
     let zones: Vec<(&str, String)> = found.zones.iter().map(|zone| (zone.zone.name(), schemes(zone))).collect();
     let of = |zone, schemes: &str| (zone, schemes.to_owned());
     let half = || of("half-open", "semi-finishing");

@@ -5,11 +5,11 @@ use proptest::prelude::*;
 use technolog::error::{Refusal, Tried};
 use technolog::turning::contour::{Contour, Curve, Piece, Side, Turn};
 use technolog::turning::length::Half;
+use technolog::turning::toolpath::{Purpose, Toolpath};
+use technolog::turning::transitions::builder::SupportPointRole;
 use technolog::turning::transitions::check::Unsuited;
-use technolog::turning::transitions::course::Role;
 use technolog::turning::transitions::measures::best;
 use technolog::turning::transitions::{Scheme, Settings, Stock, Transition, finishing_must_follow, work};
-use technolog::turning::way::{Purpose, Way};
 use technolog_testing::section::{ROUNDING, at, mm, settings, steps, steps_beside, tool, valleys, work_off, zones};
 use technolog_testing::{KNOWLEDGE, section};
 
@@ -70,12 +70,12 @@ fn pick_up_goes_on_by_half_the_nose_radius() {
         .way
         .pieces()
         .zip(found.points.iter().skip(1))
-        .filter(|(_, to)| to.role == Role::Overrun)
+        .filter(|(_, to)| to.role == SupportPointRole::Overrun)
         .map(|((piece, _), _)| piece.length_mm())
         .collect();
     assert_eq!(over.len(), 3);
     assert!(over.iter().all(|length| (length - 0.4).abs() < 0.001), "{over:?}");
-    let first = found.points.iter().find(|point| point.role == Role::Overrun).unwrap();
+    let first = found.points.iter().find(|point| point.role == SupportPointRole::Overrun).unwrap();
     assert_eq!((first.diameter_mm.to_string().as_str(), first.z_mm), ("56.566", mm(-17.283)));
 }
 
@@ -124,8 +124,17 @@ fn contour_visits_the_points_of_the_lecture() {
     let found = made(&stock, 2.0, Scheme::Contour, 0.8);
     let expected: Vec<String> = (0..=20).chain([0]).map(|number| number.to_string()).collect();
     assert_eq!(names(&found), expected.join("-"));
-    let cycle: Vec<Role> = found.points.iter().skip(1).take(5).map(|point| point.role).collect();
-    assert_eq!(cycle, [Role::Start, Role::Corner, Role::ContourEnd, Role::Clear, Role::Returned]);
+    let cycle: Vec<SupportPointRole> = found.points.iter().skip(1).take(5).map(|point| point.role).collect();
+    assert_eq!(
+        cycle,
+        [
+            SupportPointRole::Start,
+            SupportPointRole::Corner,
+            SupportPointRole::ContourEnd,
+            SupportPointRole::Clear,
+            SupportPointRole::Returned
+        ]
+    );
 }
 
 /// Where the blank has stock on its faces too, the line of the cycles leads aslant (l. 446-450): the forging stands 3 mm
@@ -140,7 +149,9 @@ fn the_line_of_the_cycles_is_that_of_the_allowance() {
     let corners: Vec<_> = found
         .points
         .iter()
-        .filter(|point| point.role == Role::Corner && point.diameter_mm < technolog::units::Micrometres::from_mm(50))
+        .filter(|point| {
+            point.role == SupportPointRole::Corner && point.diameter_mm < technolog::units::Micrometres::from_mm(50)
+        })
         .collect();
     let z: Vec<Half> = corners.iter().map(|point| point.z_mm).collect();
     assert_eq!(z, [mm(-29.0), mm(-29.5), mm(-30.0)]);
@@ -157,15 +168,15 @@ fn the_loop_draws_back_half_a_millimetre() {
         found.points.iter().map(|point| (point.role, point.diameter_mm.to_string(), point.z_mm.to_mm())).collect();
     let of = |role, diameter: &str, z| (role, diameter.to_owned(), z);
     let expected = [
-        of(Role::Home, "64", 2.0),
-        of(Role::Start, "56", 2.0),
-        of(Role::End, "56", -40.0),
-        of(Role::Retracted, "57", -39.5),
-        of(Role::Returned, "57", 2.0),
-        of(Role::Start, "52", 2.0),
-        of(Role::End, "52", -40.0),
-        of(Role::Retracted, "53", -39.5),
-        of(Role::Home, "64", 2.0),
+        of(SupportPointRole::Home, "64", 2.0),
+        of(SupportPointRole::Start, "56", 2.0),
+        of(SupportPointRole::End, "56", -40.0),
+        of(SupportPointRole::Retracted, "57", -39.5),
+        of(SupportPointRole::Returned, "57", 2.0),
+        of(SupportPointRole::Start, "52", 2.0),
+        of(SupportPointRole::End, "52", -40.0),
+        of(SupportPointRole::Retracted, "53", -39.5),
+        of(SupportPointRole::Home, "64", 2.0),
     ];
     assert_eq!(told, expected);
     assert!(found.uniform, "12.4-23 (l. 490-494): over an open zone the loop leaves it even");
@@ -185,7 +196,7 @@ fn against_a_stop_each_step_is_finished_at_its_shoulder() {
     let points = [at(20.0, 0.0), at(20.0, 10.0), at(25.0, 10.0), at(25.0, 25.0), at(29.0, 25.0), at(29.0, 45.0)];
     let stock = under_bar(Contour::through(Side::Outer, &points), 30.0);
     let found = made(&stock, 2.0, Scheme::LoopAgainstStop, 0.8);
-    let ends = found.points.iter().filter(|point| point.role == Role::End);
+    let ends = found.points.iter().filter(|point| point.role == SupportPointRole::End);
     let told: Vec<_> = ends.map(|point| (point.diameter_mm.to_string(), point.z_mm.to_mm())).collect();
     let expected = [("58", -45.0), ("54", -25.0), ("50", -25.0), ("46", -10.0), ("42", -10.0), ("40", -10.0)];
     assert_eq!(told, expected.map(|(diameter, z)| (diameter.to_owned(), z)));
@@ -428,7 +439,7 @@ proptest! {
         for scheme in [Scheme::Loop, Scheme::Zigzag, Scheme::Descent, Scheme::PickUp, Scheme::SemiFinishing, Scheme::Contour] {
             let (outer, bored) = (made(&stock, depth, scheme, 0.8), made(&inner, depth, scheme, 0.8));
             let place = |point: technolog::turning::point::Point| technolog::turning::point::Point { radius: top - point.radius, ..point };
-            let mut turned = Way::at(place(outer.way.from));
+            let mut turned = Toolpath::at(place(outer.way.from));
             for (piece, purpose) in outer.way.pieces() {
                 turned.follow(piece.mapped(true, place), purpose);
             }

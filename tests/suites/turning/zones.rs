@@ -10,7 +10,7 @@ use technolog::turning::point::Point;
 use technolog::turning::shaft::Holding;
 use technolog::turning::workpiece::Scheme;
 use technolog::turning::zones::{
-    Feed, Hold, Kind, Returns, SetUp, Stock, ToolAngles, Workpiece, Zone, find, fit, idle_returns, set_ups,
+    Feed, Hold, Returns, SetUp, Stock, ToolAngles, Workpiece, Zone, ZoneKind, find, fit, idle_returns, set_ups,
 };
 use technolog::units::Degrees;
 use technolog_testing::KNOWLEDGE;
@@ -47,7 +47,7 @@ fn tool(name: &str, main: f64, secondary: f64) -> ToolAngles {
     ToolAngles { name: name.to_owned(), angles, least_bore: None, width: None }
 }
 
-fn kinds(zone: &Zone) -> Vec<Kind> {
+fn kinds(zone: &Zone) -> Vec<ZoneKind> {
     zone.parts.iter().map(|part| part.kind).collect()
 }
 
@@ -67,9 +67,9 @@ fn a_stepped_shaft_is_one_combined_zone() {
     let blank = outer(&[(40.0, 0.0), (40.0, 50.0)]);
     let zones = zones(&outer(&THREE), &blank);
     assert_eq!(zones.len(), 1);
-    assert_eq!((zones[0].kind, zones[0].feed), (Kind::Combined, Feed::Along));
+    assert_eq!((zones[0].kind, zones[0].feed), (ZoneKind::Combined, Feed::Along));
     // In the order of fig. 12.3 г: 1 open, 2 half-open.
-    assert_eq!(kinds(&zones[0]), [Kind::Open, Kind::HalfOpen, Kind::HalfOpen]);
+    assert_eq!(kinds(&zones[0]), [ZoneKind::Open, ZoneKind::HalfOpen, ZoneKind::HalfOpen]);
     assert_eq!(scheme_names(&zones[0].scheme.schemes), ["loop", "semi-finishing"]);
     assert_eq!(zones[0].scheme.parts_worked.name(), "each");
     assert_eq!((zones[0].least_radius, zones[0].greatest_radius), (mm(20.0), mm(40.0)));
@@ -90,7 +90,7 @@ fn an_open_zone_asks_no_angles() {
         (outer(&[(20.0, 0.0), (25.0, 30.0)]), outer(&[(25.0, 0.0), (25.0, 30.0)])),
     ] {
         let zones = zones(&rough, &blank);
-        assert_eq!((zones.len(), zones[0].kind), (1, Kind::Open));
+        assert_eq!((zones.len(), zones[0].kind), (1, ZoneKind::Open));
         assert_eq!((zones[0].needs.main, zones[0].needs.secondary), (Degrees(0.0), Degrees(0.0)));
         assert_eq!(scheme_names(&zones[0].scheme.schemes), ["loop"]);
         let any = fit(&zones[0], &[tool("45", 45.0, 5.0)]);
@@ -98,7 +98,7 @@ fn an_open_zone_asks_no_angles() {
     }
     // With more stock than the cone is high, passes along the axis end at it.
     let zones = zones(&outer(&[(20.0, 0.0), (25.0, 30.0), (25.0, 40.0)]), &outer(&[(30.0, 0.0), (30.0, 40.0)]));
-    assert_eq!(kinds(&zones[0]), [Kind::Open, Kind::HalfOpen]);
+    assert_eq!(kinds(&zones[0]), [ZoneKind::Open, ZoneKind::HalfOpen]);
 }
 
 /// 12.3-4: a half-open zone rules φ: 90° before a face, the angle of the cone before a cone. 12.3-5: a closed one both, and
@@ -107,17 +107,17 @@ fn an_open_zone_asks_no_angles() {
 fn what_bounds_a_zone_rules_the_angles() {
     let bar = outer(&[(40.0, 0.0), (40.0, 60.0)]);
     for (points, kind, main, secondary) in [
-        (vec![(20.0, 0.0), (20.0, 10.0), (40.0, 10.0)], Kind::HalfOpen, 90.0, 0.0),
-        (vec![(20.0, 0.0), (20.0, 10.0), (40.0, 30.0)], Kind::HalfOpen, 45.0, 0.0),
-        (vec![(40.0, 0.0), (20.0, 20.0), (20.0, 30.0), (40.0, 30.0)], Kind::Closed, 90.0, 45.0),
-        (vec![(40.0, 0.0), (20.0, 20.0), (20.0, 60.0)], Kind::HalfOpen, 0.0, 45.0),
+        (vec![(20.0, 0.0), (20.0, 10.0), (40.0, 10.0)], ZoneKind::HalfOpen, 90.0, 0.0),
+        (vec![(20.0, 0.0), (20.0, 10.0), (40.0, 30.0)], ZoneKind::HalfOpen, 45.0, 0.0),
+        (vec![(40.0, 0.0), (20.0, 20.0), (20.0, 30.0), (40.0, 30.0)], ZoneKind::Closed, 90.0, 45.0),
+        (vec![(40.0, 0.0), (20.0, 20.0), (20.0, 60.0)], ZoneKind::HalfOpen, 0.0, 45.0),
     ] {
         let zones = zones(&outer(&points), &bar);
         let [zone] = zones.as_slice() else { panic!("{zones:?}") };
         assert_eq!((zone.kind, zone.needs.main, zone.needs.secondary), (kind, Degrees(main), Degrees(secondary)));
-        assert_eq!(zone.scheme.return_way == "along-contour", kind == Kind::Closed);
+        assert_eq!(zone.scheme.return_way == "along-contour", kind == ZoneKind::Closed);
         assert_eq!(scheme_names(&zone.scheme.schemes), ["semi-finishing"]);
-        assert_eq!(scheme_names(&zone.scheme.also).contains(&"descent"), kind == Kind::Closed);
+        assert_eq!(scheme_names(&zone.scheme.also).contains(&"descent"), kind == ZoneKind::Closed);
     }
     // A fillet rises to upright, so that φ must be 90°.
     let mut pin = outer(&[(20.0, 0.0), (20.0, 10.0)]);
@@ -131,8 +131,8 @@ fn open_half_open_and_closed_are_combined() {
     let mut points = vec![(20.0, 0.0), (20.0, 5.0)];
     points.extend(VALLEY.iter().map(|(radius, z)| (*radius, z + 5.0)));
     let zones = zones(&outer(&points), &outer(&[(40.0, 0.0), (40.0, 45.0)]));
-    assert_eq!((zones.len(), zones[0].kind), (1, Kind::Combined));
-    assert_eq!(kinds(&zones[0]), [Kind::Open, Kind::Open, Kind::HalfOpen, Kind::Closed]);
+    assert_eq!((zones.len(), zones[0].kind), (1, ZoneKind::Combined));
+    assert_eq!(kinds(&zones[0]), [ZoneKind::Open, ZoneKind::Open, ZoneKind::HalfOpen, ZoneKind::Closed]);
     assert_eq!(zones[0].scheme.parts_worked.name(), "joined");
     assert_eq!(scheme_names(&zones[0].scheme.schemes), ["semi-finishing", "semi-finishing"]);
     assert_eq!((zones[0].needs.main, zones[0].needs.secondary), (Degrees(90.0), Degrees(45.0)));
@@ -180,11 +180,11 @@ fn a_step_of_the_blank_divides_the_stock() {
     let blank = outer(&[(25.0, 0.0), (25.0, 30.0), (40.0, 30.0), (40.0, 60.0)]);
     let zones = zones(&rough, &blank);
     let told: Vec<_> = zones[0].parts.iter().map(|part| (part.kind, part.from_z, part.greatest_radius)).collect();
-    assert_eq!(told, [(Kind::Open, mm(30.0), mm(40.0)), (Kind::HalfOpen, mm(0.0), mm(25.0))]);
+    assert_eq!(told, [(ZoneKind::Open, mm(30.0), mm(40.0)), (ZoneKind::HalfOpen, mm(0.0), mm(25.0))]);
     // A bar that goes on thicker behind the end is a wall, which must stay upright.
     let longer = outer(&[(40.0, 0.0), (40.0, 90.0)]);
     let zone = &find(stock(&rough, &longer), &[], &KNOWLEDGE).unwrap()[0];
-    assert_eq!((zone.kind, zone.needs.main), (Kind::HalfOpen, Degrees(90.0)));
+    assert_eq!((zone.kind, zone.needs.main), (ZoneKind::HalfOpen, Degrees(90.0)));
 }
 
 /// 12.4-31: against a stop the loop serves for half-open zones; a shaped contour in a forging is worked at equal distances,
@@ -230,7 +230,7 @@ fn a_bar_must_enter_the_bore() {
     let rough = through(Side::Inner, &[(20.0, 0.0), (20.0, 30.0), (15.0, 30.0), (15.0, 50.0)]);
     let hole = through(Side::Inner, &[(10.0, 0.0), (10.0, 50.0)]);
     let zone = &zones(&rough, &hole)[0];
-    assert_eq!(kinds(zone), [Kind::Open, Kind::HalfOpen]);
+    assert_eq!(kinds(zone), [ZoneKind::Open, ZoneKind::HalfOpen]);
     assert_eq!((zone.least_radius, zone.greatest_radius), (mm(10.0), mm(20.0)));
     assert_eq!(zone.parts[1].contour[0].from, at(20.0, 0.0));
     assert_eq!(zone.passage, Some(mm(10.0).diameter()));
@@ -278,7 +278,7 @@ fn made(outer: &Profile, inner: Option<&Profile>, blank: &Contour, length: f64) 
     set_ups(part, Angles::CONTOURING, &KNOWLEDGE).unwrap()
 }
 
-fn names(stretch: Option<&technolog::turning::zones::Stretch>) -> Vec<String> {
+fn names(stretch: Option<&technolog::turning::zones::TurnedSide>) -> Vec<String> {
     stretch.iter().flat_map(|one| &one.profile.surfaces).map(|surface| surface.name.to_string()).collect()
 }
 

@@ -1,7 +1,7 @@
 //! The stock that each finishing transition finds: by section 1.2.1, on diameter.
 //!
-//! Backwards from the finished hole, as it is planned: what a row finds is blamed on the row that left it, and that row is
-//! then judged by the diameter that would have done, so that one wrong diameter is told once.
+//! Backwards from the finished hole, as it is planned: what a row finds is blamed on the row that left it, and that
+//! row is then judged by the diameter that would have done, so that one wrong diameter is reported once.
 
 use crate::error::KnowledgeError;
 use crate::note::{Because, Figure, Note, Severity};
@@ -68,7 +68,8 @@ fn backwards(
         let first = row.operation.value == Operation::RoughBore
             && previous.is_none_or(|((_, other), _)| other.operation.value == Operation::RoughBore);
         let too_little = before > largest && !first;
-        // What it finds by the figures as they stand: what only a correction of the next row would upset is not told.
+        // What it finds by the figures as they stand: errors that only a correction of the next row would cause are
+        // not reported.
         let stock = left[index] - before;
         let fine = stock <= high && (stock >= range.low || first);
         if fine || !too_little && before >= smallest {

@@ -12,7 +12,7 @@ use crate::tooling::named;
 use crate::units::Micrometres;
 
 use super::super::context::Context;
-use super::super::finding::{Finding, Kind, Section};
+use super::super::finding::{Finding, FindingKind, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::roots;
@@ -54,7 +54,7 @@ pub(super) fn check<'a>(
                 if !matches!(other, OfOther::Thread { .. }) {
                     unsuited.follows_from = diameter(context, graph, at, row, hole, findings)?;
                 }
-                unsuited.kind = Kind::OfOther(other);
+                unsuited.kind = FindingKind::OfOther(other);
             }
             findings.push(unsuited);
         } else if let Some(why) = named::of_other_bottom(cutter, hole.through).filter(|_| row.of_main_cylinder()) {
@@ -82,7 +82,7 @@ fn diameter(
         one.field == field
             && one.follows_from.is_empty()
             && one.severity <= Severity::Wrong
-            && one.kind == Kind::Opening
+            && one.kind == FindingKind::Opening
     });
     if told {
         return Ok(vec![field]);

@@ -6,7 +6,7 @@ use crate::note::{Because, Figure, Note, Severity};
 use crate::reason::OfOther;
 
 use super::super::context::Context;
-use super::super::finding::{Finding, Kind, Section};
+use super::super::finding::{Finding, FindingKind, Section};
 use super::super::graph::Graph;
 use super::super::near::{Likeness, Near, likeness, plain, same_table};
 use super::super::quantity::Scope;
@@ -35,7 +35,7 @@ pub(super) fn check<'a>(
         );
         if let Some(cutter) = context.cutter(at) {
             let row = cutter.row.row;
-            let of = Of { row, section: Section::Tools };
+            let of = ReportedRow { row, section: Section::Tools };
             standard(&of, tool.standard.as_ref(), field("standard"), &about, findings);
             if let Some(shank) = &tool.shank
                 && shank.value != cutter.head.shank.name()
@@ -71,20 +71,20 @@ pub(super) fn check<'a>(
             findings,
         );
         if let Some(holder) = context.holder(at) {
-            let of = Of { row: holder.row, section: Section::Holders };
+            let of = ReportedRow { row: holder.row, section: Section::Holders };
             standard(&of, tool.holder_standard.as_ref(), field("holder.standard"), &about, findings);
         }
     }
     Ok(())
 }
 
-/// A row and the section it is told in.
-struct Of<'k> {
+/// A row and the section of the report it belongs to.
+struct ReportedRow<'k> {
     row: RowRef<'k>,
     section: Section,
 }
 
-/// What is to be said of a designation.
+/// The finding about a designation.
 fn named<'k, T>(
     near: &Near<T>,
     row: impl Fn(&T) -> RowRef<'k>,
@@ -114,7 +114,7 @@ fn named<'k, T>(
 
 /// Whether a standard is that of the row: of its table, or one that the row's place in the source names.
 fn standard(
-    of: &Of<'_>,
+    of: &ReportedRow<'_>,
     standard: Option<&Text>,
     field: String,
     about: &dyn Fn(Finding) -> Finding,
@@ -172,14 +172,14 @@ fn dimensions(context: &Context<'_>, at: usize, findings: &mut Vec<Finding>) {
     // One dimension alone may be the slip; the rows of the tool say which of the two is meant.
     let of_size =
         |other: &OfOther| matches!(other, OfOther::Operation { .. } | OfOther::Angle { .. } | OfOther::Size { .. });
-    let unsuited = |one: &Finding| of_tool(one) && matches!(&one.kind, Kind::OfOther(other) if of_size(other));
+    let unsuited = |one: &Finding| of_tool(one) && matches!(&one.kind, FindingKind::OfOther(other) if of_size(other));
     if off < 2 && !findings.iter().any(unsuited) {
         return;
     }
     let field = format!("tools.T{}.designation", tool.number);
     for finding in findings.iter_mut().filter(|finding| of_tool(finding)) {
         let of_name = match &finding.kind {
-            Kind::OfOther(other) => matches!(other, OfOther::Operation { .. } | OfOther::Size { .. }),
+            FindingKind::OfOther(other) => matches!(other, OfOther::Operation { .. } | OfOther::Size { .. }),
             kind => kind.rule().is_some_and(|rule| *rule == DIMENSION || *rule == OVERHANG),
         };
         if of_name {

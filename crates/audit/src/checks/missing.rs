@@ -4,7 +4,7 @@ use crate::error::KnowledgeError;
 use crate::note::{Note, Severity};
 
 use super::super::context::Context;
-use super::super::finding::{Finding, Lack, Section};
+use super::super::finding::{Finding, MissingKeys, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
 
@@ -18,7 +18,7 @@ pub(super) fn check<'a>(
     if stated.own {
         return Ok(());
     }
-    let mut say = |section: &str, missing: Vec<Lack>| {
+    let mut say = |section: &str, missing: Vec<MissingKeys>| {
         if !missing.is_empty() {
             let what: Vec<String> = missing.iter().map(said).collect();
             let note = Note::new("audit-missing").with("section", section).with("what", what.join(", "));
@@ -27,7 +27,8 @@ pub(super) fn check<'a>(
             findings.push(finding);
         }
     };
-    let lack = |of: String, scope: Scope, keys: Vec<&'static str>| Lack { of, subject: context.subject(scope), keys };
+    let lack =
+        |of: String, scope: Scope, keys: Vec<&'static str>| MissingKeys { of, subject: context.subject(scope), keys };
     let mut rows = Vec::new();
     if stated.rows.is_empty() {
         rows.push(whole("route"));
@@ -94,12 +95,12 @@ pub(super) fn check<'a>(
 }
 
 /// A key that the section as a whole lacks.
-fn whole(key: &'static str) -> Lack {
-    Lack { keys: vec![key], ..Lack::default() }
+fn whole(key: &'static str) -> MissingKeys {
+    MissingKeys { keys: vec![key], ..MissingKeys::default() }
 }
 
 /// As programs read it: `T3: correction`, `2: tool hole`.
-fn said(lack: &Lack) -> String {
+fn said(lack: &MissingKeys) -> String {
     let keys = lack.keys.join(" ");
     if lack.of.is_empty() { keys } else { format!("{}: {keys}", lack.of) }
 }

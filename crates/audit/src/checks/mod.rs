@@ -1,4 +1,4 @@
-//! Choices held against the tables: one file per kind, one line each in the list.
+//! Checks of choices against the tables: one file per kind, one line each in the list.
 
 mod allowances;
 mod clamps;

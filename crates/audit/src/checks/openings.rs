@@ -11,7 +11,7 @@ use crate::units::Micrometres;
 
 use super::super::context::Context;
 use super::super::figures::{beside, shown};
-use super::super::finding::{Finding, Kind, Section};
+use super::super::finding::{Finding, FindingKind, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::roots;
@@ -71,7 +71,7 @@ fn openings(hole: &Hole, context: &Context<'_>) -> Result<Vec<Opening>, Knowledg
     Ok(counterbore.into_iter().chain(edges).collect())
 }
 
-/// Whether our plan makes an opening: what it cannot make either is told of the part.
+/// Whether our plan makes an opening: what our plan cannot make either is reported for the part.
 fn ours(context: &Context<'_>, hole: &Hole, opening: &Opening) -> bool {
     let Some(plan) = context.plan.holes.iter().find(|plan| plan.name == hole.name) else { return false };
     let makes = |one: &Transition| {
@@ -132,7 +132,7 @@ fn made(
             }
         }
     };
-    findings.push(finding.of_kind(Kind::Opening));
+    findings.push(finding.of_kind(FindingKind::Opening));
 }
 
 /// Whether the drawing asks for what a row cuts, and for that diameter and depth.
@@ -145,7 +145,7 @@ fn asked_for(
     findings: &mut Vec<Finding>,
 ) {
     let id = |quantity| Id::new(Scope::Row(at), quantity);
-    let about = |finding: Finding| finding.of_kind(Kind::Opening).about(context.subject(Scope::Row(at)));
+    let about = |finding: Finding| finding.of_kind(FindingKind::Opening).about(context.subject(Scope::Row(at)));
     let field = |key: &str| format!("route.{}.{key}", row.number);
     let flat = row.operation.value == Operation::Counterbore;
     let like = |opening: &&Opening| {

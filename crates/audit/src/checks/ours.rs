@@ -1,5 +1,5 @@
-//! A plan that `technolog plan` made, and that somebody changed: what no formula explains is held against the plan we make
-//! of the same part. That is no fault by itself, only not ours.
+//! A plan that `technolog plan` made, and that somebody changed: what no formula explains is held against the plan we
+//! make of the same part. A difference alone is no fault.
 
 use serde_json::Value;
 
@@ -9,7 +9,7 @@ use crate::note::{Figure, Note, Severity, Told as _, Word};
 use crate::plan::Operation;
 
 use super::super::context::Context;
-use super::super::finding::{Finding, Kind, Section, Subject};
+use super::super::finding::{Finding, FindingKind, Section, Subject};
 use super::super::graph::Graph;
 use super::super::own::items;
 
@@ -40,7 +40,7 @@ pub(super) fn check<'a>(
             known.compare(node, value, key, (section, &Subject::default()));
         }
     }
-    // What a formula or another check has told already is told once.
+    // What a formula or another check reported is not repeated.
     let told = |finding: &Finding| {
         findings
             .iter()
@@ -71,7 +71,7 @@ fn tools_of_transitions(tree: &Node, findings: &mut Vec<Finding>) {
                     .with("other", text(own));
                 let field = format!("tools.T{}.{name}", number.unwrap_or_default());
                 let finding = Finding::new(Severity::Error, Section::Tools, field, note).at(&own.place);
-                let finding = finding.of_kind(Kind::ToolOfTransition);
+                let finding = finding.of_kind(FindingKind::ToolOfTransition);
                 if !findings.iter().any(|known| known.note == finding.note) {
                     findings.push(finding);
                 }
@@ -84,7 +84,7 @@ fn tools_of_transitions(tree: &Node, findings: &mut Vec<Finding>) {
 fn follow(context: &Context<'_>, findings: &mut [Finding]) {
     let exchanged: Vec<String> = findings
         .iter()
-        .filter(|finding| finding.kind == Kind::ToolOfTransition)
+        .filter(|finding| finding.kind == FindingKind::ToolOfTransition)
         .map(|finding| finding.field.clone())
         .collect();
     for field in exchanged {
@@ -177,7 +177,7 @@ fn value(path: &str, text: &str) -> Figure {
     }
 }
 
-/// Whom a node is about: a group of holes, a transition of it, a tool; else whom the node around it is about.
+/// The subject of a node: a group of holes, a transition of it or a tool; else the subject of the enclosing node.
 fn about(node: &Node, path: &str, around: &Subject) -> Subject {
     let text = |key: &str| node.get(key).and_then(Node::text);
     let mut subject = around.clone();

@@ -117,7 +117,7 @@ fn holder(
     findings.push(finding.resting_on(context.holder(tool).map(|holder| Because::row(holder.row, Note::new("named")))));
 }
 
-/// The flutes that are stated for a drill that no catalog has; of one that is known `cutters` tells it.
+/// The flutes that are stated for a drill that no catalog has; for a known drill `cutters` reports it.
 fn flute(context: &Context<'_>, (tool, row): (usize, usize), needed: Micrometres, findings: &mut Vec<Finding>) {
     let operation = context.stated.rows[row].operation.value;
     let drills = matches!(operation, Operation::Drill | Operation::DrillOut);

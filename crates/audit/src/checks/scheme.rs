@@ -5,8 +5,8 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Source;
 use crate::note::{Because, Figure, Note, Severity};
 use crate::part::Hole;
-use crate::plan::{Alternative, Operation, Route, Way};
-use crate::route::asked::{self, Asked};
+use crate::plan::{Alternative, Operation, Route, RouteSource};
+use crate::route::table_answer::{self, TableAnswer};
 use crate::units::{Micrometres, round_to};
 
 use super::super::context::Context;
@@ -27,7 +27,7 @@ pub(super) fn check<'a>(
         let Some(plan) = context.plan.holes.iter().find(|plan| plan.name == hole.name) else { continue };
         let (Some((_, first)), Some(route)) = (rows.first(), &plan.route) else { continue };
         let ours = plan.transitions.iter().map(|transition| transition.operation).collect();
-        let asked = asked::asked(hole, &context.stated.part, &context.shop)?;
+        let asked = table_answer::asked(hole, &context.stated.part, &context.shop)?;
         let group = Group { context, graph, hole, route, rows: &rows, first, ours, asked };
         group.check(findings)?;
     }
@@ -45,7 +45,7 @@ struct Group<'c, 'a> {
     /// Our transitions.
     ours: Vec<Operation>,
     /// What the tables say before anything is tried.
-    asked: Asked<'a>,
+    asked: TableAnswer<'a>,
 }
 
 impl Group<'_, '_> {
@@ -65,7 +65,7 @@ impl Group<'_, '_> {
 
     /// Whether our route or one it was weighed against is of that scheme; 1 of A.5 is a complex, and no scheme 01.
     fn weighed(&self, scheme: &str) -> bool {
-        let is = |own: &str, way: Way| own == scheme || way == Way::Tables && same_scheme(scheme, own);
+        let is = |own: &str, way: RouteSource| own == scheme || way == RouteSource::Tables && same_scheme(scheme, own);
         is(&self.route.scheme, self.route.way)
             || self.route.alternatives.iter().any(|other| is(&other.scheme, other.way))
     }
@@ -107,7 +107,7 @@ impl Group<'_, '_> {
                 }
             } else if self.printed(name) && self.asked.centred {
                 findings.push(self.uncentred(row, name));
-                let of_scheme = asked::transitions(&full(name), &self.context.shop)?;
+                let of_scheme = table_answer::transitions(&full(name), &self.context.shop)?;
                 judged &= !self.is_ours() && of_scheme.is_none_or(|own| main(&own) != main(&self.stated()));
             } else if !self.printed(name) {
                 let note = Note::new("audit-scheme-unknown").with("stated", name);
@@ -234,11 +234,11 @@ impl Group<'_, '_> {
         stated: &[Operation],
         scheme: Option<&Text>,
     ) -> Result<Option<&'static str>, KnowledgeError> {
-        let of_tables = self.route.alternatives.iter().filter(|other| other.way == Way::Tables && other.meets);
+        let of_tables = self.route.alternatives.iter().filter(|other| other.way == RouteSource::Tables && other.meets);
         let mut schemes: Vec<&str> = of_tables.map(|other| other.scheme.as_str()).collect();
-        schemes.extend(Some(self.route.scheme.as_str()).filter(|_| self.route.way == Way::Tables));
+        schemes.extend(Some(self.route.scheme.as_str()).filter(|_| self.route.way == RouteSource::Tables));
         let printed = |own: &String| match self.asked.centred {
-            true => asked::centred(own, &self.context.shop),
+            true => table_answer::centred(own, &self.context.shop),
             false => Ok(own.clone()),
         };
         let printed: Vec<String> = self.asked.schemes.iter().map(printed).collect::<Result<_, _>>()?;
@@ -247,7 +247,7 @@ impl Group<'_, '_> {
             if scheme.is_some_and(|scheme| !same_scheme(&scheme.value, own)) {
                 continue;
             }
-            let given = asked::transitions(&full(own), &self.context.shop)?;
+            let given = table_answer::transitions(&full(own), &self.context.shop)?;
             if given.is_some_and(|given| main(&given) == drilled_once(&main(stated))) {
                 return Ok(Some("A.7"));
             }
@@ -259,7 +259,7 @@ impl Group<'_, '_> {
     fn has_edges_of(&self, scheme: Option<&Text>) -> Result<bool, KnowledgeError> {
         let edges = |list: &[Operation]| list.iter().filter(|one| one.is_of_edge()).count();
         let Some(scheme) = scheme else { return Ok(false) };
-        let given = asked::transitions(&full(&scheme.value), &self.context.shop)?;
+        let given = table_answer::transitions(&full(&scheme.value), &self.context.shop)?;
         let stated = edges(&self.stated());
         Ok(stated != edges(&self.ours) && given.is_some_and(|given| edges(&given) == stated))
     }
@@ -274,7 +274,7 @@ impl Group<'_, '_> {
         };
         let Some(diameter) = self.graph.stated_or_right(Id::new(Scope::Row(*at), Q::Diameter)) else { return Ok(None) };
         let diameter = Micrometres::from_mm_rounded(diameter);
-        let Some(rule) = asked::two_drills(diameter, &self.context.shop)? else { return Ok(None) };
+        let Some(rule) = table_answer::two_drills(diameter, &self.context.shop)? else { return Ok(None) };
         let note = Note::new("audit-one-drill").with("diameter", diameter);
         let field = format!("route.{}.operation", row.number);
         let finding = Finding::new(Severity::Wrong, Section::Route, field, note).at(&row.operation.place);

@@ -81,7 +81,7 @@ fn drill(
     findings: &mut Vec<Finding>,
 ) {
     let Some(figure) = row.figures.get(&Q::Diameter) else { return };
-    // That it is not the diameter of its own tool the formulas say.
+    // The formulas report where it is not the diameter of its own tool.
     let own = Micrometres::from_mm_rounded(figure.value);
     let found = tap_drill(thread, context);
     let limits = hole.diameter.smallest()..=hole.diameter.largest();

@@ -1,5 +1,5 @@
-//! The machine's working zone: the blank on the table, the holes within its travels, every tool between the part and the
-//! spindle. Motions of the program beyond the travels tells the program's own run.
+//! The machine's working zone: the blank on the table, the holes within its travels, every tool between the part and
+//! the spindle. Motions beyond the travels are reported by the run of the program.
 //!
 //! Only what cannot be whatever the operator sets is an error: the knee may stand at any height, and where the plan
 //! does not say how high the fixture is, the least height that the tools need under the part is reckoned with.
@@ -138,7 +138,7 @@ fn height(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<Finding>)
         };
         deepest.iter().filter_map(one).collect()
     };
-    let zone = Zone { context, approach: tips.approach, fixture };
+    let zone = ZoneCheck { context, approach: tips.approach, fixture };
     let stated = zone.beyond(&reaches(&|id| graph.written(id)))?;
     let right = zone.beyond(&reaches(&|id| graph.right(id)))?;
     for (tool, mut finding) in stated {
@@ -157,20 +157,20 @@ fn height(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<Finding>)
     Ok(())
 }
 
-/// How grave it is that a tool has no room. What planning itself lets through is told when its program is made.
+/// The severity of a tool without room. For plans of our own it is lower: their program reports it again.
 fn grave(context: &Context<'_>) -> Severity {
     if context.stated.own { Severity::Doubtful } else { Severity::Error }
 }
 
-struct Zone<'c, 'a> {
+struct ZoneCheck<'c, 'a> {
     context: &'c Context<'a>,
     approach: Micrometres,
     /// Height of what the part lies on.
     fixture: Micrometres,
 }
 
-impl Zone<'_, '_> {
-    /// Tools that have no room wherever the knee stands, each with what is to be said of it.
+impl ZoneCheck<'_, '_> {
+    /// Tools that have no room at any position of the knee, each with its finding.
     fn beyond(&self, reaches: &[Reach]) -> Result<Vec<(usize, Finding)>, KnowledgeError> {
         let machine = &self.context.shop.machine;
         let mut found = Vec::new();

@@ -11,7 +11,7 @@ use crate::units::Micrometres;
 use super::Reader;
 use crate::audit::file::{self, Card, Factors};
 use crate::audit::quantity::Quantity;
-use crate::audit::stated::{Clamping, Conditions, Factor, Row, Said};
+use crate::audit::stated::{Clamping, Conditions, Factor, Row, StatedValue};
 use crate::part::{Part, Point};
 use crate::plan::Limit;
 
@@ -97,7 +97,7 @@ impl Reader<'_> {
         };
         let mut factors = Vec::new();
         for (key, node) in entries {
-            let name = Said { value: key.text.clone(), place: key.place.clone() };
+            let name = StatedValue { value: key.text.clone(), place: key.place.clone() };
             let value = if node.is_null() { None } else { self.figure(node) };
             factors.push(Factor { name, value });
         }
@@ -107,7 +107,7 @@ impl Reader<'_> {
     pub(super) fn clamping(&mut self, node: &Node, rows: &[Row], part: &Part) -> Option<Clamping> {
         let mut fields = self.problems.map(node)?;
         let row = fields.take(file::Clamping::r#for).and_then(|node| match self.rows_named(node, rows).as_slice() {
-            [value] => Some(Said { value: *value, place: node.place.clone() }),
+            [value] => Some(StatedValue { value: *value, place: node.place.clone() }),
             [] => None,
             _ => {
                 let help = note!("planfile-name-one-whose-torque-largest");
@@ -118,7 +118,7 @@ impl Reader<'_> {
         let at = fields.take(file::Clamping::at).map(|node| self.points(node)).unwrap_or_default();
         let screw = self.text_of(&mut fields, file::Clamping::screw).map(|text| {
             // Cyrillic М is typed as often as the Latin letter.
-            Said { value: text.value.replace('М', "M"), ..text }
+            StatedValue { value: text.value.replace('М', "M"), ..text }
         });
         let designation = self.text_of(&mut fields, file::Clamping::designation);
         let standard = self.text_of(&mut fields, file::Clamping::standard);

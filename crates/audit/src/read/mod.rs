@@ -17,7 +17,7 @@ use crate::program::Language;
 use technolog_note::note;
 
 use super::file::{self, PlanFile};
-use super::stated::{Figures, Program, Said, Stated, Text};
+use super::stated::{Figures, Program, Stated, StatedValue, Text};
 use super::tolerance::Tolerances;
 
 /// Reads the files that a plan names, relative to it. An error is the reason.
@@ -252,7 +252,7 @@ impl Reader<'_> {
         if text.is_empty() {
             return self.problems.error("bad-value", note!("planfile-text-must-empty"), &node.place);
         }
-        Some(Said { value: text.to_owned(), place: node.place.clone() })
+        Some(StatedValue { value: text.to_owned(), place: node.place.clone() })
     }
 
     fn choice<T: Copy>(&mut self, node: &Node, choices: &[(&str, T)]) -> Option<T> {

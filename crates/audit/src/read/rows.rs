@@ -12,7 +12,7 @@ use technolog_note::note;
 use super::Reader;
 use crate::audit::file;
 use crate::audit::near::plain;
-use crate::audit::stated::{Row, Said, Text};
+use crate::audit::stated::{Row, StatedValue, Text};
 
 impl Reader<'_> {
     pub(super) fn rows(&mut self, node: &Node, part: &Part) -> Vec<Row> {
@@ -38,7 +38,7 @@ impl Reader<'_> {
             // By its name in tables, or as the report calls it: `drill`, `свердління`, `свердлити`.
             let named = node.text().and_then(|text| operation_named(text, Lang::UK));
             let value = named.or_else(|| self.choice(node, Operation::NAMES))?;
-            Some(Said { value, place: node.place.clone() })
+            Some(StatedValue { value, place: node.place.clone() })
         });
         let hole = self.hole(&mut fields, file::Row::hole, part);
         let feature = fields.take(file::Row::feature).and_then(|node| self.choice(node, &Feature::NAMES));
@@ -92,10 +92,10 @@ impl Reader<'_> {
     }
 
     /// `T2`, or `2`; the Cyrillic letter is typed as often.
-    pub(super) fn tool_number(&mut self, node: &Node) -> Option<Said<u32>> {
+    pub(super) fn tool_number(&mut self, node: &Node) -> Option<StatedValue<u32>> {
         let text = self.problems.text(node)?;
         match number_of_tool(text) {
-            Some(value) => Some(Said { value, place: node.place.clone() }),
+            Some(value) => Some(StatedValue { value, place: node.place.clone() }),
             None => {
                 let message = note!("planfile-no-tool", text = text);
                 self.problems.error_help("bad-value", message, &node.place, note!("planfile-name-by-place-t-t"))

@@ -8,7 +8,7 @@ use super::Reader;
 use super::rows::number_of_tool;
 use crate::audit::file;
 use crate::audit::quantity::Quantity;
-use crate::audit::stated::{Figure, Said, Tool};
+use crate::audit::stated::{Figure, StatedValue, Tool};
 
 impl Reader<'_> {
     /// Tools by their places: `T1: {…}`.
@@ -21,7 +21,7 @@ impl Reader<'_> {
         };
         let mut tools: Vec<Tool> = Vec::new();
         // Tools whose holder is that of another, with its number.
-        let mut shared: Vec<(u32, Said<u32>)> = Vec::new();
+        let mut shared: Vec<(u32, StatedValue<u32>)> = Vec::new();
         for (key, node) in entries {
             let Some(number) = number_of_tool(&key.text) else {
                 let message = note!("planfile-no-tool-2", key = key.text);
@@ -49,7 +49,7 @@ impl Reader<'_> {
     }
 
     /// `holder: T1`: the tool has the holder that T1 has.
-    fn share(&mut self, tools: &mut [Tool], number: u32, same: &Said<u32>) {
+    fn share(&mut self, tools: &mut [Tool], number: u32, same: &StatedValue<u32>) {
         let of = tools.iter().find(|tool| tool.number == same.value && tool.number != number && tool.holder.is_some());
         let Some(of) = of.cloned() else {
             let message = note!("planfile-t-has-no-holder-own", value = same.value);
@@ -59,8 +59,8 @@ impl Reader<'_> {
         };
         let Some(tool) = tools.iter_mut().find(|tool| tool.number == number) else { return };
         let place = || same.place.clone();
-        tool.holder = of.holder.map(|text| Said { place: place(), ..text });
-        tool.holder_standard = of.holder_standard.map(|text| Said { place: place(), ..text });
+        tool.holder = of.holder.map(|text| StatedValue { place: place(), ..text });
+        tool.holder_standard = of.holder_standard.map(|text| StatedValue { place: place(), ..text });
         let keys = file::Holder::KEYS.iter().filter_map(|key| Quantity::of_key(&format!("holder.{}", key.name())));
         for quantity in keys {
             let figure = of.figures.get(&quantity).cloned();
@@ -76,11 +76,11 @@ impl Reader<'_> {
         let shank = fields.take(file::Tool::shank).and_then(|node| {
             let names = ["cylindrical", "morse", "shell", "taper"].map(|name| (name, name));
             let value = self.choice(node, &names)?.to_owned();
-            Some(Said { value, place: node.place.clone() })
+            Some(StatedValue { value, place: node.place.clone() })
         });
         let correction_word = fields.take(file::Tool::with).and_then(|node| {
             let value = self.choice(node, &[("G43", "G43"), ("G44", "G44")])?.to_owned();
-            Some(Said { value, place: node.place.clone() })
+            Some(StatedValue { value, place: node.place.clone() })
         });
         let holder_node = fields.take(file::Tool::holder);
         let mut figures = self.figures(&mut fields);

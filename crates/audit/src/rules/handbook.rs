@@ -45,7 +45,7 @@ pub(super) fn add_all<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Re
 fn one<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result<(), KnowledgeError> {
     let stated = context.stated;
     let id = move |quantity| Id::new(Scope::Conditions(at), quantity);
-    // By cards only a tool life is held against the handbook.
+    // With cards, only the tool life is checked against the handbook.
     if stated.method != CuttingMethod::Formula && stated.figure(id(Q::ToolLife)).is_none() {
         return Ok(());
     }
@@ -252,7 +252,7 @@ fn judged(context: &Context<'_>, quantity: Q, value: f64, by_formula: f64) -> Ju
     let severity = asked.winner().ok()??.severity;
     let nature = nature(value, by_formula);
     let code = match quantity {
-        // A slip of the comma or of the sign is told as what it is.
+        // A misplaced decimal point or a wrong sign is reported as such.
         _ if severity == Severity::Wrong && nature != Nature::Figure => nature.code(),
         Q::ToolLife => "audit-tool-life",
         _ => "audit-by-formula",

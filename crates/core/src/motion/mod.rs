@@ -1,10 +1,10 @@
 //! The canonical motions: what planning makes, controls print, interpreters emit, drawings, traces and times consume.
 //!
-//! A [`Step`] is one thing the machine does and where its axes stand after it. Whoever wants the steps is a [`Sink`];
+//! A [`MotionStep`] is one thing the machine does and where its axes stand after it. A consumer of steps is a [`Sink`];
 //! two sinks stand here, [`trace::Trace`] (a text) and [`time::Clock`] (a sum of times). The numbering of steps is the
 //! sink's own affair: the same steps may go to several.
 //!
-//! Architecture invariant: a motion knows no language of a control and no reason of a plan.
+//! Architecture invariant: a motion depends on no control and on no plan.
 
 pub mod geometry;
 pub mod time;
@@ -222,7 +222,7 @@ pub struct BlockRef {
 
 /// A motion, where the axes stand after it, and where it was asked for.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Step {
+pub struct MotionStep {
     /// What is done.
     #[serde(flatten)]
     pub motion: Motion,
@@ -233,27 +233,27 @@ pub struct Step {
     pub block: BlockRef,
 }
 
-/// Whoever wants the steps.
+/// A consumer of steps.
 pub trait Sink {
     /// One more step has been made.
-    fn take(&mut self, step: &Step);
+    fn take(&mut self, step: &MotionStep);
 }
 
-impl Sink for Vec<Step> {
-    fn take(&mut self, step: &Step) {
+impl Sink for Vec<MotionStep> {
+    fn take(&mut self, step: &MotionStep) {
         self.push(step.clone());
     }
 }
 
 impl<A: Sink, B: Sink> Sink for (A, B) {
-    fn take(&mut self, step: &Step) {
+    fn take(&mut self, step: &MotionStep) {
         self.0.take(step);
         self.1.take(step);
     }
 }
 
 impl<S: Sink + ?Sized> Sink for &mut S {
-    fn take(&mut self, step: &Step) {
+    fn take(&mut self, step: &MotionStep) {
         (**self).take(step);
     }
 }

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Axis, Motion, Position, Sink, Step, geometry};
+use super::{Axis, Motion, MotionStep, Position, Sink, geometry};
 use crate::machine::{Machine, Rapid};
 use crate::units::Minutes;
 
@@ -60,7 +60,7 @@ impl Clock {
 }
 
 impl Sink for Clock {
-    fn take(&mut self, step: &Step) {
+    fn take(&mut self, step: &MotionStep) {
         match &step.motion {
             Motion::Rapid => {
                 let farthest = Axis::ALL.map(|axis| (step.at.get(axis) - self.at.get(axis)).abs()).into_iter().max();

@@ -1,11 +1,11 @@
-//! The trace of a program: one line per step, in words that are the same in every language.
+//! The trace of a program: one line per step, in a fixed, language-independent form.
 //!
 //! A line is `line block motion position details`. The position names every axis, so that two traces can be compared
 //! line by line.
 
 use std::fmt::Write;
 
-use super::{Motion, Position, Sense, Side, Sink, Step, Turning};
+use super::{Motion, MotionStep, Position, Sense, Side, Sink, Turning};
 use crate::units::{Decimal, MillimetresPerMinute};
 
 /// A sink that writes lines.
@@ -22,7 +22,7 @@ impl Trace {
 }
 
 impl Sink for Trace {
-    fn take(&mut self, step: &Step) {
+    fn take(&mut self, step: &MotionStep) {
         put(&mut self.text, step);
         self.text.push('\n');
     }
@@ -34,7 +34,7 @@ pub fn position(at: Position) -> String {
 }
 
 /// A step as a line without its end.
-pub fn line(step: &Step) -> String {
+pub fn line(step: &MotionStep) -> String {
     let mut text = String::new();
     put(&mut text, step);
     text
@@ -42,7 +42,7 @@ pub fn line(step: &Step) -> String {
 
 /// Puts the line of a step behind a text. A full memory of the control makes thousands of them, so nothing is made
 /// beside that text; writing into a String cannot fail.
-fn put(text: &mut String, step: &Step) {
+fn put(text: &mut String, step: &MotionStep) {
     let line = step.block.line;
     text.push_str(match line {
         0..10 => "   ",

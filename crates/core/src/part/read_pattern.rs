@@ -9,7 +9,7 @@ use super::Point;
 use super::file::hole as form;
 use super::read::Reader;
 
-/// More points than this are a slip of the keyboard: a day would not drill them.
+/// More points than this are a slip of the keyboard: no machine drills that many in a day.
 const MOST_POINTS: usize = 10_000;
 /// Beyond a kilometre a point is off every blank, and the figures need not be exact.
 const FARTHEST_UM: f64 = 1e9;

@@ -18,8 +18,8 @@ mod route;
 
 pub use crate::knowledge::vocabulary::{CuttingMethod, Operation};
 pub use crate::tables::rules::VisitingMethod;
-pub use order::{Mixture, Stop, Times, Visit, Visiting};
-pub use route::{Achieved, Alternative, Feature, Made, Route, Way};
+pub use order::{Mixture, Stop, Times, ToolVisit, Visiting};
+pub use route::{Achieved, Alternative, AlternativeStep, Feature, Route, RouteSource};
 
 /// What holds cutting conditions back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
@@ -82,7 +82,7 @@ pub struct Plan {
     /// How the part is clamped; absent when no hole could be planned.
     pub clamping: Option<Clamping>,
     /// Which tool visits which points, in order.
-    pub sequence: Vec<Visit>,
+    pub sequence: Vec<ToolVisit>,
     /// How section 1.3.1 of the textbook would visit the holes of each group of more than one tool.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub visiting: Vec<Visiting>,

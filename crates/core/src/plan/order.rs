@@ -10,7 +10,7 @@ use crate::units::{Micrometres, Minutes};
 
 /// One tool's visit to the points of one or more groups.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Visit {
+pub struct ToolVisit {
     /// The tool.
     pub tool: u32,
     /// The set-up, from 1: the second is on the back face.

@@ -8,10 +8,10 @@ use crate::units::{ItGrade, Micrometres, Minutes, Roughness};
 
 use super::Operation;
 
-/// The three independent ways to a route.
+/// The three independent sources of a route.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
-pub enum Way {
+pub enum RouteSource {
     /// The scheme tables A.6 to A.10.
     Tables,
     /// The complexes of transitions A.4 and A.5.
@@ -71,8 +71,8 @@ pub struct Achieved {
 /// The route of a group.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Route {
-    /// Which way it was found.
-    pub way: Way,
+    /// Which source gave it.
+    pub way: RouteSource,
     /// The table it was found in: `A.8`, `A.9`, `A.10`, `A.5`; of the search the rule `next-transition`.
     pub table: String,
     /// The scheme of A.7, `07` or `04 + centre`; the complex of A.5; of the search its transitions.
@@ -108,7 +108,7 @@ impl Route {
 
 /// A transition of a route that was not taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
-pub struct Made {
+pub struct AlternativeStep {
     /// What is done.
     pub operation: Operation,
     /// The diameter it leaves, mm.
@@ -118,14 +118,14 @@ pub struct Made {
 /// A route that was not taken.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Alternative {
-    /// Which way it was found.
-    pub way: Way,
+    /// Which source gave it.
+    pub way: RouteSource,
     /// Its table.
     pub table: String,
     /// Its scheme.
     pub scheme: String,
     /// Its transitions with the diameters they leave, where they could be found.
-    pub operations: Vec<Made>,
+    pub operations: Vec<AlternativeStep>,
     /// Its time as of [`Route::time_min`]; absent when it cannot be carried out.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub time_min: Option<Minutes>,

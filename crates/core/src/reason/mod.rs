@@ -1,5 +1,5 @@
-//! Why something cannot be done, as types with their figures: planning goes by these, and only here a sentence is made of
-//! one.
+//! Why something cannot be done, as types with their figures: planning decides by these, and only here a sentence is
+//! made of one.
 //!
 //! - [`Reason`]: why a hole, or a part of it, cannot be made by a route, and why a route is not taken;
 //! - [`Unfit`]: why a cutter or a holder does not do; [`Uncut`]: why there are no cutting conditions.

@@ -18,9 +18,9 @@ use crate::shop::Shop;
 use crate::units::{Micrometres, Minutes, round_to};
 
 use super::fit::Fitted;
-use super::options::{Choice, Options, Refused};
+use super::options::{Choice, Options, RefusedRoute};
 
-/// The most rounds of reconsidering; each must make the whole part better, so it ends by itself.
+/// The most rounds of improvement. Each must make the whole part better, so the loop ends anyway.
 const ROUNDS: usize = 8;
 
 /// A tool as the magazine counts it; the centring drill is one for all holes.
@@ -313,7 +313,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
             .first()
             .and_then(|runner_up| runner_up.time_min)
             .map(|runner_up| Minutes(runner_up.0 - time.0).rounded(3));
-        alternatives.extend(options.refused.iter().map(Refused::told));
+        alternatives.extend(options.refused.iter().map(RefusedRoute::told));
         let cost = self.shop.machine.minute_rate.map(|rate| round_to(time.0 * rate, 2));
         Some(Weighed { time: time.rounded(3), cost, margin, alternatives })
     }

@@ -1,4 +1,4 @@
-//! Gives the steps of one hole their cutters, holders and conditions, or says why one cannot have them.
+//! Gives the steps of one hole their cutters, holders and conditions, or says why that is impossible.
 
 mod centring;
 mod one_drill;
@@ -16,7 +16,7 @@ use crate::part::{Hole, Part};
 use crate::plan::{Conditions, Feature, Operation};
 use crate::reason::Reason;
 use crate::route::bores::Edge;
-use crate::route::{Place, Step};
+use crate::route::{RouteStep, StepLocation};
 use crate::shop::Shop;
 use crate::tables::holes::HoleDefault;
 use crate::tables::rules::{Lead, ReamerLeadFor};
@@ -31,7 +31,7 @@ use reach::point_angle;
 #[derive(Clone, Debug)]
 pub(super) struct Fitted {
     /// Its reasons stand among all those below.
-    pub step: Step,
+    pub step: RouteStep,
     /// Absent for centring until the whole part is known.
     pub tool: Option<Rc<FittedTool>>,
     pub travel: Micrometres,
@@ -68,9 +68,9 @@ pub(super) struct Outfit {
 
 /// What the outfit of a step depends on; the routes of one hole share most of their steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct Key {
+struct OutfitKey {
     operation: Operation,
-    place: Place,
+    place: StepLocation,
     diameter: Micrometres,
     nominal: Micrometres,
     from: Micrometres,
@@ -104,7 +104,7 @@ pub(super) struct Fitting<'p, 'k> {
     grind_limit: Micrometres,
     /// Lead of a tap, pitches.
     tap_lead: f64,
-    known: RefCell<BTreeMap<Key, Result<Outfit, Reason>>>,
+    known: RefCell<BTreeMap<OutfitKey, Result<Outfit, Reason>>>,
     /// The conditions of the spots that were asked for.
     spots: RefCell<BTreeMap<SpotKey, Rc<Conditions>>>,
     /// The single drills that second ones were compared with; none where there are no conditions for them.
@@ -112,7 +112,7 @@ pub(super) struct Fitting<'p, 'k> {
 }
 
 /// What the conditions of a spot depend on: its step's place, its diameter and that before it, its passes, and the travel.
-type SpotKey = (Place, Micrometres, Micrometres, u32, Micrometres);
+type SpotKey = (StepLocation, Micrometres, Micrometres, u32, Micrometres);
 
 impl<'p, 'k> Fitting<'p, 'k> {
     /// Approach, overrun, surface and reamer lead by their rules.
@@ -149,7 +149,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
     }
 
     /// Fits every step of a hole in their order; the first that cannot be fitted says why.
-    pub fn fit(&self, steps: Vec<Step>, finish_elsewhere: bool) -> Tried<Vec<Fitted>> {
+    pub fn fit(&self, steps: Vec<RouteStep>, finish_elsewhere: bool) -> Tried<Vec<Fitted>> {
         let drill = steps.iter().find(|step| step.operation == Operation::Drill).map(|step| step.diameter);
         let mut fitted = Vec::with_capacity(steps.len());
         let mut left = steps.into_iter();
@@ -169,8 +169,8 @@ impl<'p, 'k> Fitting<'p, 'k> {
     }
 
     /// The cutter, conditions and travel of a step that is not centring.
-    pub fn outfit(&self, step: &Step, follows: Option<Operation>, last: bool) -> Tried<Outfit> {
-        let key = Key {
+    pub fn outfit(&self, step: &RouteStep, follows: Option<Operation>, last: bool) -> Tried<Outfit> {
+        let key = OutfitKey {
             operation: step.operation,
             place: step.place,
             diameter: step.diameter,
@@ -198,7 +198,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
     }
 
     /// One step that is not centring.
-    pub fn one(&self, mut step: Step, follows: Option<Operation>, last: bool) -> Tried<Fitted> {
+    pub fn one(&self, mut step: RouteStep, follows: Option<Operation>, last: bool) -> Tried<Fitted> {
         let Outfit { tool, travel, conditions, doubts } = self.outfit(&step, follows, last)?;
         let mut because = std::mem::take(&mut step.because);
         let (approach, _, reason) = self.travels(step.place.through);
@@ -209,7 +209,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
     }
 
     /// The conventions that the lengths of a step rest on.
-    fn conventions(&self, step: &Step) -> Result<Vec<Because>, KnowledgeError> {
+    fn conventions(&self, step: &RouteStep) -> Result<Vec<Because>, KnowledgeError> {
         let mut because = Vec::new();
         let mut cite = |name, note: Note| -> Result<(), KnowledgeError> {
             because.push(Because::row(self.shop.default_row(name)?.row, note));
@@ -233,7 +233,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         Ok(because)
     }
 
-    fn new_outfit(&self, step: &Step, follows: Option<Operation>, last: bool) -> Tried<Outfit> {
+    fn new_outfit(&self, step: &RouteStep, follows: Option<Operation>, last: bool) -> Tried<Outfit> {
         // Another machine has other limits, which are not known here.
         let other = step.elsewhere.then(|| self.shop.without_limits());
         let shop = other.as_ref().unwrap_or(self.shop);
@@ -306,7 +306,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
     }
 
     /// A milled cylinder is as round as the machine makes it, which may take a share of the tolerance.
-    fn round_enough(&self, step: &Step) -> Tried<()> {
+    fn round_enough(&self, step: &RouteStep) -> Tried<()> {
         let Some(roundness) = self.shop.machine.roundness else { return Ok(()) };
         let tolerance = match step.place.step {
             Some(number) => self.hole.steps.get(number - 1).map(|step| (&step.diameter.upper, &step.diameter.lower)),
@@ -326,7 +326,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         Ok(())
     }
 
-    fn cut(&self, step: &Step, follows: Option<Operation>, material: ToolMaterial, travel: Micrometres) -> Cut {
+    fn cut(&self, step: &RouteStep, follows: Option<Operation>, material: ToolMaterial, travel: Micrometres) -> Cut {
         Cut {
             operation: step.operation,
             diameter: step.also.unwrap_or(step.diameter),
@@ -349,12 +349,12 @@ impl<'p, 'k> Fitting<'p, 'k> {
     }
 }
 
-/// How far the tool of somebody's step goes in one pass, and how far above the metal its feed begins.
+/// The feed travel of a step in one pass, and the approach above the metal.
 ///
 /// # Errors
 /// The knowledge cannot answer.
 pub fn way(
-    step: &Step,
+    step: &RouteStep,
     hole: &Hole,
     part: &Part,
     shop: &Shop<'_>,
@@ -365,12 +365,12 @@ pub fn way(
 
 /// The grade and surface that a step must leave: by a last single pass; passes before it, and stock for another machine, need
 /// no finish feed.
-fn left_by(step: &Step, last: bool) -> Option<(ItGrade, Roughness)> {
+fn left_by(step: &RouteStep, last: bool) -> Option<(ItGrade, Roughness)> {
     step.asks.filter(|_| last && step.passes == 1)
 }
 
 /// The cylinder a step works on: a thread is that of its hole.
-fn cylinder(step: &Step) -> Feature {
+fn cylinder(step: &RouteStep) -> Feature {
     match step.place.feature {
         Feature::Thread if step.place.step.is_none() => Feature::Bore,
         Feature::Thread => Feature::Step,

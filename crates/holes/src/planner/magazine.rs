@@ -10,14 +10,14 @@ use crate::shop::Shop;
 use crate::tooling::{self, CutterNeed};
 use crate::units::{Micrometres, round_to};
 
-use super::Draft;
+use super::HoleDraft;
 use super::fit::{Fitted, FittedTool, Fitting, widest_spot};
 
 /// Chooses the centring tool for all holes it serves: the smallest drill of A.14 that makes every
 /// chamfer, or is wider than every first drill.
 pub(super) fn choose_centre_drill(
     part: &Part,
-    drafts: &mut [Draft],
+    drafts: &mut [HoleDraft],
     shop: &Shop<'_>,
     findings: &mut Vec<Finding>,
 ) -> Result<(), KnowledgeError> {
@@ -88,7 +88,7 @@ fn same(a: &FittedTool, b: &FittedTool) -> bool {
 /// Numbers the tools in the order in which the holes need them, and computes their corrections.
 pub(super) fn number_tools(
     part: &Part,
-    drafts: Vec<Draft>,
+    drafts: Vec<HoleDraft>,
     shop: &Shop<'_>,
     findings: &mut Vec<Finding>,
 ) -> (Vec<HolePlan>, Vec<ToolPlan>) {
@@ -156,7 +156,7 @@ pub(super) fn number_tools(
 }
 
 /// A tool's rank is the longest chain of tools before it in any hole.
-fn rank(tools: &mut [(usize, Rc<FittedTool>)], drafts: &[Draft]) {
+fn rank(tools: &mut [(usize, Rc<FittedTool>)], drafts: &[HoleDraft]) {
     // Every pass can lengthen a chain by one; a chain longer than the tools would be a circle.
     for _ in 0..tools.len() {
         for draft in drafts {

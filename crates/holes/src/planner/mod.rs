@@ -13,8 +13,8 @@ mod choose;
 mod fit;
 mod magazine;
 mod options;
+mod sources;
 mod step_drill;
-mod ways;
 mod whole;
 
 use crate::error::{KnowledgeError, Refusal};
@@ -32,8 +32,8 @@ pub use fit::way;
 use fit::{Fitted, Fitting};
 use options::{Choice, Options};
 
-/// A group of holes on the way: its route and fitted steps, when one was accepted.
-struct Draft {
+/// The plan of a group under construction: its route and fitted steps, where one was accepted.
+struct HoleDraft {
     route: Option<Route>,
     steps: Vec<Fitted>,
 }
@@ -48,7 +48,7 @@ pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result
     let mut findings = Vec::new();
     let drills = tooling::drill_sizes(&shop)?;
     let mut order: Vec<usize> = (0..part.holes.len()).collect();
-    // By what a group is, not by what it is called: names only tell equal groups apart.
+    // Sorted by the figures of a group, not by its name; names only break ties.
     order.sort_by_cached_key(|&index| {
         let hole = &part.holes[index];
         let (it, roughness) = (hole.diameter.it, hole.roughness);
@@ -113,11 +113,11 @@ fn draft(
     chooser: &mut Chooser<'_, '_>,
     shop: &Shop<'_>,
     findings: &mut Vec<Finding>,
-) -> Result<Draft, KnowledgeError> {
+) -> Result<HoleDraft, KnowledgeError> {
     let mut report = |severity, note| findings.push(Finding::of_hole(severity, &hole.name, note));
     let weighed = chooser.weighed(index);
     let chosen = chooser.chosen[index];
-    let Some(options) = &chooser.options[index] else { return Ok(Draft { route: None, steps: Vec::new() }) };
+    let Some(options) = &chooser.options[index] else { return Ok(HoleDraft { route: None, steps: Vec::new() }) };
     for note in &options.impossible {
         report(Severity::Error, note.clone());
     }
@@ -140,7 +140,7 @@ fn draft(
             };
             report(Severity::Error, note);
         }
-        return Ok(Draft { route: None, steps: Vec::new() });
+        return Ok(HoleDraft { route: None, steps: Vec::new() });
     };
     let steps = choice.steps.clone();
     if choice.candidate.finish_elsewhere {
@@ -177,7 +177,7 @@ fn draft(
     for note in fitting.beyond(&steps, part.blank.thickness) {
         report(Severity::Error, note);
     }
-    Ok(Draft { route: Some(route(choice, options, weighed)), steps })
+    Ok(HoleDraft { route: Some(route(choice, options, weighed)), steps })
 }
 
 /// Why the routes of a group were refused: each reason once, with the schemes it kept out.

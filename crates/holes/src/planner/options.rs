@@ -1,4 +1,4 @@
-//! Every route a group of holes may take, each with its tools, conditions and time; the ways to them stand in [`super::ways`].
+//! Every route a group of holes may take, each with its tools, conditions and time; [`super::sources`] finds them.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -6,12 +6,12 @@ use std::collections::BTreeMap;
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Because, Note};
 use crate::part::{Hole, Part};
-use crate::plan::{Alternative, Made, Way};
+use crate::plan::{Alternative, AlternativeStep, RouteSource};
 use crate::reason::Reason;
-use crate::route::auxiliary::{self, Kind};
+use crate::route::auxiliary::{self, AuxiliaryKind};
 use crate::route::bores;
 use crate::route::diameters::Sizes;
-use crate::route::scheme::{self, Question};
+use crate::route::scheme::{self, SchemeQuestion};
 use crate::route::{Candidate, accuracy};
 use crate::shop::Shop;
 use crate::tables::holes::StagedHole;
@@ -20,7 +20,7 @@ use crate::tooling::DrillSize;
 use crate::units::{Micrometres, Minutes};
 
 use super::fit::{Fitted, Fitting};
-use super::ways::{none, refused};
+use super::sources::{none, refused};
 use super::whole::{Finder, edges, hops, smallest_bore};
 
 /// A route that can be carried out.
@@ -28,7 +28,7 @@ use super::whole::{Finder, edges, hops, smallest_bore};
 pub(super) struct Choice {
     pub candidate: Candidate,
     pub steps: Vec<Fitted>,
-    /// What of grade, roughness and position it does not hold.
+    /// The requirements of grade, roughness and position that it misses.
     pub misses: Vec<Note>,
     /// Cutting and rapids of all holes of the group, without tool changes.
     pub own: Minutes,
@@ -47,20 +47,20 @@ impl Choice {
 
 /// A route that cannot be carried out, or is barred by a rule, and why.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Refused {
-    pub way: Way,
+pub(super) struct RefusedRoute {
+    pub way: RouteSource,
     pub table: String,
     /// Empty where a way has no scheme at all.
     pub scheme: String,
     /// What it would do, where that is known.
-    pub operations: Vec<Made>,
+    pub operations: Vec<AlternativeStep>,
     /// Whether it would hold grade, roughness and position.
     pub meets: bool,
     pub why: Reason,
 }
 
-impl Refused {
-    /// As plans tell it.
+impl RefusedRoute {
+    /// As a plan shows it.
     pub fn told(&self) -> Alternative {
         Alternative {
             way: self.way,
@@ -81,7 +81,7 @@ pub(super) struct Options {
     /// What can be carried out.
     pub choices: Vec<Choice>,
     /// What cannot, or is barred by a rule, with the reason.
-    pub refused: Vec<Refused>,
+    pub refused: Vec<RefusedRoute>,
     /// The tolerance on centre distances the tables were asked with.
     pub centre_tolerance: Micrometres,
     /// The row of A.6, or that it has none.
@@ -98,8 +98,9 @@ pub(super) struct Options {
 
 impl Options {
     /// The transitions of a choice with their diameters, as plans show them.
-    pub fn operations(choice: &Choice) -> Vec<Made> {
-        let made = |fitted: &Fitted| Made { operation: fitted.step.operation, diameter_mm: fitted.step.diameter };
+    pub fn operations(choice: &Choice) -> Vec<AlternativeStep> {
+        let made =
+            |fitted: &Fitted| AlternativeStep { operation: fitted.step.operation, diameter_mm: fitted.step.diameter };
         choice.steps.iter().map(made).collect()
     }
 }
@@ -126,7 +127,7 @@ pub(super) fn options(
     let loss = rough_face.as_ref().map_or(0.0, |(loss, _)| *loss);
     let centre_tolerance = Micrometres::from_mm_rounded(written.to_mm() / (1.0 + loss));
     let position = part.position_tolerance.unwrap_or(written);
-    let question = Question {
+    let question = SchemeQuestion {
         bore: main,
         centre_tolerance,
         drawn_tolerance: written,
@@ -158,7 +159,7 @@ pub(super) fn options(
         centred_edge: fitting.edge_by_centring()?,
     };
     let kind = finder.auxiliary_kind();
-    let stage_name = kind.map_or(StagedHole::Plain, Kind::stage_name);
+    let stage_name = kind.map_or(StagedHole::Plain, AuxiliaryKind::stage_name);
     let asked = if kind.is_some() { auxiliary::diameter(&finder.question) } else { main.diameter.nominal };
     let (stages, stages_end_elsewhere) = scheme::stages(&finder.question, stage_name, asked, shop)?;
     if stages_end_elsewhere {
@@ -195,7 +196,7 @@ pub(super) fn options(
     {
         let needed = fitting.drill_reach(&main.place, short.diameter);
         let why = Reason::DrillsTooShort { diameter: short.diameter, reach: short.reach, needed };
-        options.refused.push(none(Way::Search, "next-transition", why));
+        options.refused.push(none(RouteSource::Search, "next-transition", why));
     }
     finder.boring_stands_back(&mut options)?;
     if let Some((_, because)) = rough_face {
@@ -213,7 +214,7 @@ impl Finder<'_, '_> {
     fn boring_stands_back(&self, options: &mut Options) -> Result<(), KnowledgeError> {
         let asked = self.boring_asked()?;
         let bores = |choice: &Choice| choice.candidate.transitions.iter().any(|operation| operation.is_boring());
-        let stands_back = |choice: &Choice| choice.candidate.way != Way::Tables && bores(choice) != asked;
+        let stands_back = |choice: &Choice| choice.candidate.way != RouteSource::Tables && bores(choice) != asked;
         options.not_bored = !asked && self.close()?;
         let other = options.choices.iter().any(|choice| choice.meets() && !stands_back(choice));
         if !other {
@@ -227,7 +228,7 @@ impl Finder<'_, '_> {
         for choice in back {
             let operations = Options::operations(&choice);
             let refused = refused(&choice.candidate, why.clone());
-            options.refused.push(Refused { operations, meets: choice.meets(), ..refused });
+            options.refused.push(RefusedRoute { operations, meets: choice.meets(), ..refused });
         }
         Ok(())
     }
@@ -250,7 +251,7 @@ impl Finder<'_, '_> {
 }
 
 /// The largest drill of a size that a route lacked and the catalogs have, but too short.
-fn too_short(refused: &[Refused], all: &[DrillSize], reaching: &[Micrometres]) -> Option<DrillSize> {
+fn too_short(refused: &[RefusedRoute], all: &[DrillSize], reaching: &[Micrometres]) -> Option<DrillSize> {
     let lacked = refused.iter().find_map(|other| match other.why {
         Reason::NoDrillInAllowance { low, high, .. } => Some(low..=high),
         _ => None,

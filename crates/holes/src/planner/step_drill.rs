@@ -5,7 +5,7 @@ use crate::part::Face;
 use crate::plan::{Feature, Operation};
 use crate::reason::Reason;
 use crate::route::bores::Bore;
-use crate::route::{Candidate, Step};
+use crate::route::{Candidate, RouteStep};
 use crate::units::Micrometres;
 
 use super::whole::Finder;
@@ -30,7 +30,7 @@ impl Finder<'_, '_> {
     }
 
     /// Lets the drill make the opening too; which one, or why no step drill does.
-    pub fn join(&self, steps: &mut [Step], centring_makes_edge: bool) -> Tried<Option<Feature>> {
+    pub fn join(&self, steps: &mut [RouteStep], centring_makes_edge: bool) -> Tried<Option<Feature>> {
         let Some(drill) = steps.iter_mut().find(|step| step.operation == Operation::Drill) else {
             return Err(Refusal::Not(Reason::NothingToStep));
         };

@@ -11,8 +11,8 @@ use crate::plan::{Conditions, Feature, Operation};
 use crate::reason::Reason;
 use crate::route::bores::{self, Bore, Task};
 use crate::route::diameters::{self, Sizes};
-use crate::route::scheme::Question;
-use crate::route::{Candidate, Remark, Step, accuracy, openings, order};
+use crate::route::scheme::SchemeQuestion;
+use crate::route::{Candidate, Remark, RouteStep, accuracy, openings, order};
 use crate::shop::Shop;
 use crate::tables::holes::SchemesOfMainHole;
 use crate::tables::rules::TransitionOrder;
@@ -21,14 +21,14 @@ use crate::units::{ItGrade, Micrometres, Minutes};
 use super::fit::{Fitted, Fitting};
 
 /// The steps that open a wider cylinder, or why nothing does.
-type Opened = Result<Vec<Step>, Reason>;
+type Opened = Result<Vec<RouteStep>, Reason>;
 
 /// What the routes of one group are found with.
 pub(super) struct Finder<'a, 'k> {
     pub hole: &'a Hole,
     pub task: &'a Task,
     pub fitting: &'a Fitting<'a, 'k>,
-    pub question: Question<'a>,
+    pub question: SchemeQuestion<'a>,
     pub sizes: Sizes<'a>,
     pub position: accuracy::Position,
     pub shop: &'a Shop<'k>,
@@ -36,7 +36,7 @@ pub(super) struct Finder<'a, 'k> {
     pub opened: RefCell<BTreeMap<(usize, Micrometres), Opened>>,
     pub hops: Minutes,
     /// The step that cuts each edge, or why none does.
-    pub edges: Vec<Result<Step, Reason>>,
+    pub edges: Vec<Result<RouteStep, Reason>>,
     /// The finest grade that drilling holds, by A.1.
     pub drilled: ItGrade,
     /// Whether a flat floor is made, where one is asked; not where no mill can.
@@ -47,7 +47,7 @@ pub(super) struct Finder<'a, 'k> {
 
 impl Finder<'_, '_> {
     /// Time of steps for all holes of the group, each step with a tool change of its own.
-    pub fn cost(&self, steps: &[Step]) -> Tried<Minutes> {
+    pub fn cost(&self, steps: &[RouteStep]) -> Tried<Minutes> {
         let mut minutes = 0.0;
         for step in steps {
             minutes += self.shop.machine.tool_change.0 + self.hops.0;
@@ -65,7 +65,7 @@ impl Finder<'_, '_> {
         self.time_of(&fitted.step, fitted.travel, &fitted.conditions)
     }
 
-    fn time_of(&self, step: &Step, travel: Micrometres, conditions: &Conditions) -> f64 {
+    fn time_of(&self, step: &RouteStep, travel: Micrometres, conditions: &Conditions) -> f64 {
         if step.elsewhere {
             return 0.0;
         }
@@ -104,7 +104,7 @@ impl Finder<'_, '_> {
                     }
                     return Ok(fitted);
                 }
-                // The first reason is the one to tell: the other attempts are only ways around it.
+                // The first reason is reported: the other attempts only try to avoid it.
                 Err(why) => {
                     first_why.get_or_insert(why);
                 }
@@ -115,7 +115,7 @@ impl Finder<'_, '_> {
 
     /// Adds openings, edges and the floor to the steps of the main cylinder, in the order of section 1.1.2,
     /// and fits them all.
-    fn whole(&self, mut steps: Vec<Step>, candidate: &Candidate, joined: bool) -> Tried<Vec<Fitted>> {
+    fn whole(&self, mut steps: Vec<RouteStep>, candidate: &Candidate, joined: bool) -> Tried<Vec<Fitted>> {
         let main = &self.task.main;
         for step in &mut steps {
             step.asks = Some((main.diameter.it, main.roughness));
@@ -155,7 +155,7 @@ impl Finder<'_, '_> {
 
     /// What is done to a cylinder after wider ones above it were opened begins below them; what finishes the
     /// main cylinder ends where those of the back face begin.
-    fn within_its_cylinder(&self, steps: &mut [Step]) {
+    fn within_its_cylinder(&self, steps: &mut [RouteStep]) {
         let back = self.task.wider.iter().filter(|bore| bore.place.face == Face::Back);
         let main_end = back.map(|bore| self.task.main.place.depth - bore.place.depth).min();
         // The cylinders opened so far: diameter and depth.
@@ -195,12 +195,12 @@ impl Finder<'_, '_> {
     }
 
     /// A flat floor: drills and core drills stop where their points touch it, and an end mill goes round on it.
-    fn flat_floor(&self, steps: &mut Vec<Step>) -> Tried<()> {
+    fn flat_floor(&self, steps: &mut Vec<RouteStep>) -> Tried<()> {
         if !self.task.main.flat {
             return Ok(());
         }
         let pointed =
-            |step: &Step| matches!(step.operation, Operation::Drill | Operation::DrillOut | Operation::CoreDrill);
+            |step: &RouteStep| matches!(step.operation, Operation::Drill | Operation::DrillOut | Operation::CoreDrill);
         let Some(last) = steps.iter().rposition(pointed) else { return Ok(()) };
         let (diameter, depth, whole) = (steps[last].diameter, steps[last].place.depth, steps[last].place);
         for step in steps[..=last].iter_mut().filter(|step| pointed(step)) {
@@ -212,7 +212,7 @@ impl Finder<'_, '_> {
         }
         let stop = steps[..=last].iter().filter(|step| pointed(step)).map(|step| step.place.depth).min();
         let stop = stop.unwrap_or(depth);
-        let mut floor = Step::plain(Operation::Mill, whole, diameter, diameter);
+        let mut floor = RouteStep::plain(Operation::Mill, whole, diameter, diameter);
         floor.place.start = stop;
         floor.because.push(Because::table(
             self.shop.knowledge.table_of::<TransitionOrder<'_>>()?,
@@ -223,7 +223,7 @@ impl Finder<'_, '_> {
     }
 
     /// The quickest way to open a wider cylinder from a diameter.
-    fn open(&self, index: usize, bore: &Bore, start: Micrometres) -> Tried<Vec<Step>> {
+    fn open(&self, index: usize, bore: &Bore, start: Micrometres) -> Tried<Vec<RouteStep>> {
         if let Some(known) = self.opened.borrow().get(&(index, start)) {
             return known.clone().map_err(Refusal::Not);
         }
@@ -232,12 +232,12 @@ impl Finder<'_, '_> {
         found.map_err(Refusal::Not)
     }
 
-    fn opening(&self, bore: &Bore, start: Micrometres) -> Tried<Vec<Step>> {
-        let question = Question { bore, ..self.question };
+    fn opening(&self, bore: &Bore, start: Micrometres) -> Tried<Vec<RouteStep>> {
+        let question = SchemeQuestion { bore, ..self.question };
         let sizes = Sizes { start: Some(start), ..self.sizes };
-        let cost = |steps: &[Step]| self.cost(steps);
+        let cost = |steps: &[RouteStep]| self.cost(steps);
         let asked = self.boring_asked()?;
-        let mut best: Option<((bool, bool, Minutes), Vec<Step>)> = None;
+        let mut best: Option<((bool, bool, Minutes), Vec<RouteStep>)> = None;
         let mut why = None;
         for candidate in openings::candidates(bore, &question, &sizes, &cost, self.shop)? {
             for bore_large in [false, true] {
@@ -294,10 +294,10 @@ pub(super) fn edges(
     task: &Task,
     fitting: &Fitting<'_, '_>,
     shop: &Shop<'_>,
-) -> Result<Vec<Result<Step, Reason>>, KnowledgeError> {
+) -> Result<Vec<Result<RouteStep, Reason>>, KnowledgeError> {
     let mut steps = Vec::with_capacity(task.edges.len());
     for edge in &task.edges {
-        let cut = |operation: Option<Operation>| -> Tried<Step> {
+        let cut = |operation: Option<Operation>| -> Tried<RouteStep> {
             let mut step = openings::edge(edge, edge.around, shop)?;
             step.operation = operation.unwrap_or(step.operation);
             fitting.one(step.clone(), None, false)?;
@@ -313,7 +313,7 @@ pub(super) fn edges(
 }
 
 /// Over a flat shoulder a drill stops where the rim of its point touches it; what is left is cut flat after it.
-fn cone_above_shoulder(steps: &mut [Step], bore: &Bore, start: Micrometres, fitting: &Fitting<'_, '_>) {
+fn cone_above_shoulder(steps: &mut [RouteStep], bore: &Bore, start: Micrometres, fitting: &Fitting<'_, '_>) {
     if !bore.flat {
         return;
     }
@@ -333,8 +333,8 @@ fn finishes(operation: Operation) -> bool {
 }
 
 /// The diameter the main cylinder has when the openings are made: after its roughing.
-fn roughed(steps: &[Step]) -> Micrometres {
-    let rough = |step: &&Step| {
+fn roughed(steps: &[RouteStep]) -> Micrometres {
+    let rough = |step: &&RouteStep| {
         matches!(
             step.operation,
             Operation::Drill | Operation::DrillOut | Operation::Mill | Operation::RoughBore | Operation::Counterbore

@@ -2,7 +2,7 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
-use crate::knowledge::query::Asked;
+use crate::knowledge::query::TypedAnswer;
 use crate::note::{Because, Note};
 use crate::part::{BlankHole, CentreTolerance, Hole, Part};
 use crate::plan::{Achieved, Operation};
@@ -16,7 +16,7 @@ use crate::units::{ItGrade, Micrometres, Roughness};
 use technolog_note::note;
 
 use super::bores::{Before, Bore};
-use super::{Promise, Remark, Step};
+use super::{Promise, Remark, RouteStep};
 
 /// The state a cylinder is in before anything is done to it, as the rule `next-transition` names it.
 pub(super) fn start(bore: &Bore) -> HoleState {
@@ -33,7 +33,7 @@ pub(super) fn after<'k>(
     state: HoleState,
     diameter: Micrometres,
     shop: &Shop<'k>,
-) -> Result<Asked<'k, NextTransition<'k>>, KnowledgeError> {
+) -> Result<TypedAnswer<'k, NextTransition<'k>>, KnowledgeError> {
     shop.knowledge.ask(&NextTransitionFor { after: state, diameter })
 }
 
@@ -79,7 +79,7 @@ fn told_of_row(
 /// # Errors
 /// The knowledge cannot answer.
 pub fn write(
-    steps: &mut [Step],
+    steps: &mut [RouteStep],
     bore: &Bore,
     promise: Option<Promise>,
     position: Position,

@@ -3,7 +3,7 @@
 use crate::error::{Refusal, Tried};
 use crate::note::{Because, Figure, Note};
 use crate::part::{Hole, ThreadKind};
-use crate::plan::{Operation, Way};
+use crate::plan::{Operation, RouteSource};
 use crate::reason::Reason;
 use crate::shop::Shop;
 use crate::tables::holes::{AuxiliaryHole, SchemesOfAuxiliaryHoleFor, StagedHole};
@@ -11,11 +11,11 @@ use crate::units::{ItGrade, Micrometres};
 
 use super::Candidate;
 use super::bores::Bore;
-use super::scheme::{Question, with_transitions};
+use super::scheme::{SchemeQuestion, with_transitions};
 
 /// What A.10 is asked about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum AuxiliaryKind {
     /// A thread.
     Thread,
     /// A counterbore over a hole.
@@ -26,7 +26,7 @@ pub enum Kind {
     CountersinkOther,
 }
 
-impl Kind {
+impl AuxiliaryKind {
     /// What A.10 is asked about a hole; nothing of plain and stepped holes, of holes finer than what drilling leaves
     /// (`drilled`), and where metal is no longer solid: A.10 begins in solid metal.
     pub fn of(hole: &Hole, main: &Bore, drilled: ItGrade) -> Option<Self> {
@@ -44,7 +44,7 @@ impl Kind {
     }
 
     /// As A.10 names it.
-    pub fn name(self, question: &Question<'_>) -> AuxiliaryHole {
+    pub fn name(self, question: &SchemeQuestion<'_>) -> AuxiliaryHole {
         match self {
             Self::Thread => match question.bore.thread.as_ref().map(|thread| thread.kind) {
                 Some(ThreadKind::Conical) => AuxiliaryHole::ThreadConical,
@@ -67,12 +67,12 @@ impl Kind {
 }
 
 /// The diameter A.10 and A.6 are asked with: of a thread its own, of the others that of the hole.
-pub fn diameter(question: &Question<'_>) -> Micrometres {
+pub fn diameter(question: &SchemeQuestion<'_>) -> Micrometres {
     question.bore.thread.as_ref().map_or(question.bore.diameter.nominal, |thread| thread.size)
 }
 
 /// The question to A.10.
-pub fn asked(question: &Question<'_>, kind: Kind) -> SchemesOfAuxiliaryHoleFor {
+pub fn asked(question: &SchemeQuestion<'_>, kind: AuxiliaryKind) -> SchemesOfAuxiliaryHoleFor {
     SchemesOfAuxiliaryHoleFor {
         hole: kind.name(question),
         diameter: diameter(question),
@@ -85,7 +85,7 @@ pub fn asked(question: &Question<'_>, kind: Kind) -> SchemesOfAuxiliaryHoleFor {
 ///
 /// # Errors
 /// The knowledge cannot answer, or A.10 has no scheme.
-pub fn candidates(question: &Question<'_>, kind: Kind, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
+pub fn candidates(question: &SchemeQuestion<'_>, kind: AuxiliaryKind, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
     let (name, diameter) = (kind.name(question), diameter(question));
     let answer = shop.knowledge.ask(&asked(question, kind))?;
     let Some(row) = answer.winner()? else {
@@ -103,13 +103,13 @@ pub fn candidates(question: &Question<'_>, kind: Kind, shop: &Shop<'_>) -> Tried
             .with("scheme", Figure::scheme(scheme))
             .with("kind", Figure::word(name.name()));
         let candidate = Candidate {
-            way: Way::Tables,
+            way: RouteSource::Tables,
             table: row.row.table.id.clone(),
             scheme: scheme.to_owned(),
             transitions: Vec::new(),
             finish_elsewhere: false,
             // A.10 promises nothing of the hole under a thread.
-            promise: (kind != Kind::Thread).then_some(super::Promise {
+            promise: (kind != AuxiliaryKind::Thread).then_some(super::Promise {
                 it: question.bore.diameter.it,
                 roughness: None,
                 position: Some(question.drawn_tolerance),

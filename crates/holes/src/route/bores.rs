@@ -13,7 +13,7 @@ use crate::tables::rules::BlankState;
 use crate::units::{ItGrade, Micrometres, Roughness};
 use technolog_note::note;
 
-use super::Place;
+use super::StepLocation;
 
 /// A hole as planning takes it on.
 #[derive(Clone, Debug)]
@@ -35,7 +35,7 @@ pub struct Task {
 #[derive(Clone, Debug)]
 pub struct Bore {
     /// Where it is.
-    pub place: Place,
+    pub place: StepLocation,
     /// Its diameter with tolerance; under a thread the hole that is tapped.
     pub diameter: ToleratedDiameter,
     /// Roughness limit.
@@ -125,7 +125,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
         None => Micrometres::ZERO,
     };
     let main = Bore {
-        place: Place {
+        place: StepLocation {
             feature: Feature::Bore,
             step: None,
             face: Face::Entry,
@@ -154,7 +154,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
             // Its edge lies at the floor of the cylinder around it, or at the face.
             let edge_at = own.get(position + 1).map(|(_, around)| (around.depth, around.diameter.nominal));
             wider.push(Bore {
-                place: Place {
+                place: StepLocation {
                     feature: Feature::Step,
                     step: Some(index + 1),
                     face,
@@ -182,7 +182,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
         let diameter = ToleratedDiameter::free(counterbore.diameter, shop.knowledge)
             .map_err(|why| KnowledgeError::lacks("it-grades", why))?;
         wider.push(Bore {
-            place: Place {
+            place: StepLocation {
                 feature: Feature::Counterbore,
                 step: None,
                 face: Face::Entry,
@@ -275,7 +275,7 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
     for bore in wider.iter().filter(|bore| bore.place.face == Face::Back && bore.place.depth >= thickness) {
         impossible.push(Note::new("step-too-deep").with("depth", bore.place.depth).with("limit", thickness));
     }
-    // A lead-in that is narrower than its thread leads nothing in.
+    // A lead-in narrower than its thread has no effect.
     let lead_in = |thread: &Thread, edge: &&Edge| edge.feature == Feature::Chamfer && edge.diameter < thread.size;
     let around_main = |edge: &&Edge| edge.asked && edge.around == hole.diameter.nominal;
     let doubtful = hole.thread.iter().flat_map(|thread| {

@@ -3,14 +3,14 @@
 use crate::error::{Refusal, Tried};
 use crate::knowledge::QueryError;
 use crate::note::{Because, Figure, Note};
-use crate::plan::{Operation, Way};
+use crate::plan::{Operation, RouteSource};
 use crate::reason::Reason;
 use crate::shop::Shop;
 use crate::tables::holes::{Complex, ComplexGroup, ComplexesOfHole, ComplexesOfHoleFor};
 use crate::units::Micrometres;
 
 use super::Candidate;
-use super::scheme::{Question, centre_first};
+use super::scheme::{SchemeQuestion, centre_first};
 
 /// What the hole opens into at its entry.
 #[derive(Clone, Copy, Debug)]
@@ -22,7 +22,7 @@ pub struct Openings {
 }
 
 /// The kind of hole that A.4 files a cylinder under, and the diameter it is asked with.
-fn kind(question: &Question<'_>, openings: Openings) -> Option<(ComplexGroup, Micrometres)> {
+fn kind(question: &SchemeQuestion<'_>, openings: Openings) -> Option<(ComplexGroup, Micrometres)> {
     let bore = question.bore;
     let diameter = bore.diameter.nominal;
     match (&bore.thread, bore.diameter.it.number()) {
@@ -44,7 +44,7 @@ fn kind(question: &Question<'_>, openings: Openings) -> Option<(ComplexGroup, Mi
 ///
 /// # Errors
 /// The knowledge cannot answer, or A.4 has no complex for it.
-pub fn candidates(question: &Question<'_>, openings: Openings, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
+pub fn candidates(question: &SchemeQuestion<'_>, openings: Openings, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
     let table = shop.knowledge.table_of::<ComplexesOfHole<'_>>()?;
     let (it, nominal, centre) = (question.bore.diameter.it, question.bore.diameter.nominal, question.centre_tolerance);
     let Some((kind, diameter)) = kind(question, openings) else {
@@ -74,7 +74,7 @@ pub fn candidates(question: &Question<'_>, openings: Openings, shop: &Shop<'_>) 
         }
         because.push(Because::row(complex.row, Note::new("complex-transitions").with("complex", number)));
         found.push(Candidate {
-            way: Way::Complexes,
+            way: RouteSource::Complexes,
             table: complex.row.table.id.clone(),
             scheme,
             transitions,

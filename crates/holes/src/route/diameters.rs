@@ -14,7 +14,7 @@ use crate::tables::standards::ConicalThread;
 use crate::units::Micrometres;
 
 use super::bores::Bore;
-use super::{Candidate, Step};
+use super::{Candidate, RouteStep};
 
 mod allowance;
 mod boring;
@@ -47,9 +47,9 @@ pub struct Sizes<'a> {
 ///
 /// # Errors
 /// The knowledge cannot answer. That no diameters work is a refusal that says why.
-pub fn steps(candidate: &Candidate, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop<'_>) -> Tried<Vec<Step>> {
+pub fn steps(candidate: &Candidate, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop<'_>) -> Tried<Vec<RouteStep>> {
     let (transitions, replaced) = milled(&candidate.transitions, bore, sizes, shop)?;
-    let mut steps: Vec<Step> = Vec::new();
+    let mut steps: Vec<RouteStep> = Vec::new();
     let (mut after, left) = finished(candidate, bore, shop)?;
     for index in (0..transitions.len()).rev() {
         let previous = index.checked_sub(1).map(|before| transitions[before]);
@@ -142,7 +142,7 @@ pub(super) struct Backwards<'a, 'k> {
 impl Backwards<'_, '_> {
     /// The steps that make the transition, first to last: one, or several where rough boring needs slimmer
     /// bars first. The first one's `from` is what the transition before must leave.
-    pub fn steps(self) -> Tried<Vec<Step>> {
+    pub fn steps(self) -> Tried<Vec<RouteStep>> {
         let (operation, replaced) = self.stand_in()?;
         let this = Self { operation, ..self };
         let mut steps = match operation {
@@ -170,8 +170,8 @@ impl Backwards<'_, '_> {
         Ok(steps)
     }
 
-    fn step(self, from: Micrometres) -> Step {
-        Step::plain(self.operation, self.bore.place, self.after, from)
+    fn step(self, from: Micrometres) -> RouteStep {
+        RouteStep::plain(self.operation, self.bore.place, self.after, from)
     }
 
     /// The diameter the cylinder is opened from.
@@ -237,7 +237,7 @@ impl Backwards<'_, '_> {
 
     /// The drill that ends a route: of the hole's size, or the largest that leaves the stock for a finish
     /// elsewhere.
-    pub fn last_drill(self, finish_elsewhere: bool) -> Tried<Step> {
+    pub fn last_drill(self, finish_elsewhere: bool) -> Tried<RouteStep> {
         let drills = self.sizes.drills;
         let found = if finish_elsewhere {
             drills.iter().rev().copied().find(|drill| *drill <= self.after)
@@ -245,17 +245,17 @@ impl Backwards<'_, '_> {
             final_drill(&self.bore.diameter, drills)
         };
         let diameter = found.ok_or_else(|| Refusal::Not(self.no_drill()))?;
-        Ok(Step::plain(Operation::Drill, self.bore.place, diameter, Micrometres::ZERO))
+        Ok(RouteStep::plain(Operation::Drill, self.bore.place, diameter, Micrometres::ZERO))
     }
 
     /// A drill of exactly the size the next transition asks for; under a thread one within the tolerance.
-    fn drill(self) -> Tried<Step> {
+    fn drill(self) -> Tried<RouteStep> {
         let mut found = self.sizes.drills.iter().copied().find(|drill| *drill == self.after);
         if found.is_none() && self.bore.thread.is_some() && self.after == self.bore.diameter.target() {
             found = final_drill(&self.bore.diameter, self.sizes.drills);
         }
         let diameter = found.ok_or_else(|| Refusal::Not(self.no_drill()))?;
-        Ok(Step::plain(Operation::Drill, self.bore.place, diameter, Micrometres::ZERO))
+        Ok(RouteStep::plain(Operation::Drill, self.bore.place, diameter, Micrometres::ZERO))
     }
 
     fn no_drill(self) -> Reason {
@@ -269,7 +269,7 @@ impl Backwards<'_, '_> {
     }
 
     /// Tapping: the hole under the thread must be there.
-    fn tap(self) -> Tried<Step> {
+    fn tap(self) -> Tried<RouteStep> {
         let thread = self.bore.thread.as_ref();
         let thread = thread.ok_or(Refusal::Not(Reason::NoThreadToTap))?;
         let step = self.step(self.bore.diameter.target());
@@ -283,8 +283,8 @@ impl Backwards<'_, '_> {
         };
         let depth = length.map_or(self.bore.thread_depth, |length| length.min(self.bore.thread_depth));
         let through = step.place.through && length.is_none();
-        let place = super::Place { feature: crate::plan::Feature::Thread, depth, through, ..step.place };
-        Ok(Step { place, pitch: Some(thread.pitch), ..step })
+        let place = super::StepLocation { feature: crate::plan::Feature::Thread, depth, through, ..step.place };
+        Ok(RouteStep { place, pitch: Some(thread.pitch), ..step })
     }
 }
 

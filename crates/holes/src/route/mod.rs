@@ -7,7 +7,6 @@
 //! rest of the hole, and [`order`] puts all of it in the order of section 1.1.2.
 
 pub mod accuracy;
-pub mod asked;
 pub mod auxiliary;
 pub mod bores;
 pub mod complex;
@@ -17,17 +16,18 @@ pub mod openings;
 pub mod order;
 pub mod scheme;
 pub mod search;
+pub mod table_answer;
 
 use crate::note::Because;
 use crate::part::{Face, ToleratedDiameter};
-use crate::plan::{Achieved, Feature, Operation, Way};
+use crate::plan::{Achieved, Feature, Operation, RouteSource};
 use crate::units::{ItGrade, Micrometres, Roughness};
 
 /// A route the main cylinder of a hole may take.
 #[derive(Clone, Debug)]
 pub struct Candidate {
     /// Which way it was found.
-    pub way: Way,
+    pub way: RouteSource,
     /// `A.8`, `A.9`, `A.10`, `A.5` or the search's rule.
     pub table: String,
     /// The scheme of A.7 as the plan names it, `07`, `04 + centre`; the complex; the search's transitions.
@@ -55,7 +55,7 @@ pub struct Promise {
 
 /// Where a step works.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Place {
+pub struct StepLocation {
     /// What of the hole it makes.
     pub feature: Feature,
     /// The number of the step of a stepped hole, from 1.
@@ -72,11 +72,11 @@ pub struct Place {
 
 /// One step of a route.
 #[derive(Clone, Debug)]
-pub struct Step {
+pub struct RouteStep {
     /// What is done.
     pub operation: Operation,
     /// Where.
-    pub place: Place,
+    pub place: StepLocation,
     /// The diameter it leaves.
     pub diameter: Micrometres,
     /// The size of the catalog's cutter, where it is ground to another size.
@@ -121,9 +121,9 @@ pub enum Remark {
     },
 }
 
-impl Step {
+impl RouteStep {
     /// A step with nothing but its operation and diameters.
-    pub fn plain(operation: Operation, place: Place, diameter: Micrometres, from: Micrometres) -> Self {
+    pub fn plain(operation: Operation, place: StepLocation, diameter: Micrometres, from: Micrometres) -> Self {
         Self {
             operation,
             place,

@@ -11,9 +11,9 @@ use crate::units::Micrometres;
 
 use super::bores::{Bore, Edge};
 use super::diameters::Sizes;
-use super::scheme::{self, Question};
+use super::scheme::{self, SchemeQuestion};
 use super::search::{self, Cost, cuts_shoulder};
-use super::{Candidate, Place, Step};
+use super::{Candidate, RouteStep, StepLocation};
 
 /// The candidates of a wider cylinder: for a step of the drawing those of the tables for a hole that is
 /// there already, and those of the search; a shoulder that must be flat takes only those that leave one.
@@ -22,7 +22,7 @@ use super::{Candidate, Place, Step};
 /// The knowledge cannot answer, or nothing opens it.
 pub fn candidates(
     bore: &Bore,
-    question: &Question<'_>,
+    question: &SchemeQuestion<'_>,
     sizes: &Sizes<'_>,
     cost: &Cost<'_>,
     shop: &Shop<'_>,
@@ -86,20 +86,26 @@ fn no_flat_opening(bore: &Bore, shop: &Shop<'_>) -> Result<Reason, KnowledgeErro
 ///
 /// # Errors
 /// The knowledge lacks a convention.
-pub fn edge(edge: &Edge, around: Micrometres, shop: &Shop<'_>) -> Tried<Step> {
+pub fn edge(edge: &Edge, around: Micrometres, shop: &Shop<'_>) -> Tried<RouteStep> {
     let stock = shop.convention(HoleDefault::FaceStock)?;
     let depth = Edge { around, ..*edge }.depth(stock);
     // Depths of the drawing are below the machined face: the stock of the face lies above it.
     let above = if edge.feature == Feature::Face { depth } else { Micrometres::ZERO };
     let start = edge.start - above;
-    let place =
-        Place { feature: edge.feature, step: None, face: edge.face, start, depth: start + depth, through: false };
+    let place = StepLocation {
+        feature: edge.feature,
+        step: None,
+        face: edge.face,
+        start,
+        depth: start + depth,
+        through: false,
+    };
     let operation = match edge.feature {
         Feature::Face => Operation::Counterbore,
         Feature::Chamfer => Operation::Chamfer,
         _ => Operation::Countersink,
     };
-    let mut step = Step { within: edge.within, ..Step::plain(operation, place, edge.diameter, around) };
+    let mut step = RouteStep { within: edge.within, ..RouteStep::plain(operation, place, edge.diameter, around) };
     if edge.feature != Feature::Face {
         step.angle_millideg = Some(edge.angle_millideg);
     }

@@ -5,14 +5,14 @@ use crate::plan::Feature;
 use crate::shop::Shop;
 use crate::tables::rules::TransitionOrderFor;
 
-use super::Step;
+use super::RouteStep;
 
 /// Puts the steps of a hole in order: the entry face first, then the back face; on each by the rank of the
 /// rule; within a rank the narrower cylinder first, as they are given.
 ///
 /// # Errors
 /// The knowledge cannot answer.
-pub fn sort(steps: &mut Vec<Step>, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
+pub fn sort(steps: &mut Vec<RouteStep>, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
     let mut ranked = Vec::with_capacity(steps.len());
     // Within one cylinder its chain is already in order, and a later rank must not be overtaken by an earlier
     // one of the same chain: rough boring after core drilling stays after it.

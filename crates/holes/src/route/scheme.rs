@@ -3,10 +3,10 @@
 use std::rc::Rc;
 
 use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::knowledge::query::Asked;
+use crate::knowledge::query::TypedAnswer;
 use crate::knowledge::{Column, Knowledge};
 use crate::note::{Because, Figure, Note};
-use crate::plan::{Operation, Way};
+use crate::plan::{Operation, RouteSource};
 use crate::reason::Reason;
 use crate::shop::Shop;
 use crate::tables::holes::{
@@ -23,7 +23,7 @@ use super::{Candidate, Promise};
 
 /// What the tables are asked about.
 #[derive(Clone, Copy, Debug)]
-pub struct Question<'a> {
+pub struct SchemeQuestion<'a> {
     /// The cylinder.
     pub bore: &'a Bore,
     /// The tolerance on centre distances that the tables are asked with.
@@ -43,15 +43,15 @@ struct Cell<'k> {
     grade: ItGrade,
     roughness: Roughness,
     row: SchemesOfMainHole<'k>,
-    answer: Asked<'k, SchemesOfMainHole<'k>>,
+    answer: TypedAnswer<'k, SchemesOfMainHole<'k>>,
     /// Why its table was asked.
     table_asked: Rc<TableAsked<'k>>,
     finish_elsewhere: bool,
 }
 
-/// Why a table was asked, before words are made of it: of most cells none are.
+/// The reason for a table query, kept as data: most never become a sentence.
 struct TableAsked<'k> {
-    answer: Asked<'k, TableForHole<'k>>,
+    answer: TypedAnswer<'k, TableForHole<'k>>,
     table: &'k str,
     grade: ItGrade,
     asked_grade: ItGrade,
@@ -81,7 +81,7 @@ impl Cell<'_> {
 ///
 /// # Errors
 /// The knowledge cannot answer, or the tables give no scheme.
-pub fn candidates(question: &Question<'_>, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
+pub fn candidates(question: &SchemeQuestion<'_>, shop: &Shop<'_>) -> Tried<Vec<Candidate>> {
     let knowledge = shop.knowledge;
     let bore = question.bore;
     let own = cells(bore.diameter.it, question, knowledge)?;
@@ -126,7 +126,7 @@ pub fn candidates(question: &Question<'_>, shop: &Shop<'_>) -> Tried<Vec<Candida
             because.push(Because::answer(&cell.answer.answer, note));
             because.extend(reason);
             let candidate = Candidate {
-                way: Way::Tables,
+                way: RouteSource::Tables,
                 table: cell.row.row.table.id.clone(),
                 scheme,
                 transitions: Vec::new(),
@@ -149,7 +149,7 @@ pub fn candidates(question: &Question<'_>, shop: &Shop<'_>) -> Tried<Vec<Candida
 /// # Errors
 /// The knowledge cannot answer.
 pub fn stages(
-    question: &Question<'_>,
+    question: &SchemeQuestion<'_>,
     hole: StagedHole,
     diameter: Micrometres,
     shop: &Shop<'_>,
@@ -174,7 +174,7 @@ pub fn stages(
 /// # Errors
 /// The knowledge cannot answer.
 pub(super) fn own_cell<'k>(
-    question: &Question<'_>,
+    question: &SchemeQuestion<'_>,
     knowledge: &'k Knowledge,
 ) -> Result<Option<SchemesOfMainHole<'k>>, KnowledgeError> {
     let own = cells(question.bore.diameter.it, question, knowledge)?;
@@ -193,7 +193,7 @@ struct GradeCells<'k> {
 
 fn cells<'k>(
     grade: ItGrade,
-    question: &Question<'_>,
+    question: &SchemeQuestion<'_>,
     knowledge: &'k Knowledge,
 ) -> Result<GradeCells<'k>, KnowledgeError> {
     let (bore, centre_tolerance) = (question.bore, question.centre_tolerance);
@@ -238,7 +238,7 @@ fn cells<'k>(
 /// The schemes of a cell in the order of the rule `which-of-two-schemes`.
 fn in_order(
     cell: &Cell<'_>,
-    question: &Question<'_>,
+    question: &SchemeQuestion<'_>,
     knowledge: &Knowledge,
 ) -> Result<Vec<(String, Option<Because>)>, KnowledgeError> {
     let mut schemes: Vec<String> = cell.row.schemes.iter().map(|scheme| (*scheme).to_owned()).collect();

@@ -1,4 +1,4 @@
-//! The third way to a route: a search over the states of the hole.
+//! The third way to a route: a search over hole states.
 //!
 //! A node is a state: what the last tool left and the diameter it left. An edge is a transition with its
 //! steps and its time. The graph is built backwards from the finished cylinder, because the allowances of
@@ -18,7 +18,7 @@ use petgraph::visit::EdgeRef;
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Because, Figure, Note};
-use crate::plan::{Operation, Way};
+use crate::plan::{Operation, RouteSource};
 use crate::reason::Reason;
 use crate::shop::Shop;
 use crate::tables::rules::{HoleState, NextTransition};
@@ -26,7 +26,7 @@ use crate::units::{Micrometres, Minutes};
 
 use super::bores::{Before, Bore};
 use super::diameters::{Backwards, Sizes};
-use super::{Candidate, Step, accuracy};
+use super::{Candidate, RouteStep, accuracy};
 
 /// The most routes that are passed on: the fastest by the edges' own times.
 const MOST: usize = 8;
@@ -35,7 +35,7 @@ const LONGEST: usize = 7;
 
 /// A state of the cylinder.
 #[derive(Clone, Debug)]
-struct State {
+struct SearchState {
     /// The diameter there; zero in solid metal.
     diameter: Micrometres,
 }
@@ -53,7 +53,7 @@ struct Edge {
 type Found = (f64, Vec<Operation>, Vec<usize>);
 
 /// What an edge costs: the time of its steps, or why they cannot be done.
-pub type Cost<'a> = dyn Fn(&[Step]) -> Tried<Minutes> + 'a;
+pub type Cost<'a> = dyn Fn(&[RouteStep]) -> Tried<Minutes> + 'a;
 
 /// The routes of the search, fastest first.
 ///
@@ -148,12 +148,20 @@ fn candidate(transitions: Vec<Operation>, rows: &[usize], shop: &Shop<'_>) -> Tr
     because.extend(steps.map(|(row, operation)| {
         Because::row(row, Note::new("searched-step").with("operation", Figure::operation(operation.name())))
     }));
-    Ok(Candidate { way: Way::Search, table, scheme, transitions, finish_elsewhere: false, promise: None, because })
+    Ok(Candidate {
+        way: RouteSource::Search,
+        table,
+        scheme,
+        transitions,
+        finish_elsewhere: false,
+        promise: None,
+        because,
+    })
 }
 
 /// The graph while it is built.
 struct Graph<'a, 'k> {
-    states: DiGraph<State, Edge>,
+    states: DiGraph<SearchState, Edge>,
     known: BTreeMap<(HoleState, Micrometres), NodeIndex>,
     answers: BTreeMap<(HoleState, Micrometres), Vec<usize>>,
     start: Option<NodeIndex>,
@@ -200,7 +208,7 @@ impl<'a, 'k> Graph<'a, 'k> {
     /// The finished cylinder, with every transition that reaches grade and roughness leading to it.
     fn goal(&mut self) -> Tried<NodeIndex> {
         let target = self.bore.diameter.target();
-        let goal = self.states.add_node(State { diameter: target });
+        let goal = self.states.add_node(SearchState { diameter: target });
         let (asked_it, asked_roughness) = self.bore.asks(self.shop)?;
         for row in self.rule.clone().iter() {
             let Some((it, roughness, _)) = accuracy::of_row(row, self.shop)? else { continue };
@@ -276,7 +284,7 @@ impl<'a, 'k> Graph<'a, 'k> {
         if let Some(known) = self.known.get(&key) {
             return Ok(*known);
         }
-        let node = self.states.add_node(State { diameter });
+        let node = self.states.add_node(SearchState { diameter });
         self.known.insert(key, node);
         if state == accuracy::start(self.bore) {
             self.start = Some(node);

@@ -38,9 +38,9 @@ pub struct List {
     pub names: Vec<u64>,
 }
 
-/// Something in a list that cannot be used. `report::sentence` and `report::remedy` have the words.
+/// A fault in a list of points. `report::sentence` and `report::remedy` have the words.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Slip {
+pub struct ListFault {
     /// The code, which is that of the note too.
     pub code: &'static str,
     /// What is wrong, with its figures.
@@ -53,7 +53,7 @@ pub struct Slip {
 ///
 /// # Errors
 /// Every line that cannot be used, with its place.
-pub fn read_list(file: &str, text: &str) -> Result<List, Vec<Slip>> {
+pub fn read_list(file: &str, text: &str) -> Result<List, Vec<ListFault>> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let form = if text.lines().any(|line| line.trim().starts_with("NODE_COORD_SECTION")) || keyword(text) {
         Form::Tsplib
@@ -119,7 +119,7 @@ fn value(word: &str) -> Option<f64> {
 
 struct Reader {
     file: Arc<str>,
-    problems: Vec<Slip>,
+    problems: Vec<ListFault>,
     points: Vec<Point>,
     names: Vec<u64>,
 }
@@ -142,7 +142,7 @@ impl Reader {
     fn slip(&mut self, code: &'static str, figures: &[(&'static str, String)], place: Option<Place>) {
         if self.problems.len() < SHOWN {
             let note = figures.iter().fold(Note::new(code), |note, (name, value)| note.with(*name, value));
-            self.problems.push(Slip { code, note, place });
+            self.problems.push(ListFault { code, note, place });
         }
     }
 

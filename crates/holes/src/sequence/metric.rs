@@ -1,4 +1,4 @@
-//! How far it is from point to point: as the crow flies, or as long as the machine's rapids take.
+//! The distance between points: straight-line length, or the time of the machine's rapids.
 //!
 //! Every cost is a whole number, so that no path is preferred for the last digit of a floating-point sum:
 //! micrometres of the way, or, where axes have to speed up, microseconds of the time.

@@ -14,7 +14,7 @@ pub mod visiting;
 
 use crate::machine::{Machine, Rapid};
 use crate::part::{Face, Part, Point};
-use crate::plan::{HolePlan, Stop, Times, Visit};
+use crate::plan::{HolePlan, Stop, Times, ToolVisit};
 use crate::units::{Micrometres, Minutes};
 
 use metric::Metric;
@@ -25,7 +25,12 @@ use tour::{Effort, Path, Space};
 /// A tool is taken when every hole that needs it has come to it. Where two holes need two tools in opposite
 /// orders, the lower number is taken first and comes back later for the other hole. The paths are looked for with
 /// that effort, or, without one, as quickly as planning wants.
-pub fn sequence(part: &Part, holes: &[HolePlan], machine: &Machine<'_>, effort: Option<Effort>) -> (Vec<Visit>, Times) {
+pub fn sequence(
+    part: &Part,
+    holes: &[HolePlan],
+    machine: &Machine<'_>,
+    effort: Option<Effort>,
+) -> (Vec<ToolVisit>, Times) {
     let mut visits = Vec::new();
     let mut times = Times::default();
     let mut paths =
@@ -104,7 +109,7 @@ impl Paths {
 
 /// A tool's way over its places, from the tool-change position and back; what is done at one place stays
 /// together, in the order of its transitions.
-fn visit(tool: u32, setup: u32, mut places: Vec<Vec<Stop>>, holes: &[HolePlan], paths: &mut Paths) -> Visit {
+fn visit(tool: u32, setup: u32, mut places: Vec<Vec<Stop>>, holes: &[HolePlan], paths: &mut Paths) -> ToolVisit {
     let at = places.iter().filter_map(|stops| stops.first()).map(|stop| stop.at);
     let points: Vec<Point> = std::iter::once(paths.home).chain(at).collect();
     let (rapid, metric) = (paths.rapid, Metric::Rapid(paths.rapid));
@@ -116,11 +121,11 @@ fn visit(tool: u32, setup: u32, mut places: Vec<Vec<Stop>>, holes: &[HolePlan], 
     let path_mm = Micrometres::new(Space::closed(&points, Metric::Euclid).length(&path.order));
     let stops = path.order.iter().skip(1).flat_map(|&point| std::mem::take(&mut places[point - 1])).collect();
     let bound_min = path.optimal.then_some(rapid_min);
-    Visit { tool, setup, stops, rapid_min, nearest_rapid_min, bound_min, path_mm }
+    ToolVisit { tool, setup, stops, rapid_min, nearest_rapid_min, bound_min, path_mm }
 }
 
 /// The bound of a visit of a plan: what its rapids take at least, min. Its own time where it is proven.
-pub fn visit_bound(visit: &Visit, part: &Part, machine: &Machine<'_>) -> Option<Minutes> {
+pub fn visit_bound(visit: &ToolVisit, part: &Part, machine: &Machine<'_>) -> Option<Minutes> {
     let mut points = vec![tool_change_point(part, machine)];
     points.extend(visit.stops.iter().map(|stop| stop.at));
     // Transitions at one place follow each other.

@@ -67,7 +67,7 @@ pub fn assemble<'k>(
         table: cutter.row.row.table.id.clone(),
         length_mm: held.overhang.length,
     };
-    let Held { holder, overhang, length, mass_kg } = held;
+    let MountedCutter { holder, overhang, length, mass_kg } = held;
     let stands_out = overhang.because();
     Ok(Ok(match holder {
         None => Assembly {
@@ -104,8 +104,8 @@ pub fn assemble<'k>(
     }))
 }
 
-/// A cutter in its holder, before words are made of it.
-pub(super) struct Held<'s, 'k> {
+/// A cutter in its holder, as data without sentences.
+pub(super) struct MountedCutter<'s, 'k> {
     /// The holder, and those before it that do not take the cutter; none where the cutter has the machine's taper.
     holder: Option<(&'s HolderRow<'k>, Vec<(&'k str, HolderFault)>)>,
     pub overhang: Overhang<'k>,
@@ -136,12 +136,12 @@ pub(super) fn hold<'s, 'k>(
     need: &CutterNeed<'_>,
     holders: &'s [HolderRow<'k>],
     shop: &Shop<'k>,
-) -> Result<Result<Held<'s, 'k>, Vec<Unfit>>, KnowledgeError> {
+) -> Result<Result<MountedCutter<'s, 'k>, Vec<Unfit>>, KnowledgeError> {
     let machine = &shop.machine;
     let overhang = overhang(cutter, need, shop)?;
     if cutter.head.shank == Shank::Taper {
         let mass_kg = cutter.row.mass.map(|own| own.0);
-        let held = Held { holder: None, length: overhang.length, overhang, mass_kg };
+        let held = MountedCutter { holder: None, length: overhang.length, overhang, mass_kg };
         return Ok(within_limits(held, cutter, machine));
     }
     let mut rejected = Vec::new();
@@ -153,7 +153,7 @@ pub(super) fn hold<'s, 'k>(
         }
         let length = row.length + overhang.length;
         let mass_kg = row.mass.map(|holder| holder.0 + bar_mass(cutter));
-        let held = Held { holder: Some((row, rejected)), overhang, length, mass_kg };
+        let held = MountedCutter { holder: Some((row, rejected)), overhang, length, mass_kg };
         return Ok(within_limits(held, cutter, machine));
     }
     Ok(Err(rejected.into_iter().map(|(holder, fault)| unfit(cutter, holder, fault)).collect()))
@@ -177,10 +177,10 @@ fn unfit(cutter: &Cutter<'_, '_>, holder: &str, fault: HolderFault) -> Unfit {
 }
 
 fn within_limits<'s, 'k>(
-    held: Held<'s, 'k>,
+    held: MountedCutter<'s, 'k>,
     cutter: &Cutter<'_, '_>,
     machine: &Machine<'_>,
-) -> Result<Held<'s, 'k>, Vec<Unfit>> {
+) -> Result<MountedCutter<'s, 'k>, Vec<Unfit>> {
     let holder = held.holder.as_ref().map_or(cutter.designation, |(row, _)| row.designation);
     if held.length > machine.overhang_max {
         let fault = HolderFault::TooLong { length: held.length, limit: machine.overhang_max };

@@ -1,4 +1,4 @@
-//! Cutters and holders that somebody else chose, by their designations: whether they exist, suit and fit.
+//! Cutters and holders named by designation: whether they exist, suit the work and fit.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::table::ToolHead;

@@ -85,11 +85,11 @@ macro_rules! rows {
             const CONTRACT: &'static $crate::contract::Contract = &$crate::contract::Contract {
                 row: stringify!($name),
                 which: $crate::contract::Which::$which $(($table))?,
-                inputs: &[$($($crate::contract::Asked {
+                inputs: &[$($($crate::contract::RequiredColumn {
                     name: $crate::column!($input $($in_column)?),
                     shape: <$in_type as $crate::contract::AsInput>::SHAPE,
                 },)*)?],
-                fields: &[$($crate::contract::Asked {
+                fields: &[$($crate::contract::RequiredColumn {
                     name: $crate::column!($field $($column)?),
                     shape: <$type as $crate::contract::FromCell>::SHAPE,
                 },)*],

@@ -125,7 +125,7 @@ pub trait AsInput {
 
 /// One column that a row type asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Asked {
+pub struct RequiredColumn {
     /// The name of the column, and of the field.
     pub name: &'static str,
     /// What its cells must be.
@@ -163,9 +163,9 @@ pub struct Contract {
     /// Its tables.
     pub which: Which,
     /// The inputs that a question gives.
-    pub inputs: &'static [Asked],
+    pub inputs: &'static [RequiredColumn],
     /// The columns that are read.
-    pub fields: &'static [Asked],
+    pub fields: &'static [RequiredColumn],
     /// Columns for people: shown with the table and its answers, steering nothing.
     pub shown: &'static [&'static str],
     /// A column whose words must each have a row, and whose rows must each be such a word. Where it holds names
@@ -241,7 +241,7 @@ impl<'t> Reader<'t> {
 impl Table {
     /// Where the fields of a contract stand among its columns; none where another contract was asked first.
     fn layout_of(&self, contract: &'static Contract) -> Option<&[Option<usize>]> {
-        let find = |asked: &Asked| self.column_index(asked.name);
+        let find = |asked: &RequiredColumn| self.column_index(asked.name);
         let (row, positions) =
             self.layout.get_or_init(|| (contract.row, contract.fields.iter().map(find).collect::<Vec<_>>()));
         (*row == contract.row).then_some(positions)

@@ -13,7 +13,7 @@ use crate::column::Column;
 use crate::diagnostic::{Diagnostic, Place, Severity};
 use crate::knowledge::Knowledge;
 use crate::query::Input;
-use crate::table::{Kind, Table};
+use crate::table::{Table, TableKind};
 use crate::value::Value;
 use crate::yaml::{Node, NodeKind, Problems, parse};
 use technolog_note::{Note, note};
@@ -127,7 +127,9 @@ pub(super) fn check(knowledge: &Knowledge, findings: &mut Vec<Diagnostic>) {
             }
         }
     }
-    for table in knowledge.tables().filter(|table| table.kind == Kind::Decision && table.file.starts_with("rules/")) {
+    for table in
+        knowledge.tables().filter(|table| table.kind == TableKind::Decision && table.file.starts_with("rules/"))
+    {
         // The compiled knowledge carries no examples; only sources can be held to this.
         if !knowledge.cases.iter().any(|file| file.table == table.id && !file.cases.is_empty()) {
             let message = note!("lint-rule-has-no-examples", file = table.file, table = table.id);

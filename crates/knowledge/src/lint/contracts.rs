@@ -3,8 +3,8 @@
 //! Run by the build, by `--knowledge` and by `lint`, so that a column renamed, retyped or put into another unit stops
 //! there and never changes a plan.
 
-use crate::column::{Column, ColumnType, Role};
-use crate::contract::{Asked, Contract, Holds, Use, Which, Word};
+use crate::column::{Column, ColumnRole, ColumnType};
+use crate::contract::{Contract, Holds, RequiredColumn, Use, Which, Word};
 use crate::diagnostic::{Diagnostic, Place, nearest};
 use crate::knowledge::Knowledge;
 use crate::table::{Cell, Table};
@@ -149,9 +149,9 @@ fn missing(table: &Table, contract: &Contract, name: &str) -> Diagnostic {
     }
 }
 
-fn input_faults(column: &Column, asked: &Asked) -> Vec<Note> {
+fn input_faults(column: &Column, asked: &RequiredColumn) -> Vec<Note> {
     let mut faults = Vec::new();
-    if column.role != Role::Input {
+    if column.role != ColumnRole::Input {
         faults.push(note!("lint-gives-input-which"));
     }
     if asked.shape.optional && column.default.is_none() {
@@ -161,9 +161,9 @@ fn input_faults(column: &Column, asked: &Asked) -> Vec<Note> {
     faults
 }
 
-fn field_faults(table: &Table, column: &Column, asked: &Asked) -> Vec<Note> {
+fn field_faults(table: &Table, column: &Column, asked: &RequiredColumn) -> Vec<Note> {
     let mut faults = Vec::new();
-    if column.role == Role::Input {
+    if column.role == ColumnRole::Input {
         faults.push(note!("lint-reads-input"));
         return faults;
     }
@@ -201,7 +201,7 @@ fn type_fault(column: &Column, holds: Holds) -> Option<Note> {
         Holds::Word(words) if column.ty == ColumnType::Enum => {
             column.values.iter().find(|value| !words.contains(&value.as_str())).map(|value| unknown(value, words))
         }
-        Holds::Word(_) => is(column.ty == ColumnType::Text && column.role != Role::Input, note!("lint-a-word")),
+        Holds::Word(_) => is(column.ty == ColumnType::Text && column.role != ColumnRole::Input, note!("lint-a-word")),
         Holds::Bool => is(column.ty == ColumnType::Bool, note!("lint-true-false")),
         Holds::Int => is(column.ty == ColumnType::Int, note!("lint-whole-number")),
         Holds::Number(unit) => {

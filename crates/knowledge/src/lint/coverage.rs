@@ -2,7 +2,7 @@
 
 use super::region::{self, Region};
 use crate::diagnostic::{Diagnostic, Place};
-use crate::table::{Kind, Table};
+use crate::table::{Table, TableKind};
 use technolog_note::note;
 
 /// More gaps than this of one table are counted, not listed.
@@ -10,7 +10,7 @@ const LISTED: usize = 5;
 
 /// Gaps with a witness input, and declarations of gaps that are not gaps. Gives the gaps.
 pub(super) fn check(table: &Table, findings: &mut Vec<Diagnostic>) -> Vec<Region> {
-    if table.kind != Kind::Decision || table.inputs().any(|(_, column)| column.is_unbounded()) {
+    if table.kind != TableKind::Decision || table.inputs().any(|(_, column)| column.is_unbounded()) {
         return Vec::new();
     }
     let rows = region::of_rows(table);

@@ -3,7 +3,7 @@
 use super::region;
 use super::rows::row_place;
 use crate::diagnostic::Diagnostic;
-use crate::table::{HitPolicy, Kind, Table};
+use crate::table::{HitPolicy, Table, TableKind};
 use technolog_note::note;
 
 /// Contradicting overlaps under each hit policy:
@@ -15,7 +15,7 @@ use technolog_note::note;
 ///   so that the order alone decides;
 /// - `collect`: an overlap that collects the same outputs twice.
 pub(super) fn check(table: &Table, findings: &mut Vec<Diagnostic>) {
-    if table.kind != Kind::Decision {
+    if table.kind != TableKind::Decision {
         return;
     }
     let boxes = region::of_rows(table);

@@ -6,7 +6,7 @@ use technolog_note::note;
 
 use super::region::{self, Region};
 use crate::diagnostic::{Diagnostic, Place};
-use crate::table::{Cell, HitPolicy, Kind, Table};
+use crate::table::{Cell, HitPolicy, Table, TableKind};
 
 /// Duplicate rows, rows outside the domain, inputs without a domain, duplicate keys.
 pub(super) fn check(table: &Table, findings: &mut Vec<Diagnostic>) {
@@ -19,8 +19,8 @@ pub(super) fn check(table: &Table, findings: &mut Vec<Diagnostic>) {
     }
     marks(table, findings);
     match table.kind {
-        Kind::Decision => decision(table, findings),
-        Kind::Catalog => keys(table, findings),
+        TableKind::Decision => decision(table, findings),
+        TableKind::Catalog => keys(table, findings),
     }
 }
 

@@ -12,7 +12,7 @@ use crate::tables::rules::{Cut, HoleCycle, MachiningCycle, MachiningCycleFor};
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute, Seconds};
 use technolog_note::note;
 
-use super::{Cycle, Kind};
+use super::{Cycle, CycleKind};
 
 /// How a transition of a group is carried out at each of its points.
 ///
@@ -68,7 +68,7 @@ fn kind(
     pitch: Option<Micrometres>,
     top: Micrometres,
     resolution: Micrometres,
-) -> Result<Kind, KnowledgeError> {
+) -> Result<CycleKind, KnowledgeError> {
     let lacks = |what: Note| KnowledgeError::lacks(&rule.row.table.id, what);
     let step = || -> Result<Micrometres, KnowledgeError> {
         let share = rule.step.ok_or_else(|| lacks(note!("nc-step-cycle-steps")))?;
@@ -76,12 +76,12 @@ fn kind(
     };
     let clearance = || rule.clearance.ok_or_else(|| lacks(note!("nc-clearance-cycle-steps")));
     Ok(match rule.cycle {
-        HoleCycle::Drill => Kind::Drill,
-        HoleCycle::FeedOut => Kind::FeedOut,
-        HoleCycle::BoreStop => Kind::BoreStop,
-        HoleCycle::Peck => Kind::Peck { step: step()?, clearance: clearance()? },
-        HoleCycle::ChipBreak => Kind::ChipBreak { step: step()?, retreat: clearance()? },
-        HoleCycle::Tap => Kind::Tap { pitch: pitch.ok_or_else(|| lacks(note!("nc-pitch-thread-tapped")))? },
+        HoleCycle::Drill => CycleKind::Drill,
+        HoleCycle::FeedOut => CycleKind::FeedOut,
+        HoleCycle::BoreStop => CycleKind::BoreStop,
+        HoleCycle::Peck => CycleKind::Peck { step: step()?, clearance: clearance()? },
+        HoleCycle::ChipBreak => CycleKind::ChipBreak { step: step()?, retreat: clearance()? },
+        HoleCycle::Tap => CycleKind::Tap { pitch: pitch.ok_or_else(|| lacks(note!("nc-pitch-thread-tapped")))? },
         HoleCycle::Circles => {
             let rounds = transition.conditions.rounds.ok_or_else(|| lacks(note!("nc-circles-mill")))?;
             // The spindle turns clockwise: against it the teeth go with the feed.
@@ -95,7 +95,13 @@ fn kind(
 }
 
 /// The levels and circles of a mill: the stock in equal passes, the depth in equal levels, the overrun with the last.
-fn circles(transition: &Transition, rounds: Rounds, top: Micrometres, sense: Sense, resolution: Micrometres) -> Kind {
+fn circles(
+    transition: &Transition,
+    rounds: Rounds,
+    top: Micrometres,
+    sense: Sense,
+    resolution: Micrometres,
+) -> CycleKind {
     let (levels, passes) = (i64::from(rounds.levels.max(1)), i64::from(rounds.passes.max(1)));
     let depth = transition.depth_mm - transition.start_mm;
     let level = |number: i64| match number == levels {
@@ -104,7 +110,7 @@ fn circles(transition: &Transition, rounds: Rounds, top: Micrometres, sense: Sen
     };
     let stock = transition.diameter_mm - rounds.from_diameter_mm;
     let radius = |pass: i64| (rounds.from_diameter_mm + stock.ratio(pass, passes) - rounds.mill_diameter_mm).half();
-    Kind::Circles {
+    CycleKind::Circles {
         levels: (1..=levels).map(|number| level(number).on_grid(resolution)).collect(),
         radii: (1..=passes).map(|pass| radius(pass).on_grid(resolution)).collect(),
         sense,

@@ -6,14 +6,14 @@ use crate::error::KnowledgeError;
 use crate::motion::Position;
 use crate::note::{Because, Figure, Note};
 use crate::part::{Face, Part, Point};
-use crate::plan::{Plan, ToolPlan, Transition, Visit};
+use crate::plan::{Plan, ToolPlan, ToolVisit, Transition};
 use crate::shop::Shop;
 use crate::tables::rules::CoolantFor;
 use crate::units::Micrometres;
 
+use super::clearance::{change_over_part, ways_over_clamps};
 use super::cycle::cycle;
-use super::stand::{reach_of_quill, stand};
-use super::ways::{change_over_part, ways_over_clamps};
+use super::part_position::{reach_of_quill, stand};
 use super::{Job, Pause, SetUp, Stop, ToolWork};
 
 /// The job of a plan, in the shop it was planned for.
@@ -78,7 +78,7 @@ fn place(tool: &ToolPlan, places: usize) -> u32 {
 
 /// A visit as one work, or as several where the bar of a boring tool is set by hand between its passes.
 fn rounds(
-    visit: &Visit,
+    visit: &ToolVisit,
     tool: &ToolPlan,
     place: u32,
     pauses: Vec<Pause>,

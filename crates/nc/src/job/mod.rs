@@ -1,18 +1,18 @@
 //! The job: one tree of motions and technology, made from a plan and the same for every control.
 //!
 //! A job says where the part stands on the machine, which tool comes when, over which points it goes and with which
-//! cycle. Writers print it in the language of a control, drawings show it, and what a program does is held against it.
+//! cycle. Writers print it in the language of a control, drawings show it, and programs are checked against it.
 //! Heights are those of the part's drawing (Z of its zero), in the set-up at hand.
 //!
 //! - `make` from a plan to the tree; `cycle` one transition's cycle, by the rule `machining-cycle`;
 //! - `stand` where the part stands on the machine; `ways` what the tools pass over.
 //!
-//! Architecture invariant: a job knows no language of a control. It decides nothing that a rule could.
+//! Architecture invariant: a job depends on no control and decides nothing that a rule can.
 
+mod clearance;
 mod cycle;
 mod make;
-mod stand;
-mod ways;
+mod part_position;
 
 use serde::Serialize;
 
@@ -136,7 +136,7 @@ pub struct Cycle {
     /// The transition.
     pub operation: Operation,
     /// How it goes in and out.
-    pub kind: Kind,
+    pub kind: CycleKind,
     /// The spindle's speed.
     pub speed_rpm: RevsPerMinute,
     /// The feed.
@@ -154,7 +154,7 @@ pub struct Cycle {
 }
 
 impl Cycle {
-    /// Whether both are done alike, whatever they are done for.
+    /// Whether both make the same motions, whatever their purpose.
     pub fn same(&self, other: &Self) -> bool {
         let figures = |cycle: &Self| (cycle.speed_rpm, cycle.feed_mm_per_min, cycle.begin, cycle.end, cycle.out);
         self.kind == other.kind && figures(self) == figures(other) && self.dwell_s == other.dwell_s
@@ -164,7 +164,7 @@ impl Cycle {
 /// How a tool goes in and out.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "cycle", rename_all = "kebab-case")]
-pub enum Kind {
+pub enum CycleKind {
     /// In at feed, out at rapid.
     Drill,
     /// In and out at feed.

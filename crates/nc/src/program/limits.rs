@@ -1,4 +1,4 @@
-//! What the machine cannot do, whatever control it has: leave its travels, turn at a speed it has no step for.
+//! Limits of the machine, whatever its control: axis travels and spindle steps.
 
 use std::collections::{BTreeMap, BTreeSet};
 

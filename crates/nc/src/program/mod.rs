@@ -1,6 +1,6 @@
 //! Programs of controls, written and read back. There are two rooms: [`control_2c42_65`], and [`iso`] for LinuxCNC and
-//! Fanuc, which differ in their tables. [`Language`] is whichever of them a program is written for; [`proof`] holds what a
-//! program does against a job.
+//! Fanuc, which differ in their tables. [`Language`] is one of them; [`proof`] compares what a program does with a
+//! job.
 //!
 //! An interpreter reads the text of a program and makes the steps of [`crate::motion`] of it. A writer is the same way
 //! backwards. What an interpreter has to say about a program are [`Fault`]s: data, without a language. What the operator
@@ -28,7 +28,7 @@ use crate::machine::Machine;
 use crate::motion::{BlockRef, Sink};
 use crate::note::{Note, Severity, Told};
 use crate::tables::controls::Letter;
-use written::{Form, Written};
+use written::{Form, WrittenProgram};
 
 /// The language of a control, read from its tables.
 #[derive(Clone, Debug)]
@@ -67,7 +67,7 @@ impl Language {
     }
 
     /// The program of a job.
-    pub fn write(&self, job: &Job, form: Form) -> Written {
+    pub fn write(&self, job: &Job, form: Form) -> WrittenProgram {
         match self {
             Self::Control2c42(_) => control_2c42_65::write(job, form),
             Self::Iso(control) => iso::write(job, control.kind, form),

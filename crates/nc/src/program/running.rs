@@ -1,11 +1,11 @@
-//! What every run through a program keeps, whatever its language: where its steps go, what was told already, how much it
-//! may still carry out.
+//! The state that every interpreter run keeps, whatever the control: the sink of its steps, what was reported already,
+//! and the remaining budget.
 
 use std::collections::BTreeSet;
 
 use super::limits::{Spans, without_zero};
 use super::{Call, Fault, Span};
-use crate::motion::{Sink, Step};
+use crate::motion::{MotionStep, Sink};
 
 /// Blocks and steps that a check carries out: repeats of repeats would never end.
 pub(super) const BUDGET: usize = 500_000;
@@ -13,9 +13,9 @@ pub(super) const BUDGET: usize = 500_000;
 /// A breach of a rule of one control: its code, where, the number of the block.
 type Breach = fn(&'static str, Span, Option<u32>) -> Fault;
 
-/// How a program or a block went on.
+/// Where execution goes after a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Way {
+pub(super) enum BlockOutcome {
     /// To the next block.
     On,
     /// Back to where it was called.
@@ -28,7 +28,7 @@ pub(super) enum Way {
 pub(super) struct Running<'a, S> {
     sink: &'a mut S,
     breach: Breach,
-    /// What has been told of a word already: a block may run many times.
+    /// Faults already reported for a word: a block may run many times.
     told: BTreeSet<(u32, u32, &'static str)>,
     faults: Vec<Fault>,
     /// The calls that led to the block that runs.
@@ -47,7 +47,7 @@ impl<'a, S: Sink> Running<'a, S> {
         Self { sink, breach, told, faults, calls, spans, budget, left: budget }
     }
 
-    /// One block more; false, and told, where the budget is spent.
+    /// Counts one more block; false, with a fault, where the budget is spent.
     pub fn spend(&mut self, span: Span, number: Option<u32>) -> bool {
         if self.left == 0 {
             self.tell((self.breach)("run-too-long", span, number).with("budget", self.budget));
@@ -58,7 +58,7 @@ impl<'a, S: Sink> Running<'a, S> {
     }
 
     /// Carries a block out: nothing of one that is not good. `made` is what its steps cost of the budget.
-    pub fn carry_out(&mut self, steps: &[Step], faults: Vec<Fault>, made: usize) {
+    pub fn carry_out(&mut self, steps: &[MotionStep], faults: Vec<Fault>, made: usize) {
         if !faults.iter().any(Fault::is_error) {
             for step in steps {
                 self.sink.take(step);
@@ -71,14 +71,14 @@ impl<'a, S: Sink> Running<'a, S> {
     }
 
     /// A step that no block makes.
-    pub fn take(&mut self, step: &Step) {
+    pub fn take(&mut self, step: &MotionStep) {
         self.sink.take(step);
     }
 
     /// A return in the main program.
-    pub fn nowhere_to_return(&mut self, span: Span, number: Option<u32>) -> Way {
+    pub fn nowhere_to_return(&mut self, span: Span, number: Option<u32>) -> BlockOutcome {
         self.tell((self.breach)("return-without-call", span, number));
-        Way::Out
+        BlockOutcome::Out
     }
 
     /// Whether a call goes deeper than the control lets it; told, if so.

@@ -1,4 +1,4 @@
-//! A program as a writer leaves it: its lines, each with what of the job it serves.
+//! The output of a writer: program lines, each with the part of the job that it serves.
 
 use serde::Serialize;
 
@@ -40,12 +40,12 @@ impl Form {
 
 /// A program in the language of a control.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Written {
+pub struct WrittenProgram {
     /// Its lines, in order.
-    pub lines: Vec<Line>,
+    pub lines: Vec<ProgramLine>,
 }
 
-impl Written {
+impl WrittenProgram {
     /// The text of the program file.
     pub fn text(&self) -> String {
         let mut text = String::new();
@@ -59,12 +59,12 @@ impl Written {
 
 /// A line of a program.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Line {
+pub struct ProgramLine {
     /// As it stands in the file, without its end.
     pub text: String,
-    /// What it is there for.
-    pub role: Role,
-    /// Whose work it belongs to; absent where it serves several or none.
+    /// Its purpose.
+    pub role: LineRole,
+    /// The work it belongs to; absent where it serves several or none.
     pub work: Option<WorkRef>,
     /// The cycle of that work, where it is for one.
     pub cycle: Option<usize>,
@@ -86,10 +86,10 @@ impl WorkRef {
     }
 }
 
-/// What a line of a program is there for.
+/// The purpose of a program line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Role {
+pub enum LineRole {
     /// The frame of a program or subprogram: its number, its functions of the beginning.
     Frame,
     /// The operator does something.

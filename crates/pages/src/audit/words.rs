@@ -2,7 +2,7 @@
 
 use crate::note::{Figure, Note, Severity};
 use technolog_audit::quantity::Quantity;
-use technolog_audit::{Audit, Finding, Lack, Section, Subject};
+use technolog_audit::{Audit, Finding, MissingKeys, Section, Subject};
 use technolog_core::words::quantity_noun;
 use technolog_document as document;
 use technolog_words::say;
@@ -174,7 +174,7 @@ pub(super) fn said(finding: &Finding, lang: Lang) -> String {
 }
 
 /// What is not stated, by what lacks the same: `рядки 2, 3 - діаметр D; T1, T2 - виліт lв`.
-fn missing(missing: &[Lack], section: &str, lang: Lang) -> String {
+fn missing(missing: &[MissingKeys], section: &str, lang: Lang) -> String {
     let mut groups: Vec<(&[&str], Vec<String>)> = Vec::new();
     for lack in missing {
         let whose = if section == "route" { lack.of.clone() } else { subject(&lack.subject, lang) };

@@ -1,7 +1,7 @@
 //! From the steps of a program to its panels.
 
 use crate::motion::geometry::{Point, in_plane, sweep};
-use crate::motion::{Axis, Motion, Plane, Position, Sense, Step};
+use crate::motion::{Axis, Motion, MotionStep, Plane, Position, Sense};
 use crate::units::Micrometres;
 
 use super::{Frame, Placed};
@@ -17,7 +17,7 @@ pub(super) struct Panel<'f> {
     /// The set-up whose holes lie under it.
     pub placed: Option<&'f Placed>,
     /// The way seen from above.
-    pub lines: Vec<Line>,
+    pub lines: Vec<PathSegment>,
     /// Where the tool goes down at feed, each place once.
     pub plunges: Vec<Spot>,
     /// Where the tool was changed.
@@ -26,7 +26,7 @@ pub(super) struct Panel<'f> {
 
 /// A stretch of the way.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Line {
+pub(super) struct PathSegment {
     pub from: Spot,
     pub to: Spot,
     pub rapid: bool,
@@ -40,7 +40,7 @@ pub(super) enum Shape {
     Arc { centre: Spot, sense: Sense, sweep: f64 },
 }
 
-impl Line {
+impl PathSegment {
     /// What it surely stays within: its ends, and of an arc the whole circle.
     pub(super) fn reach(&self) -> Vec<Spot> {
         match self.shape {
@@ -72,7 +72,7 @@ impl Line {
 }
 
 /// The panels of a program; what cuts nothing is no panel.
-pub(super) fn panels<'f>(steps: &[Step], frame: Option<&'f Frame<'_>>) -> Vec<Panel<'f>> {
+pub(super) fn panels<'f>(steps: &[MotionStep], frame: Option<&'f Frame<'_>>) -> Vec<Panel<'f>> {
     let mut panels: Vec<Panel<'f>> = Vec::new();
     let mut panel = Panel::default();
     let mut at: Option<Position> = None;
@@ -115,7 +115,7 @@ impl<'f> Panel<'f> {
     }
 
     fn take(&mut self, motion: &Motion, from: Position, to: Position) {
-        let straight = |rapid| Line { from: spot(from), to: spot(to), rapid, shape: Shape::Straight };
+        let straight = |rapid| PathSegment { from: spot(from), to: spot(to), rapid, shape: Shape::Straight };
         let moves = spot(from) != spot(to);
         match motion {
             Motion::Rapid if moves => self.lines.push(straight(true)),
@@ -130,7 +130,7 @@ impl<'f> Panel<'f> {
                 let turned = sweep(in_plane(from, Plane::Xy), in_plane(to, Plane::Xy), centre, *sense);
                 let whole = if *turns > 0 { std::f64::consts::TAU } else { turned };
                 let shape = Shape::Arc { centre: (centre[0], centre[1]), sense: *sense, sweep: whole };
-                self.lines.push(Line { shape, ..straight(false) });
+                self.lines.push(PathSegment { shape, ..straight(false) });
             }
             // From above an arc across the table is the straight line between its ends.
             Motion::Arc { .. } if moves => self.lines.push(straight(false)),

@@ -3,9 +3,9 @@
 use crate::document::{Block, Column, Document, Field, Inlines, Keep, Table};
 use crate::words::say;
 
-use super::{Row, Sheet};
+use super::{EncodingSheet, Row};
 
-impl Sheet {
+impl EncodingSheet {
     /// The sheet as a page. What the textbook's sheet does not have carries a `†`.
     pub fn page(&self) -> Document {
         let lang = self.lang;

@@ -4,7 +4,7 @@
 use crate::document::{Align, Block, Column, Document, Field, Inlines, Item, Table};
 use crate::note::{Figure, Note, Tell, Told};
 use crate::part::{Face, Hole};
-use crate::plan::{Achieved, Alternative, Feature, HolePlan, Operation, Plan, Route, Stop, Transition, Way};
+use crate::plan::{Achieved, Alternative, Feature, HolePlan, Operation, Plan, Route, RouteSource, Stop, Transition};
 use crate::units::Micrometres;
 
 use super::super::words::say;
@@ -176,18 +176,18 @@ fn of_route(route: &Route, lang: Lang) -> String {
 }
 
 /// Where a route was found: `A.9 07`, `A.5 комплекс 13`, or the search.
-fn route_name(way: Way, table: &str, scheme: &str, lang: Lang) -> String {
+fn route_name(way: RouteSource, table: &str, scheme: &str, lang: Lang) -> String {
     if scheme.is_empty() {
         return table.to_owned();
     }
     let name = Figure::scheme(scheme);
     match way {
-        Way::Tables => say!(lang, "plan-by-table", table = table, scheme = name),
-        Way::Complexes => say!(lang, "plan-by-complex", table = table, scheme = name),
-        Way::Search if scheme.starts_with(|first: char| first.is_ascii_digit()) => {
+        RouteSource::Tables => say!(lang, "plan-by-table", table = table, scheme = name),
+        RouteSource::Complexes => say!(lang, "plan-by-complex", table = table, scheme = name),
+        RouteSource::Search if scheme.starts_with(|first: char| first.is_ascii_digit()) => {
             say!(lang, "plan-by-search-as", table = table, scheme = name)
         }
-        Way::Search => say!(lang, "plan-by-search").to_owned(),
+        RouteSource::Search => say!(lang, "plan-by-search").to_owned(),
     }
 }
 

@@ -4,10 +4,10 @@
 use super::super::canvas::{Anchor, At, Canvas, Pen};
 use super::super::sentences::term;
 use super::cells::{figure, rounded};
-use super::told::word;
+use super::phrases::word;
 use super::{Lang, schemes_drawing};
 use technolog_turning::length::Half;
-use technolog_turning::passes::pass::{Kind, Pass};
+use technolog_turning::passes::pass::{Pass, PassDirection};
 use technolog_turning::passes::{Sequences, Variant};
 use technolog_turning::point::Point;
 use technolog_turning::schemes::Schemes;
@@ -51,7 +51,7 @@ pub fn drawing(found: &Sequences, schemes: &Schemes, lang: Lang) -> String {
 
 fn legend(canvas: &mut Canvas, top: f64, lang: Lang) {
     let mut left = MARGIN;
-    for (index, kind) in [Kind::Longitudinal, Kind::Transverse].into_iter().enumerate() {
+    for (index, kind) in [PassDirection::Longitudinal, PassDirection::Transverse].into_iter().enumerate() {
         for fill in FILLS[index] {
             canvas.rectangle((left, top), (left + 18.0, top + 12.0), fill, Some(Pen::solid("#666", 0.5)));
             left += 22.0;
@@ -75,7 +75,7 @@ fn panel(
     part(canvas, found, lang, place);
     let mut turn = [0_usize; 2];
     for pass in &variant.drawn {
-        let kind = usize::from(pass.kind == Kind::Transverse);
+        let kind = usize::from(pass.kind == PassDirection::Transverse);
         let fill = FILLS[kind][turn[kind] % 2];
         turn[kind] += 1;
         for &(near, far) in &pass.removed {
@@ -125,7 +125,7 @@ pub(super) fn part(canvas: &mut Canvas, found: &Sequences, lang: Lang, place: &i
 /// The way of the tool through metal, with the number of the pass beside its beginning.
 pub(super) fn arrow(canvas: &mut Canvas, pass: &Pass, number: usize, place: &impl Fn(Point) -> At) {
     let (from, to) = (place(pass.from), place(pass.to));
-    let colour = if pass.kind == Kind::Longitudinal { "#0072b2" } else { "#d55e00" };
+    let colour = if pass.kind == PassDirection::Longitudinal { "#0072b2" } else { "#d55e00" };
     let pen = Pen::solid(colour, 1.0);
     canvas.line(&[from, to], pen);
     canvas.head(from, to, pen);
@@ -140,8 +140,8 @@ pub(super) fn arrow(canvas: &mut Canvas, pass: &Pass, number: usize, place: &imp
     let size = 11.0_f64.min(tall).min((wide - 1.0) / (0.6 * number.len() as f64)).max(6.0);
     // Off the middle, so that it does not stand on the arrow of a narrow pass.
     let at = match pass.kind {
-        Kind::Longitudinal => (near.0 - 12.0_f64.min(wide / 2.0), (near.1 + far.1) / 2.0 + size * 0.35),
-        Kind::Transverse => ((near.0 + far.0) / 2.0, far.1 + 12.0_f64.min(tall / 2.0 + size * 0.35)),
+        PassDirection::Longitudinal => (near.0 - 12.0_f64.min(wide / 2.0), (near.1 + far.1) / 2.0 + size * 0.35),
+        PassDirection::Transverse => ((near.0 + far.0) / 2.0, far.1 + 12.0_f64.min(tall / 2.0 + size * 0.35)),
     };
     canvas.text(at, size, Anchor::Middle, &number);
 }

@@ -5,9 +5,9 @@ use super::super::canvas::{Anchor, At, Canvas, Pen};
 use super::Lang;
 use super::cells::rounded;
 use super::drawing::{FILLS, arrow, part};
-use super::told::word;
+use super::phrases::word;
 use technolog_turning::length::Half;
-use technolog_turning::passes::pass::Kind;
+use technolog_turning::passes::pass::PassDirection;
 use technolog_turning::passes::{Sequences, Variant};
 use technolog_turning::point::Point;
 use technolog_words::say;
@@ -76,7 +76,7 @@ fn frame(
         }
     }
     for &(near, far) in &pass.removed {
-        let fill = FILLS[usize::from(pass.kind == Kind::Transverse)][0];
+        let fill = FILLS[usize::from(pass.kind == PassDirection::Transverse)][0];
         canvas.rectangle(place(near), place(far), fill, Some(Pen::solid("#666", 0.5)));
     }
     arrow(canvas, pass, index + 1, place);

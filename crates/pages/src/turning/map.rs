@@ -4,10 +4,10 @@ use super::super::canvas::{Anchor, At, Canvas, Pen};
 use super::super::sentences::term;
 use super::Lang;
 use super::cells::{Cell, figure, table};
-use super::told::word;
+use super::phrases::word;
 use crate::document::{Column, Document, Keep};
 use technolog_turning::passes::map::{Ratio, settled};
-use technolog_turning::passes::pass::Kind;
+use technolog_turning::passes::pass::PassDirection;
 use technolog_turning::shaft::Shaft;
 use technolog_words::say;
 
@@ -39,8 +39,8 @@ pub fn map_page(shaft: &Shaft, map: &[Ratio], lang: Lang) -> Document {
     page.push(table(columns, map.iter().map(row).collect(), lang));
     if let Some((kind, ratio)) = settled(map) {
         page.paragraph(match kind {
-            Kind::Longitudinal => say!(lang, "turn-map-along", ratio = ratio),
-            Kind::Transverse => say!(lang, "turn-map-across", ratio = ratio),
+            PassDirection::Longitudinal => say!(lang, "turn-map-along", ratio = ratio),
+            PassDirection::Transverse => say!(lang, "turn-map-across", ratio = ratio),
         });
     }
     page

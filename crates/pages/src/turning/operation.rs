@@ -10,12 +10,12 @@ use crate::knowledge::Knowledge;
 use crate::note::Figure;
 use technolog_turning::allowances::areas::Area;
 use technolog_turning::operation::Operation;
-use technolog_turning::operation::programs::Written;
+use technolog_turning::operation::programs::OperationProgram;
 use technolog_turning::operation::work::Work;
 use technolog_words::say;
 
 use super::cells::{Cell, fixed, table};
-use super::told::{material, rests_on, word};
+use super::phrases::{material, rests_on, word};
 use super::{Lang, fields, findings, section};
 use crate::sentences::sentence;
 
@@ -53,8 +53,8 @@ pub fn operation_page(operation: &Operation, knowledge: &Knowledge, lang: Lang) 
 }
 
 /// The programs of an operation, one a line.
-pub fn programs_list(programs: &[Written], lang: Lang) -> String {
-    let line = |(index, program): (usize, &Written)| {
+pub fn programs_list(programs: &[OperationProgram], lang: Lang) -> String {
+    let line = |(index, program): (usize, &OperationProgram)| {
         let told = say!(
             lang,
             "turn-program",

@@ -3,15 +3,15 @@
 use super::super::canvas::{Anchor, Canvas, Pen};
 use super::Lang;
 use super::cells::{fixed, rounded};
-use super::told::word;
+use super::phrases::word;
 use super::view::{View, pen_of};
 use technolog_turning::contour::{Contour, Piece, Side};
 use technolog_turning::length::Half;
 use technolog_turning::operation::work::{Work, ZoneWork};
 use technolog_turning::operation::{Operation, SetUpWork, SideWork};
 use technolog_turning::point::Point;
+use technolog_turning::toolpath::Purpose;
 use technolog_turning::transitions::Transition;
-use technolog_turning::way::Purpose;
 use technolog_words::say;
 
 const WIDE: f64 = 1100.0;

@@ -8,8 +8,8 @@ use technolog_words::say;
 use super::super::sentences::term;
 use super::Lang;
 use super::cells::{Cell, arrow, figure, rounded, span, table};
+use super::phrases::{said, schemes_column, terms, word};
 use super::section;
-use super::told::{said, schemes_column, terms, word};
 
 /// The sections; nothing where there is no stock.
 pub(super) fn sections(page: &mut Document, found: &Schemes, lang: Lang) {

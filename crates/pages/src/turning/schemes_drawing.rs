@@ -5,7 +5,7 @@ use super::super::canvas::{Anchor, At, Canvas, Pen};
 use super::Lang;
 use super::cells::fixed;
 use super::drawing::{MARGIN, PANEL, TALL, TITLE, part};
-use super::told::word;
+use super::phrases::word;
 use technolog_turning::length::Half;
 use technolog_turning::passes::Sequences;
 use technolog_turning::point::Point;

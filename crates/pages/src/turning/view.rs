@@ -6,7 +6,7 @@ use super::super::canvas::{At, Canvas, Pen};
 use technolog_turning::contour::{Curve, Piece, Turn};
 use technolog_turning::length::Half;
 use technolog_turning::point::Point;
-use technolog_turning::way::{Purpose, Way};
+use technolog_turning::toolpath::{Purpose, Toolpath};
 
 /// A part of the half section on the page.
 #[derive(Clone, Copy, Debug)]
@@ -80,7 +80,7 @@ impl View {
     }
 
     /// The way of a tool, each move with the pen of what it is for and an arrow in its middle.
-    pub(super) fn way(&self, canvas: &mut Canvas, way: &Way) {
+    pub(super) fn way(&self, canvas: &mut Canvas, way: &Toolpath) {
         for (piece, purpose) in way.pieces() {
             let pen = pen_of(purpose);
             self.line(canvas, [piece], pen);

@@ -49,13 +49,13 @@ pub(super) struct Ends {
 
 /// A stretch of the outline.
 #[derive(Clone, Copy, Debug)]
-struct Stretch {
+struct OutlinePiece {
     from: Vector,
     to: Vector,
     sweep: f64,
 }
 
-impl Stretch {
+impl OutlinePiece {
     fn reversed(self) -> Self {
         Self { from: self.to, to: self.from, sweep: -self.sweep }
     }
@@ -104,15 +104,15 @@ impl Stretch {
 pub(super) fn read_back(whole: &[Corner], ends: &Ends, parallels: &[Parallel]) -> Option<Vec<Over>> {
     let mut stretches = above_foundation(whole, ends)?;
     trim(&mut stretches, ends.from, -1.0);
-    stretches = stretches.into_iter().rev().map(Stretch::reversed).collect();
+    stretches = stretches.into_iter().rev().map(OutlinePiece::reversed).collect();
     trim(&mut stretches, ends.to, 1.0);
-    stretches = stretches.into_iter().rev().map(Stretch::reversed).collect();
-    let mut found: Vec<(Stretch, usize)> = Vec::new();
+    stretches = stretches.into_iter().rev().map(OutlinePiece::reversed).collect();
+    let mut found: Vec<(OutlinePiece, usize)> = Vec::new();
     for stretch in stretches {
         let of = parallel_of(stretch, parallels).or(found.last().map(|(_, of)| *of)).unwrap_or(0);
         match found.last_mut() {
             Some((last, its)) if *its == of && last.goes_on_as(stretch) => {
-                *last = Stretch { from: last.from, to: stretch.to, sweep: last.sweep + stretch.sweep };
+                *last = OutlinePiece { from: last.from, to: stretch.to, sweep: last.sweep + stretch.sweep };
             }
             _ => found.push((stretch, of)),
         }
@@ -124,21 +124,22 @@ pub(super) fn read_back(whole: &[Corner], ends: &Ends, parallels: &[Parallel]) -
 }
 
 /// The outline from the foundation before the part to that behind it.
-fn above_foundation(whole: &[Corner], ends: &Ends) -> Option<Vec<Stretch>> {
+fn above_foundation(whole: &[Corner], ends: &Ends) -> Option<Vec<OutlinePiece>> {
     let is_at = |corner: &Corner, at: Vector| at.minus(corner.at).length() < SAME;
     let start = whole.iter().position(|corner| is_at(corner, ends.left))?;
     let round: Vec<&Corner> = whole.iter().cycle().skip(start).take(whole.len()).collect();
     let end = round.iter().position(|corner| is_at(corner, ends.right))?;
     let stretches = round.iter().zip(round.iter().skip(1)).take(end);
-    let stretch = |(one, next): (&&Corner, &&Corner)| Stretch { from: one.at, to: next.at, sweep: one.sweep };
-    let on_ground =
-        |stretch: &Stretch| [stretch.from, stretch.to].iter().all(|at| (at.radius - ends.left.radius).abs() < SAME);
+    let stretch = |(one, next): (&&Corner, &&Corner)| OutlinePiece { from: one.at, to: next.at, sweep: one.sweep };
+    let on_ground = |stretch: &OutlinePiece| {
+        [stretch.from, stretch.to].iter().all(|at| (at.radius - ends.left.radius).abs() < SAME)
+    };
     Some(stretches.map(stretch).filter(|stretch| !on_ground(stretch)).collect())
 }
 
 /// Leaves out what lies before the end of the part: before the outline first meets the ray from the corner of the part
 /// through the end of its parallel. Where the strip of another piece covers that end, the ray is level.
-fn trim(stretches: &mut Vec<Stretch>, end: End, outwards: f64) {
+fn trim(stretches: &mut Vec<OutlinePiece>, end: End, outwards: f64) {
     let level = End { out: Vector::new(outwards, 0.0), reach: end.far, ..end };
     if let Some(rest) = after(stretches, end).or_else(|| after(stretches, level)) {
         *stretches = rest;
@@ -146,7 +147,7 @@ fn trim(stretches: &mut Vec<Stretch>, end: End, outwards: f64) {
 }
 
 /// What follows after the ray; none where the outline does not meet it in its reach.
-fn after(stretches: &[Stretch], end: End) -> Option<Vec<Stretch>> {
+fn after(stretches: &[OutlinePiece], end: End) -> Option<Vec<OutlinePiece>> {
     let along = |at: Vector| end.out.dot(at.minus(end.corner));
     let aside = |at: Vector| end.out.cross(at.minus(end.corner));
     let reached = |at: Vector| (-SAME..end.reach + SAME).contains(&along(at));
@@ -168,7 +169,7 @@ fn after(stretches: &[Stretch], end: End) -> Option<Vec<Stretch>> {
 }
 
 /// At which share of a stretch a measure changes its sign, by halving.
-fn crossing(stretch: Stretch, measure: impl Fn(Vector) -> f64) -> f64 {
+fn crossing(stretch: OutlinePiece, measure: impl Fn(Vector) -> f64) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..50 {
         let middle = (low + high) / 2.0;
@@ -182,7 +183,7 @@ fn crossing(stretch: Stretch, measure: impl Fn(Vector) -> f64) -> f64 {
 }
 
 /// The parallel on which a stretch lies, the nearest of them where there are several.
-fn parallel_of(stretch: Stretch, parallels: &[Parallel]) -> Option<usize> {
+fn parallel_of(stretch: OutlinePiece, parallels: &[Parallel]) -> Option<usize> {
     let middle = stretch.at(0.5);
     let fits = |parallel: &Parallel| {
         let from = middle.minus(parallel.over_from);
@@ -209,19 +210,19 @@ fn parallel_of(stretch: Stretch, parallels: &[Parallel]) -> Option<usize> {
 }
 
 /// A stretch as a piece, or two: the rounded ends of nearly half a circle may not tell its centre, its halves do.
-fn pieces(stretch: Stretch, parallel: Option<&Parallel>) -> impl Iterator<Item = Piece> {
+fn pieces(stretch: OutlinePiece, parallel: Option<&Parallel>) -> impl Iterator<Item = Piece> {
     let whole = piece(stretch, parallel);
     let off = whole.centre().map_or(0.0, |centre| stretch.centre().minus(centre).length());
     let halves = (off > OFF_CENTRE && stretch.sweep.abs() > HALF_CIRCLE / 2.0).then(|| {
         let rest = stretch.rest(0.5);
-        [Stretch { to: rest.from, sweep: stretch.sweep / 2.0, ..stretch }, rest]
+        [OutlinePiece { to: rest.from, sweep: stretch.sweep / 2.0, ..stretch }, rest]
     });
     let parts = halves.map_or_else(|| vec![stretch], Vec::from);
     parts.into_iter().map(move |part| piece(part, parallel))
 }
 
 /// A stretch as a piece. Where it lies on the parallel of an arc it has the radius of that arc and the distance.
-fn piece(stretch: Stretch, parallel: Option<&Parallel>) -> Piece {
+fn piece(stretch: OutlinePiece, parallel: Option<&Parallel>) -> Piece {
     let (from, to) = (Point::at(stretch.from), Point::at(stretch.to));
     let chord = stretch.chord().length();
     if stretch.sweep == 0.0 || chord < SHORT {

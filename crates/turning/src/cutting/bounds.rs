@@ -1,4 +1,5 @@
-//! What tool and lathe bear. Every bound is a load that grows with the depth of cut and a capacity that it must not pass.
+//! What tool and lathe can carry. Every bound is a load that grows with the depth of cut and a capacity that it must
+//! not pass.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -12,7 +13,7 @@ use crate::turning::tooling::Shank;
 use crate::units::{Kilowatts, MetresPerMinute, Micrometres, MillimetresPerRev, NewtonMetres, Newtons};
 
 use super::laws::{self, Component, ForceLaw};
-use super::{Cut, Direction, Lacking};
+use super::{Cut, Direction, MissingFigure};
 
 /// What bounds the depth of cut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
@@ -24,7 +25,7 @@ pub enum Bound {
     ShankStiffness,
     /// The edge of the insert is too short.
     InsertEdge,
-    /// The main force is more than the carriage bears.
+    /// The main force is more than the carriage can carry.
     CuttingForce,
     /// The drive along the feed is too weak.
     FeedForce,
@@ -96,19 +97,19 @@ impl Load {
     }
 }
 
-/// A bound that could not be reckoned, and the figure that was missing.
+/// A bound that could not be computed, and the figure that was missing.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Missing {
+pub struct UnknownBound {
     /// The bound.
     pub bound: Bound,
     /// What is missing, and where.
     #[serde(rename = "note")]
     #[schemars(with = "Note")]
-    pub why: Lacking,
+    pub why: MissingFigure,
 }
 
-impl Missing {
-    /// As a finding: the depth is told without that bound.
+impl UnknownBound {
+    /// As a finding: the depth is given without that bound.
     pub fn finding(&self) -> Finding {
         Finding::of_part(Severity::Doubtful, self.told(Note::new("bound-not-reckoned")))
     }
@@ -141,9 +142,9 @@ pub(super) struct Check {
 /// The forces of a cut at a feed, each where its figures are known.
 #[derive(Clone, Debug)]
 pub(super) struct Forces {
-    pub main: Result<ForceLaw, Lacking>,
-    pub radial: Result<ForceLaw, Lacking>,
-    pub axial: Result<ForceLaw, Lacking>,
+    pub main: Result<ForceLaw, MissingFigure>,
+    pub radial: Result<ForceLaw, MissingFigure>,
+    pub axial: Result<ForceLaw, MissingFigure>,
 }
 
 impl Forces {
@@ -152,7 +153,7 @@ impl Forces {
         Ok(Self { main: law(Component::Main)?, radial: law(Component::Radial)?, axial: law(Component::Axial)? })
     }
 
-    fn law(&self, component: Component) -> &Result<ForceLaw, Lacking> {
+    fn law(&self, component: Component) -> &Result<ForceLaw, MissingFigure> {
         match component {
             Component::Main => &self.main,
             Component::Radial => &self.radial,
@@ -199,8 +200,8 @@ impl Check {
     }
 }
 
-/// Every bound of a cut: those that can be reckoned, and what is missing for the others.
-pub(super) fn checks(cut: &Cut<'_, '_>, forces: &Forces) -> Result<(Vec<Check>, Vec<Missing>), KnowledgeError> {
+/// Every bound of a cut: those that can be computed, and what is missing for the others.
+pub(super) fn checks(cut: &Cut<'_, '_>, forces: &Forces) -> Result<(Vec<Check>, Vec<UnknownBound>), KnowledgeError> {
     // Against the feed Px pushes along the axis; across it the same force pushes along X. In grooving there is no Px,
     // and Py is against the feed.
     let (along, across) = match cut.direction {
@@ -234,15 +235,15 @@ pub(super) fn checks(cut: &Cut<'_, '_>, forces: &Forces) -> Result<(Vec<Check>, 
     }
     let (mut checks, mut missing) = (Vec::new(), Vec::new());
     for (bound, component, check) in tried {
-        // A bound that does not hold for the tool at all is neither reckoned nor missing.
+        // A bound that does not hold for the tool at all is neither computed nor missing.
         if bound == Bound::InsertEdge && cut.tool.plunges() {
             continue;
         }
         let lacking = component.and_then(|component| forces.law(component).as_ref().err());
         match (Refusal::split(check)?, lacking) {
             (Ok(check), None) => checks.push(check),
-            (Err(why), _) => missing.push(Missing { bound, why }),
-            (Ok(_), Some(why)) => missing.push(Missing { bound, why: why.clone() }),
+            (Err(why), _) => missing.push(UnknownBound { bound, why }),
+            (Ok(_), Some(why)) => missing.push(UnknownBound { bound, why: why.clone() }),
         }
     }
     Ok((checks, missing))
@@ -289,12 +290,12 @@ fn overhang(cut: &Cut<'_, '_>, shank: Shank) -> Result<(f64, Vec<Because>), Know
     Ok((ratio * size.to_mm(), vec![because]))
 }
 
-fn shank_of(cut: &Cut<'_, '_>) -> Tried<Shank, Lacking> {
+fn shank_of(cut: &Cut<'_, '_>) -> Tried<Shank, MissingFigure> {
     cut.tool.shank.ok_or_else(|| Refusal::Not(cut.tool_lacks("shank_height")))
 }
 
 /// Bending of the shank: Pz · l ≤ σ · W, with W = B·H²/6 of a square shank and π·d³/32 of a bar, mm³.
-fn shank_strength(cut: &Cut<'_, '_>) -> Tried<Check, Lacking> {
+fn shank_strength(cut: &Cut<'_, '_>) -> Tried<Check, MissingFigure> {
     let shank = shank_of(cut)?;
     let modulus = match shank {
         Shank::Square { height, width } => width.to_mm() * height.to_mm() * height.to_mm() / 6.0,
@@ -310,7 +311,7 @@ fn shank_strength(cut: &Cut<'_, '_>) -> Tried<Check, Lacking> {
 }
 
 /// Bending of the shank: Pz ≤ 3·f·E·J / l³, with J = B·H³/12 of a square shank and π·d⁴/64 of a bar, mm⁴.
-fn shank_stiffness(cut: &Cut<'_, '_>) -> Tried<Check, Lacking> {
+fn shank_stiffness(cut: &Cut<'_, '_>) -> Tried<Check, MissingFigure> {
     let shank = shank_of(cut)?;
     let inertia = match shank {
         Shank::Square { height, width } => {
@@ -331,7 +332,7 @@ fn shank_stiffness(cut: &Cut<'_, '_>) -> Tried<Check, Lacking> {
 }
 
 /// How much of the edge may cut: t ≤ share · l · sin of the angle between edge and feed.
-fn insert_edge(cut: &Cut<'_, '_>) -> Tried<Check, Lacking> {
+fn insert_edge(cut: &Cut<'_, '_>) -> Tried<Check, MissingFigure> {
     let lacks = |quantity: &str| Refusal::Not(cut.tool_lacks(quantity));
     let edge = cut.tool.edge.ok_or_else(|| lacks("edge"))?;
     let shape = cut.tool.insert_shape().ok_or_else(|| lacks("insert"))?;
@@ -346,7 +347,7 @@ fn insert_edge(cut: &Cut<'_, '_>) -> Tried<Check, Lacking> {
 }
 
 /// A drive of the carriage: the component of the force along it ≤ what its record gives.
-fn drive(cut: &Cut<'_, '_>, bound: Bound, component: Component, quantity: Q) -> Tried<Check, Lacking> {
+fn drive(cut: &Cut<'_, '_>, bound: Bound, component: Component, quantity: Q) -> Tried<Check, MissingFigure> {
     let force = match quantity {
         Q::FeedForceZ => cut.lathe.feed_force_z,
         _ => cut.lathe.feed_force_x,
@@ -357,7 +358,7 @@ fn drive(cut: &Cut<'_, '_>, bound: Bound, component: Component, quantity: Q) -> 
 }
 
 /// Pz · D / 2 ≤ the torque of the spindle.
-fn spindle_torque(cut: &Cut<'_, '_>) -> Tried<Check, Lacking> {
+fn spindle_torque(cut: &Cut<'_, '_>) -> Tried<Check, MissingFigure> {
     let quantity = Q::SpindleTorqueMax;
     let torque = cut.lathe.torque.ok_or_else(|| Refusal::Not(cut.lathe_lacks(quantity)))?;
     let because = vec![Because::row(cut.lathe.row(quantity)?, Note::new("lathe-limit").with("limit", torque.0))];
@@ -365,7 +366,7 @@ fn spindle_torque(cut: &Cut<'_, '_>) -> Tried<Check, Lacking> {
 }
 
 /// Pz · V / 60000 ≤ N · η. Where the record has no η, that of `turning-limits` stands in, marked.
-fn spindle_power(cut: &Cut<'_, '_>) -> Tried<Check, Lacking> {
+fn spindle_power(cut: &Cut<'_, '_>) -> Tried<Check, MissingFigure> {
     let (share, of_share) = match cut.lathe.efficiency {
         Some(share) => {
             let note = Note::new("lathe-limit").with("limit", share.0);
@@ -380,7 +381,7 @@ fn spindle_power(cut: &Cut<'_, '_>) -> Tried<Check, Lacking> {
 }
 
 /// The depth at which the tables of feeds end.
-fn handbook(cut: &Cut<'_, '_>) -> Tried<Check, Lacking> {
+fn handbook(cut: &Cut<'_, '_>) -> Tried<Check, MissingFigure> {
     let (depth, because) = constant_length(cut, Limit::DepthMax)?;
     let capacity = Load::DepthMm(depth);
     Ok(Check { bound: Bound::Handbook, measure: Measure::Depth, capacity, because: vec![because] })

@@ -13,11 +13,11 @@ use crate::units::{
 };
 use technolog_cutting::{rpm_at, speed_at};
 
-use super::bounds::{self, Bound, Check, Forces, Load, Missing};
+use super::bounds::{self, Bound, Check, Forces, Load, UnknownBound};
 use super::feed::{finish_feed, rough_feed};
 use super::laws::{self, Component};
 use super::limit::positive;
-use super::{Cut, Direction, Lack, Nothing, of_figures};
+use super::{Cut, CuttingRefusal, Direction, NonPositive, of_figures};
 
 /// Feed, speed and loads of a transition.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -55,8 +55,8 @@ pub struct TurningConditions {
     pub limited_by: String,
     /// The bounds that these conditions still pass: the depth is too large, take less.
     pub exceeded: Vec<Bound>,
-    /// The bounds that could not be reckoned.
-    pub missing: Vec<Missing>,
+    /// The bounds that could not be computed.
+    pub missing: Vec<UnknownBound>,
     /// The rows behind the figures.
     pub because: Vec<Because>,
 }
@@ -64,15 +64,15 @@ pub struct TurningConditions {
 impl TurningConditions {
     /// What a reader of the conditions must know: every bound that is missing.
     pub fn findings(&self) -> Vec<Finding> {
-        self.missing.iter().map(Missing::finding).collect()
+        self.missing.iter().map(UnknownBound::finding).collect()
     }
 }
 
 /// Conditions of a cut at a depth; with a roughness the feed is that of finishing, and never above that of roughing.
 ///
-/// The speed is that of the tool's life, on the spindle's step below it. Where the power of the spindle does not do, it
-/// turns slower, down to the speed at which it does. Feed rates beyond the axis are held at its ends. A grooving tool
-/// cuts its own width, whatever depth is given.
+/// The speed is that of the tool's life, on the spindle's step below it. Where the spindle power is not enough, the
+/// speed is reduced until it is. Feed rates beyond the axis are held at its ends. A grooving tool cuts its own width,
+/// whatever depth is given.
 ///
 /// # Errors
 /// No feed or speed is known for this; the roughness is finer than the tables or than the lathe holds; a depth that is
@@ -81,14 +81,14 @@ pub fn conditions(
     cut: &Cut<'_, '_>,
     depth: Micrometres,
     roughness: Option<Roughness>,
-) -> Tried<TurningConditions, Lack> {
+) -> Tried<TurningConditions, CuttingRefusal> {
     let depth = match (cut.tool.plunges(), cut.tool.width) {
         (true, Some(width)) => width,
-        (true, None) => return Err(Refusal::Not(Lack::Figure(cut.tool_lacks("width")))),
+        (true, None) => return Err(Refusal::Not(CuttingRefusal::Figure(cut.tool_lacks("width")))),
         (false, _) => depth,
     };
     if depth <= Micrometres::ZERO {
-        return Err(Refusal::Not(Lack::NothingToCut(Nothing::Depth(depth))));
+        return Err(Refusal::Not(CuttingRefusal::NothingToCut(NonPositive::Depth(depth))));
     }
     let (mut feed, mut because) = feed_of(cut, depth, roughness)?;
     positive(cut, feed)?;
@@ -156,7 +156,7 @@ fn feed_of(
     cut: &Cut<'_, '_>,
     depth: Micrometres,
     roughness: Option<Roughness>,
-) -> Tried<(MillimetresPerRev, Vec<Because>), Lack> {
+) -> Tried<(MillimetresPerRev, Vec<Because>), CuttingRefusal> {
     let Some(roughness) = roughness else {
         let rough = rough_feed(cut, depth)?;
         return Ok((rough.feed, rough.because));
@@ -164,7 +164,11 @@ fn feed_of(
     if let Some(best) = cut.lathe.best_roughness
         && roughness < best
     {
-        return Err(Refusal::Not(Lack::TooFineForLathe { lathe: cut.lathe.id().to_owned(), roughness, best }));
+        return Err(Refusal::Not(CuttingRefusal::TooFineForLathe {
+            lathe: cut.lathe.id().to_owned(),
+            roughness,
+            best,
+        }));
     }
     let finish = finish_feed(cut, roughness)?;
     match Refusal::split(rough_feed(cut, depth))? {

@@ -10,7 +10,7 @@ use crate::turning::tooling::{Shank, ToolKind};
 use crate::units::{Micrometres, MillimetresPerRev, Roughness};
 use technolog_cutting::figures;
 
-use super::{Cut, Lack, of_tables};
+use super::{Cut, CuttingRefusal, of_tables};
 
 /// A feed and the rows it rests on.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,9 +26,9 @@ pub struct Feed {
 ///
 /// # Errors
 /// The table has no feed for the tool, the diameter or the depth; the tool's row lacks its shank; threads.
-pub fn rough_feed(cut: &Cut<'_, '_>, depth: Micrometres) -> Tried<Feed, Lack> {
+pub fn rough_feed(cut: &Cut<'_, '_>, depth: Micrometres) -> Tried<Feed, CuttingRefusal> {
     let (diameter, process) = (cut.diameter, cut.process());
-    let lacks = |quantity: &str| Refusal::Not(Lack::Figure(cut.tool_lacks(quantity).during(process)));
+    let lacks = |quantity: &str| Refusal::Not(CuttingRefusal::Figure(cut.tool_lacks(quantity).during(process)));
     let figures = match cut.tool.kind {
         ToolKind::Turning => {
             let Some(Shank::Square { height: shank_height, .. }) = cut.tool.shank else {
@@ -49,10 +49,10 @@ pub fn rough_feed(cut: &Cut<'_, '_>, depth: Micrometres) -> Tried<Feed, Lack> {
             figures::ask(question, cut).map(|figures| figures.map(|row| row.feed_min))
         }
         ToolKind::Threading => {
-            return Err(Refusal::Not(Lack::Threads { tool: cut.tool.designation.to_owned(), process }));
+            return Err(Refusal::Not(CuttingRefusal::Threads { tool: cut.tool.designation.to_owned(), process }));
         }
     };
-    let no_feed = |lacking| Lack::NoFeed { lacking, depth, diameter };
+    let no_feed = |lacking| CuttingRefusal::NoFeed { lacking, depth, diameter };
     let figures = cut.named(of_tables(figures)).map_err(|refusal| refusal.map(no_feed))?;
     let feed = figures.row;
     let note = Note::new("turning-feed").with("feed", feed.0).with("tool", cut.tool.designation);
@@ -65,15 +65,15 @@ pub fn rough_feed(cut: &Cut<'_, '_>, depth: Micrometres) -> Tried<Feed, Lack> {
 ///
 /// # Errors
 /// The roughness is finer than the table; the tool's row has no nose radius, or one below the table's; threads.
-pub fn finish_feed(cut: &Cut<'_, '_>, roughness: Roughness) -> Tried<Feed, Lack> {
+pub fn finish_feed(cut: &Cut<'_, '_>, roughness: Roughness) -> Tried<Feed, CuttingRefusal> {
     let process = cut.process();
-    let no_nose = || Refusal::Not(Lack::Figure(cut.tool_lacks("nose_radius").during(process)));
+    let no_nose = || Refusal::Not(CuttingRefusal::Figure(cut.tool_lacks("nose_radius").during(process)));
     let rest = cut.knowledge.table(TurningFinishFeedFor::TABLE)?;
     let nose = cut.tool.nose_radius.ok_or_else(no_nose)?;
     let nose_radius = nose_of_table(cut.knowledge, nose)?.ok_or_else(no_nose)?;
     let columns = TurningFinishFeedFor::roughness(rest).map(Column::roughness_points);
     let column = columns.into_iter().flatten().filter(|column| *column <= roughness).max();
-    let roughness = column.ok_or(Refusal::Not(Lack::TooFineToTurn { roughness, process }))?;
+    let roughness = column.ok_or(Refusal::Not(CuttingRefusal::TooFineToTurn { roughness, process }))?;
     let (mut feed, row) = match rest.ask(&TurningFinishFeedFor { roughness, nose_radius })?.winner()? {
         Some(found) => (found.feed.0, found.row),
         None => {

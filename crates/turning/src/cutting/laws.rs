@@ -17,7 +17,7 @@ use technolog_cutting::figures;
 
 pub(super) use crate::tables::cutting::Component;
 
-use super::{Cut, Lacking, Of, of_tables};
+use super::{Cut, FigureOwner, MissingFigure, of_tables};
 
 /// What the tools of this room are of.
 const TOOL_MATERIAL: ToolMaterial = ToolMaterial::Carbide;
@@ -71,7 +71,7 @@ impl ForceLaw {
 ///
 /// # Errors
 /// A table has no figure for this material or tool.
-pub(super) fn speed(cut: &Cut<'_, '_>, feed: MillimetresPerRev) -> Tried<SpeedLaw, Lacking> {
+pub(super) fn speed(cut: &Cut<'_, '_>, feed: MillimetresPerRev) -> Tried<SpeedLaw, MissingFigure> {
     let (life, reason) = factors::single_point_life(cut.knowledge)?;
     let mut because = vec![reason];
     let figures = if cut.tool.plunges() {
@@ -111,7 +111,11 @@ pub(super) fn speed(cut: &Cut<'_, '_>, feed: MillimetresPerRev) -> Tried<SpeedLa
 ///
 /// # Errors
 /// A table has no figure for this material, or the tool's row has no insert to know its rake by.
-pub(super) fn force(cut: &Cut<'_, '_>, component: Component, feed: MillimetresPerRev) -> Tried<ForceLaw, Lacking> {
+pub(super) fn force(
+    cut: &Cut<'_, '_>,
+    component: Component,
+    feed: MillimetresPerRev,
+) -> Tried<ForceLaw, MissingFigure> {
     let tool_material = TOOL_MATERIAL;
     let turning = !cut.tool.plunges();
     let of_boring = turning && component == Component::Main;
@@ -161,7 +165,7 @@ fn material(cut: &Cut<'_, '_>, row: &TurningForce<'_>) -> (f64, Because) {
 
 /// Kiv: the first grade of the tool that `tool-material-factor` knows for the material, against the grade that the
 /// coefficients are for. A tool whose row names no grade, or has that very grade, needs no factor.
-fn grade(cut: &Cut<'_, '_>, reference: &str) -> Tried<Option<(f64, Because)>, Lacking> {
+fn grade(cut: &Cut<'_, '_>, reference: &str) -> Tried<Option<(f64, Because)>, MissingFigure> {
     if cut.tool.grades.is_empty() || cut.tool.grades.contains(&reference) {
         return Ok(None);
     }
@@ -186,16 +190,16 @@ fn angle<'k, Q: Question>(
     question: &Q,
     factor: impl FnOnce(Q::Row<'k>) -> f64,
     code: &'static str,
-) -> Tried<(f64, Because), Lacking> {
+) -> Tried<(f64, Because), MissingFigure> {
     let angle = cut.edge_angle();
-    let outside = || Refusal::Not(Of::Angle { table: Q::TABLE.to_owned(), angle }.into());
+    let outside = || Refusal::Not(FigureOwner::Angle { table: Q::TABLE.to_owned(), angle }.into());
     let (row, cited) = figures::within_reach(question, cut.knowledge)?.ok_or_else(outside)?;
     let factor = factor(row);
     Ok((factor, Because::row(cited, shown(code, factor).with("angle", angle))))
 }
 
 /// Kγp by the rake of the seat, which follows from the clearance of the insert.
-fn rake(cut: &Cut<'_, '_>, component: Component) -> Tried<(f64, Because), Lacking> {
+fn rake(cut: &Cut<'_, '_>, component: Component) -> Tried<(f64, Because), MissingFigure> {
     let clearance = cut.tool.insert_clearance().ok_or_else(|| Refusal::Not(cut.tool_lacks("insert")))?;
     let seat = cut.knowledge.find(|row: &InsertRake<'_>| row.clearance == clearance)?;
     let rake = seat.ok_or_else(|| Refusal::Not(cut.tool_lacks("rake")))?.rake;

@@ -1,4 +1,4 @@
-//! The limiting depth of cut: the largest within everything that tool and lathe bear (lecture 12.4, l. 614-626).
+//! The limiting depth of cut: the largest within everything that tool and lathe can carry (lecture 12.4, l. 614-626).
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -9,10 +9,10 @@ use crate::tables::turning::tools::Limit;
 use crate::units::{MetresPerMinute, Micrometres, MillimetresPerRev, RevsPerMinute};
 use technolog_cutting::{rpm_at, speed_at};
 
-use super::bounds::{self, Bound, Check, Forces, Load, Missing};
+use super::bounds::{self, Bound, Check, Forces, Load, UnknownBound};
 use super::conditions::within_power;
 use super::laws::{self, SpeedLaw};
-use super::{Cut, Lack, Nothing, Speed, of_figures};
+use super::{Cut, CuttingRefusal, NonPositive, Speed, of_figures};
 
 /// The limiting depth of cut, and every bound that it was held against.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -23,7 +23,7 @@ pub struct LimitingDepth {
     pub lathe: String,
     /// The material's id.
     pub material: String,
-    /// The diameter it was reckoned at, mm.
+    /// The diameter it was computed at, mm.
     pub diameter_mm: Micrometres,
     /// The feed it was reckoned with.
     pub feed_mm_per_rev: MillimetresPerRev,
@@ -37,8 +37,8 @@ pub struct LimitingDepth {
     pub spindle_rpm: RevsPerMinute,
     /// Every bound that could be reckoned.
     pub bounds: Vec<BoundTold>,
-    /// The bounds that could not, and why: the depth is told without them.
-    pub missing: Vec<Missing>,
+    /// The bounds that could not, and why: the depth is given without them.
+    pub missing: Vec<UnknownBound>,
     /// The rows behind speed and forces.
     pub because: Vec<Because>,
 }
@@ -61,7 +61,7 @@ pub struct BoundTold {
 impl LimitingDepth {
     /// What a reader of the depth must know: every bound that is missing.
     pub fn findings(&self) -> Vec<Finding> {
-        self.missing.iter().map(Missing::finding).collect()
+        self.missing.iter().map(UnknownBound::finding).collect()
     }
 }
 
@@ -71,7 +71,7 @@ struct Turns<'c, 'a, 'k> {
     speed: Speed,
     law: Option<SpeedLaw>,
     forces: &'c Forces,
-    /// The bound of power, where it can be reckoned.
+    /// The bound of power, where it can be computed.
     power: Option<&'c Check>,
 }
 
@@ -82,7 +82,7 @@ impl<'c, 'a, 'k> Turns<'c, 'a, 'k> {
         feed: MillimetresPerRev,
         forces: &'c Forces,
         checks: &'c [Check],
-    ) -> Tried<Self, Lack> {
+    ) -> Tried<Self, CuttingRefusal> {
         let power = checks.iter().find(|check| check.bound == Bound::SpindlePower);
         let law = if matches!(speed, Speed::ForToolLife | Speed::WithinPower) {
             Some(of_figures(cut.named(laws::speed(cut, feed)))?)
@@ -119,18 +119,22 @@ impl<'c, 'a, 'k> Turns<'c, 'a, 'k> {
 ///
 /// # Errors
 /// A grooving tool (its depth of cut is its width) or a threading tool; a diameter or feed that is not above zero; no
-/// figures for the speed of the tool's life; no load that can be reckoned, so that the depth is not known; a broken
+/// figures for the speed of the tool's life; no load that can be computed, so that the depth is not known; a broken
 /// table.
-pub fn limiting_depth(cut: &Cut<'_, '_>, feed: MillimetresPerRev, speed: Speed) -> Tried<LimitingDepth, Lack> {
+pub fn limiting_depth(
+    cut: &Cut<'_, '_>,
+    feed: MillimetresPerRev,
+    speed: Speed,
+) -> Tried<LimitingDepth, CuttingRefusal> {
     if cut.tool.plunges() || cut.tool.pitch.is_some() {
-        return Err(Refusal::Not(Lack::NoDepth { tool: cut.tool.designation.to_owned() }));
+        return Err(Refusal::Not(CuttingRefusal::NoDepth { tool: cut.tool.designation.to_owned() }));
     }
     positive(cut, feed)?;
     let forces = Forces::of(cut, feed)?;
     let (checks, missing) = bounds::checks(cut, &forces)?;
-    // An edge that is long enough says nothing of what shank and spindle bear.
+    // An edge that is long enough says nothing about the load that shank and spindle can carry.
     if !checks.iter().any(Check::is_of_loads) {
-        return Err(Refusal::Not(Lack::LimitNotKnown(missing.into_iter().next())));
+        return Err(Refusal::Not(CuttingRefusal::LimitNotKnown(missing.into_iter().next())));
     }
     let turns = Turns::new(cut, speed, feed, &forces, &checks)?;
     let (step, of_step) = bounds::constant_length(cut, Limit::DepthStep)?;
@@ -179,13 +183,13 @@ fn holds(check: &Check, cut: &Cut<'_, '_>, forces: &Forces, depth: Micrometres, 
     check.load(cut, forces, depth, speed).is_some_and(|load| load.within(check.capacity))
 }
 
-/// A diameter and a feed that can be reckoned with.
-pub(super) fn positive(cut: &Cut<'_, '_>, feed: MillimetresPerRev) -> Tried<(), Lack> {
+/// A diameter and a feed that can be used in a calculation.
+pub(super) fn positive(cut: &Cut<'_, '_>, feed: MillimetresPerRev) -> Tried<(), CuttingRefusal> {
     if cut.diameter <= Micrometres::ZERO {
-        return Err(Refusal::Not(Lack::NothingToCut(Nothing::Diameter(cut.diameter))));
+        return Err(Refusal::Not(CuttingRefusal::NothingToCut(NonPositive::Diameter(cut.diameter))));
     }
     if !(feed.0 > 0.0 && feed.0 <= 10.0) {
-        return Err(Refusal::Not(Lack::NothingToCut(Nothing::Feed(feed))));
+        return Err(Refusal::Not(CuttingRefusal::NothingToCut(NonPositive::Feed(feed))));
     }
     Ok(())
 }

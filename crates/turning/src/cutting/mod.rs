@@ -4,17 +4,17 @@
 //! - [`Cut`] says what cuts what on which lathe; everybody here starts from it;
 //! - `laws` turns the coefficient tables into power laws of depth and speed, once for a cut and a feed;
 //! - [`rough_feed`] and [`finish_feed`] ask the tables of feeds;
-//! - `bounds` is what tool and lathe bear, [`limiting_depth`] the largest depth within all of it;
+//! - `bounds` is what tool and lathe can carry, [`limiting_depth`] the largest depth within all of it;
 //! - [`conditions`] is feed, speed, spindle step and forces at a depth that is given.
 //!
-//! Planning of contours knows nothing of all this: it takes the figures from here.
+//! Planning of contours takes its figures from here and computes none.
 
 mod bounds;
 mod conditions;
 mod feed;
-mod lack;
 mod laws;
 mod limit;
+mod refusal;
 
 use crate::error::Tried;
 use crate::knowledge::Knowledge;
@@ -26,11 +26,11 @@ use crate::turning::tooling::{Lathe, Place, TurningTool};
 use crate::units::{Decimal, MetresPerMinute, Micrometres, RevsPerMinute};
 use technolog_cutting::figures::Asking;
 
-pub use bounds::{Bound, Load, Missing};
+pub use bounds::{Bound, Load, UnknownBound};
 pub use conditions::{TurningConditions, conditions};
 pub use feed::{Feed, finish_feed, rough_feed};
-pub use lack::{Lack, Lacking, Nothing, Of, Process};
 pub use limit::{BoundTold, LimitingDepth, limiting_depth};
+pub use refusal::{CuttingRefusal, FigureOwner, MissingFigure, NonPositive, Process};
 
 /// What cuts what, on which lathe.
 #[derive(Clone, Copy, Debug)]
@@ -101,7 +101,7 @@ impl Cut<'_, '_> {
     }
 
     /// A refusal that names what was being done.
-    fn named<T>(&self, tried: Tried<T, Lacking>) -> Tried<T, Lacking> {
+    fn named<T>(&self, tried: Tried<T, MissingFigure>) -> Tried<T, MissingFigure> {
         tried.map_err(|refusal| refusal.map(|lacking| lacking.during(self.process())))
     }
 
@@ -111,22 +111,22 @@ impl Cut<'_, '_> {
     }
 
     /// That the row of the tool lacks a figure.
-    fn tool_lacks(&self, quantity: &str) -> Lacking {
-        Of::Tool { tool: self.tool.designation.to_owned(), quantity: quantity.to_owned() }.into()
+    fn tool_lacks(&self, quantity: &str) -> MissingFigure {
+        FigureOwner::Tool { tool: self.tool.designation.to_owned(), quantity: quantity.to_owned() }.into()
     }
 
     /// That the record of the lathe lacks a figure.
-    fn lathe_lacks(&self, quantity: LatheQuantity) -> Lacking {
-        Of::Lathe { lathe: self.lathe.id().to_owned(), quantity: quantity.name().to_owned() }.into()
+    fn lathe_lacks(&self, quantity: LatheQuantity) -> MissingFigure {
+        FigureOwner::Lathe { lathe: self.lathe.id().to_owned(), quantity: quantity.name().to_owned() }.into()
     }
 }
 
 /// What the tables of cutting conditions refuse, as something that is missing.
-fn of_tables<T>(tried: Tried<T, Uncut>) -> Tried<T, Lacking> {
-    tried.map_err(|refusal| refusal.map(|why| Of::Cutting(why).into()))
+fn of_tables<T>(tried: Tried<T, Uncut>) -> Tried<T, MissingFigure> {
+    tried.map_err(|refusal| refusal.map(|why| FigureOwner::Cutting(why).into()))
 }
 
-/// What is missing, as what keeps a cut from being reckoned.
-fn of_figures<T>(tried: Tried<T, Lacking>) -> Tried<T, Lack> {
-    tried.map_err(|refusal| refusal.map(Lack::Figure))
+/// What is missing, as what keeps a cut from being computed.
+fn of_figures<T>(tried: Tried<T, MissingFigure>) -> Tried<T, CuttingRefusal> {
+    tried.map_err(|refusal| refusal.map(CuttingRefusal::Figure))
 }

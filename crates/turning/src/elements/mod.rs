@@ -9,9 +9,9 @@
 //! - `bridge` and `silhouette` make the main contour.
 
 mod bridge;
+mod classify;
 mod reach;
 mod silhouette;
-mod told;
 pub(super) mod view;
 
 use serde::Serialize;
@@ -45,7 +45,7 @@ pub struct Angles {
     /// φ: between the main cutting edge and the feed; above 90° the edge leans back.
     #[serde(rename = "main_angle_deg")]
     pub main: Degrees,
-    /// φ1: between the auxiliary cutting edge and the way back.
+    /// φ1: between the auxiliary cutting edge and the return direction.
     #[serde(rename = "secondary_angle_deg")]
     pub secondary: Degrees,
     /// In which direction it feeds.
@@ -57,7 +57,7 @@ impl Angles {
     pub const CONTOURING: Self = Self { main: Degrees(95.0), secondary: Degrees(30.0), hand: Hand::Right };
 }
 
-/// A surface, judged.
+/// A classified surface.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Class {
     /// Its index in the profile.
@@ -109,7 +109,7 @@ pub struct Main {
     pub valleys: Vec<Valley>,
 }
 
-/// Judges every surface of a profile for a tool.
+/// Classifies every surface of a profile for a tool.
 ///
 /// # Errors
 /// The knowledge base lacks the rule `turning-element` or a row of it.
@@ -124,7 +124,7 @@ pub fn classify(profile: &Profile, tool: Angles, knowledge: &Knowledge) -> Resul
     let lost: Vec<bool> = bits.iter().zip(&shades).map(lost).collect();
     let spans = bridge(&bits, &lost).spans;
     let surfaces = profile.surfaces.iter().enumerate();
-    surfaces.map(|(index, surface)| told::class(index, surface, tool, &bits, &shades, &spans, knowledge)).collect()
+    surfaces.map(|(index, surface)| classify::class(index, surface, tool, &bits, &shades, &spans, knowledge)).collect()
 }
 
 /// The main contour of a profile for a tool, whose classes these are.

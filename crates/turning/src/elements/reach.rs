@@ -1,7 +1,7 @@
-//! What the edges of a tool leave in the shadow.
+//! Which parts of a contour the edges of a tool cannot reach.
 //!
 //! The tool stands over a point of the contour with its tip. Its main edge goes up from there at φ to the feed, its
-//! auxiliary edge at φ1 to the way back. Metal above either edge keeps the tip away:
+//! auxiliary edge at φ1 to the return direction. Metal above either edge keeps the tip away:
 //!
 //! - metal behind and above the line that goes back and up at φ1: the point lies in the shadow of what fell before it;
 //! - metal above and ahead of the line that goes up at φ: the point lies in the corner before what rises too steeply.
@@ -18,7 +18,7 @@ use super::view::Bit;
 /// A shadow less deep than this, mm, is the rounding of points to halves of a micrometre.
 const TRIFLE: f64 = 0.001;
 
-/// Why the tip does not come to a place.
+/// Why the tip does not reach a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Shade {
     /// Metal behind stands above the auxiliary edge.

@@ -20,7 +20,7 @@ pub(super) fn silhouette(bits: Vec<Bit>) -> (Vec<Bit>, Vec<Span>) {
         } else if bit.piece.from == here && bit.piece.to.z >= here.z {
             seen.push(bit);
         } else if let Some(at) = forward(bit.piece, here.z) {
-            // Out from under what leads back while it falls: on from where it is seen again.
+            // Leave an undercut that falls: go on from where the contour is visible again.
             seen.push(Bit { piece: Piece::line(here, at), origin: None, ..bit });
             seen.push(Bit { piece: bit.piece.between(at, bit.piece.to), ..bit });
         }

@@ -70,7 +70,7 @@ impl View {
                 _ => joined.push(*bit),
             }
         }
-        // To see is its own way back.
+        // The transformation is its own inverse.
         let mut pieces: Vec<Piece> = joined.into_iter().map(|bit| self.forth(bit.piece)).collect();
         if self.mirrored {
             pieces.reverse();

@@ -15,7 +15,7 @@ use crate::turning::length::Half;
 use crate::turning::shaft::Shaft;
 use zone::{Cylinder, Section, sections};
 
-/// What stands over a cylinder.
+/// The stock over a cylinder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stock {
     /// The cylinder.
@@ -57,7 +57,7 @@ impl Levels {
         self
     }
 
-    /// What stands over each cylinder, from the free end.
+    /// The stock over each cylinder, from the free end.
     pub fn stocks(&self) -> Vec<Stock> {
         stocks(&self.sections, self.limit)
     }

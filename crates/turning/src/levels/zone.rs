@@ -1,4 +1,4 @@
-//! The rough zone of a stepped shaft: what stands over each cylinder, and which of them hang together.
+//! The rough zone of a stepped shaft: the stock over each cylinder, and which of them hang together.
 //!
 //! The blank may be stepped itself. Then the zone is taken apart into sections, each under one diameter of the blank
 //! (lecture, fig. 12.10), and the schemes work in one section after the other from the free end.

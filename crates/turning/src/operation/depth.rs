@@ -6,7 +6,7 @@ use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Because, Figure, Finding, Note, Severity};
 use crate::tables::turning::part::TurningSkinFor;
 use crate::turning::cutting::{
-    Cut, Direction, Lack, LimitingDepth, Speed, TurningConditions, conditions, limiting_depth, rough_feed,
+    Cut, CuttingRefusal, Direction, LimitingDepth, Speed, TurningConditions, conditions, limiting_depth, rough_feed,
 };
 use crate::turning::length::Half;
 use crate::turning::schemes::rates;
@@ -24,12 +24,12 @@ pub struct Depth {
     pub limiting_depth_mm: Half,
     /// Whether the file gives it.
     pub given: bool,
-    /// How it was found, where it was: at the feed of this depth tool and lathe may bear more.
+    /// How it was found, where it was: at the feed for this depth tool and lathe may carry more.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limit: Option<LimitingDepth>,
 }
 
-/// How the tool goes over a zone.
+/// How the tool moves over a zone.
 #[derive(Clone, Debug, Serialize)]
 pub struct Pace {
     /// Feed, speed, spindle step and loads at the depth of the passes, where a lathe is named.
@@ -56,7 +56,7 @@ pub struct Task<'a, 'k> {
     pub stock: Half,
 }
 
-/// The limiting depth of a zone; none where nothing tells it, which is a finding.
+/// The limiting depth of a zone; none where no source gives it, which is a finding.
 ///
 /// # Errors
 /// The knowledge base lacks a table.
@@ -69,7 +69,7 @@ pub fn depth(
         return Ok(Some(Depth { limiting_depth_mm: Half::of(given), given: true, limit: None }));
     }
     let Some((cut, skin)) = cut(task, bench)? else {
-        findings.push(Finding::of_part(Severity::Error, Lack::NoLimitingDepth.note()));
+        findings.push(Finding::of_part(Severity::Error, CuttingRefusal::NoLimitingDepth.note()));
         return Ok(None);
     };
     match Refusal::split(limit(&cut, task.stock))? {
@@ -97,10 +97,10 @@ const MOST_PASSES: i64 = 60;
 /// The limit: the most that one pass may take at the feed of the passes.
 ///
 /// The feed depends on the depth, so the stock is divided into one, two, three… passes until there is a feed for their
-/// depth and tool and lathe bear it. What they bear at that feed is the limit, as far as the table has that feed: deeper
-/// passes have another. The number of passes that found it is the fewest that it allows.
-fn limit(cut: &Cut<'_, '_>, stock: Half) -> Tried<(LimitingDepth, Half), Lack> {
-    let mut first: Option<Tried<LimitingDepth, Lack>> = None;
+/// depth and tool and lathe can carry it. What they carry at that feed is the limit, as far as the table has that
+/// feed: deeper passes have another. The number of passes that found it is the fewest that it allows.
+fn limit(cut: &Cut<'_, '_>, stock: Half) -> Tried<(LimitingDepth, Half), CuttingRefusal> {
+    let mut first: Option<Tried<LimitingDepth, CuttingRefusal>> = None;
     for passes in 1..=MOST_PASSES {
         let depth = stock.part(passes);
         let whole = depth.rounded_up();
@@ -121,13 +121,13 @@ fn limit(cut: &Cut<'_, '_>, stock: Half) -> Tried<(LimitingDepth, Half), Lack> {
     match first {
         Some(Ok(found)) => Ok((LimitingDepth { depth_mm: None, ..found }, Half::ZERO)),
         Some(Err(refusal)) => Err(refusal),
-        None => Err(Refusal::Not(Lack::NoLimitingDepth)),
+        None => Err(Refusal::Not(CuttingRefusal::NoLimitingDepth)),
     }
 }
 
-/// What tool and lathe bear at a feed: at the speed of the tool life where that suffices for a depth, else at the slower one
-/// that the power of the spindle asks for. A pass more is quicker than all of them at a slower spindle.
-fn bearable(cut: &Cut<'_, '_>, feed: MillimetresPerRev, depth: Half) -> Tried<LimitingDepth, Lack> {
+/// What tool and lathe can carry at a feed: at the speed of the tool life where that suffices for a depth, else at the
+/// slower one that the power of the spindle asks for. A pass more is quicker than all of them at a slower spindle.
+fn bearable(cut: &Cut<'_, '_>, feed: MillimetresPerRev, depth: Half) -> Tried<LimitingDepth, CuttingRefusal> {
     let quick = limiting_depth(cut, feed, Speed::ForToolLife)?;
     if quick.depth_mm.is_some_and(|limit| Half::of(limit) >= depth) {
         return Ok(quick);
@@ -142,7 +142,7 @@ fn of_one_feed(
     feed: MillimetresPerRev,
     depth: Micrometres,
     limit: Micrometres,
-) -> Tried<Micrometres, Lack> {
+) -> Tried<Micrometres, CuttingRefusal> {
     let mut deepest = limit;
     while deepest > depth {
         match Refusal::split(rough_feed(cut, deepest))? {
@@ -167,8 +167,8 @@ fn cut<'a, 'k>(task: Task<'a, 'k>, bench: &'a Bench<'_, 'k>) -> Result<Option<(C
     Ok(Some((Cut { knowledge, lathe, tool, material, diameter, direction, surface }, because)))
 }
 
-/// Rates and distances at a depth of passes: those of the file before those of the conditions before those of the table
-/// `turning-motion`; what the file says of no kind of motion goes at the main feed, and that is told.
+/// Rates and distances at a depth of passes: those of the file before those of the conditions before those of the
+/// table `turning-motion`; what the file says of no kind of motion goes at the main feed, and that is reported.
 ///
 /// # Errors
 /// The knowledge base lacks a table.

@@ -1,4 +1,4 @@
-//! Which rows an operation rests on that are not confirmed: every figure of low trust is told on the page.
+//! The unconfirmed rows behind an operation: every figure of low trust is shown on the page.
 
 use crate::note::{Because, Finding, Note, Severity};
 

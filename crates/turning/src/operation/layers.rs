@@ -12,7 +12,7 @@ use crate::turning::contour::{Contour, Curve, Piece, Profile, Side};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::workpiece::{Allowances, Workpiece};
-use crate::turning::zones::{SetUp, Stretch};
+use crate::turning::zones::{SetUp, TurnedSide};
 use crate::units::Micrometres;
 
 use super::drill::{self, Drilled};
@@ -67,7 +67,7 @@ fn sizes<S: serde::Serializer>(areas: &Areas, serializer: S) -> Result<S::Ok, S:
 /// # Errors
 /// The knowledge base lacks a table.
 pub fn layers(
-    stretch: &Stretch,
+    stretch: &TurnedSide,
     set_up: &SetUp,
     face: Option<Half>,
     bench: &Bench<'_, '_>,
@@ -112,7 +112,7 @@ pub fn layers(
     };
     let finish = between(&rough, &left);
     let rough = up_to(rough, face);
-    let Some(Standing { blank, rough, drilled_first }) = standing(&rough, set_up, bench, findings)? else {
+    let Some(SideStock { blank, rough, drilled_first }) = standing(&rough, set_up, bench, findings)? else {
         return Ok(None);
     };
     let part = stretch.profile.contour();
@@ -133,7 +133,11 @@ fn up_to(mut rough: Contour, face: Option<Half>) -> Contour {
 
 /// The main contour with what stays for other machines, each piece with its surface; none where it cannot be laid, which is
 /// a finding.
-fn left(stretch: &Stretch, bench: &Bench<'_, '_>, findings: &mut Vec<Finding>) -> Option<Vec<(Piece, Option<usize>)>> {
+fn left(
+    stretch: &TurnedSide,
+    bench: &Bench<'_, '_>,
+    findings: &mut Vec<Finding>,
+) -> Option<Vec<(Piece, Option<usize>)>> {
     let main = &stretch.main.contour;
     let surfaces: Vec<Option<usize>> = main.pieces.iter().map(|piece| surface_of(piece, &stretch.profile)).collect();
     let later = |surface: &Option<usize>| {
@@ -175,7 +179,7 @@ pub fn before_face(
     let at = |point: Point| Point { radius: point.radius, z: point.z - distance };
     let rough = Contour { side: Side::Outer, pieces: vec![face.mapped(false, at)] };
     let finish = between(&rough, &main);
-    let Some(Standing { blank, rough, drilled_first }) = standing(&rough, set_up, bench, findings)? else {
+    let Some(SideStock { blank, rough, drilled_first }) = standing(&rough, set_up, bench, findings)? else {
         return Ok(None);
     };
     let mut areas = areas(&blank, &rough, &main, &main);
@@ -228,8 +232,8 @@ fn same_carrier(one: &Piece, other: &Piece) -> bool {
     }
 }
 
-/// What stands over a rough contour in the coordinates of the set-up.
-struct Standing {
+/// The stock over a rough contour in the coordinates of the set-up.
+struct SideStock {
     /// The blank, or the hole that is drilled into it.
     blank: Contour,
     /// The rough contour as far as the blank stands.
@@ -242,7 +246,7 @@ fn standing(
     set_up: &SetUp,
     bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
-) -> Result<Option<Standing>, KnowledgeError> {
+) -> Result<Option<SideStock>, KnowledgeError> {
     let workpiece = bench.workpiece;
     let (Some(start), Some(end)) = (rough.start(), rough.end()) else { return Ok(None) };
     let seen =
@@ -263,16 +267,21 @@ fn standing(
         let outer = if set_up.turned_over { faced(outer, workpiece.blank.inner.as_ref()) } else { outer };
         let blank = reach(&outer);
         let rough = behind_blank(rough, &blank, findings);
-        return Ok(Some(Standing { blank, rough, drilled_first: None }));
+        return Ok(Some(SideStock { blank, rough, drilled_first: None }));
     }
     if let Some(inner) = &workpiece.blank.inner {
-        return Ok(Some(Standing { blank: reach(&seen(inner)), rough: rough.clone(), drilled_first: None }));
+        return Ok(Some(SideStock { blank: reach(&seen(inner)), rough: rough.clone(), drilled_first: None }));
     }
     let drilled = drill::before_boring(rough, bench.knowledge, findings)?;
-    Ok(drilled.map(|(drilled, rough)| Standing { blank: drilled.contour(&rough), rough, drilled_first: Some(drilled) }))
+    Ok(drilled.map(|(drilled, rough)| SideStock {
+        blank: drilled.contour(&rough),
+        rough,
+        drilled_first: Some(drilled),
+    }))
 }
 
-/// The rough contour from where the blank begins: where the stock on the face is thinner than its allowance, which is told.
+/// The rough contour from where the blank begins: where the stock on the face is thinner than its allowance, which is
+/// reported.
 fn behind_blank(rough: &Contour, blank: &Contour, findings: &mut Vec<Finding>) -> Contour {
     let (Some(start), Some(raw), Some(end)) = (rough.start(), blank.start(), rough.end()) else { return rough.clone() };
     if start.z >= raw.z {

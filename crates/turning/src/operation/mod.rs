@@ -1,6 +1,6 @@
-//! The turning operation of a part, planned whole: from its file to the ways of the tools.
+//! The turning operation of a part, from the part file to the toolpaths.
 //!
-//! The way of the data, once, left to right (lecture 12.1-12.4):
+//! The steps, each run once (lecture 12.1-12.4):
 //!
 //! 1. [`prepare`]: what must be done to the blank, what the lathe cannot finish, the contour that it leaves instead;
 //! 2. set-ups ([`crate::turning::zones::setup`]) with main and additional elements ([`crate::turning::elements`]);
@@ -50,7 +50,7 @@ pub struct Operation {
     pub elsewhere: Vec<Elsewhere>,
     /// The set-ups.
     pub set_ups: Vec<SetUpWork>,
-    /// What its reader must know.
+    /// Findings for the reader.
     pub findings: Vec<Finding>,
 }
 
@@ -167,7 +167,7 @@ fn sides(set_up: &SetUp, bench: &Bench<'_, '_>, findings: &mut Vec<Finding>) -> 
     Ok(sides)
 }
 
-/// What findings that are told as one may differ in.
+/// The figures in which findings that are merged may differ.
 const LISTED: [&str; 2] = ["surface", "row"];
 
 /// Each finding once, in the order in which it came; those that differ in nothing but a surface or a row as one.

@@ -1,7 +1,7 @@
 //! The parts of a zone that are worked one after the other (lecture 12.4, l. 504-518; fig. 12.3 г).
 //!
-//! 1. Where the open parts have a scheme of their own, they come first: all that stands above their floor, from the free
-//!    end on, because nobody comes to them past what stands before them.
+//! 1. Where the open parts have a scheme of their own, they come first: all that stands above their floor, from the
+//!    free end on, because stock in front of them blocks the tool otherwise.
 //! 2. Then what is left below that floor, closed parts bridged level from lip to lip.
 //! 3. Then the closed parts, one by one from the free end.
 //!
@@ -12,7 +12,7 @@ use crate::turning::contour::{Contour, Piece, Side};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::transitions::Stock;
-use crate::turning::zones::{Kind, Part, Zone};
+use crate::turning::zones::{Part, Zone, ZoneKind};
 
 use super::clip;
 use super::level::raised;
@@ -26,8 +26,8 @@ pub(super) struct Piecework {
     pub scheme: usize,
 }
 
-/// What of a zone is cleared by itself, in the order of work: a chain of contours from the blank down to the rough contour,
-/// all over the whole zone, so that each work knows what still stands beside it.
+/// The parts of a zone that are cleared separately, in the order of work: a chain of contours from the blank down to
+/// the rough contour, all over the whole zone, so that each work knows what stock is left beside it.
 ///
 /// A blank of a shape of its own may lie below the floor of the open part, or below a bridge; then all is one work, by the
 /// last scheme of the rule, which leaves an even allowance.
@@ -46,7 +46,7 @@ pub(super) fn pieceworks(zone: &Zone, rough: &Contour, blank: &Contour) -> Vec<P
     }
     let mut chain = vec![(rough.clone(), last)];
     let mut lowest = rough;
-    for part in zone.parts.iter().rev().filter(|part| part.kind == Kind::Closed) {
+    for part in zone.parts.iter().rev().filter(|part| part.kind == ZoneKind::Closed) {
         if let Some(over) = bridge(&lowest, part) {
             chain.push((over.clone(), last));
             lowest = over;
@@ -58,7 +58,7 @@ pub(super) fn pieceworks(zone: &Zone, rough: &Contour, blank: &Contour) -> Vec<P
     } else if let Some((_, scheme)) = chain.last_mut() {
         *scheme = 0;
     }
-    let half_open = zone.parts.iter().any(|part| part.kind == Kind::HalfOpen);
+    let half_open = zone.parts.iter().any(|part| part.kind == ZoneKind::HalfOpen);
     if let Some(level) = floor(zone, lowest.side).filter(|_| each) {
         if half_open {
             chain.push((raised(&lowest, level), 0));
@@ -80,7 +80,7 @@ pub(super) fn pieceworks(zone: &Zone, rough: &Contour, blank: &Contour) -> Vec<P
 
 /// The floor of the open parts.
 fn floor(zone: &Zone, side: Side) -> Option<Half> {
-    let open = zone.parts.iter().filter(|part| part.kind == Kind::Open);
+    let open = zone.parts.iter().filter(|part| part.kind == ZoneKind::Open);
     match side {
         Side::Outer => open.map(|part| part.least_radius).min(),
         Side::Inner => open.map(|part| part.greatest_radius).max(),

@@ -1,5 +1,5 @@
-//! The programs of an operation: one for all works that follow each other with the same tool, speed and feeds, as ways, or
-//! one for each work as the roughing cycle of a control.
+//! The programs of an operation: one toolpath program for consecutive works with the same tool, speed and feeds, or
+//! one roughing cycle of the control per work.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
@@ -9,7 +9,7 @@ use crate::turning::point::Point;
 use crate::turning::program::{
     self, Allowance, Control, Direction, Feeds, NotWritten, ProgramFile, Roughing, Setting, Speed,
 };
-use crate::turning::way::{Purpose, Way};
+use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::turning::zones::Feed;
 use crate::units::{MillimetresPerMinute, MillimetresPerRev, RevsPerMinute, round_to};
 
@@ -27,7 +27,7 @@ pub enum Form {
 
 /// A program, or why there is none.
 #[derive(Clone, Debug)]
-pub struct Written {
+pub struct OperationProgram {
     /// The set-up.
     pub set_up: u8,
     /// Outside or inside.
@@ -42,8 +42,8 @@ pub struct Written {
     pub files: Result<Vec<ProgramFile>, NotWritten>,
 }
 
-/// Place that follow each other with one tool, speed and feeds.
-struct Run<'a> {
+/// Consecutive works with one tool, speed and feeds.
+struct ToolRun<'a> {
     set_up: u8,
     side: Side,
     tool: &'a str,
@@ -63,13 +63,13 @@ pub fn programs(
     form: Form,
     spindle: Option<RevsPerMinute>,
     knowledge: &Knowledge,
-) -> Result<Vec<Written>, KnowledgeError> {
+) -> Result<Vec<OperationProgram>, KnowledgeError> {
     let control = Control::read(control, knowledge)?;
     let runs = runs(operation, spindle, form);
     Ok(runs.into_iter().map(|run| written(run, form, &control)).collect())
 }
 
-fn written(run: Run<'_>, form: Form, control: &Control) -> Written {
+fn written(run: ToolRun<'_>, form: Form, control: &Control) -> OperationProgram {
     let mut zones: Vec<usize> = run.works.iter().map(|(zone, _)| zone.zone.number).collect();
     zones.dedup();
     let place = |(zone, work): &(&ZoneWork, &Work)| {
@@ -82,12 +82,12 @@ fn written(run: Run<'_>, form: Form, control: &Control) -> Written {
         Form::Motions => motions(&run, &setting, control),
         Form::Cycles => cycles(&run, &setting, control),
     });
-    Written { set_up, side, zones, works, tool, files }
+    OperationProgram { set_up, side, zones, works, tool, files }
 }
 
 /// The runs of an operation; a cycle is a run of its own.
-fn runs(operation: &Operation, spindle: Option<RevsPerMinute>, form: Form) -> Vec<Run<'_>> {
-    let mut runs: Vec<Run<'_>> = Vec::new();
+fn runs(operation: &Operation, spindle: Option<RevsPerMinute>, form: Form) -> Vec<ToolRun<'_>> {
+    let mut runs: Vec<ToolRun<'_>> = Vec::new();
     let mut places: Vec<&str> = Vec::new();
     for (set_up, side, zone) in operation.zones() {
         let Some(tool) = zone.tool.as_ref().map(|tool| tool.designation.as_str()) else { continue };
@@ -102,7 +102,7 @@ fn runs(operation: &Operation, spindle: Option<RevsPerMinute>, form: Form) -> Ve
         let number = set_up.set_up.number;
         for work in &zone.works {
             let setting = setting(place, operation, work, spindle);
-            let same = |run: &&mut Run<'_>| {
+            let same = |run: &&mut ToolRun<'_>| {
                 let here = run.set_up == number && run.tool == tool && run.side == side.side;
                 here && run.setting == setting && form == Form::Motions
             };
@@ -110,7 +110,7 @@ fn runs(operation: &Operation, spindle: Option<RevsPerMinute>, form: Form) -> Ve
                 Some(run) => run.works.push((zone, work)),
                 None => {
                     let works = vec![(zone, work)];
-                    runs.push(Run { set_up: number, side: side.side, tool, place, setting, works });
+                    runs.push(ToolRun { set_up: number, side: side.side, tool, place, setting, works });
                 }
             }
         }
@@ -118,10 +118,10 @@ fn runs(operation: &Operation, spindle: Option<RevsPerMinute>, form: Form) -> Ve
     runs
 }
 
-/// Every way of a run, from home to home. Between two ways the tool goes from one home to the next, both off the corner of
-/// the blank before its free face.
-fn motions(run: &Run<'_>, setting: &Setting, control: &Control) -> Result<Vec<ProgramFile>, NotWritten> {
-    let mut whole: Option<Way> = None;
+/// Every toolpath of a run, from home to home. Between two toolpaths the tool goes from one home to the next, both off
+/// the corner of the blank before its free face.
+fn motions(run: &ToolRun<'_>, setting: &Setting, control: &Control) -> Result<Vec<ProgramFile>, NotWritten> {
+    let mut whole: Option<Toolpath> = None;
     for way in run.works.iter().filter_map(|(_, work)| work.transition()).map(|transition| &transition.way) {
         match &mut whole {
             None => whole = Some(way.clone()),
@@ -137,7 +137,7 @@ fn motions(run: &Run<'_>, setting: &Setting, control: &Control) -> Result<Vec<Pr
     Ok(vec![ProgramFile { name: format!("{}.ngc", run.place), text }])
 }
 
-/// The way from a home to the next: first away from the axis and from the metal, of a bore first out of it.
+/// The path from one home to the next: first away from the axis and the metal; in a bore first out of it.
 fn over(from: Point, to: Point, side: Side) -> [Point; 2] {
     let z = from.z.min(to.z);
     let radius = match side {
@@ -148,7 +148,7 @@ fn over(from: Point, to: Point, side: Side) -> [Point; 2] {
 }
 
 /// What is cleared by one scheme, as the cycle of the control over its rough contour.
-fn cycles(run: &Run<'_>, setting: &Setting, control: &Control) -> Result<Vec<ProgramFile>, NotWritten> {
+fn cycles(run: &ToolRun<'_>, setting: &Setting, control: &Control) -> Result<Vec<ProgramFile>, NotWritten> {
     let mut files = Vec::new();
     for (zone, work) in &run.works {
         let roughing = Roughing {

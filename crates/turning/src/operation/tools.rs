@@ -35,7 +35,7 @@ pub struct Bench<'a, 'k> {
 
 /// A tool that is taken for a zone.
 #[derive(Clone, Debug, Serialize)]
-pub struct Taken {
+pub struct ChosenTool {
     /// Its designation.
     pub designation: String,
     /// φ.
@@ -169,13 +169,13 @@ pub fn assign(zones: &[Zone], tools: &[ToolAngles]) -> Vec<Option<usize>> {
     }
 }
 
-/// A tool as it is told.
+/// The entry of a tool in the output.
 ///
 /// # Errors
 /// The knowledge base lacks the rule `turning-tool-order`, or a row of it.
-pub fn told(tool: &TurningTool<'_>, zones: usize, bench: &Bench<'_, '_>) -> Result<Taken, KnowledgeError> {
+pub fn told(tool: &TurningTool<'_>, zones: usize, bench: &Bench<'_, '_>) -> Result<ChosenTool, KnowledgeError> {
     let (_, because_order) = order(tool.kind, bench.knowledge)?;
-    Ok(Taken {
+    Ok(ChosenTool {
         width_mm: tool.width,
         designation: tool.designation.to_owned(),
         main_angle_deg: Degrees(tool.lead_angle.to_f64()),

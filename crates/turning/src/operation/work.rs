@@ -15,13 +15,13 @@ use crate::turning::transitions::check::{MOST_PASSES, Unsuited};
 use crate::turning::transitions::measures::{Best, best};
 use crate::turning::transitions::split::Split;
 use crate::turning::transitions::{self, Scheme, Settings, Stock, Transition};
-use crate::turning::zones::{self, Feed, Fit, Returns, Stretch, Zone, fit, idle_returns};
+use crate::turning::zones::{self, Feed, Fit, Returns, TurnedSide, Zone, fit, idle_returns};
 use crate::units::{Degrees, Micrometres};
 
 use super::depth::{self, Depth, Pace, Task};
 use super::layers::Layers;
 use super::pocket::pieceworks;
-use super::tools::{self, Bench, Taken};
+use super::tools::{self, Bench, ChosenTool};
 
 /// A zone and how it is cleared.
 #[derive(Clone, Debug, Serialize)]
@@ -32,7 +32,7 @@ pub struct ZoneWork {
     pub fit: Fit,
     /// The tool that is taken.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub tool: Option<Taken>,
+    pub tool: Option<ChosenTool>,
     /// The limiting depth.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub depth: Option<Depth>,
@@ -45,7 +45,7 @@ pub struct ZoneWork {
 }
 
 impl ZoneWork {
-    /// Whether every part of it has a way.
+    /// Whether every part of it has a toolpath.
     pub fn is_cleared(&self) -> bool {
         !self.works.is_empty() && self.works.iter().all(|work| work.transition().is_some())
     }
@@ -111,7 +111,7 @@ pub fn zones(
     let stock = zones::Stock { rough: &layers.rough, blank: &layers.blank, near_part, against_stop: false };
     let zones = zones::find(stock, &angles, knowledge)?;
     let taken = tools::assign(&zones, &angles);
-    let ground = Ground { rough: &layers.rough, blank: &layers.blank };
+    let ground = ZoneContours { rough: &layers.rough, blank: &layers.blank };
     let mut works: Vec<ZoneWork> = Vec::new();
     for (zone, choice) in zones.iter().zip(&taken) {
         let tool = choice.and_then(|index| candidates.get(index));
@@ -150,7 +150,7 @@ pub fn finishing_after(
 /// # Errors
 /// The knowledge base lacks a table.
 pub fn additional(
-    stretch: &Stretch,
+    stretch: &TurnedSide,
     bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
 ) -> Result<Vec<ZoneWork>, KnowledgeError> {
@@ -173,7 +173,7 @@ pub fn additional(
             let mut held = fit(&zone, &angles);
             too_short(&mut held, &candidates, zone.greatest_radius - zone.least_radius);
             let tool = held.fitting.first().and_then(|name| candidates.iter().find(|tool| tool.designation == name));
-            let ground = Ground { rough: &rough, blank: &blank };
+            let ground = ZoneContours { rough: &rough, blank: &blank };
             let ways = tool.filter(|tool| !tool.plunges());
             let mut work = match ways {
                 Some(tool) => zone_work(&zone, Some(tool), 1, &angles, ground, bench, findings)?,
@@ -193,14 +193,14 @@ fn too_short(held: &mut Fit, tools: &[TurningTool<'_>], deep: Half) {
         if let Some(index) = held.fitting.iter().position(|name| name == tool.designation) {
             held.fitting.remove(index);
             let why = Note::new("groove-too-deep").with("depth", deep).with("reach", reach);
-            held.refused.push(zones::fit::Refused { tool: tool.designation.to_owned(), why: vec![why] });
+            held.refused.push(zones::fit::RefusedTool { tool: tool.designation.to_owned(), why: vec![why] });
         }
     }
 }
 
-/// The contours between which a zone stands.
+/// The contours that bound the stock of a zone.
 #[derive(Clone, Copy, Debug)]
-struct Ground<'a> {
+struct ZoneContours<'a> {
     rough: &'a Contour,
     blank: &'a Contour,
 }
@@ -211,7 +211,7 @@ fn zone_work(
     tool: Option<&TurningTool<'_>>,
     count: usize,
     angles: &[zones::ToolAngles],
-    ground: Ground<'_>,
+    ground: ZoneContours<'_>,
     bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
 ) -> Result<ZoneWork, KnowledgeError> {
@@ -249,7 +249,7 @@ fn zone_work(
     }
     let mut left: Option<Contour> = None;
     for (mut stock, scheme) in stocks {
-        // What the work before has left stands before this one, its ridges too.
+        // This work starts from what the previous one left, ridges included.
         if let Some(left) = left.take() {
             stock.blank = left;
         }

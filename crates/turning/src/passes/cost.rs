@@ -1,4 +1,4 @@
-//! What is made small, and what decides among equals. All costs are whole numbers, so that sums are exact.
+//! The objective and its tie-breaks. All costs are whole numbers, so that sums are exact.
 
 use serde::Serialize;
 
@@ -6,25 +6,25 @@ use crate::turning::length::Half;
 use crate::turning::shaft::Rates;
 use crate::units::{MillimetresPerMinute, Minutes};
 
-use super::pass::{Kind, Spot, Start, legs};
+use super::pass::{PassDirection, PassEnd, PassStart, legs};
 
 /// What is made small.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 pub enum Objective {
-    /// The way through metal: the paper's criterion. Among equals fewer passes, then fewer changes of direction.
+    /// The length cut in metal: the paper's criterion. Among equals fewer passes, then fewer changes of direction.
     Path,
-    /// The way through metal and, for each pass, so much more.
+    /// The length cut in metal plus a fixed amount for each pass.
     PathAndPasses {
         /// Added for each pass, mm.
         per_pass_mm: Half,
     },
-    /// The time with feeds, approach, retract and rapids. Among equals the shorter way through metal.
+    /// The time with feeds, approach, retract and rapids. Among equals the shorter length in metal.
     Time {
         /// How fast the tool moves.
         rates: Rates,
     },
-    /// The number of passes. Among equals the shorter way through metal.
+    /// The number of passes. Among equals the shorter length in metal.
     Passes,
 }
 
@@ -39,9 +39,9 @@ impl Objective {
         }
     }
 
-    /// The cost of a pass of that length, and of the way to it from where the one before ended.
+    /// The cost of a pass of that length, and of the motion to it from the end of the previous one.
     #[inline(always)]
-    pub(super) fn pass(&self, start: Start, length: Half, before: Option<Spot>, bar: Half) -> Cost {
+    pub(super) fn pass(&self, start: PassStart, length: Half, before: Option<PassEnd>, bar: Half) -> Cost {
         let long = length.halves().unsigned_abs();
         // The first pass changes no direction.
         let turned = before.is_some_and(|spot| spot.kind != start.kind);
@@ -56,8 +56,8 @@ impl Objective {
         Cost { main, second, third }
     }
 
-    /// The cost of the way home after the last pass.
-    pub(super) fn home(&self, last: Option<Spot>, bar: Half) -> Cost {
+    /// The cost of the return to home after the last pass.
+    pub(super) fn home(&self, last: Option<PassEnd>, bar: Half) -> Cost {
         match self {
             Self::Time { rates } if last.is_some() => Cost { main: link(rates, last, None, bar), second: 0, third: 0 },
             _ => Cost::ZERO,
@@ -90,16 +90,16 @@ impl Cost {
 }
 
 /// Time of a pass with its approach, ns: both at the feed.
-fn cutting(rates: &Rates, kind: Kind, length: Half) -> u64 {
+fn cutting(rates: &Rates, kind: PassDirection, length: Half) -> u64 {
     let feed = match kind {
-        Kind::Longitudinal => rates.longitudinal_feed,
-        Kind::Transverse => rates.transverse_feed,
+        PassDirection::Longitudinal => rates.longitudinal_feed,
+        PassDirection::Transverse => rates.transverse_feed,
     };
     nanoseconds(length + Half::of(rates.approach), feed)
 }
 
 /// Time of the rapids from the end of a pass (or from home) to the start of the next (or home), ns.
-fn link(rates: &Rates, before: Option<Spot>, next: Option<Start>, bar: Half) -> u64 {
+fn link(rates: &Rates, before: Option<PassEnd>, next: Option<PassStart>, bar: Half) -> u64 {
     let mut time = 0;
     for (a, b) in legs(before, next, bar, rates) {
         let way = (a.radius - b.radius).halves().abs().max((a.z - b.z).halves().abs());

@@ -3,7 +3,7 @@
 use super::cost::{Cost, Objective};
 use super::grid::Grid;
 use super::optimum::moves;
-use super::pass::Spot;
+use super::pass::PassEnd;
 
 /// The cheapest of all orders, with how many orders there are. The number grows as fast as the ways through a grid:
 /// 10 levels and 10 slices have 184,756.
@@ -21,7 +21,7 @@ struct Search<'g> {
 }
 
 impl Search<'_> {
-    fn from(&mut self, levels: usize, slices: usize, before: Option<Spot>, spent: Cost) {
+    fn from(&mut self, levels: usize, slices: usize, before: Option<PassEnd>, spent: Cost) {
         let Some(moves) = moves(self.grid, levels, slices) else {
             self.orders += 1;
             let spent = spent.plus(self.objective.home(before, self.grid.bar));
@@ -30,7 +30,7 @@ impl Search<'_> {
         };
         for (made, (levels, slices)) in moves.into_iter().zip([(levels + 1, slices), (levels, slices + 1)]) {
             let cost = self.objective.pass(made.start, made.length, before, self.grid.bar);
-            let end = Spot { kind: made.start.kind, at: made.end };
+            let end = PassEnd { kind: made.start.kind, at: made.end };
             self.from(levels, slices, Some(end), spent.plus(cost));
         }
     }

@@ -10,7 +10,7 @@ use super::cost::Objective;
 use super::grid::{Grid, MOST_STATES, states};
 use super::named;
 use super::optimum::CostToGo;
-use super::pass::Kind;
+use super::pass::PassDirection;
 use super::variants::total;
 
 /// The variants at one ratio of length to diameter.
@@ -68,10 +68,10 @@ fn at(shaft: &Shaft, objective: Objective, ratio: f64) -> Option<Ratio> {
 
 /// Which of longitudinal and transverse passes alone is the better one for the longest shafts of the map, and the ratio of
 /// length to diameter from which it stays so.
-pub fn settled(map: &[Ratio]) -> Option<(Kind, f64)> {
+pub fn settled(map: &[Ratio]) -> Option<(PassDirection, f64)> {
     let better = |ratio: &Ratio| match ratio.above_optimum_percent {
-        [along, across, _] if along <= across => Kind::Longitudinal,
-        _ => Kind::Transverse,
+        [along, across, _] if along <= across => PassDirection::Longitudinal,
+        _ => PassDirection::Transverse,
     };
     let last = better(map.last()?);
     let since = map.iter().rev().take_while(|ratio| better(ratio) == last).last()?;

@@ -1,7 +1,7 @@
 //! The shortest sequence of roughing passes over a stepped shaft (the paper), beside the sequences people use.
 //!
-//! The way: [`grid`] makes levels and slices of a shaft, [`optimum`] finds the best order of its passes, [`variants`] the
-//! ones it is shown beside, and [`find`] puts them together into [`Sequences`], which is plain data.
+//! The steps: [`grid`] makes levels and slices of a shaft, [`optimum`] finds the best order of its passes,
+//! [`variants`] the ones it is shown beside, and [`find`] puts them together into [`Sequences`], which is plain data.
 
 pub mod cost;
 pub mod enumeration;
@@ -25,12 +25,12 @@ use super::shaft::{Moves, Shaft};
 use cost::{Cost, Objective, minutes};
 use grid::Grid;
 use optimum::CostToGo;
-use pass::{Kind, Pass, Told};
+use pass::{LathePoint, Pass, PassDirection};
 
 /// How many cuts the search over rich moves weighs: some seconds at most.
 const EFFORT: usize = 4_000_000;
 
-/// The passes of a shaft, in several ways.
+/// The passes of a shaft, as several variants.
 #[derive(Clone, Debug, Serialize)]
 pub struct Sequences {
     /// The shaft.
@@ -48,14 +48,14 @@ pub struct Sequences {
     pub variants: Vec<Variant>,
     /// With rich moves: how good the optimum is proven to be. Without them it is exact.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub proof: Option<rich::Proof>,
+    pub proof: Option<rich::SearchProof>,
     /// The variant to take.
     pub recommended: Recommended,
     /// What its reader must know.
     pub findings: Vec<Finding>,
 }
 
-/// A level as it is told.
+/// A level in the output.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct LevelTold {
     /// Diameter before, mm.
@@ -68,7 +68,7 @@ pub struct LevelTold {
     pub shoulder_z_mm: Half,
 }
 
-/// A slice as it is told.
+/// A slice in the output.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct SliceTold {
     /// Z before, mm.
@@ -86,7 +86,7 @@ pub struct SliceTold {
 pub struct Variant {
     /// `longitudinal`, `transverse`, `per-step` or `optimal`.
     pub name: &'static str,
-    /// The way through metal, mm.
+    /// The length cut in metal, mm.
     pub cutting_path_mm: Half,
     /// What the objective counts: mm, min or passes.
     pub cost: f64,
@@ -102,20 +102,20 @@ pub struct Variant {
     pub drawn: Vec<Pass>,
 }
 
-/// A pass as it is told.
+/// A pass in the output.
 #[derive(Clone, Debug, Serialize)]
 pub struct PassTold {
     /// Its number, from 1.
     pub number: usize,
     /// Its direction.
-    pub kind: Kind,
+    pub kind: PassDirection,
     /// Where the metal begins.
-    pub from: Told,
+    pub from: LathePoint,
     /// Where it ends.
-    pub to: Told,
+    pub to: LathePoint,
     /// Its largest depth, mm: radial of a longitudinal pass, axial of a transverse one.
     pub depth_mm: Half,
-    /// Its way through metal, mm.
+    /// Its length in metal, mm.
     pub length_mm: Half,
     /// Why it was taken.
     pub reason: Note,
@@ -181,8 +181,8 @@ pub fn find(shaft: &Shaft, objective: Objective, knowledge: &Knowledge) -> Resul
 /// The named variants.
 pub fn named(grid: &Grid, objective: Objective) -> [(&'static str, Vec<Pass>); 3] {
     [
-        ("longitudinal", variants::one_direction(grid, Kind::Longitudinal)),
-        ("transverse", variants::one_direction(grid, Kind::Transverse)),
+        ("longitudinal", variants::one_direction(grid, PassDirection::Longitudinal)),
+        ("transverse", variants::one_direction(grid, PassDirection::Transverse)),
         ("per-step", variants::per_step(grid, objective)),
     ]
 }

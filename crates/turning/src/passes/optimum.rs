@@ -1,9 +1,9 @@
 //! The exact optimum of the paper's model.
 //!
-//! What is left of the stock is known by two numbers: how many levels and how many slices are gone. From each such state
+//! The remaining stock is described by two numbers: how many levels and how many slices are gone. From each such state
 //! two passes lead on, so the states are a grid without cycles, and the shortest way through it is found by working
-//! backwards once over all states: each is looked at once, after both that it leads to. As the way to a pass depends on
-//! where the one before ended, a state also says which direction that one had.
+//! backwards once over all states: each is looked at once, after both that it leads to. As the way to a pass depends
+//! on where the one before ended, a state also says which direction that one had.
 //!
 //! A general search over a graph (petgraph's Dijkstra, which the tests hold this against) keeps a queue and marks that a
 //! grid without cycles does not need; benches/turning.rs has both.
@@ -13,17 +13,17 @@ use crate::turning::length::Half;
 
 use super::cost::{Cost, Objective};
 use super::grid::{Grid, Level, Slice};
-use super::pass::{Kind, Pass, Spot, Start};
+use super::pass::{Pass, PassDirection, PassEnd, PassStart};
 use crate::turning::point::Point;
 
 /// A pass that a state allows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Move {
     /// Where it begins.
-    pub start: Start,
+    pub start: PassStart,
     /// Where it ends.
     pub end: Point,
-    /// Its way through metal.
+    /// Its length in metal.
     pub length: Half,
 }
 
@@ -41,12 +41,12 @@ pub fn moves(grid: &Grid, levels: usize, slices: usize) -> Option<[Move; 2]> {
 #[inline]
 fn both(level: &Level, slice: &Slice, radius: Half, face: Half) -> [Move; 2] {
     let longitudinal = Move {
-        start: Start { kind: Kind::Longitudinal, at: Point { radius: level.to, z: face } },
+        start: PassStart { kind: PassDirection::Longitudinal, at: Point { radius: level.to, z: face } },
         end: Point { radius: level.to, z: level.end },
         length: level.end - face,
     };
     let transverse = Move {
-        start: Start { kind: Kind::Transverse, at: Point { radius, z: slice.to } },
+        start: PassStart { kind: PassDirection::Transverse, at: Point { radius, z: slice.to } },
         end: Point { radius: slice.bottom, z: slice.to },
         length: radius - slice.bottom,
     };
@@ -55,16 +55,16 @@ fn both(level: &Level, slice: &Slice, radius: Half, face: Half) -> [Move; 2] {
 
 /// Where the pass before this state ended, if it had that direction.
 #[inline]
-pub fn ended(grid: &Grid, levels: usize, slices: usize, kind: Kind) -> Option<Spot> {
+pub fn ended(grid: &Grid, levels: usize, slices: usize, kind: PassDirection) -> Option<PassEnd> {
     let at = match kind {
-        Kind::Longitudinal => {
+        PassDirection::Longitudinal => {
             grid.levels.get(levels.checked_sub(1)?).map(|level| Point { radius: level.to, z: level.end })
         }
-        Kind::Transverse => {
+        PassDirection::Transverse => {
             grid.slices.get(slices.checked_sub(1)?).map(|slice| Point { radius: slice.bottom, z: slice.to })
         }
     };
-    at.map(|at| Spot { kind, at })
+    at.map(|at| PassEnd { kind, at })
 }
 
 /// The cheapest cost from every state to the end.
@@ -77,10 +77,10 @@ pub struct CostToGo<'g> {
     width: usize,
 }
 
-const KINDS: [Kind; 2] = [Kind::Longitudinal, Kind::Transverse];
+const KINDS: [PassDirection; 2] = [PassDirection::Longitudinal, PassDirection::Transverse];
 
 impl<'g> CostToGo<'g> {
-    /// Place backwards over all states.
+    /// Works backwards over all states.
     pub fn of(grid: &'g Grid, objective: Objective) -> Self {
         let width = grid.slices.len() + 1;
         let mut all = Self { grid, objective, costs: vec![[Cost::ZERO; 2]; (grid.levels.len() + 1) * width], width };
@@ -124,7 +124,7 @@ impl<'g> CostToGo<'g> {
 
     /// The cheapest cost that begins with either of both passes.
     #[inline]
-    fn each(&self, begun: &[(Move, Cost); 2], before: Option<Spot>) -> [Cost; 2] {
+    fn each(&self, begun: &[(Move, Cost); 2], before: Option<PassEnd>) -> [Cost; 2] {
         begun.map(|(pass, after)| self.objective.pass(pass.start, pass.length, before, self.grid.bar).plus(after))
     }
 
@@ -177,8 +177,8 @@ pub fn pass(grid: &Grid, levels: usize, slices: usize, made: Move, reason: Note)
     // A longitudinal pass takes from its new radius out, a transverse one from the step out; both from the face on.
     let near = Point { radius: made.end.radius, z: face };
     let depth = match made.start.kind {
-        Kind::Longitudinal => radius - made.end.radius,
-        Kind::Transverse => made.end.z - face,
+        PassDirection::Longitudinal => radius - made.end.radius,
+        PassDirection::Transverse => made.end.z - face,
     };
     let far = Point { radius, z: made.end.z };
     Pass { kind: made.start.kind, from: made.start.at, to: made.end, depth, removed: vec![(near, far)], reason }

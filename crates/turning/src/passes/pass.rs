@@ -1,4 +1,4 @@
-//! A pass, and the way of the tool between two passes.
+//! A pass, and the motion of the tool between two passes.
 
 use serde::Serialize;
 
@@ -11,14 +11,14 @@ use crate::units::Micrometres;
 /// The direction of a pass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Kind {
+pub enum PassDirection {
     /// Along the axis, towards the chuck.
     Longitudinal,
     /// Across it, towards the axis.
     Transverse,
 }
 
-impl Kind {
+impl PassDirection {
     /// Its name for programs.
     pub const fn name(self) -> &'static str {
         match self {
@@ -39,18 +39,18 @@ impl Kind {
 
 /// Where a pass begins in the metal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Start {
+pub struct PassStart {
     /// Its direction.
-    pub kind: Kind,
+    pub kind: PassDirection,
     /// The point.
     pub at: Point,
 }
 
 /// Where a pass has ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Spot {
+pub struct PassEnd {
     /// Its direction.
-    pub kind: Kind,
+    pub kind: PassDirection,
     /// The point.
     pub at: Point,
 }
@@ -59,7 +59,7 @@ pub struct Spot {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pass {
     /// Its direction.
-    pub kind: Kind,
+    pub kind: PassDirection,
     /// Where the metal begins.
     pub from: Point,
     /// Where it ends.
@@ -73,36 +73,36 @@ pub struct Pass {
 }
 
 impl Pass {
-    /// Its way through metal.
+    /// Its length in metal.
     pub fn length(&self) -> Half {
         match self.kind {
-            Kind::Longitudinal => self.to.z - self.from.z,
-            Kind::Transverse => self.from.radius - self.to.radius,
+            PassDirection::Longitudinal => self.to.z - self.from.z,
+            PassDirection::Transverse => self.from.radius - self.to.radius,
         }
     }
 
     /// Where it begins.
-    pub const fn start(&self) -> Start {
-        Start { kind: self.kind, at: self.from }
+    pub const fn start(&self) -> PassStart {
+        PassStart { kind: self.kind, at: self.from }
     }
 
     /// Where it ends.
-    pub const fn end(&self) -> Spot {
-        Spot { kind: self.kind, at: self.to }
+    pub const fn end(&self) -> PassEnd {
+        PassEnd { kind: self.kind, at: self.to }
     }
 }
 
-/// A point as it is told: the diameter, and Z of the lathe, which is negative towards the chuck from the face of the
-/// free end.
+/// A point in lathe coordinates: the diameter and Z, which is negative towards the chuck from the face of the free
+/// end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub struct Told {
+pub struct LathePoint {
     /// Diameter, mm.
     pub diameter_mm: Micrometres,
     /// Z, mm.
     pub z_mm: Half,
 }
 
-impl From<Point> for Told {
+impl From<Point> for LathePoint {
     fn from(point: Point) -> Self {
         Self { diameter_mm: point.radius.diameter(), z_mm: Half::ZERO - point.z }
     }
@@ -118,8 +118,8 @@ impl From<Point> for Told {
 /// So no rapid goes through metal: what lies beside the end of a pass towards the free end and outwards is gone, and the
 /// stock never falls towards the chuck.
 pub fn legs(
-    before: Option<Spot>,
-    next: Option<Start>,
+    before: Option<PassEnd>,
+    next: Option<PassStart>,
     bar: Half,
     rates: &Rates,
 ) -> impl Iterator<Item = (Point, Point)> + use<> {
@@ -131,12 +131,12 @@ pub fn legs(
         None => home,
     };
     let (to, over) = match next {
-        Some(Start { kind: Kind::Longitudinal, at }) => {
+        Some(PassStart { kind: PassDirection::Longitudinal, at }) => {
             let to = Point { radius: at.radius, z: at.z - approach };
             let over = if to.z <= free.z { free.radius } else { free.radius.max(to.radius + retract) };
             (to, over)
         }
-        Some(Start { kind: Kind::Transverse, at }) => {
+        Some(PassStart { kind: PassDirection::Transverse, at }) => {
             let to = Point { radius: at.radius + approach, z: at.z };
             (to, free.radius.max(to.radius))
         }

@@ -6,12 +6,12 @@ use crate::turning::length::Half;
 use super::cost::{Cost, Objective};
 use super::grid::{Cylinder, Grid};
 use super::optimum::{moves, pass};
-use super::pass::{Kind, Pass, Spot};
+use super::pass::{Pass, PassDirection, PassEnd};
 use crate::turning::point::Point;
 
-/// What passes cost in that order, the way home included.
+/// What passes cost in that order, the return to home included.
 pub fn total(passes: &[Pass], objective: Objective, bar: Half) -> Cost {
-    let mut before: Option<Spot> = None;
+    let mut before: Option<PassEnd> = None;
     let mut sum = Cost::ZERO;
     for pass in passes {
         sum = sum.plus(objective.pass(pass.start(), pass.length(), before, bar));
@@ -21,10 +21,10 @@ pub fn total(passes: &[Pass], objective: Objective, bar: Half) -> Cost {
 }
 
 /// Every pass in one direction.
-pub fn one_direction(grid: &Grid, kind: Kind) -> Vec<Pass> {
+pub fn one_direction(grid: &Grid, kind: PassDirection) -> Vec<Pass> {
     let (mut levels, mut slices, mut passes) = (0, 0, Vec::new());
     while let Some([longitudinal, transverse]) = moves(grid, levels, slices) {
-        let made = if kind == Kind::Longitudinal { longitudinal } else { transverse };
+        let made = if kind == PassDirection::Longitudinal { longitudinal } else { transverse };
         passes.push(pass(
             grid,
             levels,
@@ -32,7 +32,7 @@ pub fn one_direction(grid: &Grid, kind: Kind) -> Vec<Pass> {
             made,
             Note::new("pass-of-variant").with("direction", Figure::word(kind.name())),
         ));
-        if kind == Kind::Longitudinal { levels += 1 } else { slices += 1 }
+        if kind == PassDirection::Longitudinal { levels += 1 } else { slices += 1 }
     }
     passes
 }
@@ -44,7 +44,7 @@ pub fn one_direction(grid: &Grid, kind: Kind) -> Vec<Pass> {
 /// pass ended, so the best way to end a step in either direction is kept, step by step.
 pub fn per_step(grid: &Grid, objective: Objective) -> Vec<Pass> {
     let mut best: Vec<(Cost, Vec<Pass>)> = vec![(Cost::ZERO, Vec::new())];
-    let cost = |passes: &[Pass], before: Option<Spot>| {
+    let cost = |passes: &[Pass], before: Option<PassEnd>| {
         let mut sum = Cost::ZERO;
         let mut before = before;
         for pass in passes {
@@ -55,7 +55,7 @@ pub fn per_step(grid: &Grid, objective: Objective) -> Vec<Pass> {
     };
     for (index, cylinder) in grid.cylinders.iter().enumerate() {
         let mut next: Vec<(Cost, Vec<Pass>)> = Vec::new();
-        for kind in [Kind::Longitudinal, Kind::Transverse] {
+        for kind in [PassDirection::Longitudinal, PassDirection::Transverse] {
             let own = of_step(grid, index, cylinder, kind);
             let ends =
                 best.iter().map(|(spent, passes)| (spent.plus(cost(&own, passes.last().map(Pass::end))), passes));
@@ -70,11 +70,11 @@ pub fn per_step(grid: &Grid, objective: Objective) -> Vec<Pass> {
 }
 
 /// The passes that clear one step over its own length.
-fn of_step(grid: &Grid, index: usize, cylinder: &Cylinder, kind: Kind) -> Vec<Pass> {
+fn of_step(grid: &Grid, index: usize, cylinder: &Cylinder, kind: PassDirection) -> Vec<Pass> {
     let reason = Note::new("pass-of-step").with("step", index + 1).with("direction", Figure::word(kind.name()));
     let rectangle = |near, far| vec![(near, far)];
     match kind {
-        Kind::Longitudinal => {
+        PassDirection::Longitudinal => {
             let over = grid.levels.iter().filter(|level| level.to >= cylinder.radius);
             over.map(|level| {
                 let from = Point { radius: level.to, z: cylinder.from };
@@ -85,7 +85,7 @@ fn of_step(grid: &Grid, index: usize, cylinder: &Cylinder, kind: Kind) -> Vec<Pa
             })
             .collect()
         }
-        Kind::Transverse => {
+        PassDirection::Transverse => {
             let own = grid.slices.iter().filter(|slice| slice.step == index);
             own.map(|slice| {
                 let from = Point { radius: grid.bar, z: slice.to };

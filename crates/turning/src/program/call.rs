@@ -8,7 +8,7 @@ use crate::turning::length::Half;
 
 use super::cycle::{Direction, Task};
 use super::setting::Feeds;
-use super::sheet::{diameter, number, position};
+use super::text::{diameter, number, position};
 
 /// A field of the call.
 #[derive(Clone, Debug)]

@@ -5,7 +5,7 @@ use super::cycle::{CycleProgram, ProgramFile, Task};
 use super::plain::{begin, end};
 use super::refused::NotWritten;
 use super::setting::Setting;
-use super::sheet::{Pace, Sheet, number};
+use super::text::{Pace, ProgramWriter, number};
 use super::words::Use;
 use super::{Control, file_name};
 
@@ -28,7 +28,7 @@ pub(super) fn write(
     if task.roughing.allowance != super::Allowance::default() {
         return Err(NotWritten::Allowance { control: control.name.clone() });
     }
-    let mut sheet = Sheet::new(words);
+    let mut sheet = ProgramWriter::new(words);
     begin(&mut sheet, control, setting)?;
     sheet.rapid(task.begins());
     sheet.line(&words.filled(Use::ContourBegins, &[("number", CONTOUR.to_owned())]));

@@ -1,7 +1,7 @@
-//! Programs for lathes: a way as single moves, or a rough contour as the roughing cycle of a control.
+//! Programs for lathes: a toolpath as single moves, or a rough contour as the roughing cycle of a control.
 //!
 //! - [`Control`] is the language of a control, read from tables lathe-…; [`plain()`] and [`cycle()`] write;
-//! - [`setting`] is what a program is told beside its way: tool, spindle, feeds, coolant;
+//! - [`setting`] is the settings of a program besides its toolpath: tool, spindle, feeds, coolant;
 //! - `words` are the words of a control, `sheet` the lines of a program with their modes;
 //! - [`cycle`](mod@cycle) is a task of roughing and its profile, `call` the call of a cycle with its fields;
 //! - `linuxcnc`, `sinumerik` put a cycle into the form of their control; [`refused`] is why something is not written.
@@ -14,8 +14,8 @@ mod linuxcnc;
 mod plain;
 pub mod refused;
 pub mod setting;
-mod sheet;
 mod sinumerik;
+mod text;
 mod words;
 
 use crate::error::KnowledgeError;
@@ -32,7 +32,7 @@ pub use cycle::{Allowance, CycleProgram, Direction, ProgramFile, Roughing};
 pub use plain::plain;
 pub use refused::NotWritten;
 pub use setting::{Feeds, Setting, Speed};
-use words::Words;
+use words::ControlWords;
 
 /// Puts the cycle of a task into the form of a control.
 type CycleWriter = fn(&Control, &Cycles, &cycle::Task<'_>, &Setting) -> Result<CycleProgram, NotWritten>;
@@ -47,7 +47,7 @@ pub struct Control {
     /// Its name: `linuxcnc`, `sinumerik`, `nc-201`.
     pub name: String,
     /// None where no program is written for it.
-    words: Option<Words>,
+    words: Option<ControlWords>,
     /// None where its roughing cycle is not written.
     cycles: Option<(Cycles, CycleWriter)>,
     /// What is known by name alone.
@@ -67,7 +67,7 @@ impl Control {
         let control = LatheControl::from_word(name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
         let row = knowledge.need(name, |row: &LatheControls<'_>| row.control == control)?;
         let words = match (row.plain, row.comment) {
-            (true, Some(comment)) => Some(Words::read(control, comment, knowledge)?),
+            (true, Some(comment)) => Some(ControlWords::read(control, comment, knowledge)?),
             (true, None) => {
                 return Err(KnowledgeError::lacks(&table.id, note!("turned-comment-control-written-for")));
             }
@@ -82,7 +82,7 @@ impl Control {
         Ok(Self { name: name.to_owned(), words, cycles, known_words })
     }
 
-    fn words(&self) -> Result<&Words, NotWritten> {
+    fn words(&self) -> Result<&ControlWords, NotWritten> {
         self.words.as_ref().ok_or_else(|| self.not_documented())
     }
 

@@ -1,20 +1,20 @@
-//! A way as a program of single moves: G0, G1, G2, G3.
+//! A toolpath as a program of single moves: G0, G1, G2, G3.
 
 use crate::turning::contour::Curve;
-use crate::turning::way::Way;
+use crate::turning::toolpath::Toolpath;
 use technolog_core::ascii::ascii;
 
 use super::Control;
 use super::refused::{NotWritten, check_arc};
 use super::setting::{Setting, Speed};
-use super::sheet::{Pace, Sheet, number};
+use super::text::{Pace, ProgramWriter, number};
 use super::words::Use;
 
-/// The program of a way on a control.
+/// The program of a toolpath on a control.
 ///
 /// # Errors
 /// Why it cannot be written.
-pub fn plain(control: &Control, way: &Way, setting: &Setting) -> Result<String, NotWritten> {
+pub fn plain(control: &Control, way: &Toolpath, setting: &Setting) -> Result<String, NotWritten> {
     let words = control.words()?;
     setting.check()?;
     if way.moves.is_empty() {
@@ -26,7 +26,7 @@ pub fn plain(control: &Control, way: &Way, setting: &Setting) -> Result<String, 
             return Err(NotWritten::RapidArc { piece: number });
         }
     }
-    let mut sheet = Sheet::new(words);
+    let mut sheet = ProgramWriter::new(words);
     begin(&mut sheet, control, setting)?;
     sheet.rapid(way.from);
     for (piece, purpose) in way.pieces() {
@@ -37,7 +37,7 @@ pub fn plain(control: &Control, way: &Way, setting: &Setting) -> Result<String, 
 }
 
 /// What every program begins with: the modes, the tool, the spindle, the coolant.
-pub(super) fn begin(sheet: &mut Sheet<'_>, control: &Control, setting: &Setting) -> Result<(), NotWritten> {
+pub(super) fn begin(sheet: &mut ProgramWriter<'_>, control: &Control, setting: &Setting) -> Result<(), NotWritten> {
     let words = control.words()?;
     sheet.comment(&ascii(&setting.name));
     sheet.put(&[
@@ -64,7 +64,7 @@ pub(super) fn begin(sheet: &mut Sheet<'_>, control: &Control, setting: &Setting)
 }
 
 /// What every program ends with; the coolant is stopped even where this program did not start it.
-pub(super) fn end(sheet: &mut Sheet<'_>) {
+pub(super) fn end(sheet: &mut ProgramWriter<'_>) {
     sheet.put(&[Use::SpindleStop]);
     sheet.put(&[Use::CoolantOff]);
     sheet.put(&[Use::End]);

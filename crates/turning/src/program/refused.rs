@@ -18,7 +18,7 @@ pub enum NotWritten {
         /// What of its words is known by name.
         words: Vec<String>,
     },
-    /// The way has no move.
+    /// The toolpath has no move.
     EmptyWay,
     /// The contour has no piece.
     EmptyContour,

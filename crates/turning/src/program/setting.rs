@@ -1,10 +1,10 @@
-//! What a program is told beside its way: the tool, the spindle, the feeds, the coolant.
+//! The settings of a program besides its toolpath: the tool, the spindle, the feeds, the coolant.
 
-use crate::turning::way::Purpose;
+use crate::turning::toolpath::Purpose;
 use crate::units::{MetresPerMinute, MillimetresPerRev, RevsPerMinute};
 
 use super::refused::NotWritten;
-use super::sheet::number;
+use super::text::number;
 
 /// How the spindle turns.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,7 +20,7 @@ pub enum Speed {
     Spindle(RevsPerMinute),
 }
 
-/// The feeds of a way by the purpose of its moves, each above 0.
+/// The feeds of a toolpath by the purpose of its moves, each above 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Feeds {
     /// Of straight working passes.
@@ -57,7 +57,7 @@ impl Feeds {
     }
 }
 
-/// What a program is told beside its way.
+/// The settings of a program besides its toolpath.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setting {
     /// The name of the part; it is written in Latin letters.

@@ -8,7 +8,7 @@ use super::cycle::{CycleProgram, ProgramFile, Task};
 use super::plain::{begin, end};
 use super::refused::NotWritten;
 use super::setting::Setting;
-use super::sheet::{Pace, Sheet};
+use super::text::{Pace, ProgramWriter};
 use super::words::Use;
 use super::{Control, file_name};
 
@@ -25,7 +25,7 @@ pub(super) fn write(
     let words = control.words()?;
     let name = file_name(&setting.name);
     let contour = format!("{name}_K");
-    let mut sheet = Sheet::new(words);
+    let mut sheet = ProgramWriter::new(words);
     begin(&mut sheet, control, setting)?;
     sheet.rapid(task.begins());
     let fields = cycles.filled(task, &format!("\"{contour}\""), &setting.feeds);
@@ -34,7 +34,7 @@ pub(super) fn write(
     end(&mut sheet);
     let main = ProgramFile { name: format!("{name}.MPF"), text: sheet.finish() };
 
-    let mut sheet = Sheet::new(words);
+    let mut sheet = ProgramWriter::new(words);
     let profile = task.profile(Half::ZERO, Half::ZERO);
     for (index, piece) in profile.iter().enumerate() {
         if index == 0 {

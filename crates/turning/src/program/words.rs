@@ -10,13 +10,13 @@ pub(super) use crate::tables::controls::lathe::Use;
 
 /// The words of one control.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Words {
+pub(super) struct ControlWords {
     words: BTreeMap<Use, String>,
     /// How a remark is written, with `{text}` in it.
     comment: String,
 }
 
-impl Words {
+impl ControlWords {
     /// The rows of a control.
     ///
     /// # Errors

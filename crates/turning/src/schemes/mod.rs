@@ -1,12 +1,13 @@
 //! The schemes by which the rough zone of a stepped shaft is cleared (lecture 12.4), each as the path of its tool.
 //!
-//! [`removal`] puts the passes of a scheme in order, [`path`] makes points of them, [`told`] names and measures these;
-//! [`zones`] says what kinds of zones there are and which scheme of passes suits each; [`find`] puts all together.
+//! [`removal`] puts the passes of a scheme in order, [`path`] makes points of them, [`report`] names and measures
+//! these; [`zones`] says what kinds of zones there are and which scheme of passes suits each; [`find`] puts all
+//! together.
 
 pub mod path;
 pub mod rates;
 pub mod removal;
-pub mod told;
+pub mod report;
 pub mod zones;
 
 use serde::Serialize;
@@ -22,8 +23,8 @@ use super::levels::Levels;
 use super::shaft::{Rates, Shaft};
 use path::Vertex;
 use removal::Scheme;
-use told::{Measures, PointTold};
-use zones::Zone;
+use report::{SchemeMeasures, SchemePoint};
+use zones::SchemeZone;
 
 /// The levels of a shaft, its zones and its schemes.
 #[derive(Clone, Debug, Serialize)]
@@ -31,7 +32,7 @@ pub struct Schemes {
     /// How the rough zone is split.
     pub splitting: Splitting,
     /// The zone over each cylinder, and the whole one.
-    pub zones: Vec<Zone>,
+    pub zones: Vec<SchemeZone>,
     /// The schemes in the order of the lecture; none where there is no stock.
     pub schemes: Vec<SchemeTold>,
     /// The best of them.
@@ -52,7 +53,7 @@ pub struct Splitting {
     pub limiting_depth_mm: Half,
     /// The one depth t_p of all passes, mm.
     pub depth_mm: Half,
-    /// What stands over each cylinder, from the free end.
+    /// The stock over each cylinder, from the free end.
     pub cylinders: Vec<CylinderTold>,
     /// The horizontals of each section, from the blank inwards.
     pub horizontals: Vec<HorizontalsTold>,
@@ -60,7 +61,7 @@ pub struct Splitting {
     pub rates: Rates,
 }
 
-/// What stands over a cylinder.
+/// The stock over a cylinder.
 #[derive(Clone, Debug, Serialize)]
 pub struct CylinderTold {
     /// Its diameter after roughing, mm.
@@ -95,9 +96,9 @@ pub struct SchemeTold {
     pub name: &'static str,
     /// Its lengths and its time.
     #[serde(flatten)]
-    pub measures: Measures,
+    pub measures: SchemeMeasures,
     /// The points of the tool path in order, from home and back.
-    pub points: Vec<PointTold>,
+    pub points: Vec<SchemePoint>,
     /// What it is and where it stands.
     pub because: Because,
     /// The path, for drawings.
@@ -158,8 +159,8 @@ fn told(
     let path = removal::path(scheme, levels, Half::of(rates.approach), Half::of(rates.retract));
     let told = SchemeTold {
         name: scheme.name(),
-        measures: told::measure(&path, rates),
-        points: told::points(&path, levels),
+        measures: report::measure(&path, rates),
+        points: report::points(&path, levels),
         because: Because::row(rule.row, Note::new(format!("scheme-{}", scheme.name()))),
         path,
     };

@@ -20,7 +20,7 @@ pub enum Motion {
 /// What a point is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Role {
+pub enum VertexRole {
     /// A: off the corner of the blank by δ.
     Home,
     /// On the vertical in front of a pass, δ before the metal.
@@ -43,24 +43,24 @@ pub struct Vertex {
     /// How the tool comes here.
     pub motion: Motion,
     /// What it is.
-    pub role: Role,
+    pub role: VertexRole,
     /// How much of the motion at the feed lies before the metal: δ, or nothing.
     pub air: Half,
 }
 
 /// A path as it grows.
 #[derive(Clone, Debug)]
-pub struct Path {
+pub struct SchemePath {
     vertices: Vec<Vertex>,
     approach: Half,
     retract: Half,
 }
 
-impl Path {
+impl SchemePath {
     /// From home, which is off the free end and off the largest radius of the blank by the approach δ.
     pub fn new(largest: Half, approach: Half, retract: Half) -> Self {
         let at = Point { radius: largest + approach, z: Half::ZERO - approach };
-        let home = Vertex { at, motion: Motion::Rapid, role: Role::Home, air: Half::ZERO };
+        let home = Vertex { at, motion: Motion::Rapid, role: VertexRole::Home, air: Half::ZERO };
         Self { vertices: vec![home], approach, retract }
     }
 
@@ -82,30 +82,30 @@ impl Path {
             Point { radius: here.radius, z: start.z }
         };
         if corner != here && corner != start {
-            self.put(corner, Motion::Rapid, Role::Returned, Half::ZERO);
+            self.put(corner, Motion::Rapid, VertexRole::Returned, Half::ZERO);
         }
-        self.put(start, Motion::Rapid, Role::Start, Half::ZERO);
+        self.put(start, Motion::Rapid, VertexRole::Start, Half::ZERO);
     }
 
     /// Cuts along the axis to a Z.
     pub fn along(&mut self, z: Half) {
         let at = Point { radius: self.here().radius, z };
-        let started = self.vertices.last().is_some_and(|last| last.role == Role::Start);
+        let started = self.vertices.last().is_some_and(|last| last.role == VertexRole::Start);
         let air = if started { self.approach } else { Half::ZERO };
-        self.put(at, Motion::Along, Role::End, air);
+        self.put(at, Motion::Along, VertexRole::End, air);
     }
 
     /// Goes up a face to its corner.
     pub fn corner(&mut self, radius: Half) {
-        self.across(radius, Role::Corner);
+        self.across(radius, VertexRole::Corner);
     }
 
     /// Goes up along the face of stock that still stands, to where the next pass begins.
     pub fn rise(&mut self, radius: Half) {
-        self.across(radius, Role::End);
+        self.across(radius, VertexRole::End);
     }
 
-    /// The points with the way home.
+    /// All points, the return to home included.
     pub fn home(mut self) -> Vec<Vertex> {
         self.draw_back();
         if let Some(&home) = self.vertices.first().filter(|_| self.vertices.len() > 1) {
@@ -114,7 +114,7 @@ impl Path {
         self.vertices
     }
 
-    fn across(&mut self, radius: Half, role: Role) {
+    fn across(&mut self, radius: Half, role: VertexRole) {
         let here = self.here();
         if radius > here.radius {
             self.put(Point { radius, z: here.z }, Motion::Across, role, Half::ZERO);
@@ -125,7 +125,7 @@ impl Path {
         if self.vertices.len() > 1 {
             let here = self.here();
             let at = Point { radius: here.radius + self.retract, z: here.z - self.retract };
-            self.put(at, Motion::Rapid, Role::Retracted, Half::ZERO);
+            self.put(at, Motion::Rapid, VertexRole::Retracted, Half::ZERO);
         }
     }
 
@@ -133,7 +133,7 @@ impl Path {
         self.vertices.last().map(|last| last.at).unwrap_or_default()
     }
 
-    fn put(&mut self, at: Point, motion: Motion, role: Role, air: Half) {
+    fn put(&mut self, at: Point, motion: Motion, role: VertexRole, air: Half) {
         self.vertices.push(Vertex { at, motion, role, air });
     }
 }

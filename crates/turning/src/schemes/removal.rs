@@ -6,14 +6,14 @@ use crate::turning::levels::Levels;
 use crate::turning::levels::zone::Section;
 use crate::turning::point::Point;
 
-use super::path::{Path, Vertex};
+use super::path::{SchemePath, Vertex};
 
 pub use crate::tables::turning::passes::Removal as Scheme;
 
 /// The path of the tool over a zone, from home and back, with the approach δ and the retract.
 pub fn path(scheme: Scheme, levels: &Levels, approach: Half, retract: Half) -> Vec<Vertex> {
     let largest = levels.sections.iter().map(|section| section.blank).max().unwrap_or_default();
-    let mut path = Path::new(largest, approach, retract);
+    let mut path = SchemePath::new(largest, approach, retract);
     for section in &levels.sections {
         match scheme {
             Scheme::Verticals => verticals(levels, section, &mut path),
@@ -36,7 +36,7 @@ pub fn path(scheme: Scheme, levels: &Levels, approach: Half, retract: Half) -> V
 
 /// Cylinder after cylinder, each level by level. The last pass of a cylinder goes up its face, and on along the stock of
 /// the next cylinder to that one's first level, where the tool is already at the metal.
-fn verticals(levels: &Levels, section: &Section, path: &mut Path) {
+fn verticals(levels: &Levels, section: &Section, path: &mut SchemePath) {
     for (index, cylinder) in section.cylinders.iter().enumerate() {
         for level in 1..=levels.count(section, cylinder) {
             if level > 1 || index == 0 {
@@ -56,7 +56,7 @@ fn verticals(levels: &Levels, section: &Section, path: &mut Path) {
 
 /// Level after level over all cylinders. Where a cylinder ends above a level, the tool goes up the face and on along
 /// that cylinder; where it reaches the surface of a cylinder, it cleans the face at its end.
-fn by_levels(levels: &Levels, section: &Section, path: &mut Path) {
+fn by_levels(levels: &Levels, section: &Section, path: &mut SchemePath) {
     let Some(first) = section.cylinders.first() else { return };
     for level in 1..=levels.count(section, first) {
         let (above, at) = (levels.horizontal(section, level - 1), levels.horizontal(section, level));
@@ -81,7 +81,7 @@ fn by_levels(levels: &Levels, section: &Section, path: &mut Path) {
 
 /// Straight passes, of which each cylinder has so many; they grow fewer towards the chuck, so a level ends at the first
 /// cylinder that has none of it.
-fn straight(levels: &Levels, section: &Section, counts: &[i64], path: &mut Path) {
+fn straight(levels: &Levels, section: &Section, counts: &[i64], path: &mut SchemePath) {
     for level in 1..=counts.first().copied().unwrap_or(0) {
         let over = section.cylinders.iter().zip(counts).take_while(|(_, count)| **count >= level);
         if let Some((last, _)) = over.last() {
@@ -92,7 +92,7 @@ fn straight(levels: &Levels, section: &Section, counts: &[i64], path: &mut Path)
 }
 
 /// One pass along the whole contour of a section.
-fn contour(section: &Section, path: &mut Path) {
+fn contour(section: &Section, path: &mut SchemePath) {
     let Some(first) = section.cylinders.first() else { return };
     path.start(Point { radius: first.radius, z: first.from });
     for cylinder in &section.cylinders {

@@ -9,17 +9,17 @@ use crate::note::Because;
 use crate::turning::length::Half;
 use crate::turning::levels::Levels;
 use crate::turning::workpiece::Scheme;
-use crate::turning::zones::kind::{Bounds, Circumstances, Kind, KindFound, alone, scheme, together};
+use crate::turning::zones::kind::{Bounds, Circumstances, ClassifiedZone, ZoneKind, alone, scheme, together};
 
 /// A zone, with the schemes that suit it.
 #[derive(Clone, Debug, Serialize)]
-pub struct Zone {
+pub struct SchemeZone {
     /// Z of its beginning, mm.
     pub from_z_mm: Half,
     /// Z of its end, mm.
     pub to_z_mm: Half,
     /// Its kind.
-    pub zone: Kind,
+    pub zone: ZoneKind,
     /// The schemes, in the order of work; more than one where the zone is worked in parts.
     pub schemes: Vec<Scheme>,
     /// Why this kind.
@@ -32,7 +32,7 @@ pub struct Zone {
 ///
 /// # Errors
 /// The knowledge base lacks a rule or a row of it.
-pub fn zones(levels: &Levels, knowledge: &Knowledge) -> Result<Vec<Zone>, KnowledgeError> {
+pub fn zones(levels: &Levels, knowledge: &Knowledge) -> Result<Vec<SchemeZone>, KnowledgeError> {
     let cylinders: Vec<_> = levels.sections.iter().flat_map(|section| &section.cylinders).collect();
     let mut zones = Vec::new();
     let mut kinds = Vec::new();
@@ -52,10 +52,10 @@ pub fn zones(levels: &Levels, knowledge: &Knowledge) -> Result<Vec<Zone>, Knowle
 }
 
 /// The scheme of a kind over a stretch. That of a stepped contour is the same for every blank.
-fn zone(knowledge: &Knowledge, from: Half, to: Half, found: KindFound) -> Result<Zone, KnowledgeError> {
+fn zone(knowledge: &Knowledge, from: Half, to: Half, found: ClassifiedZone) -> Result<SchemeZone, KnowledgeError> {
     let stepped = Circumstances { shaped: false, near_part: false, against_stop: false };
     let choice = scheme(&found, stepped, knowledge)?;
-    Ok(Zone {
+    Ok(SchemeZone {
         from_z_mm: Half::ZERO - from,
         to_z_mm: Half::ZERO - to,
         zone: found.kind,

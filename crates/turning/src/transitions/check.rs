@@ -1,4 +1,4 @@
-//! What a zone and a tool must be, before a way is made over them.
+//! What a zone and a tool must satisfy before a toolpath is made.
 
 use crate::error::{Refusal, Tried};
 use crate::note::Note;
@@ -6,8 +6,8 @@ use crate::turning::contour::{Contour, Curve, Piece};
 use crate::turning::length::Half;
 use crate::units::round_to;
 
-use super::ground::{Ground, clipped, radius_on};
-use super::standing::Standing;
+use super::in_process_stock::InProcessStock;
+use super::monotone::{MonotoneContour, clipped, radius_on};
 use super::{Scheme, Settings, Stock, Tool};
 
 /// What is let pass of an angle whatever the piece, degrees.
@@ -26,7 +26,7 @@ fn rounding_degrees(piece: &Piece) -> f64 {
     ROUNDING_DEGREES.max((END_MM / chord.max(END_MM) + bent).to_degrees())
 }
 
-/// Why a scheme makes no way over a zone.
+/// Why a scheme gives no toolpath over a zone.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // the figures have the names of those of the sentences
 pub enum Unsuited {
@@ -68,7 +68,7 @@ impl Unsuited {
     }
 }
 
-/// Whether ways can be made at all.
+/// Whether toolpaths can be made at all.
 ///
 /// # Errors
 /// A reason, each with its remedy in the sentences: contours that do not hang together, lead back, differ in their
@@ -76,8 +76,8 @@ impl Unsuited {
 /// the tool's angles; a way against a stop over a contour that is not stepped.
 pub fn check(
     stock: &Stock,
-    ground: &Ground,
-    blank: &Ground,
+    ground: &MonotoneContour,
+    blank: &MonotoneContour,
     tool: &Tool,
     settings: &Settings,
     scheme: Scheme,
@@ -113,14 +113,14 @@ pub fn check(
     Ok(())
 }
 
-fn same_stretch(stock: &Stock, ground: &Ground, blank: &Ground) -> bool {
+fn same_stretch(stock: &Stock, ground: &MonotoneContour, blank: &MonotoneContour) -> bool {
     let (from, to) = (stock.from, stock.to);
     from < to && [ground, blank].iter().all(|one| one.from() == from && one.to() == to)
 }
 
 /// Where a rough contour is above its blank.
-fn above(ground: &Ground, blank: &Ground) -> Option<Half> {
-    let standing = Standing::of(blank);
+fn above(ground: &MonotoneContour, blank: &MonotoneContour) -> Option<Half> {
+    let standing = InProcessStock::of(blank);
     let over = |piece: &Piece| {
         standing.cells().iter().find_map(|cell| {
             let top = clipped(&cell.top, piece.from.z.max(cell.from), piece.to.z.min(cell.to))?;
@@ -133,7 +133,7 @@ fn above(ground: &Ground, blank: &Ground) -> Option<Half> {
 }
 
 /// Cylinders and faces that rise towards the chuck.
-fn is_roller(rough: &Contour, ground: &Ground) -> bool {
+fn is_roller(rough: &Contour, ground: &MonotoneContour) -> bool {
     rough.is_stepped() && ground.pieces.iter().all(|piece| piece.to.radius >= piece.from.radius)
 }
 

@@ -3,10 +3,10 @@
 use crate::turning::contour::Piece;
 use crate::turning::length::Half;
 use crate::turning::point::Point;
-use crate::turning::way::Purpose;
+use crate::turning::toolpath::Purpose;
 
-use super::course::{Course, Role};
-use super::ground::Ground;
+use super::builder::{SupportPointRole, ToolpathBuilder};
+use super::monotone::MonotoneContour;
 
 /// No zone needs more passes than this.
 const MOST: i64 = 10_000;
@@ -19,13 +19,13 @@ const MOST: i64 = 10_000;
 ///
 /// The line leads in the direction of the blank's allowance: outwards, and towards the free end as far as the blank has
 /// stock on its faces, where the contour only rises. A bar has no such stock, so its line is radial.
-pub fn work(course: &mut Course<'_>) {
+pub fn work(course: &mut ToolpathBuilder<'_>) {
     let step = step(course);
     let shifted = |count: i64| -> Vec<Piece> {
         let by = |size: Half| Half::new(size.halves().saturating_mul(count));
         let place = |point: Point| Point { radius: point.radius + by(step.radius), z: point.z - by(step.z) };
-        let pieces = course.ground().pieces.iter().map(|piece| piece.mapped(false, place)).collect();
-        Ground { pieces }.stretched(course.ground().from(), course.ground().to()).pieces
+        let pieces = course.rough().pieces.iter().map(|piece| piece.mapped(false, place)).collect();
+        MonotoneContour { pieces }.stretched(course.rough().from(), course.rough().to()).pieces
     };
     let count = (1..=MOST).find(|count| course.trimmed(&shifted(*count)).is_empty()).unwrap_or(MOST);
     let passes: Vec<_> = (0..count).rev().map(|count| (count, shifted(count))).collect();
@@ -33,16 +33,16 @@ pub fn work(course: &mut Course<'_>) {
         let way = course.trimmed(&pass);
         let Some(first) = way.first().map(|first| first.from) else { continue };
         let start = course.side_start(first).unwrap_or(first);
-        course.pass(&way, Purpose::Cut, Role::ContourEnd);
+        course.pass(&way, Purpose::Cut, SupportPointRole::ContourEnd);
         let higher = Half::new(step.radius.halves().saturating_mul(count));
         let clear = course.zone.held(course.zone.top + course.settings.retract + higher).max(course.here().radius);
-        course.rapid(Point { radius: clear, z: course.here().z }, Role::Clear);
-        course.rapid(Point { radius: clear, z: start.z }, Role::Returned);
+        course.rapid(Point { radius: clear, z: course.here().z }, SupportPointRole::Clear);
+        course.rapid(Point { radius: clear, z: start.z }, SupportPointRole::Returned);
     }
 }
 
 /// One step of the line: the larger of its two parts is the depth of a pass.
-fn step(course: &Course<'_>) -> Point {
+fn step(course: &ToolpathBuilder<'_>) -> Point {
     let depth = course.settings.depth;
     let (across, along) = (across(course).to_mm(), along(course).to_mm());
     let most = across.max(along);
@@ -51,17 +51,17 @@ fn step(course: &Course<'_>) -> Point {
 }
 
 /// The least stock over a piece that is no face, and has some.
-fn across(course: &Course<'_>) -> Half {
+fn across(course: &ToolpathBuilder<'_>) -> Half {
     let over = |piece: &Piece| {
         let top = course.zone.whole.highest(piece.from.z, piece.to.z)?;
         Some(top - piece.from.radius.max(piece.to.radius)).filter(|stock| *stock > Half::ZERO)
     };
-    course.ground().pieces.iter().filter(|piece| !piece.is_face()).filter_map(over).min().unwrap_or_default()
+    course.rough().pieces.iter().filter(|piece| !piece.is_face()).filter_map(over).min().unwrap_or_default()
 }
 
 /// The least stock before a face, where the contour only rises and the blank has a face or slope of its own before it.
-fn along(course: &Course<'_>) -> Half {
-    let ground = course.ground();
+fn along(course: &ToolpathBuilder<'_>) -> Half {
+    let ground = course.rough();
     if ground.pieces.iter().any(|piece| piece.to.radius < piece.from.radius) {
         return Half::ZERO;
     }

@@ -3,9 +3,9 @@
 use crate::turning::contour::Piece;
 use crate::turning::length::Half;
 use crate::turning::point::Point;
-use crate::turning::way::Purpose;
+use crate::turning::toolpath::Purpose;
 
-use super::course::{Course, Role};
+use super::builder::{SupportPointRole, ToolpathBuilder};
 
 /// Slice after slice from the free end. The tool has an edge parallel to the axis, as wide as a slice, which is as wide
 /// as the depth of a pass; its theoretical point is the end of the edge towards the chuck.
@@ -16,20 +16,20 @@ use super::course::{Course, Role};
 ///
 /// Slices end where the contour has a corner and begin where it has one, so that upright walls and cylinders come out
 /// exact where a cylinder is not narrower than the edge; on cones and arcs steps stay. Used most in closed zones (l. 332).
-pub fn work(course: &mut Course<'_>) {
+pub fn work(course: &mut ToolpathBuilder<'_>) {
     let edge = course.settings.depth;
     let clear = course.zone.held(course.zone.top + course.settings.retract);
     for z in places(course, edge) {
-        let Some(radius) = course.ground().highest(z - edge, z) else { continue };
-        let Some(metal) = course.standing.highest(z - edge, z).filter(|metal| *metal > radius) else { continue };
+        let Some(radius) = course.rough().highest(z - edge, z) else { continue };
+        let Some(metal) = course.stock.highest(z - edge, z).filter(|metal| *metal > radius) else { continue };
         let here = course.here();
-        course.rapid(Point { radius: here.radius.max(clear), z: here.z }, Role::Clear);
-        course.rapid(Point { radius: course.here().radius, z }, Role::Returned);
-        course.rapid(Point { radius: course.zone.held(metal + course.settings.approach), z }, Role::Start);
-        course.straight(Point { radius, z }, Purpose::Cut, Role::End);
-        course.standing.lower(&slice(Point { radius, z }, edge));
+        course.rapid(Point { radius: here.radius.max(clear), z: here.z }, SupportPointRole::Clear);
+        course.rapid(Point { radius: course.here().radius, z }, SupportPointRole::Returned);
+        course.rapid(Point { radius: course.zone.held(metal + course.settings.approach), z }, SupportPointRole::Start);
+        course.straight(Point { radius, z }, Purpose::Cut, SupportPointRole::End);
+        course.stock.lower(&slice(Point { radius, z }, edge));
         course.passed(Vec::new());
-        course.rapid(Point { radius: clear, z }, Role::Clear);
+        course.rapid(Point { radius: clear, z }, SupportPointRole::Clear);
     }
 }
 
@@ -40,8 +40,8 @@ pub fn slice(point: Point, edge: Half) -> Piece {
 
 /// Where the point goes down: where an edge ends at a corner or begins at one, and between so that no gap is wider than
 /// the edge.
-fn places(course: &Course<'_>, edge: Half) -> Vec<Half> {
-    let ground = course.ground();
+fn places(course: &ToolpathBuilder<'_>, edge: Half) -> Vec<Half> {
+    let ground = course.rough();
     let mut places: Vec<Half> = ground.pieces.iter().flat_map(|piece| [piece.from.z, piece.to.z]).collect();
     places.extend(places.clone().into_iter().map(|z| z + edge));
     places.retain(|z| (ground.from()..=ground.to()).contains(z));

@@ -4,11 +4,11 @@ use crate::error::{Refusal, Tried};
 use crate::turning::contour::Contour;
 use crate::turning::length::Half;
 use crate::turning::point::Point;
-use crate::turning::way::Purpose;
+use crate::turning::toolpath::Purpose;
 
+use super::builder::{SupportPointRole, ToolpathBuilder};
 use super::check::Unsuited;
-use super::course::{Course, Role};
-use super::ground::Ground;
+use super::monotone::MonotoneContour;
 
 /// No zone needs more passes than this.
 const MOST: i64 = 10_000;
@@ -24,7 +24,7 @@ pub type Offset<'o> = &'o dyn Fn(&Contour, Half) -> Option<Contour>;
 /// 3. From there it goes to the start of the next pass (4-5, 4-8).
 ///
 /// The depth is measured square to the contour: radially it is more on cones, and on a face the whole of it.
-pub fn work(course: &mut Course<'_>, rough: &Contour, offset: Offset<'_>) -> Tried<(), Unsuited> {
+pub fn work(course: &mut ToolpathBuilder<'_>, rough: &Contour, offset: Offset<'_>) -> Tried<(), Unsuited> {
     let depth = course.settings.depth;
     let mut passes = Vec::new();
     for count in 1..=MOST {
@@ -32,17 +32,17 @@ pub fn work(course: &mut Course<'_>, rough: &Contour, offset: Offset<'_>) -> Tri
         let Some(beside) = offset(rough, distance) else {
             return Err(Refusal::Not(Unsuited::NoEquidistant { distance }));
         };
-        let beside = Ground::of(&beside).stretched(course.ground().from(), course.ground().to());
+        let beside = MonotoneContour::of(&beside).stretched(course.rough().from(), course.rough().to());
         if course.trimmed(&beside.pieces).is_empty() {
             break;
         }
         passes.push(beside);
     }
     passes.reverse();
-    passes.push(course.ground().clone());
+    passes.push(course.rough().clone());
     let corner = Point {
         radius: course.zone.held(course.zone.top + course.settings.retract),
-        z: course.ground().from() - course.settings.approach,
+        z: course.rough().from() - course.settings.approach,
     };
     for pass in passes {
         let way = course.trimmed(&pass.pieces);
@@ -51,12 +51,12 @@ pub fn work(course: &mut Course<'_>, rough: &Contour, offset: Offset<'_>) -> Tri
         }
         if course.passes > 0 {
             let here = course.here();
-            if !course.standing.is_clear(here, corner) {
-                course.rapid(Point { radius: corner.radius.max(here.radius), z: here.z }, Role::Clear);
+            if !course.stock.is_clear(here, corner) {
+                course.rapid(Point { radius: corner.radius.max(here.radius), z: here.z }, SupportPointRole::Clear);
             }
-            course.rapid(corner, Role::Returned);
+            course.rapid(corner, SupportPointRole::Returned);
         }
-        course.pass(&way, Purpose::Cut, Role::ContourEnd);
+        course.pass(&way, Purpose::Cut, SupportPointRole::ContourEnd);
     }
     Ok(())
 }

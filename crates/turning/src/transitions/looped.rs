@@ -1,6 +1,6 @@
 //! The loop (петля; lecture l. 314-324).
 
-use super::course::Course;
+use super::builder::ToolpathBuilder;
 use super::split::Split;
 use super::straight::{Back, clear};
 
@@ -15,7 +15,7 @@ use super::straight::{Back, clear};
 ///
 /// Against a stop (від упора, l. 320-324) it is the same with levels that begin anew at each cylinder of a stepped
 /// roller: each pass goes at the full depth to the shoulder where its step ends, and the last of a step on its cylinder.
-pub fn work(course: &mut Course<'_>, split: &Split) {
+pub fn work(course: &mut ToolpathBuilder<'_>, split: &Split) {
     for section in &split.sections {
         clear(course, section, Back::ThroughAir);
     }

@@ -1,22 +1,22 @@
-//! What a way is measured by, and which of several is the best.
+//! Measures of a toolpath, and the best of several toolpaths.
 
 use serde::Serialize;
 
 use crate::note::{Figure, Note};
 use crate::turning::length::Half;
-use crate::turning::way::{Purpose, Way};
+use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::units::{Minutes, round_to};
 
-use super::ground::clipped;
-use super::standing::Standing;
-use super::{Feeds, Transition, Zone, descent};
+use super::in_process_stock::InProcessStock;
+use super::monotone::clipped;
+use super::{Feeds, PreparedZone, Transition, descent};
 
-/// What a way is measured by.
+/// The measures of a toolpath.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Measures {
-    /// The way through metal, mm. Along an upright face nothing is cut: the point has cut up to it before.
+pub struct ToolpathMeasures {
+    /// The length cut in metal, mm. Along an upright face nothing is cut: the point has cut up to it before.
     pub cutting_mm: f64,
-    /// The way at a feed through no metal: to the metal, along what is clean, back along the contour, mm.
+    /// Length at a feed that cuts no metal, mm: to the metal, along clean surfaces, back along the contour.
     pub beside_mm: f64,
     /// The rapids, mm.
     pub rapid_mm: f64,
@@ -28,9 +28,15 @@ pub struct Measures {
     pub returns: usize,
 }
 
-/// Measures a way by working it off on the blank anew. `edge` is the width of the edge of a tool that goes down across
+/// Measures a toolpath by running it over a fresh blank. `edge` is the width of the edge of a tool that plunges across
 /// the axis.
-pub fn measure(way: &Way, zone: &Zone, feeds: &Feeds, passes: usize, edge: Option<Half>) -> Measures {
+pub fn measure(
+    way: &Toolpath,
+    zone: &PreparedZone,
+    feeds: &Feeds,
+    passes: usize,
+    edge: Option<Half>,
+) -> ToolpathMeasures {
     let mut standing = zone.whole.clone();
     let (mut cutting, mut beside, mut rapid, mut time) = (0.0, 0.0, 0.0, 0.0);
     for (piece, purpose) in way.pieces() {
@@ -51,7 +57,7 @@ pub fn measure(way: &Way, zone: &Zone, feeds: &Feeds, passes: usize, edge: Optio
             standing.lower(&descent::slice(piece.to, edge));
         }
     }
-    Measures {
+    ToolpathMeasures {
         cutting_mm: round_to(cutting, 3),
         beside_mm: round_to(beside, 3),
         rapid_mm: round_to(rapid, 3),
@@ -62,7 +68,7 @@ pub fn measure(way: &Way, zone: &Zone, feeds: &Feeds, passes: usize, edge: Optio
 }
 
 /// How much of a piece goes through metal, mm.
-fn metal(standing: &Standing, piece: &crate::turning::contour::Piece, edge: Option<Half>) -> f64 {
+fn metal(standing: &InProcessStock, piece: &crate::turning::contour::Piece, edge: Option<Half>) -> f64 {
     if piece.from.z != piece.to.z {
         let forth = if piece.to.z < piece.from.z { piece.reversed() } else { *piece };
         let parts = standing.metal(&forth).into_iter().filter_map(|(from, to)| clipped(&forth, from, to));
@@ -79,7 +85,7 @@ fn metal(standing: &Standing, piece: &crate::turning::contour::Piece, edge: Opti
     (top - piece.to.radius).max(Half::ZERO).to_mm()
 }
 
-/// The best of several ways over a zone.
+/// The best of several toolpaths over a zone.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Best {
     /// The quickest.
@@ -94,8 +100,8 @@ pub struct Best {
     pub note: Note,
 }
 
-/// The quickest of several ways, among equals the first; none of fewer than two. Whoever needs an even allowance gives it
-/// only those that are [`Transition::uniform`].
+/// The quickest of several toolpaths, the first among equals; none where there are fewer than two. Whoever needs an
+/// even allowance gives it only those that are [`Transition::uniform`].
 pub fn best<'t>(ways: impl IntoIterator<Item = &'t Transition>) -> Option<Best> {
     let mut order: Vec<&Transition> = ways.into_iter().collect();
     let time = |one: &Transition| one.measures.time_min.0;

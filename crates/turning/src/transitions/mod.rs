@@ -1,35 +1,36 @@
-//! The schemes of rough transitions (lecture 12.4, l. 271-520, table 12.1, fig. 12.4), each as the way of its tool over a
-//! zone of any shape: lines and arcs between a rough contour and a blank.
+//! The schemes of rough transitions (lecture 12.4, l. 271-520, table 12.1, fig. 12.4), each as a toolpath over a zone
+//! of any shape: lines and arcs between a rough contour and a blank.
 //!
-//! [`work`] makes the way of a scheme. Each scheme is a file: [`looped`], [`zigzag`], [`descent`], [`pick_up`],
-//! [`semi_finishing`], [`equidistant`], [`contour`]. They share [`split`] (the levels), [`straight`] (straight passes),
-//! [`course`] (a way as it grows) over [`ground`] (the rough contour) and [`standing`] (what is left of the blank);
-//! [`narrow`] says what is too narrow to count, [`told`] names the support points, [`measures`] measures and compares,
-//! [`check`] refuses what cannot be worked.
+//! [`work`] makes the toolpath of a scheme. Each scheme is a file: [`looped`], [`zigzag`], [`descent`], [`pick_up`],
+//! [`semi_finishing`], [`equidistant`], [`contour`]. They share [`split`] (the levels), [`straight`] (straight
+//! passes), [`builder`] (a toolpath under construction) over [`monotone`] (the rough contour) and [`in_process_stock`]
+//! (what is left of the blank); [`narrow`] says what is too narrow to count, [`support_points`] names the support
+//! points, [`measures`] measures and compares, [`check`] refuses what cannot be worked.
 //!
-//! The way is that of the theoretical point of the tool on the rough contour: the corner of the two tangents to its nose,
-//! along the axis and across it. On cylinders and upright faces ahead the true edge cuts the same. Over a stretch that
-//! rises at an angle α to the axis the nose of radius r leaves r·(sin α + cos α − 1) more, square to the contour; on one
-//! that falls at α it cuts r·(1 + sin α − cos α) too deep. Compensating for that is the work of the program, not of this
-//! room. (The centre of the nose lies r before the point and r above it; its distance from the contour less r.)
+//! A toolpath is that of the theoretical point of the tool on the rough contour: the corner of the two tangents to its
+//! nose, along the axis and across it. On cylinders and upright faces ahead the true edge cuts the same. Over a
+//! stretch that rises at an angle α to the axis the nose of radius r leaves r·(sin α + cos α − 1) more, square to the
+//! contour; on one that falls at α it cuts r·(1 + sin α − cos α) too deep. Compensating for that is the work of the
+//! program, not of this room. (The centre of the nose lies r before the point and r above it; its distance from the
+//! contour less r.)
 //!
-//! Architecture invariant: everything is worked as an outer contour; a bore is one inside out.
+//! Architecture invariant: every contour is treated as an outer one; a bore is turned inside out.
 
+pub mod builder;
 pub mod check;
 pub mod contour;
-pub mod course;
 pub mod descent;
 pub mod equidistant;
-pub mod ground;
+pub mod in_process_stock;
 pub mod looped;
 pub mod measures;
+pub mod monotone;
 pub mod narrow;
 pub mod pick_up;
 pub mod semi_finishing;
 pub mod split;
-pub mod standing;
 pub mod straight;
-pub mod told;
+pub mod support_points;
 pub mod zigzag;
 
 use serde::Serialize;
@@ -43,16 +44,16 @@ use crate::units::{Degrees, MillimetresPerMinute, Roughness};
 use super::contour::{Contour, Side};
 use super::length::Half;
 use super::point::Point;
-use super::way::{Move, Purpose, Way};
+use super::toolpath::{Move, Purpose, Toolpath};
 use super::workpiece;
+use builder::ToolpathBuilder;
 use check::Unsuited;
-use course::Course;
 use equidistant::Offset;
-use ground::Ground;
-use measures::Measures;
+use in_process_stock::InProcessStock;
+use measures::ToolpathMeasures;
+use monotone::MonotoneContour;
 use split::Split;
-use standing::Standing;
-use told::SupportPoint;
+use support_points::SupportPoint;
 
 /// What is to be removed: what stands between two contours over one stretch of Z.
 ///
@@ -208,7 +209,7 @@ pub struct Transition {
     /// The scheme.
     pub scheme: Scheme,
     /// The way of the tool, from home and back.
-    pub way: Way,
+    pub way: Toolpath,
     /// Its points with their names; the first is home, and each motion has the one that it ends in.
     pub points: Vec<SupportPoint>,
     /// The width of the tool's edge, of descent: what a motion across the axis takes with it towards the free end.
@@ -223,32 +224,32 @@ pub struct Transition {
     /// Whether what is left for finishing is even: no ridges.
     pub uniform: bool,
     /// Its lengths, its time and its passes.
-    pub measures: Measures,
+    pub measures: ToolpathMeasures,
     /// Why it is what it is: its row in the table `turning-schemes`.
     pub because: Because,
 }
 
-/// A zone made ready for work: outer, in pieces that only rise or fall.
+/// A zone prepared for work: as an outer contour, in pieces that only rise or only fall.
 #[derive(Clone, Debug)]
-pub struct Zone {
+pub struct PreparedZone {
     /// The rough contour.
-    pub ground: Ground,
+    pub rough: MonotoneContour,
     /// The blank.
-    pub blank: Ground,
+    pub blank: MonotoneContour,
     /// The whole blank, before any work.
-    pub whole: Standing,
+    pub whole: InProcessStock,
     /// The highest radius of the blank.
     pub top: Half,
     /// The radius above which the tool cannot go: in a bore, inside out, the axis.
     pub ceiling: Option<Half>,
 }
 
-impl Zone {
+impl PreparedZone {
     fn of(stock: &Stock, ceiling: Option<Half>) -> Self {
-        let (ground, blank) = (Ground::of(&stock.rough), Ground::of(&stock.blank));
-        let whole = Standing::of(&blank);
+        let (ground, blank) = (MonotoneContour::of(&stock.rough), MonotoneContour::of(&stock.blank));
+        let whole = InProcessStock::of(&blank);
         let top = blank.highest(blank.from(), blank.to()).unwrap_or_default();
-        Self { ground, blank, whole, top, ceiling }
+        Self { rough: ground, blank, whole, top, ceiling }
     }
 
     /// A radius, or the highest where the tool can be.
@@ -258,7 +259,7 @@ impl Zone {
 
     /// Off the corner of the blank by the approach.
     pub fn home(&self, settings: &Settings) -> Point {
-        Point { radius: self.held(self.top + settings.approach), z: self.ground.from() - settings.approach }
+        Point { radius: self.held(self.top + settings.approach), z: self.rough.from() - settings.approach }
     }
 }
 
@@ -288,7 +289,7 @@ pub fn work(
     let way = way_inside_out(&found.way, top);
     let roles: Vec<_> = found.points.iter().map(|point| point.role).collect();
     let left = found.left.inside_out(top);
-    Ok(Transition { points: told::points(&way, &roles), way, left, ..found })
+    Ok(Transition { points: support_points::points(&way, &roles), way, left, ..found })
 }
 
 fn outer(
@@ -301,13 +302,13 @@ fn outer(
     ceiling: Option<Half>,
 ) -> Tried<Transition, Unsuited> {
     let row = scheme.told(knowledge)?.row;
-    let zone = Zone::of(stock, ceiling);
-    check::check(stock, &zone.ground, &zone.blank, tool, settings, scheme)?;
-    let split = || Split::with_depth(&zone.ground, &zone.blank, settings.depth);
-    let mut course = Course::new(&zone, settings);
+    let zone = PreparedZone::of(stock, ceiling);
+    check::check(stock, &zone.rough, &zone.blank, tool, settings, scheme)?;
+    let split = || Split::with_depth(&zone.rough, &zone.blank, settings.depth);
+    let mut course = ToolpathBuilder::new(&zone, settings);
     match scheme {
         Scheme::Loop => looped::work(&mut course, &split()),
-        Scheme::LoopAgainstStop => looped::work(&mut course, &split().against_stops(&zone.ground)),
+        Scheme::LoopAgainstStop => looped::work(&mut course, &split().against_stops(&zone.rough)),
         Scheme::Zigzag => zigzag::work(&mut course, &split()),
         Scheme::Descent => descent::work(&mut course),
         Scheme::PickUp => pick_up::work(&mut course, &split(), tool.nose_radius),
@@ -317,28 +318,28 @@ fn outer(
     }
     let course = course.home();
     let edge = (scheme == Scheme::Descent).then_some(settings.depth);
-    let ridges_mm = course.standing.ridge(&zone.ground);
+    let ridges_mm = course.stock.ridge(&zone.rough);
     let note = Note::new(format!("transition-{}", scheme.name()));
     Ok(Transition {
         scheme,
-        points: told::points(&course.way, &course.roles),
+        points: support_points::points(&course.path, &course.roles),
         edge,
         ridges_mm,
-        left: course.standing.surface(&zone.ground),
+        left: course.stock.surface(&zone.rough),
         uniform: ridges_mm == Half::ZERO,
-        measures: measures::measure(&course.way, &zone, &settings.feeds, course.passes, edge),
+        measures: measures::measure(&course.path, &zone, &settings.feeds, course.passes, edge),
         because: Because::row(row, note),
-        way: course.way,
+        way: course.path,
     })
 }
 
 /// A way inside out: that over a bore, and back.
-fn way_inside_out(way: &Way, top: Half) -> Way {
+fn way_inside_out(way: &Toolpath, top: Half) -> Toolpath {
     let moves = way.pieces().map(|(piece, purpose)| {
         let piece = piece.inside_out(top);
         Move { to: piece.to, curve: piece.curve, purpose }
     });
-    Way { from: way.from.inside_out(top), moves: moves.collect() }
+    Toolpath { from: way.from.inside_out(top), moves: moves.collect() }
 }
 
 /// Whether finishing must follow a scheme for a roughness that is asked: where the table `turning-schemes` says how fine

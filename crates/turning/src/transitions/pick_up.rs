@@ -2,9 +2,9 @@
 
 use crate::turning::contour::Piece;
 use crate::turning::length::Half;
-use crate::turning::way::Purpose;
+use crate::turning::toolpath::Purpose;
 
-use super::course::{Course, Role};
+use super::builder::{SupportPointRole, ToolpathBuilder};
 use super::split::{Section, Split};
 use super::straight::Back;
 
@@ -19,9 +19,9 @@ use super::straight::Back;
 ///    down along the falling flank (l. 468-478).
 ///
 /// What is left is even along the whole contour (l. 354-356).
-pub fn work(course: &mut Course<'_>, split: &Split, nose_radius: Half) {
+pub fn work(course: &mut ToolpathBuilder<'_>, split: &Split, nose_radius: Half) {
     for section in &split.sections {
-        for within in course.ground().below(section.top, section.from, section.to) {
+        for within in course.rough().below(section.top, section.from, section.to) {
             course.leave_trail();
             below(course, section, 0, within, section.top, nose_radius);
         }
@@ -29,7 +29,7 @@ pub fn work(course: &mut Course<'_>, split: &Split, nose_radius: Half) {
 }
 
 fn below(
-    course: &mut Course<'_>,
+    course: &mut ToolpathBuilder<'_>,
     section: &Section,
     index: usize,
     within: (Half, Half),
@@ -37,17 +37,17 @@ fn below(
     nose_radius: Half,
 ) {
     let Some(&radius) = section.horizontals.get(index) else { return };
-    let way = course.ground().clamped(radius, before, within.0, within.1);
+    let way = course.rough().clamped(radius, before, within.0, within.1);
     let way = course.trimmed(&way);
     if !way.is_empty() {
         cut(course, &way, radius, nose_radius);
     }
-    for span in course.ground().spans(radius, within.0, within.1) {
+    for span in course.rough().spans(radius, within.0, within.1) {
         below(course, section, index + 1, span, radius, nose_radius);
     }
 }
 
-fn cut(course: &mut Course<'_>, way: &[Piece], radius: Half, nose_radius: Half) {
+fn cut(course: &mut ToolpathBuilder<'_>, way: &[Piece], radius: Half, nose_radius: Half) {
     let falls = |piece: &&Piece| piece.to.radius < piece.from.radius;
     let down = way.iter().take_while(falls).count();
     let (above, rest) = way.split_at(down);
@@ -57,7 +57,7 @@ fn cut(course: &mut Course<'_>, way: &[Piece], radius: Half, nose_radius: Half) 
     if let Some(top) = flank.first().map(|first| first.from) {
         course.back_along(top);
         course.enter(top);
-        course.follow(&flank, Purpose::Infeed, Role::AtDepth);
+        course.follow(&flank, Purpose::Infeed, SupportPointRole::AtDepth);
     } else if let Some(first) = rest.first_mut() {
         course.begin(first, Purpose::PickUp);
     }
@@ -65,19 +65,19 @@ fn cut(course: &mut Course<'_>, way: &[Piece], radius: Half, nose_radius: Half) 
     for (index, piece) in rest.iter().enumerate() {
         let straight = piece.is_cylinder() && piece.from.radius == radius;
         let (purpose, role) = match (straight, index + 1 == count) {
-            (true, _) => (Purpose::Cut, Role::End),
-            (false, true) => (Purpose::PickUp, Role::ContourEnd),
-            (false, false) => (Purpose::PickUp, Role::Corner),
+            (true, _) => (Purpose::Cut, SupportPointRole::End),
+            (false, true) => (Purpose::PickUp, SupportPointRole::ContourEnd),
+            (false, false) => (Purpose::PickUp, SupportPointRole::Corner),
         };
         course.feed(*piece, purpose, role);
     }
     let here = course.here();
-    if count > 0 && course.ground().holds(here) {
+    if count > 0 && course.rough().holds(here) {
         // Beyond the end of a section stands the stock of the next one: no overrun there.
-        let mut over = course.ground().onwards(here, nose_radius.to_mm() / 2.0);
-        let through = over.iter().position(|piece| !piece.is_face() && !course.standing.metal(piece).is_empty());
+        let mut over = course.rough().onwards(here, nose_radius.to_mm() / 2.0);
+        let through = over.iter().position(|piece| !piece.is_face() && !course.stock.metal(piece).is_empty());
         over.truncate(through.unwrap_or(over.len()));
-        course.follow(&over, Purpose::PickUp, Role::Overrun);
+        course.follow(&over, Purpose::PickUp, SupportPointRole::Overrun);
         rest.extend(over);
     }
     course.passed(rest);

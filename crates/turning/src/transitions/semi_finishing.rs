@@ -3,10 +3,10 @@
 use crate::turning::contour::Piece;
 use crate::turning::length::Half;
 use crate::turning::point::Point;
-use crate::turning::way::Purpose;
+use crate::turning::toolpath::Purpose;
 
-use super::course::{Course, Role};
-use super::ground::clipped;
+use super::builder::{SupportPointRole, ToolpathBuilder};
+use super::monotone::clipped;
 use super::split::Split;
 use super::straight::{Back, clear};
 
@@ -18,32 +18,32 @@ use super::straight::{Back, clear};
 ///    begins where the first ridge stands.
 /// 3. In a closed zone it returns after each straight pass along the contour of the zone to where the pass began, at the
 ///    feed of cutting in, and goes down along the falling flank (l. 468-478).
-pub fn work(course: &mut Course<'_>, split: &Split) {
+pub fn work(course: &mut ToolpathBuilder<'_>, split: &Split) {
     for section in &split.sections {
         clear(course, section, Back::AlongContour);
     }
     let Some(end) = worked_to(course) else { return };
     let here = course.here();
     let ridge = course
-        .ground()
+        .rough()
         .pieces
         .iter()
         .filter(|piece| !piece.is_face())
-        .find_map(|piece| course.standing.metal(piece).first().map(|(from, _)| (*piece, *from)));
-    let on_contour = course.passes > 0 && course.ground().holds(here);
+        .find_map(|piece| course.stock.metal(piece).first().map(|(from, _)| (*piece, *from)));
+    let on_contour = course.passes > 0 && course.rough().holds(here);
     match ridge {
         Some((piece, from)) if !on_contour || from < here.z => {
-            let start = Point { radius: super::ground::radius_on(&piece, from), z: from };
-            let way = parted(course, &held(course, course.ground().beyond(start), end));
+            let start = Point { radius: super::monotone::radius_on(&piece, from), z: from };
+            let way = parted(course, &held(course, course.rough().beyond(start), end));
             if course.passes > 0 {
                 course.draw_back();
             }
-            course.pass(&way, Purpose::SemiFinish, Role::ContourEnd);
+            course.pass(&way, Purpose::SemiFinish, SupportPointRole::ContourEnd);
         }
         _ if on_contour => {
-            let way = parted(course, &held(course, course.ground().beyond(here), end));
+            let way = parted(course, &held(course, course.rough().beyond(here), end));
             if !way.is_empty() {
-                course.follow(&way, Purpose::SemiFinish, Role::ContourEnd);
+                course.follow(&way, Purpose::SemiFinish, SupportPointRole::ContourEnd);
                 course.passed(Vec::new());
             }
         }
@@ -52,13 +52,13 @@ pub fn work(course: &mut Course<'_>, split: &Split) {
 }
 
 /// Z of the end of the stock that stood over the contour.
-fn worked_to(course: &Course<'_>) -> Option<Half> {
-    let pieces = course.ground().pieces.iter().rev().filter(|piece| !piece.is_face());
+fn worked_to(course: &ToolpathBuilder<'_>) -> Option<Half> {
+    let pieces = course.rough().pieces.iter().rev().filter(|piece| !piece.is_face());
     pieces.filter_map(|piece| course.zone.whole.metal(piece).last().map(|(_, to)| *to)).next()
 }
 
 /// A way up to a Z, with the face there as far up as the blank was.
-fn held(course: &Course<'_>, way: Vec<Piece>, end: Half) -> Vec<Piece> {
+fn held(course: &ToolpathBuilder<'_>, way: Vec<Piece>, end: Half) -> Vec<Piece> {
     let part = |piece: &Piece| {
         if !piece.is_face() {
             return clipped(piece, Half::new(i64::MIN), end);
@@ -72,7 +72,7 @@ fn held(course: &Course<'_>, way: Vec<Piece>, end: Half) -> Vec<Piece> {
 }
 
 /// A way with a support point wherever a straight pass ended on it, as fig. 12.4 b counts them (10, 6, 2).
-fn parted(course: &Course<'_>, way: &[Piece]) -> Vec<Piece> {
+fn parted(course: &ToolpathBuilder<'_>, way: &[Piece]) -> Vec<Piece> {
     let ends: Vec<Point> = course.ends().collect();
     let mut parts = Vec::new();
     for piece in way {
@@ -81,7 +81,7 @@ fn parted(course: &Course<'_>, way: &[Piece]) -> Vec<Piece> {
                 end.z == piece.from.z && piece.from.radius < end.radius && end.radius < piece.to.radius
             } else {
                 let within = piece.from.z < end.z && end.z < piece.to.z;
-                within && (super::ground::radius_on(piece, end.z) - end.radius).halves().abs() <= 1
+                within && (super::monotone::radius_on(piece, end.z) - end.radius).halves().abs() <= 1
             };
             beside && **end != piece.from && **end != piece.to
         };

@@ -15,11 +15,11 @@ use serde::Serialize;
 use crate::turning::contour::Contour;
 use crate::turning::length::{Half, as_told_z};
 
-use super::ground::Ground;
+use super::monotone::MonotoneContour;
 
-/// What stands over a piece of the rough contour.
+/// The stock over a piece of the rough contour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub struct Stand {
+pub struct PieceStock {
     /// Z of its beginning.
     #[serde(rename = "from_z_mm", serialize_with = "as_told_z")]
     pub from: Half,
@@ -51,8 +51,8 @@ pub struct Section {
     /// The highest radius of the blank over it.
     #[serde(rename = "top_radius_mm")]
     pub top: Half,
-    /// What stands over each piece, from the free end; pieces without stock are left out.
-    pub stands: Vec<Stand>,
+    /// The stock over each piece, from the free end; pieces without stock are left out.
+    pub stands: Vec<PieceStock>,
     /// The horizontals from the blank inwards.
     #[serde(rename = "horizontals_radius_mm")]
     pub horizontals: Vec<Half>,
@@ -71,7 +71,7 @@ pub struct Split {
 impl Split {
     /// The levels of a zone for a limiting depth, by the lecture: t_p is found.
     pub fn of(rough: &Contour, blank: &Contour, limit: Half) -> Self {
-        let (ground, blank) = (Ground::of(rough), Ground::of(blank));
+        let (ground, blank) = (MonotoneContour::of(rough), MonotoneContour::of(blank));
         let sections = sections(&ground, &blank, limit);
         let means = sections.iter().flat_map(|section| section.stands.iter().map(|one| one.mean));
         let depth = means.max().unwrap_or(limit);
@@ -79,13 +79,13 @@ impl Split {
     }
 
     /// The levels of a zone for a depth t_p that is given.
-    pub(super) fn with_depth(ground: &Ground, blank: &Ground, depth: Half) -> Self {
+    pub(super) fn with_depth(ground: &MonotoneContour, blank: &MonotoneContour, depth: Half) -> Self {
         Self::levelled(sections(ground, blank, depth), depth)
     }
 
     /// The same sections with levels that begin anew at each cylinder of the rough contour, so that each is reached.
     #[must_use]
-    pub(super) fn against_stops(mut self, ground: &Ground) -> Self {
+    pub(super) fn against_stops(mut self, ground: &MonotoneContour) -> Self {
         for section in &mut self.sections {
             let radii = ground.pieces.iter().filter(|piece| piece.is_cylinder()).map(|piece| piece.from.radius);
             let within =
@@ -139,7 +139,7 @@ fn horizontals(top: Half, floor: Half, depth: Half) -> Vec<Half> {
     levels
 }
 
-fn sections(ground: &Ground, blank: &Ground, limit: Half) -> Vec<Section> {
+fn sections(ground: &MonotoneContour, blank: &MonotoneContour, limit: Half) -> Vec<Section> {
     let (from, to) = (ground.from(), ground.to());
     let mut sections: Vec<Section> = Vec::new();
     let mut begins = true;
@@ -169,14 +169,14 @@ fn sections(ground: &Ground, blank: &Ground, limit: Half) -> Vec<Section> {
     sections
 }
 
-fn stands(ground: &Ground, section: &Section, limit: Half) -> Vec<Stand> {
+fn stands(ground: &MonotoneContour, section: &Section, limit: Half) -> Vec<PieceStock> {
     let of = |piece: &crate::turning::contour::Piece| {
-        let part = super::ground::clipped(piece, section.from, section.to)?;
+        let part = super::monotone::clipped(piece, section.from, section.to)?;
         let deepest = part.from.radius.min(part.to.radius);
         let stock = section.top - deepest;
         let passes = stock.parts(limit);
         let mean = stock.part(passes);
-        let stand = Stand { from: part.from.z, to: part.to.z, deepest, stock, passes, mean };
+        let stand = PieceStock { from: part.from.z, to: part.to.z, deepest, stock, passes, mean };
         (stock > Half::ZERO).then_some(stand)
     };
     ground.pieces.iter().filter(|piece| !piece.is_face()).filter_map(of).collect()

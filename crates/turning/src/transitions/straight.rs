@@ -3,9 +3,9 @@
 use crate::turning::contour::Piece;
 use crate::turning::length::Half;
 use crate::turning::point::Point;
-use crate::turning::way::Purpose;
+use crate::turning::toolpath::Purpose;
 
-use super::course::{Course, Role};
+use super::builder::{SupportPointRole, ToolpathBuilder};
 use super::split::Section;
 
 /// How the tool comes back from a pass that began on a falling flank. One that began in the open always comes back
@@ -25,14 +25,14 @@ pub enum Back {
 ///    down to the next depth (l. 314-318).
 /// 3. Where a pass begins on a falling flank, the tool follows the flank to its depth at the feed of cutting in.
 /// 4. Where a hump parts a level, one side is finished to its bottom before the other.
-pub fn clear(course: &mut Course<'_>, section: &Section, back: Back) {
+pub fn clear(course: &mut ToolpathBuilder<'_>, section: &Section, back: Back) {
     course.leave_trail();
     below(course, section, 0, (section.from, section.to), back);
 }
 
-fn below(course: &mut Course<'_>, section: &Section, index: usize, within: (Half, Half), back: Back) {
+fn below(course: &mut ToolpathBuilder<'_>, section: &Section, index: usize, within: (Half, Half), back: Back) {
     let Some(&radius) = section.horizontals.get(index) else { return };
-    for (from, to) in course.ground().spans(radius, within.0, within.1) {
+    for (from, to) in course.rough().spans(radius, within.0, within.1) {
         let span = Piece::line(Point { radius, z: from }, Point { radius, z: to });
         if let Some(pass) = course.trimmed(&[span]).first() {
             cut(course, *pass, back);
@@ -41,13 +41,13 @@ fn below(course: &mut Course<'_>, section: &Section, index: usize, within: (Half
     }
 }
 
-fn cut(course: &mut Course<'_>, pass: Piece, back: Back) {
+fn cut(course: &mut ToolpathBuilder<'_>, pass: Piece, back: Back) {
     let flank = course.flank(pass.from, back);
     let Some(top) = flank.first().map(|first| first.from) else {
         if course.passes > 0 {
             course.draw_back();
         }
-        course.pass(&[pass], Purpose::Cut, Role::End);
+        course.pass(&[pass], Purpose::Cut, SupportPointRole::End);
         return;
     };
     if back == Back::AlongContour {
@@ -57,7 +57,7 @@ fn cut(course: &mut Course<'_>, pass: Piece, back: Back) {
         course.draw_back();
     }
     course.enter(top);
-    course.follow(&flank, Purpose::Infeed, Role::AtDepth);
-    course.feed(pass, Purpose::Cut, Role::End);
+    course.follow(&flank, Purpose::Infeed, SupportPointRole::AtDepth);
+    course.feed(pass, Purpose::Cut, SupportPointRole::End);
     course.passed(vec![pass]);
 }

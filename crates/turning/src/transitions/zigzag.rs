@@ -3,9 +3,9 @@
 use crate::turning::contour::Piece;
 use crate::turning::length::Half;
 use crate::turning::point::Point;
-use crate::turning::way::Purpose;
+use crate::turning::toolpath::Purpose;
 
-use super::course::{Course, Role};
+use super::builder::{SupportPointRole, ToolpathBuilder};
 use super::split::{Section, Split};
 use super::straight::Back;
 
@@ -26,15 +26,15 @@ enum End {
 ///
 /// Only every second ridge of the far flank is cut, those of a falling flank all are. Good for zones of every kind
 /// (l. 328-330). After a hump has parted a level, the other side begins anew towards the chuck.
-pub fn work(course: &mut Course<'_>, split: &Split) {
+pub fn work(course: &mut ToolpathBuilder<'_>, split: &Split) {
     for section in &split.sections {
         below(course, section, 0, (section.from, section.to), End::Near);
     }
 }
 
-fn below(course: &mut Course<'_>, section: &Section, index: usize, within: (Half, Half), stands: End) {
+fn below(course: &mut ToolpathBuilder<'_>, section: &Section, index: usize, within: (Half, Half), stands: End) {
     let Some(&radius) = section.horizontals.get(index) else { return };
-    let mut spans = course.ground().spans(radius, within.0, within.1);
+    let mut spans = course.rough().spans(radius, within.0, within.1);
     if stands == End::Far {
         spans.reverse();
     }
@@ -50,12 +50,12 @@ fn below(course: &mut Course<'_>, section: &Section, index: usize, within: (Half
 }
 
 /// Cuts a level from the end where the tool stands, and says where it stands then.
-fn cut(course: &mut Course<'_>, pass: Piece, came: Option<(End, Point)>) -> End {
+fn cut(course: &mut ToolpathBuilder<'_>, pass: Piece, came: Option<(End, Point)>) -> End {
     let down = came.filter(|(end, _)| *end == End::Far).and_then(|(_, here)| down_far(course, pass.to, here));
     if let Some(down) = down {
-        course.follow(&down, Purpose::Infeed, Role::AtDepth);
+        course.follow(&down, Purpose::Infeed, SupportPointRole::AtDepth);
         let out = course.side_start(pass.from).unwrap_or(pass.from);
-        course.straight(out, Purpose::Cut, Role::End);
+        course.straight(out, Purpose::Cut, SupportPointRole::End);
         course.passed(Vec::new());
         return End::Near;
     }
@@ -63,12 +63,12 @@ fn cut(course: &mut Course<'_>, pass: Piece, came: Option<(End, Point)>) -> End 
     match flank.first() {
         Some(first) => {
             course.enter(first.from);
-            course.follow(&flank, Purpose::Infeed, Role::AtDepth);
-            course.feed(pass, Purpose::Cut, Role::End);
+            course.follow(&flank, Purpose::Infeed, SupportPointRole::AtDepth);
+            course.feed(pass, Purpose::Cut, SupportPointRole::End);
             course.passed(Vec::new());
         }
         None => {
-            course.pass(&[pass], Purpose::Cut, Role::End);
+            course.pass(&[pass], Purpose::Cut, SupportPointRole::End);
         }
     }
     End::Far
@@ -76,11 +76,11 @@ fn cut(course: &mut Course<'_>, pass: Piece, came: Option<(End, Point)>) -> End 
 
 /// The way down along the contour from where the last pass ended to where this one begins at its far end; none where
 /// they do not hang together.
-fn down_far(course: &Course<'_>, to: Point, here: Point) -> Option<Vec<Piece>> {
+fn down_far(course: &ToolpathBuilder<'_>, to: Point, here: Point) -> Option<Vec<Piece>> {
     if to.z > here.z {
         return None;
     }
-    let along = course.ground().clamped(to.radius, here.radius, to.z, here.z);
+    let along = course.rough().clamped(to.radius, here.radius, to.z, here.z);
     let mut down: Vec<Piece> = along.iter().rev().map(|piece| piece.reversed()).collect();
     let top = down.first().map_or(to, |first| first.from);
     if top != here {

@@ -9,7 +9,7 @@ use crate::turning::reading::{LARGEST, Placed, Reader};
 use crate::units::{Decimal, ItGrade, Micrometres, Roughness};
 
 use super::grade;
-use super::groove::Kind;
+use super::groove::GrooveForm;
 use super::item_file::{
     ArcItem, ChamferItem, ConeItem, CylinderItem, FaceItem, FromItem, GrooveItem, PointFile, Stretch, Surface,
     ThreadItem,
@@ -97,7 +97,7 @@ pub(super) enum Along {
 
 /// A groove as it is written.
 pub(super) struct Written {
-    pub kind: Kind,
+    pub kind: GrooveForm,
     pub width: Measure,
     pub depth: Measure,
     pub radius: Measure,
@@ -337,7 +337,7 @@ impl Reader<'_> {
             spoilt |= angle.is_none();
             Some((angle?, node.place.clone()))
         });
-        let kind = self.choice(node?, &Kind::NAMES)?;
+        let kind = self.choice(node?, &GrooveForm::NAMES)?;
         Some(Written { kind, width, depth, radius, angle, spoilt })
     }
 }

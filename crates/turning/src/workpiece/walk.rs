@@ -10,7 +10,7 @@ use crate::turning::point::Point;
 use crate::turning::reading::{Placed, Reader};
 
 use super::Thread;
-use super::groove::Kind;
+use super::groove::GrooveForm;
 use super::items::{Along, Item, Measure, What, Written};
 use super::thread::Named;
 
@@ -285,7 +285,7 @@ impl Walk<'_, '_, '_> {
             }
             (None, written) => {
                 // A groove in a cylinder ends at its diameter, wherever that is.
-                if written.is_none_or(|written| matches!(written.kind, Kind::Face | Kind::Corner)) {
+                if written.is_none_or(|written| matches!(written.kind, GrooveForm::Face | GrooveForm::Corner)) {
                     self.radius = None;
                 }
                 self.z = None;

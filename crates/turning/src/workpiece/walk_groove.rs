@@ -8,7 +8,7 @@ use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::units::{Decimal, Micrometres};
 
-use super::groove::{self, Frame, Kind, Sizes};
+use super::groove::{self, Frame, GrooveForm, Sizes};
 use super::items::{Item, Measure, What, Written};
 use super::relief;
 use super::walk::Walk;
@@ -46,10 +46,10 @@ impl Walk<'_, '_, '_> {
         }
     }
 
-    fn frame(&self, index: usize, here: Point, kind: Kind) -> Option<Frame> {
+    fn frame(&self, index: usize, here: Point, kind: GrooveForm) -> Option<Frame> {
         let outer = self.walked.side == Side::Outer;
         let hollow = self.hollow(true);
-        if kind != Kind::Face {
+        if kind != GrooveForm::Face {
             let radial = if outer { -1 } else { 1 };
             return Some(Frame { at: here, on_cylinder: true, radial, axial: 1, hollow });
         }
@@ -108,10 +108,16 @@ impl Walk<'_, '_, '_> {
         Some(libm::tan((angle.to_f64() / 2.0).to_radians()))
     }
 
-    fn standard(&self, index: usize, here: Point, kind: Kind, width: Option<Micrometres>) -> Option<relief::Relief> {
+    fn standard(
+        &self,
+        index: usize,
+        here: Point,
+        kind: GrooveForm,
+        width: Option<Micrometres>,
+    ) -> Option<relief::Relief> {
         match kind {
-            Kind::GrindingRelief => relief::grinding(here.radius.diameter(), width, self.reader.knowledge),
-            Kind::ThreadRelief => {
+            GrooveForm::GrindingRelief => relief::grinding(here.radius.diameter(), width, self.reader.knowledge),
+            GrooveForm::ThreadRelief => {
                 let before = self.last().filter(|last| last.kind == SurfaceKind::Thread);
                 let before = before.and(self.walked.threads.last()).map(|thread| thread.pitch);
                 let after = match self.items.get(index + 1).and_then(Option::as_ref).map(|next| &next.what) {

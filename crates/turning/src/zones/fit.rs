@@ -8,7 +8,7 @@ use crate::turning::length::Half;
 use crate::units::{Degrees, Micrometres, round_to};
 
 use super::parts::Needs;
-use super::{Feed, Kind, Zone};
+use super::{Feed, Zone, ZoneKind};
 
 /// An angle of a contour of rounded points may stand this far above that of the tool, degrees: half a micrometre over half
 /// a millimetre.
@@ -39,7 +39,7 @@ impl ToolAngles {
 
 /// A tool that does not fit, and why.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Refused {
+pub struct RefusedTool {
     /// Its designation.
     pub tool: String,
     /// Every inequality that fails.
@@ -52,24 +52,24 @@ pub struct Fit {
     /// Those that fit, in the order in which they were given.
     pub fitting: Vec<String>,
     /// The others.
-    pub refused: Vec<Refused>,
+    pub refused: Vec<RefusedTool>,
 }
 
 /// Holds tools against a zone. The face of the free end takes every tool: its passes run out on both sides.
 pub fn fit(zone: &Zone, tools: &[ToolAngles]) -> Fit {
     let mut found = Fit { fitting: Vec::new(), refused: Vec::new() };
-    let closed = |part: &&super::Part| part.kind == Kind::Closed;
+    let closed = |part: &&super::Part| part.kind == ZoneKind::Closed;
     let floor = zone.parts.iter().filter(closed).map(|part| part.floor_length).min();
     for tool in tools {
         let mut why =
             if zone.feed == Feed::Across { Vec::new() } else { refusals(zone.needs, zone.passage, floor, tool) };
-        if tool.width.is_some() && zone.kind != Kind::Closed {
+        if tool.width.is_some() && zone.kind != ZoneKind::Closed {
             why.push(Note::new("tool-only-for-grooves").with("kind", Figure::word(zone.kind.name())));
         }
         if why.is_empty() {
             found.fitting.push(tool.name.clone());
         } else {
-            found.refused.push(Refused { tool: tool.name.clone(), why });
+            found.refused.push(RefusedTool { tool: tool.name.clone(), why });
         }
     }
     found

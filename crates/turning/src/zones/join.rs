@@ -9,7 +9,7 @@ use crate::turning::contour::Side;
 use crate::turning::length::Half;
 
 use super::fit::{ToolAngles, refusals};
-use super::kind::{Bounds, Circumstances, Kind, scheme, together};
+use super::kind::{Bounds, Circumstances, ZoneKind, scheme, together};
 use super::parts::{Needs, Part};
 use super::{Feed, NOTHING, Stock, Zone};
 
@@ -43,7 +43,7 @@ pub(super) fn zone(
     stock: Stock<'_>,
     knowledge: &Knowledge,
 ) -> Result<Zone, KnowledgeError> {
-    let kinds: Vec<(Kind, Bounds)> = parts.iter().map(|part| (part.kind, part.bounds)).collect();
+    let kinds: Vec<(ZoneKind, Bounds)> = parts.iter().map(|part| (part.kind, part.bounds)).collect();
     let found = together(&kinds, knowledge)?;
     let shaped = parts.iter().any(|part| part.contour.iter().any(|piece| !piece.is_face() && !piece.is_cylinder()));
     let circumstances = Circumstances { shaped, near_part: stock.near_part, against_stop: stock.against_stop };

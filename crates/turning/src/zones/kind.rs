@@ -10,7 +10,7 @@ use crate::tables::turning::part::BlankShape;
 use crate::tables::turning::passes::{ContourShape, PartsWorked, TurningSchemeFor, TurningZoneFor, ZoneParts};
 use crate::turning::workpiece::Scheme;
 
-pub use crate::tables::turning::passes::ZoneKind as Kind;
+pub use crate::tables::turning::passes::ZoneKind;
 
 /// What bounds a zone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,9 +23,9 @@ pub struct Bounds {
 
 /// A kind with its reason.
 #[derive(Clone, Debug)]
-pub struct KindFound {
+pub struct ClassifiedZone {
     /// The kind.
-    pub kind: Kind,
+    pub kind: ZoneKind,
     /// What kinds its parts are of.
     pub parts: ZoneParts,
     /// The row.
@@ -36,7 +36,7 @@ pub struct KindFound {
 ///
 /// # Errors
 /// The knowledge base lacks the rule `turning-zone` or a row of it.
-pub fn alone(bounds: Bounds, knowledge: &Knowledge) -> Result<KindFound, KnowledgeError> {
+pub fn alone(bounds: Bounds, knowledge: &Knowledge) -> Result<ClassifiedZone, KnowledgeError> {
     kind(ZoneParts::Alone, bounds, knowledge)
 }
 
@@ -44,9 +44,9 @@ pub fn alone(bounds: Bounds, knowledge: &Knowledge) -> Result<KindFound, Knowled
 ///
 /// # Errors
 /// The knowledge base lacks the rule `turning-zone` or a row of it.
-pub fn together(parts: &[(Kind, Bounds)], knowledge: &Knowledge) -> Result<KindFound, KnowledgeError> {
+pub fn together(parts: &[(ZoneKind, Bounds)], knowledge: &Knowledge) -> Result<ClassifiedZone, KnowledgeError> {
     let has = |kind| parts.iter().any(|(one, _)| *one == kind);
-    let kinds = match (has(Kind::Open), has(Kind::HalfOpen), has(Kind::Closed)) {
+    let kinds = match (has(ZoneKind::Open), has(ZoneKind::HalfOpen), has(ZoneKind::Closed)) {
         (true, true, true) => ZoneParts::AllThree,
         (true, true, false) => ZoneParts::OpenAndHalfOpen,
         (true, false, true) => ZoneParts::OpenAndClosed,
@@ -59,12 +59,12 @@ pub fn together(parts: &[(Kind, Bounds)], knowledge: &Knowledge) -> Result<KindF
     kind(kinds, if kinds == ZoneParts::Alone { first } else { all }, knowledge)
 }
 
-fn kind(parts: ZoneParts, bounds: Bounds, knowledge: &Knowledge) -> Result<KindFound, KnowledgeError> {
+fn kind(parts: ZoneParts, bounds: Bounds, knowledge: &Knowledge) -> Result<ClassifiedZone, KnowledgeError> {
     let question = TurningZoneFor { parts, face_ahead: bounds.ahead, face_behind: bounds.behind };
     let asked = knowledge.ask(&question)?;
     let kind = asked.need(parts.name())?.zone;
     let because = Because::answer(&asked.answer, Note::new("zone-is").with("kind", Figure::word(kind.name())));
-    Ok(KindFound { kind, parts, because })
+    Ok(ClassifiedZone { kind, parts, because })
 }
 
 /// What a scheme depends on besides the kind of the zone.
@@ -99,7 +99,7 @@ pub struct SchemeChoice {
 /// # Errors
 /// The knowledge base lacks the rule `turning-scheme` or a row of it.
 pub fn scheme(
-    found: &KindFound,
+    found: &ClassifiedZone,
     circumstances: Circumstances,
     knowledge: &Knowledge,
 ) -> Result<SchemeChoice, KnowledgeError> {

@@ -26,9 +26,9 @@ use super::contour::{Contour, Side};
 use super::length::{Half, as_told_z};
 pub use fit::{Fit, ToolAngles, fit};
 pub use join::{Returns, idle_returns};
-pub use kind::{Kind, SchemeChoice};
+pub use kind::{SchemeChoice, ZoneKind};
 pub use parts::{Needs, Part};
-pub use setup::{Hold, SetUp, Stretch, Workpiece, set_ups};
+pub use setup::{Hold, SetUp, TurnedSide, Workpiece, set_ups};
 
 /// What is roughed in one set-up on one side, in the coordinates of that set-up.
 #[derive(Clone, Copy, Debug)]
@@ -75,7 +75,7 @@ pub struct Zone {
     #[serde(rename = "greatest_radius_mm")]
     pub greatest_radius: Half,
     /// What kind of zone it is.
-    pub kind: Kind,
+    pub kind: ZoneKind,
     /// What it consists of: one part, or of a combined zone its parts in the order of fig. 12.3 г, the open ones before the
     /// half-open and the closed.
     pub parts: Vec<Part>,

@@ -14,7 +14,7 @@ use crate::turning::elements::view::{outer, quarters, steepness};
 use crate::turning::length::{Half, as_told_z};
 use crate::units::{Degrees, round_to};
 
-use super::kind::{Bounds, Kind, alone};
+use super::kind::{Bounds, ZoneKind, alone};
 use super::{NOTHING, Stock};
 
 /// The angles that a zone asks of a tool that feeds from its beginning to its end; 0 where it asks nothing.
@@ -52,7 +52,7 @@ pub struct Part {
     #[serde(rename = "greatest_radius_mm")]
     pub greatest_radius: Half,
     /// Open, half-open or closed.
-    pub kind: Kind,
+    pub kind: ZoneKind,
     /// The angles that it asks for.
     pub needs: Needs,
     /// How long its floor is along the axis: what a grooving tool must not be wider than.
@@ -82,14 +82,14 @@ pub struct Apart {
     pub along: Vec<Part>,
 }
 
-/// A part as it is found.
-struct Draft {
+/// A part while it is collected.
+struct PartDraft {
     bits: Vec<Piece>,
     /// Whether stock of the next part, or the bar behind the end, stands ahead.
     stock_ahead: bool,
 }
 
-impl Draft {
+impl PartDraft {
     fn start_z(&self) -> Half {
         self.bits.first().map_or(Half::ZERO, |bit| bit.from.z)
     }
@@ -130,9 +130,9 @@ pub fn of(stock: Stock<'_>, knowledge: &Knowledge) -> Result<Apart, KnowledgeErr
 }
 
 /// The parts by the contour, then by the steps of the blank.
-fn drafts(rough: &Contour, blank: &Contour) -> Vec<Draft> {
+fn drafts(rough: &Contour, blank: &Contour) -> Vec<PartDraft> {
     let start = rough.start().map(|start| start.z);
-    let mut drafts: Vec<Draft> = Vec::new();
+    let mut drafts: Vec<PartDraft> = Vec::new();
     let mut last = std::cmp::Ordering::Less;
     for bit in rough.pieces.iter().flat_map(|piece| quarters(*piece)) {
         let slope = bit.to.radius.cmp(&bit.from.radius);
@@ -145,17 +145,17 @@ fn drafts(rough: &Contour, blank: &Contour) -> Vec<Draft> {
         last = slope;
         match drafts.last_mut().filter(|_| !begins) {
             Some(draft) => draft.bits.push(bit),
-            None => drafts.push(Draft { bits: vec![bit], stock_ahead: false }),
+            None => drafts.push(PartDraft { bits: vec![bit], stock_ahead: false }),
         }
     }
     let steps: Vec<&Piece> = blank.pieces.iter().filter(|piece| piece.is_face()).collect();
-    let mut cut: Vec<Draft> = Vec::new();
+    let mut cut: Vec<PartDraft> = Vec::new();
     for mut draft in drafts {
         for step in &steps {
             let rises = step.to.radius > step.from.radius;
             if draft.start_z() < step.from.z && step.from.z < draft.end_z() {
                 let (before, behind) = divided(&draft.bits, step.from.z);
-                cut.push(Draft { bits: before, stock_ahead: rises });
+                cut.push(PartDraft { bits: before, stock_ahead: rises });
                 draft.bits = behind;
             } else if draft.end_z() == step.from.z && rises {
                 draft.stock_ahead = true;
@@ -188,7 +188,7 @@ fn divided(bits: &[Piece], z: Half) -> (Vec<Piece>, Vec<Piece>) {
 }
 
 /// Whether the blank stands over the contour anywhere in a part: beside the corners of both, and between.
-fn has_stock(draft: &Draft, rough: &Contour, blank: &Contour) -> bool {
+fn has_stock(draft: &PartDraft, rough: &Contour, blank: &Contour) -> bool {
     let (from, to) = (draft.start_z(), draft.end_z());
     let corners = rough.corners().into_iter().chain(blank.corners()).map(|corner| corner.z);
     let mut places: Vec<Half> = corners.filter(|z| (from..=to).contains(z)).collect();
@@ -204,7 +204,7 @@ fn has_stock(draft: &Draft, rough: &Contour, blank: &Contour) -> bool {
 }
 
 fn part(
-    draft: &Draft,
+    draft: &PartDraft,
     at_end: bool,
     blank: &Contour,
     top: Option<Half>,
@@ -221,7 +221,7 @@ fn part(
     let surface = surface(blank, from_z, to_z);
     let bounds = bounds(draft, surface);
     let found = alone(bounds, knowledge)?;
-    let free = found.kind == Kind::Open;
+    let free = found.kind == ZoneKind::Open;
     let floor_length = draft.bits.iter().filter(|bit| bit.is_cylinder()).map(|bit| bit.to.z - bit.from.z).sum();
     let (least_radius, greatest_radius) = top.map_or((floor, surface), |top| (top - surface, top - floor));
     let contour = Contour { side: Side::Outer, pieces: draft.bits.clone() };
@@ -243,7 +243,7 @@ fn part(
 }
 
 /// What bounds a part. A single slope over whose ends no stock stands is open: passes along it run out on both sides.
-fn bounds(draft: &Draft, surface: Half) -> Bounds {
+fn bounds(draft: &PartDraft, surface: Half) -> Bounds {
     let bounds = Bounds { ahead: draft.rises() || draft.stock_ahead, behind: draft.falls() };
     let [slope] = draft.bits.as_slice() else { return bounds };
     let aslant = !slope.is_face() && !slope.is_cylinder();

@@ -36,7 +36,7 @@ pub struct Workpiece<'a> {
 
 /// What one set-up turns on one side, in its own coordinates: Z = 0 at the end that is free in it.
 #[derive(Clone, Debug, Serialize)]
-pub struct Stretch {
+pub struct TurnedSide {
     /// The surfaces; one that both set-ups turn a part of stands in both, with the pieces of each.
     pub profile: Profile,
     /// Each of them, judged for the tool.
@@ -80,10 +80,10 @@ pub struct SetUp {
     pub faces: bool,
     /// What it turns from outside.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub outer: Option<Stretch>,
+    pub outer: Option<TurnedSide>,
     /// What it bores.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub inner: Option<Stretch>,
+    pub inner: Option<TurnedSide>,
     /// Where the part is held; none where nothing is long enough.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub holds_at: Option<Hold>,
@@ -153,10 +153,10 @@ fn divided(
     })
 }
 
-fn stretch(profile: Profile, tool: Angles, knowledge: &Knowledge) -> Result<Stretch, KnowledgeError> {
+fn stretch(profile: Profile, tool: Angles, knowledge: &Knowledge) -> Result<TurnedSide, KnowledgeError> {
     let classes = classify(&profile, tool, knowledge)?;
     let main = main_contour(&profile, &classes, tool);
-    Ok(Stretch { profile, classes, main })
+    Ok(TurnedSide { profile, classes, main })
 }
 
 /// A profile of the part turned over.
@@ -176,10 +176,14 @@ fn least_length(diameter: Micrometres, note: Note, knowledge: &Knowledge) -> Res
     Ok((least, Because::answer(&asked.answer, note)))
 }
 
-type Held = (Option<Hold>, Because);
+type HoldDecision = (Option<Hold>, Because);
 
 /// Where the blank is held in the first set-up.
-fn hold_blank(part: Workpiece<'_>, outer: Option<&Stretch>, knowledge: &Knowledge) -> Result<Held, KnowledgeError> {
+fn hold_blank(
+    part: Workpiece<'_>,
+    outer: Option<&TurnedSide>,
+    knowledge: &Knowledge,
+) -> Result<HoldDecision, KnowledgeError> {
     if part.holding == Holding::Centres {
         return Ok((
             Some(Hold::Centres),
@@ -202,7 +206,11 @@ fn hold_blank(part: Workpiece<'_>, outer: Option<&Stretch>, knowledge: &Knowledg
 
 /// Where the part is held in the second set-up: of the cylinders that are long enough the thickest, of these the longest;
 /// a thick cylinder bears the torque with the least force.
-fn hold_part(part: Workpiece<'_>, made: Option<&Stretch>, knowledge: &Knowledge) -> Result<Held, KnowledgeError> {
+fn hold_part(
+    part: Workpiece<'_>,
+    made: Option<&TurnedSide>,
+    knowledge: &Knowledge,
+) -> Result<HoldDecision, KnowledgeError> {
     if part.holding == Holding::Centres {
         return Ok((
             Some(Hold::Centres),

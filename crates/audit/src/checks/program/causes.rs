@@ -61,9 +61,9 @@ enum Alike {
     Figure(Name),
 }
 
-/// What a finding says of it.
+/// A fact that two findings may share.
 #[derive(Debug, PartialEq)]
-enum Said<'s> {
+enum SharedFact<'s> {
     Who(Who<'s>),
     Function(&'s str),
     Figure(Figure),
@@ -97,13 +97,13 @@ impl Seen {
         self.who == who || self.broken && who == Who::AnyError
     }
 
-    fn says(&self, what: Alike) -> Option<Said<'_>> {
-        let count = |number: u32| Said::Figure(Figure::Count(number as usize));
+    fn says(&self, what: Alike) -> Option<SharedFact<'_>> {
+        let count = |number: u32| SharedFact::Figure(Figure::Count(number as usize));
         match what {
-            Alike::Code => Some(self.function.as_deref().map_or(Said::Who(self.who), Said::Function)),
+            Alike::Code => Some(self.function.as_deref().map_or(SharedFact::Who(self.who), SharedFact::Function)),
             Alike::Line => self.finding.line.map(count),
             Alike::Figure(name) => {
-                let own = self.figures.get(&name).cloned().map(Said::Figure);
+                let own = self.figures.get(&name).cloned().map(SharedFact::Figure);
                 own.or_else(|| self.tool.filter(|_| name == Name::Tool).map(count))
             }
         }

@@ -2,11 +2,11 @@
 //!
 //! - `held` makes the stated plan one of ours, row by row;
 //! - `judged` says how grave it is that a program does otherwise, and where;
-//! - `causes` tells one fault that several checks see from several faults.
+//! - `causes` merges findings of several checks that have one cause.
 
 mod causes;
-mod held;
 mod judged;
+mod stated_plan;
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -14,20 +14,20 @@ use std::sync::Arc;
 use crate::error::KnowledgeError;
 use crate::job;
 use crate::knowledge::diagnostic::Place;
-use crate::motion::{Axis, Motion, Position, Step};
+use crate::motion::{Axis, Motion, MotionStep, Position};
 use crate::note::Severity;
 use crate::plan::{Operation, Plan};
-use crate::program::proof::{self, Asked, Code, Tolerated, prove};
+use crate::program::proof::{self, Code, ProofInput, Tolerated, prove};
 use crate::program::{Fault, Language, Setting, path};
 use crate::units::Micrometres;
 
-use super::super::auditor::Run;
+use super::super::auditor::SimulatedProgram;
 use super::super::context::Context;
 use super::super::finding::{Finding, Section};
 use super::super::graph::{Graph, Status};
 use super::super::quantity::Quantity as Q;
 use causes::Seen;
-use held::{NotHeld, Reading, held};
+use stated_plan::{NotComparable, Reading, held};
 
 pub(super) fn check<'a>(
     context: &Context<'a>,
@@ -48,7 +48,7 @@ pub(super) fn check<'a>(
     let run = context.auditor.run(program, &language, &context.shop.machine, &set);
 
     let mut seen: Vec<Seen> = run.faults.iter().map(|fault| of_fault(fault, &run.steps, &file)).collect();
-    let missing = |NotHeld { note, place }: NotHeld| {
+    let missing = |NotComparable { note, place }: NotComparable| {
         let finding = Finding::new(Severity::Note, Section::Program, "program".to_owned(), note);
         finding.at(place.as_ref().unwrap_or(&program.file.place))
     };
@@ -97,7 +97,7 @@ fn proven(
     plan: &Plan,
     job: &job::Job,
     setting: &Setting,
-    run: &Run,
+    run: &SimulatedProgram,
 ) -> Result<Vec<proof::Finding>, KnowledgeError> {
     let zero = |zero: &[Option<Micrometres>; 3]| {
         Position::of(Axis::ALL.map(|axis| zero[axis.index()].unwrap_or_default() + setting.shift.get(axis)))
@@ -107,7 +107,7 @@ fn proven(
     // Correctors are the plan's where it says anything of them, else whatever the operator has.
     let says = |quantity| context.stated.tools.iter().any(|tool| tool.figures.contains_key(&quantity));
     let own_correctors = !says(Q::Corrector) && !says(Q::Correction);
-    let asked = Asked { plan, job, zeros: &zeros, start: setting.start, tolerated, own_correctors };
+    let asked = ProofInput { plan, job, zeros: &zeros, start: setting.start, tolerated, own_correctors };
     let mut told = prove(&run.steps, &asked).findings;
     // Of coolant a plan as stated says nothing.
     told.retain(|said| {
@@ -131,7 +131,7 @@ fn right(
     context: &Context<'_>,
     graph: &Graph<'_>,
     setting: &Setting,
-    run: &Run,
+    run: &SimulatedProgram,
 ) -> Result<Option<BTreeSet<Key>>, KnowledgeError> {
     let Ok(plan) = held(context, graph, setting, Reading::Right)? else { return Ok(None) };
     let job = job::make(&plan, &context.shop)?;
@@ -140,7 +140,7 @@ fn right(
 }
 
 /// A fault that the control finds, with the tool that was in the spindle.
-fn of_fault(fault: &Fault, steps: &[Step], file: &Arc<str>) -> Seen {
+fn of_fault(fault: &Fault, steps: &[MotionStep], file: &Arc<str>) -> Seen {
     let place = Place { file: file.clone(), line: fault.span.line, column: fault.span.column, width: fault.span.width };
     let field = fault.path().map_or_else(|| "program".to_owned(), |path| format!("program.{path}"));
     let finding = Finding::new(fault.severity, Section::Program, field, fault.note.clone()).at(&place);

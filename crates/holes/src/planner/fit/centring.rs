@@ -10,7 +10,7 @@ use crate::note::{Because, Note};
 use crate::part::Face;
 use crate::plan::{Conditions, Feature, Operation};
 use crate::route::bores::Edge;
-use crate::route::{Place, Step};
+use crate::route::{RouteStep, StepLocation};
 use crate::shop::Shop;
 use crate::tables::rules::{CentreSpot, CentreSpotFor, Spot};
 use crate::units::Micrometres;
@@ -47,7 +47,7 @@ impl<'k> Fitting<'_, 'k> {
     }
 
     /// Centring: the spot by the rule `centre-spot`; its tool is chosen for the whole part.
-    pub(super) fn centre(&self, step: Step, drill: Micrometres) -> Tried<Fitted> {
+    pub(super) fn centre(&self, step: RouteStep, drill: Micrometres) -> Tried<Fitted> {
         let edge = self.edge_by_centring()?;
         let (rule, spot, note) = match edge {
             Some(edge) => (self.spot_rule(true)?, edge.diameter, Note::new("spot-by-chamfer")),
@@ -72,8 +72,8 @@ impl<'k> Fitting<'_, 'k> {
         let note = note.with("spot", spot).with("drill", drill);
         let depth = spot.half();
         let travel = self.travels(false).0 + depth;
-        let place = Place { depth, through: false, ..step.place };
-        let mut step = Step { diameter: spot, nominal: spot, place, ..step };
+        let place = StepLocation { depth, through: false, ..step.place };
+        let mut step = RouteStep { diameter: spot, nominal: spot, place, ..step };
         // Until the tool is chosen for the whole part it is the widest of the catalogs.
         let key = (step.place, step.diameter, step.from, step.passes, travel);
         let known = self.spots.borrow().get(&key).cloned();
@@ -92,7 +92,7 @@ impl<'k> Fitting<'_, 'k> {
     }
 
     /// The conditions of centring with a drill of that diameter.
-    pub fn spotting(&self, step: &Step, travel: Micrometres, tool: Micrometres) -> Tried<Conditions> {
+    pub fn spotting(&self, step: &RouteStep, travel: Micrometres, tool: Micrometres) -> Tried<Conditions> {
         let cut = Cut { tool_diameter: Some(tool), ..self.cut(step, None, ToolMaterial::HighSpeedSteel, travel) };
         cutting::conditions(&cut, self.shop)
     }

@@ -5,13 +5,13 @@ use crate::error::KnowledgeError;
 use crate::knowledge::vocabulary::ToolMaterial;
 use crate::note::{Because, Figure, Note};
 use crate::plan::{Feature, Operation};
-use crate::route::{Place, Step};
+use crate::route::{RouteStep, StepLocation};
 use crate::tables::rules::TwoPassDrilling;
 use crate::units::{ItGrade, Micrometres, Minutes, Newtons, round_to};
 
 use super::{Fitted, Fitting};
 
-/// What one drill of full size comes to.
+/// Time and thrust of a single drill of full size.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SingleDrill {
     time: Minutes,
@@ -19,7 +19,7 @@ pub(super) struct SingleDrill {
 }
 
 /// What it depends on: the step's place, its diameters, its passes, the grade that is asked, and what follows.
-pub(super) type SingleKey = (Place, Micrometres, Option<Micrometres>, u32, Option<ItGrade>, Option<Operation>);
+pub(super) type SingleKey = (StepLocation, Micrometres, Option<Micrometres>, u32, Option<ItGrade>, Option<Operation>);
 
 impl Fitting<'_, '_> {
     /// Says what the second drill costs in time and saves in thrust against one drill of full size.
@@ -47,15 +47,15 @@ impl Fitting<'_, '_> {
         Ok(())
     }
 
-    /// What a second drill's step would come to, were its diameter drilled at once; none where there are no conditions.
-    fn single_drill(&self, second: &Step, follows: Option<Operation>) -> Option<SingleDrill> {
+    /// The result of drilling the second drill's diameter in one pass; none where there are no conditions.
+    fn single_drill(&self, second: &RouteStep, follows: Option<Operation>) -> Option<SingleDrill> {
         let it = second.asks.map(|(it, _)| it);
         let key = (second.place, second.diameter, second.also, second.passes, it, follows);
         if let Some(known) = self.single_drills.borrow().get(&key) {
             return *known;
         }
         let single =
-            Step { operation: Operation::Drill, from: Micrometres::ZERO, because: Vec::new(), ..second.clone() };
+            RouteStep { operation: Operation::Drill, from: Micrometres::ZERO, because: Vec::new(), ..second.clone() };
         let (travel, _) = self.travel(&single);
         let cut = self.cut(&single, follows, ToolMaterial::HighSpeedSteel, travel);
         let found = cutting::conditions(&cut, self.shop).ok();

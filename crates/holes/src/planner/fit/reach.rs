@@ -4,7 +4,7 @@ use crate::knowledge::Knowledge;
 use crate::note::{Because, Note};
 use crate::part::Face;
 use crate::plan::{Feature, Operation};
-use crate::route::{Place, Step};
+use crate::route::{RouteStep, StepLocation};
 use crate::units::{Decimal, Micrometres};
 
 use super::{Fitted, Fitting};
@@ -15,7 +15,7 @@ impl Fitting<'_, '_> {
     }
 
     /// How deep a drill of that diameter must reach in a cylinder: depth, point and overrun.
-    pub fn drill_reach(&self, place: &Place, diameter: Micrometres) -> Micrometres {
+    pub fn drill_reach(&self, place: &StepLocation, diameter: Micrometres) -> Micrometres {
         place.depth + cone(diameter, self.drill_point) + self.travels(place.through).1
     }
 
@@ -25,7 +25,7 @@ impl Fitting<'_, '_> {
     }
 
     /// Where a step of the main cylinder begins below wider ones, and the diameter of the narrowest of those.
-    pub(super) fn step_above(&self, step: &Step) -> Option<(Micrometres, Micrometres)> {
+    pub(super) fn step_above(&self, step: &RouteStep) -> Option<(Micrometres, Micrometres)> {
         let main = step.place.step.is_none() && step.place.start > Micrometres::ZERO;
         let wider = self.hole.steps.iter().filter(|step| step.face == Face::Entry).map(|step| step.diameter.nominal);
         let around = wider.chain(self.hole.counterbore.map(|counterbore| counterbore.diameter)).min()?;
@@ -45,7 +45,7 @@ impl Fitting<'_, '_> {
     }
 
     /// How far a tool's point goes beyond the full diameter.
-    pub fn lead(&self, step: &Step) -> Micrometres {
+    pub fn lead(&self, step: &RouteStep) -> Micrometres {
         match step.operation {
             Operation::Drill | Operation::DrillOut => cone(step.diameter, self.drill_point),
             Operation::CoreDrill => cone(step.diameter - step.from, self.core_drill_point),
@@ -56,7 +56,7 @@ impl Fitting<'_, '_> {
     }
 
     /// Working travel of one pass, and how far the cutter must reach below its face.
-    pub(super) fn travel(&self, step: &Step) -> (Micrometres, Micrometres) {
+    pub(super) fn travel(&self, step: &RouteStep) -> (Micrometres, Micrometres) {
         let lead = self.lead(step);
         let (approach, overrun, _) = self.travels(step.place.through);
         let reach = step.place.depth + lead + *overrun;

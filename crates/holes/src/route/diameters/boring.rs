@@ -6,7 +6,7 @@ use crate::plan::Operation;
 use crate::reason::Reason;
 use crate::tables::tools::{BoringStage, CutterRow};
 
-use super::super::Step;
+use super::super::RouteStep;
 use super::{Backwards, allowance};
 
 impl Backwards<'_, '_> {
@@ -14,7 +14,7 @@ impl Backwards<'_, '_> {
     /// allowance; at the beginning from what is there; after another roughing it takes one allowance. Where
     /// the bar for the final size does not enter, slimmer bars open the way, one step each; each step is as
     /// many equal passes as the largest allowance asks.
-    pub(super) fn rough_bore(self) -> Tried<Vec<Step>> {
+    pub(super) fn rough_bore(self) -> Tried<Vec<RouteStep>> {
         let Self { after, previous, bore, sizes, shop, .. } = self;
         let allowance = allowance(Operation::RoughBore, after, bore.diameter.nominal, previous, shop)?;
         let largest = after - allowance.low;
@@ -47,8 +47,8 @@ impl Backwards<'_, '_> {
                 .with("stock", to - from)
                 .with("passes", passes);
             let because = vec![Because::row(allowance.row, note)];
-            let step = Step::plain(Operation::RoughBore, bore.place, to, from);
-            chain.push(Step { passes, because, ..step });
+            let step = RouteStep::plain(Operation::RoughBore, bore.place, to, from);
+            chain.push(RouteStep { passes, because, ..step });
             from = to;
         }
         Ok(chain)
@@ -56,7 +56,7 @@ impl Backwards<'_, '_> {
 
     /// Milling by contour: after a drill from the largest one that leaves the mill something to cut; at the
     /// beginning from what is there.
-    pub(super) fn mill(self) -> Tried<Step> {
+    pub(super) fn mill(self) -> Tried<RouteStep> {
         let from = if self.after_drill() { self.drill_to_open()? } else { self.start()? };
         Ok(self.step(from))
     }

@@ -7,13 +7,13 @@ use crate::reason::Reason;
 use crate::tables::holes::HoleDefault;
 use crate::units::Micrometres;
 
-use super::super::{Step, handbook, openings};
+use super::super::{RouteStep, handbook, openings};
 use super::{Backwards, allowance};
 
 impl Backwards<'_, '_> {
     /// A transition that removes an allowance: the diameter before it is the handbook's where the range of
     /// section 1.2.1 permits it, else the aim of the range; the drill nearest to that where a drill makes it.
-    pub(super) fn finishing(self) -> Tried<Step> {
+    pub(super) fn finishing(self) -> Tried<RouteStep> {
         let Self { operation, after, previous, bore, sizes, shop } = self;
         let allowance = allowance(operation, after, bore.diameter.nominal, previous, shop)?;
         let (smallest, largest) = (after - allowance.high, after - allowance.low);
@@ -76,6 +76,6 @@ impl Backwards<'_, '_> {
             let note = Note::new("ground-to-size").with("nominal", nominal).with("size", after);
             because.push(Because::row(allowance.row, note));
         }
-        Ok(Step { nominal, because, ..self.step(before) })
+        Ok(RouteStep { nominal, because, ..self.step(before) })
     }
 }

@@ -9,12 +9,12 @@ use crate::tables::rules::TwoPassDrillingFor;
 use crate::units::Micrometres;
 
 use super::super::bores::Bore;
-use super::super::{Step, handbook};
+use super::super::{RouteStep, handbook};
 use super::Sizes;
 
 /// Splits the drilling in two where the rule `two-pass-drilling` or the handbook says so.
 pub(super) fn two_passes(
-    steps: &mut Vec<Step>,
+    steps: &mut Vec<RouteStep>,
     bore: &Bore,
     sizes: &Sizes<'_>,
     shop: &Shop<'_>,
@@ -55,12 +55,12 @@ pub(super) fn two_passes(
 }
 
 /// Puts a first drill before the drill at `index`, which then opens what the first left.
-fn split(steps: &mut Vec<Step>, index: usize, first: Micrometres, of_first: Because, of_second: Because) {
+fn split(steps: &mut Vec<RouteStep>, index: usize, first: Micrometres, of_first: Because, of_second: Because) {
     let second = &mut steps[index];
     second.operation = Operation::DrillOut;
     second.from = first;
     second.because.push(of_second);
-    let mut drill = Step::plain(Operation::Drill, second.place, first, Micrometres::ZERO);
+    let mut drill = RouteStep::plain(Operation::Drill, second.place, first, Micrometres::ZERO);
     drill.because.push(of_first);
     steps.insert(index, drill);
 }

@@ -35,7 +35,7 @@ pub(super) struct Tour<'s> {
 /// How an exchange reconnects the tour. It removes the edges `base → end`, one at `a` and one at `c`, and adds
 /// `end – a`, `b – c`, and, where the chain ends, `d – base`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+enum Reconnection {
     /// Two edges only: `end … b` reversed; `b` comes before `a`. There is no `c`.
     Two,
     /// `end … b` reversed, then `b … d` of what that makes.
@@ -51,7 +51,7 @@ enum Kind {
 #[derive(Clone, Copy, Debug)]
 struct Exchange {
     open: i64,
-    kind: Kind,
+    kind: Reconnection,
     a: u32,
     b: u32,
     c: u32,
@@ -61,7 +61,7 @@ struct Exchange {
 impl Exchange {
     const fn last(&self) -> u32 {
         match self.kind {
-            Kind::Two => self.b,
+            Reconnection::Two => self.b,
             _ => self.d,
         }
     }
@@ -281,7 +281,7 @@ impl<'s> Tour<'s> {
                 let second = first + self.cost(a, b);
                 let gain = second - self.cost(b, base);
                 if gain > 0 {
-                    return Some((Exchange { open: second, kind: Kind::Two, a, b, c: b, d: b }, gain));
+                    return Some((Exchange { open: second, kind: Reconnection::Two, a, b, c: b, d: b }, gain));
                 }
                 for &(cost, c) in self.neighbours.near(b).iter().take(BREADTH[1]) {
                     let third = second - cost;
@@ -297,7 +297,7 @@ impl<'s> Tour<'s> {
                         continue;
                     }
                     let open = third + self.cost(c, d);
-                    let found = Exchange { open, kind: Kind::Twice, a, b, c, d };
+                    let found = Exchange { open, kind: Reconnection::Twice, a, b, c, d };
                     let gain = open - self.cost(d, base);
                     if gain > 0 {
                         return Some((found, gain));
@@ -318,9 +318,9 @@ impl<'s> Tour<'s> {
                     if c == a || !self.between(end, c, a) {
                         continue;
                     }
-                    for kind in [Kind::Swapped, Kind::BothReversed] {
-                        let d = if kind == Kind::Swapped { self.next(c) } else { self.previous(c) };
-                        if (kind == Kind::BothReversed && c == end) || own(c, d) {
+                    for kind in [Reconnection::Swapped, Reconnection::BothReversed] {
+                        let d = if kind == Reconnection::Swapped { self.next(c) } else { self.previous(c) };
+                        if (kind == Reconnection::BothReversed && c == end) || own(c, d) {
                             continue;
                         }
                         let open = third + self.cost(c, d);
@@ -343,17 +343,17 @@ impl<'s> Tour<'s> {
     fn carry_out(&mut self, end: u32, exchange: &Exchange) {
         let &Exchange { kind, a, b, c, d, .. } = exchange;
         match kind {
-            Kind::Two => self.reverse(end, b),
-            Kind::Twice => {
+            Reconnection::Two => self.reverse(end, b),
+            Reconnection::Twice => {
                 self.reverse(end, b);
                 self.reverse(b, d);
             }
-            Kind::Swapped => {
+            Reconnection::Swapped => {
                 self.reverse(end, a);
                 self.reverse(a, d);
                 self.reverse(c, end);
             }
-            Kind::BothReversed => {
+            Reconnection::BothReversed => {
                 self.reverse(end, d);
                 self.reverse(c, a);
             }

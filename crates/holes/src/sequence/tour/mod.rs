@@ -1,4 +1,4 @@
-//! The shortest path over points: exactly where there are few, closely where there are many.
+//! The shortest path over points: exact for few points, approximate for many.
 //!
 //! A path is a closed tour over the nodes of a [`Space`]. A tool's way begins and ends at the tool-change
 //! position, which is node 0; a path with two free ends is closed by a node that is as near to everything as

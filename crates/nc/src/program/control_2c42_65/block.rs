@@ -1,7 +1,7 @@
 //! One block, in three steps, which have their numbers here and in `run.rs`:
 //!
 //! 1. The words are read, each in its group (`words.rs`).
-//! 2. Everything is checked: the steps are made, and every rule they break is told (here, `moves.rs`, `cycles.rs`,
+//! 2. Everything is checked: the steps are made, and every broken rule is reported (here, `moves.rs`, `cycles.rs`,
 //!    `travel.rs`).
 //! 3. Only when nothing is wrong the steps go out (`run.rs`). The state is that behind the block in either case: so the
 //!    run goes on as if it had arrived, and nothing has to be taken back.
@@ -13,10 +13,10 @@
 use super::control::{Action, Control};
 use super::cycles::Holes;
 use super::rules::fault;
-use super::state::{CYCLE, LENGTH, MOTION, ONE_SHOT, PLANE, RADIUS, SYSTEM, State};
-use super::words::{Function, Given, Words, letter};
+use super::state::{CYCLE, ControlState, LENGTH, MOTION, ONE_SHOT, PLANE, RADIUS, SYSTEM};
+use super::words::{BlockWords, Function, WordValue, letter};
 use crate::machine::Machine;
-use crate::motion::{Axis, BlockRef, Motion, Position, Side, Step, Turning};
+use crate::motion::{Axis, BlockRef, Motion, MotionStep, Position, Side, Turning};
 use crate::note::{Figure, Note, Told};
 use crate::program::limits::{Spans, speed_off_steps};
 use crate::program::{Call, Fault, Setting, Span, Subject};
@@ -27,8 +27,8 @@ pub(super) struct Maker<'a> {
     pub control: &'a Control,
     pub machine: &'a Machine<'a>,
     pub setting: &'a Setting,
-    pub state: &'a mut State,
-    pub steps: Vec<Step>,
+    pub state: &'a mut ControlState,
+    pub steps: Vec<MotionStep>,
     pub faults: Vec<Fault>,
     pub block: BlockRef,
     /// The whole block, for faults of no single word.
@@ -85,7 +85,7 @@ impl Maker<'_> {
     }
 
     /// Makes all steps of the block.
-    pub(super) fn make(&mut self, words: &Words) -> After {
+    pub(super) fn make(&mut self, words: &BlockWords) -> After {
         self.take_modes(words);
         self.take_numbers(words);
         self.start_functions(words);
@@ -95,7 +95,7 @@ impl Maker<'_> {
         self.length_correction(words);
         self.radius_correction(words);
         // With P the repeats are those of the call (3.14.2), else those of the block (3.12.2).
-        let repeats = if words.get('P').is_some() { 1 } else { words.get('L').map_or(1, Given::number) };
+        let repeats = if words.get('P').is_some() { 1 } else { words.get('L').map_or(1, WordValue::number) };
         for _ in 0..repeats {
             let before = self.made;
             self.motion(words);
@@ -110,7 +110,7 @@ impl Maker<'_> {
     }
 
     /// Group by group the function given last; group 00 holds for this block only.
-    fn take_modes(&mut self, words: &Words) {
+    fn take_modes(&mut self, words: &BlockWords) {
         for (group, function) in words.g.iter().enumerate().filter(|(group, _)| *group != ONE_SHOT) {
             if let Some(function) = function {
                 self.state.groups[group] = function.code;
@@ -119,7 +119,7 @@ impl Maker<'_> {
     }
 
     /// F, S, T, D, H, R, Q, held against the machine.
-    fn take_numbers(&mut self, words: &Words) {
+    fn take_numbers(&mut self, words: &BlockWords) {
         if let Some(feed) = words.get('F') {
             self.take_feed(feed);
         }
@@ -149,7 +149,7 @@ impl Maker<'_> {
     }
 
     /// A feed, of F or of a cycle.
-    pub(super) fn take_feed(&mut self, feed: Given) {
+    pub(super) fn take_feed(&mut self, feed: WordValue) {
         let limit = self.machine.feed_max.0;
         if feed.thousandths as f64 / 1000.0 > limit {
             self.tell("feed-beyond-machine", feed.span, &[("limit", limit.told())]);
@@ -157,7 +157,7 @@ impl Maker<'_> {
         self.state.feed = feed.thousandths;
     }
 
-    fn take_speed(&mut self, speed: Given) {
+    fn take_speed(&mut self, speed: WordValue) {
         let value = speed.number();
         self.state.speed = value;
         if let Some((code, note)) = speed_off_steps(self.machine, value as f64) {
@@ -175,7 +175,7 @@ impl Maker<'_> {
         self.push(Motion::Spindle { turning, speed_rpm: RevsPerMinute(speed) });
     }
 
-    fn start_functions(&mut self, words: &Words) {
+    fn start_functions(&mut self, words: &BlockWords) {
         for &function in &words.m {
             match self.control.m_functions.get(function.code) {
                 Some(known) if known.at_start => self.machine_function(known.action, function, words),
@@ -185,7 +185,7 @@ impl Maker<'_> {
         }
     }
 
-    fn end_functions(&mut self, words: &Words) -> After {
+    fn end_functions(&mut self, words: &BlockWords) -> After {
         let mut after = After::Next;
         for &function in &words.m {
             let Some(known) = self.control.m_functions.get(function.code) else { continue };
@@ -203,7 +203,7 @@ impl Maker<'_> {
         after
     }
 
-    fn machine_function(&mut self, action: Action, function: Function, words: &Words) {
+    fn machine_function(&mut self, action: Action, function: Function, words: &BlockWords) {
         match action {
             Action::SpindleClockwise | Action::SpindleCounterclockwise => {
                 if self.state.speed == 0 {
@@ -228,7 +228,7 @@ impl Maker<'_> {
     }
 
     /// M06: the tool of T comes into the spindle, which stands still meanwhile.
-    fn tool_change(&mut self, function: Function, words: &Words) {
+    fn tool_change(&mut self, function: Function, words: &BlockWords) {
         if self.state.wanted == 0 {
             self.fault("no-tool", words.get('T').map_or(function.span, |tool| tool.span));
         }
@@ -251,7 +251,7 @@ impl Maker<'_> {
     }
 
     /// G92: the words are where the tool is in the new system; axes left out keep their zero (3.10.8.1).
-    fn set_system(&mut self, words: &Words) {
+    fn set_system(&mut self, words: &BlockWords) {
         for axis in Axis::ALL {
             match words.axis(axis) {
                 Some(word) => {
@@ -285,7 +285,7 @@ impl Maker<'_> {
 
     /// G43, G44, G49 and H (3.11.3): the value is added to the end point or taken from it; H00 is none. The axis is that
     /// of the plane when the correction comes in. Where the block does not move that axis it goes there at rapid.
-    fn length_correction(&mut self, words: &Words) {
+    fn length_correction(&mut self, words: &BlockWords) {
         let given = words.g[LENGTH].map(|function| function.span).or(words.get('H').map(|word| word.span));
         let Some(span) = given else { return };
         let value = match self.state.groups[LENGTH] {
@@ -318,7 +318,7 @@ impl Maker<'_> {
     }
 
     /// G40, G41, G42 and D (3.11.1).
-    fn radius_correction(&mut self, words: &Words) {
+    fn radius_correction(&mut self, words: &BlockWords) {
         let function = self.state.groups[RADIUS];
         let active = matches!(function, 41 | 42);
         let changed = words.g[RADIUS].or(words.g[PLANE]).map(|function| function.span);
@@ -354,7 +354,7 @@ impl Maker<'_> {
     }
 
     /// G04 E: a wait of E tenths of a second behind the motion of the block (3.10.6).
-    fn dwell(&mut self, words: &Words) {
+    fn dwell(&mut self, words: &BlockWords) {
         let Some(pause) = words.g[ONE_SHOT].filter(|function| function.code == 4) else { return };
         match words.get('E') {
             Some(time) => self.wait(time.number()),
@@ -370,7 +370,7 @@ impl Maker<'_> {
         self.push(Motion::Dwell { seconds });
     }
 
-    /// The feed by F and the operator's switch; told when there is none, or when the spindle stands.
+    /// The feed by F and the operator's switch; reported when there is none, or when the spindle does not turn.
     pub(super) fn feed(&mut self, span: Span) -> MillimetresPerMinute {
         self.feed_of(self.state.feed, span)
     }

@@ -1,5 +1,5 @@
-//! What can be told of a program without running it: programs and their numbers, and what a block may hold. Every block
-//! is looked at, also those that no call ever reaches.
+//! What can be checked in a program without running it: programs and their numbers, and what a block may hold. Every
+//! block is looked at, also those that no call ever reaches.
 
 use std::collections::BTreeMap;
 use std::ops::Range;

@@ -14,7 +14,7 @@
 //! function) waits with it and happens at S.
 
 use crate::motion::geometry::{Point, distance, in_plane, sweep};
-use crate::motion::{Motion, Plane, Position, Sense, Step};
+use crate::motion::{Motion, MotionStep, Plane, Position, Sense};
 use crate::program::Span;
 use crate::units::Micrometres;
 
@@ -33,7 +33,7 @@ struct Element {
 #[derive(Clone, Debug)]
 struct Pending {
     element: Element,
-    step: Step,
+    step: MotionStep,
     span: Span,
     /// It only brings the tool to the path.
     approach: bool,
@@ -47,7 +47,7 @@ pub(super) struct Compensator {
     offset: f64,
     entering: bool,
     pending: Option<Pending>,
-    queue: Vec<Step>,
+    queue: Vec<MotionStep>,
     /// Where the centre is in the plane, once it has left the programmed path.
     held: Option<Point>,
 }
@@ -62,7 +62,7 @@ impl Compensator {
     ///
     /// # Errors
     /// The path that has waited cannot be corrected.
-    pub(super) fn set(&mut self, plane: Plane, offset: f64, out: &mut Vec<Step>) -> Result<(), Trouble> {
+    pub(super) fn set(&mut self, plane: Plane, offset: f64, out: &mut Vec<MotionStep>) -> Result<(), Trouble> {
         self.flush(out)?;
         if self.plane.is_some_and(|old| old != plane) {
             self.held = None;
@@ -77,7 +77,7 @@ impl Compensator {
     ///
     /// # Errors
     /// It cannot be corrected.
-    pub(super) fn flush(&mut self, out: &mut Vec<Step>) -> Result<(), Trouble> {
+    pub(super) fn flush(&mut self, out: &mut Vec<MotionStep>) -> Result<(), Trouble> {
         if let Some(pending) = self.pending.take() {
             let end = pending.element.beside(self.offset, true).ok_or(("arc-smaller-than-tool", pending.span))?;
             self.finish(pending, &[end], out)?;
@@ -92,10 +92,10 @@ impl Compensator {
     /// The path cannot be corrected.
     pub(super) fn take(
         &mut self,
-        mut step: Step,
+        mut step: MotionStep,
         from: Position,
         span: Span,
-        out: &mut Vec<Step>,
+        out: &mut Vec<MotionStep>,
     ) -> Result<(), Trouble> {
         let Some(plane) = self.plane else {
             out.push(step);
@@ -144,7 +144,7 @@ impl Compensator {
 
     /// Gives out an element that ends at the first of the points, straight ways through the others, and what has waited
     /// behind it.
-    fn finish(&mut self, pending: Pending, points: &[Point], steps: &mut Vec<Step>) -> Result<(), Trouble> {
+    fn finish(&mut self, pending: Pending, points: &[Point], steps: &mut Vec<MotionStep>) -> Result<(), Trouble> {
         let Some(plane) = self.plane else { return Ok(()) };
         let Pending { element, mut step, span, approach } = pending;
         let begin = self.held.unwrap_or(element.from);
@@ -159,7 +159,7 @@ impl Compensator {
         };
         let (at, block) = (step.at, step.block);
         steps.push(step);
-        steps.extend(points[1..].iter().map(|&point| Step {
+        steps.extend(points[1..].iter().map(|&point| MotionStep {
             motion: straight.clone(),
             at: put(at, plane, point),
             block,
@@ -176,7 +176,7 @@ impl Compensator {
 
 impl Element {
     /// The element of a step; nothing when it does not move in the plane.
-    fn of(step: &Step, from: Position, plane: Plane) -> Option<Self> {
+    fn of(step: &MotionStep, from: Position, plane: Plane) -> Option<Self> {
         let (from, to) = (in_plane(from, plane), in_plane(step.at, plane));
         match &step.motion {
             Motion::Rapid | Motion::Feed { .. } if from != to => Some(Self { from, to, arc: None }),

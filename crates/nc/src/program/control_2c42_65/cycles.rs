@@ -16,7 +16,7 @@
 
 use super::block::Maker;
 use super::state::{CYCLE, PLANE, SYSTEM};
-use super::words::{Given, Words, letter};
+use super::words::{BlockWords, WordValue, letter};
 use crate::note::Told;
 use crate::program::limits::Floating;
 use std::collections::BTreeMap;
@@ -27,7 +27,7 @@ use crate::units::Micrometres;
 
 /// The levels of a cycle along its axis, machine coordinates without corrections.
 #[derive(Clone, Copy, Debug)]
-struct Levels {
+struct CycleLevels {
     axis: Axis,
     one: Micrometres,
     two: Micrometres,
@@ -52,7 +52,7 @@ pub(super) type Holes = BTreeMap<Hole, (Vec<Call>, BlockRef)>;
 
 impl Maker<'_> {
     /// Runs the cycle in force: in the block that gives it and in every later one that moves an axis, last of all.
-    pub(super) fn cycle(&mut self, words: &Words) {
+    pub(super) fn cycle(&mut self, words: &BlockWords) {
         let code = self.state.groups[CYCLE];
         let Some(cycle) = self.control.cycles.get(code) else { return };
         let moved = words.any_axis() && words.function(SYSTEM) != Some(92);
@@ -99,8 +99,8 @@ impl Maker<'_> {
         self.state.groups[SYSTEM] == 53 || (known && (self.state.base.x, self.state.base.y) == (x, y))
     }
 
-    /// Remembers a hole; told when the same cycle has made it with the same tool at the same levels before.
-    fn drilled(&mut self, cycle: u8, levels: Levels, span: Span) {
+    /// Remembers a hole; a fault when the same cycle has made it with the same tool at the same levels before.
+    fn drilled(&mut self, cycle: u8, levels: CycleLevels, span: Span) {
         let bottom = self.state.corrected(self.state.base.with(levels.axis, levels.two));
         let floating = self.state.floating;
         let hole = Hole { tool: self.state.tool, cycle, axis: levels.axis, bottom, floating, from: levels.one };
@@ -117,7 +117,7 @@ impl Maker<'_> {
 
     /// Parameters that must be there keep their last value when left out; those that need not be fall back to none
     /// (l. 2672-2713). F is the feed of every later block too.
-    fn take_parameters(&mut self, given: &[Option<Given>; 26]) {
+    fn take_parameters(&mut self, given: &[Option<WordValue>; 26]) {
         for address in ['I', 'E', 'H', 'M'] {
             self.state.parameters[letter(address)] = None;
         }
@@ -132,7 +132,7 @@ impl Maker<'_> {
     }
 
     /// Absolute parameters are levels; incremental ones are the ways 0-1, 1-2 and 2-4 (tables 3.10, 3.11).
-    fn levels(&mut self, axis: Axis) -> Levels {
+    fn levels(&mut self, axis: Axis) -> CycleLevels {
         let zero = self.state.base.get(axis);
         let level = |maker: &Self, address: char, from: Micrometres| {
             maker.parameter(address).map(|value| maker.level(axis, value, from))
@@ -147,10 +147,10 @@ impl Maker<'_> {
             Some(four) if (four - two).abs() < (one - two).abs() => (four, four),
             Some(four) => (one, four),
         };
-        Levels { axis, one, two, three, four }
+        CycleLevels { axis, one, two, three, four }
     }
 
-    fn run_cycle(&mut self, code: u8, levels: Levels, in_steps: bool, out_at_feed: bool, span: Span) {
+    fn run_cycle(&mut self, code: u8, levels: CycleLevels, in_steps: bool, out_at_feed: bool, span: Span) {
         let before = self.state.turning;
         let dwell = self.parameter('E').map_or(0, |value| value / 1000);
         let kept = self.parameter('M').is_some();
@@ -192,7 +192,7 @@ impl Maker<'_> {
     /// G83: after every step the drill leaves the hole at rapid to point 1, which clears the flutes, and comes back at
     /// rapid to W before the metal. G86: after every step it jumps back by W at rapid, which breaks the chip, and stays
     /// in the hole. That G83 leaves to point 1 is reconstructed: its diagram is lost.
-    fn steps_inwards(&mut self, code: u8, levels: Levels, feed: &Motion, span: Span) {
+    fn steps_inwards(&mut self, code: u8, levels: CycleLevels, feed: &Motion, span: Span) {
         let [step, clearance] = ['V', 'W'].map(|address| self.parameter(address).unwrap_or_default());
         for (address, value) in [('V', step), ('W', clearance)] {
             if value <= 0 {

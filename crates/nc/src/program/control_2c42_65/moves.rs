@@ -2,7 +2,7 @@
 
 use super::block::Maker;
 use super::state::{ONE_SHOT, PLANE, SYSTEM};
-use super::words::{Function, Given, Words};
+use super::words::{BlockWords, Function, WordValue};
 use crate::motion::geometry::{distance, in_plane, sweep};
 use crate::motion::{Axis, Motion, Position, Sense};
 use crate::note::Told;
@@ -19,7 +19,7 @@ struct Target {
 
 impl Maker<'_> {
     /// The motion of the block, if it has one.
-    pub(super) fn motion(&mut self, words: &Words) {
+    pub(super) fn motion(&mut self, words: &BlockWords) {
         // The words of G92 are no motion.
         if words.function(SYSTEM) == Some(92) {
             return;
@@ -73,7 +73,7 @@ impl Maker<'_> {
     }
 
     /// Whether every axis of the block may move; no motion before the machine zero has been sought (4.2.5, note 4).
-    fn axes_may_move(&mut self, words: &Words) -> bool {
+    fn axes_may_move(&mut self, words: &BlockWords) -> bool {
         let mut may = true;
         for axis in Axis::ALL {
             if let Some(word) = words.axis(axis) {
@@ -93,7 +93,7 @@ impl Maker<'_> {
     }
 
     /// Where the words lead: positions in the system in force (G90), or distances (G91).
-    fn target(&self, words: &Words) -> Target {
+    fn target(&self, words: &BlockWords) -> Target {
         let mut target = Target { base: self.state.base, floating: self.state.floating };
         for axis in Axis::ALL {
             let Some(word) = words.axis(axis) else { continue };
@@ -118,7 +118,7 @@ impl Maker<'_> {
     /// G45…G48: the way along every axis of the plane that the block names becomes longer or shorter by the value of D,
     /// once or twice, and so do I, J, K (tables 3.8, 3.9). A way of 0 counts as one to plus: so the example of 3.11.4
     /// closes.
-    fn offset(&mut self, words: &Words, target: &mut Target, centre: &mut [Option<Micrometres>; 3]) {
+    fn offset(&mut self, words: &BlockWords, target: &mut Target, centre: &mut [Option<Micrometres>; 3]) {
         let Some(function) = words.g[ONE_SHOT] else { return };
         let Some(factor) = self.control.offsets.get(function.code).copied() else { return };
         if self.cycle_in_force() {
@@ -148,7 +148,7 @@ impl Maker<'_> {
     /// no axis is a full circle.
     fn arc(
         &mut self,
-        words: &Words,
+        words: &BlockWords,
         target: &mut Target,
         centre: [Option<Micrometres>; 3],
         span: Span,
@@ -202,7 +202,7 @@ impl Maker<'_> {
     /// the climb (3.10.5, notes 1 and 4).
     fn turns(
         &mut self,
-        pitch: Option<Given>,
+        pitch: Option<WordValue>,
         climb: Micrometres,
         angle: f64,
         sign: i64,
@@ -235,7 +235,7 @@ impl Maker<'_> {
     /// - G28: through that point to the machine zero;
     /// - G29, G31: through that point to the machine's fixed point;
     /// - G30: through the point that the last such function has stored to the point of the words.
-    fn returning(&mut self, function: Function, words: &Words) {
+    fn returning(&mut self, function: Function, words: &BlockWords) {
         let named: Vec<Axis> = Axis::ALL.into_iter().filter(|axis| words.axis(*axis).is_some()).collect();
         if function.code != 27 && !self.axes_may_move(words) {
             return;

@@ -1,4 +1,4 @@
-//! Every rule a program is held against: its stable code, how grave a breach is, and the section that says so.
+//! Every rule a program is checked against: its stable code, how grave a breach is, and the section that says so.
 //!
 //! A section is one of the control's description (textbook section 3 and 4); `*` behind it marks a reading of ours where
 //! the text is thin, told in docs/control-2c42-65.md. The words stand in `sentences/programs.rs` of the crate `pages`; tests hold the

@@ -1,4 +1,4 @@
-//! The way through a program: its blocks, calls and repeats (textbook 3.12.2, 3.14).
+//! The execution of a program: its blocks, calls and repeats (textbook 3.12.2, 3.14).
 
 use std::ops::Range;
 
@@ -7,19 +7,19 @@ use super::check::{self, Programs};
 use super::control::Control;
 use super::cycles::Holes;
 use super::rules::fault;
-use super::state::State;
+use super::state::ControlState;
 use super::text::{self, Block};
-use super::words::Words;
+use super::words::BlockWords;
 use crate::machine::Machine;
-use crate::motion::{BlockRef, Sink, Step};
+use crate::motion::{BlockRef, MotionStep, Sink};
 use crate::note::Told;
-use crate::program::running::{BUDGET, Running, Way};
+use crate::program::running::{BUDGET, BlockOutcome, Running};
 use crate::program::{Call, Fault, Setting};
 
 /// Checks a program: its text, then its run. The steps of the run go to the sink; what is wrong comes back, by place.
 ///
 /// A text with errors is not run. A block with an error makes no steps, its modal functions hold all the same, and the
-/// run goes on, so that every mistake is told at once.
+/// run goes on, so that every mistake is reported at once.
 pub fn check<S: Sink>(
     text: &str,
     control: &Control,
@@ -43,13 +43,13 @@ pub fn check_within<S: Sink>(
     let programs = check::programs(&blocks, control, &mut faults);
     check::blocks(&blocks, &programs, control, &mut faults);
     if !faults.iter().any(Fault::is_error) {
-        let mut run = Run {
+        let mut run = ProgramRun {
             blocks: &blocks,
             programs: &programs,
             control,
             machine,
             setting,
-            state: State::power_on(control, setting),
+            state: ControlState::power_on(control, setting),
             holes: Holes::new(),
             steps: Vec::new(),
             running: Running::new(sink, fault, budget),
@@ -61,37 +61,37 @@ pub fn check_within<S: Sink>(
     faults
 }
 
-struct Run<'a, S> {
+struct ProgramRun<'a, S> {
     blocks: &'a [Block],
     programs: &'a Programs,
     control: &'a Control,
     machine: &'a Machine<'a>,
     setting: &'a Setting,
-    state: State,
+    state: ControlState,
     holes: Holes,
     /// The room for the steps of a block, empty between them: taken and given back, so that no block allocates its own.
-    steps: Vec<Step>,
+    steps: Vec<MotionStep>,
     running: Running<'a, S>,
 }
 
-impl<S: Sink> Run<'_, S> {
-    fn program(&mut self, range: Range<usize>, depth: usize) -> Way {
+impl<S: Sink> ProgramRun<'_, S> {
+    fn program(&mut self, range: Range<usize>, depth: usize) -> BlockOutcome {
         let blocks = self.blocks;
         for block in &blocks[range] {
             match self.block(block, depth) {
-                Way::On => {}
+                BlockOutcome::On => {}
                 way => return way,
             }
         }
-        Way::Out
+        BlockOutcome::Out
     }
 
-    fn block(&mut self, block: &Block, depth: usize) -> Way {
+    fn block(&mut self, block: &Block, depth: usize) -> BlockOutcome {
         if !self.running.spend(block.span, block.number) {
-            return Way::Out;
+            return BlockOutcome::Out;
         }
         // 1. Read the words and check their groups.
-        let words = Words::read(block, self.control, self.setting.skip);
+        let words = BlockWords::read(block, self.control, self.setting.skip);
         // 2. Check everything: make the steps.
         let mut maker = Maker {
             control: self.control,
@@ -116,30 +116,30 @@ impl<S: Sink> Run<'_, S> {
         steps.clear();
         self.steps = steps;
         match after {
-            After::End => Way::Out,
+            After::End => BlockOutcome::Out,
             After::Return if depth == 0 => {
                 let span = words.m.iter().find(|it| it.code == 99).map_or(block.span, |it| it.span);
                 self.running.nowhere_to_return(span, block.number)
             }
-            After::Return => Way::Back,
+            After::Return => BlockOutcome::Back,
             After::Next => self.calls(block, &words, depth),
         }
     }
 
     /// L P: the subprogram, so many times (3.14.2).
-    fn calls(&mut self, block: &Block, words: &Words, depth: usize) -> Way {
-        let Some(call) = words.get('P') else { return Way::On };
+    fn calls(&mut self, block: &Block, words: &BlockWords, depth: usize) -> BlockOutcome {
+        let Some(call) = words.get('P') else { return BlockOutcome::On };
         let number = u8::try_from(call.number()).unwrap_or(u8::MAX);
-        let Some(range) = self.programs.numbered.get(&number).cloned() else { return Way::On };
+        let Some(range) = self.programs.numbered.get(&number).cloned() else { return BlockOutcome::On };
         if self.running.too_deep(depth, self.control.depth, call.span, block.number) {
-            return Way::Out;
+            return BlockOutcome::Out;
         }
         let from = BlockRef { line: block.span.line, number: block.number };
         self.running.calls.push(Call { from, program: number });
-        let mut way = Way::On;
-        for _ in 0..words.get('L').map_or(1, super::words::Given::number) {
-            if self.program(range.clone(), depth + 1) == Way::Out {
-                way = Way::Out;
+        let mut way = BlockOutcome::On;
+        for _ in 0..words.get('L').map_or(1, super::words::WordValue::number) {
+            if self.program(range.clone(), depth + 1) == BlockOutcome::Out {
+                way = BlockOutcome::Out;
                 break;
             }
         }
@@ -150,7 +150,7 @@ impl<S: Sink> Run<'_, S> {
 
 impl Maker<'_> {
     /// The control counts thousandths, the machine may not (3.8.2).
-    fn finer_than_machine(&mut self, words: &Words) {
+    fn finer_than_machine(&mut self, words: &BlockWords) {
         let step = self.machine.resolution.micrometres().max(1);
         let finer = words.axes.iter().flatten().find(|word| word.thousandths % step != 0);
         if let Some(word) = finer {

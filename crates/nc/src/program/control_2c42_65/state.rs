@@ -19,7 +19,7 @@ pub(super) const DISTANCE: usize = 7;
 
 /// The state of the control.
 #[derive(Debug)]
-pub(super) struct State {
+pub(super) struct ControlState {
     /// The function that holds in every group.
     pub groups: [u8; GROUPS],
     /// F, in thousandths of mm/min.
@@ -59,7 +59,7 @@ pub(super) struct State {
     pub actual: Position,
 }
 
-impl State {
+impl ControlState {
     /// The state after power-on (table 3.5, note 1; 4.1).
     pub(super) fn power_on(control: &Control, setting: &Setting) -> Self {
         Self {

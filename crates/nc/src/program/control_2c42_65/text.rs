@@ -1,7 +1,7 @@
 //! The text of a program as words and blocks, each with its place (textbook 3.1 to 3.7). Nothing is understood here:
 //! what a block means stands in `block.rs`, what it may hold in `check.rs`.
 //!
-//! Reading recovers: a word that cannot be read is told and left out, and the reading goes on behind it.
+//! Reading recovers: a word that cannot be read is reported and left out, and reading goes on after it.
 
 use super::control::Control;
 use super::rules::fault;
@@ -61,7 +61,7 @@ pub(super) fn blocks(text: &str, control: &Control) -> (Vec<Block>, Vec<Fault>) 
     let mut blocks = Vec::new();
     for (index, line) in text.lines().enumerate() {
         let number = u32::try_from(index + 1).unwrap_or(u32::MAX);
-        let mut reader = Line {
+        let mut reader = SourceLine {
             control,
             faults: &mut faults,
             text: line,
@@ -81,7 +81,7 @@ pub(super) fn blocks(text: &str, control: &Control) -> (Vec<Block>, Vec<Fault>) 
 }
 
 /// A line on its way; places in it are counted in bytes, and told in characters.
-struct Line<'a> {
+struct SourceLine<'a> {
     control: &'a Control,
     faults: &'a mut Vec<Fault>,
     text: &'a str,
@@ -92,7 +92,7 @@ struct Line<'a> {
     skipped: bool,
 }
 
-impl Line<'_> {
+impl SourceLine<'_> {
     /// Characters before a place.
     fn characters(&self, to: usize) -> usize {
         if self.ascii { to } else { self.text[..to].chars().count() }

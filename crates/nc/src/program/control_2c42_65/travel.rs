@@ -1,8 +1,8 @@
-//! The way of a step to the sink: through the radius correction, held against the travels of the machine.
+//! How a step reaches the sink: through the radius correction, checked against the travels of the machine.
 
 use super::block::Maker;
 use super::correction::Trouble;
-use crate::motion::{Motion, Position, Step, geometry};
+use crate::motion::{Motion, MotionStep, Position, geometry};
 use crate::program::Span;
 use crate::program::limits::{Reached, beyond_travel};
 
@@ -16,7 +16,7 @@ impl Maker<'_> {
     /// One more step from a point of the programmed path to where the state is now.
     pub(super) fn push_from(&mut self, motion: Motion, from: Position, span: Span) {
         self.made += 1;
-        let step = Step { motion, at: self.state.corrected(self.state.base), block: self.block };
+        let step = MotionStep { motion, at: self.state.corrected(self.state.base), block: self.block };
         let begin = self.steps.len();
         let taken = self.state.compensator.take(step, from, span, &mut self.steps);
         self.emit(begin, taken, span);

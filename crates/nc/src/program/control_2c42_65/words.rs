@@ -7,12 +7,12 @@ use crate::program::Span;
 
 /// A number in thousandths with its place.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Given {
+pub(super) struct WordValue {
     pub thousandths: i64,
     pub span: Span,
 }
 
-impl Given {
+impl WordValue {
     pub(super) const fn number(self) -> i64 {
         self.thousandths / 1000
     }
@@ -27,27 +27,27 @@ pub(super) struct Function {
 
 /// The words of a block as they are to be carried out.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Words {
+pub(super) struct BlockWords {
     /// Of every group the function given last (3.10, note 3).
     pub g: [Option<Function>; GROUPS],
     /// X, Y, Z.
-    pub axes: [Option<Given>; 3],
+    pub axes: [Option<WordValue>; 3],
     /// I, J, K.
-    pub centre: [Option<Given>; 3],
+    pub centre: [Option<WordValue>; 3],
     /// Every other address, by its letter.
-    pub other: [Option<Given>; 26],
+    pub other: [Option<WordValue>; 26],
     /// The M functions, as they stand.
     pub m: Vec<Function>,
     /// The parameters behind the function of a cycle, by their letters; absent when no cycle is given.
-    pub cycle: Option<Box<[Option<Given>; 26]>>,
+    pub cycle: Option<Box<[Option<WordValue>; 26]>>,
 }
 
-impl Words {
+impl BlockWords {
     /// Reads a block; with `skip`, without what stands behind `/` (4.2.4.3).
     pub(super) fn read(block: &Block, control: &Control, skip: bool) -> Self {
         let mut words = Self::default();
         for word in block.words.iter().filter(|word| !(skip && word.skipped)) {
-            let given = Some(Given { thousandths: word.thousandths, span: word.span });
+            let given = Some(WordValue { thousandths: word.thousandths, span: word.span });
             let function = Function { code: word.code(), span: word.span };
             let place = letter(word.address);
             if let Some(parameters) = words.cycle.as_mut().filter(|_| word.in_cycle) {
@@ -73,7 +73,7 @@ impl Words {
     }
 
     /// A word that is no axis, centre, G or M.
-    pub(super) const fn get(&self, address: char) -> Option<Given> {
+    pub(super) const fn get(&self, address: char) -> Option<WordValue> {
         self.other[letter(address)]
     }
 
@@ -83,7 +83,7 @@ impl Words {
     }
 
     /// The word of an axis.
-    pub(super) const fn axis(&self, axis: Axis) -> Option<Given> {
+    pub(super) const fn axis(&self, axis: Axis) -> Option<WordValue> {
         self.axes[axis.index()]
     }
 

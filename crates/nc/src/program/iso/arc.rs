@@ -3,7 +3,7 @@
 use super::block::Maker;
 use super::control::{Group, IsoControl};
 use super::moves::Target;
-use super::words::{Given, Words};
+use super::words::{BlockWords, WordValue};
 use crate::motion::geometry::{Point, distance, in_plane};
 use crate::motion::{Axis, Motion, Sense};
 use crate::note::Told;
@@ -13,7 +13,7 @@ use crate::units::Micrometres;
 impl Maker<'_> {
     /// An arc in the plane in force, with a word across it a helix. I, J, K count from the start; a word of the two left
     /// out is 0. No axis of the plane named: a full circle. LinuxCNC makes P turns of it.
-    pub(super) fn arc(&mut self, words: &Words) {
+    pub(super) fn arc(&mut self, words: &BlockWords) {
         let plane = self.state.plane();
         let [a, b, _] = plane.axes();
         let centre = [a, b].map(|axis| self.take(words, centre_letter(axis)));
@@ -52,7 +52,13 @@ impl Maker<'_> {
         self.go(Motion::Arc { plane, sense, centre, turns, feed_mm_per_min }, target.at, target.floating, span);
     }
 
-    fn by_centre(&mut self, axes: [Axis; 2], centre: [Option<Given>; 2], target: &Target, span: Span) -> Option<Point> {
+    fn by_centre(
+        &mut self,
+        axes: [Axis; 2],
+        centre: [Option<WordValue>; 2],
+        target: &Target,
+        span: Span,
+    ) -> Option<Point> {
         let inches = self.state.inches();
         let mut middle = [0.0; 2];
         for ((value, axis), given) in middle.iter_mut().zip(axes).zip(centre) {
@@ -80,7 +86,7 @@ impl Maker<'_> {
     }
 
     /// The centre of an arc by its radius: the smaller arc, with R below 0 the larger one.
-    fn by_radius(&mut self, start: Point, end: Point, given: Given, sense: Sense) -> Option<Point> {
+    fn by_radius(&mut self, start: Point, end: Point, given: WordValue, sense: Sense) -> Option<Point> {
         let radius = given.length(self.state.inches()).to_mm();
         let chord = distance(start, end);
         if chord == 0.0 || radius == 0.0 {

@@ -1,5 +1,5 @@
-//! One block, on a copy of the state: its steps are made, every rule they break is told, and only when nothing is wrong
-//! the steps go out and the copy becomes the state (`run.rs`).
+//! One block, on a copy of the state: its steps are made, every broken rule is reported, and only when nothing is
+//! wrong the steps go out and the copy becomes the state (`run.rs`).
 //!
 //! The order of a block, whatever the order of its words: units; F, S, T; functions of the start of a block, M6 first;
 //! the dwell; modal functions; length correction; the motion or the cycle; functions of the end of a block; the call of a
@@ -7,10 +7,10 @@
 
 use super::control::{Action, Control, Effect, Group, IsoControl};
 use super::rules::fault;
-use super::state::State;
-use super::words::{Function, Given, Words, place};
+use super::state::ControlState;
+use super::words::{BlockWords, Function, WordValue, place};
 use crate::machine::Machine;
-use crate::motion::{Axis, BlockRef, Motion, Position, Step, Turning, geometry};
+use crate::motion::{Axis, BlockRef, Motion, MotionStep, Position, Turning, geometry};
 use crate::note::{Figure, Note, Told};
 use crate::program::limits::{Floating, Spans, beyond_travel, speed_off_steps};
 use crate::program::{Fault, Setting, Span, Subject};
@@ -22,8 +22,8 @@ pub(super) struct Maker<'a> {
     pub machine: &'a Machine<'a>,
     pub setting: &'a Setting,
     /// The copy.
-    pub state: State,
-    pub steps: Vec<Step>,
+    pub state: ControlState,
+    pub steps: Vec<MotionStep>,
     pub faults: Vec<Fault>,
     pub block: BlockRef,
     /// The whole block, for faults of no single word.
@@ -66,13 +66,13 @@ impl Maker<'_> {
     }
 
     /// A word that something needs; from now on it is used.
-    pub(super) fn take(&mut self, words: &Words, address: char) -> Option<Given> {
+    pub(super) fn take(&mut self, words: &BlockWords, address: char) -> Option<WordValue> {
         self.used[place(address)] = true;
         words.get(address)
     }
 
     /// The steps of a block.
-    pub(super) fn make(&mut self, words: &Words) -> After {
+    pub(super) fn make(&mut self, words: &BlockWords) -> After {
         if let Some(units) = words.function(Group::Units) {
             self.state.set(Group::Units, Some(units.code));
         }
@@ -96,7 +96,7 @@ impl Maker<'_> {
     }
 
     /// F, S, T, held against the machine.
-    fn numbers(&mut self, words: &Words) {
+    fn numbers(&mut self, words: &BlockWords) {
         if let Some(feed) = self.take(words, 'F') {
             self.state.feed = feed.value() * if self.state.inches() { 25.4 } else { 1.0 };
             let limit = self.machine.feed_max.0;
@@ -139,7 +139,7 @@ impl Maker<'_> {
     }
 
     /// Functions of the start of a block, the change of tool before all others.
-    fn start_functions(&mut self, words: &Words) {
+    fn start_functions(&mut self, words: &BlockWords) {
         let mut functions = words.m.clone();
         functions.sort_by_key(|function| {
             self.control.m.get(&function.code).is_none_or(|known| known.action != Action::ToolChange)
@@ -151,7 +151,7 @@ impl Maker<'_> {
         }
     }
 
-    fn end_functions(&mut self, words: &Words) -> After {
+    fn end_functions(&mut self, words: &BlockWords) -> After {
         let mut after = After::Next;
         for &function in &words.m {
             let Some(known) = self.control.m.get(&function.code).filter(|known| !known.at_start) else { continue };
@@ -167,7 +167,7 @@ impl Maker<'_> {
         after
     }
 
-    fn machine_function(&mut self, action: Action, function: Function, words: &Words) {
+    fn machine_function(&mut self, action: Action, function: Function, words: &BlockWords) {
         match action {
             Action::SpindleClockwise | Action::SpindleCounterclockwise => {
                 if self.state.speed == 0.0 {
@@ -218,10 +218,10 @@ impl Maker<'_> {
     }
 
     /// G4: P in the control's unit; of Fanuc also X in seconds.
-    fn dwell(&mut self, function: Function, words: &Words) {
+    fn dwell(&mut self, function: Function, words: &BlockWords) {
         let pause = self.take(words, 'P').map(|given| given.value() * self.control.dwell_unit_s);
         let pause = match pause {
-            None if self.control.kind == IsoControl::Fanuc => self.take(words, 'X').map(Given::value),
+            None if self.control.kind == IsoControl::Fanuc => self.take(words, 'X').map(WordValue::value),
             other => other,
         };
         match pause.filter(|seconds| *seconds >= 0.0) {
@@ -239,7 +239,7 @@ impl Maker<'_> {
 
     /// Group by group the function of the block; one-shot functions hold for it only, motions and cycles see to
     /// themselves.
-    fn modes(&mut self, words: &Words) {
+    fn modes(&mut self, words: &BlockWords) {
         for &(_, group) in Group::NAMES {
             let Some(function) = words.function(group) else { continue };
             match self.control.g.get(&function.code).map(|known| known.effect) {
@@ -257,7 +257,7 @@ impl Maker<'_> {
     }
 
     /// G43 H and G49. The axis does not move by itself: what is added shows in its next position.
-    fn length_correction(&mut self, words: &Words) {
+    fn length_correction(&mut self, words: &BlockWords) {
         let Some(function) = words.function(Group::Length) else { return };
         let mut corrector = 0;
         let mut value = Micrometres::ZERO;
@@ -280,7 +280,7 @@ impl Maker<'_> {
         self.push(Motion::LengthCorrection { axis: Axis::Z, corrector, value });
     }
 
-    /// The feed by F and the operator's switch; told when there is none, or when the spindle stands.
+    /// The feed by F and the operator's switch; reported when there is none, or when the spindle does not turn.
     pub(super) fn feed(&mut self, span: Span) -> MillimetresPerMinute {
         if self.state.turning == Turning::Stopped {
             self.fault("feed-without-spindle", span);
@@ -294,7 +294,7 @@ impl Maker<'_> {
 
     /// One more step where the axes stand.
     pub(super) fn push(&mut self, motion: Motion) {
-        self.steps.push(Step { motion, at: self.state.at, block: self.block });
+        self.steps.push(MotionStep { motion, at: self.state.at, block: self.block });
     }
 
     /// One more step to a position; nothing where a straight motion would not move.
@@ -304,7 +304,7 @@ impl Maker<'_> {
         if from == to && !matches!(motion, Motion::Arc { .. }) {
             return;
         }
-        let step = Step { motion, at: to, block: self.block };
+        let step = MotionStep { motion, at: to, block: self.block };
         for (code, note) in
             beyond_travel(self.machine, geometry::reach(&step.motion, from, step.at), from, floating, self.spans)
         {

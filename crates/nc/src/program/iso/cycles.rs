@@ -18,7 +18,7 @@
 use super::block::Maker;
 use super::control::{Bottom, Cycle, Group, Inwards, IsoControl, Outwards};
 use super::programs::calls;
-use super::words::{Function, Words, place};
+use super::words::{BlockWords, Function, place};
 use crate::motion::{Axis, Motion, Position, Turning};
 use crate::note::Told;
 use crate::program::Span;
@@ -26,7 +26,7 @@ use crate::units::Micrometres;
 
 /// The levels of a cycle along Z, machine coordinates.
 #[derive(Clone, Copy, Debug)]
-struct Levels {
+struct CycleLevels {
     r: Micrometres,
     bottom: Micrometres,
     /// Where it ends.
@@ -48,7 +48,7 @@ impl Maker<'_> {
     }
 
     /// Runs a cycle: in the block that gives it, and in every later one that names a hole.
-    pub(super) fn cycle(&mut self, code: i64, given: Option<Function>, words: &Words) {
+    pub(super) fn cycle(&mut self, code: i64, given: Option<Function>, words: &BlockWords) {
         let Some(cycle) = self.control.cycles.get(&code).cloned() else { return };
         let span = given.map_or(self.span, |function| function.span);
         let linuxcnc = self.control.kind == IsoControl::LinuxCnc;
@@ -98,7 +98,7 @@ impl Maker<'_> {
     }
 
     /// The words of the block that are parameters of the cycle; those left out keep their last value.
-    fn parameters(&mut self, cycle: &Cycle, words: &Words) {
+    fn parameters(&mut self, cycle: &Cycle, words: &BlockWords) {
         let inches = self.state.inches();
         // P and L beside M98 name the subprogram.
         let called = calls(words, self.control).is_some();
@@ -121,7 +121,7 @@ impl Maker<'_> {
     }
 
     /// L of LinuxCNC, K of Fanuc; K0 only takes the parameters.
-    fn repeats(&mut self, words: &Words, named: bool) -> i64 {
+    fn repeats(&mut self, words: &BlockWords, named: bool) -> i64 {
         let address = if self.control.kind == IsoControl::LinuxCnc { 'L' } else { 'K' };
         let Some(given) = words.get(address).filter(|_| named) else { return 1 };
         self.take(words, address);
@@ -135,7 +135,7 @@ impl Maker<'_> {
         repeats
     }
 
-    fn levels(&mut self, initial: Micrometres, span: Span) -> Option<Levels> {
+    fn levels(&mut self, initial: Micrometres, span: Span) -> Option<CycleLevels> {
         let [r, z] = ['R', 'Z'].map(|address| Micrometres::new(self.parameter(address).unwrap_or_default()));
         let origin = self.state.origin(Axis::Z, self.setting).0;
         let (r, bottom) = if self.state.absolute() { (origin + r, origin + z) } else { (initial + r, initial + r + z) };
@@ -149,7 +149,7 @@ impl Maker<'_> {
             (true, IsoControl::LinuxCnc) => initial.max(r),
             (true, IsoControl::Fanuc) => initial,
         };
-        Some(Levels { r, bottom, clear })
+        Some(CycleLevels { r, bottom, clear })
     }
 
     /// Whether the machine and its spindle can.
@@ -165,7 +165,7 @@ impl Maker<'_> {
         !self.broken()
     }
 
-    fn holes(&mut self, cycle: &Cycle, levels: Levels, words: &Words, repeats: i64, span: Span) {
+    fn holes(&mut self, cycle: &Cycle, levels: CycleLevels, words: &BlockWords, repeats: i64, span: Span) {
         let feed = Motion::Feed { feed_mm_per_min: self.feed(span) };
         if self.control.kind == IsoControl::LinuxCnc && self.initial() < levels.r {
             self.set_floating();
@@ -198,7 +198,7 @@ impl Maker<'_> {
     }
 
     /// From R to the bottom and out again.
-    fn hole(&mut self, cycle: &Cycle, levels: Levels, feed: &Motion, span: Span) {
+    fn hole(&mut self, cycle: &Cycle, levels: CycleLevels, feed: &Motion, span: Span) {
         self.steps_inwards(cycle.inwards, levels, feed, span);
         self.climb(feed.clone(), levels.bottom, span);
         let before = self.state.turning;
@@ -237,7 +237,7 @@ impl Maker<'_> {
     ///
     /// G83: after every step out to R at rapid, which clears the flutes, and back at rapid to a clearance before the
     /// metal. G73: after every step back at rapid by a little, which breaks the chip, and on.
-    fn steps_inwards(&mut self, inwards: Inwards, levels: Levels, feed: &Motion, span: Span) {
+    fn steps_inwards(&mut self, inwards: Inwards, levels: CycleLevels, feed: &Motion, span: Span) {
         let step = Micrometres::new(self.parameter('Q').unwrap_or_default());
         if inwards == Inwards::Feed || step <= Micrometres::ZERO {
             return;

@@ -2,7 +2,7 @@
 
 use super::block::Maker;
 use super::control::{Effect, Group, IsoControl};
-use super::words::{Function, Words};
+use super::words::{BlockWords, Function};
 use crate::motion::{Axis, Motion, Position};
 use crate::note::Told;
 use crate::program::Span;
@@ -21,7 +21,7 @@ impl Maker<'_> {
     /// The motion or the cycle of the block, if it has one.
     ///
     /// A function of motion ends a cycle. G80 ends it too; in LinuxCNC it ends the motions as well.
-    pub(super) fn motion(&mut self, words: &Words) {
+    pub(super) fn motion(&mut self, words: &BlockWords) {
         let cycle = words.function(Group::Cycle);
         let off = cycle.is_some_and(|it| self.control.g.get(&it.code).is_some_and(|it| it.effect == Effect::CycleOff));
         if let Some(function) = words.function(Group::Motion) {
@@ -69,7 +69,7 @@ impl Maker<'_> {
         }
     }
 
-    fn line(&mut self, code: i64, words: &Words) {
+    fn line(&mut self, code: i64, words: &BlockWords) {
         let target = self.target(words, false);
         let Some(span) = target.span else { return };
         let motion = if code == 0 { Motion::Rapid } else { Motion::Feed { feed_mm_per_min: self.feed(span) } };
@@ -78,7 +78,7 @@ impl Maker<'_> {
 
     /// Where the words lead: positions in the system in force (G90), or distances (G91). On the machine (G53) they are
     /// positions from its zero, and no length correction is added.
-    pub(super) fn target(&mut self, words: &Words, on_machine: bool) -> Target {
+    pub(super) fn target(&mut self, words: &BlockWords, on_machine: bool) -> Target {
         let mut target = Target { at: self.state.at, floating: self.state.floating, span: None };
         for axis in Axis::ALL {
             let Some(word) = self.take(words, axis.letter()) else { continue };
@@ -108,7 +108,7 @@ impl Maker<'_> {
     }
 
     /// G53: to a position of the machine, with the motion of LinuxCNC, at rapid in Fanuc.
-    fn on_machine(&mut self, function: Function, words: &Words) {
+    fn on_machine(&mut self, function: Function, words: &BlockWords) {
         if !self.state.absolute() {
             self.fault("machine-position-with-g91", function.span);
             return;
@@ -129,7 +129,7 @@ impl Maker<'_> {
 
     /// G28, G30: at rapid through the point of the words, and on along their axes to the machine zero or to the fixed
     /// point of the setting. LinuxCNC without words goes there along every axis.
-    fn returning(&mut self, function: Function, words: &Words) {
+    fn returning(&mut self, function: Function, words: &BlockWords) {
         let goal = if function.code == 280 { Some(Position::default()) } else { self.setting.fixed_point };
         // P2 of Fanuc is the point of G30 alone.
         let second = function.code == 280

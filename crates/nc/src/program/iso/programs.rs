@@ -6,7 +6,7 @@ use std::ops::Range;
 use super::control::{Action, Control};
 use super::rules::fault;
 use super::text::{Block, Label};
-use super::words::{Function, Words};
+use super::words::{BlockWords, Function};
 use crate::program::{Fault, Span};
 
 /// The programs of a text.
@@ -29,7 +29,7 @@ pub(super) struct Call {
 }
 
 /// Finds the programs and holds every call against them.
-pub(super) fn programs(blocks: &[Block], words: &[Words], control: &Control, faults: &mut Vec<Fault>) -> Programs {
+pub(super) fn programs(blocks: &[Block], words: &[BlockWords], control: &Control, faults: &mut Vec<Fault>) -> Programs {
     let mut programs = Programs::default();
     if blocks.is_empty() && faults.is_empty() {
         faults.push(fault("empty-program", Span { line: 1, column: 1, width: 1 }, None));
@@ -96,7 +96,7 @@ fn subs(blocks: &[Block], programs: &mut Programs, faults: &mut Vec<Fault>) {
 }
 
 /// M98 of a block.
-pub(super) fn calls(words: &Words, control: &Control) -> Option<Function> {
+pub(super) fn calls(words: &BlockWords, control: &Control) -> Option<Function> {
     let call = |function: &&Function| control.m.get(&function.code).is_some_and(|it| it.action == Action::Call);
     words.m.iter().find(call).copied()
 }
@@ -104,7 +104,7 @@ pub(super) fn calls(words: &Words, control: &Control) -> Option<Function> {
 /// What a block calls: `o… call`, or M98 with P and L.
 ///
 /// In Fanuc a P of more than four digits holds the repeats before the number: `M98 P31001` calls O1001 three times.
-pub(super) fn call(block: &Block, words: &Words, control: &Control) -> Option<Call> {
+pub(super) fn call(block: &Block, words: &BlockWords, control: &Control) -> Option<Call> {
     if let Some(Label::Call(name)) = &block.label {
         return Some(Call { name: name.clone(), repeats: 1, span: block.span });
     }

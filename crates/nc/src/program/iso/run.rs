@@ -1,4 +1,4 @@
-//! The way through a program: its blocks, calls and repeats.
+//! The execution of a program: its blocks, calls and repeats.
 
 use std::ops::Range;
 
@@ -6,18 +6,18 @@ use super::block::{After, Maker};
 use super::control::Control;
 use super::programs::{self, Programs};
 use super::rules::fault;
-use super::state::State;
+use super::state::ControlState;
 use super::text::{self, Block, Label};
-use super::words::Words;
+use super::words::BlockWords;
 use crate::machine::Machine;
-use crate::motion::{BlockRef, Motion, Sink, Step};
-use crate::program::running::{BUDGET, Running, Way};
+use crate::motion::{BlockRef, Motion, MotionStep, Sink};
+use crate::program::running::{BUDGET, BlockOutcome, Running};
 use crate::program::{Fault, Setting, Span};
 
 /// Checks a program: its text, then its run. The steps of the run go to the sink; what is wrong comes back, by place.
 ///
 /// A text with errors is not run. A block with an error makes no steps, its modal functions hold all the same, and the
-/// run goes on, so that every mistake is told at once.
+/// run goes on, so that every mistake is reported at once.
 pub fn check<S: Sink>(
     text: &str,
     control: &Control,
@@ -26,10 +26,10 @@ pub fn check<S: Sink>(
     sink: &mut S,
 ) -> Vec<Fault> {
     let (blocks, closed, mut faults) = text::blocks(text, control);
-    let words: Vec<Words> = blocks.iter().map(|block| Words::read(block, control, &mut faults)).collect();
+    let words: Vec<BlockWords> = blocks.iter().map(|block| BlockWords::read(block, control, &mut faults)).collect();
     let programs = programs::programs(&blocks, &words, control, &mut faults);
     if !faults.iter().any(Fault::is_error) {
-        let mut run = Run {
+        let mut run = ProgramRun {
             blocks: &blocks,
             words: &words,
             programs: &programs,
@@ -37,7 +37,7 @@ pub fn check<S: Sink>(
             machine,
             setting,
             closed,
-            state: State::power_on(control, setting),
+            state: ControlState::power_on(control, setting),
             running: Running::new(sink, fault, BUDGET),
         };
         run.main();
@@ -47,22 +47,22 @@ pub fn check<S: Sink>(
     faults
 }
 
-struct Run<'a, S> {
+struct ProgramRun<'a, S> {
     blocks: &'a [Block],
-    words: &'a [Words],
+    words: &'a [BlockWords],
     programs: &'a Programs,
     control: &'a Control,
     machine: &'a Machine<'a>,
     setting: &'a Setting,
     /// Whether a second `%` closes the text: an end of LinuxCNC too.
     closed: bool,
-    state: State,
+    state: ControlState,
     running: Running<'a, S>,
 }
 
-impl<S: Sink> Run<'_, S> {
+impl<S: Sink> ProgramRun<'_, S> {
     fn main(&mut self) {
-        if self.program(self.programs.main.clone(), 0) == Way::On {
+        if self.program(self.programs.main.clone(), 0) == BlockOutcome::On {
             self.open_end();
         }
     }
@@ -73,13 +73,13 @@ impl<S: Sink> Run<'_, S> {
         let (span, number) = last.map_or((Span::default(), None), |block| (block.span, block.number));
         if self.closed && self.control.o_words {
             let block = BlockRef { line: span.line, number };
-            self.running.take(&Step { motion: Motion::End, at: self.state.at, block });
+            self.running.take(&MotionStep { motion: Motion::End, at: self.state.at, block });
         } else {
             self.running.tell(fault("program-without-end", span, number));
         }
     }
 
-    fn program(&mut self, range: Range<usize>, depth: usize) -> Way {
+    fn program(&mut self, range: Range<usize>, depth: usize) -> BlockOutcome {
         let mut index = range.start;
         while index < range.end {
             // A subprogram that stands in the way is passed by.
@@ -88,20 +88,22 @@ impl<S: Sink> Run<'_, S> {
                 continue;
             }
             match self.block(index, depth) {
-                Way::On => index += 1,
+                BlockOutcome::On => index += 1,
                 way => return way,
             }
         }
-        Way::On
+        BlockOutcome::On
     }
 
-    fn block(&mut self, index: usize, depth: usize) -> Way {
-        let (Some(block), Some(words)) = (self.blocks.get(index), self.words.get(index)) else { return Way::Out };
+    fn block(&mut self, index: usize, depth: usize) -> BlockOutcome {
+        let (Some(block), Some(words)) = (self.blocks.get(index), self.words.get(index)) else {
+            return BlockOutcome::Out;
+        };
         if block.skipped && self.setting.skip {
-            return Way::On;
+            return BlockOutcome::On;
         }
         if !self.running.spend(block.span, block.number) {
-            return Way::Out;
+            return BlockOutcome::Out;
         }
         let mut maker = Maker {
             control: self.control,
@@ -122,31 +124,31 @@ impl<S: Sink> Run<'_, S> {
         self.running.carry_out(&steps, faults, steps.len());
         self.state = state;
         match (after, &block.label) {
-            (After::End, _) => Way::Out,
+            (After::End, _) => BlockOutcome::Out,
             (After::Return(span), _) if depth == 0 => self.running.nowhere_to_return(span, block.number),
-            (After::Return(_), _) | (_, Some(Label::EndSub(_) | Label::Return(_))) => Way::Back,
+            (After::Return(_), _) | (_, Some(Label::EndSub(_) | Label::Return(_))) => BlockOutcome::Back,
             (After::Next, _) => self.call(block, words, depth),
         }
     }
 
-    fn call(&mut self, block: &Block, words: &Words, depth: usize) -> Way {
-        let Some(call) = programs::call(block, words, self.control) else { return Way::On };
-        let Some(range) = self.programs.named.get(&call.name).cloned() else { return Way::On };
+    fn call(&mut self, block: &Block, words: &BlockWords, depth: usize) -> BlockOutcome {
+        let Some(call) = programs::call(block, words, self.control) else { return BlockOutcome::On };
+        let Some(range) = self.programs.named.get(&call.name).cloned() else { return BlockOutcome::On };
         if self.running.too_deep(depth, self.control.depth, call.span, block.number) {
-            return Way::Out;
+            return BlockOutcome::Out;
         }
         for _ in 0..call.repeats {
             match self.program(range.clone(), depth + 1) {
-                Way::Back => {}
-                Way::On => {
+                BlockOutcome::Back => {}
+                BlockOutcome::On => {
                     // It ran into the next program, or out of the text.
                     let head = self.blocks.get(range.start).map_or((call.span, None), |it| (it.span, it.number));
                     self.running.tell(fault("program-without-end", head.0, head.1));
-                    return Way::Out;
+                    return BlockOutcome::Out;
                 }
-                Way::Out => return Way::Out,
+                BlockOutcome::Out => return BlockOutcome::Out,
             }
         }
-        Way::On
+        BlockOutcome::On
     }
 }

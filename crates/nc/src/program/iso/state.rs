@@ -8,7 +8,7 @@ use crate::units::Micrometres;
 
 /// The state of the control. Copied before every block, and kept only when the block is good.
 #[derive(Clone, Debug)]
-pub(super) struct State {
+pub(super) struct ControlState {
     /// The function that holds in every group, in tenths; none of cycles when no cycle is in force, and none of motions
     /// where G80 ends those too.
     modes: [Option<i64>; Group::NAMES.len()],
@@ -33,7 +33,7 @@ pub(super) struct State {
     pub floating: [Floating; 3],
 }
 
-impl State {
+impl ControlState {
     pub(super) fn power_on(control: &Control, setting: &Setting) -> Self {
         let mut state = Self {
             modes: [None; Group::NAMES.len()],

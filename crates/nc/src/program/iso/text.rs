@@ -1,5 +1,5 @@
-//! The text of a program as words and blocks, each with its place. Nothing is understood here; reading recovers: a word
-//! that cannot be read is told and left out, and the reading goes on behind it.
+//! The text of a program as words and blocks, each with its place. Nothing is understood here; reading recovers: a
+//! word that cannot be read is reported and left out, and reading goes on after it.
 
 use super::control::{Control, IsoControl, Written};
 use super::rules::fault;
@@ -67,13 +67,13 @@ pub(super) fn blocks(text: &str, control: &Control) -> (Vec<Block>, bool, Vec<Fa
                 continue;
             }
         }
-        let mut reader = Line { control, faults: &mut faults, line: line_number, pointless: &mut pointless };
+        let mut reader = SourceLine { control, faults: &mut faults, line: line_number, pointless: &mut pointless };
         blocks.extend(reader.block(line));
     }
     (blocks, false, faults)
 }
 
-struct Line<'a> {
+struct SourceLine<'a> {
     control: &'a Control,
     faults: &'a mut Vec<Fault>,
     line: u32,
@@ -81,7 +81,7 @@ struct Line<'a> {
     pointless: &'a mut bool,
 }
 
-impl Line<'_> {
+impl SourceLine<'_> {
     fn span(&self, from: usize, to: usize) -> Span {
         let number = |value: usize| u32::try_from(value).unwrap_or(u32::MAX);
         Span { line: self.line, column: number(from + 1), width: number(to.saturating_sub(from).max(1)) }

@@ -8,12 +8,12 @@ use crate::units::Micrometres;
 
 /// A number with its place.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Given {
+pub(super) struct WordValue {
     pub millionths: i64,
     pub span: Span,
 }
 
-impl Given {
+impl WordValue {
     /// As it is written.
     pub(super) const fn value(self) -> f64 {
         self.millionths as f64 / 1e6
@@ -47,15 +47,15 @@ impl Function {
 
 /// The words of a block as they are to be carried out.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Words {
+pub(super) struct BlockWords {
     g: [Option<Function>; Group::NAMES.len()],
     /// The M functions, as they stand.
     pub m: Vec<Function>,
     /// Every other address, by its letter.
-    values: [Option<Given>; 26],
+    values: [Option<WordValue>; 26],
 }
 
-impl Words {
+impl BlockWords {
     /// The function of a group.
     pub(super) const fn function(&self, group: Group) -> Option<Function> {
         self.g[group as usize]
@@ -68,12 +68,12 @@ impl Words {
     }
 
     /// A word that is no G and no M.
-    pub(super) const fn get(&self, address: char) -> Option<Given> {
+    pub(super) const fn get(&self, address: char) -> Option<WordValue> {
         self.values[place(address)]
     }
 
     /// Every such word with its letter.
-    pub(super) fn all(&self) -> impl Iterator<Item = (char, Given)> + '_ {
+    pub(super) fn all(&self) -> impl Iterator<Item = (char, WordValue)> + '_ {
         ('A'..='Z').zip(&self.values).filter_map(|(letter, given)| given.map(|given| (letter, given)))
     }
 
@@ -82,7 +82,7 @@ impl Words {
         let before = faults.len();
         let mut words = Self::default();
         for word in &block.words {
-            let given = Given { millionths: word.millionths, span: word.span };
+            let given = WordValue { millionths: word.millionths, span: word.span };
             match word.address {
                 'G' => words.take_g(given, control, faults),
                 'M' => words.take_m(given, control, faults),
@@ -103,7 +103,7 @@ impl Words {
         words
     }
 
-    fn take_g(&mut self, given: Given, control: &Control, faults: &mut Vec<Fault>) {
+    fn take_g(&mut self, given: WordValue, control: &Control, faults: &mut Vec<Fault>) {
         let function = Function { code: given.millionths / 100_000, span: given.span };
         let known = control.g.get(&function.code).filter(|_| given.millionths % 100_000 == 0);
         let Some(known) = known else {
@@ -125,7 +125,7 @@ impl Words {
         faults.push(twice(code, first, function, given.span));
     }
 
-    fn take_m(&mut self, given: Given, control: &Control, faults: &mut Vec<Fault>) {
+    fn take_m(&mut self, given: WordValue, control: &Control, faults: &mut Vec<Fault>) {
         let function = Function { code: given.millionths / 1_000_000, span: given.span };
         let Some(known) = control.m.get(&function.code) else {
             let word = format!("M{}", function.code);

@@ -1,11 +1,11 @@
-//! What is no cut: ways over the part, pauses, the order of the points, the ends.
+//! Everything besides cuts: travel over the part, pauses, the order of the points, the ends.
 
 use std::collections::BTreeMap;
 
 use super::cuts::{TOLERANCE, near};
 use super::matching::Matched;
-use super::walk::{Event, How, Stay};
-use super::{Asked, Code, Finding, Made, Name, Task};
+use super::walk::{Event, Stay, TipMotion};
+use super::{Code, Finding, Name, ObservedCuts, ProofInput, Task};
 use crate::job::Pause;
 use crate::motion::{BlockRef, Turning};
 use crate::note::Severity;
@@ -13,10 +13,10 @@ use crate::units::Micrometres;
 
 /// Everything around the cuts.
 pub(super) fn all(
-    made: &Made,
+    made: &ObservedCuts,
     matched: &Matched,
     tasks: &[Task<'_>],
-    asked: &Asked<'_>,
+    asked: &ProofInput<'_>,
     turned_over: usize,
     findings: &mut Vec<Finding>,
 ) {
@@ -31,10 +31,10 @@ pub(super) fn all(
 }
 
 struct Around<'a, 't> {
-    made: &'a Made,
+    made: &'a ObservedCuts,
     matched: &'a Matched,
     tasks: &'a [Task<'t>],
-    asked: &'a Asked<'t>,
+    asked: &'a ProofInput<'t>,
 }
 
 impl<'t> Around<'_, 't> {
@@ -120,7 +120,7 @@ impl<'t> Around<'_, 't> {
         let up = self.asked.job.change_at.z;
         for (stay, leads, made) in &self.made.above {
             let say = |code| Finding::new(code, Severity::Note, made.block);
-            if let How::Dwell(seconds) = made.how {
+            if let TipMotion::Dwell(seconds) = made.how {
                 findings.push(say(Code::DwellInAir).with(Name::Made, seconds));
                 continue;
             }
@@ -128,7 +128,7 @@ impl<'t> Around<'_, 't> {
                 continue;
             }
             let of = leads.or_else(|| cuts.get(stay).map(|(_, last)| *last)).and_then(|cut| self.task(cut));
-            // What leads to nothing planned is told with the cut.
+            // Motion to an unplanned cut is reported with that cut.
             let Some(task) = of else {
                 if !cuts.contains_key(stay) && made.machine.z != up {
                     findings.push(say(Code::IdleHeight).with(Name::Z, made.to[2]));

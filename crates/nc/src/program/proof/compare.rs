@@ -1,13 +1,13 @@
-//! A cut beside the cycle of its stop, and cuts and stops that have no partner.
+//! Compares each cut with the cycle of its stop; reports cuts and stops without a partner.
 
 use std::collections::BTreeMap;
 
 use super::cuts::{Cut, TOLERANCE, near};
 use super::matching::{Matched, Places};
 use super::tools::Tools;
-use super::walk::{How, Move};
-use super::{Asked, Code, Figure, Finding, Made, Name, Task, milled};
-use crate::job::{Cycle, Kind};
+use super::walk::{TipMotion, TipMove};
+use super::{Code, Figure, Finding, Name, ObservedCuts, ProofInput, Task, milled};
+use crate::job::{Cycle, CycleKind};
 use crate::motion::Turning;
 use crate::note::Severity;
 use crate::plan::Operation;
@@ -18,11 +18,11 @@ const FIGURE: f64 = 0.05;
 
 /// Every cut beside its stop.
 pub(super) fn all(
-    made: &Made,
+    made: &ObservedCuts,
     matched: &Matched,
     tools: &Tools,
     tasks: &[Task<'_>],
-    asked: &Asked<'_>,
+    asked: &ProofInput<'_>,
     findings: &mut Vec<Finding>,
 ) {
     let places = Places::of(tasks);
@@ -54,7 +54,7 @@ pub(super) fn all(
         levels(&say, asked, findings);
         conditions(&say, asked, findings);
         match &task.cycle.kind {
-            Kind::Circles { levels, radii, sense } => milled::circles(&say, levels, radii, *sense, findings),
+            CycleKind::Circles { levels, radii, sense } => milled::circles(&say, levels, radii, *sense, findings),
             _ => {
                 milled::none(&say, findings);
                 steps(&say, asked, findings);
@@ -93,9 +93,9 @@ impl Say<'_, '_> {
 }
 
 /// What no tool may do inside the part: go across at rapid, or be pushed in.
-fn collisions(cut: &Cut, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
+fn collisions(cut: &Cut, asked: &ProofInput<'_>, findings: &mut Vec<Finding>) {
     let top = asked.plan.part.datum.top;
-    let across = cut.moves.iter().find(|made| made.how == How::Rapid && made.across() && made.below(top));
+    let across = cut.moves.iter().find(|made| made.how == TipMotion::Rapid && made.across() && made.below(top));
     if let Some(made) = across {
         findings.push(
             Finding::new(Code::RapidAcross, Severity::Error, made.block)
@@ -114,7 +114,10 @@ fn collisions(cut: &Cut, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
     // At rapid no deeper than the feed was.
     let mut deepest: Option<Micrometres> = None;
     for made in cut.moves.iter().filter(|made| made.moves()) {
-        if made.how == How::Rapid && !made.across() && deepest.is_some_and(|deepest| made.to[2] < deepest - TOLERANCE) {
+        if made.how == TipMotion::Rapid
+            && !made.across()
+            && deepest.is_some_and(|deepest| made.to[2] < deepest - TOLERANCE)
+        {
             findings.push(
                 Finding::new(Code::RapidIntoPart, Severity::Error, made.block)
                     .with(Name::At, cut.at)
@@ -183,7 +186,7 @@ fn missing(matched: &Matched, tasks: &[Task<'_>], findings: &mut Vec<Finding>) {
 }
 
 /// Where the feed begins and how deep it goes.
-fn levels(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
+fn levels(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Finding>) {
     let (cycle, transition) = (say.task.cycle, say.task.transition);
     let part = &asked.plan.part;
     if let Some(begin) = say.cut.begin() {
@@ -230,7 +233,7 @@ fn levels(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
 }
 
 /// Speed, feed, dwell, coolant.
-fn conditions(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
+fn conditions(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Finding>) {
     let (cut, cycle) = (say.cut, say.task.cycle);
     let other = |made: f64, needed: f64| (made - needed).abs() > FIGURE;
     // Somebody may have chosen otherwise, but not far beyond what the tool bears.
@@ -241,7 +244,7 @@ fn conditions(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>)
         let severity = load(made.speed, cycle.speed_rpm.0);
         findings.push(say.figure(Code::OtherSpeed, severity, made.speed, cycle.speed_rpm.0));
     }
-    let mut feeds = cut.cutting().filter_map(Move::feed);
+    let mut feeds = cut.cutting().filter_map(TipMove::feed);
     if let Some(feed) = feeds.find(|feed| other(*feed, cycle.feed_mm_per_min.0)) {
         let severity = load(feed, cycle.feed_mm_per_min.0);
         findings.push(say.figure(Code::OtherFeed, severity, feed, cycle.feed_mm_per_min.0));
@@ -278,12 +281,12 @@ fn conditions(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>)
 }
 
 /// The way in, at once or in steps.
-fn steps(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
+fn steps(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Finding>) {
     let (cut, cycle) = (say.cut, say.task.cycle);
     let downs = cut.downs();
     let (step, back, leaves) = match cycle.kind {
-        Kind::Peck { step, clearance } => (step, clearance, true),
-        Kind::ChipBreak { step, retreat } => (step, retreat, false),
+        CycleKind::Peck { step, clearance } => (step, clearance, true),
+        CycleKind::ChipBreak { step, retreat } => (step, retreat, false),
         _ => {
             if downs.len() > 1 {
                 findings.push(say.now(Code::StepsNotPlanned, Severity::Note).with(Name::Made, downs.len()));
@@ -320,13 +323,13 @@ fn steps(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
 }
 
 /// The way out.
-fn way_out(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
+fn way_out(say: &Say<'_, '_>, asked: &ProofInput<'_>, findings: &mut Vec<Finding>) {
     let (cut, cycle) = (say.cut, say.task.cycle);
-    let moves: Vec<&Move> = cut.way_out().iter().filter(|made| made.moves()).collect();
-    let inside: Vec<&&Move> = moves.iter().filter(|made| made.from[2] < cycle.begin - TOLERANCE).collect();
-    let at_feed = |made: &Move| made.feed().is_some();
+    let moves: Vec<&TipMove> = cut.way_out().iter().filter(|made| made.moves()).collect();
+    let inside: Vec<&&TipMove> = moves.iter().filter(|made| made.from[2] < cycle.begin - TOLERANCE).collect();
+    let at_feed = |made: &TipMove| made.feed().is_some();
     match &cycle.kind {
-        Kind::FeedOut | Kind::Tap { .. } => {
+        CycleKind::FeedOut | CycleKind::Tap { .. } => {
             if inside.iter().any(|made| !at_feed(made)) {
                 findings.push(say.now(Code::OutAtRapid, Severity::Wrong));
             }
@@ -342,9 +345,9 @@ fn way_out(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
             }
         }
     }
-    let turns = |made: &&Move| made.turning != Turning::Stopped;
+    let turns = |made: &&TipMove| made.turning != Turning::Stopped;
     turning_out(say, cycle, inside.iter().any(|made| turns(made)), inside.iter().any(|made| !turns(made)), findings);
-    let known = |made: &&Move| {
+    let known = |made: &&TipMove| {
         near(made.to[2], cycle.begin) || near(made.to[2], cycle.out) || made.machine.z == asked.job.change_at.z
     };
     if let Some(made) = moves.last().filter(|made| !at_feed(made) && !known(made)) {
@@ -357,14 +360,14 @@ fn way_out(say: &Say<'_, '_>, asked: &Asked<'_>, findings: &mut Vec<Finding>) {
     }
     // Higher than its feed begins a reamer leaves at rapid.
     if let Some(made) = moves.iter().find(|made| at_feed(made) && made.to[2] > cycle.begin + TOLERANCE)
-        && !matches!(cycle.kind, Kind::Tap { .. })
+        && !matches!(cycle.kind, CycleKind::Tap { .. })
     {
         findings.push(say.figure(Code::OutTooHigh, Severity::Note, made.to[2], cycle.begin));
     }
 }
 
 fn turning_out(say: &Say<'_, '_>, cycle: &Cycle, turned: bool, stood: bool, findings: &mut Vec<Finding>) {
-    if cycle.kind == Kind::BoreStop {
+    if cycle.kind == CycleKind::BoreStop {
         if turned {
             findings.push(say.now(Code::OutTurning, Severity::Wrong));
         }

@@ -1,6 +1,6 @@
 //! From stays to cuts: one way of the tip into the part and out of it, pecks and circles drawn together.
 
-use super::walk::{How, Move, Stay};
+use super::walk::{Stay, TipMotion, TipMove};
 use crate::motion::{BlockRef, Sense, Turning};
 use crate::units::Micrometres;
 
@@ -34,7 +34,7 @@ pub(super) struct Cut {
     /// The corrector in force, and what it adds.
     pub corrector: (u32, Micrometres),
     /// From the first motion below the face to the last.
-    pub moves: Vec<Move>,
+    pub moves: Vec<TipMove>,
     /// How high the tip rose afterwards before it went on or down again.
     pub rose: Micrometres,
     /// Z where a feed towards it began over the face: steps of a deep hole that end in the air.
@@ -42,14 +42,14 @@ pub(super) struct Cut {
 }
 
 /// The cuts of a stay, and its motions above the face, each with the cut that it leads to.
-pub(super) fn cuts(number: usize, stay: &Stay, top: Micrometres) -> (Vec<Cut>, Vec<(Option<usize>, Move)>) {
+pub(super) fn cuts(number: usize, stay: &Stay, top: Micrometres) -> (Vec<Cut>, Vec<(Option<usize>, TipMove)>) {
     let mut cuts: Vec<Cut> = Vec::new();
-    let mut above: Vec<(Option<usize>, Move)> = Vec::new();
+    let mut above: Vec<(Option<usize>, TipMove)> = Vec::new();
     // The last motion was below the face.
     let mut inside = false;
     let mut begun_above: Option<Micrometres> = None;
     // The spindle is switched and dwells happen where the tip is.
-    let low = |made: &Move| if made.moves() { made.below(top) } else { made.to[2] < top };
+    let low = |made: &TipMove| if made.moves() { made.below(top) } else { made.to[2] < top };
     for (index, made) in stay.moves.iter().enumerate() {
         if !low(made) {
             if let Some(cut) = cuts.last_mut() {
@@ -96,7 +96,7 @@ pub(super) fn cuts(number: usize, stay: &Stay, top: Micrometres) -> (Vec<Cut>, V
 
 /// Whether a new way in continues a cut: it was left no higher than where its feed began, and goes deeper by a feed that
 /// begins below. A drill that comes out for its chips does so.
-fn goes_on(cut: &Cut, rest: &[Move], top: Micrometres) -> bool {
+fn goes_on(cut: &Cut, rest: &[TipMove], top: Micrometres) -> bool {
     let Some(begin) = cut.begin().max(cut.begun_above) else { return false };
     let Some(feed) = rest.iter().find(|made| made.feed().is_some()).filter(|made| made.below(top)) else {
         return false;
@@ -120,7 +120,7 @@ impl Cut {
         let mut downs: Vec<(Micrometres, Micrometres)> = Vec::new();
         let mut goes_on = false;
         for made in self.moves.iter().filter(|made| made.moves()) {
-            let down = matches!(made.how, How::Feed(_)) && made.to[2] < made.from[2];
+            let down = matches!(made.how, TipMotion::Feed(_)) && made.to[2] < made.from[2];
             match downs.last_mut() {
                 Some(last) if down && goes_on => last.1 = made.to[2],
                 _ if down => downs.push((made.from[2], made.to[2])),
@@ -136,7 +136,7 @@ impl Cut {
         let mut returns = Vec::new();
         let mut highest: Option<Micrometres> = None;
         for made in self.moves.iter().filter(|made| made.moves()) {
-            if matches!(made.how, How::Feed(_)) && made.to[2] < made.from[2] {
+            if matches!(made.how, TipMotion::Feed(_)) && made.to[2] < made.from[2] {
                 returns.extend(highest.take());
                 continue;
             }
@@ -145,14 +145,14 @@ impl Cut {
         }
         // What was before the first way down is no return.
         let first = self.moves.iter().find(|made| made.moves());
-        if first.is_some_and(|made| made.how == How::Rapid) && !returns.is_empty() {
+        if first.is_some_and(|made| made.how == TipMotion::Rapid) && !returns.is_empty() {
             returns.remove(0);
         }
         returns
     }
 
     /// The motions after the deepest point was reached for the last time and left.
-    pub fn way_out(&self) -> &[Move] {
+    pub fn way_out(&self) -> &[TipMove] {
         let deepest = self.deepest();
         let last = self.moves.iter().rposition(|made| made.moves() && made.to[2] == deepest).map_or(0, |at| at + 1);
         &self.moves[last..]
@@ -162,14 +162,14 @@ impl Cut {
     pub fn dwell(&self) -> f64 {
         let deepest = self.deepest();
         let waits = self.moves.iter().filter(|made| made.to[2] == deepest);
-        waits.map(|made| if let How::Dwell(seconds) = made.how { seconds } else { 0.0 }).sum()
+        waits.map(|made| if let TipMotion::Dwell(seconds) = made.how { seconds } else { 0.0 }).sum()
     }
 
     /// Waits elsewhere, s.
     pub fn other_dwells(&self) -> f64 {
         let deepest = self.deepest();
         let waits = self.moves.iter().filter(|made| made.to[2] != deepest);
-        waits.map(|made| if let How::Dwell(seconds) = made.how { seconds } else { 0.0 }).sum()
+        waits.map(|made| if let TipMotion::Dwell(seconds) = made.how { seconds } else { 0.0 }).sum()
     }
 
     /// Its circles in order: depth, centre, radius in mm and sense; arcs of one circle that follow each other are drawn
@@ -178,7 +178,7 @@ impl Cut {
         let mut circles: Vec<Circle> = Vec::new();
         let mut goes_on = false;
         for made in self.moves.iter().filter(|made| made.moves()) {
-            let How::Round { centre, radius, sense, turned, .. } = made.how else {
+            let TipMotion::Round { centre, radius, sense, turned, .. } = made.how else {
                 goes_on = false;
                 continue;
             };
@@ -193,7 +193,7 @@ impl Cut {
     }
 
     /// The motions in the metal: at feed, not on the way out.
-    pub fn cutting(&self) -> impl Iterator<Item = &Move> {
+    pub fn cutting(&self) -> impl Iterator<Item = &TipMove> {
         let into = self.moves.len() - self.way_out().len();
         self.moves[..into].iter().filter(|made| made.feed().is_some())
     }

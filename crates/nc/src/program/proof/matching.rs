@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use super::cuts::{Cut, TOLERANCE, near};
 use super::tools::Tools;
 use super::walk::Frame;
-use super::{Asked, Made, Task};
-use crate::motion::{Motion, Step};
+use super::{ObservedCuts, ProofInput, Task};
+use crate::motion::{Motion, MotionStep};
 use crate::units::Micrometres;
 
 /// Cuts and stops, each with its partner.
@@ -75,14 +75,14 @@ pub(super) fn matched(cuts: &[Cut], tools: &Tools, tasks: &[Task<'_>]) -> Matche
 
 /// Before which step the part is turned over: at the stop or, where there is none, the tool change at which most cuts
 /// fit. Never, where the job has one set-up only.
-pub(super) fn turned_over(steps: &[Step], asked: &Asked<'_>, frames: &[Frame], tasks: &[Task<'_>]) -> usize {
+pub(super) fn turned_over(steps: &[MotionStep], asked: &ProofInput<'_>, frames: &[Frame], tasks: &[Task<'_>]) -> usize {
     let never = steps.len();
     if frames.len() < 2 {
         return never;
     }
     let places = Places::of(tasks);
     let score = |at: usize| {
-        let cuts = Made::of(steps, asked, frames, at).cuts;
+        let cuts = ObservedCuts::of(steps, asked, frames, at).cuts;
         cuts.iter().filter(|cut| places.at(cut, tasks).into_iter().any(|task| fits(cut, &tasks[task]))).count()
     };
     let at = |wanted: fn(&Motion) -> bool| {

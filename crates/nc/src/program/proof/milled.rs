@@ -2,7 +2,7 @@
 
 use super::compare::Say;
 use super::cuts::{Circle, TOLERANCE, near};
-use super::walk::How;
+use super::walk::TipMotion;
 use super::{Code, Finding, Name};
 use crate::motion::{Sense, geometry};
 use crate::note::Severity;
@@ -45,7 +45,7 @@ pub(super) fn circles(
     let outside = |to: [Micrometres; 3]| {
         geometry::distance([to[0].to_mm(), to[1].to_mm()], centre) > (widest + TOLERANCE).to_mm()
     };
-    let straight = say.cut.moves.iter().filter(|made| matches!(made.how, How::Feed(_)));
+    let straight = say.cut.moves.iter().filter(|made| matches!(made.how, TipMotion::Feed(_)));
     for made in straight.clone().filter(|made| made.across() && outside(made.to)) {
         findings.push(
             say.now(Code::Slot, Severity::Error).with(Name::To, [made.to[0], made.to[1]]).with(Name::Z, made.to[2]),

@@ -1,4 +1,4 @@
-//! The proof that a program makes a part: what it cuts, held against the job of the part's plan, stop by stop.
+//! The proof that a program makes a part: what it cuts is compared with the job, stop by stop.
 //!
 //! It works on the steps that an interpreter emits, so it is the same for every control.
 //!
@@ -8,23 +8,23 @@
 //! ```
 //!
 //! - every stop of the job needs a cut: what has none is missing, a cut that makes no stop is superfluous;
-//! - a cut is held against its stop: tool and corrector, beginning, depth, steps, circles, way out, speed, feed, dwell,
-//!   coolant, and its turn among the transitions of its hole;
-//! - a motion that no cut explains is told, too: so a program about which nothing is said does what the job says, and
-//!   nothing else.
+//! - a cut is compared with its stop: tool and corrector, beginning, depth, steps, circles, way out, speed, feed,
+//!   dwell, coolant, and its turn among the transitions of its hole;
+//! - a motion that no cut explains is reported too. So a program without findings does what the job says, and nothing
+//!   else.
 //!
-//! Where the part stands and what the correctors hold is taken as given. docs/proof.md tells what is held against what,
-//! and how grave it is.
+//! Where the part stands and what the correctors hold is taken as given. docs/proof.md lists every comparison and its
+//! severity.
 //!
-//! Architecture invariant: the proof knows no control and chooses nothing; what is right stands in the job.
+//! Architecture invariant: the proof depends on no control and chooses nothing; the job says what is right.
 
 mod around;
 mod compare;
 mod cuts;
-mod held;
+mod finding;
 mod matching;
 mod milled;
-mod said;
+mod planned_job;
 mod tools;
 mod walk;
 
@@ -36,9 +36,9 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use crate::error::KnowledgeError;
-use crate::job::{Cycle, Job, Kind, SetUp, Stop, ToolWork};
+use crate::job::{Cycle, CycleKind, Job, SetUp, Stop, ToolWork};
 use crate::knowledge::Knowledge;
-use crate::motion::{BlockRef, Position, Step};
+use crate::motion::{BlockRef, MotionStep, Position};
 use crate::note::{Note, Severity};
 use crate::part::{Part, Point};
 use crate::plan::{Operation, Plan, Transition};
@@ -46,13 +46,13 @@ use crate::tables::controls::Convention;
 use crate::units::Micrometres;
 
 use cuts::{Cut, TOLERANCE};
-pub use held::Held;
-pub use said::{Code, Figure, Finding, Name};
-use walk::{Frame, Walk};
+pub use finding::{Code, Figure, Finding, Name};
+pub use planned_job::PlannedJob;
+use walk::{Frame, TipHistory};
 
-/// What a program is held against.
+/// The input of a proof: what a program is compared with.
 #[derive(Clone, Copy, Debug)]
-pub struct Asked<'a> {
+pub struct ProofInput<'a> {
     /// The plan of the part.
     pub plan: &'a Plan,
     /// Its job.
@@ -91,15 +91,15 @@ impl Tolerated {
     }
 }
 
-/// What a program makes of a part, and what it does beside.
+/// The result of a proof: what a program makes of a part, and every deviation.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Proof {
     /// The stops of the job that it makes, in the order of the program.
-    pub visits: Vec<Visit>,
+    pub visits: Vec<MadeStop>,
     /// The stops that it does not make.
-    pub missing: Vec<Missing>,
+    pub missing: Vec<MissingStop>,
     /// The cuts that make no stop.
-    pub superfluous: Vec<Superfluous>,
+    pub superfluous: Vec<SuperfluousCut>,
     /// Every deviation, the gravest first.
     pub findings: Vec<Finding>,
 }
@@ -113,7 +113,7 @@ impl Proof {
 
 /// A stop of the job that the program makes.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Visit {
+pub struct MadeStop {
     /// The group of holes.
     pub hole: String,
     /// The transition of the group, from 0.
@@ -131,7 +131,7 @@ pub struct Visit {
 
 /// A stop of the job that the program does not make.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Missing {
+pub struct MissingStop {
     /// The group of holes.
     pub hole: String,
     /// The transition of the group, from 0.
@@ -148,7 +148,7 @@ pub struct Missing {
 
 /// A cut that makes no stop of the job.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Superfluous {
+pub struct SuperfluousCut {
     /// The point.
     pub at: Point,
     /// How deep it goes, in the drawing.
@@ -177,7 +177,7 @@ impl Task<'_> {
     /// Z that the steps of a deep hole reach before the first that goes into the metal: a small drill's step may be
     /// shorter than the approach. Without such steps the beginning of the feed.
     fn reached_in_air(&self, metal: Micrometres) -> Micrometres {
-        let (Kind::Peck { step, .. } | Kind::ChipBreak { step, .. }) = self.cycle.kind else {
+        let (CycleKind::Peck { step, .. } | CycleKind::ChipBreak { step, .. }) = self.cycle.kind else {
             return self.cycle.begin;
         };
         let room = (self.cycle.begin - metal).micrometres().max(0);
@@ -185,8 +185,8 @@ impl Task<'_> {
     }
 }
 
-/// Holds the steps of a program against a job.
-pub fn prove(steps: &[Step], asked: &Asked<'_>) -> Proof {
+/// Compares the steps of a program with a job.
+pub fn prove(steps: &[MotionStep], asked: &ProofInput<'_>) -> Proof {
     let tasks = tasks(asked);
     let frame = |zero: &Position| Frame { zero: *zero, top: asked.plan.part.datum.top };
     let mut frames: Vec<Frame> = asked.zeros.iter().map(frame).collect();
@@ -195,7 +195,7 @@ pub fn prove(steps: &[Step], asked: &Asked<'_>) -> Proof {
         frames.push(frame(&Position::default()));
     }
     let turned_over = matching::turned_over(steps, asked, &frames, &tasks);
-    let made = Made::of(steps, asked, &frames, turned_over);
+    let made = ObservedCuts::of(steps, asked, &frames, turned_over);
     let tools = tools::tools(&made, &tasks, asked);
     let matched = matching::matched(&made.cuts, &tools, &tasks);
 
@@ -206,7 +206,7 @@ pub fn prove(steps: &[Step], asked: &Asked<'_>) -> Proof {
     for (cut, task) in made.cuts.iter().zip(&matched.task_of) {
         let at = Point::from(cut.at);
         match task.and_then(|task| tasks.get(task)) {
-            Some(Task { stop, .. }) => proof.visits.push(Visit {
+            Some(Task { stop, .. }) => proof.visits.push(MadeStop {
                 hole: stop.hole.clone(),
                 transition: stop.transition,
                 pass: stop.pass,
@@ -215,13 +215,13 @@ pub fn prove(steps: &[Step], asked: &Asked<'_>) -> Proof {
                 block: cut.place,
             }),
             None => {
-                proof.superfluous.push(Superfluous { at, z: cut.deepest(), tool: cut.tool, block: cut.place });
+                proof.superfluous.push(SuperfluousCut { at, z: cut.deepest(), tool: cut.tool, block: cut.place });
             }
         }
     }
     for (task, cut) in tasks.iter().zip(&matched.cut_of) {
         if cut.is_none() {
-            proof.missing.push(Missing {
+            proof.missing.push(MissingStop {
                 hole: task.stop.hole.clone(),
                 transition: task.stop.transition,
                 operation: task.cycle.operation,
@@ -236,15 +236,15 @@ pub fn prove(steps: &[Step], asked: &Asked<'_>) -> Proof {
 
 /// What a program does, as cuts and what is around them.
 #[derive(Clone, Debug)]
-struct Made {
-    walk: Walk,
+struct ObservedCuts {
+    walk: TipHistory,
     cuts: Vec<Cut>,
     /// Motions above the face: the stay, the cut they lead to, the motion.
-    above: Vec<(usize, Option<usize>, walk::Move)>,
+    above: Vec<(usize, Option<usize>, walk::TipMove)>,
 }
 
-impl Made {
-    fn of(steps: &[Step], asked: &Asked<'_>, frames: &[Frame], turned_over: usize) -> Self {
+impl ObservedCuts {
+    fn of(steps: &[MotionStep], asked: &ProofInput<'_>, frames: &[Frame], turned_over: usize) -> Self {
         let works = asked.job.setups.iter().flat_map(|setup| &setup.works).filter(|_| !asked.own_correctors);
         let needs_none = |tool: u32| asked.job.correctors.contains(&(tool, Micrometres::ZERO));
         let references = works.filter(|work| needs_none(work.corrector)).map(|work| work.place).collect();
@@ -268,7 +268,7 @@ impl Made {
 
 /// Points where the job cuts the face itself, its stock standing over the drawing: by set-up and point the height below
 /// which a tool cuts there.
-fn faced(asked: &Asked<'_>) -> Vec<(usize, [Micrometres; 2], Micrometres)> {
+fn faced(asked: &ProofInput<'_>) -> Vec<(usize, [Micrometres; 2], Micrometres)> {
     let top = asked.plan.part.datum.top;
     let mut faced = Vec::new();
     for (number, setup) in asked.job.setups.iter().enumerate() {
@@ -283,7 +283,7 @@ fn faced(asked: &Asked<'_>) -> Vec<(usize, [Micrometres; 2], Micrometres)> {
     faced
 }
 
-fn tasks<'a>(asked: &Asked<'a>) -> Vec<Task<'a>> {
+fn tasks<'a>(asked: &ProofInput<'a>) -> Vec<Task<'a>> {
     let mut tasks = Vec::new();
     let mut work = 0;
     let setups: &'a [SetUp] = &asked.job.setups;
@@ -302,8 +302,8 @@ fn tasks<'a>(asked: &Asked<'a>) -> Vec<Task<'a>> {
     tasks
 }
 
-/// What is said alike of several points of a group is said once, with how many more; the gravest first, then in the
-/// program's order.
+/// Equal findings at several points of a group are merged, with their count; the gravest first, then in the program's
+/// order.
 fn folded(findings: Vec<Finding>) -> Vec<Finding> {
     let mut kept: Vec<(Finding, usize)> = Vec::new();
     let mut known: BTreeMap<(Severity, Note), usize> = BTreeMap::new();

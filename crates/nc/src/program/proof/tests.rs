@@ -2,11 +2,11 @@
 
 use super::cuts::{Cut, cuts};
 use super::walk::{Frame, walk};
-use crate::motion::{BlockRef, Motion, Plane, Position, Sense, Step, Turning};
+use crate::motion::{BlockRef, Motion, MotionStep, Plane, Position, Sense, Turning};
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute};
 
 /// Steps, written short: `r` rapid, `f` feed, with X, Y, Z in mm; `w` waits; `s` stops the spindle, `c` and `a` start it.
-fn steps(text: &str) -> Vec<Step> {
+fn steps(text: &str) -> Vec<MotionStep> {
     let mut at = [0, 0, 100_i64];
     let mut steps = vec![step(Motion::ToolChange { tool: 1 }, at), step(spindle(Turning::Clockwise), at)];
     for word in text.split_whitespace() {
@@ -50,8 +50,8 @@ fn spindle(turning: Turning) -> Motion {
     Motion::Spindle { turning, speed_rpm: RevsPerMinute(500.0) }
 }
 
-fn step(motion: Motion, at: [i64; 3]) -> Step {
-    Step { motion, at: Position::of(at.map(Micrometres::from_mm)), block: BlockRef::default() }
+fn step(motion: Motion, at: [i64; 3]) -> MotionStep {
+    MotionStep { motion, at: Position::of(at.map(Micrometres::from_mm)), block: BlockRef::default() }
 }
 
 fn cut(text: &str) -> Vec<Cut> {

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::cuts::Cut;
 use super::matching::{Places, fits};
 use super::walk::Event;
-use super::{Asked, Code, Finding, Made, Name, Task};
+use super::{Code, Finding, Name, ObservedCuts, ProofInput, Task};
 use crate::job::Pause;
 use crate::note::Severity;
 use crate::units::Micrometres;
@@ -27,10 +27,10 @@ impl Tools {
 
 /// Finds the tools.
 ///
-/// T is the plan's place in the magazine. Where the tool of that place would make none of its cuts and another would make
-/// most of them, the program numbers its tools in its own way, which is told. Where a place is filled several times, the
-/// tool is the one whose work is done, and the operator must have been asked before.
-pub(super) fn tools(made: &Made, tasks: &[Task<'_>], asked: &Asked<'_>) -> Tools {
+/// T is the plan's place in the magazine. Where the tool of that place would make none of its cuts and another would
+/// make most of them, the program numbers its tools in its own way, which is reported. Where a place is filled several
+/// times, the tool is the one whose work is done, and the operator must have been asked before.
+pub(super) fn tools(made: &ObservedCuts, tasks: &[Task<'_>], asked: &ProofInput<'_>) -> Tools {
     let mut tools = Tools::default();
     let places = Places::of(tasks);
     // For every cut the tools of the plan that would make it: that of the place, or one whose correction acts.
@@ -135,7 +135,7 @@ pub(super) fn tools(made: &Made, tasks: &[Task<'_>], asked: &Asked<'_>) -> Tools
 }
 
 /// The tool that is in a place when the program begins: the first to work there, unless it is loaded by a pause.
-fn first_in(place: u32, first: u32, asked: &Asked<'_>) -> u32 {
+fn first_in(place: u32, first: u32, asked: &ProofInput<'_>) -> u32 {
     let works = || asked.job.setups.iter().flat_map(|setup| &setup.works).filter(|work| work.place == place);
     let loads = |tool: u32| {
         works()
@@ -147,12 +147,12 @@ fn first_in(place: u32, first: u32, asked: &Asked<'_>) -> u32 {
     known.unwrap_or(if loads(first) { 0 } else { first })
 }
 
-fn first(made: &Made, tool: u32) -> Option<crate::motion::BlockRef> {
+fn first(made: &ObservedCuts, tool: u32) -> Option<crate::motion::BlockRef> {
     made.walk.stays.iter().find(|stay| stay.tool == tool).map(|stay| stay.block)
 }
 
 /// The step of the tool change that begins a section.
-fn begin_of(made: &Made, section: usize) -> usize {
+fn begin_of(made: &ObservedCuts, section: usize) -> usize {
     let changes = made.walk.events.iter().filter(|(_, _, event)| matches!(event, Event::Change { .. }));
     section.checked_sub(1).and_then(|at| changes.map(|(order, ..)| *order).nth(at)).unwrap_or_default()
 }
@@ -161,7 +161,7 @@ fn begin_of(made: &Made, section: usize) -> usize {
 ///
 /// With the plan's correctors the value must be that of the tool, and the number, too. With the operator's own every tool
 /// has the corrector that most of its cuts use, no two tools have one, and a value other than the plan's is told.
-fn correctors(made: &Made, tools: &mut Tools, asked: &Asked<'_>) {
+fn correctors(made: &ObservedCuts, tools: &mut Tools, asked: &ProofInput<'_>) {
     let mut used: BTreeMap<u32, BTreeMap<(u32, Micrometres), usize>> = BTreeMap::new();
     for cut in &made.cuts {
         *used.entry(cut.tool).or_default().entry(cut.corrector).or_default() += 1;

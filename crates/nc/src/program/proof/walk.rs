@@ -1,12 +1,13 @@
 //! From steps to stays: what was done at one point of the part, from the motion that came there to the one that goes on.
 //!
-//! Motions are told as the tool's tip makes them, in the coordinates of the drawing as the part lies in the set-up:
-//! machine position less the zero, and along Z less how much longer the tool is than the reference. How long it is does
-//! not change when a correction ends: it is what the program adds for it most often between two tool changes, or else in all.
+//! Motions are those of the tool's tip, in the coordinates of the drawing as the part lies in the set-up: machine
+//! position less the zero, and along Z less how much longer the tool is than the reference. How long it is does not
+//! change when a correction ends: it is what the program adds for it most often between two tool changes, or else in
+//! all.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::motion::{Axis, BlockRef, Motion, Plane, Position, Sense, Side, Step, Turning, geometry};
+use crate::motion::{Axis, BlockRef, Motion, MotionStep, Plane, Position, Sense, Side, Turning, geometry};
 use crate::units::Micrometres;
 
 /// A place of the tip.
@@ -21,9 +22,9 @@ pub(super) struct Frame {
     pub top: Micrometres,
 }
 
-/// How the tip went.
+/// How the tip moved.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum How {
+pub(super) enum TipMotion {
     /// At rapid.
     Rapid,
     /// Straight at feed.
@@ -38,8 +39,8 @@ pub(super) enum How {
 
 /// One motion of the tip, with the state it was made in.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Move {
-    pub how: How,
+pub(super) struct TipMove {
+    pub how: TipMotion,
     pub from: Tip,
     pub to: Tip,
     /// Where the axes stand after it, machine coordinates.
@@ -55,23 +56,23 @@ pub(super) struct Move {
     pub order: usize,
 }
 
-impl Move {
+impl TipMove {
     /// Whether it goes along X or Y.
     pub fn across(&self) -> bool {
-        matches!(self.how, How::Round { .. }) || self.from[0] != self.to[0] || self.from[1] != self.to[1]
+        matches!(self.how, TipMotion::Round { .. }) || self.from[0] != self.to[0] || self.from[1] != self.to[1]
     }
 
     /// The feed, of a motion at feed.
     pub const fn feed(&self) -> Option<f64> {
         match self.how {
-            How::Feed(feed) | How::Round { feed, .. } => Some(feed),
+            TipMotion::Feed(feed) | TipMotion::Round { feed, .. } => Some(feed),
             _ => None,
         }
     }
 
     /// Whether the axes move.
     pub const fn moves(&self) -> bool {
-        matches!(self.how, How::Rapid | How::Feed(_) | How::Round { .. })
+        matches!(self.how, TipMotion::Rapid | TipMotion::Feed(_) | TipMotion::Round { .. })
     }
 
     /// Whether it is below the face anywhere.
@@ -94,14 +95,14 @@ pub(super) struct Stay {
     /// The point, machine coordinates.
     pub machine: [Micrometres; 2],
     /// The motion that came here; none where a tool change or the beginning of the program is.
-    pub travel: Option<Move>,
+    pub travel: Option<TipMove>,
     /// The block that brought the tool here.
     pub block: BlockRef,
     /// What followed.
-    pub moves: Vec<Move>,
+    pub moves: Vec<TipMove>,
 }
 
-/// What of a program is no motion at a point.
+/// An event of a program that is no motion at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Event {
     /// The program waits for the operator.
@@ -116,13 +117,13 @@ pub(super) enum Event {
 
 /// A program as stays and events.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Walk {
+pub(super) struct TipHistory {
     pub stays: Vec<Stay>,
     /// With their place among the steps, and the stay they happened at.
     pub events: Vec<(usize, BlockRef, Event)>,
 }
 
-struct State {
+struct WalkState {
     at: Position,
     section: usize,
     tool: u32,
@@ -139,14 +140,14 @@ struct State {
 /// Walks through the steps. The part is turned over before the step of that number, if the job has a second set-up.
 /// References are tools, as the program calls them, that are known to need no correction.
 pub(super) fn walk(
-    steps: &[Step],
+    steps: &[MotionStep],
     start: Position,
     frames: &[Frame],
     turned_over: usize,
     references: &BTreeSet<u32>,
-) -> Walk {
-    let mut walk = Walk::default();
-    let mut state = State {
+) -> TipHistory {
+    let mut walk = TipHistory::default();
+    let mut state = WalkState {
         at: start,
         section: 0,
         tool: 0,
@@ -168,7 +169,7 @@ pub(super) fn walk(
 
 /// What is added along Z after every tool change: the value that is brought in most often there; where none is, the one
 /// of that tool elsewhere, but for a reference tool, which needs none.
-fn longer(steps: &[Step], references: &BTreeSet<u32>) -> BTreeMap<usize, Micrometres> {
+fn longer(steps: &[MotionStep], references: &BTreeSet<u32>) -> BTreeMap<usize, Micrometres> {
     let (mut section, mut tool) = (0, 0);
     let mut tools: BTreeMap<usize, u32> = BTreeMap::new();
     let mut used: BTreeMap<usize, BTreeMap<Micrometres, usize>> = BTreeMap::new();
@@ -196,27 +197,33 @@ fn longer(steps: &[Step], references: &BTreeSet<u32>) -> BTreeMap<usize, Microme
         .collect()
 }
 
-fn take(walk: &mut Walk, state: &mut State, (order, step): (usize, &Step), setup: usize, frame: &Frame) {
+fn take(
+    walk: &mut TipHistory,
+    state: &mut WalkState,
+    (order, step): (usize, &MotionStep),
+    setup: usize,
+    frame: &Frame,
+) {
     let how = match &step.motion {
-        Motion::Rapid => How::Rapid,
-        Motion::Feed { feed_mm_per_min } => How::Feed(feed_mm_per_min.0),
+        Motion::Rapid => TipMotion::Rapid,
+        Motion::Feed { feed_mm_per_min } => TipMotion::Feed(feed_mm_per_min.0),
         Motion::Arc { plane: Plane::Xy, sense, centre, turns, feed_mm_per_min } => {
             let middle = [centre[0].to_mm(), centre[1].to_mm()];
             let [start, end] = [state.at, step.at].map(|at| geometry::in_plane(at, Plane::Xy));
             let turned = geometry::sweep(start, end, middle, *sense) + std::f64::consts::TAU * f64::from(*turns);
             let centre = [centre[0] - frame.zero.x, centre[1] - frame.zero.y];
             let radius = geometry::distance(start, middle);
-            How::Round { centre, radius, sense: *sense, turned, feed: feed_mm_per_min.0 }
+            TipMotion::Round { centre, radius, sense: *sense, turned, feed: feed_mm_per_min.0 }
         }
         // An arc in another plane is no way round a hole: it counts as a straight cut.
-        Motion::Arc { feed_mm_per_min, .. } => How::Feed(feed_mm_per_min.0),
-        Motion::Dwell { seconds } => How::Dwell(*seconds),
+        Motion::Arc { feed_mm_per_min, .. } => TipMotion::Feed(feed_mm_per_min.0),
+        Motion::Dwell { seconds } => TipMotion::Dwell(*seconds),
         Motion::Spindle { turning, speed_rpm } => {
             if state.turning != Turning::Stopped && *turning == Turning::Stopped {
                 state.stopped_by = Some(step.block);
             }
             (state.turning, state.speed) = (*turning, speed_rpm.0);
-            How::Spindle
+            TipMotion::Spindle
         }
         Motion::Coolant { on } => {
             state.coolant = *on;
@@ -260,7 +267,7 @@ fn take(walk: &mut Walk, state: &mut State, (order, step): (usize, &Step), setup
         Motion::LengthCorrection { .. } | Motion::Auxiliary { .. } => return,
     };
     let (from, to) = (tip(state.at, state, frame), tip(step.at, state, frame));
-    let made = Move {
+    let made = TipMove {
         how,
         from,
         to,
@@ -291,12 +298,12 @@ fn take(walk: &mut Walk, state: &mut State, (order, step): (usize, &Step), setup
     }
 }
 
-fn tip(at: Position, state: &State, frame: &Frame) -> Tip {
+fn tip(at: Position, state: &WalkState, frame: &Frame) -> Tip {
     let longer = state.longer.get(&state.section).copied().unwrap_or_default();
     [at.x - frame.zero.x, at.y - frame.zero.y, at.z - frame.zero.z - longer]
 }
 
-fn stay(state: &State, setup: usize, at: Tip, step: &Step, travel: Option<Move>) -> Stay {
+fn stay(state: &WalkState, setup: usize, at: Tip, step: &MotionStep, travel: Option<TipMove>) -> Stay {
     Stay {
         section: state.section,
         tool: state.tool,

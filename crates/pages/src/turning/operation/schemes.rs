@@ -8,7 +8,7 @@ use technolog_words::say;
 
 use super::super::Lang;
 use super::super::cells::{Cell, figure, fixed, rounded, table};
-use super::super::told::{reasoned, said, schemes_column, word, z};
+use super::super::phrases::{reasoned, said, schemes_column, word, z};
 use super::zones::place;
 use crate::sentences::term;
 use crate::units::round_to;

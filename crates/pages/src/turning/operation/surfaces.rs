@@ -5,12 +5,12 @@ use crate::note::Tell;
 use technolog_turning::contour::Side;
 use technolog_turning::elements::Element;
 use technolog_turning::operation::{Operation, SetUpWork, SideWork};
-use technolog_turning::zones::Stretch;
+use technolog_turning::zones::TurnedSide;
 use technolog_words::say;
 
 use super::super::Lang;
 use super::super::cells::{Cell, arrow, figure, span, table};
-use super::super::told::{reasoned, said, word, z};
+use super::super::phrases::{reasoned, said, word, z};
 use crate::sentences::term;
 
 pub(super) fn surfaces(page: &mut Document, operation: &Operation, set_up: &SetUpWork, lang: Lang) {
@@ -26,7 +26,7 @@ pub(super) fn surfaces(page: &mut Document, operation: &Operation, set_up: &SetU
     }
 }
 
-fn elements(page: &mut Document, operation: &Operation, stretch: &Stretch, work: Option<&SideWork>, lang: Lang) {
+fn elements(page: &mut Document, operation: &Operation, stretch: &TurnedSide, work: Option<&SideWork>, lang: Lang) {
     let mm = say!(lang, "unit-mm");
     let columns = [
         Column::text(say!(lang, "turn-surface")),

@@ -10,7 +10,7 @@ use technolog_turning::zones::Feed;
 use technolog_words::say;
 
 use super::super::cells::{Cell, fixed, rounded, span, table};
-use super::super::told::{terms, word, z};
+use super::super::phrases::{terms, word, z};
 use super::super::{Lang, section};
 use crate::sentences::{sentence, term};
 

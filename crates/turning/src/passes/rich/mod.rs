@@ -1,8 +1,8 @@
 //! Richer moves: passes that stop anywhere on a grid and take less than the full depth.
 //!
-//! What is left of the stock is a staircase that rises towards the chuck ([`staircase`]). A pass cuts a corner of it: to
-//! one line of radii, up to one line of Z. The best sequence is looked for by A* over the staircases ([`search`]), which
-//! is exact where it comes to its end, and where it is stopped before tells what no sequence can be below.
+//! What is left of the stock is a staircase that rises towards the chuck ([`staircase`]). A pass cuts a corner of it:
+//! to one line of radii, up to one line of Z. The best sequence is looked for by A* over the staircases ([`search`]),
+//! which is exact where it comes to its end, and, where it is stopped early, still gives a lower bound.
 
 pub mod search;
 pub mod staircase;
@@ -17,7 +17,7 @@ use super::pass::Pass;
 
 /// What the search over rich moves says of its answer.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Proof {
+pub struct SearchProof {
     /// Whether no sequence on this grid is better.
     pub optimal_on_the_grid: bool,
     /// What no sequence on this grid can be below: mm or passes, as the objective counts.
@@ -29,7 +29,7 @@ pub struct Proof {
 }
 
 /// The best sequence with rich moves that was found, if it is better than what costs `known`; and what is proven.
-pub fn find(grid: &Grid, objective: Objective, known: u64, effort: usize) -> (Option<Vec<Pass>>, Proof) {
+pub fn find(grid: &Grid, objective: Objective, known: u64, effort: usize) -> (Option<Vec<Pass>>, SearchProof) {
     let lines = staircase::Lines::of(grid);
     // First quickly something good, so that the second search can leave out what cannot be better.
     let quick = search::search(&lines, objective, search::Greed::Quick, known, effort / 4);
@@ -38,7 +38,7 @@ pub fn find(grid: &Grid, objective: Objective, known: u64, effort: usize) -> (Op
     let bound = exact.bound.min(exact.found.as_ref().map_or(so_far, |found| found.cost));
     let best = exact.found.or(quick.found);
     let cost = best.as_ref().map_or(known, |found| found.cost);
-    let proof = Proof {
+    let proof = SearchProof {
         optimal_on_the_grid: bound >= cost,
         lower_bound: match objective {
             Objective::Passes => bound as f64,

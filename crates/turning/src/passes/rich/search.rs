@@ -1,4 +1,5 @@
-//! A* over the staircases, with a counted effort: no clock is asked, so the same shaft gives the same answer.
+//! A* over the staircases, limited by a count of steps and not by a clock, so that the same shaft gives the same
+//! answer.
 
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
@@ -9,34 +10,34 @@ use super::staircase::{Cut, Lines, Stairs};
 /// How the search weighs what is spent against what is at least left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Greed {
-    /// As it is: the first end is the best, and what waits is a bound.
+    /// Unweighted: the first goal reached is optimal, and the open states give a lower bound.
     Exact,
-    /// What is left counts a quarter more: a good end is met sooner, and nothing is proven.
+    /// The remaining cost counts a quarter more: a good solution comes sooner, but nothing is proven.
     Quick,
 }
 
 /// A sequence of cuts.
 #[derive(Clone, Debug)]
-pub struct Found {
+pub struct CutSequence {
     /// What it costs.
     pub cost: u64,
     /// The cuts in order.
     pub cuts: Vec<Cut>,
 }
 
-/// What a search came to.
+/// The result of a search.
 #[derive(Clone, Debug)]
-pub struct Ended {
+pub struct SearchOutcome {
     /// A sequence cheaper than what was known, if one was met.
-    pub found: Option<Found>,
+    pub found: Option<CutSequence>,
     /// No sequence costs less than the smaller of this and what was known; of an exact search alone.
     pub bound: u64,
     /// Staircases that were looked at.
     pub states: usize,
 }
 
-/// What is known of a staircase: what it cost with the number of passes, and the one before it with the cut between.
-struct Met {
+/// A node of the search: the cost so far with the number of passes, and the predecessor with the cut between.
+struct SearchNode {
     spent: (u64, u32),
     before: Option<(usize, Cut)>,
     stairs: Stairs,
@@ -45,9 +46,9 @@ struct Met {
 
 /// Looks for a sequence cheaper than `known`. `effort` counts the cuts that are weighed, those of
 /// long staircases several times.
-pub fn search(lines: &Lines, objective: Objective, greed: Greed, known: u64, effort: usize) -> Ended {
+pub fn search(lines: &Lines, objective: Objective, greed: Greed, known: u64, effort: usize) -> SearchOutcome {
     let weighed = |least: u64| if greed == Greed::Quick { least + least / 4 } else { least };
-    let mut met: Vec<Met> = vec![Met { spent: (0, 0), before: None, stairs: lines.bar(), done: false }];
+    let mut met: Vec<SearchNode> = vec![SearchNode { spent: (0, 0), before: None, stairs: lines.bar(), done: false }];
     let mut numbers: BTreeMap<Stairs, usize> = BTreeMap::from([(lines.bar(), 0)]);
     let whole = lines.at_least(&lines.bar(), objective);
     let mut waiting = BinaryHeap::from([Reverse((weighed(whole), 0_u32, 0_u64, 0_usize))]);
@@ -58,12 +59,13 @@ pub fn search(lines: &Lines, objective: Objective, greed: Greed, known: u64, eff
         states += 1;
         let (spent, stairs) = (here.spent, here.stairs.clone());
         if stairs == lines.floor {
-            let found = Found { cost: spent.0, cuts: way(&met, number) };
-            return Ended { bound: found.cost, found: Some(found), states };
+            let found = CutSequence { cost: spent.0, cuts: way(&met, number) };
+            return SearchOutcome { bound: found.cost, found: Some(found), states };
         }
         if spent_effort >= effort {
-            // All that waits costs at least this much; what was left out costs no less than what is known.
-            return Ended { found: None, bound: estimate, states };
+            // Every open state costs at least this much; every state left out costs at least as much as the known
+            // solution.
+            return SearchOutcome { found: None, bound: estimate, states };
         }
         lines.cuts(&stairs, &mut cuts);
         // A long staircase takes more time and room.
@@ -89,7 +91,7 @@ pub fn search(lines: &Lines, objective: Objective, greed: Greed, known: u64, eff
                 }
                 None => {
                     numbers.insert(next.clone(), met.len());
-                    met.push(Met { spent: cost, before, stairs: next, done: false });
+                    met.push(SearchNode { spent: cost, before, stairs: next, done: false });
                     met.len() - 1
                 }
             };
@@ -97,11 +99,11 @@ pub fn search(lines: &Lines, objective: Objective, greed: Greed, known: u64, eff
             waiting.push(Reverse((cost.0 + weighed(least), cost.1, least, number)));
         }
     }
-    // Nothing waits: whatever was left out costs no less than what is known.
-    Ended { found: None, bound: known, states }
+    // No open states: every state left out costs at least as much as the known solution.
+    SearchOutcome { found: None, bound: known, states }
 }
 
-fn way(met: &[Met], mut number: usize) -> Vec<Cut> {
+fn way(met: &[SearchNode], mut number: usize) -> Vec<Cut> {
     let mut cuts = Vec::new();
     while let Some((before, cut)) = met.get(number).and_then(|here| here.before) {
         cuts.push(cut);

@@ -5,7 +5,7 @@ use crate::turning::length::Half;
 
 use super::super::cost::Objective;
 use super::super::grid::Grid;
-use super::super::pass::{Kind, Pass};
+use super::super::pass::{Pass, PassDirection};
 use crate::turning::point::Point;
 
 /// The lines on which passes run and stop.
@@ -37,14 +37,14 @@ pub type Stairs = Vec<u16>;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cut {
     /// Its direction.
-    pub kind: Kind,
+    pub kind: PassDirection,
     /// The line of radii it goes down to.
     pub line: u16,
     /// The first column that it takes from.
     pub from: usize,
     /// The column before which it ends.
     pub to: usize,
-    /// Its way through metal.
+    /// Its length in metal.
     pub length: Half,
 }
 
@@ -157,10 +157,10 @@ impl Lines {
                 let from = stairs.partition_point(|at| *at >= line);
                 let (long, deep) = (self.z(to) - self.z(from), self.radius(now) - self.radius(line));
                 if deep <= self.longitudinal_depth {
-                    cuts.push(Cut { kind: Kind::Longitudinal, line, from, to, length: long });
+                    cuts.push(Cut { kind: PassDirection::Longitudinal, line, from, to, length: long });
                 }
                 if long <= self.transverse_depth {
-                    cuts.push(Cut { kind: Kind::Transverse, line, from, to, length: deep });
+                    cuts.push(Cut { kind: PassDirection::Transverse, line, from, to, length: deep });
                 }
             }
         }
@@ -179,8 +179,8 @@ impl Lines {
             (self.radius(cut.line), self.radius(stairs.get(cut.to - 1).copied().unwrap_or_default()));
         let (face, end) = (self.z(cut.from), self.z(cut.to));
         let (from, depth) = match cut.kind {
-            Kind::Longitudinal => (Point { radius, z: face }, before - radius),
-            Kind::Transverse => (Point { radius: before, z: end }, end - face),
+            PassDirection::Longitudinal => (Point { radius, z: face }, before - radius),
+            PassDirection::Transverse => (Point { radius: before, z: end }, end - face),
         };
         let mut removed: Vec<(Point, Point)> = Vec::new();
         for column in cut.from..cut.to {

@@ -2,11 +2,11 @@
 
 use std::fmt::Write;
 
-use crate::job::{Cycle, Kind};
+use crate::job::{Cycle, CycleKind};
 use crate::motion::Sense;
 use crate::units::{Micrometres, Seconds};
 
-use super::sheet::{Called, Place, Sheet};
+use super::program_writer::{BlockPurpose, Called, ProgramWriter};
 use crate::program::block::Block;
 use crate::program::written::Form;
 
@@ -16,13 +16,13 @@ pub(super) fn fixed(cycle: &Cycle, incremental: bool, form: Form) -> Block {
     let (begin, end, out) = (form.grid(cycle.begin), form.grid(cycle.end), form.grid(cycle.out));
     let [u, z, i] = if incremental { [begin - out, end - begin, out - end] } else { [begin, end, out] };
     let (code, steps) = match &cycle.kind {
-        Kind::FeedOut => (82, None),
-        Kind::BoreStop => (85, None),
-        Kind::Peck { step, clearance } => (83, Some((*step, *clearance))),
-        Kind::ChipBreak { step, retreat } => (86, Some((*step, *retreat))),
-        Kind::Tap { .. } => (84, None),
+        CycleKind::FeedOut => (82, None),
+        CycleKind::BoreStop => (85, None),
+        CycleKind::Peck { step, clearance } => (83, Some((*step, *clearance))),
+        CycleKind::ChipBreak { step, retreat } => (86, Some((*step, *retreat))),
+        CycleKind::Tap { .. } => (84, None),
         // Circles are no fixed cycle: `contour` writes them.
-        Kind::Drill | Kind::Circles { .. } => (81, None),
+        CycleKind::Drill | CycleKind::Circles { .. } => (81, None),
     };
     let mut text = format!("G{code} U{u} Z{z} I{i}");
     // Writing to a text cannot fail.
@@ -50,8 +50,8 @@ pub(super) fn contour(
     levels: &[Micrometres],
     radii: &[Micrometres],
     sense: Sense,
-    sheet: &mut Sheet,
-    place: Place,
+    sheet: &mut ProgramWriter,
+    place: BlockPurpose,
 ) -> Called {
     let form = sheet.form;
     let feed = cycle.feed_mm_per_min.0;

@@ -13,33 +13,33 @@
 
 mod cycle;
 mod points;
-mod sheet;
+mod program_writer;
 
 use std::collections::BTreeMap;
 
-use crate::job::{Cycle, Job, Kind, Pause, ToolWork};
-use crate::program::written::{Form, Role, WorkRef, Written};
+use crate::job::{Cycle, CycleKind, Job, Pause, ToolWork};
+use crate::program::written::{Form, LineRole, WorkRef, WrittenProgram};
 
 use crate::program::block::Block;
-use points::Run;
-use sheet::{Called, Place, Sheet};
+use points::PointRun;
+use program_writer::{BlockPurpose, Called, ProgramWriter};
 
 /// The program of a job.
-pub fn write(job: &Job, form: Form) -> Written {
-    let mut sheet = Sheet::new(form);
+pub fn write(job: &Job, form: Form) -> WrittenProgram {
+    let mut sheet = ProgramWriter::new(form);
     let up = Block::new().g(90).g(80).g(49).g(53).g(0).axis('Z', job.change_at.z).m(5).m(9);
     let aside = Block::new().g(53).g(0).axis('X', job.change_at.x).axis('Y', job.change_at.y);
     let withdrawal = [
-        sheet.subprogram(vec![up], Place::of(Role::Withdrawal)),
-        sheet.subprogram(vec![aside], Place::of(Role::Withdrawal)),
+        sheet.subprogram(vec![up], BlockPurpose::of(LineRole::Withdrawal)),
+        sheet.subprogram(vec![aside], BlockPurpose::of(LineRole::Withdrawal)),
     ];
-    let away = |sheet: &mut Sheet, place: Place| {
+    let away = |sheet: &mut ProgramWriter, place: BlockPurpose| {
         for call in &withdrawal {
-            sheet.call(call, None, Place { role: Role::Withdrawal, ..place });
+            sheet.call(call, None, BlockPurpose { role: LineRole::Withdrawal, ..place });
         }
     };
-    sheet.put(Block::new().g(17).g(40).g(49).g(80).g(90), Place::of(Role::Frame));
-    away(&mut sheet, Place::of(Role::Withdrawal));
+    sheet.put(Block::new().g(17).g(40).g(49).g(80).g(90), BlockPurpose::of(LineRole::Frame));
+    away(&mut sheet, BlockPurpose::of(LineRole::Withdrawal));
     let runs: Runs =
         job.setups.iter().map(|setup| setup.works.iter().map(|work| points::runs(work, form)).collect()).collect();
     let shared = shared_points(job, &runs);
@@ -47,27 +47,27 @@ pub fn write(job: &Job, form: Form) -> Written {
     for (setup_index, setup) in job.setups.iter().enumerate() {
         for (work_index, work) in setup.works.iter().enumerate() {
             let work_ref = WorkRef { setup: setup_index, work: work_index };
-            let place = |role| Place { role, work: Some(work_ref), cycle: None };
+            let place = |role| BlockPurpose { role, work: Some(work_ref), cycle: None };
             for pause in &work.pauses {
-                sheet.put(Block::new().m(0), place(Role::Pause));
+                sheet.put(Block::new().m(0), place(LineRole::Pause));
                 if matches!(pause, Pause::LoadTool { .. }) {
                     in_spindle = None;
                 }
             }
             if in_spindle != Some(work.place) {
-                sheet.put(Block::new().word('T', work.place).m(6), place(Role::ToolChange));
+                sheet.put(Block::new().word('T', work.place).m(6), place(LineRole::ToolChange));
                 in_spindle = Some(work.place);
             }
             one_tool(&mut sheet, work, work_ref, &runs[setup_index][work_index], &shared);
-            away(&mut sheet, place(Role::Withdrawal));
+            away(&mut sheet, place(LineRole::Withdrawal));
         }
     }
-    sheet.put(Block::new().m(2), Place::of(Role::End));
+    sheet.put(Block::new().m(2), BlockPurpose::of(LineRole::End));
     sheet.finish()
 }
 
 /// The runs of every work, by set-up.
-type Runs = Vec<Vec<Vec<Run>>>;
+type Runs = Vec<Vec<Vec<PointRun>>>;
 
 /// How often each list of blocks over points occurs. A mill's contour is called at each of its points, so its list is no
 /// list that another tool could share.
@@ -82,21 +82,27 @@ fn shared_points(job: &Job, runs: &Runs) -> BTreeMap<Vec<Block>, usize> {
 }
 
 /// Spindle, approach, and the runs of one tool.
-fn one_tool(sheet: &mut Sheet, work: &ToolWork, work_ref: WorkRef, runs: &[Run], shared: &BTreeMap<Vec<Block>, usize>) {
+fn one_tool(
+    sheet: &mut ProgramWriter,
+    work: &ToolWork,
+    work_ref: WorkRef,
+    runs: &[PointRun],
+    shared: &BTreeMap<Vec<Block>, usize>,
+) {
     let form = sheet.form;
-    let mut before: Option<(&Run, &Cycle)> = None;
+    let mut before: Option<(&PointRun, &Cycle)> = None;
     for run in runs {
         let Some(cycle) = work.cycles.get(run.cycle) else { continue };
-        let place = |role| Place { role, work: Some(work_ref), cycle: Some(run.cycle) };
+        let place = |role| BlockPurpose { role, work: Some(work_ref), cycle: Some(run.cycle) };
         let to = |block: Block| block.axis('X', run.first.x).axis('Y', run.first.y);
         let down = Block::new().g(0).axis('Z', form.grid(cycle.out));
         match &before {
             None => {
                 let turning = Block::new().word('S', cycle.speed_rpm.0).m(3);
                 let turning = if work.coolant { turning.m(8) } else { turning };
-                sheet.put(turning, place(Role::Spindle));
-                sheet.put(to(Block::new().g(0).g(work_ref.system())), place(Role::Approach));
-                sheet.put(down.g(43).word('H', work.corrector), place(Role::Approach));
+                sheet.put(turning, place(LineRole::Spindle));
+                sheet.put(to(Block::new().g(0).g(work_ref.system())), place(LineRole::Approach));
+                sheet.put(down.g(43).word('H', work.corrector), place(LineRole::Approach));
             }
             Some((last, known)) => {
                 let mut block = Block::new();
@@ -114,37 +120,43 @@ fn one_tool(sheet: &mut Sheet, work: &ToolWork, work_ref: WorkRef, runs: &[Run],
                     block = block.word('S', cycle.speed_rpm.0);
                 }
                 if block != Block::new() {
-                    sheet.put(block, place(Role::Point));
+                    sheet.put(block, place(LineRole::Point));
                 }
                 if known.out != cycle.out {
-                    sheet.put(down, place(Role::Approach));
+                    sheet.put(down, place(LineRole::Approach));
                 }
             }
         }
-        put_run(sheet, work, run, place(Role::Cycle), shared);
+        put_run(sheet, work, run, place(LineRole::Cycle), shared);
         before = Some((run, cycle));
     }
 }
 
 /// The cycle at the first point, and the way over the others.
-fn put_run(sheet: &mut Sheet, work: &ToolWork, run: &Run, place: Place, shared: &BTreeMap<Vec<Block>, usize>) {
+fn put_run(
+    sheet: &mut ProgramWriter,
+    work: &ToolWork,
+    run: &PointRun,
+    place: BlockPurpose,
+    shared: &BTreeMap<Vec<Block>, usize>,
+) {
     let Some(cycle) = work.cycles.get(run.cycle) else { return };
     let form = sheet.form;
-    if let Kind::Circles { levels, radii, sense } = &cycle.kind {
+    if let CycleKind::Circles { levels, radii, sense } = &cycle.kind {
         let contour = cycle::contour(cycle, levels, radii, *sense, sheet, place);
         sheet.call(&contour, None, place);
         for block in &run.blocks {
-            sheet.call(&contour, Some(block.clone()), Place { role: Role::Point, ..place });
+            sheet.call(&contour, Some(block.clone()), BlockPurpose { role: LineRole::Point, ..place });
         }
         return;
     }
     let fixed = sheet.subprogram(vec![cycle::fixed(cycle, run.incremental, form)], place);
     sheet.call(&fixed, None, place);
-    let point = Place { role: Role::Point, ..place };
+    let point = BlockPurpose { role: LineRole::Point, ..place };
     let blocks = drawn_together(sheet, &run.blocks);
     let again = shared.get(&run.blocks).copied().unwrap_or(1);
     if points::worth_sharing(&blocks, again) {
-        let points = sheet.subprogram(blocks, Place::of(Role::Point));
+        let points = sheet.subprogram(blocks, BlockPurpose::of(LineRole::Point));
         sheet.call(&points, None, point);
     } else {
         for block in blocks {
@@ -154,15 +166,17 @@ fn put_run(sheet: &mut Sheet, work: &ToolWork, run: &Run, place: Place, shared: 
 }
 
 /// Blocks of which those that repeat are a subprogram with L.
-fn drawn_together(sheet: &mut Sheet, blocks: &[Block]) -> Vec<Block> {
+fn drawn_together(sheet: &mut ProgramWriter, blocks: &[Block]) -> Vec<Block> {
     let mut drawn = Vec::new();
     for piece in points::repeats(blocks) {
         match piece {
             points::Piece::Once(block) => drawn.push(block),
-            points::Piece::Times(group, times) => match sheet.subprogram(group.clone(), Place::of(Role::Point)) {
-                Called::Subprogram(number) => drawn.push(Block::new().calls(number, times)),
-                Called::Blocks(_) => drawn.extend(std::iter::repeat_n(group, times).flatten()),
-            },
+            points::Piece::Times(group, times) => {
+                match sheet.subprogram(group.clone(), BlockPurpose::of(LineRole::Point)) {
+                    Called::Subprogram(number) => drawn.push(Block::new().calls(number, times)),
+                    Called::Blocks(_) => drawn.extend(std::iter::repeat_n(group, times).flatten()),
+                }
+            }
         }
     }
     drawn

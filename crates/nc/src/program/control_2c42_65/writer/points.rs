@@ -1,6 +1,7 @@
-//! The way over the points of one cycle: positions, or ways where equal steps follow each other and L repeats them.
+//! The path over the points of one cycle: positions, or increments where equal steps follow each other and L repeats
+//! them.
 
-use crate::job::{Cycle, Kind, ToolWork};
+use crate::job::{Cycle, CycleKind, ToolWork};
 use crate::part::Point;
 use crate::units::Micrometres;
 
@@ -8,7 +9,7 @@ use crate::program::block::Block;
 use crate::program::written::Form;
 
 /// Points that follow each other with the same cycle.
-pub(super) struct Run {
+pub(super) struct PointRun {
     /// The cycle, by its place in the work.
     pub cycle: usize,
     /// The first point, on the grid.
@@ -36,11 +37,11 @@ const SUBPROGRAM: usize = 22;
 
 /// Whether it is a cycle of the control, which runs at every point until it is cancelled.
 pub(super) const fn is_fixed(cycle: &Cycle) -> bool {
-    !matches!(cycle.kind, Kind::Circles { .. })
+    !matches!(cycle.kind, CycleKind::Circles { .. })
 }
 
 /// The runs of a tool, in order.
-pub(super) fn runs(work: &ToolWork, form: Form) -> Vec<Run> {
+pub(super) fn runs(work: &ToolWork, form: Form) -> Vec<PointRun> {
     let stops = work.stops.chunk_by(|a, b| a.cycle == b.cycle);
     stops
         .filter_map(|stops| {
@@ -52,7 +53,7 @@ pub(super) fn runs(work: &ToolWork, form: Form) -> Vec<Run> {
             // Positions are easier to read: ways are taken where rows make the program a fifth shorter.
             let incremental = fixed && length(&ways) * 5 < length(&positions) * 4;
             let blocks = if incremental { ways } else { positions };
-            Some(Run { cycle, first: *points.first()?, last: *points.last()?, incremental, blocks })
+            Some(PointRun { cycle, first: *points.first()?, last: *points.last()?, incremental, blocks })
         })
         .collect()
 }

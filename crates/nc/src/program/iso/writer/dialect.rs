@@ -79,15 +79,15 @@ impl Dialect {
     pub(super) fn cycle(self, cycle: &Cycle, lengths: impl Fn(Micrometres) -> Micrometres) -> Block {
         let dwell = cycle.dwell_s.map(|time| self.dwell(time));
         let (code, step) = match (&cycle.kind, &dwell) {
-            (job::Kind::FeedOut, None) => (85, None),
-            (job::Kind::FeedOut, Some(_)) => (89, None),
-            (job::Kind::BoreStop, _) => (86, None),
-            (job::Kind::Peck { step, .. }, _) => (83, Some(*step)),
-            (job::Kind::ChipBreak { step, .. }, _) => (73, Some(*step)),
-            (job::Kind::Tap { .. }, _) => (84, None),
+            (job::CycleKind::FeedOut, None) => (85, None),
+            (job::CycleKind::FeedOut, Some(_)) => (89, None),
+            (job::CycleKind::BoreStop, _) => (86, None),
+            (job::CycleKind::Peck { step, .. }, _) => (83, Some(*step)),
+            (job::CycleKind::ChipBreak { step, .. }, _) => (73, Some(*step)),
+            (job::CycleKind::Tap { .. }, _) => (84, None),
             // Circles are no fixed cycle: `tool` writes them.
-            (job::Kind::Drill | job::Kind::Circles { .. }, None) => (81, None),
-            (job::Kind::Drill | job::Kind::Circles { .. }, Some(_)) => (82, None),
+            (job::CycleKind::Drill | job::CycleKind::Circles { .. }, None) => (81, None),
+            (job::CycleKind::Drill | job::CycleKind::Circles { .. }, Some(_)) => (82, None),
         };
         let mut words = format!("R{}", self.length(lengths(cycle.begin)));
         if let Some(step) = step {

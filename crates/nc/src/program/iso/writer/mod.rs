@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 use crate::job::{Job, Pause};
 use crate::program::block::Block;
 use crate::program::iso::control::IsoControl;
-use crate::program::written::{Form, Line, Role, WorkRef, Written};
+use crate::program::written::{Form, LineRole, ProgramLine, WorkRef, WrittenProgram};
 use technolog_core::ascii::ascii;
 
 use dialect::{Dialect, Numbered};
@@ -25,11 +25,11 @@ type Subprograms = Vec<(Vec<Block>, Option<WorkRef>)>;
 /// The first subprogram has this number.
 const FIRST_SUBPROGRAM: u32 = 101;
 
-/// The program as it grows.
-struct Sheet {
+/// The program under construction.
+struct ProgramWriter {
     form: Form,
     dialect: Dialect,
-    main: Vec<(Piece, Role, Option<WorkRef>, Option<usize>)>,
+    main: Vec<(Piece, LineRole, Option<WorkRef>, Option<usize>)>,
     subprograms: Subprograms,
 }
 
@@ -44,9 +44,9 @@ enum Piece {
 }
 
 /// The program of a job.
-pub fn write(job: &Job, kind: IsoControl, form: Form) -> Written {
+pub fn write(job: &Job, kind: IsoControl, form: Form) -> WrittenProgram {
     let dialect = Dialect(kind);
-    let mut sheet = Sheet { form, dialect, main: Vec::new(), subprograms: Vec::new() };
+    let mut sheet = ProgramWriter { form, dialect, main: Vec::new(), subprograms: Vec::new() };
     let axis = |value| sheet.dialect.length(form.grid(value));
     let up = Block::new().g(90).g(80).g(49);
     let withdrawal = vec![
@@ -58,9 +58,9 @@ pub fn write(job: &Job, kind: IsoControl, form: Form) -> Written {
     ];
     let away = sheet.subprogram(withdrawal, None);
     for block in dialect.beginning() {
-        sheet.put(block, Role::Frame, None, None);
+        sheet.put(block, LineRole::Frame, None, None);
     }
-    sheet.call(away, Role::Withdrawal, None, None);
+    sheet.call(away, LineRole::Withdrawal, None, None);
     let shared = tool::shared_points(job, form, dialect);
     let mut in_spindle = None;
     for (setup_index, setup) in job.setups.iter().enumerate() {
@@ -70,7 +70,7 @@ pub fn write(job: &Job, kind: IsoControl, form: Form) -> Written {
             for pause in &work.pauses {
                 sheet.main.push((
                     Piece::Remarked(Block::new().m(0), remark(*pause, &work.designation)),
-                    Role::Pause,
+                    LineRole::Pause,
                     place,
                     None,
                 ));
@@ -81,14 +81,14 @@ pub fn write(job: &Job, kind: IsoControl, form: Form) -> Written {
             if in_spindle != Some(work.place) {
                 let change = Block::new().word('T', work.place).m(6);
                 let name = ascii(&work.designation);
-                sheet.main.push((Piece::Remarked(change, name), Role::ToolChange, place, None));
+                sheet.main.push((Piece::Remarked(change, name), LineRole::ToolChange, place, None));
                 in_spindle = Some(work.place);
             }
             sheet.one_tool(work, work_ref, &shared);
-            sheet.call(away, Role::Withdrawal, place, None);
+            sheet.call(away, LineRole::Withdrawal, place, None);
         }
     }
-    sheet.put(Block::new().m(30), Role::End, None, None);
+    sheet.put(Block::new().m(30), LineRole::End, None, None);
     sheet.finish(&ascii(&job.part))
 }
 
@@ -101,12 +101,12 @@ fn remark(pause: Pause, designation: &str) -> String {
     }
 }
 
-impl Sheet {
-    fn put(&mut self, block: Block, role: Role, work: Option<WorkRef>, cycle: Option<usize>) {
+impl ProgramWriter {
+    fn put(&mut self, block: Block, role: LineRole, work: Option<WorkRef>, cycle: Option<usize>) {
         self.main.push((Piece::Block(block), role, work, cycle));
     }
 
-    fn call(&mut self, number: u32, role: Role, work: Option<WorkRef>, cycle: Option<usize>) {
+    fn call(&mut self, number: u32, role: LineRole, work: Option<WorkRef>, cycle: Option<usize>) {
         self.main.push((Piece::Call(number), role, work, cycle));
     }
 
@@ -120,23 +120,23 @@ impl Sheet {
         FIRST_SUBPROGRAM + u32::try_from(index).unwrap_or_default()
     }
 
-    fn finish(self, part: &str) -> Written {
+    fn finish(self, part: &str) -> WrittenProgram {
         let Self { form, dialect, main, subprograms } = self;
-        let plain = |text: String, role| Line { text, role, work: None, cycle: None };
+        let plain = |text: String, role| ProgramLine { text, role, work: None, cycle: None };
         let mut before = Vec::new();
         let mut after = Vec::new();
         // LinuxCNC wants a subprogram before its call, Fanuc behind the main program.
         let place = if dialect.0 == IsoControl::LinuxCnc { &mut before } else { &mut after };
         for (number, (blocks, work)) in (FIRST_SUBPROGRAM..).zip(&subprograms) {
-            let line = |text: String, role| Line { text, role, work: *work, cycle: None };
-            place.push(line(dialect.subprogram_begins(number), Role::Frame));
+            let line = |text: String, role| ProgramLine { text, role, work: *work, cycle: None };
+            place.push(line(dialect.subprogram_begins(number), LineRole::Frame));
             for (block, index) in blocks.iter().zip(1..) {
-                place.push(line(Numbered(index, block.text()).to_string(), Role::Cycle));
+                place.push(line(Numbered(index, block.text()).to_string(), LineRole::Cycle));
             }
-            place.push(line(dialect.subprogram_ends(number), Role::End));
+            place.push(line(dialect.subprogram_ends(number), LineRole::End));
         }
-        let mut lines = vec![plain("%".to_owned(), Role::Frame)];
-        lines.extend(dialect.head(part).into_iter().map(|text| plain(text, Role::Frame)));
+        let mut lines = vec![plain("%".to_owned(), LineRole::Frame)];
+        lines.extend(dialect.head(part).into_iter().map(|text| plain(text, LineRole::Frame)));
         lines.append(&mut before);
         let step = if main.len() * form.number_step as usize > 9999 { 1 } else { form.number_step as usize };
         let numbers = (1..).map(|index: usize| index * step.max(1) % 10_000);
@@ -146,11 +146,11 @@ impl Sheet {
                 Piece::Remarked(block, remark) => format!("{} ({remark})", Numbered(number, block.text())),
                 Piece::Call(called) => dialect.call(number, called),
             };
-            lines.push(Line { text, role, work, cycle });
+            lines.push(ProgramLine { text, role, work, cycle });
         }
         lines.append(&mut after);
-        lines.push(plain("%".to_owned(), Role::Frame));
-        Written { lines }
+        lines.push(plain("%".to_owned(), LineRole::Frame));
+        WrittenProgram { lines }
     }
 }
 

@@ -4,11 +4,11 @@ use crate::job::{self, Cycle, Job, Stop, ToolWork};
 use crate::motion::Sense;
 use crate::part::Point;
 use crate::program::block::Block;
-use crate::program::written::{Form, Role, WorkRef};
+use crate::program::written::{Form, LineRole, WorkRef};
 use crate::units::Micrometres;
 
 use super::dialect::Dialect;
-use super::{Shared, Sheet};
+use super::{ProgramWriter, Shared};
 
 /// What a subprogram of points costs beside its blocks, characters.
 const SUBPROGRAM: usize = 30;
@@ -18,7 +18,7 @@ pub(super) fn shared_points(job: &Job, form: Form, dialect: Dialect) -> Shared {
     let mut counts = Shared::new();
     for work in job.setups.iter().flat_map(|setup| &setup.works) {
         for (cycle, stops) in runs(work) {
-            if !matches!(cycle.kind, job::Kind::Circles { .. }) {
+            if !matches!(cycle.kind, job::CycleKind::Circles { .. }) {
                 *counts.entry(further(stops, form, dialect)).or_insert(0) += 1;
             }
         }
@@ -44,7 +44,7 @@ fn further(stops: &[Stop], form: Form, dialect: Dialect) -> Vec<Block> {
     stops.iter().skip(1).map(|stop| point(stop.at, form, dialect)).collect()
 }
 
-impl Sheet {
+impl ProgramWriter {
     pub(super) fn one_tool(&mut self, work: &ToolWork, work_ref: WorkRef, shared: &Shared) {
         let place = Some(work_ref);
         let (form, dialect) = (self.form, self.dialect);
@@ -58,27 +58,27 @@ impl Sheet {
             if speed != Some(cycle.speed_rpm) {
                 let turning = Block::new().word('S', cycle.speed_rpm.0).m(3);
                 let turning = if index == 0 && work.coolant { turning.m(8) } else { turning };
-                self.put(turning, Role::Spindle, place, number);
+                self.put(turning, LineRole::Spindle, place, number);
             }
             if index == 0 {
-                self.put(to.clone().g(0).g(work_ref.system()), Role::Approach, place, number);
+                self.put(to.clone().g(0).g(work_ref.system()), LineRole::Approach, place, number);
                 let down = Block::new().g(0).g(43).word('Z', length(cycle.out)).word('H', work.corrector);
-                self.put(down, Role::Approach, place, number);
+                self.put(down, LineRole::Approach, place, number);
             } else {
-                self.put(to.clone().g(0), Role::Point, place, number);
+                self.put(to.clone().g(0), LineRole::Point, place, number);
                 if height != Some(cycle.out) {
-                    self.put(Block::new().g(0).word('Z', length(cycle.out)), Role::Approach, place, number);
+                    self.put(Block::new().g(0).word('Z', length(cycle.out)), LineRole::Approach, place, number);
                 }
             }
             (speed, height) = (Some(cycle.speed_rpm), Some(cycle.out));
             match &cycle.kind {
-                job::Kind::Circles { levels, radii, sense } => {
+                job::CycleKind::Circles { levels, radii, sense } => {
                     let contour = contour(cycle, levels, radii, *sense, dialect, form);
                     let contour = self.subprogram(contour, place);
-                    self.call(contour, Role::Cycle, place, number);
+                    self.call(contour, LineRole::Cycle, place, number);
                     for block in further(stops, form, dialect) {
-                        self.put(block.g(0), Role::Point, place, number);
-                        self.call(contour, Role::Cycle, place, number);
+                        self.put(block.g(0), LineRole::Point, place, number);
+                        self.call(contour, LineRole::Cycle, place, number);
                     }
                 }
                 _ => self.fixed(cycle, to, stops, place, shared),
@@ -92,19 +92,19 @@ impl Sheet {
         let number = stops.first().map(|stop| stop.cycle);
         let words = dialect.cycle(cycle, |value| form.grid(value));
         // The point itself stands in the block, or the cycle would not run there.
-        self.put(words.with(&to), Role::Cycle, place, number);
+        self.put(words.with(&to), LineRole::Cycle, place, number);
         let further = further(stops, form, dialect);
         let again = shared.get(&further).copied().unwrap_or(1);
         let once: usize = further.iter().map(|block| block.text().len() + 6).sum();
         if again > 1 && once + SUBPROGRAM < once * again {
             let points = self.subprogram(further, None);
-            self.call(points, Role::Point, place, number);
+            self.call(points, LineRole::Point, place, number);
         } else {
             for block in further {
-                self.put(block, Role::Point, place, number);
+                self.put(block, LineRole::Point, place, number);
             }
         }
-        self.put(Block::new().g(80), Role::Cycle, place, number);
+        self.put(Block::new().g(80), LineRole::Cycle, place, number);
     }
 }
 

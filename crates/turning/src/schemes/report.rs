@@ -1,4 +1,4 @@
-//! A path as it is told: points with names, lengths and time.
+//! The output form of a path: points with names, lengths and time.
 
 use serde::Serialize;
 
@@ -9,11 +9,11 @@ use crate::turning::point::Point;
 use crate::turning::shaft::Rates;
 use crate::units::{Micrometres, MillimetresPerMinute, Minutes, round_to};
 
-use super::path::{Motion, Role, Vertex};
+use super::path::{Motion, Vertex, VertexRole};
 
 /// A point of the path.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct PointTold {
+pub struct SchemePoint {
     /// Its name: `A` is home, the corners of the rough contour have the first numbers from the free end, and the other
     /// points the next ones in the order of the first visit, as in the figures of the lecture. A place that is visited
     /// again keeps its name.
@@ -25,18 +25,18 @@ pub struct PointTold {
     /// How the tool comes here.
     pub motion: Motion,
     /// What the point is.
-    pub role: Role,
+    pub role: VertexRole,
 }
 
 /// The points of a path with their names.
-pub fn points(path: &[Vertex], levels: &Levels) -> Vec<PointTold> {
+pub fn points(path: &[Vertex], levels: &Levels) -> Vec<SchemePoint> {
     let mut numbers = Numbering::after(0);
     for cylinder in levels.sections.iter().flat_map(|section| &section.cylinders) {
         numbers.number(Point { radius: cylinder.radius, z: cylinder.from });
     }
     let told = |vertex: &Vertex| {
-        let name = if vertex.role == Role::Home { "A".to_owned() } else { numbers.name(vertex.at) };
-        PointTold {
+        let name = if vertex.role == VertexRole::Home { "A".to_owned() } else { numbers.name(vertex.at) };
+        SchemePoint {
             name,
             diameter_mm: vertex.at.radius.diameter(),
             z_mm: Half::ZERO - vertex.at.z,
@@ -47,12 +47,12 @@ pub fn points(path: &[Vertex], levels: &Levels) -> Vec<PointTold> {
     path.iter().map(told).collect()
 }
 
-/// What a path is measured by.
+/// The measures of a path.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Measures {
-    /// The way at the working feed from the metal on, along faces of the contour too, mm.
+pub struct SchemeMeasures {
+    /// Length at the working feed in metal, faces of the contour included, mm.
     pub cutting_mm: Half,
-    /// All other ways: rapids, and the approach δ at the working feed, mm.
+    /// All other motion: rapids, and the approach δ at the working feed, mm.
     pub idle_mm: f64,
     /// Feeds and rapids together.
     pub time_min: Minutes,
@@ -61,7 +61,7 @@ pub struct Measures {
 }
 
 /// Measures a path. Rapids move both axes at once, so their time is that of the longer axis.
-pub fn measure(path: &[Vertex], rates: &Rates) -> Measures {
+pub fn measure(path: &[Vertex], rates: &Rates) -> SchemeMeasures {
     let (mut cutting, mut idle, mut time, mut passes) = (Half::ZERO, 0.0, 0.0, 0);
     for (before, vertex) in path.iter().zip(path.iter().skip(1)) {
         let across = (vertex.at.radius - before.at.radius).halves().abs();
@@ -84,5 +84,5 @@ pub fn measure(path: &[Vertex], rates: &Rates) -> Measures {
             }
         }
     }
-    Measures { cutting_mm: cutting, idle_mm: round_to(idle, 3), time_min: Minutes(round_to(time, 4)), passes }
+    SchemeMeasures { cutting_mm: cutting, idle_mm: round_to(idle, 3), time_min: Minutes(round_to(time, 4)), passes }
 }

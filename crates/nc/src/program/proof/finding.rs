@@ -1,4 +1,4 @@
-//! What a proof says of a program: what deviates, and the figures of it, as types; the sentence is made of them here.
+//! Findings of a proof: the kind of deviation and its figures, as types. The sentence is made here.
 
 use std::collections::BTreeMap;
 

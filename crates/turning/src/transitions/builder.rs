@@ -1,23 +1,23 @@
-//! The course of a tool over a zone as it grows: its way, what each point of it is, and what still stands.
+//! Builds the toolpath over a zone: the moves, the role of each point, and the stock that is left.
 
 use serde::{Deserialize, Serialize};
 
 use crate::turning::contour::Piece;
 use crate::turning::length::Half;
 use crate::turning::point::Point;
-use crate::turning::way::{Purpose, Way};
+use crate::turning::toolpath::{Purpose, Toolpath};
 
-use super::ground::{Ground, lies_on, radius_on, within};
+use super::in_process_stock::InProcessStock;
+use super::monotone::{MonotoneContour, lies_on, radius_on, within};
 use super::narrow::is_narrow;
-use super::standing::Standing;
 use super::straight::Back;
-use super::{Settings, Zone};
+use super::{PreparedZone, Settings};
 
-/// What a support point of a way is.
+/// The role of a support point of a toolpath.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Role {
-    /// Off the corner of the blank by the approach, where a way begins and ends.
+pub enum SupportPointRole {
+    /// Off the corner of the blank by the approach, where a toolpath begins and ends.
     Home,
     /// Before a pass, off the metal by the approach or by what room there is.
     Start,
@@ -27,7 +27,7 @@ pub enum Role {
     AtDepth,
     /// Where a straight pass ends.
     End,
-    /// A corner of the contour, or of the way beside it, that the tool passes.
+    /// A corner that the tool passes, of the contour or of the path beside it.
     Corner,
     /// Where a motion along the contour ends.
     ContourEnd,
@@ -41,81 +41,83 @@ pub enum Role {
     Returned,
 }
 
-/// A way with what has been cut on it.
-pub struct Course<'z> {
+/// A toolpath under construction, with the stock that it leaves.
+pub struct ToolpathBuilder<'z> {
     /// The zone.
-    pub zone: &'z Zone,
+    pub zone: &'z PreparedZone,
     /// How the tool goes.
     pub settings: &'z Settings,
-    /// What still stands.
-    pub standing: Standing,
-    /// The way so far.
-    pub way: Way,
+    /// The stock that is left.
+    pub stock: InProcessStock,
+    /// The toolpath so far.
+    pub path: Toolpath,
     /// What each point of it is, its beginning included.
-    pub roles: Vec<Role>,
+    pub roles: Vec<SupportPointRole>,
     /// Working passes so far.
     pub passes: usize,
     /// The last pass, along which the tool can go back.
     trail: Vec<Piece>,
 }
 
-impl<'z> Course<'z> {
+impl<'z> ToolpathBuilder<'z> {
     /// At home.
-    pub fn new(zone: &'z Zone, settings: &'z Settings) -> Self {
+    pub fn new(zone: &'z PreparedZone, settings: &'z Settings) -> Self {
         Self {
             zone,
             settings,
-            standing: Standing::of(&zone.blank),
-            way: Way::at(zone.home(settings)),
-            roles: vec![Role::Home],
+            stock: InProcessStock::of(&zone.blank),
+            path: Toolpath::at(zone.home(settings)),
+            roles: vec![SupportPointRole::Home],
             passes: 0,
             trail: Vec::new(),
         }
     }
 
     /// The rough contour.
-    pub fn ground(&self) -> &'z Ground {
-        &self.zone.ground
+    pub fn rough(&self) -> &'z MonotoneContour {
+        &self.zone.rough
     }
 
     /// Where the tool stands.
     pub fn here(&self) -> Point {
-        self.way.end()
+        self.path.end()
     }
 
     /// Where straight passes have ended.
     pub fn ends(&self) -> impl Iterator<Item = Point> + '_ {
-        let moves = self.way.moves.iter().zip(self.roles.iter().skip(1));
-        moves.filter(|(one, role)| **role == Role::End && one.purpose == Purpose::Cut).map(|(one, _)| one.to)
+        let moves = self.path.moves.iter().zip(self.roles.iter().skip(1));
+        moves
+            .filter(|(one, role)| **role == SupportPointRole::End && one.purpose == Purpose::Cut)
+            .map(|(one, _)| one.to)
     }
 
     /// Along a piece at a feed.
-    pub fn feed(&mut self, piece: Piece, purpose: Purpose, role: Role) {
+    pub fn feed(&mut self, piece: Piece, purpose: Purpose, role: SupportPointRole) {
         debug_assert_eq!(piece.from, self.here(), "a piece begins where the way ends");
         if !piece.is_nothing() {
-            self.way.follow(piece, purpose);
+            self.path.follow(piece, purpose);
             self.roles.push(role);
-            self.standing.lower(&piece);
+            self.stock.lower(&piece);
         }
     }
 
     /// Along pieces at a feed; the last point is the end of the motion.
-    pub fn follow(&mut self, pieces: &[Piece], purpose: Purpose, end: Role) {
+    pub fn follow(&mut self, pieces: &[Piece], purpose: Purpose, end: SupportPointRole) {
         for (index, piece) in pieces.iter().enumerate() {
-            let role = if index + 1 == pieces.len() { end } else { Role::Corner };
+            let role = if index + 1 == pieces.len() { end } else { SupportPointRole::Corner };
             self.feed(*piece, purpose, role);
         }
     }
 
     /// Straight on at a feed.
-    pub fn straight(&mut self, to: Point, purpose: Purpose, role: Role) {
+    pub fn straight(&mut self, to: Point, purpose: Purpose, role: SupportPointRole) {
         self.feed(Piece::line(self.here(), to), purpose, role);
     }
 
     /// Straight as a rapid.
-    pub fn rapid(&mut self, to: Point, role: Role) {
+    pub fn rapid(&mut self, to: Point, role: SupportPointRole) {
         if to != self.here() {
-            self.way.go(to, Purpose::Rapid);
+            self.path.go(to, Purpose::Rapid);
             self.roles.push(role);
         }
     }
@@ -125,8 +127,8 @@ impl<'z> Course<'z> {
         let (here, by) = (self.here(), self.settings.retract);
         let up = self.zone.held(here.radius + by);
         let aslant = Point { radius: up, z: here.z - by };
-        let to = if self.standing.is_clear(here, aslant) { aslant } else { Point { radius: up, z: here.z } };
-        self.rapid(to, Role::Retracted);
+        let to = if self.stock.is_clear(here, aslant) { aslant } else { Point { radius: up, z: here.z } };
+        self.rapid(to, SupportPointRole::Retracted);
     }
 
     /// To a point by rapids that go through no metal.
@@ -134,40 +136,40 @@ impl<'z> Course<'z> {
     /// 1. Along the axis at the radius where the tool stands, if nothing is in the way, else after going up above all
     ///    metal between here and there.
     /// 2. Across the axis to the point.
-    pub fn travel(&mut self, to: Point, role: Role) {
+    pub fn travel(&mut self, to: Point, role: SupportPointRole) {
         let here = self.here();
         if to == here {
             return;
         }
-        let over = self.standing.highest(here.z, to.z);
+        let over = self.stock.highest(here.z, to.z);
         let high = if over.is_none_or(|over| over <= here.radius) && (to.radius <= here.radius || here.z == to.z) {
             here.radius
         } else {
             let over = over.map_or(here.radius, |over| over + self.settings.retract);
             self.zone.held(over.max(here.radius).max(to.radius))
         };
-        self.rapid(Point { radius: high, z: here.z }, Role::Clear);
-        self.rapid(Point { radius: high, z: to.z }, if high == to.radius { role } else { Role::Returned });
+        self.rapid(Point { radius: high, z: here.z }, SupportPointRole::Clear);
+        self.rapid(Point { radius: high, z: to.z }, if high == to.radius { role } else { SupportPointRole::Returned });
         self.rapid(to, role);
     }
 
     /// To a point from above: as a rapid to off the metal, at the feed of cutting in through it.
     pub fn enter(&mut self, at: Point) {
-        let top = self.standing.least_at(at.z).map_or(at.radius, |least| least.max(at.radius));
+        let top = self.stock.least_at(at.z).map_or(at.radius, |least| least.max(at.radius));
         if at == self.here() {
             return;
         }
         let above = Point { radius: self.zone.held(top + self.settings.retract), z: at.z };
         // Where the tool stands on the vertical below that already, it goes on from here.
         if !(self.here().z == at.z && self.here().radius >= top && self.here().radius <= above.radius) {
-            self.travel(above, Role::Start);
+            self.travel(above, SupportPointRole::Start);
         }
-        self.straight(at, Purpose::Infeed, Role::Entry);
+        self.straight(at, Purpose::Infeed, SupportPointRole::Entry);
     }
 
     /// A pass along pieces, of which only what goes through metal is followed ([`Self::trimmed`]). Tells whether it cut
     /// anything.
-    pub fn pass(&mut self, pieces: &[Piece], purpose: Purpose, end: Role) -> bool {
+    pub fn pass(&mut self, pieces: &[Piece], purpose: Purpose, end: SupportPointRole) -> bool {
         let mut pieces = self.trimmed(pieces);
         let Some(first) = pieces.first_mut() else { return false };
         self.begin(first, purpose);
@@ -181,11 +183,11 @@ impl<'z> Course<'z> {
     pub fn begin(&mut self, first: &mut Piece, purpose: Purpose) {
         match self.side_start(first.from).filter(|_| first.from != self.here()) {
             Some(start) => {
-                self.travel(start, Role::Start);
+                self.travel(start, SupportPointRole::Start);
                 if first.is_cylinder() {
                     first.from = start;
                 } else {
-                    self.straight(first.from, purpose, Role::Entry);
+                    self.straight(first.from, purpose, SupportPointRole::Entry);
                 }
             }
             None => self.enter(first.from),
@@ -194,7 +196,7 @@ impl<'z> Course<'z> {
 
     /// Where a pass that begins at a point may start beside the metal; none where there is no room for the retract.
     pub fn side_start(&self, at: Point) -> Option<Point> {
-        let room = self.standing.room_before(at.z, at.radius, self.settings.approach);
+        let room = self.stock.room_before(at.z, at.radius, self.settings.approach);
         let enough = room > Half::ZERO && room >= self.settings.retract.min(self.settings.approach);
         enough.then_some(Point { radius: at.radius, z: at.z - room })
     }
@@ -205,7 +207,7 @@ impl<'z> Course<'z> {
         self.trail = trail;
     }
 
-    /// Another section or another stock begins: no way leads back along the last pass.
+    /// Another section or another stock begins: the tool cannot go back along the last pass.
     pub fn leave_trail(&mut self) {
         self.trail.clear();
     }
@@ -218,13 +220,13 @@ impl<'z> Course<'z> {
             return;
         }
         let back: Vec<Piece> = self.trail.iter().rev().map(|piece| piece.reversed()).collect();
-        self.follow(&back, Purpose::Return, Role::Returned);
+        self.follow(&back, Purpose::Return, SupportPointRole::Returned);
     }
 
     /// What of a falling flank the tool has to cut. Where the last pass began on it, only what is below: what is above
     /// is cut, whatever the rounding of points leaves there.
     pub fn flank(&self, foot: Point, back: Back) -> Vec<Piece> {
-        let mut flank = self.ground().flank(foot);
+        let mut flank = self.rough().flank(foot);
         let began =
             self.trail.first().map(|first| first.from).filter(|began| *began != foot && back == Back::AlongContour);
         let on = |began: Point| flank.iter().rposition(|piece| lies_on(piece, began));
@@ -242,10 +244,10 @@ impl<'z> Course<'z> {
         let mut uncut = Vec::new();
         for piece in flank.iter().rev() {
             let from = if piece.is_face() {
-                let top = self.standing.sides(piece.from.z).1.map_or(piece.to.radius, |top| top.min(piece.from.radius));
+                let top = self.stock.sides(piece.from.z).1.map_or(piece.to.radius, |top| top.min(piece.from.radius));
                 Point { radius: top.max(piece.to.radius), z: piece.from.z }
             } else {
-                match self.standing.metal(piece).last() {
+                match self.stock.metal(piece).last() {
                     Some((from, to)) if *to == piece.to.z => Point { radius: radius_on(piece, *from), z: *from },
                     _ => break,
                 }
@@ -263,10 +265,10 @@ impl<'z> Course<'z> {
         uncut
     }
 
-    /// What of a way goes through metal, from the first to the last of it. A face down to its beginning and one up from
-    /// its end belong to it, as far as metal stands beside them. Slivers narrower than rounding alone are not worth it.
+    /// The part of a path that cuts metal, from its first to its last contact. A face down to its beginning and one up
+    /// from its end belong to it, as far as metal stands beside them. Slivers narrower than the rounding are ignored.
     pub fn trimmed(&self, pieces: &[Piece]) -> Vec<Piece> {
-        let metal = |piece: &Piece| if piece.is_face() { Vec::new() } else { self.standing.metal(piece) };
+        let metal = |piece: &Piece| if piece.is_face() { Vec::new() } else { self.stock.metal(piece) };
         let metal: Vec<Vec<(Half, Half)>> = pieces.iter().map(metal).collect();
         if metal.iter().flatten().all(|(from, to)| is_narrow(*from, *to)) {
             return Vec::new();
@@ -280,7 +282,7 @@ impl<'z> Course<'z> {
             let after = pieces.get(last + 1).filter(|next| next.is_face() && next.to.radius > next.from.radius);
             piece.to = at(piece, *to);
             if let Some(face) = after.filter(|face| face.from == piece.to) {
-                let top = self.standing.sides(*to).0.map_or(face.to.radius, |top| top.min(face.to.radius));
+                let top = self.stock.sides(*to).0.map_or(face.to.radius, |top| top.min(face.to.radius));
                 if top > face.from.radius {
                     kept.push(Piece::line(face.from, Point { radius: top, z: *to }));
                 }
@@ -290,7 +292,7 @@ impl<'z> Course<'z> {
             let before = first.checked_sub(1).and_then(|before| pieces.get(before));
             piece.from = at(piece, *from);
             if let Some(face) = before.filter(|face| face.is_face() && face.to == piece.from) {
-                let top = self.standing.sides(*from).1.map_or(face.from.radius, |top| top.min(face.from.radius));
+                let top = self.stock.sides(*from).1.map_or(face.from.radius, |top| top.min(face.from.radius));
                 if top > face.to.radius {
                     kept.insert(0, Piece::line(Point { radius: top, z: *from }, face.to));
                 }
@@ -301,13 +303,13 @@ impl<'z> Course<'z> {
 
     /// Home: straight where nothing is in the way, else up first.
     pub fn home(mut self) -> Self {
-        let home = self.way.from;
+        let home = self.path.from;
         if self.here() != home {
-            if !self.standing.is_clear(self.here(), home) {
+            if !self.stock.is_clear(self.here(), home) {
                 let here = self.here();
-                self.rapid(Point { radius: home.radius.max(here.radius), z: here.z }, Role::Clear);
+                self.rapid(Point { radius: home.radius.max(here.radius), z: here.z }, SupportPointRole::Clear);
             }
-            self.rapid(home, Role::Home);
+            self.rapid(home, SupportPointRole::Home);
         }
         self
     }

@@ -1,16 +1,16 @@
-//! What still stands of the blank over a zone: for each Z the radius of the metal, as stretches that each lie under one
-//! line or arc. A working move lowers it to its own way. Exact in Z to half a micrometre.
+//! The in-process stock over a zone: for each Z the radius of the metal, as spans that each lie under one line or arc.
+//! A working move lowers it to its own path. Exact in Z to half a micrometre.
 
 use crate::turning::contour::{Contour, Curve, Piece, Side};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 
-use super::ground::{Ground, clipped, radius_on};
+use super::monotone::{MonotoneContour, clipped, radius_on};
 use super::narrow::{NARROW, is_narrow};
 
 /// A stretch under one line or arc.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Cell {
+pub struct StockSpan {
     /// Z of its beginning.
     pub from: Half,
     /// Z of its end.
@@ -21,25 +21,25 @@ pub struct Cell {
 
 /// The metal over a zone; beyond its ends there is none.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Standing {
-    cells: Vec<Cell>,
+pub struct InProcessStock {
+    cells: Vec<StockSpan>,
 }
 
-impl Standing {
+impl InProcessStock {
     /// The whole blank, or the whole of what a contour bounds.
-    pub fn of(blank: &Ground) -> Self {
+    pub fn of(blank: &MonotoneContour) -> Self {
         let pieces = blank.pieces.iter().filter(|piece| !piece.is_face());
-        Self { cells: pieces.map(|piece| Cell { from: piece.from.z, to: piece.to.z, top: *piece }).collect() }
+        Self { cells: pieces.map(|piece| StockSpan { from: piece.from.z, to: piece.to.z, top: *piece }).collect() }
     }
 
     /// The stretches.
-    pub fn cells(&self) -> &[Cell] {
+    pub fn cells(&self) -> &[StockSpan] {
         &self.cells
     }
 
     /// The radius of the metal just before a Z and just behind it; none beyond the ends.
     pub fn sides(&self, z: Half) -> (Option<Half>, Option<Half>) {
-        let at = |cell: &Cell| radius_on(&cell.top, z);
+        let at = |cell: &StockSpan| radius_on(&cell.top, z);
         let next = self.cells.partition_point(|cell| cell.to < z);
         let before = self.cells.get(next).filter(|cell| cell.from < z && z <= cell.to).map(at);
         let next = self.cells.partition_point(|cell| cell.to <= z);
@@ -47,8 +47,8 @@ impl Standing {
         (before, behind)
     }
 
-    /// The lesser radius of both sides of a Z, beyond the ends that of the metal beside it: so far down a tool comes
-    /// along a face. A slot narrower than rounding is no room: there the wall behind it counts.
+    /// The lesser radius of both sides of a Z, beyond the ends that of the metal beside it: a tool gets down to this
+    /// radius along a face. A slot narrower than the rounding does not count; the wall behind it does.
     pub fn least_at(&self, z: Half) -> Option<Half> {
         let (before, behind) = self.sides(z);
         match (before.max(self.walled(z - NARROW, z)), behind.max(self.walled(z, z + NARROW))) {
@@ -83,7 +83,7 @@ impl Standing {
                 return z - part.to.z;
             }
             if part.from.radius > radius {
-                return z - super::ground::z_on(&part, radius);
+                return z - super::monotone::z_on(&part, radius);
             }
         }
         most
@@ -106,10 +106,10 @@ impl Standing {
     /// Takes away what lies above a piece. A face takes nothing: it has no width.
     pub fn lower(&mut self, piece: &Piece) {
         let piece = &if piece.to.z < piece.from.z { piece.reversed() } else { *piece };
-        let mut lowered: Vec<Cell> = Vec::new();
+        let mut lowered: Vec<StockSpan> = Vec::new();
         self.compared(piece, |from, to, above| {
             if above {
-                lowered.push(Cell { from, to, top: *piece });
+                lowered.push(StockSpan { from, to, top: *piece });
             }
         });
         for cell in lowered {
@@ -124,7 +124,7 @@ impl Standing {
             return self.least_at(from.z).is_none_or(|least| from.radius.min(to.radius) >= least);
         }
         let line = Piece::line(from, to);
-        let over = |cell: &Cell| {
+        let over = |cell: &StockSpan| {
             let Some(part) = self.part(cell, from.z, to.z) else { return true };
             let (a, b) = (radius_on(&line, part.from.z), radius_on(&line, part.to.z));
             part.from.radius <= a && part.to.radius <= b && {
@@ -137,7 +137,7 @@ impl Standing {
 
     /// The most that stands above a ground anywhere; what the rounding of points leaves is none, nor what fills a slot
     /// narrower than that. Where an arc meets something aslant, a bound of it from above.
-    pub fn ridge(&self, ground: &Ground) -> Half {
+    pub fn ridge(&self, ground: &MonotoneContour) -> Half {
         let mut most = Half::ZERO;
         for piece in ground.pieces.iter().filter(|piece| !piece.is_face()) {
             let first = self.cells.partition_point(|cell| cell.to <= piece.from.z);
@@ -155,7 +155,7 @@ impl Standing {
 
     /// The surface of what stands, over a ground: the ground where nothing is above it but rounding. What is to be cleared
     /// next stands between it and a deeper contour.
-    pub fn surface(&self, ground: &Ground) -> Contour {
+    pub fn surface(&self, ground: &MonotoneContour) -> Contour {
         let mut pieces: Vec<Piece> = Vec::new();
         // The piece of the ground that the last one is a part of.
         let mut of = None;
@@ -185,7 +185,7 @@ impl Standing {
     }
 
     /// The part of a cell over a stretch, where it has a length.
-    fn part(&self, cell: &Cell, from: Half, to: Half) -> Option<Piece> {
+    fn part(&self, cell: &StockSpan, from: Half, to: Half) -> Option<Piece> {
         clipped(&cell.top, from.max(cell.from), to.min(cell.to))
     }
 
@@ -202,17 +202,17 @@ impl Standing {
     }
 
     /// Puts a stretch in place of what was there.
-    fn replace(&mut self, new: Cell) {
+    fn replace(&mut self, new: StockSpan) {
         let first = self.cells.partition_point(|cell| cell.to <= new.from);
         let last = self.cells.partition_point(|cell| cell.from < new.to);
         let mut put = Vec::with_capacity(3);
         let old = self.cells.get(first..last).unwrap_or_default();
         if let Some(cell) = old.first().filter(|cell| cell.from < new.from) {
-            put.push(Cell { to: new.from, ..*cell });
+            put.push(StockSpan { to: new.from, ..*cell });
         }
         put.push(new);
         if let Some(cell) = old.last().filter(|cell| cell.to > new.to) {
-            put.push(Cell { from: new.to, ..*cell });
+            put.push(StockSpan { from: new.to, ..*cell });
         }
         self.cells.splice(first..last, put);
     }

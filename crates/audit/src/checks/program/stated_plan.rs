@@ -1,5 +1,5 @@
-//! The stated plan as one of ours, so that a program can be held against it: what the rows, tools and conditions say, and
-//! only what they leave out from the plan that we would make.
+//! The stated plan in our own form, so that a program can be compared with it: the stated rows, tools and conditions,
+//! completed from our own plan only where they say nothing.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::diagnostic::Place;
@@ -10,7 +10,7 @@ use crate::plan::{
 };
 use crate::planner;
 use crate::program::Setting;
-use crate::route::{Place as Where, Step};
+use crate::route::{RouteStep, StepLocation as Where};
 use crate::sequence;
 use crate::units::{MetresPerMinute, Micrometres, MillimetresPerMinute, MillimetresPerRev, Minutes, RevsPerMinute};
 
@@ -20,25 +20,25 @@ use super::super::super::graph::{Graph, Status};
 use super::super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::super::stated::Row;
 
-/// Which figures of a plan its program is held against.
+/// Which figures of a plan its program is compared with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Reading {
     /// Those that are stated.
     Stated,
-    /// Those that should be stated: what is wrong is put right.
+    /// The corrected ones: wrong figures are replaced.
     Right,
 }
 
-/// Why a program cannot be held against a plan, and where that stands.
+/// Why a program cannot be compared with a plan, with the place in the file.
 #[derive(Debug)]
-pub(super) struct NotHeld {
+pub(super) struct NotComparable {
     pub note: Note,
     pub place: Option<Place>,
 }
 
-type Held<T> = Result<T, NotHeld>;
+type Comparable<T> = Result<T, NotComparable>;
 
-/// The stated plan as one of ours, or why it cannot be.
+/// The stated plan in our own form, or why that is impossible.
 ///
 /// # Errors
 /// The knowledge cannot answer.
@@ -47,10 +47,10 @@ pub(super) fn held(
     graph: &Graph<'_>,
     setting: &Setting,
     reading: Reading,
-) -> Result<Held<Plan>, KnowledgeError> {
+) -> Result<Comparable<Plan>, KnowledgeError> {
     let stated = context.stated;
     if stated.rows.is_empty() {
-        return Ok(Err(NotHeld { note: Note::new("audit-program-no-route"), place: None }));
+        return Ok(Err(NotComparable { note: Note::new("audit-program-no-route"), place: None }));
     }
     if let Some(row) = stated.rows.iter().find(|row| row.hole.is_none() && !row.elsewhere) {
         return Ok(Err(lacks(row, "audit-program-row-hole")));
@@ -82,9 +82,9 @@ pub(super) fn held(
     Ok(Ok(plan))
 }
 
-fn lacks(row: &Row, code: &'static str) -> NotHeld {
+fn lacks(row: &Row, code: &'static str) -> NotComparable {
     let note = Note::new(code).with("row", row.number).with("operation", Figure::operation(row.operation.value.name()));
-    NotHeld { note, place: Some(row.place.clone()) }
+    NotComparable { note, place: Some(row.place.clone()) }
 }
 
 struct Making<'c, 'a, 'g> {
@@ -118,7 +118,7 @@ impl Making<'_, '_, '_> {
         hole: &Hole,
         at: usize,
         before: Option<&Transition>,
-    ) -> Result<Held<Transition>, KnowledgeError> {
+    ) -> Result<Comparable<Transition>, KnowledgeError> {
         let row = &self.context.stated.rows[at];
         let operation = row.operation.value;
         let ours = self.ours(hole, at);
@@ -198,7 +198,7 @@ impl Making<'_, '_, '_> {
                 through,
             };
             let pitch = hole.thread_at(row.step).map(|thread| thread.pitch);
-            Step { pitch, ..Step::plain(row.operation.value, place, diameter, from) }
+            RouteStep { pitch, ..RouteStep::plain(row.operation.value, place, diameter, from) }
         };
         let way =
             |through, sizes| planner::way(&step(through, sizes), hole, &self.context.stated.part, &self.context.shop);

@@ -1,22 +1,22 @@
-//! A part with its plan and job, to hold programs against.
+//! A part with its plan and job: the reference that programs are compared with.
 
 use std::collections::BTreeMap;
 
 use crate::error::KnowledgeError;
 use crate::job::{self, Job};
 use crate::knowledge::Knowledge;
-use crate::motion::{Axis, Position, Step};
+use crate::motion::{Axis, MotionStep, Position};
 use crate::note;
 use crate::plan::Plan;
 use crate::program::Setting;
 use crate::shop::Shop;
 use crate::units::Micrometres;
 
-use super::{Asked, Proof, Tolerated, prove};
+use super::{Proof, ProofInput, Tolerated, prove};
 
-/// A part with its plan and job, to hold programs against.
+/// A part with its plan and job: the reference that programs are compared with.
 #[derive(Debug)]
-pub struct Held {
+pub struct PlannedJob {
     /// The plan.
     pub plan: Plan,
     /// Its job.
@@ -25,7 +25,7 @@ pub struct Held {
     own_correctors: bool,
 }
 
-impl Held {
+impl PlannedJob {
     /// A plan and its job, with the job's own zeros and correctors.
     ///
     /// # Errors
@@ -37,8 +37,8 @@ impl Held {
         Ok(Self { plan, job, tolerated, own_correctors: false })
     }
 
-    /// Zeros and correctors that the setting leaves out are set to those of the job; with correctors of his own the
-    /// operator may number and measure tools in his own way.
+    /// Zeros and correctors that the setting leaves out are set to those of the job; with correctors of their own,
+    /// operators may number and measure tools as they like.
     pub fn set(&mut self, setting: &mut Setting) {
         for (setup, zero) in self.job.setups.iter().zip(&mut setting.zeros) {
             for axis in Axis::ALL {
@@ -59,15 +59,15 @@ impl Held {
         of_holes.filter(grave).chain(self.job.findings.iter().filter(grave)).collect()
     }
 
-    /// Holds the steps of a program against the job.
-    pub fn prove(&self, steps: &[Step], setting: &Setting) -> Proof {
+    /// Compares the steps of a program with the job.
+    pub fn prove(&self, steps: &[MotionStep], setting: &Setting) -> Proof {
         let zero = |zero: &[Option<Micrometres>; 3]| {
             Position::of(Axis::ALL.map(|axis| zero[axis.index()].unwrap_or_default() + setting.shift.get(axis)))
         };
         let zeros: Vec<Position> = setting.zeros.iter().take(self.job.setups.len()).map(zero).collect();
         prove(
             steps,
-            &Asked {
+            &ProofInput {
                 plan: &self.plan,
                 job: &self.job,
                 zeros: &zeros,

@@ -1,4 +1,4 @@
-//! What the tools pass over: clamps that the part file names, and the part itself at the tool change.
+//! Clearance over obstacles: the clamps that the part file names, and the part at the tool change.
 
 use crate::error::KnowledgeError;
 use crate::note::{Finding, Note, Severity};
@@ -9,7 +9,7 @@ use crate::units::Micrometres;
 
 use super::SetUp;
 
-/// A tool change over the part: the tools hang no higher over it than on their ways.
+/// A tool change over the part: tools are no higher above it than during their motions.
 pub(super) fn change_over_part(
     setup: &SetUp,
     part: &Part,

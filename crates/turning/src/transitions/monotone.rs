@@ -1,4 +1,4 @@
-//! The ground of a zone: its rough contour in pieces that only rise or only fall, so that each crosses a horizontal once.
+//! Monotone contours: pieces that only rise or only fall, so that each crosses a horizontal once.
 
 use crate::turning::contour::{Contour, Curve, Piece};
 use crate::turning::length::Half;
@@ -12,13 +12,13 @@ const NEAR_END: f64 = 0.01;
 
 /// A monotone outer contour, each piece of it rising, falling or a cylinder; arcs are at most a quarter of a circle.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Ground {
+pub struct MonotoneContour {
     /// The pieces from the free end.
     pub pieces: Vec<Piece>,
 }
 
-impl Ground {
-    /// Of a contour. A face that it begins with rising, or ends with falling, bounds no stock over it and is left out.
+impl MonotoneContour {
+    /// From a contour. A rising face at its start or a falling face at its end bounds no stock and is left out.
     pub fn of(contour: &Contour) -> Self {
         let mut pieces: Vec<Piece> = contour.pieces.iter().flat_map(|piece| quarters(*piece)).collect();
         while pieces.first().is_some_and(|piece| piece.is_face() && piece.to.radius > piece.from.radius) {
@@ -30,7 +30,7 @@ impl Ground {
         Self { pieces }
     }
 
-    /// Drawn out along the axis to a stretch, where it ends before and with no face.
+    /// Extended along the axis to cover a span of Z; an end with a face stays as it is.
     #[must_use]
     pub fn stretched(mut self, from: Half, to: Half) -> Self {
         if let Some(first) = self.pieces.first().filter(|piece| !piece.is_face() && piece.from.z > from) {
@@ -79,7 +79,7 @@ impl Ground {
         spans
     }
 
-    /// The way along the greater of the contour and the radius `low`, held below the radius `high`, over a stretch. A
+    /// The path along the greater of the contour and the radius `low`, held below the radius `high`, over a stretch. A
     /// face at its beginning is in it where it falls, one at its end where it rises.
     pub fn clamped(&self, low: Half, high: Half, from: Half, to: Half) -> Vec<Piece> {
         let mut way: Vec<Piece> = Vec::new();
@@ -154,7 +154,7 @@ impl Ground {
         rest
     }
 
-    /// So far on along the contour from a point of it, mm, as long as it does not fall.
+    /// How far the contour goes on from a point without falling, mm.
     pub fn onwards(&self, point: Point, length: f64) -> Vec<Piece> {
         let (mut left, mut way) = (length, Vec::new());
         for piece in self.beyond(point) {

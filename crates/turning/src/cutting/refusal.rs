@@ -1,4 +1,4 @@
-//! Why a lathe does not cut so, or why that is not known.
+//! Why cutting conditions cannot be given.
 
 use serde::{Deserialize, Serialize};
 
@@ -6,38 +6,38 @@ use crate::note::{Figure, Note};
 use crate::reason::Uncut;
 use crate::units::{Decimal, Micrometres, MillimetresPerRev, Roughness};
 
-use super::bounds::Missing;
+use super::bounds::UnknownBound;
 
 pub use crate::tables::cutting::LatheProcess as Process;
 
-/// Why a lathe does not cut so, or why that is not known.
+/// Why cutting conditions cannot be given.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // the figures have the names of those of the sentences
-pub enum Lack {
+pub enum CuttingRefusal {
     /// A figure is missing.
-    Figure(Lacking),
+    Figure(MissingFigure),
     /// There is no feed at that depth and diameter.
-    NoFeed { lacking: Lacking, depth: Micrometres, diameter: Micrometres },
+    NoFeed { lacking: MissingFigure, depth: Micrometres, diameter: Micrometres },
     /// Nothing is cut.
-    NothingToCut(Nothing),
+    NothingToCut(NonPositive),
     /// The tables have no feed for so fine a surface.
     TooFineToTurn { roughness: Roughness, process: Process },
     /// The lathe leaves no surface so fine.
     TooFineForLathe { lathe: String, roughness: Roughness, best: Roughness },
-    /// Threads are not reckoned.
+    /// Threads are not computed.
     Threads { tool: String, process: Process },
     /// A grooving or threading tool has no depth of cut to choose.
     NoDepth { tool: String },
-    /// No load can be reckoned; the first bound that lacks something.
-    LimitNotKnown(Option<Missing>),
-    /// Nothing tells the limiting depth.
+    /// No load can be computed; the first bound that lacks something.
+    LimitNotKnown(Option<UnknownBound>),
+    /// No source gives the limiting depth.
     NoLimitingDepth,
 }
 
-/// What of a cut is not above zero, or beyond reason.
+/// A quantity of a cut that is not above zero, or beyond reason.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(missing_docs)] // the quantities themselves
-pub enum Nothing {
+pub enum NonPositive {
     Depth(Micrometres),
     Diameter(Micrometres),
     Feed(MillimetresPerRev),
@@ -46,17 +46,17 @@ pub enum Nothing {
 /// A figure that is missing; in JSON it is its sentence.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(into = "Note", try_from = "Note")]
-pub struct Lacking {
-    /// Which, and of what.
-    pub of: Of,
+pub struct MissingFigure {
+    /// What the figure belongs to.
+    pub of: FigureOwner,
     /// For what it was asked, where that matters.
     pub process: Option<Process>,
 }
 
-/// What lacks a figure.
+/// Where the missing figure belongs.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // the figures have the names of those of the sentences
-pub enum Of {
+pub enum FigureOwner {
     /// The row of a tool.
     Tool { tool: String, quantity: String },
     /// The record of a lathe.
@@ -67,39 +67,43 @@ pub enum Of {
     Angle { table: String, angle: Decimal },
 }
 
-impl From<Of> for Lacking {
-    fn from(of: Of) -> Self {
+impl From<FigureOwner> for MissingFigure {
+    fn from(of: FigureOwner) -> Self {
         Self { of, process: None }
     }
 }
 
-impl Lacking {
+impl MissingFigure {
     /// The same, asked for a process.
     #[must_use]
     pub fn during(self, process: Process) -> Self {
         Self { process: Some(process), ..self }
     }
 
-    /// Who lacks it, and what it is, as sentences name them.
+    /// The owner and the name of the figure, as sentences show them.
     pub(super) fn names(&self) -> (&str, &str) {
         match &self.of {
-            Of::Tool { tool, quantity } => (tool, quantity),
-            Of::Lathe { lathe, quantity } => (lathe, quantity),
-            Of::Cutting(Uncut::NoFigure { table, material }) => (material, table),
-            Of::Cutting(Uncut::TooDeep { table, .. }) | Of::Angle { table, .. } => ("", table),
-            Of::Cutting(_) => ("", ""),
+            FigureOwner::Tool { tool, quantity } => (tool, quantity),
+            FigureOwner::Lathe { lathe, quantity } => (lathe, quantity),
+            FigureOwner::Cutting(Uncut::NoFigure { table, material }) => (material, table),
+            FigureOwner::Cutting(Uncut::TooDeep { table, .. }) | FigureOwner::Angle { table, .. } => ("", table),
+            FigureOwner::Cutting(_) => ("", ""),
         }
     }
 
     /// The sentence.
     pub fn note(&self) -> Note {
         let note = match &self.of {
-            Of::Tool { tool, quantity } => {
+            FigureOwner::Tool { tool, quantity } => {
                 Note::new("turning-tool-lacks").with("tool", tool).with("quantity", quantity)
             }
-            Of::Lathe { lathe, quantity } => Note::new("lathe-lacks").with("lathe", lathe).with("quantity", quantity),
-            Of::Cutting(why) => why.note(),
-            Of::Angle { table, angle } => Note::new("angle-beyond-table").with("table", table).with("angle", angle),
+            FigureOwner::Lathe { lathe, quantity } => {
+                Note::new("lathe-lacks").with("lathe", lathe).with("quantity", quantity)
+            }
+            FigureOwner::Cutting(why) => why.note(),
+            FigureOwner::Angle { table, angle } => {
+                Note::new("angle-beyond-table").with("table", table).with("angle", angle)
+            }
         };
         match self.process {
             Some(process) => note.with("operation", Figure::operation(process.name())),
@@ -108,26 +112,28 @@ impl Lacking {
     }
 }
 
-impl From<Lacking> for Note {
-    fn from(lacking: Lacking) -> Self {
+impl From<MissingFigure> for Note {
+    fn from(lacking: MissingFigure) -> Self {
         lacking.note()
     }
 }
 
 /// Read back from JSON.
-impl TryFrom<Note> for Lacking {
+impl TryFrom<Note> for MissingFigure {
     type Error = String;
 
     #[expect(clippy::disallowed_methods, reason = "it is read back into a type here")]
     fn try_from(note: Note) -> Result<Self, String> {
         let figure = |name: &str| note.figure(name).map(|figure| figure.text().into_owned()).unwrap_or_default();
         let of = match note.code() {
-            "turning-tool-lacks" => Of::Tool { tool: figure("tool"), quantity: figure("quantity") },
-            "lathe-lacks" => Of::Lathe { lathe: figure("lathe"), quantity: figure("quantity") },
-            "no-figure" => Of::Cutting(Uncut::NoFigure { table: figure("table"), material: figure("material") }),
+            "turning-tool-lacks" => FigureOwner::Tool { tool: figure("tool"), quantity: figure("quantity") },
+            "lathe-lacks" => FigureOwner::Lathe { lathe: figure("lathe"), quantity: figure("quantity") },
+            "no-figure" => {
+                FigureOwner::Cutting(Uncut::NoFigure { table: figure("table"), material: figure("material") })
+            }
             "angle-beyond-table" => {
                 let angle = figure("angle").parse().map_err(|_| "the angle is no number".to_owned())?;
-                Of::Angle { table: figure("table"), angle }
+                FigureOwner::Angle { table: figure("table"), angle }
             }
             other => return Err(format!("`{other}` is nothing that a bound lacks")),
         };
@@ -137,7 +143,7 @@ impl TryFrom<Note> for Lacking {
     }
 }
 
-impl Lack {
+impl CuttingRefusal {
     /// The sentence.
     pub fn note(&self) -> Note {
         let new = Note::new;
@@ -146,9 +152,9 @@ impl Lack {
             Self::NoFeed { lacking, depth, diameter } => lacking.note().with("depth", depth).with("diameter", diameter),
             Self::NothingToCut(nothing) => {
                 let (quantity, is) = match nothing {
-                    Nothing::Depth(depth) => ("depth", depth.to_string()),
-                    Nothing::Diameter(diameter) => ("diameter", diameter.to_string()),
-                    Nothing::Feed(feed) => ("feed", feed.0.to_string()),
+                    NonPositive::Depth(depth) => ("depth", depth.to_string()),
+                    NonPositive::Diameter(diameter) => ("diameter", diameter.to_string()),
+                    NonPositive::Feed(feed) => ("feed", feed.0.to_string()),
                 };
                 new("nothing-to-cut").with("quantity", quantity).with("is", is)
             }

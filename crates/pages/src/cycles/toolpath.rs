@@ -1,6 +1,6 @@
 //! The way of the tool through the points 0 to 4.
 
-use crate::job::{Cycle, Kind};
+use crate::job::{Cycle, CycleKind};
 use crate::motion::Sense;
 use crate::report::Lang;
 use crate::report::canvas::{Anchor, At, Canvas, Pen};
@@ -25,25 +25,25 @@ const RETREAT: f64 = 9.0;
 pub(super) fn draw(canvas: &mut Canvas, section: &Section<'_>, cycle: &Cycle) {
     let y = |z: Micrometres| section.y(z.to_mm());
     let (out, begin, end) = (y(cycle.out), y(cycle.begin), y(cycle.end));
-    let stepped = matches!(cycle.kind, Kind::Peck { .. } | Kind::ChipBreak { .. });
+    let stepped = matches!(cycle.kind, CycleKind::Peck { .. } | CycleKind::ChipBreak { .. });
     let (down, up) = (section.axis - if stepped { STEPPED } else { APART }, section.axis + APART);
     let way_out = match cycle.kind {
-        Kind::FeedOut | Kind::Tap { .. } => FEED,
+        CycleKind::FeedOut | CycleKind::Tap { .. } => FEED,
         _ => RAPID,
     };
     arrow(canvas, (down, out), (down, begin), RAPID);
     match &cycle.kind {
-        Kind::Peck { step, clearance } => {
+        CycleKind::Peck { step, clearance } => {
             let depths = depths(cycle, *step);
             let back = |depth: Micrometres| (y(depth) - y(depth + *clearance)).max(RETREAT);
             pecks(canvas, section, &depths, &|depth| y(depth), begin, Some(&back));
         }
-        Kind::ChipBreak { step, retreat } => {
+        CycleKind::ChipBreak { step, retreat } => {
             let depths = depths(cycle, *step);
             let back = |depth: Micrometres| (y(depth) - y(depth + *retreat)).max(RETREAT);
             breaks(canvas, section, &depths, &|depth| y(depth), begin, &back);
         }
-        Kind::Circles { levels, radii, .. } => {
+        CycleKind::Circles { levels, radii, .. } => {
             arrow(canvas, (down, begin), (down, end), FEED);
             let reach = section.across(radii.iter().max().copied().unwrap_or_default().to_mm());
             for level in levels {

@@ -1,19 +1,19 @@
-//! The program as it grows: the main blocks, and the subprograms that they call.
+//! The program under construction: the main blocks and the subprograms that they call.
 
-use crate::program::written::{Form, Line, Role, WorkRef, Written};
+use crate::program::written::{Form, LineRole, ProgramLine, WorkRef, WrittenProgram};
 
 use crate::program::block::Block;
 
-/// What a block serves.
+/// The purpose of a block, and the work it serves.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
-    pub role: Role,
+pub(super) struct BlockPurpose {
+    pub role: LineRole,
     pub work: Option<WorkRef>,
     pub cycle: Option<usize>,
 }
 
-impl Place {
-    pub(super) const fn of(role: Role) -> Self {
+impl BlockPurpose {
+    pub(super) const fn of(role: LineRole) -> Self {
         Self { role, work: None, cycle: None }
     }
 }
@@ -42,25 +42,25 @@ const LAST: u32 = 99;
 const LAST_BLOCK: usize = 9999;
 
 /// The program so far.
-pub(super) struct Sheet {
+pub(super) struct ProgramWriter {
     pub form: Form,
-    main: Vec<(Block, Place)>,
-    subprograms: Vec<(Vec<Block>, Place)>,
+    main: Vec<(Block, BlockPurpose)>,
+    subprograms: Vec<(Vec<Block>, BlockPurpose)>,
 }
 
-impl Sheet {
+impl ProgramWriter {
     pub(super) const fn new(form: Form) -> Self {
         Self { form, main: Vec::new(), subprograms: Vec::new() }
     }
 
     /// One more block of the main program.
-    pub(super) fn put(&mut self, block: Block, place: Place) {
+    pub(super) fn put(&mut self, block: Block, place: BlockPurpose) {
         self.main.push((block, place));
     }
 
     /// Blocks as a subprogram; equal ones are one. It serves what its first caller named, or nothing alone when
     /// several works call it.
-    pub(super) fn subprogram(&mut self, blocks: Vec<Block>, place: Place) -> Called {
+    pub(super) fn subprogram(&mut self, blocks: Vec<Block>, place: BlockPurpose) -> Called {
         let known = self.subprograms.iter().position(|(known, _)| *known == blocks);
         let index = known.unwrap_or(self.subprograms.len());
         let number = u32::try_from(index).unwrap_or(u32::MAX).saturating_add(MAIN + 1);
@@ -68,7 +68,9 @@ impl Sheet {
             return Called::Blocks(blocks);
         }
         match self.subprograms.get_mut(index) {
-            Some((_, served)) if served.work != place.work => *served = Place { work: None, cycle: None, ..*served },
+            Some((_, served)) if served.work != place.work => {
+                *served = BlockPurpose { work: None, cycle: None, ..*served }
+            }
             Some(_) => {}
             None => self.subprograms.push((blocks, place)),
         }
@@ -76,7 +78,7 @@ impl Sheet {
     }
 
     /// Runs a group once, after the motion of a block where one is given.
-    pub(super) fn call(&mut self, group: &Called, motion: Option<Block>, place: Place) {
+    pub(super) fn call(&mut self, group: &Called, motion: Option<Block>, place: BlockPurpose) {
         match group {
             Called::Subprogram(number) => self.put(motion.unwrap_or_default().calls(*number, 1), place),
             Called::Blocks(blocks) => {
@@ -88,7 +90,7 @@ impl Sheet {
     }
 
     /// The whole: main program, then subprograms, blocks numbered.
-    pub(super) fn finish(self) -> Written {
+    pub(super) fn finish(self) -> WrittenProgram {
         let mut lines = vec![frame("%".to_owned()), frame(format!(":{MAIN:02}"))];
         let step = (self.form.number_step as usize).max(1);
         // A long program is numbered closer, so that its numbers stay within four digits.
@@ -97,22 +99,22 @@ impl Sheet {
             lines.push(line((index + 1) * step, block, *place));
         }
         for (number, (blocks, place)) in (MAIN + 1..).zip(&self.subprograms) {
-            let at = Place { role: Role::Frame, ..*place };
-            lines.push(Line { text: format!(":{number:02}"), role: at.role, work: at.work, cycle: at.cycle });
+            let at = BlockPurpose { role: LineRole::Frame, ..*place };
+            lines.push(ProgramLine { text: format!(":{number:02}"), role: at.role, work: at.work, cycle: at.cycle });
             for (block, index) in blocks.iter().zip(1..) {
                 lines.push(line(index, block, *place));
             }
-            lines.push(line(blocks.len() + 1, &Block::new().m(99), Place { role: Role::End, ..*place }));
+            lines.push(line(blocks.len() + 1, &Block::new().m(99), BlockPurpose { role: LineRole::End, ..*place }));
         }
-        Written { lines }
+        WrittenProgram { lines }
     }
 }
 
-fn frame(text: String) -> Line {
-    Line { text, role: Role::Frame, work: None, cycle: None }
+fn frame(text: String) -> ProgramLine {
+    ProgramLine { text, role: LineRole::Frame, work: None, cycle: None }
 }
 
-fn line(number: usize, block: &Block, place: Place) -> Line {
+fn line(number: usize, block: &Block, place: BlockPurpose) -> ProgramLine {
     let text = format!("N{} {}", number % (LAST_BLOCK + 1), block.text());
-    Line { text, role: place.role, work: place.work, cycle: place.cycle }
+    ProgramLine { text, role: place.role, work: place.work, cycle: place.cycle }
 }

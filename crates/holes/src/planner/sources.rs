@@ -1,27 +1,27 @@
-//! The three ways to a route, each candidate of them tried and filed under what can be carried out or what cannot.
+//! The three sources of routes. Each candidate is tried and filed as feasible or refused.
 
 use crate::error::{KnowledgeError, Refusal};
 use crate::note::{Because, Note};
-use crate::plan::{Feature, Operation, Way};
+use crate::plan::{Feature, Operation, RouteSource};
 use crate::reason::Reason;
-use crate::route::auxiliary::{self, Kind};
+use crate::route::auxiliary::{self, AuxiliaryKind};
 use crate::route::scheme;
-use crate::route::{Candidate, Step, complex, search};
+use crate::route::{Candidate, RouteStep, complex, search};
 use crate::tables::rules::NextTransition;
 use crate::units::{Micrometres, Minutes};
 
 use super::fit::Fitted;
-use super::options::{Choice, Options, Refused};
+use super::options::{Choice, Options, RefusedRoute};
 use super::whole::Finder;
 
 impl Finder<'_, '_> {
     /// The kind of auxiliary hole by which A.10 knows it; a finer main cylinder is a main hole of A.8 or A.9.
-    pub fn auxiliary_kind(&self) -> Option<Kind> {
-        Kind::of(self.hole, &self.task.main, self.drilled)
+    pub fn auxiliary_kind(&self) -> Option<AuxiliaryKind> {
+        AuxiliaryKind::of(self.hole, &self.task.main, self.drilled)
     }
 
     /// The three ways; what the tables finish on another machine is not weighed against the others.
-    pub fn every_way(&self, kind: Option<Kind>, options: &mut Options) -> Result<(), KnowledgeError> {
+    pub fn every_way(&self, kind: Option<AuxiliaryKind>, options: &mut Options) -> Result<(), KnowledgeError> {
         if let Some(candidate) = self.tapped_at_once()? {
             self.weigh(&candidate, options)?;
             return Ok(());
@@ -48,7 +48,7 @@ impl Finder<'_, '_> {
         let rule = self.shop.knowledge.table_of::<NextTransition<'_>>()?;
         let note = Note::new("tapped-at-once").with("start", start).with("thread", &thread.written);
         Ok(Some(Candidate {
-            way: Way::Search,
+            way: RouteSource::Search,
             table: rule.id.clone(),
             scheme: Operation::Tap.name().to_owned(),
             transitions: vec![Operation::Tap],
@@ -60,18 +60,18 @@ impl Finder<'_, '_> {
 
     /// The first scheme of the tables that can be carried out; what the tables rank behind it is not weighed
     /// against it.
-    fn tables(&self, kind: Option<Kind>, options: &mut Options) -> Result<(), KnowledgeError> {
+    fn tables(&self, kind: Option<AuxiliaryKind>, options: &mut Options) -> Result<(), KnowledgeError> {
         let mut found = None;
         if let Some(kind) = kind {
             match Refusal::split(auxiliary::candidates(&self.question, kind, self.shop))? {
                 Ok(schemes) => found = Some(schemes),
-                Err(why) => options.refused.push(none(Way::Tables, "A.10", why)),
+                Err(why) => options.refused.push(none(RouteSource::Tables, "A.10", why)),
             }
         }
         if found.is_none() && self.task.main.thread.is_none() {
             match Refusal::split(scheme::candidates(&self.question, self.shop))? {
                 Ok(schemes) => found = Some(schemes),
-                Err(why) => options.refused.push(none(Way::Tables, "A.8", why)),
+                Err(why) => options.refused.push(none(RouteSource::Tables, "A.8", why)),
             }
         }
         let mut taken: Option<String> = None;
@@ -97,7 +97,7 @@ impl Finder<'_, '_> {
             countersunk: self.hole.countersink.is_some(),
         };
         match Refusal::split(complex::candidates(&self.question, openings, self.shop))? {
-            Err(why) => options.refused.push(none(Way::Complexes, "A.4", why)),
+            Err(why) => options.refused.push(none(RouteSource::Complexes, "A.4", why)),
             Ok(complexes) => {
                 for candidate in complexes {
                     self.weigh(&candidate, options)?;
@@ -109,9 +109,9 @@ impl Finder<'_, '_> {
 
     fn search(&self, options: &mut Options) -> Result<(), KnowledgeError> {
         let main = &self.task.main;
-        let cost = |steps: &[Step]| self.cost(steps);
+        let cost = |steps: &[RouteStep]| self.cost(steps);
         match Refusal::split(search::candidates(main, &self.sizes, &cost, self.shop))? {
-            Err(why) => options.refused.push(none(Way::Search, "next-transition", why)),
+            Err(why) => options.refused.push(none(RouteSource::Search, "next-transition", why)),
             Ok(routes) => {
                 for mut candidate in routes {
                     if main.thread.is_some() {
@@ -184,7 +184,8 @@ impl Finder<'_, '_> {
         if candidate.finish_elsewhere || candidate.transitions == [Operation::Tap] {
             return Vec::new();
         }
-        let cuts = |step: &&Step| step.place.feature == Feature::Bore && !step.elsewhere && step.achieved.is_some();
+        let cuts =
+            |step: &&RouteStep| step.place.feature == Feature::Bore && !step.elsewhere && step.achieved.is_some();
         let last = steps.iter().rev().map(|fitted| &fitted.step).find(cuts);
         let Some(reached) = last.and_then(|step| step.achieved) else { return vec![Note::new("misses-unknown")] };
         let mut misses = Vec::new();
@@ -222,11 +223,11 @@ fn same(a: &Choice, b: &Choice) -> bool {
     a.candidate.finish_elsewhere == b.candidate.finish_elsewhere && shown(a) == shown(b)
 }
 
-pub(super) fn refused(candidate: &Candidate, why: Reason) -> Refused {
-    Refused { scheme: candidate.scheme.clone(), ..none(candidate.way, &candidate.table, why) }
+pub(super) fn refused(candidate: &Candidate, why: Reason) -> RefusedRoute {
+    RefusedRoute { scheme: candidate.scheme.clone(), ..none(candidate.way, &candidate.table, why) }
 }
 
 /// A way that has no candidate at all.
-pub(super) fn none(way: Way, table: &str, why: Reason) -> Refused {
-    Refused { way, table: table.to_owned(), scheme: String::new(), operations: Vec::new(), meets: false, why }
+pub(super) fn none(way: RouteSource, table: &str, why: Reason) -> RefusedRoute {
+    RefusedRoute { way, table: table.to_owned(), scheme: String::new(), operations: Vec::new(), meets: false, why }
 }

@@ -1,4 +1,4 @@
-//! The class of a surface with its reasons.
+//! Classifies a surface as main or additional, with the reasons.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
@@ -12,10 +12,10 @@ use super::reach::Shade;
 use super::view::{Bit, steepness};
 use super::{Angles, Class, Element, Ground};
 
-/// What leads back leans by more than this, degrees: the ends of an upright arc are rounded.
+/// An undercut is steeper than this angle, degrees. The 0.06° above 90° allow for the rounded ends of an upright arc.
 const UPRIGHT: f64 = 90.06;
 
-/// Judges a surface by the shades of its bits and the spans over them.
+/// Classifies a surface from what the tool reaches of it and the bridges over it.
 ///
 /// # Errors
 /// The knowledge base lacks the rule `turning-element` or a row of it.
@@ -92,7 +92,7 @@ pub(super) fn class(
     })
 }
 
-/// The steepest fall of a valley, and whether the tool comes to a part of its floor.
+/// The steepest fall of a valley, and whether the tool reaches part of its floor.
 fn valley_of(span: &Span, bits: &[Bit], shades: &[(Option<Shade>, bool)]) -> (f64, bool) {
     let fall = span.under.iter().map(|bit| steepness(bit.piece).1).fold(0.0, f64::max);
     let floor = span.under.iter().map(|bit| bit.piece.from.radius.min(bit.piece.to.radius)).min();
@@ -101,7 +101,7 @@ fn valley_of(span: &Span, bits: &[Bit], shades: &[(Option<Shade>, bool)]) -> (f6
     (fall, under.any(|(bit, (_, reached))| on_floor(bit) && *reached))
 }
 
-/// What the rule says of an element and the tool that it asks for.
+/// The element and the kind of tool that the rule `turning-element` gives.
 fn ask(
     surface: &Surface,
     ground: Ground,
@@ -121,7 +121,7 @@ fn ask(
     Ok((rule.element, rule.tool.to_owned(), because))
 }
 
-/// Which angle of the element stands against which of the tool.
+/// The sentence that compares the angles of the element with those of the tool.
 fn note(ground: Ground, surface: &SurfaceName, (rise, fall): (f64, f64), tool: Angles) -> Note {
     let angle = |degrees: f64| round_to(degrees, 2);
     let (main, secondary) = (angle(tool.main.0), angle(tool.secondary.0));

@@ -1,4 +1,4 @@
-//! What the tables themselves answer for a hole: before centring is added to their schemes, and before anything is tried.
+//! The answer of the tables for a hole, before centring is added and before any scheme is tried.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
@@ -10,13 +10,13 @@ use crate::tables::holes::StagedHole;
 use crate::tables::rules::TwoPassDrillingFor;
 use crate::units::Micrometres;
 
-use super::auxiliary::{self, Kind};
-use super::scheme::{self, Question};
+use super::auxiliary::{self, AuxiliaryKind};
+use super::scheme::{self, SchemeQuestion};
 use super::{accuracy, bores};
 
 /// The answer of the tables.
 #[derive(Clone, Debug)]
-pub struct Asked<'k> {
+pub struct TableAnswer<'k> {
     /// The row of A.8, A.9 or A.10; absent where their cell is empty.
     pub row: Option<RowRef<'k>>,
     /// Its schemes as printed.
@@ -31,16 +31,16 @@ pub struct Asked<'k> {
 ///
 /// # Errors
 /// The knowledge cannot answer; that the drawing's tolerance cannot be read is an answer without a row.
-pub fn asked<'k>(hole: &Hole, part: &Part, shop: &Shop<'k>) -> Result<Asked<'k>, KnowledgeError> {
+pub fn asked<'k>(hole: &Hole, part: &Part, shop: &Shop<'k>) -> Result<TableAnswer<'k>, KnowledgeError> {
     let task = bores::task(hole, part, shop)?;
     let main = &task.main;
     let (centred, centring) = scheme::centre_first(main, shop)?;
-    let nothing = Asked { row: None, schemes: Vec::new(), centred, centring };
+    let nothing = TableAnswer { row: None, schemes: Vec::new(), centred, centring };
     let Ok(written) = accuracy::centre_tolerance(hole, shop) else { return Ok(nothing) };
     // As the planner asks: an unmachined face as a tighter tolerance, and by A.6 the position of the axis.
     let loss = accuracy::rough_face(main, part, shop)?.map_or(0.0, |(loss, _)| loss);
     let position = part.position_tolerance.unwrap_or(written);
-    let mut question = Question {
+    let mut question = SchemeQuestion {
         bore: main,
         centre_tolerance: Micrometres::from_mm_rounded(written.to_mm() / (1.0 + loss)),
         drawn_tolerance: written,
@@ -48,9 +48,10 @@ pub fn asked<'k>(hole: &Hole, part: &Part, shop: &Shop<'k>) -> Result<Asked<'k>,
         outer_wall: hole.outer_wall,
         drills: &[],
     };
-    let kind = Kind::of(hole, main, accuracy::drilled(shop)?);
+    let kind = AuxiliaryKind::of(hole, main, accuracy::drilled(shop)?);
     let asked = if kind.is_some() { auxiliary::diameter(&question) } else { main.diameter.nominal };
-    let (_, elsewhere) = scheme::stages(&question, kind.map_or(StagedHole::Plain, Kind::stage_name), asked, shop)?;
+    let (_, elsewhere) =
+        scheme::stages(&question, kind.map_or(StagedHole::Plain, AuxiliaryKind::stage_name), asked, shop)?;
     if elsewhere {
         question.centre_tolerance = question.centre_tolerance.min(position);
     }
@@ -62,7 +63,7 @@ pub fn asked<'k>(hole: &Hole, part: &Part, shop: &Shop<'k>) -> Result<Asked<'k>,
         None => scheme::own_cell(&question, shop.knowledge)?.map(|row| (row.row, row.schemes)),
     };
     let Some((row, schemes)) = found else { return Ok(nothing) };
-    Ok(Asked { row: Some(row), schemes: schemes.into_iter().map(str::to_owned).collect(), ..nothing })
+    Ok(TableAnswer { row: Some(row), schemes: schemes.into_iter().map(str::to_owned).collect(), ..nothing })
 }
 
 /// The transitions of a scheme of A.7, of `04 + centre` too; nothing where A.7 has no such scheme.

@@ -1,11 +1,11 @@
-//! A program as it grows: lines, and what of the modes a control remembers, so that words are repeated only on change.
+//! Writes the lines of a program and tracks the modal state of the control, so that words are repeated only on change.
 
 use crate::turning::contour::{Curve, Piece, Turn};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::units::{Decimal, MillimetresPerRev};
 
-use super::words::{Use, Words};
+use super::words::{ControlWords, Use};
 
 /// At which rate a move goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,16 +19,16 @@ pub(super) enum Pace {
 }
 
 /// Lines of a program.
-pub(super) struct Sheet<'c> {
-    words: &'c Words,
+pub(super) struct ProgramWriter<'c> {
+    words: &'c ControlWords,
     text: String,
     at: Option<Point>,
     motion: Option<Use>,
     feed: Option<String>,
 }
 
-impl<'c> Sheet<'c> {
-    pub const fn new(words: &'c Words) -> Self {
+impl<'c> ProgramWriter<'c> {
+    pub const fn new(words: &'c ControlWords) -> Self {
         Self { words, text: String::new(), at: None, motion: None, feed: None }
     }
 
@@ -101,8 +101,9 @@ impl<'c> Sheet<'c> {
     }
 }
 
-/// The function of a move. A way counts Z towards the chuck and a program away from it, which mirrors arcs: what bends to
-/// the left in the way goes clockwise, seen with Z to the right and X upwards (docs/turning-programs.md, «Arcs»).
+/// The function of a move. A toolpath counts Z towards the chuck and a program away from it, which mirrors arcs: what
+/// bends to the left in the toolpath goes clockwise, seen with Z to the right and X upwards (docs/turning-programs.md,
+/// «Arcs»).
 const fn motion(curve: Curve, pace: Pace) -> Use {
     match (curve, pace) {
         (Curve::Line, Pace::Rapid) => Use::Rapid,

@@ -3,10 +3,10 @@
 use technolog::job::{self, Job};
 use technolog::machine::Machine;
 use technolog::motion::time::Clock;
-use technolog::motion::{Position, Step};
+use technolog::motion::{MotionStep, Position};
 use technolog::part::Part;
 use technolog::plan::{CuttingMethod, Plan};
-use technolog::program::proof::{Asked, Proof, Tolerated, prove};
+use technolog::program::proof::{Proof, ProofInput, Tolerated, prove};
 use technolog::program::written::Form;
 use technolog::program::{Fault, Language, Setting};
 use technolog::shop::Shop;
@@ -15,7 +15,7 @@ use technolog::units::Micrometres;
 use super::mutants::Run;
 use super::{KNOWLEDGE, planned, read, root};
 
-pub struct Held {
+pub struct ProofBench {
     pub plan: Plan,
     pub job: Job,
     pub machine: Machine<'static>,
@@ -25,7 +25,7 @@ pub struct Held {
     form: Form,
 }
 
-impl Held {
+impl ProofBench {
     /// The part of a file, by its path from the root of the project.
     pub fn new(path: &str) -> Self {
         Self::of(&read(&std::fs::read_to_string(root().join(path)).unwrap()))
@@ -60,11 +60,11 @@ impl Held {
     }
 
     pub fn run(&self, language: &Language, text: &str) -> (Vec<Fault>, Proof, Run) {
-        let mut sink = (Vec::<Step>::new(), Clock::new(&self.machine, self.setting.start));
+        let mut sink = (Vec::<MotionStep>::new(), Clock::new(&self.machine, self.setting.start));
         let faults = language.check(text, &self.machine, &self.setting, &mut sink);
         let (steps, clock) = sink;
         let zeros: Vec<Position> = self.job.setups.iter().map(|setup| setup.zero).collect();
-        let asked = Asked {
+        let asked = ProofInput {
             plan: &self.plan,
             job: &self.job,
             zeros: &zeros,

@@ -13,9 +13,9 @@ use crate::zone::Stroke;
 use super::cycle::convention;
 use super::{SetUp, ToolWork};
 
-/// How the part stands.
+/// The position of the part on the machine.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Stand {
+pub(super) struct PartPosition {
     pub zero: Position,
     pub supports: Micrometres,
     pub nose: Micrometres,
@@ -38,7 +38,7 @@ pub(super) fn stand(
     works: &[ToolWork],
     shop: &Shop<'_>,
     findings: &mut Vec<Finding>,
-) -> Result<Stand, KnowledgeError> {
+) -> Result<PartPosition, KnowledgeError> {
     let points = || works.iter().flat_map(|work| &work.stops).map(|stop| stop.at);
     let machine = &shop.machine;
     let middle = part.middle();
@@ -61,7 +61,7 @@ pub(super) fn stand(
         let note = Note::new("no-room-over-part").with("needed", needed).with("most", most);
         findings.push(Finding::of_part(Severity::Error, note.with("tool", reference + longest)));
     }
-    Ok(Stand { zero: Position { x, y, z: zero_height + reference - nose }, supports, nose })
+    Ok(PartPosition { zero: Position { x, y, z: zero_height + reference - nose }, supports, nose })
 }
 
 /// How high the part stands over the table: the fixture's height, or what the tools that go through need.

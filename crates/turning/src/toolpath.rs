@@ -1,14 +1,14 @@
-//! The way of a turning tool: lines and arcs of its theoretical point, each with what it is for. What transitions make,
-//! programs print, drawings and times consume.
+//! Toolpaths of turning tools: lines and arcs of the theoretical point, each with its purpose. Transitions make them;
+//! programs, drawings and times read them.
 //!
-//! Architecture invariant: a way knows no language of a control.
+//! Architecture invariant: a toolpath depends on no control.
 
 use serde::Serialize;
 
 use super::contour::{Curve, Piece};
 use super::point::Point;
 
-/// What a move is for, which decides its rate.
+/// The purpose of a move. It decides the rate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Purpose {
@@ -39,17 +39,17 @@ pub struct Move {
     pub purpose: Purpose,
 }
 
-/// A way: from a point, the moves one after the other.
+/// A toolpath: a start point and the moves from there.
 #[derive(Clone, Debug, PartialEq, Eq, Default, Serialize)]
-pub struct Way {
+pub struct Toolpath {
     /// Where it begins.
     pub from: Point,
     /// Its moves.
     pub moves: Vec<Move>,
 }
 
-impl Way {
-    /// A way that stands at a point.
+impl Toolpath {
+    /// An empty toolpath at a point.
     pub const fn at(from: Point) -> Self {
         Self { from, moves: Vec::new() }
     }
@@ -59,14 +59,14 @@ impl Way {
         self.moves.last().map_or(self.from, |last| last.to)
     }
 
-    /// Goes straight to a point; a move without length is none.
+    /// Adds a straight move to a point. A move without length is left out.
     pub fn go(&mut self, to: Point, purpose: Purpose) {
         if to != self.end() {
             self.moves.push(Move { to, curve: Curve::Line, purpose });
         }
     }
 
-    /// Follows a piece, which begins where the way ends.
+    /// Follows a piece, which begins where the toolpath ends.
     pub fn follow(&mut self, piece: Piece, purpose: Purpose) {
         if !piece.is_nothing() {
             self.moves.push(Move { to: piece.to, curve: piece.curve, purpose });

@@ -1,15 +1,15 @@
-//! A way as it is told: its support points with their names.
+//! Support points of a toolpath, with their names.
 
 use serde::Serialize;
 
 use crate::turning::length::Half;
 use crate::turning::numbering::Numbering;
-use crate::turning::way::{Purpose, Way};
+use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::units::Micrometres;
 
-use super::course::Role;
+use super::builder::SupportPointRole;
 
-/// A support point of a way.
+/// A support point of a toolpath.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SupportPoint {
     /// Its name: 0 is home, the others are numbered in the order of the first visit, as in fig. 12.4 of the lecture. A
@@ -23,11 +23,11 @@ pub struct SupportPoint {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub purpose: Option<Purpose>,
     /// What the point is.
-    pub role: Role,
+    pub role: SupportPointRole,
 }
 
-/// The support points of a way.
-pub fn points(way: &Way, roles: &[Role]) -> Vec<SupportPoint> {
+/// The support points of a toolpath.
+pub fn points(way: &Toolpath, roles: &[SupportPointRole]) -> Vec<SupportPoint> {
     let mut numbers = Numbering::after(0);
     numbers.put(way.from, "0");
     let from = std::iter::once((way.from, None));
