@@ -4,11 +4,8 @@ use technolog_note::{Note, note};
 
 use crate::alike::latin;
 use crate::diagnostic::{edit_distance, nearest_few};
+use crate::key_words::WORDS;
 use crate::yaml::{Key, Node};
-
-mod words;
-
-use words::WORDS;
 
 /// What to do about an unknown key.
 pub(crate) enum Hint<'k> {

@@ -1,8 +1,8 @@
 //! The short form of the shaft file as its author writes it: half of docs/shaft.schema.json (`workpiece/file.rs` joins
 //! it with the contour form), which editors use for completion.
 //!
-//! These types say which keys there are and what they hold. [`super::read_shaft`] reads the file itself, because it says
-//! where every mistake stands; a test holds the keys of the two together.
+//! These types say which keys there are and what they hold. [`super::read_shaft`] takes the keys from them, and reads the
+//! file itself, because it says where every mistake stands.
 
 use schemars::JsonSchema;
 use serde::Deserialize;

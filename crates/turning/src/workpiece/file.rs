@@ -1,8 +1,8 @@
 //! The file of a turned part as its author writes it, in either form: the source of docs/shaft.schema.json, which editors
 //! use for completion.
 //!
-//! These types say which keys there are and what they hold. [`super::read_turned`] reads the file itself, because it says
-//! where every mistake stands; a test holds the keys of the two together.
+//! These types say which keys there are and what they hold. [`super::read_turned`] takes the keys from them, and reads the
+//! file itself, because it says where every mistake stands.
 
 use schemars::{JsonSchema, Schema, schema_for};
 use serde::Deserialize;

@@ -1,7 +1,7 @@
 //! What keys are called in Ukrainian by those who write files. These words are read, never printed.
 
 /// A word and the keys that it can stand for, the likeliest first; which of them is meant, the mapping says.
-pub(super) const WORDS: &[(&str, &str)] = &[
+pub(crate) const WORDS: &[(&str, &str)] = &[
     // Parts and blanks.
     ("назва", "name shaft plan part"),
     ("деталь", "part shaft"),
