@@ -360,7 +360,7 @@ fn every_planted_defect_is_found_where_it_stands() {
             "duplicate-key",
             "state: \"solid\", state",
             "state: \"solid\", sch",
-            "`state` stands twice",
+            "`state` appears twice",
         ),
         (
             "unit",
