@@ -115,7 +115,7 @@ fn help_is_in_the_language_of_the_answers() {
     for (args, word) in [
         (&["--help"][..], "Використання:"),
         (&["lookup", "--help"], "з поясненням відповіді"),
-        (&["lookup", "--help", "--lang", "en"], "with the reason of its answer"),
+        (&["lookup", "--help", "--lang", "en"], "with the reason for its answer"),
         (&["--lang=en", "--help"], "Usage:"),
     ] {
         let output = run(args);
