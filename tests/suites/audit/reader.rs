@@ -42,11 +42,11 @@ fn a_figure_that_cannot_be_is_a_mistake_of_the_file() {
         ("count: 6", "count: 2.5", "`2.5` cannot be the number of holes: it must be a whole number"),
         ("    rpm: 800", "    rpm: 0", "`0` cannot be the spindle speed taken: it must be above zero"),
         ("clamps: 2", "clamps: 0", "`0` cannot be the number of clamps: it must be above zero"),
-        ("corrector: 2", "corrector: 1.5", "`1.5` cannot be the corrector: it must be a whole number"),
+        ("corrector: 2", "corrector: 1.5", "`1.5` cannot be the offset register: it must be a whole number"),
         ("feed: 0.325", "feed: -0.2", "`-0.2` cannot be the feed: it must be above zero"),
         ("machine: ", "machine: -", "`-2.606` cannot be the machine time: it must not be below zero"),
         ("distance: 283", "distance: 0", "`0` cannot be the distance to the clamp: it must be above zero"),
-        ("depth: 40", "depth: ７.9", "`７.9` is no number"),
+        ("depth: 40", "depth: ７.9", "`７.9` is not a number"),
     ] {
         let text = with(from, to);
         let line = right().lines().zip(text.lines()).position(|(a, b)| a != b).unwrap() + 1;
@@ -135,7 +135,7 @@ fn digits_of_another_script_and_files_that_are_no_text_have_a_remedy_of_their_ow
     let files = |name: &str| std::fs::read_to_string(folder.join(name)).map_err(|error| error.to_string());
     assert!(help(&with("depth: 40", "depth: ４0"), &files).contains("digits 0 to 9"));
     let binary = |_: &str| String::from_utf8(vec![0, 0xff]).map_err(|error| error.to_string());
-    assert!(help("part: x.yaml\n", &binary).contains("no text"));
+    assert!(help("part: x.yaml\n", &binary).contains("not text"));
     let missing = |_: &str| Err("No such file or directory (os error 2)".to_owned());
     assert!(help("part: x.yaml\n", &missing).contains("relative"));
 }

@@ -246,7 +246,7 @@ tests:
             "5:87 unknown-key did you mean `schemes`?",
             "5:102 unknown-key did you mean `source`?",
             "6:13 unknown-table did you mean `materials`?",
-            "7:25 two-questions make two cases of it",
+            "7:25 two-questions split it into two cases",
         ]
     );
     let part = "\

@@ -115,7 +115,7 @@ fn help_is_in_the_language_of_the_answers() {
     for (args, word) in [
         (&["--help"][..], "Використання:"),
         (&["lookup", "--help"], "з поясненням відповіді"),
-        (&["lookup", "--help", "--lang", "en"], "with the reason of its answer"),
+        (&["lookup", "--help", "--lang", "en"], "with the reason for its answer"),
         (&["--lang=en", "--help"], "Usage:"),
     ] {
         let output = run(args);
@@ -360,7 +360,7 @@ fn every_planted_defect_is_found_where_it_stands() {
             "duplicate-key",
             "state: \"solid\", state",
             "state: \"solid\", sch",
-            "`state` stands twice",
+            "`state` appears twice",
         ),
         (
             "unit",

@@ -249,7 +249,7 @@ fn what_cannot_be_written_is_refused_with_its_reason() {
     // The same hollow is no obstacle along the axis: G71 and CYCLE95 clear it.
     assert!(cycle(&linuxcnc, &hollow, corner, along, &setting()).is_ok());
     let text = sentence(&bad_way(&arc(4.9, Purpose::Cut), &as_is).note(), Lang::EN);
-    assert_eq!(text, "the radius of arc 1 is 4.9 mm, and its end needs at least 5 mm");
+    assert_eq!(text, "the radius of arc 1 is 4.9 mm, but its end needs at least 5 mm");
 }
 
 /// Reads a program of single moves for LinuxCNC back. It knows what `plain` writes and no more; the purpose of a move is

@@ -48,7 +48,7 @@ audit-scheme-table = { $hole }: the scheme is not of table { $stated }; it stand
 audit-route-dominated = { $hole }: the route is possible but ranks { $rank }, longer by { $slower } min; better is { $scheme } ({ $table }): { $better }
 audit-route-refused = { $hole }: the route "{ $transitions }" is not possible; the best is { $scheme } ({ $table })
 audit-route-unknown = { $hole }: the tables give no route "{ $transitions }"; the best is { $scheme } ({ $table })
-audit-tool-changes = { $changes } tool changes ({ $order }) where { $needed } would do: { $time } min too much
+audit-tool-changes = { $changes } tool changes ({ $order }) where { $needed } are enough: { $time } min too much
 # Clamping, lengths, magazine.
 audit-no-screw = the table has no screw { $screw }: { $known }
 audit-screw-weak = the screw { $screw } bears { $bears } N, but { $force } N are needed
