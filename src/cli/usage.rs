@@ -83,7 +83,7 @@ mod tests {
     fn mistakes_of_arguments_are_told_in_ukrainian() {
         for (arguments, expected) in [
             (&["technolog", "turn"][..], "помилка: бракує аргументів: <SHAFT.yaml>"),
-            (&["technolog", "frob"], "помилка: немає команди `frob`"),
+            (&["technolog", "frob"], "помилка: невідома команда `frob`"),
             (
                 &["technolog", "turn", "x", "--objectiv"],
                 "помилка: невідомий аргумент `--objectiv`\n  підказка: схоже є: --objective",

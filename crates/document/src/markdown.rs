@@ -95,7 +95,7 @@ impl Page<'_> {
             Some((ListKind::Findings, mark)) => mark,
             _ => self.list(ListKind::Findings),
         };
-        let mut words = Inlines::default().strong(&finding.label());
+        let mut words = Inlines::default().strong(finding.label());
         if let Some(place) = &finding.place {
             words = words.text(" ").code(place);
         }

@@ -454,7 +454,7 @@ fn the_answer_is_told_whole() {
         .flat_map(|finding| [Lang::UK, Lang::EN].map(|lang| sentence(&finding.note, lang)))
         .collect();
     assert_eq!(said[0], "обмеження «привод подачі» не враховано: 16b16t1 не має `feed-force-z`");
-    assert_eq!(said[1], "the bound feed drive is left out: 16b16t1 has no `feed-force-z`");
+    assert_eq!(said[1], "the limit “feed drive” is left out: 16b16t1 has no `feed-force-z`");
     let back: LimitingDepth = serde_json::from_str(&serde_json::to_string(&limit).unwrap()).unwrap();
     assert_eq!(back, limit, "the answer comes back from JSON without loss");
     insta::assert_snapshot!("limiting_depth", serde_json::to_string_pretty(&limit).unwrap());

@@ -22,8 +22,8 @@ fn findings_one_after_the_other_are_a_list() {
     let words = Words { left_out: "", see_all: "", help: "", figure: "" };
     let page = html(&Document { blocks, ..Document::new("uk", "T") }, &words);
     let (_, body) = page.split_once("<main>\n").unwrap();
-    let list = "<h1>T</h1>\n<ul class=\"findings\">\n<li class=\"note\"><b>a</b> x</li>\n\
-        <li class=\"note\"><b>b</b> x</li>\n</ul>\n<p>p</p>\n<ul class=\"findings\">\n<li class=\"note\"><b>c</b> x</li>\n</ul>\n";
+    let list = "<h1>T</h1>\n<ul class=\"findings\">\n<li class=\"note\"><b>a:</b> x</li>\n\
+        <li class=\"note\"><b>b:</b> x</li>\n</ul>\n<p>p</p>\n<ul class=\"findings\">\n<li class=\"note\"><b>c:</b> x</li>\n</ul>\n";
     assert!(body.starts_with(list), "{body}");
     assert!(page.starts_with("<!doctype html>\n<html lang=\"uk\">"), "{page}");
 }

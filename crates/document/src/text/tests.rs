@@ -65,7 +65,7 @@ fn a_page_is_sections_with_what_stands_in_them() {
     `--format html`
   Ø - найбільший.
 
-  хибно 13:47 подача `feed`
+  хибно: 13:47 подача `feed`
     0,25
       підстава: таблиця A.6
       підказка: взяти 0,325
@@ -156,5 +156,5 @@ fn rows_without_heads_stand_in_columns() {
 fn colours_say_what_words_say_too() {
     let blocks = vec![Block::Finding(Finding::new(Severity::Error, "помилка", "Ø"))];
     let page = text(&Document { blocks, ..Document::new("uk", "A") }, 80, true, &WORDS);
-    assert_eq!(page, "\u{1b}[1mA\u{1b}[0m\n\u{1b}[1;31mпомилка\u{1b}[0m Ø\n");
+    assert_eq!(page, "\u{1b}[1mA\u{1b}[0m\n\u{1b}[1;31mпомилка:\u{1b}[0m Ø\n");
 }

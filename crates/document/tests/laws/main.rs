@@ -29,7 +29,9 @@ fn expected(document: &Document) -> Vec<(String, String)> {
             }
             Block::Finding(finding) => {
                 let place = finding.place.iter().map(|place| format!(" {place}")).collect::<String>();
-                all.push(("li1".to_owned(), format!("{}{place} {}", finding.word, finding.words.plain())));
+                // A word has its colon; a mark such as `*` has none.
+                let colon = if finding.word.ends_with(char::is_alphanumeric) { ":" } else { "" };
+                all.push(("li1".to_owned(), format!("{}{colon}{place} {}", finding.word, finding.words.plain())));
                 all.extend(finding.details.iter().map(|detail| said("li2", detail)));
                 all.extend(finding.help.iter().map(|help| ("li2".to_owned(), format!("Help: {}", help.plain()))));
             }
