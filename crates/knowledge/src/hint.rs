@@ -107,7 +107,7 @@ mod tests {
             // Half of each alphabet.
             ("diameтр", "diameter"),
         ] {
-            let both = [format!("did you mean `{meant}`?"), format!("може, `{meant}`?")];
+            let both = [format!("did you mean `{meant}`?"), format!("можливо, `{meant}`?")];
             assert_eq!(told(&format!("{typed}: 1\n")), Some(both), "{typed}");
         }
         for typed in ["colour", "колір", "верстат", "як", "y"] {

@@ -124,7 +124,7 @@ fn a_record_that_does_not_say_what_it_is_of_is_found() {
     let knowledge = changed("catalogs/machines/gf2171.yaml", |text| {
         text.replace("laws:\n  - {law: record, schema: machine-quantities}\n", "")
     });
-    assert_eq!(found(&knowledge), ["no-record: table machine-gf2171: it has no law `record`, so that nobody reads it"]);
+    assert_eq!(found(&knowledge), ["no-record: table machine-gf2171: it has no law `record`, so nothing reads it"]);
 }
 
 #[test]
@@ -136,7 +136,7 @@ fn a_table_that_is_none_of_cutters_is_found_where_the_rule_names_it() {
     });
     assert_eq!(
         found(&knowledge),
-        ["no-cutters: table tool-tables, row 2: drills-small-cylindrical is no table of cutters"]
+        ["no-cutters: table tool-tables, row 2: drills-small-cylindrical is not a table of cutters"]
     );
 }
 

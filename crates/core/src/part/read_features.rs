@@ -268,7 +268,7 @@ mod tests {
             ("cone: {diameter: 12}", "`taper`"),
             ("cone: {diameter: 12, taper: 0.2, angle: 3}", "keep one of them"),
             ("cone: {diameter: 12, taper: 1:50}", "0.02 for 1:50"),
-            ("cone: {diameter: 12, taper: 0}", "no cone"),
+            ("cone: {diameter: 12, taper: 0}", "not a cone"),
             ("face: 10", "[too-narrow]"),
             ("countersink: {diameter: 20}, face: 20", "the hole there Ø20"),
             ("groove: {diameter: 10, width: 2, depth: 5}", "[too-narrow]"),
