@@ -1,6 +1,6 @@
 //! A stepped shaft, its blank, and how much one pass takes.
 //!
-//! [`read_shaft`] turns the user's YAML into these types and reports every mistake of the file at once. [`schema`] is
+//! [`read_shaft`] turns the user's YAML into these types and reports every mistake of the file at once. `schema` is
 //! the file's form for editors.
 
 mod check;
