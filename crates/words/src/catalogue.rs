@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::types::FluentNumber;
 use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
-use fluent_syntax::ast::{Expression, InlineExpression, Pattern, PatternElement};
+use fluent_syntax::ast::{Entry, Expression, InlineExpression, Pattern, PatternElement};
 use technolog_note::Figure;
 
 type Bundle = FluentBundle<FluentResource>;
@@ -20,12 +20,14 @@ pub struct Language {
     folders: Folders,
     messages: OnceLock<Bundle>,
     remarks: OnceLock<BTreeMap<&'static str, &'static str>>,
+    /// Messages without gaps that are written in several pieces, as those with a brace are; by name and form.
+    joined: OnceLock<BTreeMap<(String, String), String>>,
 }
 
 impl Language {
     /// A language by the name of its folder.
     pub const fn new(tag: &'static str, folders: Folders) -> Self {
-        Self { tag, folders, messages: OnceLock::new(), remarks: OnceLock::new() }
+        Self { tag, folders, messages: OnceLock::new(), remarks: OnceLock::new(), joined: OnceLock::new() }
     }
 
     /// Its tag.
@@ -78,10 +80,28 @@ impl Language {
 
     /// A message that is nothing but text.
     pub(crate) fn plain(&self, key: &str, form: Option<&str>) -> Option<&str> {
-        match self.pattern(key, form)?.elements.as_slice() {
-            [PatternElement::TextElement { value }] => Some(value),
-            _ => None,
+        let pattern = self.pattern(key, form)?;
+        if let [PatternElement::TextElement { value }] = pattern.elements.as_slice() {
+            return Some(value);
         }
+        if !gaps(pattern).is_empty() {
+            return None;
+        }
+        let joined = self.joined.get_or_init(|| self.join());
+        joined.get(&(key.to_owned(), form.unwrap_or_default().to_owned())).map(String::as_str)
+    }
+
+    fn join(&self) -> BTreeMap<(String, String), String> {
+        let mut joined = BTreeMap::new();
+        for (key, form) in self.files().flat_map(|(_, text)| names(text)) {
+            let pattern = self.pattern(&key, Some(form.as_str()).filter(|form| !form.is_empty()));
+            let Some(pattern) = pattern.filter(|pattern| pattern.elements.len() > 1 && gaps(pattern).is_empty()) else {
+                continue;
+            };
+            let text = self.bundle().format_pattern(pattern, None, &mut Vec::new()).into_owned();
+            joined.insert((key, form), text);
+        }
+        joined
     }
 
     fn pattern(&self, key: &str, form: Option<&str>) -> Option<&Pattern<&str>> {
@@ -130,6 +150,19 @@ impl Language {
 fn with_comma(written: &str) -> String {
     let (sign, digits) = written.strip_prefix('-').map_or(("", written), |digits| ("−", digits));
     format!("{sign}{}", digits.replace('.', ","))
+}
+
+/// The names of all messages of a file, and of their forms.
+fn names(text: &str) -> Vec<(String, String)> {
+    let resource = fluent_syntax::parser::parse(text).unwrap_or_else(|(sound, _)| sound);
+    let mut names = Vec::new();
+    for entry in resource.body {
+        let Entry::Message(message) = entry else { continue };
+        let key = message.id.name.to_owned();
+        names.extend(message.attributes.iter().map(|form| (key.clone(), form.id.name.to_owned())));
+        names.push((key, String::new()));
+    }
+    names
 }
 
 /// The names of the figures that a pattern has gaps for.

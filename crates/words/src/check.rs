@@ -163,6 +163,13 @@ mod tests {
     }
 
     #[test]
+    fn a_message_of_several_pieces_is_a_word_too() {
+        assert_eq!(Lang::UK.word("plan-holder-length"), "lопр");
+        assert!(Lang::UK.word("case-write-within").contains("{is: 0.28, within: 5%}"));
+        assert_eq!(Lang::UK.word("no-such-message"), "no-such-message");
+    }
+
+    #[test]
     fn what_the_user_wrote_is_not_translated() {
         let note = Note::new("unknown-material").with("material", "drill");
         assert!(Lang::UK.say(&note).contains("`drill`"), "{}", Lang::UK.say(&note));
