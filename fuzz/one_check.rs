@@ -12,7 +12,7 @@ use technolog::motion::time::Clock;
 use technolog::motion::trace::Trace;
 use technolog::program::Setting;
 use technolog::program::control_2c42_65::{Control, check_within};
-use technolog::report::{self, Lang};
+use technolog::report::Lang;
 use technolog::shipped;
 use technolog::units::Micrometres;
 
@@ -40,9 +40,9 @@ pub fn one_check(bytes: &[u8]) {
         let end = (fault.span.column + fault.span.width - 1) as usize;
         assert!(fault.span.column >= 1 && end <= line.max(1), "{fault:?} is outside its line");
         for lang in [Lang::UK, Lang::EN] {
-            let sentence = report::sentence(&fault.note, lang);
+            let sentence = lang.say(&fault.note);
             assert!(!sentence.contains('{') || text.contains('{'), "{sentence}");
-            assert!(report::remedy(&fault.note, lang).is_some(), "{} has no remedy", fault.code);
+            assert!(lang.remedy(&fault.note).is_some(), "{} has no remedy", fault.code);
         }
     }
     assert!(sink.1.times().total_min.0 >= 0.0);

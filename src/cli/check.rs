@@ -105,8 +105,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             let findings = faults
                 .iter()
                 .map(|fault| Finding {
-                    message: report::sentence(&fault.note, context.lang),
-                    help: report::remedy(&fault.note, context.lang),
+                    message: context.lang.say(&fault.note),
+                    help: context.lang.remedy(&fault.note),
                     fault,
                 })
                 .collect();
@@ -114,7 +114,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
                 program: &shown,
                 control,
                 machine: id,
-                part: serious.iter().map(|finding| report::sentence(&finding.note, context.lang)).collect(),
+                part: serious.iter().map(|finding| context.lang.say(&finding.note)).collect(),
                 findings,
                 trace: &steps,
                 time: clock.times(),
@@ -199,12 +199,12 @@ pub fn diagnostic(fault: &Fault, file: &Arc<str>, context: &Context) -> Diagnost
     let span = fault.span;
     let place = Place { file: file.clone(), line: span.line, column: span.column, width: span.width };
     let severity = proof::shown(fault.severity);
-    let sentence = report::sentence(&fault.note, context.lang);
+    let sentence = context.lang.say(&fault.note);
     let message = match fault.path() {
         Some(path) => format!("{path}: {sentence}"),
         None => sentence,
     };
-    let help = report::remedy(&fault.note, context.lang).unwrap_or_default();
+    let help = context.lang.remedy(&fault.note).unwrap_or_default();
     let help = say!(context.lang, "cli-by-rule", what = help, section = fault.rule);
     Diagnostic { severity, code: fault.code, message: message.into(), place: Some(place), help: Some(help.into()) }
 }

@@ -82,7 +82,7 @@ pub const fn shown(severity: note::Severity) -> Severity {
 /// Findings about the part as diagnostics, without a place in the program.
 pub fn of_part(findings: &[&note::Finding], context: &Context) -> Vec<Diagnostic> {
     let told = |finding: &&note::Finding| {
-        let sentence = report::sentence(&finding.note, context.lang);
+        let sentence = context.lang.say(&finding.note);
         let message = finding.hole.iter().fold(sentence, |sentence, hole| format!("{hole}: {sentence}"));
         let severity = shown(finding.severity);
         Diagnostic { severity, code: "finding", message: message.into(), place: None, help: None }
@@ -93,8 +93,8 @@ pub fn of_part(findings: &[&note::Finding], context: &Context) -> Vec<Diagnostic
 /// The proof with its words.
 pub fn answer<'a>(proof: &'a Proof, context: &Context) -> Answer<'a> {
     let said = |finding: &'a Finding| ProofMessage {
-        message: report::sentence(&finding.note, context.lang),
-        help: report::remedy(&finding.note, context.lang),
+        message: context.lang.say(&finding.note),
+        help: context.lang.remedy(&finding.note),
         finding,
     };
     Answer {
@@ -114,13 +114,13 @@ pub fn diagnostics(proof: &Proof, text: &str, file: &Arc<str>, context: &Context
             let width = line.map_or(1, |line| line.trim_end().chars().count().max(1));
             Place { file: file.clone(), line: block.line, column: 1, width: u32::try_from(width).unwrap_or(1) }
         });
-        let sentence = report::sentence(&finding.note, context.lang);
+        let sentence = context.lang.say(&finding.note);
         let message = match finding.block.and_then(|block| block.number) {
             Some(number) => format!("N{number}: {sentence}"),
             None => sentence,
         };
         let severity = shown(finding.severity);
-        let help = report::remedy(&finding.note, context.lang);
+        let help = context.lang.remedy(&finding.note);
         Diagnostic { severity, code: finding.code.name(), message: message.into(), place, help: help.map(Into::into) }
     };
     proof.findings.iter().map(one).collect()

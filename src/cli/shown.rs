@@ -177,10 +177,10 @@ pub fn rows_named(lang: Lang, numbers: &[usize]) -> String {
 /// What a query may say of a column: `довжина, мм`, in the words of a query.
 pub fn expected(lang: Lang, column: &Column) -> String {
     let what = match column.ty {
-        ColumnType::Text => "cli-expected-text",
+        ColumnType::Text => "lint-a-text",
         ColumnType::Enum => return say!(lang, "cli-one-of", values = column.values.join(", ")),
-        ColumnType::Bool => "cli-expected-bool",
-        ColumnType::Int => "cli-expected-int",
+        ColumnType::Bool => "lint-true-false",
+        ColumnType::Int => "lint-whole-number",
         ColumnType::Number => "cli-expected-number",
         ColumnType::Length => "cli-expected-length",
         ColumnType::Angle => "cli-expected-angle",

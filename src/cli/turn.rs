@@ -10,7 +10,7 @@ use technolog::error::KnowledgeError;
 use technolog::knowledge::yaml::text_of;
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::note::Note;
-use technolog::report::{self, Lang, remedy, sentence};
+use technolog::report::{self, Lang};
 use technolog::turning::length::Half;
 use technolog::turning::operation::programs::Form;
 use technolog::turning::passes::cost::Objective;
@@ -217,8 +217,8 @@ fn objective(args: &Args, shaft: &Shaft, context: &Context) -> Result<Objective,
 /// What the command cannot do with what it was given.
 fn refused(code: &'static str, context: &Context) -> CliError {
     let note = Note::new(code);
-    let problem = Diagnostic::error(code, sentence(&note, context.lang), None);
-    CliError::from(problem.help(remedy(&note, context.lang).unwrap_or_default()))
+    let problem = Diagnostic::error(code, context.lang.say(&note), None);
+    CliError::from(problem.help(context.lang.remedy(&note).unwrap_or_default()))
 }
 
 /// Reads a shaft.
@@ -243,8 +243,8 @@ pub fn problem(mistake: Mistake, context: &Context) -> Diagnostic {
     match mistake {
         Mistake::Form(problem) => problem,
         Mistake::Meaning(code, note, place) => {
-            let problem = Diagnostic::error(code, sentence(&note, context.lang), place);
-            match remedy(&note, context.lang) {
+            let problem = Diagnostic::error(code, context.lang.say(&note), place);
+            match context.lang.remedy(&note) {
                 Some(remedy) => problem.help(remedy),
                 None => problem,
             }

@@ -3,7 +3,7 @@
 use clap::ValueEnum;
 use technolog::error::KnowledgeError;
 use technolog::knowledge::{Diagnostic, Knowledge};
-use technolog::report::{self, remedy};
+use technolog::report;
 use technolog::turning::operation::programs::{Form, OperationProgram, programs};
 use technolog::turning::operation::{self, Operation};
 use technolog::turning::workpiece::Workpiece;
@@ -103,7 +103,7 @@ pub fn program(
 fn not_written(written: &OperationProgram, note: technolog::note::Note, context: &Context) -> CliError {
     let said = say!(context.lang, "turn-tool-not-written", tool = &written.tool, why = &note);
     let problem = Diagnostic::error("not-written", said, None);
-    match remedy(&note, context.lang) {
+    match context.lang.remedy(&note) {
         Some(remedy) => problem.help(remedy).into(),
         None => problem.into(),
     }

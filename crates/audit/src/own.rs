@@ -146,7 +146,7 @@ impl Own<'_> {
         let value =
             number(text).map(|(value, _)| value).or_else(|| text.parse().ok().filter(|value: &f64| value.is_finite()));
         let Some(value) = value else {
-            return self.problems.error("bad-value", note!("planfile-no-number", text = text), &node.place);
+            return self.problems.error("bad-value", note!("case-number", text = text), &node.place);
         };
         let places = i32::try_from(self.tolerances.own_places(quantity)).unwrap_or(0);
         let last_place = libm::pow(10.0, f64::from(-places));

@@ -232,7 +232,7 @@ impl Reader<'_> {
         }
         match part.filter(|part| part.machine != id) {
             Some(part) => {
-                let message = note!("case-machine-part-for", id = id, machine = part.machine);
+                let message = note!("cli-other-machine", asked = id, own = part.machine);
                 self.problems.error_help("other-machine", message, &node.place, note!("case-leave-out-machine"))
             }
             None => Some(id.to_owned()),
@@ -302,7 +302,7 @@ impl Reader<'_> {
         }
         let known = choices.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
         let message = note!("case-none-choices", text = text);
-        self.problems.error_help("bad-value", message, &node.place, note!("yaml-known-here", known = known))
+        self.problems.error_help("bad-value", message, &node.place, note!("case-known-here", names = known))
     }
 }
 

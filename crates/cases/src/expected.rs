@@ -292,7 +292,7 @@ fn severity(node: &Node, problems: &mut Problems) -> Option<Severity> {
     }
     let names = Severity::WORDS;
     let help = match nearest(text, names.iter().copied()) {
-        Some(near) => note!("yaml-did-you-mean", near = near),
+        Some(near) => note!("cli-did-you-mean", name = near),
         None => note!("case-known-here", names = names.join(", ")),
     };
     problems.error_help("bad-value", note!("case-no-severity", text = text), &node.place, help)

@@ -179,8 +179,8 @@ impl<'s> KeyCheck<'s, '_> {
             } else if free.is_empty() {
                 let known = || properties.iter().flat_map(|own| own.keys()).map(String::as_str);
                 let help = match nearest(&key.text, known()) {
-                    Some(near) => note!("yaml-did-you-mean", near = near),
-                    None => note!("case-known-here-2", value = known().collect::<Vec<_>>().join(", ")),
+                    Some(near) => note!("cli-did-you-mean", name = near),
+                    None => note!("case-known-here", names = known().collect::<Vec<_>>().join(", ")),
                 };
                 let message = note!("yaml-unknown-key", key = key.text);
                 self.problems.error_help::<()>("unknown-key", message, &key.place, help);
@@ -196,7 +196,7 @@ impl<'s> KeyCheck<'s, '_> {
         if let (true, Err(slip)) = (forms.iter().any(is_transition), Pattern::read(text)) {
             let message = note!("case-no-word-transition", word = slip.word);
             let help = match slip.near {
-                Some(near) => note!("yaml-did-you-mean", near = near),
+                Some(near) => note!("cli-did-you-mean", name = near),
                 None => note!("case-write-operation-then-what-known"),
             };
             self.problems.error_help::<()>("bad-value", message, &expected.place, help);

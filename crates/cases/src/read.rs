@@ -167,7 +167,7 @@ impl Reader<'_> {
                     let near = nearest(word, self.around.codes.iter().map(String::as_str));
                     let help = near.map_or_else(
                         || note!("case-write-severity-code-findings-format"),
-                        |near| note!("yaml-did-you-mean", near = near),
+                        |near| note!("cli-did-you-mean", name = near),
                     );
                     let message = note!("case-no-finding-has-code", word = word);
                     self.problems.error_help::<()>("unknown-code", message, &one.place, help);

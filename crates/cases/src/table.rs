@@ -33,10 +33,10 @@ impl Question {
         let id = latin(problems.text(table)?.trim());
         let Some(found) = knowledge.tables().find(|known| known.id.eq_ignore_ascii_case(&id)) else {
             let help = match nearest(&id, knowledge.tables().map(|table| table.id.as_str())) {
-                Some(near) => note!("yaml-did-you-mean", near = near),
+                Some(near) => note!("cli-did-you-mean", name = near),
                 None => note!("case-technolog-table-lists-them"),
             };
-            return problems.error_help("unknown-table", note!("case-there-no-table", id = id), &table.place, help);
+            return problems.error_help("unknown-table", note!("cli-unknown-table", id = id), &table.place, help);
         };
         let mut columns = Vec::new();
         let mut whole = true;
@@ -120,8 +120,8 @@ fn value(table: &Table, key: &str, at: &Place, node: &Node, problems: &mut Probl
     let Some((index, column)) = keys.iter().find(|(_, column)| column.name == key) else {
         let names = || keys.iter().map(|(_, column)| column.name.as_str());
         let help = match nearest(key, names()) {
-            Some(near) => note!("yaml-did-you-mean", near = near),
-            None => note!("case-known-here-2", value = names().collect::<Vec<_>>().join(", ")),
+            Some(near) => note!("cli-did-you-mean", name = near),
+            None => note!("case-known-here", names = names().collect::<Vec<_>>().join(", ")),
         };
         return problems.error_help(
             "unknown-key",
@@ -222,8 +222,8 @@ pub fn fit(expected: &mut Expected, table: &Table, problems: &mut Problems) {
                 if column.is_none() && !OF_ROWS.contains(&key.text.as_str()) {
                     let names = || said(table).into_iter().map(|(_, column)| column.name.as_str()).chain(OF_ROWS);
                     let help = match nearest(&key.text, names()) {
-                        Some(near) => note!("yaml-did-you-mean", near = near),
-                        None => note!("case-known-here-2", value = names().collect::<Vec<_>>().join(", ")),
+                        Some(near) => note!("cli-did-you-mean", name = near),
+                        None => note!("case-known-here", names = names().collect::<Vec<_>>().join(", ")),
                     };
                     let message = note!("case-table-gives-no", table = table.id, key = key.text);
                     problems.error_help::<()>("unknown-key", message, &key.place, help);

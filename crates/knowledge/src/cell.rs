@@ -72,7 +72,7 @@ impl TestParser<'_> {
             return self.interval(trimmed, at);
         }
         if trimmed.contains("..") {
-            return Err(error(note!("table-say-whether-ends-belong", trimmed = trimmed)));
+            return Err(error(note!("table-say-whether-ends-belong", range = trimmed)));
         }
         if trimmed.is_empty() {
             return Err(error(note!("table-empty-test-write-for-anything")));
@@ -110,7 +110,7 @@ impl TestParser<'_> {
         let error = |message: Note| TestError { message, offset: offset + lead, width: trimmed.chars().count().max(1) };
         let value = self.column.parse_value(trimmed).map_err(error)?;
         self.column.rank(&value).ok_or_else(|| TestError {
-            message: note!("table-column-type-cannot-tested", ty = self.column.ty.name()),
+            message: note!("table-column-type-cannot-tested", kind = self.column.ty.name()),
             offset: offset + lead,
             width: trimmed.chars().count().max(1),
         })

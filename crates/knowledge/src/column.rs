@@ -184,13 +184,13 @@ impl Column {
                 if self.values.iter().any(|value| value == text) {
                     Ok(Value::Text(text.to_owned()))
                 } else {
-                    Err(note!("table-none-2", text = text, values = self.values.join(", ")))
+                    Err(note!("table-none", text = text, known = self.values.join(", ")))
                 }
             }
             ColumnType::Bool => match text {
                 "true" => Ok(Value::Bool(true)),
                 "false" => Ok(Value::Bool(false)),
-                _ => Err(note!("table-neither-true-nor-false", text = text)),
+                _ => Err(note!("yaml-neither-true-nor-false", other = text)),
             },
             ColumnType::Int => text
                 .parse::<Decimal>()

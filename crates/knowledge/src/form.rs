@@ -158,7 +158,7 @@ impl<'n, F> Fields<'n, F> {
                     note!("yaml-write-decimal-point-number-comma")
                 }
                 Some(hint) => hint.told(),
-                None => note!("yaml-known-here", known = known.join(", ")),
+                None => note!("case-known-here", names = known.join(", ")),
             };
             if let Some(hint) = hint {
                 let missing = missing_key(hint.key(), self.place).message;

@@ -28,7 +28,7 @@ impl<'k> Hint<'k> {
     /// As a sentence.
     pub(crate) fn told(&self) -> Note {
         match *self {
-            Self::Meant(key) => note!("yaml-did-you-mean", near = key),
+            Self::Meant(key) => note!("cli-did-you-mean", name = key),
             Self::Alphabet(key) => note!("yaml-write-key-in-latin-letters", near = key),
             Self::Stands(key, line) => note!("yaml-meant-key-stands-already", near = key, line = line),
         }

@@ -322,7 +322,7 @@ impl Loader<'_> {
         let Some(node) = node else {
             let default = ty.default_unit();
             if default.is_none() {
-                let message = note!("table-column-type-needs-unit", name = name, ty = ty.name());
+                let message = note!("table-column-type-needs-unit", name = name, kind = ty.name());
                 self.problems.error::<()>("missing-unit", message, place);
             }
             return default;
@@ -334,7 +334,7 @@ impl Loader<'_> {
         let fitting: Vec<&str> = Unit::ALL.iter().filter(|unit| ty.accepts(**unit)).map(|unit| unit.text()).collect();
         self.problems.error_help(
             "wrong-unit",
-            note!("table-column-type-cannot", name = name, ty = ty.name(), unit = unit),
+            note!("table-column-type-cannot", name = name, kind = ty.name(), unit = unit),
             &node.place,
             note!("table-unit", fitting = fitting.join(" or ")),
         )
@@ -460,7 +460,7 @@ impl Loader<'_> {
         let mut corrections = Vec::new();
         for (key, node) in fields.rest() {
             if !columns.iter().any(|column| column.name == key.text) {
-                self.problems.error::<()>("unknown-column", note!("table-no-column-2", key = key.text), &key.place);
+                self.problems.error::<()>("unknown-column", note!("table-no-column", name = key.text), &key.place);
             }
             let Some(mut fields) = self.problems.open_map(node) else { continue };
             let printed = fields.need("printed", self.problems).and_then(|node| self.owned(node));

@@ -46,7 +46,7 @@ impl Figure {
 
     /// A word of the general vocabulary, such as the name of a bound or of a scheme.
     pub fn word(id: impl Into<Cow<'static, str>>) -> Self {
-        Self::Word(Word { of: "word", id: id.into() })
+        Self::word_of("word", id)
     }
 
     /// A word of another vocabulary.
@@ -56,7 +56,7 @@ impl Figure {
 
     /// The name of an operation.
     pub fn operation(id: impl Into<Cow<'static, str>>) -> Self {
-        Self::Word(Word { of: "operation", id: id.into() })
+        Self::word_of("operation", id)
     }
 
     /// The name of a scheme: a designation of a table, or the transitions that a search found.
@@ -80,14 +80,13 @@ impl Figure {
     }
 
     /// As machines read it: ids of words, numbers with a point.
-    #[expect(clippy::disallowed_methods, reason = "machines read the code of a sentence within a sentence")]
     pub fn text(&self) -> Cow<'_, str> {
         match self {
             Self::Text(text) | Self::Number(text) | Self::Word(Word { id: text, .. }) => Cow::Borrowed(text),
             Self::List(parts, between) => {
                 parts.iter().map(|part| part.text().into_owned()).collect::<Vec<_>>().join(between).into()
             }
-            Self::Note(note) => note.code().to_owned().into(),
+            Self::Note(note) => note.to_string().into(),
             Self::Stored(text) | Self::Remark(text) => Cow::Borrowed(text),
         }
     }

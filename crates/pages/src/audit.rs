@@ -14,7 +14,7 @@ use technolog_core::words::with_unit;
 use technolog_document::{self as document, Document, Inlines};
 use technolog_words::say;
 
-use super::{Lang, sentence};
+use super::Lang;
 pub use words::severity;
 use words::{figure, heading, name, place, said, subject};
 
@@ -114,8 +114,8 @@ fn details(finding: &Finding, audit: &Audit, lang: Lang) -> Vec<String> {
         });
         lines.push(say!(lang, "audit-supplied", taken = Figure::list(taken)));
     }
-    lines.extend(finding.reasons.iter().map(|why| sentence(why, lang)));
-    let mut rests: Vec<String> = finding.source.iter().map(|source| sentence(source, lang)).collect();
+    lines.extend(finding.reasons.iter().map(|why| lang.say(why)));
+    let mut rests: Vec<String> = finding.source.iter().map(|source| lang.say(source)).collect();
     for row in finding.because.iter().map(|because| row(because, lang)) {
         if !rests.contains(&row) {
             rests.push(row);

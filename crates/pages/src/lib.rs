@@ -7,7 +7,6 @@ pub mod cycles;
 pub mod encoding;
 pub mod order;
 pub mod order_drawing;
-pub mod sentences;
 pub mod setting;
 mod transitions;
 pub mod turning;
@@ -15,7 +14,6 @@ mod why;
 
 pub mod sheet;
 
-pub use sentences::{remedy, sentence};
 pub use technolog_core::lang::Lang;
 pub use technolog_core::words::{operation_named, operation_noun, operation_verb, unit, with_unit};
 pub use why::explain;

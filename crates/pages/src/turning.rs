@@ -22,7 +22,6 @@ use technolog_turning::shaft::{Division, Moves};
 use technolog_words::say;
 
 use super::Lang;
-use super::sentences::term;
 use cells::{Cell, arrow, figure, span, table};
 use phrases::{finding, material, rests_on, said, word};
 
@@ -141,7 +140,7 @@ fn variants(found: &Sequences, lang: Lang) -> Table {
     let row = |variant: &Variant| {
         let along = variant.passes.iter().filter(|pass| pass.kind == PassDirection::Longitudinal).count();
         vec![
-            term(variant.name, lang).into(),
+            lang.term("word", variant.name).into(),
             Cell::Figure(variant.cutting_path_mm.to_mm(), 2),
             Cell::count(variant.passes.len()),
             Cell::count(along),
@@ -168,7 +167,7 @@ fn passes(variant: &Variant, lang: Lang) -> Table {
         let (from, to) = (&pass.from, &pass.to);
         vec![
             Cell::count(pass.number),
-            term(pass.kind.name(), lang).into(),
+            lang.term("word", pass.kind.name()).into(),
             arrow(figure(from.diameter_mm, lang), figure(to.diameter_mm, lang)).into(),
             arrow(figure(from.z_mm, lang), figure(to.z_mm, lang)).into(),
             Cell::Figure(pass.depth_mm.to_mm(), 2),

@@ -68,13 +68,7 @@ impl Lang {
     /// The message of a note. One that no language has shows its code and figures, so that nothing is lost.
     #[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
     pub fn say(self, note: &Note) -> String {
-        let known: Vec<(&str, Cow<'_, Figure>)> = note
-            .figures()
-            .map(|(name, figure)| match figure {
-                Figure::Stored(text) => (name, Cow::Owned(self.stored(name, text))),
-                figure => (name, Cow::Borrowed(figure)),
-            })
-            .collect();
+        let known = figures_of(note);
         let figures: Vec<(&str, &Figure)> = known.iter().map(|(name, figure)| (*name, &**figure)).collect();
         let Some(mut said) = self.message(note.code(), None, &figures) else {
             let figures: Vec<String> =
@@ -97,7 +91,9 @@ impl Lang {
     /// What to do about what a note says.
     #[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
     pub fn remedy(self, note: &Note) -> Option<String> {
-        self.message(note.code(), Some("help"), &note.figures().collect::<Vec<_>>())
+        let known = figures_of(note);
+        let figures: Vec<(&str, &Figure)> = known.iter().map(|(name, figure)| (*name, &**figure)).collect();
+        self.message(note.code(), Some("help"), &figures)
     }
 
     /// A message that is nothing but text, where there is one.
@@ -140,38 +136,6 @@ impl Lang {
         self.0.plain(key, form).or_else(|| registered::EN.plain(key, form))
     }
 
-    /// A figure of a stored note, of which only its name tells what it is.
-    fn stored(self, name: &str, text: &str) -> Figure {
-        const OPERATIONS: [&str; 7] = ["operation", "instead", "transitions", "better", "scheme", "same", "first"];
-        const WORDS: [&str; 12] = [
-            "kind",
-            "method",
-            "variant",
-            "direction",
-            "rival",
-            "take",
-            "by",
-            "name",
-            "shank",
-            "bound",
-            "feature",
-            "stages",
-        ];
-        let list = |one: fn(String) -> Figure| {
-            let between = if text.contains(" + ") { " + " } else { ", " };
-            Figure::List(text.split(between).map(|part| one(part.to_owned())).collect(), between)
-        };
-        if text.parse::<f64>().is_ok() {
-            Figure::number(text.to_owned())
-        } else if OPERATIONS.contains(&name) {
-            list(Figure::operation)
-        } else if WORDS.contains(&name) {
-            list(Figure::word)
-        } else {
-            Figure::Text(text.to_owned().into())
-        }
-    }
-
     fn message(self, key: &str, form: Option<&str>, figures: &[(&str, &Figure)]) -> Option<String> {
         let shown = |figure: &Figure| self.figure(figure);
         self.0.message(key, form, figures, &shown).or_else(|| registered::EN.message(key, form, figures, &shown))
@@ -179,6 +143,49 @@ impl Lang {
 
     fn mentions(self, key: &str, figure: &str) -> bool {
         self.0.mentions(key, figure).or_else(|| registered::EN.mentions(key, figure)).unwrap_or_default()
+    }
+}
+
+/// The figures of a note, those of a stored one as what they seem to be.
+#[expect(clippy::disallowed_methods, reason = "words are made of notes here")]
+fn figures_of(note: &Note) -> Vec<(&str, Cow<'_, Figure>)> {
+    note.figures()
+        .map(|(name, figure)| match figure {
+            Figure::Stored(text) => (name, Cow::Owned(stored(name, text))),
+            figure => (name, Cow::Borrowed(figure)),
+        })
+        .collect()
+}
+
+/// A figure of a stored note, of which only its name tells what it is.
+fn stored(name: &str, text: &str) -> Figure {
+    const OPERATIONS: [&str; 7] = ["operation", "instead", "transitions", "better", "scheme", "same", "first"];
+    const WORDS: [&str; 12] = [
+        "kind",
+        "method",
+        "variant",
+        "direction",
+        "rival",
+        "take",
+        "by",
+        "name",
+        "shank",
+        "bound",
+        "feature",
+        "stages",
+    ];
+    let list = |one: fn(String) -> Figure| {
+        let between = if text.contains(" + ") { " + " } else { ", " };
+        Figure::List(text.split(between).map(|part| one(part.to_owned())).collect(), between)
+    };
+    if text.parse::<f64>().is_ok() {
+        Figure::number(text.to_owned())
+    } else if OPERATIONS.contains(&name) {
+        list(Figure::operation)
+    } else if WORDS.contains(&name) {
+        list(Figure::word)
+    } else {
+        Figure::Text(text.to_owned().into())
     }
 }
 

@@ -136,7 +136,7 @@ impl Reader<'_, '_> {
         if self.named.contains(&index) {
             return self.problem(
                 "duplicate-key",
-                say!(lang, "cli-key-twice", key = key),
+                say!(lang, "yaml-key-stands-twice", key = key),
                 key_at,
                 say!(lang, "cli-keep-one").to_owned(),
             );

@@ -3,7 +3,6 @@
 use technolog::cases::{Came, Failure, Why, brief};
 use technolog::document::{Column, Document, Finding, Inlines, Severity, Table};
 use technolog::note::{Because, Figure, Note};
-use technolog::report::sentence;
 use technolog::words::say;
 
 use super::super::Lang;
@@ -106,7 +105,7 @@ pub fn came(failure: &Failure, lang: Lang) -> String {
         Came::Without(list) => say!(lang, "test-without", list = brief(list)),
         Came::Unwanted(value) => match serde_json::from_value::<Note>(value.clone()) {
             // A finding of an audit says its figures itself.
-            Ok(note) if value.get("field").is_none() => format!("{}: {}", brief(value), sentence(&note, lang)),
+            Ok(note) if value.get("field").is_none() => format!("{}: {}", brief(value), lang.say(&note)),
             _ => brief(value),
         },
         Came::NoSuch { key, near: Some(near), .. } => say!(lang, "test-no-such-key-near", key = key, near = near),
@@ -121,15 +120,15 @@ pub fn why(reason: &Why, lang: Lang) -> String {
     match reason {
         Why::Because(because) => decision(because, lang),
         Why::NotTaken { scheme, why } => {
-            say!(lang, "test-not-taken", scheme = Figure::scheme(scheme), why = sentence(why, lang))
+            say!(lang, "test-not-taken", scheme = Figure::scheme(scheme), why = lang.say(why))
         }
-        Why::Finding(finding) => sentence(&finding.note, lang),
+        Why::Finding(finding) => lang.say(&finding.note),
         Why::OtherRow { row, column, cell } => say!(lang, "test-other-row", row = *row, column = column, cell = cell),
     }
 }
 
 fn decision(because: &Because, lang: Lang) -> String {
-    let said = if because.note.is_empty() { because.place.clone() } else { sentence(&because.note, lang) };
+    let said = if because.note.is_empty() { because.place.clone() } else { lang.say(&because.note) };
     match because.row {
         Some(row) => say!(lang, "test-row", table = &because.table, row = row, said = said),
         None => say!(lang, "test-table", table = &because.table, said = said),

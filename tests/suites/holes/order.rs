@@ -7,7 +7,7 @@ use std::process::{Command, Output};
 use serde_json::Value;
 use technolog::machine::Rapid;
 use technolog::plan::CuttingMethod;
-use technolog::report::{Lang, remedy, sentence};
+use technolog::report::Lang;
 use technolog::sequence::bound::{lower_bound, rounds};
 use technolog::sequence::list::read_list;
 use technolog::sequence::metric::Metric;
@@ -167,8 +167,8 @@ fn codes_of_list(text: &str) -> Vec<String> {
         .map(|problem| {
             let at = problem.place.as_ref().map_or(String::new(), |at| format!(" {}:{}", at.line, at.column));
             for lang in [Lang::UK, Lang::EN] {
-                assert!(remedy(&problem.note, lang).is_some(), "{problem:?}");
-                assert!(!sentence(&problem.note, lang).contains(['{', '}']), "{problem:?}");
+                assert!(lang.remedy(&problem.note).is_some(), "{problem:?}");
+                assert!(!lang.say(&problem.note).contains(['{', '}']), "{problem:?}");
             }
             format!("{}{at}", problem.code)
         })

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::panic::catch_unwind;
 
 use technolog::note::Severity;
-use technolog::report::{Lang, remedy};
+use technolog::report::Lang;
 use technolog::turning::operation::plan;
 use technolog::turning::operation::programs::{Form, programs};
 use technolog::turning::workpiece::{Turned, Workpiece, read_turned};
@@ -47,7 +47,7 @@ fn a_blank_of_a_hundred_metres_has_too_many_passes() {
     assert!(graves.contains(&"too-many-passes"), "{graves:?}");
     for lang in [Lang::UK, Lang::EN] {
         let told = findings.iter().find(|one| one.note.code() == "too-many-passes").unwrap();
-        assert!(remedy(&told.note, lang).is_some());
+        assert!(lang.remedy(&told.note).is_some());
     }
 }
 

@@ -20,7 +20,6 @@ use technolog::error::Refusal;
 use technolog::knowledge::Knowledge;
 use technolog::material::Material;
 use technolog::report::Lang;
-use technolog::report::sentences::sentence;
 use technolog::turning::cutting::{
     Bound, BoundTold, Cut, CuttingRefusal, Direction, LimitingDepth, Load, Speed, conditions, finish_feed,
     limiting_depth, rough_feed,
@@ -448,11 +447,8 @@ fn the_answer_is_told_whole() {
     let case = Case::new(knowledge, "16b16t1", "PDJNR 2525M15", "steel-45");
     let cut = case.cut(65.0, Direction::Longitudinal);
     let limit = limiting_depth(&cut, MillimetresPerRev(0.6), Speed::ForToolLife).unwrap();
-    let said: Vec<String> = limit
-        .findings()
-        .iter()
-        .flat_map(|finding| [Lang::UK, Lang::EN].map(|lang| sentence(&finding.note, lang)))
-        .collect();
+    let said: Vec<String> =
+        limit.findings().iter().flat_map(|finding| [Lang::UK, Lang::EN].map(|lang| lang.say(&finding.note))).collect();
     assert_eq!(said[0], "обмеження «привод подачі» не враховано: 16b16t1 не має `feed-force-z`");
     assert_eq!(said[1], "the limit “feed drive” is left out: 16b16t1 has no `feed-force-z`");
     let back: LimitingDepth = serde_json::from_str(&serde_json::to_string(&limit).unwrap()).unwrap();

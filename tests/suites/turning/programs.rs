@@ -2,7 +2,7 @@
 //! random ways, and every reason for not writing. What LinuxCNC itself makes of them is held by tests/oracles/lathe.py.
 
 use proptest::prelude::*;
-use technolog::report::{Lang, remedy, sentence};
+use technolog::report::Lang;
 use technolog::turning::contour::{Contour, Curve, Piece, Side, Turn};
 use technolog::turning::length::Half;
 use technolog::turning::point::Point;
@@ -242,13 +242,13 @@ fn what_cannot_be_written_is_refused_with_its_reason() {
         let note = refused.note();
         assert_eq!(note.code(), code, "{refused:?}");
         for lang in [Lang::UK, Lang::EN] {
-            assert!(!sentence(&note, lang).contains('{'), "{}", sentence(&note, lang));
-            assert!(remedy(&note, lang).is_some(), "{code}");
+            assert!(!lang.say(&note).contains('{'), "{}", lang.say(&note));
+            assert!(lang.remedy(&note).is_some(), "{code}");
         }
     }
     // The same hollow is no obstacle along the axis: G71 and CYCLE95 clear it.
     assert!(cycle(&linuxcnc, &hollow, corner, along, &setting()).is_ok());
-    let text = sentence(&bad_way(&arc(4.9, Purpose::Cut), &as_is).note(), Lang::EN);
+    let text = Lang::EN.say(&bad_way(&arc(4.9, Purpose::Cut), &as_is).note());
     assert_eq!(text, "the radius of arc 1 is 4.9 mm, but its end needs at least 5 mm");
 }
 

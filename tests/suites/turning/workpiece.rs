@@ -6,7 +6,7 @@ use std::path::Path;
 
 use proptest::prelude::*;
 use technolog::note::Severity;
-use technolog::report::{Lang, sentence};
+use technolog::report::Lang;
 use technolog::turning::contour::{Curve, Piece, Side, SurfaceKind, SurfaceName, Turn};
 use technolog::turning::length::Half;
 use technolog::turning::point::Point;
@@ -49,7 +49,7 @@ fn listed(workpiece: &Workpiece) -> String {
         lines.push(format!("{} ({}): {}", surface.name, surface.kind.name(), pieces(&surface.pieces)));
     }
     for advice in blank::advice(workpiece, &KNOWLEDGE).unwrap() {
-        lines.push(format!("{:?}: {}", advice.finding.severity, sentence(&advice.finding.note, Lang::UK)));
+        lines.push(format!("{:?}: {}", advice.finding.severity, Lang::UK.say(&advice.finding.note)));
     }
     let mut rest = workpiece.clone();
     rest.outer.surfaces.clear();
@@ -141,7 +141,7 @@ fn surfaces_carry_what_the_drawing_says() {
     let corners: Vec<Point> = relief.pieces.iter().map(|piece| piece.to).collect();
     assert_eq!(corners, [at(33.0, -23.5), at(33.0, -27.0), at(36.0, -27.0)]);
     assert_eq!(pin.findings.len(), 1);
-    assert!(sentence(&pin.findings[0].note, Lang::EN).contains("thread-relief"));
+    assert!(Lang::EN.say(&pin.findings[0].note).contains("thread-relief"));
 }
 
 /// A bore counts its metal outwards: what is hollow bends the other way, grooves go outwards.

@@ -2,7 +2,7 @@
 //! Contours are written down by hand as radius and Z, mm, Z growing from the free end towards the chuck.
 
 use proptest::prelude::*;
-use technolog::report::{Lang, sentence};
+use technolog::report::Lang;
 use technolog::turning::contour::{Contour, Piece, Profile, Side, Surface, SurfaceKind, SurfaceName, Turn};
 use technolog::turning::elements::{Angles, Hand};
 use technolog::turning::length::Half;
@@ -217,7 +217,7 @@ fn a_tool_fits_or_the_inequality_says_why_not() {
         [tool("V", 95.0, 50.0), tool("45", 45.0, 45.0), tool("55", 93.0, 32.0), left, groover(10.0), groover(12.0)];
     let fit = fit(zone, &tools);
     assert_eq!(fit.fitting, ["V", "left", "groover"]);
-    let said: Vec<String> = fit.refused.iter().flat_map(|one| &one.why).map(|why| sentence(why, Lang::EN)).collect();
+    let said: Vec<String> = fit.refused.iter().flat_map(|one| &one.why).map(|why| Lang::EN.say(why)).collect();
     assert_eq!(
         said,
         ["φ = 45° is less than 90°", "φ1 = 32° is less than 45°", "the tool is 12 mm wide, the floor 10 mm"]
@@ -238,10 +238,7 @@ fn a_bar_must_enter_the_bore() {
         |name: &str, least: &str| ToolAngles { least_bore: Some(least.parse().unwrap()), ..tool(name, 95.0, 30.0) };
     let fit = fit(zone, &[bar("S16", "20"), bar("S20", "25")]);
     assert_eq!(fit.fitting, ["S16"]);
-    assert_eq!(
-        sentence(&fit.refused[0].why[0], Lang::EN),
-        "the bore of Ø20 is smaller than the least for the tool, Ø25"
-    );
+    assert_eq!(Lang::EN.say(&fit.refused[0].why[0]), "the bore of Ø20 is smaller than the least for the tool, Ø25");
 }
 
 // Set-ups.
@@ -299,7 +296,7 @@ fn a_flange_takes_two_set_ups() {
     assert_eq!(second.holds_at, Some(hold));
     // 11 mm of Ø84 are left to hold the blank by, and 20 are needed.
     assert_eq!((first.holds_at.clone(), first.because.note.code()), (None, "hold-blank-short"));
-    let said: Vec<String> = second.notes.iter().map(|note| sentence(note, Lang::EN)).collect();
+    let said: Vec<String> = second.notes.iter().map(|note| Lang::EN.say(note)).collect();
     assert_eq!(said.len(), 2);
     assert_eq!(
         said[0],

@@ -109,7 +109,7 @@ fn by_rule(node: &Node, rules: &[&str], problems: &mut Problems) -> Vec<(String,
     for (key, node) in fields.rest() {
         if !rules.contains(&key.text.as_str()) {
             let help = match nearest(&key.text, rules.iter().copied()) {
-                Some(near) => note!("yaml-did-you-mean", near = near),
+                Some(near) => note!("cli-did-you-mean", name = near),
                 None => note!("planfile-docs-audit-md-lists-rules"),
             };
             problems.error_help::<()>("unknown-rule", note!("planfile-no-rule", key = key.text), &key.place, help);

@@ -75,7 +75,7 @@ impl Reader<'_> {
             } else {
                 note!("planfile-write-number-without-unit")
             };
-            self.problems.error_help("bad-value", note!("planfile-no-number", text = text), &node.place, help)
+            self.problems.error_help("bad-value", note!("case-number", text = text), &node.place, help)
         })
     }
 }

@@ -262,7 +262,7 @@ impl Reader<'_> {
         }
         let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
         let help = match crate::knowledge::diagnostic::nearest(text, names.iter().copied()) {
-            Some(near) => note!("yaml-did-you-mean", near = near),
+            Some(near) => note!("cli-did-you-mean", name = near),
             None => note!("part-may", names = names.join(", ")),
         };
         self.problems.error_help("bad-value", note!("part-known-here", text = text), &node.place, help)

@@ -82,7 +82,7 @@ impl Reader<'_> {
         if !part.holes.iter().any(|known| known.name == hole.value) {
             let names: Vec<&str> = part.holes.iter().map(|hole| hole.name.as_str()).collect();
             let help = match nearest(&hole.value, names.iter().copied()) {
-                Some(near) => note!("yaml-did-you-mean", near = near),
+                Some(near) => note!("cli-did-you-mean", name = near),
                 None => note!("planfile-part-has", names = names.join(", ")),
             };
             let message = note!("planfile-part-has-no-group-holes", value = hole.value);

@@ -24,7 +24,7 @@ impl Reader<'_> {
         let mut shared: Vec<(u32, StatedValue<u32>)> = Vec::new();
         for (key, node) in entries {
             let Some(number) = number_of_tool(&key.text) else {
-                let message = note!("planfile-no-tool-2", key = key.text);
+                let message = note!("planfile-no-tool", text = key.text);
                 let help = note!("planfile-name-by-place-t-t");
                 let _ = self.problems.error_help::<()>("bad-value", message, &key.place, help);
                 continue;

@@ -130,7 +130,7 @@ fn depth(group: &Group, blank: &Blank, problems: &mut Problems) {
         problems.error_help::<()>("bad-depth", message, place, note!("part-say-through-true-make-shallower"));
     } else if *depth < LEAST_DEPTH {
         let message = note!("part-hole-mm-deep-mark-no", name = name, depth = depth);
-        let help = note!("part-mind-unit-depths-mm-least", LEAST_DEPTH = LEAST_DEPTH);
+        let help = note!("part-mind-unit-depths-mm-least", least = LEAST_DEPTH);
         problems.error_help::<()>("bad-depth", message, place, help);
     }
 }

@@ -118,7 +118,7 @@ impl Reader<'_> {
         let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
         let message = note!("part-known-here", text = text);
         let help = match nearest(text, names.iter().copied()) {
-            Some(near) => note!("yaml-did-you-mean", near = near),
+            Some(near) => note!("cli-did-you-mean", name = near),
             None => note!("part-may", names = names.join(", ")),
         };
         self.problems.error_help("bad-value", message, &node.place, help)
@@ -178,7 +178,7 @@ impl Reader<'_> {
             return Some(text);
         }
         let help = match nearest(&text.to_lowercase(), known.iter().copied()) {
-            Some(near) => note!("yaml-did-you-mean", near = near),
+            Some(near) => note!("cli-did-you-mean", name = near),
             None => note!("part-known-machines", known = known.join(", ")),
         };
         self.problems.error_help("unknown-machine", note!("part-unknown-machine", text = text), &node.place, help)
@@ -254,7 +254,12 @@ impl Reader<'_> {
             return Some(text);
         }
         let message = note!("part-no-clamp-screw", text = text);
-        self.problems.error_help("unknown-screw", message, &node.place, note!("part-known", names = names.join(", ")))
+        self.problems.error_help(
+            "unknown-screw",
+            message,
+            &node.place,
+            note!("planfile-known", known = names.join(", ")),
+        )
     }
 
     pub(super) fn point(&mut self, node: &Node) -> Option<Point> {
@@ -437,7 +442,7 @@ holes:
             let from = MANY_KEYS.find(&format!("{key}:")).unwrap();
             let text = format!("{}{typed}{}", &MANY_KEYS[..from], &MANY_KEYS[from + key.len()..]);
             let problems = read_part("part", &text, &knowledge).unwrap_err();
-            let meant = note!("yaml-did-you-mean", near = key);
+            let meant = note!("cli-did-you-mean", name = key);
             assert_eq!(problems.len(), 1, "{typed}: {problems:?}");
             assert_eq!((problems[0].code, &problems[0].help), ("unknown-key", &Some(meant)), "{typed}");
         }

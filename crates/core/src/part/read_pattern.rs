@@ -125,11 +125,7 @@ impl Reader<'_> {
     fn room_for(&mut self, points: usize, node: &Node) -> Option<()> {
         self.pattern_points = self.pattern_points.saturating_add(points);
         if self.pattern_points > MOST_POINTS {
-            let message = note!(
-                "part-patterns-make-points-part-may",
-                pattern_points = self.pattern_points,
-                MOST_POINTS = MOST_POINTS
-            );
+            let message = note!("part-patterns-make-points-part-may", points = self.pattern_points, most = MOST_POINTS);
             return self.problems.error_help("bad-value", message, &node.place, note!("part-mind-counts"));
         }
         Some(())

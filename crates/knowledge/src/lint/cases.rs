@@ -133,7 +133,7 @@ pub(super) fn check(knowledge: &Knowledge, findings: &mut Vec<Diagnostic>) {
         // The compiled knowledge carries no examples; only sources can be held to this.
         if !knowledge.cases.iter().any(|file| file.table == table.id && !file.cases.is_empty()) {
             let message = note!("lint-rule-has-no-examples", file = table.file, table = table.id);
-            let help = note!("lint-put-them-beside", replace = table.file.replace(".yaml", ".test.yaml"));
+            let help = note!("lint-put-them-beside", file = table.file.replace(".yaml", ".test.yaml"));
             findings.push(Diagnostic::error("no-examples", message, None).help(help));
         }
     }

@@ -191,8 +191,7 @@ fn unknown(text: &str, words: &[&str]) -> Note {
 }
 
 fn type_fault(column: &Column, holds: Holds) -> Option<Note> {
-    let is =
-        |expected: bool, what: Note| (!expected).then(|| note!("lint-takes", what = what, type_of = type_of(column)));
+    let is = |expected: bool, what: Note| (!expected).then(|| note!("lint-takes", what = what, kind = type_of(column)));
     match holds {
         Holds::Anything => None,
         Holds::Text | Holds::Name(_) => {
@@ -216,8 +215,8 @@ fn type_fault(column: &Column, holds: Holds) -> Option<Note> {
 
 fn type_of(column: &Column) -> Note {
     match column.unit {
-        Unit::None => note!("lint-column-type", ty = column.ty.name()),
-        unit => note!("lint-column-type-2", ty = column.ty.name(), unit = unit),
+        Unit::None => note!("lint-column-type", kind = column.ty.name()),
+        unit => note!("lint-column-type-2", kind = column.ty.name(), unit = unit),
     }
 }
 

@@ -71,7 +71,7 @@ fn parameter<'l>(law: &'l Law, name: &str) -> Result<&'l str, Note> {
 
 fn column(table: &Table, law: &Law, name: &str) -> Result<usize, Note> {
     let column = parameter(law, name)?;
-    table.column_index(column).ok_or_else(|| note!("lint-no-column", column = column))
+    table.column_index(column).ok_or_else(|| note!("table-no-column", name = column))
 }
 
 fn rank(table: &Table, row: usize, column: usize) -> Option<i64> {
@@ -92,7 +92,7 @@ fn rising(table: &Table, law: &Law) -> Broken {
         .get("by")
         .unwrap_or_default()
         .split_whitespace()
-        .map(|name| table.column_index(name).ok_or_else(|| note!("lint-no-column-2", name = name)))
+        .map(|name| table.column_index(name).ok_or_else(|| note!("table-no-column", name = name)))
         .collect::<Result<_, _>>()?;
     // Per group: the rows by the other column, and for each of its values the smallest and the largest.
     let mut groups: BTreeMap<Vec<String>, Vec<(i64, i64, usize)>> = BTreeMap::new();
@@ -116,10 +116,10 @@ fn rising(table: &Table, law: &Law) -> Broken {
                     let shown = &table.columns[value];
                     let message = note!(
                         "lint-falls-where-smaller-has",
-                        shown = shown.name,
-                        show_rank = shown.show_rank(own),
+                        value = shown.name,
+                        low = shown.show_rank(own),
                         over = table.columns[over].name,
-                        show_rank2 = shown.show_rank(bound)
+                        high = shown.show_rank(bound)
                     );
                     found.push(broken(table, row, value, message));
                 }
@@ -140,9 +140,9 @@ fn less(table: &Table, law: &Law) -> Broken {
                 let message = note!(
                     "lint-below",
                     small_column = small_column.name,
-                    show_rank = small_column.show_rank(a),
+                    small = small_column.show_rank(a),
                     large_column = large_column.name,
-                    show_rank2 = large_column.show_rank(b)
+                    large = large_column.show_rank(b)
                 );
                 broken(table, row, small, message)
             })
@@ -165,9 +165,9 @@ fn between(table: &Table, law: &Law) -> Broken {
                 let message = note!(
                     "lint-outside",
                     of = of.name,
-                    show_rank = of.show_rank(value),
-                    show_rank2 = of.show_rank(low),
-                    show_rank3 = of.show_rank(high)
+                    value = of.show_rank(value),
+                    least = of.show_rank(low),
+                    most = of.show_rank(high)
                 );
                 broken(table, row, index, message)
             })
@@ -194,9 +194,9 @@ fn morse(table: &Table, law: &Law, knowledge: &Knowledge) -> Broken {
             let show = |rank: i64| table.columns[length].show_rank(rank);
             let message = match expected {
                 Some(expected) => {
-                    note!("lint-l-l-but-morse-shank", show = show(l - p), n = n, show2 = show(expected))
+                    note!("lint-l-l-but-morse-shank", length = show(l - p), number = n, expected = show(expected))
                 }
-                None => note!("lint-there-no-morse-taper", n = n),
+                None => note!("lint-there-no-morse-taper", number = n),
             };
             found.push(broken(table, row, projection, message));
         }
@@ -235,7 +235,7 @@ fn order(table: &Table, law: &Law) -> Broken {
         .split_whitespace()
         .map(|pair| {
             let (printed, transition) = pair.split_once(':').ok_or_else(|| note!("lint-no-pair", pair = pair))?;
-            let index = table.column_index(printed).ok_or_else(|| note!("lint-no-column-3", printed = printed))?;
+            let index = table.column_index(printed).ok_or_else(|| note!("table-no-column", name = printed))?;
             Ok((index, transition))
         })
         .collect::<Result<Vec<_>, Note>>()?;
@@ -284,8 +284,8 @@ fn record(table: &Table, law: &Law, knowledge: &Knowledge) -> Broken {
                         "lint-table-must",
                         table = table.id,
                         name = name,
-                        unwrap_or_default = given.unwrap_or_default(),
-                        unwrap_or_default2 = unit.unwrap_or_default()
+                        unit = given.unwrap_or_default(),
+                        needed = unit.unwrap_or_default()
                     );
                     found.push(Diagnostic::error("wrong-unit", message, row_place(table, row.index)));
                 }

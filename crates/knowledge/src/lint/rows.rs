@@ -32,7 +32,7 @@ fn marks(table: &Table, findings: &mut Vec<Diagnostic>) {
     for (row, content) in table.rows.iter().enumerate() {
         let admits = content.reason.as_deref().is_some_and(|reason| reason.contains(NOTHING));
         if admits && content.unconfirmed.is_none() {
-            let message = note!("lint-table-row-reason-says-has", table = table.id, row = row + 1, NOTHING = NOTHING);
+            let message = note!("lint-table-row-reason-says-has", table = table.id, row = row + 1, phrase = NOTHING);
             findings.push(
                 Diagnostic::error("no-mark", message, row_place(table, row))
                     .help(note!("lint-say-unconfirmed-what-confirmed-reason")),
@@ -84,7 +84,7 @@ fn decision(table: &Table, findings: &mut Vec<Diagnostic>) {
                     table = table.id,
                     row = row + 1,
                     text = text,
-                    as_deref = column.domain_text.as_deref().unwrap_or("of its type"),
+                    domain = column.domain_text.as_deref().unwrap_or("of its type"),
                     column = column.name
                 );
                 findings.push(Diagnostic::error("outside-domain", message, cell_place(table, row, index)));

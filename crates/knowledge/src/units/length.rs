@@ -117,7 +117,7 @@ impl FromStr for Micrometres {
 
     fn from_str(text: &str) -> Result<Self, ParseError> {
         if let Some(digits) = text.strip_suffix("mm").or_else(|| text.strip_suffix("мм")) {
-            return Err(ParseError(note!("unit-write-bare-number-millimetres", text = text, trim = digits.trim())));
+            return Err(ParseError(note!("unit-write-bare-number-millimetres", text = text, number = digits.trim())));
         }
         let exact: Decimal = text.parse()?;
         if exact.millionths() % 1000 != 0 {

@@ -7,7 +7,7 @@ use technolog_core::words::quantity_noun;
 use technolog_document as document;
 use technolog_words::say;
 
-use super::super::{Lang, operation_noun, sentence};
+use super::super::{Lang, operation_noun};
 use super::keys;
 
 /// The heading of a section.
@@ -170,7 +170,7 @@ pub(super) fn said(finding: &Finding, lang: Lang) -> String {
         }
         _ => finding.note.clone(),
     };
-    sentence(&note, lang)
+    lang.say(&note)
 }
 
 /// What is not stated, by what lacks the same: `рядки 2, 3 - діаметр D; T1, T2 - виліт lв`.

@@ -2,7 +2,6 @@
 //! direction (the paper's figure 6, for any shaft).
 
 use super::super::canvas::{Anchor, At, Canvas, Pen};
-use super::super::sentences::term;
 use super::cells::{figure, rounded};
 use super::phrases::word;
 use super::{Lang, schemes_drawing};
@@ -56,7 +55,7 @@ fn legend(canvas: &mut Canvas, top: f64, lang: Lang) {
             canvas.rectangle((left, top), (left + 18.0, top + 12.0), fill, Some(Pen::solid("#666", 0.5)));
             left += 22.0;
         }
-        canvas.text((left, top + 10.0), 12.0, Anchor::Start, term(kind.name(), lang));
+        canvas.text((left, top + 10.0), 12.0, Anchor::Start, lang.term("word", kind.name()));
         left += 140.0;
     }
 }

@@ -1,7 +1,6 @@
 //! The map of the variants over length to diameter: a table and a plot.
 
 use super::super::canvas::{Anchor, At, Canvas, Pen};
-use super::super::sentences::term;
 use super::Lang;
 use super::cells::{Cell, figure, table};
 use super::phrases::word;
@@ -32,7 +31,7 @@ pub fn map_page(shaft: &Shaft, map: &[Ratio], lang: Lang) -> Document {
     let row = |ratio: &Ratio| {
         let mut row = vec![figure(ratio.length_to_diameter, lang).into(), Cell::Figure(ratio.length_mm.to_mm(), 2)];
         row.extend(ratio.above_optimum_percent.map(|percent| Cell::Figure(percent, 2)));
-        row.push(term(ratio.winner, lang).into());
+        row.push(lang.term("word", ratio.winner).into());
         row
     };
     let mut page = Document::new(lang.tag(), title(shaft, lang));
@@ -76,7 +75,7 @@ pub fn map_drawing(shaft: &Shaft, map: &[Ratio], lang: Lang) -> String {
         }
         let left = LEFT + index as f64 * 170.0;
         canvas.line(&[(left, 44.0), (left + 22.0, 44.0)], pen);
-        canvas.text((left + 28.0, 48.0), 12.0, Anchor::Start, term(name, lang));
+        canvas.text((left + 28.0, 48.0), 12.0, Anchor::Start, lang.term("word", name));
     }
     canvas.page(WIDTH, HEIGHT)
 }

@@ -17,7 +17,6 @@ use technolog_words::say;
 use super::cells::{Cell, fixed, table};
 use super::phrases::{material, rests_on, word};
 use super::{Lang, fields, findings, section};
-use crate::sentences::sentence;
 
 /// The whole page.
 pub fn operation_page(operation: &Operation, knowledge: &Knowledge, lang: Lang) -> Document {
@@ -28,7 +27,7 @@ pub fn operation_page(operation: &Operation, knowledge: &Knowledge, lang: Lang) 
         let advice = operation
             .blank_advice
             .iter()
-            .map(|advice| Item::from(rests_on(&sentence(&advice.finding.note, lang), &advice.because, lang)));
+            .map(|advice| Item::from(rests_on(&lang.say(&advice.finding.note), &advice.because, lang)));
         page.blocks.push(Block::List(advice.collect()));
     }
     section(&mut page, say!(lang, "turn-set-ups"));

@@ -7,18 +7,17 @@ use crate::note::{self, Because, Note};
 use technolog_turning::length::Half;
 use technolog_words::say;
 
-use super::super::sentences::term;
-use super::super::{Lang, sentence};
+use super::super::Lang;
 use super::cells::figure;
 
 /// A note as a line.
 pub(super) fn said(note: &Note, lang: Lang) -> Inlines {
-    Inlines::sentence(&sentence(note, lang))
+    Inlines::sentence(&lang.say(note))
 }
 
 /// What was decided, with the row that it rests on.
 pub(super) fn reasoned(because: &Because, lang: Lang) -> Inlines {
-    rests_on(&sentence(&because.note, lang), because, lang)
+    rests_on(&lang.say(&because.note), because, lang)
 }
 
 /// A sentence with the row that it rests on.
@@ -57,7 +56,7 @@ pub(super) fn material(id: &str, knowledge: &Knowledge) -> String {
 
 /// Words of the general vocabulary with something between them.
 pub(super) fn terms<'i>(ids: impl Iterator<Item = &'i str>, between: &str, lang: Lang) -> String {
-    ids.map(|id| term(id, lang)).collect::<Vec<_>>().join(between)
+    ids.map(|id| lang.term("word", id)).collect::<Vec<_>>().join(between)
 }
 
 /// A column with the names of schemes: headings of figures are wrapped before them.

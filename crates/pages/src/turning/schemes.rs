@@ -5,7 +5,6 @@ use technolog_tables::turning::passes::Scheme;
 use technolog_turning::schemes::{Schemes, Splitting};
 use technolog_words::say;
 
-use super::super::sentences::term;
 use super::Lang;
 use super::cells::{Cell, arrow, figure, rounded, span, table};
 use super::phrases::{said, schemes_column, terms, word};
@@ -56,7 +55,7 @@ fn levels(page: &mut Document, found: &Schemes, lang: Lang) {
             Cell::Figure(one.stock_mm.to_mm(), 2),
             Cell::Figure(one.passes as f64, 0),
             Cell::Figure(one.mean_depth_mm.to_mm(), 2),
-            term(zone.zone.name(), lang).into(),
+            lang.term("word", zone.zone.name()).into(),
             schemes(&zone.schemes).into(),
         ]
     });
@@ -86,7 +85,7 @@ fn schemes(found: &Schemes, lang: Lang) -> Table {
     let rows = found.schemes.iter().map(|scheme| {
         let measures = &scheme.measures;
         vec![
-            term(scheme.name, lang).into(),
+            lang.term("word", scheme.name).into(),
             Cell::count(measures.passes),
             Cell::Figure(measures.cutting_mm.to_mm(), 1),
             Cell::Figure(measures.idle_mm, 1),

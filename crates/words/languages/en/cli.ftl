@@ -74,7 +74,6 @@ cli-no-such-key = table { $table } has no key `{ $key }`
 cli-is-output = `{ $key }` is an output of table { $table }, not an input
 cli-no-such-key-but = did you mean `{ $near }`? the keys of the table are { $known }
 cli-the-keys-are = the keys of the table are { $known }
-cli-key-twice = the key `{ $key }` appears twice
 cli-keep-one = keep one of them
 cli-bad-value = key `{ $key }`: `{ $value }` is not valid
 cli-bad-value-because = key `{ $key }`: { $why }
@@ -110,9 +109,6 @@ cli-findings-counted = { $count } { $count ->
        *[other] findings
     }
 # What a column expects.
-cli-expected-text = a text
-cli-expected-bool = true or false
-cli-expected-int = a whole number
 cli-expected-number = a number
 cli-expected-length = a length
 cli-expected-angle = an angle

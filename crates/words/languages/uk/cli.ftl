@@ -74,7 +74,6 @@ cli-no-such-key = таблиця { $table } не має ключа `{ $key }`
 cli-is-output = `{ $key }` – це відповідь таблиці { $table }, а не її вхід
 cli-no-such-key-but = можливо, `{ $near }`? ключі таблиці: { $known }
 cli-the-keys-are = ключі таблиці: { $known }
-cli-key-twice = ключ `{ $key }` стоїть двічі
 cli-keep-one = лишіть один
 cli-bad-value = ключ `{ $key }`: `{ $value }` не підходить
 cli-bad-value-because = ключ `{ $key }`: { $why }
@@ -113,9 +112,6 @@ cli-findings-counted = { $count } { $count ->
        *[many] зауважень
     }
 # What a column expects.
-cli-expected-text = текст
-cli-expected-bool = true або false
-cli-expected-int = ціле число
 cli-expected-number = число
 cli-expected-length = довжина
 cli-expected-angle = кут

@@ -10,7 +10,6 @@ use super::super::Lang;
 use super::super::cells::{Cell, figure, fixed, rounded, table};
 use super::super::phrases::{reasoned, said, schemes_column, word, z};
 use super::zones::place;
-use crate::sentences::term;
 use crate::units::round_to;
 
 pub(super) fn schemes(
@@ -76,7 +75,7 @@ fn compared(work: &Work, lang: Lang) -> Table {
         Column::number(say!(lang, "turn-ridges"), mm),
     ];
     let row = |one: &Transition| {
-        let name = term(one.scheme.name(), lang);
+        let name = lang.term("word", one.scheme.name());
         let taken = work.taken == Some(one.scheme);
         vec![
             if taken { "+" } else { "" }.into(),

@@ -11,7 +11,6 @@ use technolog_words::say;
 use super::super::Lang;
 use super::super::cells::{Cell, arrow, figure, span, table};
 use super::super::phrases::{reasoned, said, word, z};
-use crate::sentences::term;
 
 pub(super) fn surfaces(page: &mut Document, operation: &Operation, set_up: &SetUpWork, lang: Lang) {
     let one = &set_up.set_up;
@@ -52,7 +51,7 @@ fn elements(page: &mut Document, operation: &Operation, stretch: &TurnedSide, wo
         }
         rows.push(vec![
             lang.figure(&surface.name.tell()).into(),
-            term(surface.kind.name(), lang).into(),
+            lang.term("word", surface.kind.name()).into(),
             arrow(figure(from.radius.diameter(), lang), figure(to.radius.diameter(), lang)).into(),
             arrow(z(from.z, lang), z(to.z, lang)).into(),
             surface.grade.map_or(String::new(), |grade| grade.to_string()).into(),

@@ -12,7 +12,6 @@ use technolog_words::say;
 use super::super::cells::{Cell, fixed, rounded, span, table};
 use super::super::phrases::{terms, word, z};
 use super::super::{Lang, section};
-use crate::sentences::{sentence, term};
 
 pub(super) fn zones(page: &mut Document, operation: &Operation, lang: Lang) {
     let mm = say!(lang, "unit-mm");
@@ -32,7 +31,7 @@ pub(super) fn zones(page: &mut Document, operation: &Operation, lang: Lang) {
     let row = |(set_up, side, one): (&SetUpWork, &SideWork, &ZoneWork)| {
         let kind = match one.zone.feed {
             Feed::Across => say!(lang, "turn-zone-face"),
-            Feed::Along => term(one.zone.kind.name(), lang),
+            Feed::Along => lang.term("word", one.zone.kind.name()),
         };
         let depths: Vec<String> = one.works.iter().map(|work| fixed(work.levels.depth.to_mm(), 2, lang)).collect();
         let depth = one.depth.as_ref();
@@ -160,7 +159,7 @@ fn limits(zone: &str, limit: &LimitingDepth, lang: Lang) -> String {
 }
 
 fn refused_tool(zone: &str, tool: &str, why: &[Note], lang: Lang) -> Item {
-    let why: Vec<String> = why.iter().map(|why| sentence(why, lang)).collect();
+    let why: Vec<String> = why.iter().map(|why| lang.say(why)).collect();
     Inlines::sentence(&say!(lang, "turn-tool-refused", zone = zone, tool = tool, why = why.join("; "))).into()
 }
 
