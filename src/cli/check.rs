@@ -2,12 +2,11 @@
 //! the part (`proof.rs`).
 
 use std::borrow::Cow;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use serde::Serialize;
 use technolog::document::{Block, Document, Table};
-use technolog::knowledge::yaml::text_of;
 use technolog::knowledge::{Diagnostic, Knowledge, Place};
 use technolog::machine::Machine;
 use technolog::motion::MotionStep;
@@ -71,7 +70,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let knowledge = knowledge::load(context)?;
     let at_fault = |error: technolog::error::KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let shown = args.program.display().to_string();
-    let text = read(&args.program, context)?;
+    let text = context.text(&args.program)?;
     let mut held = args.part.as_deref().map(|part| proof::held(part, knowledge, context)).transpose()?;
     let of_part = held.as_ref().map(|held| held.plan.part.machine.clone());
     let id = args.machine.as_deref().or(of_part.as_deref()).unwrap_or("gf2171");
@@ -85,7 +84,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let mut setting = match &args.setting {
         None => Setting::default(),
         Some(path) => {
-            let (shown, text) = (path.display().to_string(), read(path, context)?);
+            let (shown, text) = (path.display().to_string(), context.text(path)?);
             language.setting(&shown, &text).map_err(|problems| CliError::Unusable {
                 problems,
                 texts: Texts::default().with(&shown, shown.clone(), Cow::Owned(text)),
@@ -152,12 +151,6 @@ fn machine<'k>(id: &str, knowledge: &'k Knowledge, context: &Context) -> Result<
         return Err(Diagnostic::error("unknown-machine", message, None).help(help).into());
     }
     Machine::find(knowledge, id).map_err(|error| CliError::of_knowledge(&error, context.lang))
-}
-
-fn read(path: &Path, context: &Context) -> Result<String, CliError> {
-    let shown = path.display().to_string();
-    let bytes = std::fs::read(path).map_err(|error| problems::unreadable(&shown, &error, context.lang))?;
-    Ok(text_of(&shown, bytes)?)
 }
 
 /// The answer for people: mistakes with their lines, what is made of the part, the trace, the times.

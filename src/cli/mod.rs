@@ -13,6 +13,7 @@ mod check;
 mod control;
 mod diagnostics;
 mod help;
+mod input;
 mod knowledge;
 mod lint;
 mod lookup;
@@ -178,6 +179,8 @@ pub struct Context {
     pub format: Option<Format>,
     /// The file for the answer, or nothing for the screen.
     pub output: Option<PathBuf>,
+    /// What the answer rests on.
+    pub inputs: input::Inputs,
 }
 
 impl Context {
@@ -242,6 +245,7 @@ impl Context {
     /// # Errors
     /// It cannot be written.
     pub fn emit(&self, answer: &str) -> Result<(), CliError> {
+        self.spare_inputs()?;
         output::write(answer.as_bytes(), self.output.as_deref(), self.lang)
     }
 
@@ -337,6 +341,7 @@ pub fn main() -> ExitCode {
         knowledge: cli.global.knowledge,
         format: cli.global.format,
         output: cli.global.output,
+        inputs: input::Inputs::default(),
     };
     match cli.command.run(&context) {
         Ok(Outcome::Done) => ExitCode::SUCCESS,

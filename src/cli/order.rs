@@ -5,7 +5,6 @@ use std::path::PathBuf;
 
 use clap::ValueEnum;
 use serde::Serialize;
-use technolog::knowledge::yaml::text_of;
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::machine::Machine;
 use technolog::note::Finding;
@@ -183,11 +182,7 @@ fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
 
 fn read(args: &Args, context: &Context) -> Result<List, CliError> {
     let shown = args.file.display().to_string();
-    let text = std::fs::read(&args.file).map_err(|error| {
-        let message = words::cannot_read(context.lang, &shown, error);
-        CliError::from(Diagnostic::error("unreadable", message, None).help(words::check_path(context.lang)))
-    })?;
-    let text = text_of(&shown, text)?;
+    let text = context.text(&args.file)?;
     read_list(&shown, &text).map_err(|slips| CliError::Unusable {
         problems: slips.into_iter().map(|slip| problem(slip, context)).collect(),
         texts: Texts::default().with(&shown, shown.clone(), Cow::Owned(text)),

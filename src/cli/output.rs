@@ -6,6 +6,7 @@ use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::path::{Component, Path, PathBuf};
 
 use technolog::knowledge::Diagnostic;
+use technolog::words::say;
 
 use super::CliError;
 use super::words::{self, Lang};
@@ -17,7 +18,10 @@ use super::words::{self, Lang};
 pub fn write(answer: &[u8], file: Option<&Path>, lang: Lang) -> Result<(), CliError> {
     match file {
         Some(path) if path != Path::new("-") => to_file(answer, path).map_err(|error| {
-            let message = words::cannot_write(lang, path.display(), error);
+            let message = match error.kind() {
+                ErrorKind::PermissionDenied => say!(lang, "cli-write-not-permitted", path = path.display()),
+                _ => words::cannot_write(lang, path.display(), error),
+            };
             Diagnostic::error("unwritable", message, None).help(words::check_folder(lang)).into()
         }),
         _ => match to_screen(answer) {
@@ -80,7 +84,7 @@ fn to_screen(answer: &[u8]) -> io::Result<()> {
     screen.flush()
 }
 
-/// Writes beside the file and renames, so that the file is the old one or the new one, whole.
+/// Writes beside the file and renames, so that the file is the old one or the new one, whole, also after a power cut.
 fn to_file(answer: &[u8], path: &Path) -> io::Result<()> {
     // Through a link to the file it means; a rename would replace the link.
     let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
@@ -89,18 +93,49 @@ fn to_file(answer: &[u8], path: &Path) -> io::Result<()> {
         // A device or a pipe cannot be replaced; a folder refuses by itself.
         return OpenOptions::new().write(true).open(&path)?.write_all(answer);
     }
+    if let Some(old) = &old {
+        // The folder may allow what the file does not.
+        if old.permissions().readonly() {
+            return Err(ErrorKind::PermissionDenied.into());
+        }
+        OpenOptions::new().write(true).open(&path)?;
+    }
+    remove_stale(&path);
     let (mut file, temporary) = beside(&path)?;
     let written = file.write_all(answer).and_then(|()| match &old {
         Some(old) => file.set_permissions(old.permissions()),
         None => Ok(()),
     });
-    drop(file);
-    let renamed = written.and_then(|()| fs::rename(&temporary, &path));
+    let renamed = written.and_then(|()| file.sync_all()).and_then(|()| fs::rename(&temporary, &path));
     if renamed.is_err() {
         // The first error is the one to tell of.
         let _ = fs::remove_file(&temporary);
     }
     renamed
+}
+
+/// Removes what a run that was killed left beside the file: a temporary file that nobody holds locked. What cannot be
+/// removed harms nobody.
+fn remove_stale(path: &Path) {
+    let (Some(name), Some(folder)) = (path.file_name(), path.parent()) else { return };
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let begin = format!(".{}.", name.to_string_lossy());
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if !name.strip_prefix(&begin).and_then(|rest| rest.strip_suffix(TEMPORARY)).is_some_and(is_number_of_run) {
+            continue;
+        }
+        if File::open(entry.path()).is_ok_and(|file| file.try_lock().is_ok()) {
+            let _ = fs::remove_file(entry.path());
+        }
+    }
+}
+
+/// How temporary files end; before it stand the number of the process and that of its attempt.
+const TEMPORARY: &str = ".technolog-tmp";
+
+fn is_number_of_run(text: &str) -> bool {
+    !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit() || byte == b'-')
 }
 
 /// A new file in the same folder, so that the rename stays on one disk.
@@ -111,10 +146,14 @@ fn beside(path: &Path) -> io::Result<(File, PathBuf)> {
     for attempt in 0_u32.. {
         let mut hidden = std::ffi::OsString::from(".");
         hidden.push(name);
-        hidden.push(format!(".{}-{attempt}.tmp", std::process::id()));
+        hidden.push(format!(".{}-{attempt}{TEMPORARY}", std::process::id()));
         let temporary = path.with_file_name(hidden);
         match OpenOptions::new().write(true).create_new(true).open(&temporary) {
-            Ok(file) => return Ok((file, temporary)),
+            Ok(file) => {
+                // Where files cannot be locked they are not taken for stale either.
+                let _ = file.try_lock();
+                return Ok((file, temporary));
+            }
             Err(error) if error.kind() == ErrorKind::AlreadyExists && attempt < 100 => {}
             Err(error) => return Err(error),
         }

@@ -8,7 +8,7 @@ use technolog::knowledge::{Diagnostic, Severity};
 use technolog::words::say;
 
 use super::diagnostics::{Texts, render};
-use super::{CliError, Format, Lang};
+use super::{CliError, Format, Lang, input};
 
 /// A file or a folder that cannot be read.
 pub fn unreadable(path: impl Display, error: &io::Error, lang: Lang) -> CliError {
@@ -16,6 +16,8 @@ pub fn unreadable(path: impl Display, error: &io::Error, lang: Lang) -> CliError
     let message = match error.kind() {
         ErrorKind::NotFound => say!(lang, "cli-not-found", path = path),
         ErrorKind::PermissionDenied => say!(lang, "cli-not-permitted", path = path),
+        ErrorKind::FileTooLarge => say!(lang, "cli-file-too-large", path = path, most = input::MOST_BYTES >> 20),
+        ErrorKind::Unsupported => say!(lang, "cli-no-ordinary-file", path = path),
         ErrorKind::IsADirectory => say!(lang, "cli-is-a-folder", path = path),
         _ => say!(lang, "cli-cannot-read", path = path, error = error.to_string()),
     };
@@ -26,6 +28,9 @@ pub fn unreadable(path: impl Display, error: &io::Error, lang: Lang) -> CliError
 pub fn of_system(error: &io::Error, lang: Lang) -> String {
     match error.kind() {
         ErrorKind::NotFound => lang.word("file-not-there").to_owned(),
+        ErrorKind::FileTooLarge => say!(lang, "file-too-large", most = input::MOST_BYTES >> 20),
+        ErrorKind::Unsupported => lang.word("file-no-ordinary").to_owned(),
+        ErrorKind::IsADirectory => lang.word("file-is-a-folder").to_owned(),
         _ => error.to_string(),
     }
 }

@@ -1,10 +1,10 @@
 //! The whole knowledge base: every table by its id.
 
 use std::borrow::Cow;
-use std::collections::BTreeMap;
-use std::fs;
-use std::path::Path;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
+use std::{fs, io};
 use technolog_note::note;
 
 use serde::{Deserialize, Serialize};
@@ -143,11 +143,11 @@ impl Knowledge {
     /// # Errors
     /// Every file that cannot be read, as text of path and content otherwise.
     pub fn read_folder(folder: &Path) -> Result<Vec<(String, String)>, Vec<Diagnostic>> {
-        let mut files = Vec::new();
-        let mut problems = Vec::new();
+        let mut reading = Reading::default();
         for top in ["catalogs", "rules"] {
-            collect_yaml(&folder.join(top), top, &mut files, &mut problems);
+            reading.folder(&folder.join(top), top);
         }
+        let Reading { files, mut problems, .. } = reading;
         if files.is_empty() && problems.is_empty() {
             let message = note!("table-no-tables", folder = folder.display().to_string());
             problems
@@ -230,29 +230,49 @@ impl Knowledge {
     }
 }
 
-fn collect_yaml(folder: &Path, name: &str, files: &mut Vec<(String, String)>, problems: &mut Vec<Diagnostic>) {
-    let unreadable = |error: std::io::Error| {
-        Diagnostic::error("unreadable", format!("{}: {error}", folder.display()), None)
-            .help(note!("table-name-folder-holds-catalogs-rules"))
-    };
-    let entries = match fs::read_dir(folder) {
-        Ok(entries) => entries,
-        Err(error) => return problems.push(unreadable(error)),
-    };
-    let mut paths: Vec<_> = entries.filter_map(|entry| entry.ok().map(|entry| entry.path())).collect();
-    paths.sort();
-    for path in paths {
-        let Some(file_name) = path.file_name().and_then(|name| name.to_str()) else { continue };
-        let inner = format!("{name}/{file_name}");
-        if path.is_dir() {
-            collect_yaml(&path, &inner, files, problems);
-        } else if file_name.ends_with(".yaml") {
-            match fs::read_to_string(&path) {
-                Ok(text) => files.push((inner, text)),
-                Err(error) => {
-                    problems.push(Diagnostic::error("unreadable", format!("{}: {error}", path.display()), None));
+/// Reading a folder of tables.
+#[derive(Default)]
+struct Reading {
+    files: Vec<(String, String)>,
+    problems: Vec<Diagnostic>,
+    /// The folders that were entered, by their true places: a link may lead round.
+    entered: BTreeSet<PathBuf>,
+}
+
+impl Reading {
+    fn folder(&mut self, folder: &Path, name: &str) {
+        if !folder.canonicalize().is_ok_and(|place| self.entered.insert(place)) && folder.exists() {
+            return;
+        }
+        let entries = match fs::read_dir(folder) {
+            Ok(entries) => entries,
+            Err(error) => {
+                let message = format!("{}: {error}", folder.display());
+                let problem = Diagnostic::error("unreadable", message, None);
+                return self.problems.push(problem.help(note!("table-name-folder-holds-catalogs-rules")));
+            }
+        };
+        let mut paths: Vec<_> = entries.filter_map(|entry| entry.ok().map(|entry| entry.path())).collect();
+        paths.sort();
+        for path in paths {
+            let Some(file_name) = path.file_name().and_then(|name| name.to_str()) else { continue };
+            let inner = format!("{name}/{file_name}");
+            if path.is_dir() {
+                self.folder(&path, &inner);
+            } else if file_name.ends_with(".yaml") {
+                match read_ordinary(&path) {
+                    Ok(text) => self.files.push((inner, text)),
+                    Err(error) => {
+                        let message = format!("{}: {error}", path.display());
+                        self.problems.push(Diagnostic::error("unreadable", message, None));
+                    }
                 }
             }
         }
     }
+}
+
+/// The text of an ordinary file: a pipe would be waited for, and a device has no end.
+fn read_ordinary(path: &Path) -> io::Result<String> {
+    if fs::metadata(path)?.is_file() { fs::read_to_string(path) } else { Err(io::ErrorKind::Unsupported.into()) }
 }

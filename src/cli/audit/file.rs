@@ -13,16 +13,26 @@ use technolog::report::Lang;
 
 use super::super::diagnostics::Texts;
 use super::super::problems::{of_system, unreadable};
-use super::super::{CliError, Context};
+use super::super::{CliError, Context, input};
+
+/// Where the files that a plan names may lie: below its own folder, the folder that is audited, or the one that the
+/// program is run in.
+#[derive(Clone, Copy)]
+pub struct Places<'p> {
+    /// The folder that is audited.
+    pub folder: Option<&'p Path>,
+    /// Wherever they lie: the user says that the plan is to be trusted.
+    pub anywhere: bool,
+}
 
 /// A plan.
 ///
 /// # Errors
 /// Every mistake of the file.
-pub fn read(path: &Path, auditor: &Auditor<'_>, context: &Context) -> Result<Stated, CliError> {
+pub fn read(path: &Path, auditor: &Auditor<'_>, places: Places<'_>, context: &Context) -> Result<Stated, CliError> {
     let shown = path.display().to_string();
-    let text = content(path, &shown, context)?;
-    let stated = read_plan(&shown, &text, auditor.knowledge, &|name: &str| named(path, name, context));
+    let text = context.text(path)?;
+    let stated = read_plan(&shown, &text, auditor.knowledge, &|name: &str| named(path, name, places, context));
     stated.map_err(|unreadable| unusable(path, shown, text, unreadable))
 }
 
@@ -30,10 +40,16 @@ pub fn read(path: &Path, auditor: &Auditor<'_>, context: &Context) -> Result<Sta
 ///
 /// # Errors
 /// Every mistake of the plan.
-pub fn read_any(path: &Path, auditor: &Auditor<'_>, context: &Context) -> Result<Option<Stated>, CliError> {
+pub fn read_any(
+    path: &Path,
+    auditor: &Auditor<'_>,
+    places: Places<'_>,
+    context: &Context,
+) -> Result<Option<Stated>, CliError> {
     let shown = path.display().to_string();
-    let text = content(path, &shown, context)?;
-    let stated = read_if_plan(&shown, &text, auditor.knowledge, &|name: &str| named(path, name, context));
+    let bytes = input::read_ordinary(path).map_err(|error| unreadable(&shown, &error, context.lang))?;
+    let text = text_of(&shown, bytes)?;
+    let stated = read_if_plan(&shown, &text, auditor.knowledge, &|name: &str| named(path, name, places, context));
     stated.map_err(|unreadable| unusable(path, shown, text, unreadable))
 }
 
@@ -58,7 +74,7 @@ pub fn at_fault(stated: &Stated, error: &KnowledgeError, context: &Context) -> C
 /// Every mistake of the file.
 pub fn scheme(path: &Path, context: &Context) -> Result<Scheme, CliError> {
     let shown = path.display().to_string();
-    let text = content(path, &shown, context)?;
+    let text = context.text(path)?;
     // A check is named by the code of its sentence.
     let codes = Lang::codes();
     let known: Vec<&str> = rules::all().map(|rule| rule.id).chain(codes.iter().map(String::as_str)).collect();
@@ -68,18 +84,16 @@ pub fn scheme(path: &Path, context: &Context) -> Result<Scheme, CliError> {
     })
 }
 
-/// The text of a file.
-///
-/// # Errors
-/// It cannot be read, or is no text.
-pub fn content(path: &Path, shown: &str, context: &Context) -> Result<String, CliError> {
-    let bytes = std::fs::read(path).map_err(|error| unreadable(shown, &error, context.lang))?;
-    Ok(text_of(shown, bytes)?)
-}
-
 /// A file that a plan names: relative to the plan.
-fn named(plan: &Path, name: &str, context: &Context) -> Result<String, String> {
-    let bytes = std::fs::read(beside(plan).join(name)).map_err(|error| of_system(&error, context.lang))?;
+fn named(plan: &Path, name: &str, places: Places<'_>, context: &Context) -> Result<String, String> {
+    let path = beside(plan).join(name);
+    let allowed = [Some(beside(plan)), places.folder, Some(Path::new(""))];
+    if !places.anywhere && path.exists() && !allowed.into_iter().flatten().any(|folder| input::is_below(&path, folder))
+    {
+        return Err(context.word("file-outside").to_owned());
+    }
+    context.uses(&path);
+    let bytes = input::read_ordinary(&path).map_err(|error| of_system(&error, context.lang))?;
     String::from_utf8(bytes).map_err(|error| error.to_string())
 }
 

@@ -12,7 +12,7 @@ use technolog::{parallel, report};
 use super::super::problems::unreadable;
 use super::super::progress::Progress;
 use super::super::{CliError, Context, Format, Outcome, output};
-use super::file;
+use super::file::{self, Places};
 
 /// What became of a file of the folder.
 enum Seen {
@@ -30,17 +30,21 @@ pub fn run(
     format: Format,
     auditor: &Auditor<'_>,
     scheme: Option<&Scheme>,
+    places: Places<'_>,
     context: &Context,
 ) -> Result<Outcome, CliError> {
     let mut files = Vec::new();
     collect(folder, &mut files).map_err(|error| unreadable(folder.display(), &error, context.lang))?;
     let progress = Progress::new(files.len());
-    let seen = parallel::map(&files, |path| one(path, auditor, scheme, context), |done| progress.show(done));
+    let seen = parallel::map(&files, |path| one(path, auditor, scheme, places, context), |done| progress.show(done));
     progress.clear();
     let mut audited = Vec::new();
     for (path, seen) in files.iter().zip(seen) {
         match seen? {
-            Seen::Plan(plan) => audited.push(plan),
+            Seen::Plan(plan) => {
+                context.uses(path);
+                audited.push(plan);
+            }
             Seen::NoPlan => {
                 let skipped = say!(context.lang, "audit-skipped-file", file = path.display().to_string());
                 output::complain(&format!("{skipped}\n"));
@@ -63,8 +67,14 @@ pub fn run(
     Ok(if wrong { Outcome::Findings } else { Outcome::Done })
 }
 
-fn one(path: &Path, auditor: &Auditor<'_>, scheme: Option<&Scheme>, context: &Context) -> Result<Seen, CliError> {
-    let stated = match file::read_any(path, auditor, context) {
+fn one(
+    path: &Path,
+    auditor: &Auditor<'_>,
+    scheme: Option<&Scheme>,
+    places: Places<'_>,
+    context: &Context,
+) -> Result<Seen, CliError> {
+    let stated = match file::read_any(path, auditor, places, context) {
         Ok(Some(stated)) => stated,
         Ok(None) => return Ok(Seen::NoPlan),
         Err(CliError::Unusable { problems, .. }) => {

@@ -9,6 +9,7 @@ use technolog::audit::{Audit, Auditor};
 use technolog::knowledge::Diagnostic;
 use technolog::report;
 
+use self::file::Places;
 use super::{CliError, Context, Format, Outcome, knowledge};
 
 // Hold somebody's plan, or a folder of plans, against the knowledge: every figure, every choice, the program
@@ -20,6 +21,8 @@ pub struct Args {
     against: Option<PathBuf>,
     #[arg(long, value_name = "FILE", conflicts_with = "against")]
     marks: Option<PathBuf>,
+    #[arg(long)]
+    allow_outside: bool,
 }
 
 /// What an audit and a comparison can be given out as.
@@ -40,11 +43,13 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             let problem = Diagnostic::error("folder-against", context.word("audit-folder-against"), None);
             return Err(problem.help(context.word("audit-name-a-plan")).into());
         }
-        return folder::run(&args.plan, format, &auditor, scheme.as_ref(), context);
+        let places = Places { folder: Some(&args.plan), anywhere: args.allow_outside };
+        return folder::run(&args.plan, format, &auditor, scheme.as_ref(), places, context);
     }
-    let stated = file::read(&args.plan, &auditor, context)?;
+    let places = Places { folder: None, anywhere: args.allow_outside };
+    let stated = file::read(&args.plan, &auditor, places, context)?;
     if let Some(other) = &args.against {
-        let other = file::read(other, &auditor, context)?;
+        let other = file::read(other, &auditor, places, context)?;
         let compared = auditor.compare(&stated, &other);
         let compared = compared.map_err(|error| CliError::of_knowledge(&error, context.lang))?;
         match format {

@@ -10,8 +10,8 @@ use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::report::Lang;
 use technolog::words::say;
 
-use super::super::problems::unreadable;
-use super::super::{CliError, Context};
+use super::super::problems::{of_system, unreadable};
+use super::super::{CliError, Context, input};
 
 /// What a file of cases in a folder is called.
 const ENDING: &str = ".test.yaml";
@@ -54,7 +54,7 @@ pub fn collect(paths: &[PathBuf], context: &Context) -> Result<Vec<SourceFile>, 
     }
     let read = |path: PathBuf| {
         let shown = path.display().to_string();
-        let bytes = std::fs::read(&path).map_err(|error| unreadable(&path, error))?;
+        let bytes = input::read(&path).map_err(|error| unreadable(&path, error))?;
         let (text, problem) = match text_of(&shown, bytes) {
             Ok(text) => (text, None),
             Err(problem) => (String::new(), Some(problem)),
@@ -87,28 +87,23 @@ fn walk(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
 /// # Errors
 /// It would, or there are several.
 pub fn spare_inputs(found: &[SourceFile], write: bool, context: &Context) -> Result<(), CliError> {
-    let Some(output) = context.output.as_deref().filter(|output| *output != Path::new("-")) else { return Ok(()) };
-    let place = |path: &Path| std::fs::canonicalize(path).ok();
-    let refused = |code: &'static str, message: String, help: &str| -> Result<(), CliError> {
-        Err(Diagnostic::error(code, message, None).help(help).into())
-    };
-    if place(output).is_some() && found.iter().any(|file| place(&file.path) == place(output)) {
-        let message = say!(context.lang, "test-would-replace", file = output.display().to_string());
-        return refused("replaces-input", message, context.word("test-another-file"));
-    }
-    if write && found.len() != 1 {
-        return refused("several-files", context.word("test-one-copy").to_owned(), context.word("test-one-by-one"));
+    found.iter().for_each(|file| context.uses(&file.path));
+    context.spare_inputs()?;
+    let copy = context.output.as_deref().is_some_and(|output| output != Path::new("-"));
+    if copy && write && found.len() != 1 {
+        let problem = Diagnostic::error("several-files", context.word("test-one-copy"), None);
+        return Err(problem.help(context.word("test-one-by-one")).into());
     }
     Ok(())
 }
 
 /// Reads a file of cases.
-pub fn read(found: &SourceFile, knowledge: &Knowledge) -> CaseFile {
+pub fn read(found: &SourceFile, knowledge: &Knowledge, context: &Context) -> CaseFile {
     if found.problem.is_some() {
         let (cases, mistakes, texts) = (Vec::new(), Vec::new(), Vec::new());
         return CaseFile { file: found.shown.clone(), cases, mistakes, texts };
     }
-    let (files, codes) = (beside(&found.path), codes());
+    let (files, codes) = (beside(&found.path, context), codes());
     read_cases(&found.shown, &found.text, around(knowledge, &codes, &files))
 }
 
@@ -123,10 +118,12 @@ pub fn codes() -> Vec<String> {
 }
 
 /// Reads files beside a file.
-pub fn beside(path: &Path) -> impl Fn(&str) -> Result<String, String> {
+pub fn beside<'c>(path: &Path, context: &'c Context) -> impl Fn(&str) -> Result<String, String> + use<'c> {
     let folder = path.parent().unwrap_or(Path::new("")).to_owned();
     move |name: &str| {
-        let bytes = std::fs::read(folder.join(name)).map_err(|error| error.to_string())?;
+        let path = folder.join(name);
+        context.uses(&path);
+        let bytes = input::read_ordinary(&path).map_err(|error| of_system(&error, context.lang))?;
         String::from_utf8(bytes).map_err(|error| error.to_string())
     }
 }

@@ -80,7 +80,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let knowledge = knowledge::load(context)?;
     let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let asker = Asker::new(knowledge);
-    let mut read: Vec<CaseFile> = parallel::map(&found, |file| files::read(file, knowledge), |_| ());
+    let mut read: Vec<CaseFile> = parallel::map(&found, |file| files::read(file, knowledge, context), |_| ());
     let all: Vec<&Case> = read.iter().flat_map(|file| &file.cases).collect();
     let progress = Progress::new(all.len());
     let failures = parallel::map(&all, |case| case.run(&asker), |done| progress.show(done));
@@ -99,6 +99,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         Format::Junit => junit::document(&runs, context),
         _ => context.written(&untitled(page::page(&runs, context.lang), format), format),
     };
+    context.spare_inputs()?;
     output::write(text.as_bytes(), screen, context.lang)?;
     let mistakes: String = runs.iter().map(|run| render(&run.mistakes, &run.texts, context.lang)).collect();
     if !mistakes.is_empty() {
@@ -117,12 +118,13 @@ fn write(
     context: &Context,
 ) -> Result<Vec<usize>, CliError> {
     let at_fault = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
-    let files = files::beside(&found.path);
+    let files = files::beside(&found.path, context);
     let codes = files::codes();
     let around = around(asker.knowledge, &codes, &files);
     let filled = fill(&found.text, read, failures, around, asker).map_err(at_fault)?;
     read.mistakes.extend(filled.problems.into_iter().map(technolog::turning::shaft::Mistake::Form));
     let copy = context.output.as_deref();
+    context.spare_inputs()?;
     match filled.text {
         Some(text) => {
             output::write(text.as_bytes(), copy.or(Some(&found.path)), context.lang)?;

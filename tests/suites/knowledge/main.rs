@@ -9,6 +9,7 @@
 )]
 
 mod commands;
+mod files;
 mod index;
 mod readings;
 mod remarks;

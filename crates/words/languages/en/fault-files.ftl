@@ -40,3 +40,7 @@ yaml-a-mapping = a mapping
 yaml-broken = broken YAML: { $error }
 unit-no-whole-number = a whole number is expected here
 file-not-there = there is no such file
+file-too-large = larger than { $most } MB, more than is read
+file-no-ordinary = it is no ordinary file
+file-is-a-folder = it is a folder, not a file
+file-outside = it lies outside the folder of the plan, which is allowed with --allow-outside

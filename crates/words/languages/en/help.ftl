@@ -48,6 +48,7 @@ help-audit = Check a plan, or a folder of plans, against the knowledge base: eve
 help-audit-plan = The plan file (docs/audit.md), a plan of `technolog plan --format json`, or a folder of plans
 help-audit-against = Another plan: show where the two differ, and what the difference costs
 help-audit-marks = A marking scheme (docs/audit.md): what each finding costs, and the score
+help-audit-allow-outside = Let plans name files outside their folder, the audited folder and the current one
 help-lint = Check the knowledge base: gaps, contradictions, unreachable rows, references, laws, examples
 help-lint-documentation = List what is only for people: columns and tables that decide nothing
 help-test = Run cases: questions to tables, parts, programs, audits, with what is expected of the answers (docs/cases.md)

@@ -40,3 +40,7 @@ yaml-a-mapping = набір ключів
 yaml-broken = помилка в YAML: { $error }
 unit-no-whole-number = тут очікується ціле число
 file-not-there = такого файлу немає
+file-too-large = понад { $most } МБ, більше, ніж читається
+file-no-ordinary = це не звичайний файл
+file-is-a-folder = це тека, а не файл
+file-outside = він лежить поза текою плану; це дозволяє --allow-outside

@@ -1,0 +1,225 @@
+//! What commands read and write: no input is ever replaced, nothing is left beside an answer, nothing is waited for.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn example(name: &str) -> String {
+    fs::read_to_string(root().join("examples").join(name)).unwrap()
+}
+
+fn run(folder: &Path, args: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_technolog"));
+    command.current_dir(folder).env_remove("COLUMNS").args(["--lang", "en"]).args(args).output().unwrap()
+}
+
+fn complaint(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+/// A folder with a part, its program, a plan that names them, a setting, marks, a list of points, cases and knowledge.
+fn scratch(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("files").join(name);
+    // There is none at the first run.
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(folder.join("know")).unwrap();
+    for (file, text) in [
+        ("part.yaml", example("plate.yaml")),
+        ("shaft.yaml", example("shaft.yaml")),
+        ("program.nc", example("appendix-g/program.nc")),
+        ("setting.yaml", example("appendix-g/setting.yaml")),
+        ("plan.yaml", example("appendix-g/plan.yaml").replace("../plate.yaml", "part.yaml")),
+        ("marks.yaml", example("marks.yaml")),
+        ("points.csv", "x,y\n0,0\n10,0\n10,10\n".to_owned()),
+        ("one.test.yaml", "part: part.yaml\ncases:\n  - expect: {holes: {A: {scheme: \"1\"}}}\n".to_owned()),
+    ] {
+        fs::write(folder.join(file), text).unwrap();
+    }
+    let tables = root().join("tests/small-knowledge");
+    for file in ["catalogs/drills.yaml", "catalogs/schemes.yaml", "catalogs/scheme-for-hole.yaml", "rules/coolant.yaml"]
+    {
+        fs::create_dir_all(folder.join("know").join(file).parent().unwrap()).unwrap();
+        fs::copy(tables.join(file), folder.join("know").join(file)).unwrap();
+    }
+    folder
+}
+
+fn contents(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
+    let mut files: Vec<_> = fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.is_file())
+        .map(|path| (path.clone(), fs::read(&path).unwrap()))
+        .collect();
+    files.sort();
+    files
+}
+
+/// Every command that reads files, with each file that it reads named as the place of the answer.
+const READING: &[(&str, &str)] = &[
+    ("plan part.yaml", "part.yaml"),
+    ("plan part.yaml --format html", "part.yaml"),
+    ("explain part.yaml --hole A1 --format text", "part.yaml"),
+    ("order part.yaml --format json", "part.yaml"),
+    ("order points.csv --format json", "points.csv"),
+    ("turn shaft.yaml --format json", "shaft.yaml"),
+    ("program part.yaml", "part.yaml"),
+    ("check program.nc --setting setting.yaml", "program.nc"),
+    ("check program.nc --setting setting.yaml", "setting.yaml"),
+    ("check program.nc --part part.yaml", "part.yaml"),
+    ("audit plan.yaml", "plan.yaml"),
+    ("audit plan.yaml", "part.yaml"),
+    ("audit plan.yaml", "program.nc"),
+    ("audit plan.yaml", "setting.yaml"),
+    ("audit plan.yaml --marks marks.yaml", "marks.yaml"),
+    ("audit plan.yaml --against plan.yaml", "plan.yaml"),
+    ("audit .", "plan.yaml"),
+    ("test one.test.yaml", "one.test.yaml"),
+    ("test one.test.yaml", "part.yaml"),
+    ("table --knowledge know", "know/catalogs/drills.yaml"),
+    ("lint --knowledge know", "know/rules/coolant.yaml"),
+];
+
+#[test]
+fn no_input_is_replaced_by_the_answer() {
+    let folder = scratch("inputs");
+    let before = [contents(&folder), contents(&folder.join("know/catalogs"))];
+    for (command, input) in READING {
+        let absolute = folder.join(input).display().to_string();
+        for output in [(*input).to_owned(), format!("know/../{input}"), absolute] {
+            // The ending of the file asks for a form that not every command has: that is another refusal.
+            let mut args: Vec<&str> = command.split(' ').collect();
+            args.extend(["-o", &output]);
+            let answer = run(&folder, &args);
+            assert_eq!(answer.status.code(), Some(2), "{args:?}: {}", complaint(&answer));
+            assert_eq!([contents(&folder), contents(&folder.join("know/catalogs"))], before, "{args:?}");
+        }
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn no_input_is_replaced_through_a_link() {
+    let folder = scratch("links");
+    std::os::unix::fs::symlink("part.yaml", folder.join("soft.yaml")).unwrap();
+    fs::hard_link(folder.join("part.yaml"), folder.join("hard.yaml")).unwrap();
+    let before = contents(&folder);
+    for (input, output) in
+        [("part.yaml", "soft.yaml"), ("part.yaml", "hard.yaml"), ("soft.yaml", "part.yaml"), ("hard.yaml", "soft.yaml")]
+    {
+        let answer = run(&folder, &["plan", input, "-o", output]);
+        assert_eq!(answer.status.code(), Some(2), "{input} {output}");
+        assert!(complaint(&answer).contains("replaces-input"), "{}", complaint(&answer));
+        assert_eq!(contents(&folder), before);
+    }
+    // What is no input is replaced through its link.
+    std::os::unix::fs::symlink("old.yaml", folder.join("answer.yaml")).unwrap();
+    fs::write(folder.join("old.yaml"), "old").unwrap();
+    assert_eq!(run(&folder, &["plan", "part.yaml", "-o", "answer.yaml"]).status.code(), Some(0));
+    assert!(fs::symlink_metadata(folder.join("answer.yaml")).unwrap().is_symlink());
+    assert_ne!(fs::read_to_string(folder.join("old.yaml")).unwrap(), "old");
+}
+
+#[test]
+fn a_file_that_may_not_be_written_stays() {
+    let folder = scratch("read-only");
+    let file = folder.join("answer.json");
+    fs::write(&file, "mine").unwrap();
+    let mut permissions = fs::metadata(&file).unwrap().permissions();
+    permissions.set_readonly(true);
+    fs::set_permissions(&file, permissions).unwrap();
+    let answer = run(&folder, &["plan", "part.yaml", "-o", "answer.json"]);
+    assert_eq!(answer.status.code(), Some(2));
+    assert!(complaint(&answer).contains("not permitted"), "{}", complaint(&answer));
+    assert_eq!(fs::read_to_string(&file).unwrap(), "mine");
+}
+
+#[test]
+fn what_a_killed_run_left_goes_with_the_next() {
+    let folder = scratch("stale");
+    let stale = folder.join(".answer.json.4711-0.technolog-tmp");
+    let busy = folder.join(".answer.json.4712-0.technolog-tmp");
+    let other = folder.join(".answer.json.mine.technolog-tmp");
+    for file in [&stale, &busy, &other] {
+        fs::write(file, "half").unwrap();
+    }
+    // Somebody writes the same file at this moment.
+    let held = fs::File::open(&busy).unwrap();
+    held.lock().unwrap();
+    assert_eq!(run(&folder, &["plan", "part.yaml", "-o", "answer.json"]).status.code(), Some(0));
+    assert_eq!([stale, busy, other].map(|file| file.exists()), [false, true, true]);
+}
+
+#[test]
+fn an_audit_of_a_folder_may_be_written_into_it_twice() {
+    let folder = scratch("twice");
+    for _ in 0..2 {
+        let answer = run(&folder, &["audit", ".", "-o", "results.json"]);
+        assert_eq!(answer.status.code(), Some(1), "{}", complaint(&answer));
+    }
+}
+
+#[test]
+fn a_plan_names_files_of_its_folder_only() {
+    let folder = scratch("outside");
+    let plans = folder.join("plans");
+    fs::create_dir_all(&plans).unwrap();
+    let plan = |part: &str| format!("part: {part}\nroute:\n  - {{row: 2, operation: drill, hole: A, count: 6}}\n");
+    let secret = Path::new(env!("CARGO_TARGET_TMPDIR")).join("files").join("secret.txt");
+    fs::write(&secret, "root:secret\n").unwrap();
+    let outside = ["../../secret.txt".to_owned(), secret.display().to_string()];
+    for part in &outside {
+        fs::write(plans.join("plan.yaml"), plan(part)).unwrap();
+        let answer = run(&plans, &["audit", "plan.yaml"]);
+        assert_eq!(answer.status.code(), Some(2), "{part}");
+        assert!(complaint(&answer).contains("--allow-outside"), "{}", complaint(&answer));
+        assert!(!complaint(&answer).contains("root:secret"), "{}", complaint(&answer));
+        // Through a folder the row of the plan says it.
+        let table = run(&folder, &["audit", "plans"]);
+        assert_eq!(table.status.code(), Some(2));
+        let said = [table.stdout, table.stderr].concat();
+        assert!(!String::from_utf8(said).unwrap().contains("root:secret"));
+        let allowed = run(&plans, &["audit", "plan.yaml", "--allow-outside"]);
+        assert!(complaint(&allowed).contains("secret.txt"), "{}", complaint(&allowed));
+        assert!(!complaint(&allowed).contains("--allow-outside"), "{}", complaint(&allowed));
+    }
+    // Of the folder that is audited, or that the program is run in, plans may share files.
+    fs::write(plans.join("plan.yaml"), plan("../part.yaml")).unwrap();
+    assert_ne!(run(&folder, &["audit", "plans/plan.yaml"]).status.code(), Some(2));
+    assert_ne!(run(&root(), &["audit", folder.to_str().unwrap()]).status.code(), Some(2));
+    assert_eq!(run(&plans, &["audit", "plan.yaml"]).status.code(), Some(2));
+    for (part, why) in [("../plans", "a folder"), ("nothing.yaml", "no such file")] {
+        fs::write(plans.join("plan.yaml"), plan(part)).unwrap();
+        let answer = run(&plans, &["audit", "plan.yaml"]);
+        assert_eq!(answer.status.code(), Some(2));
+        assert!(complaint(&answer).contains(why), "{}", complaint(&answer));
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn nothing_is_waited_for() {
+    let folder = scratch("waiting");
+    let plans = folder.join("plans");
+    fs::create_dir_all(&plans).unwrap();
+    // A device with no end, named by a plan and standing in a folder; a link that goes round.
+    fs::write(plans.join("plan.yaml"), "part: zero.yaml\nroute: []\n").unwrap();
+    std::os::unix::fs::symlink("/dev/zero", plans.join("zero.yaml")).unwrap();
+    std::os::unix::fs::symlink(".", plans.join("round")).unwrap();
+    for args in [&["audit", "plans/plan.yaml", "--allow-outside"][..], &["audit", "plans"]] {
+        let answer = run(&folder, args);
+        assert_eq!(answer.status.code(), Some(2));
+        let said = String::from_utf8([answer.stdout, answer.stderr].concat()).unwrap();
+        assert!(said.contains("no ordinary file"), "{said}");
+    }
+    // On the command line a pipe or a device is read, as far as any file.
+    let answer = run(&folder, &["plan", "/dev/zero"]);
+    assert_eq!(answer.status.code(), Some(2));
+    assert!(complaint(&answer).contains("larger than"), "{}", complaint(&answer));
+    std::os::unix::fs::symlink(".", folder.join("know/catalogs/round")).unwrap();
+    assert_eq!(run(&folder, &["table", "--knowledge", "know"]).status.code(), Some(0));
+}
