@@ -19,7 +19,7 @@
 
 pub use technolog_audit as audit;
 pub use technolog_cases as cases;
-pub use technolog_core::{error, machine, material, motion, note, parallel, part, plan, reason, shop, zone};
+pub use technolog_core::{ascii, error, machine, material, motion, note, parallel, part, plan, reason, shop, zone};
 pub use technolog_cutting as cutting;
 pub use technolog_document as document;
 pub use technolog_holes::{planner, route, sequence, setup, tooling};

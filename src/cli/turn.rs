@@ -91,7 +91,11 @@ const FORMATS: [Format; 6] = [Format::Text, Format::Markdown, Format::Html, Form
 /// # Errors
 /// The file cannot be used; every mistake in it is told at once.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    let format = context.format("turn", &FORMATS)?;
+    let format = match args.show.program() {
+        // A program is text; its ending is the control's.
+        Some(_) => context.format("turn --show=program", &[Format::Text])?,
+        None => context.format("turn", &FORMATS)?,
+    };
     let knowledge = knowledge::load(context)?;
     let read = read(&args.shaft, knowledge, context)?;
     if let Some(form) = args.show.program() {

@@ -51,5 +51,27 @@ pub fn ascii(text: &str) -> String {
             None => latin.push('?'),
         }
     }
-    latin
+    if acts(&latin) { format!("- {}", latin.trim_start()) } else { latin }
+}
+
+/// Whether LinuxCNC would carry the remark out: what those of table `iso-active-comments` begin with, which a test holds
+/// this list against.
+fn acts(remark: &str) -> bool {
+    const BEGINNINGS: [&str; 13] = [
+        "msg,",
+        "debug,",
+        "print,",
+        "log,",
+        "logopen,",
+        "logappend,",
+        "logclose",
+        "probeopen",
+        "probeclose",
+        "py,",
+        "pyrun,",
+        "pyreload",
+        "abort,",
+    ];
+    let remark = remark.trim_start().to_ascii_lowercase();
+    BEGINNINGS.iter().any(|begins| remark.starts_with(begins))
 }

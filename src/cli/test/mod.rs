@@ -76,7 +76,11 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     files::spare_inputs(&found, args.write, context)?;
     // What `--write -o FILE` names is a copy of the cases, not the answer.
     let formats = [Format::Text, Format::Json, Format::Junit, Format::Markdown, Format::Html];
-    let format = if args.write { context.format.unwrap_or(Format::Text) } else { context.format("test", &formats)? };
+    let format = match context.format {
+        None if args.write => Format::Text,
+        Some(format) if args.write && formats.contains(&format) => format,
+        _ => context.format("test", &formats)?,
+    };
     let knowledge = knowledge::load(context)?;
     let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let asker = Asker::new(knowledge);

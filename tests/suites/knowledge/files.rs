@@ -223,3 +223,19 @@ fn nothing_is_waited_for() {
     std::os::unix::fs::symlink(".", folder.join("know/catalogs/round")).unwrap();
     assert_eq!(run(&folder, &["table", "--knowledge", "know"]).status.code(), Some(0));
 }
+
+#[test]
+fn a_form_that_a_command_does_not_have_is_refused() {
+    for (command, format) in [
+        ("turn examples/turned-pin.yaml --show program", "json"),
+        ("turn examples/turned-pin.yaml --show cycle", "svg"),
+        ("program examples/plate.yaml --show backplot", "json"),
+        ("program examples/plate.yaml", "yaml"),
+        ("test --write examples/cases/plate.test.yaml", "csv"),
+    ] {
+        let args: Vec<&str> = command.split(' ').chain(["--format", format]).collect();
+        let answer = run(&root(), &args);
+        assert_eq!((answer.status.code(), answer.stdout.len()), (Some(2), 0), "{args:?}");
+        assert!(complaint(&answer).contains("no-format"), "{}", complaint(&answer));
+    }
+}

@@ -10,6 +10,7 @@ use proptest::prelude::*;
 use technolog::machine::Machine;
 use technolog::motion::{Axis, Motion, MotionStep, Position, Sense, Turning};
 use technolog::program::{Fault, Language, Setting};
+use technolog::tables::controls::iso::ActiveComments;
 use technolog_testing::KNOWLEDGE;
 
 static LINUXCNC: LazyLock<Language> = LazyLock::new(|| Language::read("linuxcnc", &KNOWLEDGE).unwrap());
@@ -365,4 +366,26 @@ proptest! {
             prop_assert_eq!(at(&again), at(&on));
         }
     }
+}
+
+#[test]
+fn no_name_of_a_part_becomes_a_comment_that_acts() {
+    let machine = Machine::find(&KNOWLEDGE, "ir500pmf4").unwrap();
+    let told = |comment: &str| {
+        let text = format!("({comment})\nM2\n");
+        let faults = LINUXCNC.check(&text, &machine, &Setting::default(), &mut Vec::<MotionStep>::new());
+        faults.iter().any(|fault| ["active-comment", "message-comment"].contains(&fault.code))
+    };
+    let rows = KNOWLEDGE.rows::<ActiveComments<'_>>().unwrap();
+    assert!(rows.len() > 10);
+    for ActiveComments { begins, .. } in rows {
+        let names = [begins.to_owned(), format!(" {}", begins.to_lowercase()), format!("{begins}file")];
+        let mut acted = 0;
+        for name in &names {
+            acted += usize::from(told(name));
+            assert!(!told(&technolog::ascii::ascii(name)), "{name}");
+        }
+        assert!(acted >= 2, "{begins}");
+    }
+    assert_eq!(technolog::ascii::ascii("Плита, варіант 1"), "Plyta, variant 1");
 }

@@ -58,6 +58,17 @@ vocabulary! {
         Auxiliary = "auxiliary",
     }
 
+    /// What a comment that acts makes the control do.
+    pub enum CommentAct {
+        Shows = "shows",
+        /// To a file.
+        Writes = "writes",
+        /// A program of another language.
+        Runs = "runs",
+        /// The program.
+        Stops = "stops",
+    }
+
     /// Groups of M functions.
     pub enum MGroup {
         Stop = "stop",
@@ -172,6 +183,15 @@ rows! {
         action: Action,
         group: MGroup,
         acts: Acts,
+    } shown { meaning_uk, meaning_en }
+
+    /// Comments that act.
+    pub struct ActiveComments of One("iso-active-comments") {
+        begins: &'t str,
+        controls: Vec<IsoControl>,
+        acts: CommentAct,
+        after_semicolon: Option<bool>,
+        whole: Option<bool>,
     } shown { meaning_uk, meaning_en }
 
     /// What the words of a control mean, of one whose words stand in one table.

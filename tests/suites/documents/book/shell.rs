@@ -11,7 +11,16 @@ use technolog_testing::root;
 pub const SHOWN: &str = "docs/shown";
 
 /// What a reader sees of the repository.
-const LINKED: [&str; 5] = ["examples", "tests", "catalogs", "rules", "README.md"];
+const LINKED: [&str; 4] = ["tests", "catalogs", "rules", "README.md"];
+
+fn copy(from: &Path, to: &Path) {
+    fs::create_dir_all(to).unwrap();
+    for entry in fs::read_dir(from).unwrap() {
+        let entry = entry.unwrap();
+        let to = to.join(entry.file_name());
+        if entry.path().is_dir() { copy(&entry.path(), &to) } else { drop(fs::copy(entry.path(), to).unwrap()) }
+    }
+}
 
 pub struct Shell {
     pub folder: PathBuf,
@@ -30,6 +39,8 @@ impl Shell {
         for name in LINKED {
             symlink(root().join(name), folder.join(name)).unwrap();
         }
+        // As files of the folder: a plan names only such.
+        copy(&root().join("examples"), &folder.join("examples"));
         Self { folder, code: 0 }
     }
 

@@ -9,11 +9,13 @@ use crate::knowledge::{Knowledge, RowRef, Table};
 use crate::program::setting::Limits;
 use crate::program::{in_unit, letters};
 use crate::tables::controls::Acts;
-use crate::tables::controls::iso::{Addresses, Characteristic, Cycles, GFunctions, MFunctions, MGroup, Record};
+use crate::tables::controls::iso::{
+    ActiveComments, Addresses, Characteristic, Cycles, GFunctions, MFunctions, MGroup, Record,
+};
 use crate::units::Micrometres;
 
 pub use crate::tables::controls::iso::IsoControl;
-pub(super) use crate::tables::controls::iso::{Action, Bottom, Effect, Group, Inwards, Outwards, Written};
+pub(super) use crate::tables::controls::iso::{Action, Bottom, CommentAct, Effect, Group, Inwards, Outwards, Written};
 
 /// A G function.
 #[derive(Clone, Copy, Debug)]
@@ -42,6 +44,18 @@ pub(super) struct Cycle {
     pub outwards: Outwards,
 }
 
+/// A comment that acts.
+#[derive(Clone, Debug)]
+pub(super) struct ActiveComment {
+    /// What it begins with, in capitals.
+    pub begins: String,
+    pub acts: CommentAct,
+    /// Whether it acts behind a semicolon, too.
+    pub after_semicolon: bool,
+    /// Whether it acts only with nothing behind it.
+    pub whole: bool,
+}
+
 /// The language of a control.
 #[derive(Clone, Debug)]
 pub struct Control {
@@ -52,6 +66,7 @@ pub struct Control {
     pub(super) power_on: Vec<i64>,
     pub(super) m: BTreeMap<i64, MFunction>,
     pub(super) addresses: BTreeMap<char, Written>,
+    pub(super) active_comments: Vec<ActiveComment>,
     pub(super) cycles: BTreeMap<i64, Cycle>,
     pub(super) depth: usize,
     pub(super) m_per_block: usize,
@@ -92,6 +107,7 @@ impl Control {
             power_on: Vec::new(),
             m: BTreeMap::new(),
             addresses: BTreeMap::new(),
+            active_comments: Vec::new(),
             cycles: BTreeMap::new(),
             depth: count(Characteristic::SubprogramDepthMax)?,
             m_per_block: count(Characteristic::MFunctionsPerBlockMax)?,
@@ -124,6 +140,14 @@ impl Control {
         let kind = self.kind;
         for row in knowledge.rows::<Addresses<'_>>()?.into_iter().filter(|row| row.controls.contains(&kind)) {
             self.addresses.insert(row.address.0, row.kind);
+        }
+        for row in knowledge.rows::<ActiveComments<'_>>()?.into_iter().filter(|row| row.controls.contains(&kind)) {
+            self.active_comments.push(ActiveComment {
+                begins: row.begins.to_owned(),
+                acts: row.acts,
+                after_semicolon: row.after_semicolon == Some(true),
+                whole: row.whole == Some(true),
+            });
         }
         for row in knowledge.rows::<GFunctions<'_>>()?.into_iter().filter(|row| row.controls.contains(&kind)) {
             let code = code(row.code, row.row)?;

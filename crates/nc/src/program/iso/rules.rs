@@ -19,6 +19,8 @@ pub(super) const RULES: &[Rule] = &[
     ("number-out-of-range", Error, "text"),
     ("number-without-point", Remark, "text"),
     ("comment-open", Error, "text"),
+    ("active-comment", Warning, "text"),
+    ("message-comment", Remark, "text"),
     ("empty-program", Error, "text"),
     ("word-twice", Error, "blocks"),
     ("word-unused", Error, "blocks"),

@@ -1,7 +1,7 @@
 //! The text of a program as words and blocks, each with its place. Nothing is understood here; reading recovers: a
 //! word that cannot be read is reported and left out, and reading goes on after it.
 
-use super::control::{Control, IsoControl, Written};
+use super::control::{ActiveComment, CommentAct, Control, IsoControl, Written};
 use super::rules::fault;
 use crate::program::control_2c42_65::latin;
 use crate::program::{Fault, Span};
@@ -138,10 +138,18 @@ impl SourceLine<'_> {
         let mut comment = None;
         for (column, character) in line.chars().enumerate() {
             match (comment, character) {
-                (Some(_), ')') => comment = None,
+                (Some(from), ')') => {
+                    let text: String = line.chars().skip(from + 1).take(column - from - 1).collect();
+                    self.active_comment(&text, false, from, column + 1);
+                    comment = None;
+                }
                 (Some(_), _) => {}
                 (None, '(') => comment = Some(column),
-                (None, ';') => break,
+                (None, ';') => {
+                    let text: String = line.chars().skip(column + 1).collect();
+                    self.active_comment(&text, true, column, line.chars().count());
+                    break;
+                }
                 (None, c) if c.is_whitespace() => {}
                 (None, c) if self.control.small_letters => kept.push((column, c.to_ascii_uppercase())),
                 (None, c) => kept.push((column, c)),
@@ -151,6 +159,19 @@ impl SourceLine<'_> {
             self.faults.push(fault("comment-open", self.span(column, column + 1), None));
         }
         kept
+    }
+
+    /// A comment that the control carries out.
+    fn active_comment(&mut self, text: &str, after_semicolon: bool, from: usize, to: usize) {
+        let text = text.trim_start().to_ascii_uppercase();
+        let acts = |one: &&ActiveComment| {
+            let rest = text.strip_prefix(&one.begins);
+            (one.after_semicolon || !after_semicolon) && rest.is_some_and(|rest| rest.is_empty() || !one.whole)
+        };
+        let Some(active) = self.control.active_comments.iter().find(acts) else { return };
+        let code = if active.acts == CommentAct::Shows { "message-comment" } else { "active-comment" };
+        let begins = active.begins.trim_end_matches(',').to_owned();
+        self.faults.push(fault(code, self.span(from, to), None).with("word", begins));
     }
 
     /// An o-word of LinuxCNC: its name or number, then what it does.
