@@ -99,6 +99,7 @@ pub struct Graph<'a> {
     taken: RefCell<BTreeMap<Id, Option<usize>>>,
     /// Figures by what is computed from them.
     users: OnceCell<BTreeMap<Id, Vec<Id>>>,
+    verdicts: OnceCell<Vec<Verdict>>,
     /// Figures that were misprinted, each with a figure that the author computed from the right one.
     misprinted: BTreeMap<Id, Id>,
     /// What the tables give for figures that no formula computes.
@@ -119,6 +120,7 @@ impl<'a> Graph<'a> {
             open: RefCell::default(),
             taken: RefCell::default(),
             users: OnceCell::new(),
+            verdicts: OnceCell::new(),
             misprinted: BTreeMap::new(),
             tables: BTreeMap::new(),
             off: RefCell::default(),
@@ -233,7 +235,7 @@ impl<'a> Graph<'a> {
         let alone = !self.fits(id, figure, right, 0.0);
         self.off.borrow_mut().insert(id, alone);
         // What rounding on the way explains is as it should be.
-        let off = alone && self.verdict(id).is_none_or(|verdict| verdict.status != Status::Fine);
+        let off = alone && self.judged(id).is_none_or(|verdict| verdict.status != Status::Fine);
         self.off.borrow_mut().insert(id, off);
         off
     }
@@ -249,7 +251,7 @@ impl<'a> Graph<'a> {
         if self.stated.figure(id).is_none() {
             return self.off_inputs(id).into_iter().flat_map(|input| self.roots_of(input)).collect();
         }
-        match self.verdict(id).map(|verdict| verdict.status) {
+        match self.judged(id).map(|verdict| verdict.status) {
             Some(Status::Follows(roots)) => roots,
             _ => BTreeSet::from([id]),
         }
@@ -291,8 +293,13 @@ impl<'a> Graph<'a> {
         slack
     }
 
-    /// The verdict on a stated figure; nothing where no formula computes it.
-    pub fn verdict(&self, id: Id) -> Option<Verdict> {
+    /// The verdict on a stated figure; nothing where no formula computes it. Only when every formula is there.
+    pub fn verdict(&self, id: Id) -> Option<&Verdict> {
+        let verdicts = self.verdicts();
+        verdicts.binary_search_by(|verdict| verdict.id.cmp(&id)).ok().and_then(|at| verdicts.get(at))
+    }
+
+    fn judged(&self, id: Id) -> Option<Verdict> {
         let figure = self.stated.figure(id)?;
         let formula = self.formula(id)?;
         let right = self.right(id)?;
@@ -374,9 +381,9 @@ impl<'a> Graph<'a> {
         inputs.flat_map(|(_, input)| self.roots_of(*input)).collect()
     }
 
-    /// Every stated figure that has a formula, with its verdict.
-    pub fn verdicts(&self) -> Vec<Verdict> {
-        self.formulas.keys().filter_map(|id| self.verdict(*id)).collect()
+    /// Every stated figure that has a formula, with its verdict. Only when every formula is there.
+    pub fn verdicts(&self) -> &[Verdict] {
+        self.verdicts.get_or_init(|| self.formulas.keys().filter_map(|id| self.judged(*id)).collect())
     }
 
     fn users(&self) -> &BTreeMap<Id, Vec<Id>> {

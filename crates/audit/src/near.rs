@@ -29,6 +29,8 @@ impl<T> Near<T> {
 #[derive(Debug)]
 pub struct Names<'n, T> {
     all: Vec<(T, &'n str, Vec<char>)>,
+    /// The same names without dashes.
+    bare: Vec<Vec<char>>,
     /// Where each name stands.
     exact: BTreeMap<Vec<char>, Vec<usize>>,
 }
@@ -41,7 +43,8 @@ impl<'n, T: Clone> Names<'n, T> {
         for (at, (_, _, name)) in all.iter().enumerate() {
             exact.entry(name.clone()).or_default().push(at);
         }
-        Self { all, exact }
+        let bare = all.iter().map(|(_, _, name)| without_dashes(name)).collect();
+        Self { all, bare, exact }
     }
 
     /// What the names name, in their order.
@@ -59,8 +62,8 @@ impl<'n, T: Clone> Names<'n, T> {
         }
         // Spaces stand for dashes: `035 2300 1273`. Two names that differ by their dashes alone count as equal.
         let bare = without_dashes(&wanted);
-        let alike = |other: &&(T, &str, Vec<char>)| without_dashes(&other.2) == bare && may_be(&other.0);
-        let mut spaced = self.all.iter().filter(alike);
+        let alike = self.all.iter().zip(&self.bare).filter(|(other, own)| **own == bare && may_be(&other.0));
+        let mut spaced = alike.map(|(other, _)| other);
         if let (Some((value, _, first)), true) = (spaced.next(), bare.len() >= 6)
             && spaced.all(|(_, _, other)| other == first)
         {
@@ -69,8 +72,8 @@ impl<'n, T: Clone> Names<'n, T> {
         let mut lost: Vec<(&T, &str)> = Vec::new();
         let mut best: Option<(usize, &str)> = None;
         for (value, known, other) in self.all.iter().filter(|(value, ..)| may_be(value)) {
-            let away = distance(&wanted, other);
-            if away <= 3 && best.is_none_or(|(least, _)| away < least) {
+            let most = best.map_or(Some(3), |(least, _)| least.checked_sub(1));
+            if let Some(away) = most.and_then(|most| distance_within(&wanted, other, most)) {
                 best = Some((away, known));
             }
             // A tail long enough to tell designations apart.
@@ -122,7 +125,7 @@ pub fn likeness(written: &str, right: &str) -> Likeness {
     let without_type = right.split_once(',').map(|(number, _)| plain(number));
     if a == b || without_type.as_ref() == Some(&a) {
         Likeness::Same
-    } else if distance(&a, &b) <= 2 {
+    } else if distance_within(&a, &b, 2).is_some() {
         Likeness::Misread
     } else {
         Likeness::Other
@@ -149,22 +152,28 @@ pub fn plain(name: &str) -> Vec<char> {
     name.chars().filter(|letter| !letter.is_whitespace()).map(alike).flat_map(char::to_uppercase).collect()
 }
 
-/// How many signs must be changed, put in or left out (Levenshtein).
-fn distance(a: &[char], b: &[char]) -> usize {
-    if a.len().abs_diff(b.len()) > 4 {
-        return usize::MAX;
+/// How many signs must be changed, put in or left out (Levenshtein), if no more than so many.
+fn distance_within(a: &[char], b: &[char], most: usize) -> Option<usize> {
+    if a.len().abs_diff(b.len()) > most {
+        return None;
     }
     let mut row: Vec<usize> = (0..=b.len()).collect();
     for (i, one) in a.iter().enumerate() {
         let mut corner = i;
         row[0] = i + 1;
+        let mut least = row[0];
         for (j, other) in b.iter().enumerate() {
             let changed = corner + usize::from(one != other);
             corner = row[j + 1];
             row[j + 1] = changed.min(row[j] + 1).min(corner + 1);
+            least = least.min(row[j + 1]);
+        }
+        // No way through this row gets shorter.
+        if least > most {
+            return None;
         }
     }
-    row[b.len()]
+    Some(row[b.len()]).filter(|away| *away <= most)
 }
 
 #[cfg(test)]

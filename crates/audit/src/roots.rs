@@ -16,7 +16,7 @@ fn grave(finding: &Finding) -> bool {
 
 /// What a finding that rests on a stated figure follows from: the figure itself where it is a slip, else its roots.
 pub(super) fn of_figure(graph: &Graph<'_>, id: Id) -> Vec<Id> {
-    match graph.verdict(id).map(|verdict| verdict.status) {
+    match graph.verdict(id).map(|verdict| verdict.status.clone()) {
         Some(Status::Root(Severity::Error | Severity::Wrong, _)) => vec![id],
         Some(Status::Follows(roots)) => roots.into_iter().collect(),
         _ => Vec::new(),

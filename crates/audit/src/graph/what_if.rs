@@ -123,5 +123,6 @@ impl<'a> Graph<'a> {
         self.taken.borrow_mut().clear();
         self.off.borrow_mut().clear();
         self.users = OnceCell::new();
+        self.verdicts = OnceCell::new();
     }
 }
