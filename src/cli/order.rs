@@ -5,7 +5,6 @@ use std::path::PathBuf;
 
 use clap::ValueEnum;
 use serde::Serialize;
-use technolog::knowledge::yaml::text_of;
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::machine::Machine;
 use technolog::note::Finding;
@@ -22,7 +21,7 @@ use technolog::sequence::{bound, sequence, tool_change_point, visit_bound};
 use technolog::units::{Micrometres, Minutes};
 
 use super::diagnostics::Texts;
-use super::{CliError, Context, Format, Outcome, knowledge, plan, words};
+use super::{CliError, Context, Format, Outcome, input, knowledge, plan, words};
 
 // The order of tools and the path over the holes, with its length, time and a lower bound; also of a list of points
 #[derive(Debug, clap::Args)]
@@ -183,11 +182,7 @@ fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
 
 fn read(args: &Args, context: &Context) -> Result<List, CliError> {
     let shown = args.file.display().to_string();
-    let text = std::fs::read(&args.file).map_err(|error| {
-        let message = words::cannot_read(context.lang, &shown, error);
-        CliError::from(Diagnostic::error("unreadable", message, None).help(words::check_path(context.lang)))
-    })?;
-    let text = text_of(&shown, text)?;
+    let text = input::text(&args.file, context)?;
     read_list(&shown, &text).map_err(|slips| CliError::Unusable {
         problems: slips.into_iter().map(|slip| problem(slip, context)).collect(),
         texts: Texts::default().with(&shown, shown.clone(), Cow::Owned(text)),

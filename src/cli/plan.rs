@@ -5,14 +5,13 @@ use std::mem::ManuallyDrop;
 use std::path::{Path, PathBuf};
 
 use technolog::knowledge::diagnostic::nearest;
-use technolog::knowledge::yaml::text_of;
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::part::read_part;
 use technolog::plan::{CuttingMethod, Plan};
 use technolog::{audit, planner, report};
 
 use super::diagnostics::Texts;
-use super::{CliError, Context, Format, Outcome, knowledge, words};
+use super::{CliError, Context, Format, Outcome, input, knowledge, words};
 
 // The whole plan of a part: route, tools, conditions, clamping, corrections, times
 #[derive(Debug, clap::Args)]
@@ -97,11 +96,7 @@ pub fn explain(args: &ExplainArgs, context: &Context) -> Result<Outcome, CliErro
 /// The part file cannot be used; every mistake in it is told at once.
 pub fn make(path: &Path, method: CuttingMethod, knowledge: &Knowledge, context: &Context) -> Result<Plan, CliError> {
     let shown = path.display().to_string();
-    let text = std::fs::read(path).map_err(|error| {
-        let message = words::cannot_read(context.lang, &shown, error);
-        CliError::from(Diagnostic::error("unreadable", message, None).help(words::check_path(context.lang)))
-    })?;
-    let text = text_of(&shown, text)?;
+    let text = input::text(path, context)?;
     let part = read_part(&shown, &text, knowledge).map_err(|problems| CliError::Unusable {
         problems,
         texts: Texts::default().with(&shown, shown.clone(), Cow::Owned(text)),

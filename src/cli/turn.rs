@@ -7,7 +7,6 @@ use clap::ValueEnum;
 use serde::Serialize;
 use technolog::document::Document;
 use technolog::error::KnowledgeError;
-use technolog::knowledge::yaml::text_of;
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::note::Note;
 use technolog::report::{self, Lang, remedy, sentence};
@@ -22,7 +21,7 @@ use technolog::units::{Micrometres, RevsPerMinute};
 
 use super::diagnostics::Texts;
 use super::turn_operation::{self, Control, Wanted};
-use super::{CliError, Context, Format, Outcome, knowledge, words};
+use super::{CliError, Context, Format, Outcome, input, knowledge};
 
 // The roughing of a shaft: the shortest sequence of passes, beside longitudinal, transverse and one direction per step; levels, zones and removal schemes with their tool paths
 #[derive(Debug, clap::Args)]
@@ -227,11 +226,7 @@ fn refused(code: &'static str, context: &Context) -> CliError {
 /// The file cannot be used; every mistake in it is told at once.
 fn read(path: &Path, knowledge: &Knowledge, context: &Context) -> Result<Turned, CliError> {
     let shown = path.display().to_string();
-    let bytes = std::fs::read(path).map_err(|error| {
-        let message = words::cannot_read(context.lang, &shown, error);
-        CliError::from(Diagnostic::error("unreadable", message, None).help(words::check_path(context.lang)))
-    })?;
-    let text = text_of(&shown, bytes)?;
+    let text = input::text(path, context)?;
     read_turned(&shown, &text, knowledge).map_err(|mistakes| CliError::Unusable {
         problems: mistakes.into_iter().map(|mistake| problem(mistake, context)).collect(),
         texts: Texts::default().with(&shown, shown.clone(), Cow::Owned(text)),

@@ -28,8 +28,6 @@ phrases! {
     print_to_file(): "cli-print-to-file";
     broken_build(error): "cli-broken-build";
     rebuild(): "cli-rebuild";
-    cannot_read(path, error): "cli-cannot-read";
-    check_path(): "cli-check-path";
     no_hole(path, name): "cli-no-hole";
     known(names): "cli-known";
     name_machine(): "cli-name-machine";

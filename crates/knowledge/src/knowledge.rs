@@ -2,15 +2,16 @@
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::Path;
 use std::sync::OnceLock;
-use technolog_note::note;
+use std::{fs, io};
+use technolog_note::{Note, note};
 
 use serde::{Deserialize, Serialize};
 
 use crate::by_id::ById;
 use crate::diagnostic::Diagnostic;
+use crate::input::{bytes_of, text_of, too_large};
 use crate::lint::cases::CaseFile;
 use crate::load::table_with;
 use crate::table::{Table, TableError};
@@ -235,24 +236,37 @@ fn collect_yaml(folder: &Path, name: &str, files: &mut Vec<(String, String)>, pr
         Diagnostic::error("unreadable", format!("{}: {error}", folder.display()), None)
             .help(note!("table-name-folder-holds-catalogs-rules"))
     };
-    let entries = match fs::read_dir(folder) {
+    let entries = match fs::read_dir(folder).and_then(Iterator::collect::<io::Result<Vec<_>>>) {
         Ok(entries) => entries,
         Err(error) => return problems.push(unreadable(error)),
     };
-    let mut paths: Vec<_> = entries.filter_map(|entry| entry.ok().map(|entry| entry.path())).collect();
+    // Links to folders are left out: they could go round.
+    let is_folder = |entry: &fs::DirEntry| entry.file_type().is_ok_and(|kind| kind.is_dir());
+    let mut paths: Vec<_> = entries.iter().map(|entry| (entry.path(), is_folder(entry))).collect();
     paths.sort();
-    for path in paths {
+    for (path, is_folder) in paths {
         let Some(file_name) = path.file_name().and_then(|name| name.to_str()) else { continue };
         let inner = format!("{name}/{file_name}");
-        if path.is_dir() {
+        if is_folder {
             collect_yaml(&path, &inner, files, problems);
         } else if file_name.ends_with(".yaml") {
-            match fs::read_to_string(&path) {
+            match text_of_file(&path) {
                 Ok(text) => files.push((inner, text)),
-                Err(error) => {
-                    problems.push(Diagnostic::error("unreadable", format!("{}: {error}", path.display()), None));
-                }
+                Err(problem) => problems.push(problem),
             }
         }
     }
+}
+
+#[expect(clippy::result_large_err, reason = "a file is read once")]
+fn text_of_file(path: &Path) -> Result<String, Diagnostic> {
+    let shown = path.display().to_string();
+    let unreadable =
+        |why: Note| Diagnostic::error("unreadable", note!("table-file-unreadable", file = shown, why = why), None);
+    // A pipe would wait for a writer.
+    if fs::metadata(path).is_ok_and(|file| !file.is_file()) {
+        return Err(unreadable(note!("input-not-regular")));
+    }
+    let bytes = fs::File::open(path).and_then(bytes_of).map_err(|error| unreadable(error.to_string().into()))?;
+    text_of(&shown, bytes.ok_or_else(|| too_large(&shown))?)
 }

@@ -8,12 +8,10 @@ use technolog::audit::rules;
 use technolog::audit::stated::Stated;
 use technolog::audit::{Auditor, Unreadable, read_if_plan, read_plan};
 use technolog::error::KnowledgeError;
-use technolog::knowledge::yaml::text_of;
 use technolog::report::Lang;
 
 use super::super::diagnostics::Texts;
-use super::super::problems::{of_system, unreadable};
-use super::super::{CliError, Context};
+use super::super::{CliError, Context, input};
 
 /// A plan.
 ///
@@ -21,7 +19,7 @@ use super::super::{CliError, Context};
 /// Every mistake of the file.
 pub fn read(path: &Path, auditor: &Auditor<'_>, context: &Context) -> Result<Stated, CliError> {
     let shown = path.display().to_string();
-    let text = content(path, &shown, context)?;
+    let text = input::text(path, context)?;
     let stated = read_plan(&shown, &text, auditor.knowledge, &|name: &str| named(path, name, context));
     stated.map_err(|unreadable| unusable(path, shown, text, unreadable))
 }
@@ -32,7 +30,7 @@ pub fn read(path: &Path, auditor: &Auditor<'_>, context: &Context) -> Result<Sta
 /// Every mistake of the plan.
 pub fn read_any(path: &Path, auditor: &Auditor<'_>, context: &Context) -> Result<Option<Stated>, CliError> {
     let shown = path.display().to_string();
-    let text = content(path, &shown, context)?;
+    let text = input::text_in_folder(path, context)?;
     let stated = read_if_plan(&shown, &text, auditor.knowledge, &|name: &str| named(path, name, context));
     stated.map_err(|unreadable| unusable(path, shown, text, unreadable))
 }
@@ -43,7 +41,7 @@ pub fn at_fault(stated: &Stated, error: &KnowledgeError, context: &Context) -> C
         // The text again, for the line that the message shows.
         Some(problem) => CliError::Unusable {
             problems: vec![problem],
-            texts: match std::fs::read_to_string(&stated.file) {
+            texts: match input::named(Path::new(&stated.file), context.lang) {
                 Ok(text) => Texts::default().with(&stated.file.clone(), stated.file.clone(), Cow::Owned(text)),
                 Err(_) => Texts::default(),
             },
@@ -58,7 +56,7 @@ pub fn at_fault(stated: &Stated, error: &KnowledgeError, context: &Context) -> C
 /// Every mistake of the file.
 pub fn scheme(path: &Path, context: &Context) -> Result<Scheme, CliError> {
     let shown = path.display().to_string();
-    let text = content(path, &shown, context)?;
+    let text = input::text(path, context)?;
     // A check is named by the code of its sentence.
     let codes = Lang::codes();
     let known: Vec<&str> = rules::all().map(|rule| rule.id).chain(codes.iter().map(String::as_str)).collect();
@@ -68,19 +66,9 @@ pub fn scheme(path: &Path, context: &Context) -> Result<Scheme, CliError> {
     })
 }
 
-/// The text of a file.
-///
-/// # Errors
-/// It cannot be read, or is no text.
-pub fn content(path: &Path, shown: &str, context: &Context) -> Result<String, CliError> {
-    let bytes = std::fs::read(path).map_err(|error| unreadable(shown, &error, context.lang))?;
-    Ok(text_of(shown, bytes)?)
-}
-
 /// A file that a plan names: relative to the plan.
 fn named(plan: &Path, name: &str, context: &Context) -> Result<String, String> {
-    let bytes = std::fs::read(beside(plan).join(name)).map_err(|error| of_system(&error, context.lang))?;
-    String::from_utf8(bytes).map_err(|error| error.to_string())
+    input::named(&beside(plan).join(name), context.lang)
 }
 
 fn beside(plan: &Path) -> &Path {

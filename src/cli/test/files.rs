@@ -5,13 +5,12 @@ use std::path::{Path, PathBuf};
 
 use technolog::audit::Files;
 use technolog::cases::{Around, CaseFile, read_cases};
-use technolog::knowledge::yaml::text_of;
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::report::Lang;
 use technolog::words::say;
 
 use super::super::problems::unreadable;
-use super::super::{CliError, Context};
+use super::super::{CliError, Context, input};
 
 /// What a file of cases in a folder is called.
 const ENDING: &str = ".test.yaml";
@@ -54,10 +53,10 @@ pub fn collect(paths: &[PathBuf], context: &Context) -> Result<Vec<SourceFile>, 
     }
     let read = |path: PathBuf| {
         let shown = path.display().to_string();
-        let bytes = std::fs::read(&path).map_err(|error| unreadable(&path, error))?;
-        let (text, problem) = match text_of(&shown, bytes) {
+        let (text, problem) = match input::text_in_folder(&path, context) {
             Ok(text) => (text, None),
-            Err(problem) => (String::new(), Some(problem)),
+            Err(CliError::Unusable { problems, .. }) => (String::new(), problems.into_iter().next()),
+            Err(error) => return Err(error),
         };
         Ok(SourceFile { path, shown, text, problem })
     };
@@ -103,12 +102,12 @@ pub fn spare_inputs(found: &[SourceFile], write: bool, context: &Context) -> Res
 }
 
 /// Reads a file of cases.
-pub fn read(found: &SourceFile, knowledge: &Knowledge) -> CaseFile {
+pub fn read(found: &SourceFile, knowledge: &Knowledge, lang: Lang) -> CaseFile {
     if found.problem.is_some() {
         let (cases, mistakes, texts) = (Vec::new(), Vec::new(), Vec::new());
         return CaseFile { file: found.shown.clone(), cases, mistakes, texts };
     }
-    let (files, codes) = (beside(&found.path), codes());
+    let (files, codes) = (beside(&found.path, lang), codes());
     read_cases(&found.shown, &found.text, around(knowledge, &codes, &files))
 }
 
@@ -123,10 +122,7 @@ pub fn codes() -> Vec<String> {
 }
 
 /// Reads files beside a file.
-pub fn beside(path: &Path) -> impl Fn(&str) -> Result<String, String> {
+pub fn beside(path: &Path, lang: Lang) -> impl Fn(&str) -> Result<String, String> {
     let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-    move |name: &str| {
-        let bytes = std::fs::read(folder.join(name)).map_err(|error| error.to_string())?;
-        String::from_utf8(bytes).map_err(|error| error.to_string())
-    }
+    move |name: &str| input::named(&folder.join(name), lang)
 }

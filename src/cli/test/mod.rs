@@ -80,7 +80,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let knowledge = knowledge::load(context)?;
     let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let asker = Asker::new(knowledge);
-    let mut read: Vec<CaseFile> = parallel::map(&found, |file| files::read(file, knowledge), |_| ());
+    let mut read: Vec<CaseFile> = parallel::map(&found, |file| files::read(file, knowledge, context.lang), |_| ());
     let all: Vec<&Case> = read.iter().flat_map(|file| &file.cases).collect();
     let progress = Progress::new(all.len());
     let failures = parallel::map(&all, |case| case.run(&asker), |done| progress.show(done));
@@ -100,7 +100,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         _ => context.written(&untitled(page::page(&runs, context.lang), format), format),
     };
     output::write(text.as_bytes(), screen, context.lang)?;
-    let mistakes: String = runs.iter().map(|run| render(&run.mistakes, &run.texts, context.lang)).collect();
+    let render = |run: &CaseFileRun| render(run.mistakes.clone(), &run.texts, context.amount, context.lang);
+    let mistakes: String = runs.iter().map(render).collect();
     if !mistakes.is_empty() {
         output::complain(&mistakes);
         return Err(CliError::Shown);
@@ -117,7 +118,7 @@ fn write(
     context: &Context,
 ) -> Result<Vec<usize>, CliError> {
     let at_fault = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
-    let files = files::beside(&found.path);
+    let files = files::beside(&found.path, context.lang);
     let codes = files::codes();
     let around = around(asker.knowledge, &codes, &files);
     let filled = fill(&found.text, read, failures, around, asker).map_err(at_fault)?;

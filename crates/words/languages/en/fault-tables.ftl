@@ -28,6 +28,7 @@ table-table-already = { $path }: the table { $table } is already in { $file }
 table-no-tables = { $display }: no tables in it
 table-must-hold-catalogs-rules = it must hold catalogs/ and rules/
 table-there-no-such-table-technolog = there is no such table; `technolog table` lists them
+table-file-unreadable = { $file }: { $why }
 table-name-folder-holds-catalogs-rules = name a folder that holds catalogs/ and rules/
 table-none-2 = `{ $text }` is not one of { $values }
 table-neither-true-nor-false = `{ $text }` is neither `true` nor `false`

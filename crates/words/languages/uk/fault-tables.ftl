@@ -28,6 +28,7 @@ table-table-already = { $path }: таблиця { $table } уже є в { $file 
 table-no-tables = { $display }: тут немає таблиць
 table-must-hold-catalogs-rules = тут мають бути catalogs/ і rules/
 table-there-no-such-table-technolog = такої таблиці немає; їх перелічує `technolog table`
+table-file-unreadable = { $file }: { $why }
 table-name-folder-holds-catalogs-rules = назвіть теку, де є catalogs/ і rules/
 table-none-2 = `{ $text }` – не з переліку: { $values }
 table-neither-true-nor-false = `{ $text }` – ні `true`, ні `false`
