@@ -2,12 +2,11 @@
 //! the part (`proof.rs`).
 
 use std::borrow::Cow;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use serde::Serialize;
 use technolog::document::{Block, Document, Table};
-use technolog::knowledge::yaml::text_of;
 use technolog::knowledge::{Diagnostic, Knowledge, Place};
 use technolog::machine::Machine;
 use technolog::motion::MotionStep;
@@ -21,7 +20,7 @@ use technolog::units::Minutes;
 use technolog::words::say;
 
 use super::diagnostics::Texts;
-use super::{CliError, Context, Format, Lang, Outcome, control, knowledge, problems, proof};
+use super::{CliError, Context, Format, Lang, Outcome, control, input, knowledge, problems, proof};
 
 // Read and run an NC program: its mistakes, the trace of its motions, its time
 #[derive(Debug, clap::Args)]
@@ -71,7 +70,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let knowledge = knowledge::load(context)?;
     let at_fault = |error: technolog::error::KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let shown = args.program.display().to_string();
-    let text = read(&args.program, context)?;
+    let text = input::text(&args.program, context)?;
     let mut held = args.part.as_deref().map(|part| proof::held(part, knowledge, context)).transpose()?;
     let of_part = held.as_ref().map(|held| held.plan.part.machine.clone());
     let id = args.machine.as_deref().or(of_part.as_deref()).unwrap_or("gf2171");
@@ -85,7 +84,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let mut setting = match &args.setting {
         None => Setting::default(),
         Some(path) => {
-            let (shown, text) = (path.display().to_string(), read(path, context)?);
+            let (shown, text) = (path.display().to_string(), input::text(path, context)?);
             language.setting(&shown, &text).map_err(|problems| CliError::Unusable {
                 problems,
                 texts: Texts::default().with(&shown, shown.clone(), Cow::Owned(text)),
@@ -127,7 +126,9 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         }
         _ => {
             let file: Arc<str> = Arc::from(shown.as_str());
-            let mut problems: Vec<Diagnostic> = faults.iter().map(|fault| diagnostic(fault, &file, context)).collect();
+            // Words only for what is shown: a program may have a fault in every word.
+            let (told, more) = context.amount.of(faults.iter().collect(), |fault| fault.severity);
+            let mut problems: Vec<Diagnostic> = told.iter().map(|fault| diagnostic(fault, &file, context)).collect();
             problems.extend(proof::of_part(&serious, context));
             let texts = Texts::default().with(&shown, shown.clone(), Cow::Owned(text.clone()));
             let mut made = None;
@@ -135,7 +136,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
                 problems.extend(proof::diagnostics(proof, &text, &file, context));
                 made = Some(proof::table(held, proof, context.lang));
             }
-            let told = (problems.len(), problems::blocks(&problems, &texts, format, context.lang));
+            let told = (problems.len() + more, problems::blocks(problems, more, &texts, format, context));
             let page = page(&shown, told, made, &steps, clock.times(), context.lang);
             context.emit_document(&problems::untitled(page, format), format)?;
         }
@@ -152,12 +153,6 @@ fn machine<'k>(id: &str, knowledge: &'k Knowledge, context: &Context) -> Result<
         return Err(Diagnostic::error("unknown-machine", message, None).help(help).into());
     }
     Machine::find(knowledge, id).map_err(|error| CliError::of_knowledge(&error, context.lang))
-}
-
-fn read(path: &Path, context: &Context) -> Result<String, CliError> {
-    let shown = path.display().to_string();
-    let bytes = std::fs::read(path).map_err(|error| problems::unreadable(&shown, &error, context.lang))?;
-    Ok(text_of(&shown, bytes)?)
 }
 
 /// The answer for people: mistakes with their lines, what is made of the part, the trace, the times.

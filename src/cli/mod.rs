@@ -13,6 +13,7 @@ mod check;
 mod control;
 mod diagnostics;
 mod help;
+mod input;
 mod knowledge;
 mod lint;
 mod lookup;
@@ -42,7 +43,7 @@ use technolog::document::{self, Document};
 use technolog::error::KnowledgeError;
 use technolog::knowledge::Diagnostic;
 
-use diagnostics::Texts;
+use diagnostics::{Amount, Texts};
 use words::Lang;
 
 // Knowledge base and rule engine for planning the machining of holes and shafts
@@ -66,6 +67,8 @@ struct Global {
     format: Option<Format>,
     #[arg(short, long, global = true, value_name = "FILE")]
     output: Option<PathBuf>,
+    #[arg(long, global = true)]
+    all_problems: bool,
     #[arg(short, long, global = true, action = ArgAction::Help)]
     help: Option<bool>,
     #[arg(short = 'V', long, action = ArgAction::Version)]
@@ -178,6 +181,8 @@ pub struct Context {
     pub format: Option<Format>,
     /// The file for the answer, or nothing for the screen.
     pub output: Option<PathBuf>,
+    /// How many problems are shown.
+    pub amount: Amount,
 }
 
 impl Context {
@@ -337,13 +342,14 @@ pub fn main() -> ExitCode {
         knowledge: cli.global.knowledge,
         format: cli.global.format,
         output: cli.global.output,
+        amount: if cli.global.all_problems { Amount::All } else { Amount::Some },
     };
     match cli.command.run(&context) {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
         Ok(Outcome::Findings) => ExitCode::from(1),
         Err(CliError::Shown) => ExitCode::from(2),
         Err(CliError::Unusable { problems, texts }) => {
-            output::complain(&diagnostics::render(&problems, &texts, context.lang));
+            output::complain(&diagnostics::render(problems, &texts, context.amount, context.lang));
             ExitCode::from(2)
         }
     }

@@ -7,8 +7,8 @@ use technolog::document::{Block, Document, Finding, Inlines, Severity as Colour}
 use technolog::knowledge::{Diagnostic, Severity};
 use technolog::words::say;
 
-use super::diagnostics::{Texts, render};
-use super::{CliError, Format, Lang};
+use super::diagnostics::{Texts, below, hidden, render_all};
+use super::{CliError, Context, Format, Lang};
 
 /// A file or a folder that cannot be read.
 pub fn unreadable(path: impl Display, error: &io::Error, lang: Lang) -> CliError {
@@ -35,12 +35,19 @@ pub fn untitled(page: Document, format: Format) -> Document {
     if format == Format::Text { Document { title: Inlines::default(), ..page } } else { page }
 }
 
-/// The blocks of these problems, in the order in which they are given.
-pub fn blocks(problems: &[Diagnostic], texts: &Texts, format: Format, lang: Lang) -> Vec<Block> {
+/// The blocks of these problems, in the order in which they are given: of many the gravest, and how many there are
+/// beside them, `more` of which were left out before.
+pub fn blocks(problems: Vec<Diagnostic>, more: usize, texts: &Texts, format: Format, context: &Context) -> Vec<Block> {
+    let lang = context.lang;
+    let (shown, hidden_now) = context.amount.of(problems, |problem| problem.severity);
+    let more = more + hidden_now;
     match format {
-        Format::Text if problems.is_empty() => Vec::new(),
-        Format::Text => vec![Block::Code(render(problems, texts, lang))],
-        _ => problems.iter().map(|problem| finding(problem, lang).into()).collect(),
+        Format::Text if shown.is_empty() => Vec::new(),
+        Format::Text => vec![Block::Code(render_all(&shown, texts, lang) + &below(more, lang))],
+        _ => {
+            let more = hidden(more, lang).map(|more| Block::Paragraph(more.into()));
+            shown.iter().map(|problem| finding(problem, lang).into()).chain(more).collect()
+        }
     }
 }
 

@@ -105,6 +105,7 @@ cli-tables-counted = { $count } { $count ->
         [one] table
        *[other] tables
     }
+cli-problems-hidden = and { $count } more: --all-problems shows all
 cli-findings-counted = { $count } { $count ->
         [one] finding
        *[other] findings

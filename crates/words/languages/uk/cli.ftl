@@ -107,6 +107,7 @@ cli-tables-counted = { $count } { $count ->
         [few] таблиці
        *[many] таблиць
     }
+cli-problems-hidden = і ще { $count }: усі показує --all-problems
 cli-findings-counted = { $count } { $count ->
         [one] зауваження
         [few] зауваження
