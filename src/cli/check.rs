@@ -126,7 +126,9 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         }
         _ => {
             let file: Arc<str> = Arc::from(shown.as_str());
-            let mut problems: Vec<Diagnostic> = faults.iter().map(|fault| diagnostic(fault, &file, context)).collect();
+            // Words only for what is shown: a program may have a fault in every word.
+            let (told, more) = context.amount.of(faults.iter().collect(), |fault| fault.severity);
+            let mut problems: Vec<Diagnostic> = told.iter().map(|fault| diagnostic(fault, &file, context)).collect();
             problems.extend(proof::of_part(&serious, context));
             let texts = Texts::default().with(&shown, shown.clone(), Cow::Owned(text.clone()));
             let mut made = None;
@@ -134,7 +136,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
                 problems.extend(proof::diagnostics(proof, &text, &file, context));
                 made = Some(proof::table(held, proof, context.lang));
             }
-            let told = (problems.len(), problems::blocks(&problems, &texts, format, context.lang));
+            let told = (problems.len() + more, problems::blocks(problems, more, &texts, format, context));
             let page = page(&shown, told, made, &steps, clock.times(), context.lang);
             context.emit_document(&problems::untitled(page, format), format)?;
         }

@@ -1,17 +1,56 @@
 //! Diagnostics for people: file, line and column, the line itself, a caret under what is meant, and
 //! what to do.
 
+mod lines;
+
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::ops::Range;
 
-use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 use serde::Serialize;
-use technolog::knowledge::{Diagnostic, Place, Severity};
+use technolog::document::cleaned;
+use technolog::knowledge::{Diagnostic, Severity};
+use technolog::note::Note;
+use technolog::words::say;
+use unicode_width::UnicodeWidthStr;
 
+use self::lines::{Lines, Stretch};
 use super::words::Lang;
+
 /// Lines of files are shown no wider than this.
 const WIDTH: usize = 120;
+/// Of a sentence no more characters are shown: the words of a user that are in it may be his whole file.
+const LONGEST: usize = 4_000;
+/// More problems than this nobody reads: those behind them are counted.
+const MOST_SHOWN: usize = 50;
+
+/// How many of many problems are shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Amount {
+    /// The gravest [`MOST_SHOWN`].
+    Some,
+    /// All of them.
+    All,
+}
+
+impl Amount {
+    /// Those that are shown, in their order, and how many are not. Of equally grave ones the first are.
+    pub fn of<T, G: Ord>(self, all: Vec<T>, grave: impl Fn(&T) -> G) -> (Vec<T>, usize) {
+        if self == Self::All || all.len() <= MOST_SHOWN {
+            return (all, 0);
+        }
+        let mut gravest: Vec<usize> = (0..all.len()).collect();
+        gravest.sort_by_key(|&index| grave(&all[index]));
+        let mut shown = vec![false; all.len()];
+        gravest.iter().take(MOST_SHOWN).for_each(|&index| shown[index] = true);
+        let hidden = all.len() - MOST_SHOWN;
+        (all.into_iter().zip(shown).filter_map(|(one, shown)| shown.then_some(one)).collect(), hidden)
+    }
+}
+
+/// What stands below those that are shown; nothing where these are all.
+pub fn hidden(count: usize, lang: Lang) -> Option<String> {
+    (count > 0).then(|| say!(lang, "cli-problems-hidden", count = count))
+}
 
 /// The texts that places are in, by the file name the places use.
 #[derive(Debug, Default)]
@@ -40,64 +79,68 @@ impl Texts {
     fn shown<'a>(&'a self, file: &'a str) -> &'a str {
         self.0.get(file).map_or(file, |text| &text.shown)
     }
+}
 
-    fn line(&self, place: &Place) -> Option<&str> {
-        let index = usize::try_from(place.line).ok()?.checked_sub(1)?;
-        self.0.get(place.file.as_ref())?.content.lines().nth(index)
-    }
+/// The problems that are to be shown, as [`render_all`] shows them, and how many there are beside them.
+pub fn render(problems: Vec<Diagnostic>, texts: &Texts, amount: Amount, lang: Lang) -> String {
+    let (shown, more) = amount.of(problems, |problem| problem.severity);
+    render_all(&shown, texts, lang) + &below(more, lang)
+}
+
+/// What stands below problems on a terminal where there are so many beside them.
+pub fn below(more: usize, lang: Lang) -> String {
+    hidden(more, lang).map(|more| format!("\n{more}\n")).unwrap_or_default()
 }
 
 /// Every problem, one under the other, with an empty line between, in the language of the reader.
-pub fn render(problems: &[Diagnostic], texts: &Texts, lang: Lang) -> String {
-    let shown: Vec<String> = problems.iter().map(|problem| one(problem, texts, lang)).collect();
+pub fn render_all(problems: &[Diagnostic], texts: &Texts, lang: Lang) -> String {
+    let mut lines: BTreeMap<&str, Lines<'_>> = BTreeMap::new();
+    for place in problems.iter().filter_map(|problem| problem.place.as_ref()) {
+        if let Some((file, text)) = texts.0.get_key_value(place.file.as_ref()) {
+            lines.entry(file).or_insert_with(|| Lines::of(&text.content));
+        }
+    }
+    let shown: Vec<String> = problems.iter().map(|problem| one(problem, texts, &lines, lang)).collect();
     shown.join("\n")
 }
 
-fn one(problem: &Diagnostic, texts: &Texts, lang: Lang) -> String {
-    let level = match problem.severity {
-        Severity::Error => Level::ERROR.with_name(lang.word("cli-error")),
-        Severity::Warning => Level::WARNING.with_name(lang.word("cli-warning")),
-        Severity::Note => Level::NOTE.with_name(lang.word("cli-note")),
-    };
-    let message = lang.say(&problem.message);
-    let help = problem.help.as_ref().map(|help| lang.say(help));
-    let title = level.primary_title(message.as_str()).id(problem.code);
-    let mut group = Group::with_title(title);
-    if let Some(place) = &problem.place {
-        let shown = texts.shown(&place.file);
-        let line_number = usize::try_from(place.line).unwrap_or(usize::MAX);
-        group = match texts.line(place) {
-            Some(line) => group.element(
-                Snippet::source(line)
-                    .line_start(line_number)
-                    .path(shown)
-                    .annotation(AnnotationKind::Primary.span(span(line, place))),
-            ),
-            None => {
-                let column = usize::try_from(place.column).unwrap_or(usize::MAX);
-                group.element(Origin::path(shown).line(line_number).char_column(column))
-            }
-        };
-    }
-    let mut reports = Vec::new();
-    let level = Level::HELP.with_name(lang.word("cli-help"));
-    match (&help, &problem.place) {
+/// A problem: what is wrong, where, the line itself with a mark under the place, and what to do.
+fn one(problem: &Diagnostic, texts: &Texts, lines: &BTreeMap<&str, Lines<'_>>, lang: Lang) -> String {
+    let level = lang.word(match problem.severity {
+        Severity::Error => "cli-error",
+        Severity::Warning => "cli-warning",
+        Severity::Note => "cli-note",
+    });
+    let said = |note: &Note| cleaned(&lang.say(note)).chars().take(LONGEST).collect::<String>();
+    let help = problem.help.as_ref().map(|help| format!("{}: {}", lang.word("cli-help"), said(help)));
+    let title = format!("{level}[{}]: {}", problem.code, said(&problem.message));
+    let Some(place) = &problem.place else {
         // Under a line of a file the help hangs on its frame; without one it stands on its own.
-        (Some(help), Some(_)) => reports.push(group.element(level.message(help.as_str()))),
-        (Some(help), None) => reports.extend([group, Group::with_title(level.primary_title(help.as_str()))]),
-        (None, _) => reports.push(group),
+        return [Some(title), help].into_iter().flatten().map(|line| line + "\n").collect();
+    };
+    let number = place.line.to_string();
+    let margin = " ".repeat(number.len());
+    let where_it_is = format!("{}:{}:{}", cleaned(texts.shown(&place.file)), place.line, place.column);
+    let mut shown = vec![title, format!("{margin}--> {where_it_is}")];
+    let room = WIDTH.saturating_sub(number.len() + 3);
+    if let Some(stretch) = lines.get(place.file.as_ref()).and_then(|lines| lines.around(place, room)) {
+        let [line, mark] = marked(&stretch);
+        shown.extend([format!("{margin} |"), format!("{number} | {line}"), format!("{margin} | {mark}")]);
     }
-    let renderer = Renderer::plain().term_width(WIDTH);
-    let shown: Vec<String> = reports.into_iter().map(|group| renderer.render(&[group])).collect();
-    shown.iter().flat_map(|text| text.lines()).map(|line| format!("{}\n", line.trim_end())).collect()
+    if let Some(help) = help {
+        shown.extend([format!("{margin} |"), format!("{margin} = {help}")]);
+    }
+    shown.iter().map(|line| format!("{}\n", line.trim_end())).collect()
 }
 
-/// The bytes of a line that a place means; a place counts characters.
-fn span(line: &str, place: &Place) -> Range<usize> {
-    let byte = |characters: usize| line.char_indices().nth(characters).map_or(line.len(), |(byte, _)| byte);
-    let first = usize::try_from(place.column).unwrap_or(1).saturating_sub(1);
-    let width = usize::try_from(place.width).unwrap_or(1).max(1);
-    byte(first)..byte(first.saturating_add(width))
+/// A line of a file, and the mark under what is meant.
+fn marked(stretch: &Stretch<'_>) -> [String; 2] {
+    let shown = |text: &str| cleaned(&text.replace('\t', "    "));
+    let dots = |cut: bool| if cut { "..." } else { "" };
+    let before = format!("{}{}", dots(stretch.cut_before), shown(stretch.before));
+    let meant = shown(stretch.meant);
+    let mark = " ".repeat(before.width()) + &"^".repeat(meant.width().max(1));
+    [format!("{before}{meant}{}{}", shown(stretch.behind), dots(stretch.cut_behind)), mark]
 }
 
 /// A problem for programs.
@@ -134,6 +177,8 @@ impl<'a> Json<'a> {
 
 #[cfg(test)]
 mod tests {
+    use technolog::knowledge::Place;
+
     use super::*;
 
     fn problem(line: u32, column: u32, width: u32) -> Diagnostic {
@@ -147,7 +192,7 @@ mod tests {
 
     #[test]
     fn a_place_counts_characters_and_the_caret_stands_under_them() {
-        insta::assert_snapshot!(render(&[problem(2, 12, 4)], &texts("ключ: 1\nназва: {є: bad1}\n"), Lang::UK), @r"
+        insta::assert_snapshot!(render_all(&[problem(2, 12, 4)], &texts("ключ: 1\nназва: {є: bad1}\n"), Lang::UK), @r"
         помилка[x]: щось не так
          --> тека/a.yaml:2:12
           |
@@ -162,9 +207,44 @@ mod tests {
     fn a_place_outside_its_text_still_says_where() {
         let texts = texts("a: 1\n");
         for (line, column) in [(1, 1), (1, 5), (1, 6), (1, 400), (2, 1), (0, 0), (u32::MAX, u32::MAX)] {
-            let shown = render(&[problem(line, column, u32::MAX)], &texts, Lang::EN);
+            let shown = render_all(&[problem(line, column, u32::MAX)], &texts, Lang::EN);
             assert!(shown.contains("тека/a.yaml:"), "{line}:{column}: {shown}");
             assert!(shown.contains("зробіть інакше"), "{line}:{column}: {shown}");
         }
+    }
+
+    #[test]
+    fn of_many_problems_the_gravest_are_shown_and_the_others_counted() {
+        let of = |line: u32| {
+            let problem = problem(line, 1, 1);
+            if line % 100 == 0 { problem } else { Diagnostic { severity: Severity::Note, ..problem } }
+        };
+        let texts = texts("");
+        let places = |amount| {
+            let shown = render((1..=200).map(of).collect(), &texts, amount, Lang::EN);
+            let place =
+                |line: &str| line.trim_start().strip_prefix("--> тека/a.yaml:")?.split(':').next()?.parse().ok();
+            (shown.lines().filter_map(place).collect::<Vec<u32>>(), shown.lines().last().unwrap().to_owned())
+        };
+        let (some, last) = places(Amount::Some);
+        assert_eq!(some, (1..=48).chain([100, 200]).collect::<Vec<_>>());
+        assert_eq!(last, "and 150 more: --all-problems shows all");
+        assert_eq!(places(Amount::All).0, (1..=200).collect::<Vec<_>>());
+        assert_eq!(render(vec![], &texts, Amount::Some, Lang::EN), "");
+    }
+
+    #[test]
+    fn what_steers_a_terminal_is_shown_as_a_sign() {
+        let texts = texts("a: \u{1b}[31mred\u{202e}\t1\n");
+        let message = "key \u{1b}[2J\nerror[none]: all is well";
+        let problem = Diagnostic::error("x", message, Place { file: "a.yaml".into(), line: 1, column: 14, width: 1 });
+        let shown = render_all(&[problem], &texts, Lang::EN);
+        insta::assert_snapshot!(shown, @r"
+        error[x]: key �[2J error[none]: all is well
+         --> тека/a.yaml:1:14
+          |
+        1 | a: �[31mred�    1
+          |                 ^
+        ");
     }
 }

@@ -1,34 +1,29 @@
-//! Reading the files that the user names: never more than a bound, and each remembered, so that no answer replaces it.
+//! The files that a command reads: no more of them than a bound, and each remembered, so that no answer replaces it.
 
 use std::fs::File;
-use std::io::{self, ErrorKind, Read};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use technolog::knowledge::Diagnostic;
-use technolog::knowledge::yaml::text_of;
+use technolog::knowledge::input::{bytes_of, larger, text_of, too_large};
 use technolog::words::say;
 
-use super::problems::unreadable;
+use super::problems::{of_system, unreadable};
 use super::{CliError, Context};
-
-/// The largest file that is read, bytes.
-pub const MOST_BYTES: u64 = 64 << 20;
 
 /// The files that an answer rests on.
 #[derive(Debug, Default)]
 pub struct Inputs(Mutex<Vec<PathBuf>>);
 
 impl Context {
-    /// The text of a file that the answer rests on.
+    /// The text of a file that the command line names. It may be a pipe.
     ///
     /// # Errors
     /// It cannot be read, is too large, or is no text.
     pub fn text(&self, path: &Path) -> Result<String, CliError> {
         self.uses(path);
-        let shown = path.display().to_string();
-        let bytes = read(path).map_err(|error| unreadable(&shown, &error, self.lang))?;
-        Ok(text_of(&shown, bytes)?)
+        read(path, self)
     }
 
     /// Remembers that the answer rests on this file.
@@ -53,27 +48,41 @@ impl Context {
     }
 }
 
-/// The content of a file.
-///
-/// # Errors
-/// It cannot be read, or is larger than [`MOST_BYTES`].
-pub fn read(path: &Path) -> io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    File::open(path)?.take(MOST_BYTES + 1).read_to_end(&mut bytes)?;
-    if bytes.len() as u64 > MOST_BYTES { Err(ErrorKind::FileTooLarge.into()) } else { Ok(bytes) }
+fn read(path: &Path, context: &Context) -> Result<String, CliError> {
+    let shown = path.display().to_string();
+    let bytes = File::open(path).and_then(bytes_of).map_err(|error| unreadable(&shown, &error, context.lang))?;
+    Ok(text_of(&shown, bytes.ok_or_else(|| too_large(&shown))?)?)
 }
 
-/// The content of a file that another file names, or that stands in a folder: only of an ordinary one. A pipe would be
-/// waited for, a device has no end.
+/// The text of a file that stands in a folder; it is not remembered, since it may be none of ours.
 ///
 /// # Errors
-/// As [`read`], or it is no ordinary file.
-pub fn read_ordinary(path: &Path) -> io::Result<Vec<u8>> {
-    let kind = std::fs::metadata(path)?;
-    if kind.is_dir() {
-        return Err(ErrorKind::IsADirectory.into());
+/// It cannot be read, is too large, is no text, or no file but a pipe, which might never end.
+pub fn text_in_folder(path: &Path, context: &Context) -> Result<String, CliError> {
+    if is_regular(path) { read(path, context) } else { Err(irregular(path, context)) }
+}
+
+/// The text of a file that another one names.
+///
+/// # Errors
+/// Why not, as of [`text_in_folder`].
+pub fn named(path: &Path, context: &Context) -> Result<String, String> {
+    context.uses(path);
+    if !is_regular(path) {
+        return Err(context.word("input-not-regular").to_owned());
     }
-    if kind.is_file() { read(path) } else { Err(ErrorKind::Unsupported.into()) }
+    let bytes = File::open(path).and_then(bytes_of).map_err(|error| of_system(&error, context.lang))?;
+    String::from_utf8(bytes.ok_or_else(|| context.lang.say(&larger()))?).map_err(|error| error.to_string())
+}
+
+/// Whether it may be opened: a pipe waits for a writer. What is not there says so when it is opened.
+fn is_regular(path: &Path) -> bool {
+    std::fs::metadata(path).map_or(true, |file| file.is_file() || file.is_dir())
+}
+
+fn irregular(path: &Path, context: &Context) -> CliError {
+    let error = io::Error::other(context.word("input-not-regular"));
+    unreadable(path.display(), &error, context.lang)
 }
 
 /// Whether a file lies in a folder or in one below it, by its true place.

@@ -35,6 +35,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         // It may stand in the file that could not be read.
         problems.retain(|problem| problem.code != "absent-table");
     }
+    let errors = problems.iter().any(is_error);
     match format {
         Format::Json => {
             context.emit_json(
@@ -43,14 +44,15 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         }
         _ => {
             let mut page = Document::new(context.lang.tag(), context.word("lint-title"));
-            page.blocks.extend(problems::blocks(&problems, &texts, format, context.lang));
-            page.paragraph(summary(&knowledge, problems.len(), context.lang));
+            let count = problems.len();
+            page.blocks.extend(problems::blocks(problems, 0, &texts, format, context));
+            page.paragraph(summary(&knowledge, count, context.lang));
             context.emit_document(&problems::untitled(page, format), format)?;
         }
     }
     if unusable {
         Err(CliError::Shown)
-    } else if problems.iter().any(is_error) {
+    } else if errors {
         Ok(Outcome::Findings)
     } else {
         Ok(Outcome::Done)

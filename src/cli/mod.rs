@@ -43,7 +43,7 @@ use technolog::document::{self, Document};
 use technolog::error::KnowledgeError;
 use technolog::knowledge::Diagnostic;
 
-use diagnostics::Texts;
+use diagnostics::{Amount, Texts};
 use words::Lang;
 
 // Knowledge base and rule engine for planning the machining of holes and shafts
@@ -67,6 +67,8 @@ struct Global {
     format: Option<Format>,
     #[arg(short, long, global = true, value_name = "FILE")]
     output: Option<PathBuf>,
+    #[arg(long, global = true)]
+    all_problems: bool,
     #[arg(short, long, global = true, action = ArgAction::Help)]
     help: Option<bool>,
     #[arg(short = 'V', long, action = ArgAction::Version)]
@@ -181,6 +183,8 @@ pub struct Context {
     pub output: Option<PathBuf>,
     /// What the answer rests on.
     pub inputs: input::Inputs,
+    /// How many problems are shown.
+    pub amount: Amount,
 }
 
 impl Context {
@@ -342,13 +346,14 @@ pub fn main() -> ExitCode {
         format: cli.global.format,
         output: cli.global.output,
         inputs: input::Inputs::default(),
+        amount: if cli.global.all_problems { Amount::All } else { Amount::Some },
     };
     match cli.command.run(&context) {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
         Ok(Outcome::Findings) => ExitCode::from(1),
         Err(CliError::Shown) => ExitCode::from(2),
         Err(CliError::Unusable { problems, texts }) => {
-            output::complain(&diagnostics::render(&problems, &texts, context.lang));
+            output::complain(&diagnostics::render(problems, &texts, context.amount, context.lang));
             ExitCode::from(2)
         }
     }

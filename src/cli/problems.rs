@@ -7,8 +7,8 @@ use technolog::document::{Block, Document, Finding, Inlines, Severity as Colour}
 use technolog::knowledge::{Diagnostic, Severity};
 use technolog::words::say;
 
-use super::diagnostics::{Texts, render};
-use super::{CliError, Format, Lang, input};
+use super::diagnostics::{Texts, below, hidden, render_all};
+use super::{CliError, Context, Format, Lang};
 
 /// A file or a folder that cannot be read.
 pub fn unreadable(path: impl Display, error: &io::Error, lang: Lang) -> CliError {
@@ -16,8 +16,6 @@ pub fn unreadable(path: impl Display, error: &io::Error, lang: Lang) -> CliError
     let message = match error.kind() {
         ErrorKind::NotFound => say!(lang, "cli-not-found", path = path),
         ErrorKind::PermissionDenied => say!(lang, "cli-not-permitted", path = path),
-        ErrorKind::FileTooLarge => say!(lang, "cli-file-too-large", path = path, most = input::MOST_BYTES >> 20),
-        ErrorKind::Unsupported => say!(lang, "cli-no-ordinary-file", path = path),
         ErrorKind::IsADirectory => say!(lang, "cli-is-a-folder", path = path),
         _ => say!(lang, "cli-cannot-read", path = path, error = error.to_string()),
     };
@@ -28,8 +26,6 @@ pub fn unreadable(path: impl Display, error: &io::Error, lang: Lang) -> CliError
 pub fn of_system(error: &io::Error, lang: Lang) -> String {
     match error.kind() {
         ErrorKind::NotFound => lang.word("file-not-there").to_owned(),
-        ErrorKind::FileTooLarge => say!(lang, "file-too-large", most = input::MOST_BYTES >> 20),
-        ErrorKind::Unsupported => lang.word("file-no-ordinary").to_owned(),
         ErrorKind::IsADirectory => lang.word("file-is-a-folder").to_owned(),
         _ => error.to_string(),
     }
@@ -40,12 +36,19 @@ pub fn untitled(page: Document, format: Format) -> Document {
     if format == Format::Text { Document { title: Inlines::default(), ..page } } else { page }
 }
 
-/// The blocks of these problems, in the order in which they are given.
-pub fn blocks(problems: &[Diagnostic], texts: &Texts, format: Format, lang: Lang) -> Vec<Block> {
+/// The blocks of these problems, in the order in which they are given: of many the gravest, and how many there are
+/// beside them, `more` of which were left out before.
+pub fn blocks(problems: Vec<Diagnostic>, more: usize, texts: &Texts, format: Format, context: &Context) -> Vec<Block> {
+    let lang = context.lang;
+    let (shown, hidden_now) = context.amount.of(problems, |problem| problem.severity);
+    let more = more + hidden_now;
     match format {
-        Format::Text if problems.is_empty() => Vec::new(),
-        Format::Text => vec![Block::Code(render(problems, texts, lang))],
-        _ => problems.iter().map(|problem| finding(problem, lang).into()).collect(),
+        Format::Text if shown.is_empty() => Vec::new(),
+        Format::Text => vec![Block::Code(render_all(&shown, texts, lang) + &below(more, lang))],
+        _ => {
+            let more = hidden(more, lang).map(|more| Block::Paragraph(more.into()));
+            shown.iter().map(|problem| finding(problem, lang).into()).chain(more).collect()
+        }
     }
 }
 

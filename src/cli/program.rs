@@ -18,7 +18,7 @@ use technolog::report;
 use technolog::report::encoding::encoding_sheet;
 use technolog::shop::Shop;
 
-use super::diagnostics::{Texts, render};
+use super::diagnostics::{Texts, below, render, render_all};
 use super::proof;
 use super::{CliError, Context, Format, Outcome, check, control, knowledge, output, plan};
 
@@ -98,7 +98,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     if job.setups.is_empty() && format != Format::Json {
         // No hole can be made: there is nothing to write, and half a program is worse than none.
         let problems = proof::of_part(&findings, context);
-        output::complain(&render(&problems, &Texts::default(), context.lang));
+        output::complain(&render(problems, &Texts::default(), context.amount, context.lang));
         return Ok(Outcome::Findings);
     }
     let sheet = || encoding_sheet(&written, job, plan, control, knowledge, context.lang).map_err(at_fault);
@@ -154,11 +154,13 @@ fn complain(findings: &[&Finding], faults: &[Fault], proof: &Proof, text: String
     const NAME: &str = "program.nc";
     let mut problems = proof::of_part(findings, context);
     let file = std::sync::Arc::from(NAME);
-    problems.extend(faults.iter().map(|fault| check::diagnostic(fault, &file, context)));
+    let (shown, more) = context.amount.of(faults.iter().collect(), |fault| fault.severity);
+    problems.extend(shown.iter().map(|fault| check::diagnostic(fault, &file, context)));
     problems.extend(proof::diagnostics(proof, &text, &file, context));
     if problems.is_empty() {
         return;
     }
     let texts = Texts::default().with(NAME, NAME.to_owned(), Cow::Owned(text));
-    output::complain(&render(&problems, &texts, context.lang));
+    let (shown, more_now) = context.amount.of(problems, |problem| problem.severity);
+    output::complain(&(render_all(&shown, &texts, context.lang) + &below(more + more_now, context.lang)));
 }

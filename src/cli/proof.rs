@@ -1,5 +1,6 @@
 //! What `technolog check --part` adds: the part's plan and job, and what a program makes of them.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -51,11 +52,16 @@ pub fn table(held: &PlannedJob, proof: &Proof, lang: Lang) -> Table {
         ["cli-hole", "cli-transition", "cli-tool", "cli-made"].map(|key| lang.word(key));
     let heads = [hole, transition, tool].map(Column::text).into_iter().chain([Column::number(made, "")]);
     let mut table = Table::new(heads);
+    let mut counts: BTreeMap<(&str, usize), [usize; 2]> = BTreeMap::new();
+    for visit in &proof.visits {
+        counts.entry((&visit.hole, visit.transition)).or_default()[0] += 1;
+    }
+    for stop in &proof.missing {
+        counts.entry((&stop.hole, stop.transition)).or_default()[1] += 1;
+    }
     for hole in &held.plan.holes {
         for (number, transition) in hole.transitions.iter().enumerate() {
-            let of = |name: &str, transition: usize| name == hole.name && transition == number;
-            let made = proof.visits.iter().filter(|visit| of(&visit.hole, visit.transition)).count();
-            let missing = proof.missing.iter().filter(|stop| of(&stop.hole, stop.transition)).count();
+            let [made, missing] = counts.get(&(hole.name.as_str(), number)).copied().unwrap_or_default();
             // What is done on another machine is in no job.
             if made + missing > 0 {
                 table.row([

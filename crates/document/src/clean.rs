@@ -16,7 +16,7 @@ const fn is_break(sign: char) -> bool {
 }
 
 fn shown(sign: char) -> char {
-    let turns = matches!(sign, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    let turns = matches!(sign, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     if sign.is_control() || turns { char::REPLACEMENT_CHARACTER } else { sign }
 }
 

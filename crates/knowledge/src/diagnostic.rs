@@ -90,31 +90,37 @@ pub fn nearest<'a>(typed: &str, known: impl IntoIterator<Item = &'a str>) -> Opt
 
 /// The same, and with it those that are as near, in order.
 pub(crate) fn nearest_few<'a>(typed: &str, known: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
-    let limit = (typed.chars().count() / 3).max(1) + 1;
-    let mut near: Vec<(usize, &str)> = known
-        .into_iter()
-        .map(|name| (edit_distance(typed, name), name))
-        .filter(|(distance, _)| *distance <= limit)
-        .collect();
+    let typed: Vec<char> = typed.chars().collect();
+    let limit = (typed.len() / 3).max(1) + 1;
+    let mut near: Vec<(usize, &str)> =
+        known.into_iter().filter_map(|name| Some((edit_distance(&typed, name, limit)?, name))).collect();
     near.sort_unstable();
     let least = near.first().map(|(distance, _)| *distance);
     near.into_iter().take_while(|(distance, _)| Some(*distance) == least).map(|(_, name)| name).collect()
 }
 
-/// Levenshtein distance in characters.
-pub(crate) fn edit_distance(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
+/// Levenshtein distance in characters, if it is within a limit. A text that is much longer costs nothing: every character
+/// that the other lacks is one of the distance.
+pub(crate) fn edit_distance(a: &[char], b: &str, limit: usize) -> Option<usize> {
+    let b: Vec<char> = b.chars().take(a.len() + limit + 1).collect();
+    if a.len().abs_diff(b.len()) > limit {
+        return None;
+    }
     let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, ca) in a.chars().enumerate() {
+    for (i, ca) in a.iter().enumerate() {
         let mut diagonal = row[0];
         row[0] = i + 1;
         for (j, cb) in b.iter().enumerate() {
-            let substituted = diagonal + usize::from(ca != *cb);
+            let substituted = diagonal + usize::from(ca != cb);
             diagonal = row[j + 1];
             row[j + 1] = substituted.min(row[j] + 1).min(diagonal + 1);
         }
+        // The distance is no less than the least of any row.
+        if row.iter().all(|distance| *distance > limit) {
+            return None;
+        }
     }
-    row[b.len()]
+    Some(row[b.len()]).filter(|distance| *distance <= limit)
 }
 
 #[cfg(test)]
@@ -127,5 +133,17 @@ mod tests {
         assert_eq!(nearest("diametr", known), Some("diameter"));
         assert_eq!(nearest("rouhgness", known), Some("roughness"));
         assert_eq!(nearest("colour", known), None);
+    }
+
+    #[test]
+    fn a_distance_is_told_within_its_limit() {
+        // Levenshtein's own kind of example, and the lengths alone.
+        for (a, b, distance) in [("kitten", "sitting", 3), ("", "abc", 3), ("діаметр", "диаметр", 1), ("a", "a", 0)]
+        {
+            let a: Vec<char> = a.chars().collect();
+            assert_eq!(edit_distance(&a, b, distance), Some(distance), "{b}");
+            assert_eq!(edit_distance(&a, b, distance + 5), Some(distance), "{b}");
+            assert_eq!(distance.checked_sub(1).and_then(|less| edit_distance(&a, b, less)), None, "{b}");
+        }
     }
 }

@@ -4,6 +4,7 @@
 //! list of known keys and one constant for each key. A reader takes a field by its constant, so it cannot know a key
 //! that the description has not.
 
+use std::collections::BTreeSet;
 use std::marker::PhantomData;
 
 use technolog_note::{Note, note};
@@ -102,12 +103,14 @@ pub struct Fields<'n, F> {
     taken: Vec<bool>,
     /// Where the mapping begins.
     pub place: &'n Place,
+    /// How many problems there were before the mapping was read: what it lacks is among those behind them.
+    before: usize,
     form: PhantomData<F>,
 }
 
 impl<'n, F> Fields<'n, F> {
-    pub(crate) fn new(entries: &'n [(Key, Node)], place: &'n Place) -> Self {
-        Self { entries, taken: vec![false; entries.len()], place, form: PhantomData }
+    pub(crate) fn new(entries: &'n [(Key, Node)], place: &'n Place, before: usize) -> Self {
+        Self { entries, taken: vec![false; entries.len()], place, before, form: PhantomData }
     }
 
     /// Takes an optional field; an empty value counts as absent.
@@ -150,9 +153,10 @@ impl<'n, F> Fields<'n, F> {
     /// Reports every field that nobody took. A mistyped key that was needed is one mistake, not two: it is no longer
     /// reported as missing.
     fn report(mut self, known: &[&str], problems: &mut Problems) {
-        let entries = self.entries;
+        let present = hint::present(known, self.entries);
+        let (mut unknown, mut meant) = (Vec::new(), BTreeSet::new());
         for (key, node) in self.rest() {
-            let hint = hint::of(&key.text, known, entries);
+            let hint = hint::of(&key.text, known, &present);
             let help = match &hint {
                 _ if node.is_null() && key.text.bytes().all(|byte| byte.is_ascii_digit()) => {
                     note!("yaml-write-decimal-point-number-comma")
@@ -160,13 +164,16 @@ impl<'n, F> Fields<'n, F> {
                 Some(hint) => hint.told(),
                 None => note!("case-known-here", names = known.join(", ")),
             };
-            if let Some(hint) = hint {
-                let missing = missing_key(hint.key(), self.place).message;
-                let same = |one: &Diagnostic| one.message == missing && one.place.as_ref() == Some(self.place);
-                problems.0.retain(|one| !same(one));
-            }
-            problems.error_help::<()>("unknown-key", note!("yaml-unknown-key", key = key.text), &key.place, help);
+            meant.extend(hint.map(|hint| missing_key(hint.key(), self.place).message));
+            let message = note!("yaml-unknown-key", key = key.text);
+            unknown.push(Diagnostic::error("unknown-key", message, key.place.clone()).help(help));
         }
+        if !meant.is_empty() {
+            let behind = problems.0.split_off(self.before.min(problems.0.len()));
+            let same = |one: &Diagnostic| one.place.as_ref() == Some(self.place) && meant.contains(&one.message);
+            problems.0.extend(behind.into_iter().filter(|one| !same(one)));
+        }
+        problems.0.extend(unknown);
     }
 }
 
@@ -185,10 +192,10 @@ impl<F: Form> Fields<'_, F> {
     /// Whether the field says something, taken or not, or is only mistyped: then what else must be there cannot be told.
     pub fn means(&self, key: KeyOf<F>) -> bool {
         let known: Vec<&str> = F::KEYS.iter().map(|key| key.0).collect();
+        let present = hint::present(&known, self.entries);
         let meant = |typed: &str| {
             typed == key.0
-                || !known.contains(&typed)
-                    && hint::of(typed, &known, self.entries).is_some_and(|hint| hint.key() == key.0)
+                || !known.contains(&typed) && hint::of(typed, &known, &present).is_some_and(|hint| hint.key() == key.0)
         };
         self.entries.iter().any(|(typed, node)| !node.is_null() && meant(&typed.text))
     }

@@ -35,10 +35,19 @@ impl<'k> Hint<'k> {
     }
 }
 
+/// A key that stands in a mapping, and its line.
+pub(crate) type Present<'k> = (&'k str, u32);
+
+/// Which of the known keys stand in a mapping.
+pub(crate) fn present<'k>(known: &[&'k str], entries: &[(Key, Node)]) -> Vec<Present<'k>> {
+    let of = |there: &Key| known.iter().find(|key| **key == there.text).map(|key| (*key, there.place.line));
+    entries.iter().filter_map(|(there, _)| of(there)).collect()
+}
+
 /// The key that was meant by `typed`, if one of `known` is near enough. A key that stands in the mapping already is never
 /// proposed: the reader would refuse it.
-pub(crate) fn of<'k>(typed: &str, known: &[&'k str], entries: &[(Key, Node)]) -> Option<Hint<'k>> {
-    let line = |key: &str| entries.iter().find(|(there, _)| there.text == key).map(|(there, _)| there.place.line);
+pub(crate) fn of<'k>(typed: &str, known: &[&'k str], present: &[Present<'_>]) -> Option<Hint<'k>> {
+    let line = |key: &str| present.iter().find(|(there, _)| *there == key).map(|(_, line)| *line);
     let or_stands = |hint: fn(&'k str) -> Hint<'k>, key: &'k str| match line(key) {
         Some(line) => Hint::Stands(key, line),
         None => hint(key),
@@ -70,8 +79,9 @@ fn translated<'k>(typed: &str, known: &[&'k str]) -> Vec<&'k str> {
     let named = |keys: &&str| -> Vec<&'k str> {
         keys.split(' ').filter_map(|key| known.iter().find(|known| **known == key).copied()).collect()
     };
-    let words = WORDS.iter().map(|(word, keys)| (edit_distance(&typed, word), named(keys)));
-    let near = words.filter(|(distance, keys)| *distance <= limit && !keys.is_empty());
+    let typed: Vec<char> = typed.chars().collect();
+    let words = WORDS.iter().filter_map(|(word, keys)| Some((edit_distance(&typed, word, limit)?, named(keys))));
+    let near = words.filter(|(_, keys)| !keys.is_empty());
     near.min_by_key(|(distance, _)| *distance).map(|(_, keys)| keys).unwrap_or_default()
 }
 
@@ -88,7 +98,7 @@ mod tests {
     fn told(text: &str) -> Option<[String; 2]> {
         let root = parse("t.yaml", text).0.unwrap();
         let NodeKind::Map(entries) = &root.kind else { panic!("{text}") };
-        let hint = of(&entries.last().unwrap().0.text, KNOWN, entries)?;
+        let hint = of(&entries.last().unwrap().0.text, KNOWN, &present(KNOWN, entries))?;
         Some([Lang::EN, Lang::UK].map(|lang| lang.say(&hint.told())))
     }
 

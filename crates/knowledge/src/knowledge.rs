@@ -1,16 +1,17 @@
 //! The whole knowledge base: every table by its id.
 
 use std::borrow::Cow;
-use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Path, PathBuf};
+use std::collections::BTreeMap;
+use std::path::Path;
 use std::sync::OnceLock;
 use std::{fs, io};
-use technolog_note::note;
+use technolog_note::{Note, note};
 
 use serde::{Deserialize, Serialize};
 
 use crate::by_id::ById;
 use crate::diagnostic::Diagnostic;
+use crate::input::{bytes_of, text_of, too_large};
 use crate::lint::cases::CaseFile;
 use crate::load::table_with;
 use crate::table::{Table, TableError};
@@ -143,13 +144,13 @@ impl Knowledge {
     /// # Errors
     /// Every file that cannot be read, as text of path and content otherwise.
     pub fn read_folder(folder: &Path) -> Result<Vec<(String, String)>, Vec<Diagnostic>> {
-        let mut reading = Reading::default();
+        let mut files = Vec::new();
+        let mut problems = Vec::new();
         for top in ["catalogs", "rules"] {
-            reading.folder(&folder.join(top), top);
+            collect_yaml(&folder.join(top), top, &mut files, &mut problems);
         }
-        let Reading { files, mut problems, .. } = reading;
         if files.is_empty() && problems.is_empty() {
-            let message = note!("table-no-tables", folder = folder.display().to_string());
+            let message = note!("table-no-tables", display = folder.display().to_string());
             problems
                 .push(Diagnostic::error("no-knowledge", message, None).help(note!("table-must-hold-catalogs-rules")));
         }
@@ -230,49 +231,42 @@ impl Knowledge {
     }
 }
 
-/// Reading a folder of tables.
-#[derive(Default)]
-struct Reading {
-    files: Vec<(String, String)>,
-    problems: Vec<Diagnostic>,
-    /// The folders that were entered, by their true places: a link may lead round.
-    entered: BTreeSet<PathBuf>,
-}
-
-impl Reading {
-    fn folder(&mut self, folder: &Path, name: &str) {
-        if !folder.canonicalize().is_ok_and(|place| self.entered.insert(place)) && folder.exists() {
-            return;
-        }
-        let entries = match fs::read_dir(folder) {
-            Ok(entries) => entries,
-            Err(error) => {
-                let message = format!("{}: {error}", folder.display());
-                let problem = Diagnostic::error("unreadable", message, None);
-                return self.problems.push(problem.help(note!("table-name-folder-holds-catalogs-rules")));
-            }
-        };
-        let mut paths: Vec<_> = entries.filter_map(|entry| entry.ok().map(|entry| entry.path())).collect();
-        paths.sort();
-        for path in paths {
-            let Some(file_name) = path.file_name().and_then(|name| name.to_str()) else { continue };
-            let inner = format!("{name}/{file_name}");
-            if path.is_dir() {
-                self.folder(&path, &inner);
-            } else if file_name.ends_with(".yaml") {
-                match read_ordinary(&path) {
-                    Ok(text) => self.files.push((inner, text)),
-                    Err(error) => {
-                        let message = format!("{}: {error}", path.display());
-                        self.problems.push(Diagnostic::error("unreadable", message, None));
-                    }
-                }
+fn collect_yaml(folder: &Path, name: &str, files: &mut Vec<(String, String)>, problems: &mut Vec<Diagnostic>) {
+    let unreadable = |error: std::io::Error| {
+        Diagnostic::error("unreadable", format!("{}: {error}", folder.display()), None)
+            .help(note!("table-name-folder-holds-catalogs-rules"))
+    };
+    let entries = match fs::read_dir(folder).and_then(Iterator::collect::<io::Result<Vec<_>>>) {
+        Ok(entries) => entries,
+        Err(error) => return problems.push(unreadable(error)),
+    };
+    // Links to folders are left out: they could go round.
+    let is_folder = |entry: &fs::DirEntry| entry.file_type().is_ok_and(|kind| kind.is_dir());
+    let mut paths: Vec<_> = entries.iter().map(|entry| (entry.path(), is_folder(entry))).collect();
+    paths.sort();
+    for (path, is_folder) in paths {
+        let Some(file_name) = path.file_name().and_then(|name| name.to_str()) else { continue };
+        let inner = format!("{name}/{file_name}");
+        if is_folder {
+            collect_yaml(&path, &inner, files, problems);
+        } else if file_name.ends_with(".yaml") {
+            match text_of_file(&path) {
+                Ok(text) => files.push((inner, text)),
+                Err(problem) => problems.push(problem),
             }
         }
     }
 }
 
-/// The text of an ordinary file: a pipe would be waited for, and a device has no end.
-fn read_ordinary(path: &Path) -> io::Result<String> {
-    if fs::metadata(path)?.is_file() { fs::read_to_string(path) } else { Err(io::ErrorKind::Unsupported.into()) }
+#[expect(clippy::result_large_err, reason = "a file is read once")]
+fn text_of_file(path: &Path) -> Result<String, Diagnostic> {
+    let shown = path.display().to_string();
+    let unreadable =
+        |why: Note| Diagnostic::error("unreadable", note!("table-file-unreadable", file = shown, why = why), None);
+    // A pipe would wait for a writer.
+    if fs::metadata(path).is_ok_and(|file| !file.is_file()) {
+        return Err(unreadable(note!("input-not-regular")));
+    }
+    let bytes = fs::File::open(path).and_then(bytes_of).map_err(|error| unreadable(error.to_string().into()))?;
+    text_of(&shown, bytes.ok_or_else(|| too_large(&shown))?)
 }

@@ -17,6 +17,7 @@ pub mod error;
 mod few;
 pub mod form;
 mod hint;
+pub mod input;
 mod key_words;
 pub mod knowledge;
 pub mod lint;

@@ -8,11 +8,9 @@ use technolog::audit::rules;
 use technolog::audit::stated::Stated;
 use technolog::audit::{Auditor, Unreadable, read_if_plan, read_plan};
 use technolog::error::KnowledgeError;
-use technolog::knowledge::yaml::text_of;
 use technolog::report::Lang;
 
 use super::super::diagnostics::Texts;
-use super::super::problems::{of_system, unreadable};
 use super::super::{CliError, Context, input};
 
 /// Where the files that a plan names may lie: below its own folder, the folder that is audited, or the one that the
@@ -47,8 +45,7 @@ pub fn read_any(
     context: &Context,
 ) -> Result<Option<Stated>, CliError> {
     let shown = path.display().to_string();
-    let bytes = input::read_ordinary(path).map_err(|error| unreadable(&shown, &error, context.lang))?;
-    let text = text_of(&shown, bytes)?;
+    let text = input::text_in_folder(path, context)?;
     let stated = read_if_plan(&shown, &text, auditor.knowledge, &|name: &str| named(path, name, places, context));
     stated.map_err(|unreadable| unusable(path, shown, text, unreadable))
 }
@@ -59,7 +56,7 @@ pub fn at_fault(stated: &Stated, error: &KnowledgeError, context: &Context) -> C
         // The text again, for the line that the message shows.
         Some(problem) => CliError::Unusable {
             problems: vec![problem],
-            texts: match std::fs::read_to_string(&stated.file) {
+            texts: match input::named(Path::new(&stated.file), context) {
                 Ok(text) => Texts::default().with(&stated.file.clone(), stated.file.clone(), Cow::Owned(text)),
                 Err(_) => Texts::default(),
             },
@@ -92,9 +89,7 @@ fn named(plan: &Path, name: &str, places: Places<'_>, context: &Context) -> Resu
     {
         return Err(context.word("file-outside").to_owned());
     }
-    context.uses(&path);
-    let bytes = input::read_ordinary(&path).map_err(|error| of_system(&error, context.lang))?;
-    String::from_utf8(bytes).map_err(|error| error.to_string())
+    input::named(&path, context)
 }
 
 fn beside(plan: &Path) -> &Path {

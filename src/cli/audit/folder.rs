@@ -33,12 +33,12 @@ pub fn run(
     places: Places<'_>,
     context: &Context,
 ) -> Result<Outcome, CliError> {
-    let mut files = Vec::new();
-    collect(folder, &mut files).map_err(|error| unreadable(folder.display(), &error, context.lang))?;
+    let (mut files, mut barred) = (Vec::new(), Vec::new());
+    collect(folder, &mut files, &mut barred).map_err(|error| unreadable(folder.display(), &error, context.lang))?;
     let progress = Progress::new(files.len());
     let seen = parallel::map(&files, |path| one(path, auditor, scheme, places, context), |done| progress.show(done));
     progress.clear();
-    let mut audited = Vec::new();
+    let mut audited: Vec<Audited> = barred.iter().map(|(folder, error)| unopened(folder, error, context)).collect();
     for (path, seen) in files.iter().zip(seen) {
         match seen? {
             Seen::Plan(plan) => {
@@ -78,7 +78,7 @@ fn one(
         Ok(Some(stated)) => stated,
         Ok(None) => return Ok(Seen::NoPlan),
         Err(CliError::Unusable { problems, .. }) => {
-            return Ok(unread(path, &problems, context));
+            return Ok(Seen::Plan(unread(path, &problems, context)));
         }
         Err(error) => return Err(error),
     };
@@ -86,19 +86,26 @@ fn one(
         Ok(found) => found,
         Err(error) => {
             let problem = stated.at_fault(&error).ok_or_else(|| CliError::of_knowledge(&error, context.lang))?;
-            return Ok(unread(path, &[problem], context));
+            return Ok(Seen::Plan(unread(path, &[problem], context)));
         }
     };
     found.marks = scheme.map(|scheme| scheme.mark(&found));
     Ok(Seen::Plan(Audited::Plan(Box::new(found))))
 }
 
-fn unread(path: &Path, problems: &[Diagnostic], context: &Context) -> Seen {
-    Seen::Plan(Audited::Unreadable(Unread::new(&path.display().to_string(), problems, context.lang)))
+fn unread(path: &Path, problems: &[Diagnostic], context: &Context) -> Audited {
+    Audited::Unreadable(Unread::new(&path.display().to_string(), problems, context.lang))
 }
 
-/// The files that may be plans. Hidden ones are left out, and links to folders, which could go round.
-fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
+/// A folder of which nobody knows what is in it.
+fn unopened(folder: &Path, error: &io::Error, context: &Context) -> Audited {
+    let message = say!(context.lang, "cli-cannot-read", path = folder.display().to_string(), error = error.to_string());
+    unread(folder, &[Diagnostic::error("unreadable", message, None)], context)
+}
+
+/// The files that may be plans, and the folders in this one that cannot be read. Hidden ones are left out, and links to
+/// folders, which could go round.
+fn collect(folder: &Path, files: &mut Vec<PathBuf>, barred: &mut Vec<(PathBuf, io::Error)>) -> io::Result<()> {
     let mut entries = std::fs::read_dir(folder)?.collect::<io::Result<Vec<_>>>()?;
     entries.sort_by_key(std::fs::DirEntry::file_name);
     for entry in entries {
@@ -107,7 +114,9 @@ fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
             continue;
         }
         if entry.file_type()?.is_dir() {
-            collect(&path, files)?;
+            if let Err(error) = collect(&path, files, barred) {
+                barred.push((path, error));
+            }
         } else if path.extension().is_some_and(|kind| ["yaml", "yml", "json"].iter().any(|known| kind == *known)) {
             files.push(path);
         }

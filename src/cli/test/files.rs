@@ -5,12 +5,11 @@ use std::path::{Path, PathBuf};
 
 use technolog::audit::Files;
 use technolog::cases::{Around, CaseFile, read_cases};
-use technolog::knowledge::yaml::text_of;
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::report::Lang;
 use technolog::words::say;
 
-use super::super::problems::{of_system, unreadable};
+use super::super::problems::unreadable;
 use super::super::{CliError, Context, input};
 
 /// What a file of cases in a folder is called.
@@ -54,10 +53,10 @@ pub fn collect(paths: &[PathBuf], context: &Context) -> Result<Vec<SourceFile>, 
     }
     let read = |path: PathBuf| {
         let shown = path.display().to_string();
-        let bytes = input::read(&path).map_err(|error| unreadable(&path, error))?;
-        let (text, problem) = match text_of(&shown, bytes) {
+        let (text, problem) = match input::text_in_folder(&path, context) {
             Ok(text) => (text, None),
-            Err(problem) => (String::new(), Some(problem)),
+            Err(CliError::Unusable { problems, .. }) => (String::new(), problems.into_iter().next()),
+            Err(error) => return Err(error),
         };
         Ok(SourceFile { path, shown, text, problem })
     };
@@ -120,10 +119,5 @@ pub fn codes() -> Vec<String> {
 /// Reads files beside a file.
 pub fn beside<'c>(path: &Path, context: &'c Context) -> impl Fn(&str) -> Result<String, String> + use<'c> {
     let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-    move |name: &str| {
-        let path = folder.join(name);
-        context.uses(&path);
-        let bytes = input::read_ordinary(&path).map_err(|error| of_system(&error, context.lang))?;
-        String::from_utf8(bytes).map_err(|error| error.to_string())
-    }
+    move |name: &str| input::named(&folder.join(name), context)
 }

@@ -2,7 +2,7 @@
 //! same file.
 
 use super::super::Context;
-use super::super::diagnostics::render;
+use super::super::diagnostics::render_all;
 use super::{CaseFileRun, Ran, page};
 
 /// The document.
@@ -36,7 +36,7 @@ fn suite(run: &CaseFileRun, context: &Context) -> String {
         text.push_str(&case(ran, &file, context));
     }
     if let Some(first) = run.mistakes.first() {
-        let all = render(&run.mistakes, &run.texts, context.lang);
+        let all = render_all(&run.mistakes, &run.texts, context.lang);
         text.push_str(&format!(
             "    <testcase name=\"{file}\" classname=\"{file}\" file=\"{file}\">\n      \
              <error type=\"{}\" message=\"{}\">{}</error>\n    </testcase>\n",

@@ -105,7 +105,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     };
     context.spare_inputs()?;
     output::write(text.as_bytes(), screen, context.lang)?;
-    let mistakes: String = runs.iter().map(|run| render(&run.mistakes, &run.texts, context.lang)).collect();
+    let render = |run: &CaseFileRun| render(run.mistakes.clone(), &run.texts, context.amount, context.lang);
+    let mistakes: String = runs.iter().map(render).collect();
     if !mistakes.is_empty() {
         output::complain(&mistakes);
         return Err(CliError::Shown);

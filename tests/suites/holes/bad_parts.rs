@@ -8,7 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use technolog::knowledge::yaml::text_of;
+use technolog::knowledge::input::text_of;
 use technolog::part::read_part;
 use technolog_testing::KNOWLEDGE;
 

@@ -9,7 +9,6 @@
 )]
 
 mod commands;
-mod files;
 mod index;
 mod readings;
 mod remarks;

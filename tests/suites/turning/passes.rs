@@ -6,7 +6,7 @@ use std::process::{Command, Output};
 
 use proptest::prelude::*;
 use serde_json::Value;
-use technolog::knowledge::yaml::text_of;
+use technolog::knowledge::input::text_of;
 use technolog::turning::length::Half;
 use technolog::turning::passes::cost::{Cost, Objective};
 use technolog::turning::passes::enumeration::enumerate;

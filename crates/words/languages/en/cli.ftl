@@ -65,8 +65,6 @@ cli-cannot-read = { $path }: cannot be read: { $error }
 cli-not-found = { $path }: there is no such file
 cli-not-permitted = { $path }: reading it is not permitted
 cli-is-a-folder = { $path }: this is a folder, not a file
-cli-file-too-large = { $path }: larger than { $most } MB, more than is read
-cli-no-ordinary-file = { $path }: this is no ordinary file
 cli-check-path = check the path of the file
 cli-no-hole = { $path }: there is no group of holes `{ $name }`
 cli-known = there are: { $names }
@@ -109,6 +107,7 @@ cli-tables-counted = { $count } { $count ->
         [one] table
        *[other] tables
     }
+cli-problems-hidden = and { $count } more: --all-problems shows all
 cli-findings-counted = { $count } { $count ->
         [one] finding
        *[other] findings

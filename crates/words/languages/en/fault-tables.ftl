@@ -27,6 +27,7 @@ table-table-already = { $path }: the table { $table } is already in { $file }
 table-no-tables = { $folder }: no tables in it
 table-must-hold-catalogs-rules = it must hold catalogs/ and rules/
 table-there-no-such-table-technolog = there is no such table; `technolog table` lists them
+table-file-unreadable = { $file }: { $why }
 table-name-folder-holds-catalogs-rules = name a folder that holds catalogs/ and rules/
 table-whole-number = `{ $text }` is not a whole number
 table-finer-than-micrometre = `{ $text }` is finer than a micrometre

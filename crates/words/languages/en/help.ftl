@@ -4,6 +4,7 @@ help-technolog-lang = Language of the answers: uk or en (by default from the var
 help-technolog-knowledge = Folder with catalogs/ and rules/ instead of the embedded knowledge
 help-technolog-format = Form of the answer: text, json, yaml, csv, svg, markdown, html or junit, if the command supports it
 help-technolog-output = Write the answer to a file, not to the screen
+help-technolog-all-problems = Show every error and finding of a file, also beyond the first 50
 help-technolog-help = Show this help
 help-technolog-version = Show the version
 help-table = The list of tables, or one table as printed in its source

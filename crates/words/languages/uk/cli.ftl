@@ -65,8 +65,6 @@ cli-cannot-read = { $path }: не вдалося прочитати: { $error }
 cli-not-found = { $path }: немає такого файлу
 cli-not-permitted = { $path }: немає дозволу на читання
 cli-is-a-folder = { $path }: це тека, а не файл
-cli-file-too-large = { $path }: понад { $most } МБ, більше, ніж читається
-cli-no-ordinary-file = { $path }: це не звичайний файл
 cli-check-path = перевірте шлях до файлу
 cli-no-hole = { $path }: групи отворів `{ $name }` немає
 cli-known = є: { $names }
@@ -111,6 +109,7 @@ cli-tables-counted = { $count } { $count ->
         [few] таблиці
        *[many] таблиць
     }
+cli-problems-hidden = і ще { $count }: усі показує --all-problems
 cli-findings-counted = { $count } { $count ->
         [one] зауваження
         [few] зауваження

@@ -27,6 +27,7 @@ table-table-already = { $path }: таблиця { $table } уже є в { $file 
 table-no-tables = { $folder }: тут немає таблиць
 table-must-hold-catalogs-rules = тут мають бути catalogs/ і rules/
 table-there-no-such-table-technolog = такої таблиці немає; їх перелічує `technolog table`
+table-file-unreadable = { $file }: { $why }
 table-name-folder-holds-catalogs-rules = назвіть теку, де є catalogs/ і rules/
 table-whole-number = `{ $text }` – не ціле число
 table-finer-than-micrometre = `{ $text }` дрібніше за мікрометр

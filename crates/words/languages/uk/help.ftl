@@ -4,6 +4,7 @@ help-technolog-lang = Мова відповідей: uk або en (якщо не
 help-technolog-knowledge = Тека з catalogs/ і rules/ замість вбудованої бази знань
 help-technolog-format = Формат відповіді: text, json, yaml, csv, svg, markdown, html або junit, що з них має команда
 help-technolog-output = Записати відповідь у файл, а не на екран
+help-technolog-all-problems = Показати всі помилки й зауваження до файлу, а не лише перші 50
 help-technolog-help = Показати цю довідку
 help-technolog-version = Показати версію
 help-table = Перелік таблиць або одна таблиця так, як її друкує джерело

@@ -1,0 +1,82 @@
+//! What somebody else wrote, as text: no more bytes than a bound, and all of them UTF-8.
+
+use std::io::{self, Read};
+use std::sync::Arc;
+use technolog_note::{Note, note};
+
+use crate::diagnostic::{Diagnostic, Place};
+
+/// The largest file, MB.
+pub const MOST_MB: usize = 32;
+/// The largest file, bytes.
+pub const MOST_BYTES: usize = MOST_MB * 1_000_000;
+
+/// The bytes of a source; nothing where there are more than [`MOST_BYTES`], and then no more than that is read.
+///
+/// # Errors
+/// It cannot be read.
+pub fn bytes_of(source: impl Read) -> io::Result<Option<Vec<u8>>> {
+    let mut bytes = Vec::new();
+    source.take(MOST_BYTES as u64 + 1).read_to_end(&mut bytes)?;
+    Ok(Some(bytes).filter(|bytes| bytes.len() <= MOST_BYTES))
+}
+
+/// The text of a file's bytes.
+///
+/// # Errors
+/// They are not UTF-8: the place is that of the first wrong byte.
+#[expect(clippy::result_large_err, reason = "a file is read once")]
+pub fn text_of(file: &str, bytes: Vec<u8>) -> Result<String, Diagnostic> {
+    String::from_utf8(bytes).map_err(|error| {
+        let sound = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        let sound = String::from_utf8_lossy(sound);
+        let last = sound.rsplit('\n').next().unwrap_or_default();
+        let place = Place {
+            file: Arc::from(file),
+            line: u32::try_from(sound.matches('\n').count() + 1).unwrap_or(u32::MAX),
+            column: u32::try_from(last.chars().count() + 1).unwrap_or(u32::MAX),
+            width: 1,
+        };
+        Diagnostic::error("not-utf8", note!("yaml-from-here-on-utf-text"), place).help(note!("yaml-save-file-utf"))
+    })
+}
+
+/// A file that is larger than [`MOST_BYTES`].
+pub fn too_large(file: &str) -> Diagnostic {
+    let place = Place { file: Arc::from(file), line: 1, column: 1, width: 1 };
+    Diagnostic::error("too-large", larger(), place).help(note!("input-check-path-or-split"))
+}
+
+/// What is said of such a file.
+pub fn larger() -> Note {
+    note!("input-file-larger", most = MOST_MB)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_byte_that_is_not_utf8_has_a_place() {
+        let problem = text_of("t.yaml", b"a: 1\nb: \xd0\xb0\xcf\xeb\n".to_vec()).unwrap_err();
+        assert_eq!(problem.place.unwrap().to_string(), "t.yaml:2:5");
+        assert_eq!(text_of("t.yaml", b"a: 1".to_vec()).unwrap(), "a: 1");
+    }
+
+    #[test]
+    fn of_what_never_ends_no_more_than_the_bound_is_read() {
+        /// Counts what is taken of it.
+        struct Endless(usize);
+        impl Read for Endless {
+            fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+                self.0 += buffer.len();
+                buffer.fill(b'a');
+                Ok(buffer.len())
+            }
+        }
+        let mut source = Endless(0);
+        assert_eq!(bytes_of(&mut source).unwrap(), None);
+        assert_eq!(source.0, MOST_BYTES + 1);
+        assert_eq!(bytes_of(Endless(0).take(MOST_BYTES as u64)).unwrap().map(|bytes| bytes.len()), Some(MOST_BYTES));
+    }
+}

@@ -1,0 +1,325 @@
+//! The tree of a text, built from the events of the parser within bounds.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+use technolog_note::note;
+
+use saphyr_parser::{Event, Marker, Parser, ScalarStyle, ScanError, Span};
+
+use super::{Key, Node, NodeKind};
+use crate::diagnostic::{Diagnostic, Place};
+use crate::input::{MOST_BYTES, too_large};
+
+/// Lists and mappings within each other. Files of the program have ten levels at the most; who walks over a tree calls
+/// himself for each.
+pub const MOST_DEPTH: usize = 64;
+/// Values of a file, keys and lists among them. A plan of 20,000 points in JSON has half a million for each tool.
+pub const MOST_VALUES: usize = 2_000_000;
+
+/// How the parser begins what it says of brackets that are too deep for it; it reads ahead of what it gives out.
+const TOO_DEEP: &str = "recursion";
+
+/// Reads one YAML document. The tree is there unless the text is broken beyond reading or empty;
+/// duplicate keys are reported. Aliases are refused: their targets have other places.
+pub fn parse(file: &str, text: &str) -> (Option<Node>, Vec<Diagnostic>) {
+    parse_within(MOST_VALUES, file, text)
+}
+
+fn parse_within(most_values: usize, file: &str, text: &str) -> (Option<Node>, Vec<Diagnostic>) {
+    if text.len() > MOST_BYTES {
+        return (None, vec![too_large(file)]);
+    }
+    let mut builder = Builder {
+        file: Arc::from(file),
+        lines: text.lines().collect(),
+        stack: Vec::new(),
+        root: None,
+        values: 0,
+        most_values,
+        broken: false,
+        problems: vec![],
+    };
+    let mut documents = 0;
+    for event in Parser::new_from_str(text) {
+        match event {
+            Ok((Event::DocumentStart(_), span)) => {
+                documents += 1;
+                if documents > 1 {
+                    let place = builder.place(span);
+                    builder.problems.push(
+                        Diagnostic::error("yaml", note!("yaml-second-document-one-file"), place)
+                            .help(note!("yaml-remove-line-make-two-files")),
+                    );
+                    break;
+                }
+            }
+            Ok((event, span)) => {
+                builder.event(event, span);
+                if builder.broken {
+                    return (None, builder.problems);
+                }
+            }
+            Err(error) => {
+                let place = builder.broken_at(*error.marker());
+                builder.problems.push(if error.info().starts_with(TOO_DEEP) {
+                    too_deep(place)
+                } else {
+                    broken(&error, place)
+                });
+                return (None, builder.problems);
+            }
+        }
+    }
+    if builder.root.is_none() {
+        let place = Place { file: builder.file.clone(), line: 1, column: 1, width: 1 };
+        builder.problems.push(Diagnostic::error("yaml", note!("yaml-file-empty"), place));
+    }
+    (builder.root, builder.problems)
+}
+
+fn broken(error: &ScanError, place: Place) -> Diagnostic {
+    let message = note!("yaml-broken", error = error.info());
+    Diagnostic::error("yaml", message, place).help(note!("yaml-indent-with-spaces-quote-values"))
+}
+
+fn too_deep(place: Place) -> Diagnostic {
+    let message = note!("yaml-too-deep", most = MOST_DEPTH);
+    Diagnostic::error("too-deep", message, place).help(note!("yaml-check-brackets-and-indents"))
+}
+
+/// An open sequence or mapping.
+enum Frame {
+    Seq(Vec<Node>, Place),
+    Map(Vec<(Key, Node)>, Option<Key>, Place),
+}
+
+struct Builder<'a> {
+    file: Arc<str>,
+    lines: Vec<&'a str>,
+    stack: Vec<Frame>,
+    root: Option<Node>,
+    /// How many values there are so far.
+    values: usize,
+    most_values: usize,
+    /// Whether what follows cannot be understood.
+    broken: bool,
+    problems: Vec<Diagnostic>,
+}
+
+impl Builder<'_> {
+    fn place(&self, span: Span) -> Place {
+        let (start, end) = (span.start, span.end);
+        let width = if end.line() == start.line() {
+            end.col().saturating_sub(start.col())
+        } else {
+            self.lines
+                .get(start.line().saturating_sub(1))
+                .map_or(1, |line| line.chars().count().saturating_sub(start.col()))
+        };
+        Place {
+            file: self.file.clone(),
+            line: u32::try_from(start.line()).unwrap_or(u32::MAX),
+            column: u32::try_from(start.col() + 1).unwrap_or(u32::MAX),
+            width: u32::try_from(width.max(1)).unwrap_or(1),
+        }
+    }
+
+    /// Where broken text is to be mended: where reading stopped, but for what is still open at the end
+    /// of the file, where it was opened.
+    fn broken_at(&self, marker: Marker) -> Place {
+        match self.stack.last() {
+            Some(Frame::Seq(_, opened) | Frame::Map(_, _, opened)) if marker.line() > self.lines.len() => {
+                opened.clone()
+            }
+            _ => self.place(Span::empty(marker)),
+        }
+    }
+
+    fn event(&mut self, event: Event<'_>, span: Span) {
+        let place = self.place(span);
+        if let Some(problem) = self.beyond_bounds(&event, &place) {
+            self.broken = true;
+            self.problems.push(problem);
+            return;
+        }
+        match event {
+            Event::Scalar(text, style, ..) => {
+                let quoted = style != ScalarStyle::Plain;
+                let text = text.into_owned();
+                if let Some(Frame::Map(_, key @ None, _)) = self.stack.last_mut() {
+                    *key = Some(Key { text, place });
+                } else {
+                    self.add(Node { kind: NodeKind::Scalar { text, quoted }, place });
+                }
+            }
+            Event::SequenceStart(..) => self.stack.push(Frame::Seq(Vec::new(), place)),
+            Event::MappingStart(..) => self.stack.push(Frame::Map(Vec::new(), None, place)),
+            Event::SequenceEnd | Event::MappingEnd => match self.stack.pop() {
+                Some(Frame::Seq(items, place)) => self.add(Node { kind: NodeKind::Seq(items), place }),
+                Some(Frame::Map(entries, _, place)) => {
+                    let kind = NodeKind::Map(self.each_once(entries));
+                    self.add(Node { kind, place });
+                }
+                None => {}
+            },
+            Event::Alias(_) => {
+                self.broken = true;
+                self.problems.push(
+                    Diagnostic::error("yaml", note!("yaml-aliases-used-these-files"), place)
+                        .help(note!("yaml-write-value-out-quote-text")),
+                );
+            }
+            _ => {}
+        }
+    }
+
+    /// What is wrong with a value that would be one too many, or too deep.
+    fn beyond_bounds(&mut self, event: &Event<'_>, place: &Place) -> Option<Diagnostic> {
+        let opens = matches!(event, Event::SequenceStart(..) | Event::MappingStart(..));
+        self.values += usize::from(opens || matches!(event, Event::Scalar(..)));
+        if opens && self.stack.len() == MOST_DEPTH {
+            return Some(too_deep(place.clone()));
+        }
+        (self.values > self.most_values).then(|| {
+            let message = note!("yaml-too-many-values", most = self.most_values);
+            Diagnostic::error("too-many-values", message, place.clone()).help(note!("yaml-make-several-files"))
+        })
+    }
+
+    fn add(&mut self, node: Node) {
+        match self.stack.last_mut() {
+            None => self.root = Some(node),
+            Some(Frame::Seq(items, _)) => items.push(node),
+            Some(Frame::Map(entries, key, _)) => match key.take() {
+                None => {
+                    self.broken = true;
+                    self.problems.push(
+                        Diagnostic::error("yaml", note!("yaml-key-must-plain-word"), node.place)
+                            .help(note!("yaml-quote-text-begins-with")),
+                    );
+                }
+                Some(key) => entries.push((key, node)),
+            },
+        }
+    }
+
+    /// The entries of a mapping, of those with one key the first; the others are reported.
+    fn each_once(&mut self, entries: Vec<(Key, Node)>) -> Vec<(Key, Node)> {
+        let mut firsts = BTreeMap::new();
+        for (index, (key, _)) in entries.iter().enumerate() {
+            let first = *firsts.entry(key.text.as_str()).or_insert(index);
+            if first != index {
+                let message = note!("yaml-key-stands-twice", key = key.text);
+                let help = note!("yaml-already-stands-at-line-keep", line = entries[first].0.place.line);
+                self.problems.push(Diagnostic::error("duplicate-key", message, key.place.clone()).help(help));
+            }
+        }
+        if firsts.len() == entries.len() {
+            return entries;
+        }
+        let kept: BTreeSet<usize> = firsts.into_values().collect();
+        let entries = entries.into_iter().enumerate().filter(|(index, _)| kept.contains(index));
+        entries.map(|(_, entry)| entry).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use technolog_words::Lang;
+
+    use super::*;
+
+    fn refused(text: &str) -> String {
+        let (root, problems) = parse("t.yaml", text);
+        assert!(root.is_none());
+        assert_eq!(problems.len(), 1, "{problems:?}");
+        problems[0].told(|note| Lang::EN.say(note))
+    }
+
+    #[test]
+    fn a_duplicate_key_is_found_with_its_place() {
+        let (root, problems) = parse("t.yaml", "a: 1\nb: {c: 2, c: 3, d: 4, c: 5}\n");
+        let places: Vec<String> = problems.iter().map(|one| one.place.as_ref().unwrap().to_string()).collect();
+        assert_eq!(places, ["t.yaml:2:11", "t.yaml:2:23"]);
+        let root = root.unwrap();
+        let kept = ["c", "d"].map(|key| root.get("b").unwrap().get(key).unwrap().text());
+        assert_eq!(kept, [Some("2"), Some("4")]);
+    }
+
+    #[test]
+    fn broken_text_names_its_line() {
+        let (root, problems) = parse("t.yaml", "a: 1\nb: [1, 2\n");
+        assert!(root.is_none());
+        assert!(problems[0].place.is_some(), "{problems:?}");
+    }
+
+    #[test]
+    fn what_is_left_open_is_shown_where_it_opens() {
+        for (text, place) in [("a: 1\nb: [1, 2\n", "t.yaml:2:4"), ("a: [1\nb: 2\n", "t.yaml:2:2")] {
+            assert_eq!(parse("t.yaml", text).1[0].place.as_ref().unwrap().to_string(), place, "{text}");
+        }
+    }
+
+    #[test]
+    fn quoting_is_kept_and_null_is_absent() {
+        let (root, problems) = parse("t.yaml", "a: \"07\"\nb: ~\n");
+        assert!(problems.is_empty());
+        let root = root.unwrap();
+        assert!(matches!(root.get("a").unwrap().kind, NodeKind::Scalar { quoted: true, .. }));
+        assert!(root.get("b").unwrap().is_null());
+    }
+
+    /// A list in a list and so on, `depth` of them, or mappings.
+    fn nested(open: &str, inside: &str, close: &str, depth: usize) -> String {
+        open.repeat(depth) + inside + &close.repeat(depth)
+    }
+
+    #[test]
+    fn as_deep_as_the_bound_is_read_and_deeper_is_refused_where_it_begins() {
+        for (open, close) in [("[", "]"), ("{a: ", "}"), ("- ", ""), ("[{a: ", "}]")] {
+            let each = open.matches(['[', '{', '-']).count();
+            let (root, problems) = parse("t.yaml", &nested(open, "1", close, MOST_DEPTH / each));
+            assert!(root.is_some() && problems.is_empty(), "{open}: {problems:?}");
+            let column = (MOST_DEPTH / each) * open.len() + 1;
+            assert_eq!(
+                refused(&nested(open, "1", close, MOST_DEPTH / each + 1)),
+                format!(
+                    "t.yaml:1:{column}: lists and mappings stand more than 64 deep within each other [too-deep]; \
+                     check the brackets and the indents: no file of the program is so deep"
+                )
+            );
+        }
+        let indented: String = (0..=MOST_DEPTH).map(|depth| format!("{}a:\n", " ".repeat(depth))).collect();
+        assert!(refused(&indented).starts_with("t.yaml:65:65: "), "{}", refused(&indented));
+    }
+
+    #[test]
+    fn a_hundred_thousand_within_each_other_are_refused_like_any() {
+        for (open, close) in
+            [("- ", ""), ("[", ""), ("[", "]"), ("{a: ", ""), ("{a: ", "}"), ("? ", ""), ("{\"a\":", "")]
+        {
+            assert!(refused(&nested(open, "1", close, 100_000)).contains("[too-deep]"), "{open}");
+        }
+    }
+
+    #[test]
+    fn more_values_than_the_bound_are_refused_where_the_first_of_them_stands() {
+        // The list itself is one, and keys are.
+        for text in ["- 1\n".repeat(99), "a: [1, 1, 1]\n".to_owned() + &"b: {c: 1}\n".repeat(23) + "d:\n"] {
+            let (root, problems) = parse_within(100, "t.yaml", &text);
+            assert!(root.is_some() && problems.iter().all(|one| one.code == "duplicate-key"), "{text}");
+            let (root, problems) = parse_within(99, "t.yaml", &text);
+            assert!(root.is_none());
+            let told = problems.last().unwrap().told(|note| Lang::EN.say(note));
+            assert!(told.contains("the file has more than 99 values [too-many-values]; "), "{told}");
+            let line = text.lines().count();
+            assert!(told.starts_with(&format!("t.yaml:{line}:")), "{told}");
+        }
+    }
+
+    #[test]
+    fn a_text_beyond_the_bound_is_not_parsed() {
+        let told = refused(&" ".repeat(MOST_BYTES + 1));
+        assert!(told.starts_with("t.yaml:1:1: the file is larger than 32 MB [too-large]; "), "{told}");
+    }
+}
