@@ -9,6 +9,7 @@
 )]
 
 mod files;
+mod limits;
 mod problems;
 
 use std::fs;

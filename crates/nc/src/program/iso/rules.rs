@@ -20,6 +20,7 @@ pub(super) const RULES: &[Rule] = &[
     ("number-without-point", Remark, "text"),
     ("comment-open", Error, "text"),
     ("empty-program", Error, "text"),
+    ("too-many-blocks", Error, "text"),
     ("word-twice", Error, "blocks"),
     ("word-unused", Error, "blocks"),
     ("group-twice", Warning, "blocks"),
