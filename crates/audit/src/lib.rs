@@ -23,6 +23,7 @@ mod figures;
 pub mod file;
 mod finding;
 mod graph;
+pub mod limits;
 mod many;
 pub mod marks;
 mod misprints;

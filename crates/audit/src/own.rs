@@ -11,6 +11,7 @@ use crate::knowledge::yaml::{Node, NodeKind, Problems};
 use crate::part::{Part, Point};
 use crate::plan::{CuttingMethod, Feature, Limit, Operation};
 
+use super::limits;
 use super::quantity::Quantity;
 use super::read::number;
 use super::stated::{Clamping, Conditions, Figure, Figures, Row, Stated, StatedValue, Text, Tool};
@@ -82,7 +83,7 @@ pub(super) fn read(
             return problems.error_help("bad-plan", note!("planfile-no-plan-ours", error = error), &root.place, help);
         }
     };
-    if let Some((message, help)) = head.part.outside_tables(knowledge) {
+    if let Some((message, help)) = head.part.beyond_bounds().or_else(|| head.part.outside_tables(knowledge)) {
         let place = &root.get("part").unwrap_or(root).place;
         return problems.error_help("bad-value", message, place, help);
     }
@@ -110,7 +111,11 @@ pub(super) fn read(
             rows.push(row);
         }
     }
-    let tools = items(root.get("tools")).iter().filter_map(|node| reader.tool(node)).collect();
+    limits::rows(&rows, |row: &Row| &row.place, reader.problems);
+    let tools = limits::tools(items(root.get("tools")), |tool| &tool.place, reader.problems)
+        .iter()
+        .filter_map(|node| reader.tool(node))
+        .collect();
     let changes: Vec<u32> =
         items(root.get("sequence")).iter().filter_map(|visit| visit.get("tool")?.text()?.parse().ok()).collect();
     let clamping = root.get("clamping").filter(|node| !node.is_null()).map(|node| reader.clamping(node));

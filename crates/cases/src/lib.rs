@@ -19,6 +19,7 @@ mod digest;
 pub mod expected;
 pub mod file;
 pub mod hold;
+pub mod limits;
 mod merge;
 mod planned;
 mod question;

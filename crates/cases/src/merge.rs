@@ -1,14 +1,18 @@
 //! What stands at the head of a file holds for each of its cases, as far as the case does not say otherwise.
 
+use std::collections::BTreeMap;
+
 use crate::knowledge::yaml::{Node, NodeKind};
 
 /// A mapping with what it lacks of another; mappings inside both are put together in the same way.
 pub fn over(own: &Node, head: &Node) -> Node {
     let (NodeKind::Map(own_entries), NodeKind::Map(head_entries)) = (&own.kind, &head.kind) else { return own.clone() };
     let mut entries = own_entries.clone();
+    let places: BTreeMap<&str, usize> =
+        own_entries.iter().enumerate().map(|(place, (key, _))| (key.text.as_str(), place)).collect();
     for (key, inherited) in head_entries {
-        match entries.iter_mut().find(|(known, _)| known.text == key.text) {
-            Some((_, own)) => *own = over(own, inherited),
+        match places.get(key.text.as_str()) {
+            Some(&place) => entries[place].1 = over(&own_entries[place].1, inherited),
             None => entries.push((key.clone(), inherited.clone())),
         }
     }

@@ -1,12 +1,14 @@
 //! The file of cases: YAML to [`Case`], collecting every mistake.
 
+use std::collections::BTreeSet;
+
 use crate::audit::{Files, NamedText, rules};
 use crate::knowledge::Knowledge;
 use crate::knowledge::Word;
-use crate::knowledge::diagnostic::nearest;
+use crate::knowledge::diagnostic::{Place, nearest};
 use crate::knowledge::form::{Form, KeyOf};
 use crate::knowledge::yaml::{Node, Problems, parse};
-use crate::note::Severity;
+use crate::note::{Note, Severity};
 use crate::turning::shaft::Mistake;
 use technolog_note::note;
 
@@ -14,7 +16,7 @@ use super::expected::{self, Expected, What};
 use super::file::{CaseForm, CasesFile};
 use super::question::Question;
 use super::written::node as written;
-use super::{Case, CaseFile, merge, planned, table};
+use super::{Case, CaseFile, limits, merge, planned, table};
 
 /// What reading a file of cases needs beside its text.
 #[derive(Clone, Copy)]
@@ -42,22 +44,21 @@ pub fn read_cases(file: &str, text: &str, around: Around<'_>) -> CaseFile {
     let mut reader = Reader { around, problems: Problems(diagnostics), meant: Vec::new(), texts: Vec::new(), file };
     let cases = root.map(|root| reader.file(&root)).unwrap_or_default();
     let Reader { problems, meant, texts, .. } = reader;
-    let mut mistakes: Vec<Mistake> = Vec::new();
-    for mistake in problems.0.into_iter().map(Mistake::Form).chain(meant) {
-        // What stands at the head is read for each case.
-        if !mistakes.iter().any(|known| same(known, &mistake)) {
-            mistakes.push(mistake);
-        }
-    }
+    // What stands at the head is read for each case.
+    let mut known = BTreeSet::new();
+    let all = problems.0.into_iter().map(Mistake::Form).chain(meant);
+    let mut mistakes: Vec<Mistake> = all.filter(|mistake| known.insert(identity(mistake))).collect();
     mistakes.sort_by(|a, b| a.place().cmp(&b.place()));
     CaseFile { file: file.to_owned(), cases, mistakes, texts }
 }
 
-fn same(one: &Mistake, other: &Mistake) -> bool {
-    match (one, other) {
-        (Mistake::Form(one), Mistake::Form(other)) => one == other,
-        _ => one.code() == other.code() && one.place() == other.place(),
-    }
+/// What tells a mistake from others: of one in the form its words too.
+fn identity(mistake: &Mistake) -> (Option<Place>, &'static str, Option<(Note, Option<Note>)>) {
+    let words = match mistake {
+        Mistake::Form(own) => Some((own.message.clone(), own.help.clone())),
+        Mistake::Meaning(..) => None,
+    };
+    (mistake.place().cloned(), mistake.code(), words)
 }
 
 /// Reads one file.
@@ -84,7 +85,7 @@ impl Reader<'_> {
             self.problems.error_help::<()>("no-cases", message, &root.place, note!("case-write-them-under-tests"));
         }
         let head = merge::without(root, &[CasesFile::tests.name(), CaseForm::name.name(), CaseForm::expect.name()]);
-        let cases = tests.iter().enumerate();
+        let cases = limits::cases(tests, &head, &mut self.problems).iter().enumerate();
         cases.filter_map(|(index, own)| self.case(index + 1, own, &head)).collect()
     }
 

@@ -9,6 +9,7 @@
 )]
 
 mod files;
+mod limits;
 mod paths;
 mod problems;
 

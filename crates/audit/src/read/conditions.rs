@@ -1,6 +1,6 @@
 //! Conditions and clamping.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use technolog_note::note;
 
 use crate::knowledge::form::Form;
@@ -10,6 +10,7 @@ use crate::units::Micrometres;
 
 use super::Reader;
 use crate::audit::file::{self, Card, Factors};
+use crate::audit::limits;
 use crate::audit::quantity::Quantity;
 use crate::audit::stated::{Clamping, Conditions, Factor, Row, StatedValue};
 use crate::part::{Part, Point};
@@ -18,10 +19,10 @@ use crate::plan::Limit;
 impl Reader<'_> {
     pub(super) fn conditions(&mut self, node: &Node, rows: &[Row]) -> Vec<Conditions> {
         let items = self.problems.list(node).unwrap_or_default();
-        let mut all: Vec<Conditions> = Vec::new();
-        for node in items {
+        let (mut all, mut named): (Vec<Conditions>, BTreeSet<usize>) = (Vec::new(), BTreeSet::new());
+        for node in limits::rows(items, |own| &own.place, &mut self.problems) {
             let Some(own) = self.one(node, rows) else { continue };
-            let twice = own.rows.iter().find(|row| all.iter().any(|other| other.rows.contains(row)));
+            let twice = own.rows.iter().find(|row| named.contains(*row));
             if let Some(row) = twice.and_then(|row| rows.get(*row)) {
                 let message = note!("planfile-row-has-conditions-already", row = row.number);
                 let _ = self.problems.error_help::<()>(
@@ -31,6 +32,7 @@ impl Reader<'_> {
                     note!("planfile-name-every-row-once"),
                 );
             }
+            named.extend(&own.rows);
             all.push(own);
         }
         all

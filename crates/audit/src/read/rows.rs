@@ -1,5 +1,7 @@
 //! The route.
 
+use std::collections::BTreeMap;
+
 use crate::knowledge::diagnostic::nearest;
 use crate::knowledge::form::KeyOf;
 use crate::knowledge::yaml::{Fields, Node};
@@ -10,21 +12,23 @@ use technolog_core::words::operation_named;
 use technolog_note::note;
 
 use super::Reader;
-use crate::audit::file;
 use crate::audit::near::plain;
 use crate::audit::stated::{Row, StatedValue, Text};
+use crate::audit::{file, limits};
 
 impl Reader<'_> {
     pub(super) fn rows(&mut self, node: &Node, part: &Part) -> Vec<Row> {
         let items = self.problems.list(node).unwrap_or_default();
-        let mut rows: Vec<Row> = Vec::new();
-        for (at, node) in items.iter().enumerate() {
+        let (mut rows, mut lines): (Vec<Row>, BTreeMap<u32, u32>) = (Vec::new(), BTreeMap::new());
+        for (at, node) in limits::rows(items, |row| &row.place, &mut self.problems).iter().enumerate() {
             let number = u32::try_from(at + 1).unwrap_or(u32::MAX);
             let Some(row) = self.row(node, number, part) else { continue };
-            if let Some(known) = rows.iter().find(|known| known.number == row.number) {
+            if let Some(line) = lines.get(&row.number) {
                 let message = note!("planfile-two-rows-number", row = row.number);
-                let help = note!("planfile-other-stands-at-line", line = known.place.line);
+                let help = note!("planfile-other-stands-at-line", line = line);
                 self.problems.error_help::<()>("duplicate-row", message, &row.place, help);
+            } else {
+                lines.insert(row.number, row.place.line);
             }
             rows.push(row);
         }
@@ -80,10 +84,10 @@ impl Reader<'_> {
             hole.value = (*one).to_owned();
         }
         if !part.holes.iter().any(|known| known.name == hole.value) {
-            let names: Vec<&str> = part.holes.iter().map(|hole| hole.name.as_str()).collect();
-            let help = match nearest(&hole.value, names.iter().copied()) {
+            let names = || part.holes.iter().map(|hole| hole.name.as_str());
+            let help = match nearest(&hole.value, names()) {
                 Some(near) => note!("cli-did-you-mean", name = near),
-                None => note!("planfile-part-has", names = names.join(", ")),
+                None => note!("planfile-part-has", names = limits::listed(names())),
             };
             let message = note!("planfile-part-has-no-group-holes", value = hole.value);
             self.problems.error_help::<()>("unknown-hole", message, &hole.place, help);
@@ -111,7 +115,7 @@ impl Reader<'_> {
             self.problems.list(node).unwrap_or_default()
         };
         let mut named = Vec::new();
-        for node in list {
+        for node in limits::rows(list, |row| &row.place, &mut self.problems) {
             let tool = node.text().filter(|text| text.starts_with(['T', 'Т'])).and_then(number_of_tool);
             let found: Vec<usize> = if let Some(tool) = tool {
                 let own = |row: &Row| row.tool.as_ref().is_some_and(|known| known.value == tool);
@@ -121,7 +125,6 @@ impl Reader<'_> {
                 rows.iter().position(|row| row.number == number).into_iter().collect()
             };
             if found.is_empty() {
-                let known: Vec<String> = rows.iter().map(|row| row.number.to_string()).collect();
                 let (message, help) = match tool {
                     Some(tool) => (
                         note!("planfile-no-row-route-has-tool", tool = tool),
@@ -131,7 +134,7 @@ impl Reader<'_> {
                         let number = node.text().unwrap_or_default();
                         (
                             note!("planfile-route-has-no-row", number = number),
-                            note!("planfile-rows", known = known.join(", ")),
+                            note!("planfile-rows", known = limits::listed(rows.iter().map(|row| row.number))),
                         )
                     }
                 };

@@ -6,9 +6,9 @@ use technolog_note::note;
 
 use super::Reader;
 use super::rows::number_of_tool;
-use crate::audit::file;
 use crate::audit::quantity::Quantity;
 use crate::audit::stated::{Figure, StatedValue, Tool};
+use crate::audit::{file, limits};
 
 impl Reader<'_> {
     /// Tools by their places: `T1: {…}`.
@@ -22,7 +22,7 @@ impl Reader<'_> {
         let mut tools: Vec<Tool> = Vec::new();
         // Tools whose holder is that of another, with its number.
         let mut shared: Vec<(u32, StatedValue<u32>)> = Vec::new();
-        for (key, node) in entries {
+        for (key, node) in limits::tools(entries, |(key, _)| &key.place, &mut self.problems) {
             let Some(number) = number_of_tool(&key.text) else {
                 let message = note!("planfile-no-tool", text = key.text);
                 let help = note!("planfile-name-by-place-t-t");

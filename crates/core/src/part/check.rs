@@ -1,7 +1,7 @@
 //! What must hold between the values of a part: names unique, holes inside the blank, points apart,
 //! clamps on the blank and beside the holes.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use technolog_note::{Note, note};
 
 use crate::knowledge::diagnostic::Place;
@@ -74,9 +74,9 @@ impl Group {
 
 /// No two groups of one name.
 pub(super) fn names(groups: &[Group], problems: &mut Problems) {
-    for (index, group) in groups.iter().enumerate() {
-        let Some((name, place)) = &group.name else { continue };
-        if groups[..index].iter().any(|other| other.name.as_ref().is_some_and(|(known, _)| known == name)) {
+    let mut known = BTreeSet::new();
+    for (name, place) in groups.iter().filter_map(|group| group.name.as_ref()) {
+        if !known.insert(name) {
             let message = note!("part-two-groups-holes-named", name = name);
             problems.error_help::<()>("duplicate-name", message, place, note!("part-name-each-group-once"));
         }

@@ -8,6 +8,7 @@ mod check;
 mod check_features;
 mod domain;
 pub mod file;
+pub mod limits;
 mod read;
 mod read_diameter;
 mod read_features;

@@ -12,6 +12,7 @@ use technolog_note::note;
 
 use super::check;
 use super::file::{self, PartFile};
+use super::limits::Counted;
 use super::{Blank, BlankKind, Clamp, Datum, Entry, Fixture, Part, Point};
 
 /// Reads a part file.
@@ -41,13 +42,13 @@ pub fn read_part_node(node: &Node, knowledge: &Knowledge, problems: &mut Problem
 pub(super) struct Reader<'a> {
     pub(super) knowledge: &'a Knowledge,
     pub(super) problems: &'a mut Problems,
-    /// Points that the patterns read so far have made.
-    pub(super) pattern_points: usize,
+    /// Points of the lists and patterns read so far.
+    pub(super) counted_points: usize,
 }
 
 impl<'a> Reader<'a> {
     pub(super) const fn new(knowledge: &'a Knowledge, problems: &'a mut Problems) -> Self {
-        Self { knowledge, problems, pattern_points: 0 }
+        Self { knowledge, problems, counted_points: 0 }
     }
 }
 
@@ -233,7 +234,8 @@ impl Reader<'_> {
         let clamps_node = fields.take(file::Fixture::clamps);
         fields.finish(self.problems);
         let mut clamps = Vec::new();
-        for node in clamps_node.and_then(|node| self.problems.list(node)).unwrap_or_default() {
+        let nodes = clamps_node.and_then(|node| self.problems.list(node)).unwrap_or_default();
+        for node in self.bounded(Counted::Clamps, nodes) {
             let Some(mut fields) = self.problems.map(node) else { continue };
             let at_node = fields.need(file::Clamp::at, self.problems);
             let at = at_node.and_then(|node| self.point(node));

@@ -10,6 +10,7 @@ use technolog_note::note;
 use super::arrange_steps::Cylinders;
 use super::check::{Centres, Group, Span};
 use super::file::hole as form;
+use super::limits::Counted;
 use super::read::Reader;
 use super::read_diameter::Sized;
 use super::read_steps::Whole;
@@ -26,7 +27,7 @@ impl Reader<'_> {
                 note!("part-give-at-least-one-group"),
             );
         }
-        items.iter().filter_map(|item| self.group(item, blank)).collect()
+        self.bounded(Counted::Kinds, items).iter().filter_map(|item| self.group(item, blank)).collect()
     }
 
     fn group(&mut self, node: &Node, blank: Option<&Blank>) -> Option<Group> {
@@ -201,6 +202,9 @@ impl Reader<'_> {
             };
             let help = note!("part-give-each-point-brackets-own");
             self.problems.error_help::<()>("bad-value", message, &node.place, help);
+            return Vec::new();
+        }
+        if self.room_for(items.len(), node).is_none() {
             return Vec::new();
         }
         items.iter().filter_map(|item| self.point(item).map(|point| (point, item.place.clone()))).collect()

@@ -9,8 +9,6 @@ use super::Point;
 use super::file::hole as form;
 use super::read::Reader;
 
-/// More points than this are a slip of the keyboard: no machine drills that many in a day.
-const MOST_POINTS: usize = 10_000;
 /// Beyond a kilometre a point is off every blank, and the figures need not be exact.
 const FARTHEST_UM: f64 = 1e9;
 /// A full turn, millionths of a degree.
@@ -119,16 +117,6 @@ impl Reader<'_> {
             Some(node) => self.problems.scalar::<Decimal>(node).map(|angle| i128::from(angle.millionths())),
             None => Some(0),
         }
-    }
-
-    /// Counts the points of all patterns, before they are made.
-    fn room_for(&mut self, points: usize, node: &Node) -> Option<()> {
-        self.pattern_points = self.pattern_points.saturating_add(points);
-        if self.pattern_points > MOST_POINTS {
-            let message = note!("part-patterns-make-points-part-may", points = self.pattern_points, most = MOST_POINTS);
-            return self.problems.error_help("bad-value", message, &node.place, note!("part-mind-counts"));
-        }
-        Some(())
     }
 }
 
@@ -239,7 +227,7 @@ mod tests {
             ("circle: {centre: [0, 0], diameter: 60, count: 1}", "at least 2"),
             ("line: {start: [0, 0], count: 2.5, step: 10}", "whole number"),
             ("line: {start: [0, 0], count: 3, step: -10}", "above zero"),
-            ("grid: {start: [0, 0], columns: 101, rows: 100, step: 1}", "10100 points"),
+            ("grid: {start: [0, 0], columns: 201, rows: 100, step: 1}", "20100 points"),
             ("grid: {start: [0, 0], columns: 9000000000000, rows: 9000000000000, step: 1}", "points"),
             ("grid: {start: [0, 0], columns: 1, rows: 0, step: 1}", "at least 1"),
             ("grid: {start: [0, 0], columns: 1, rows: 1, step: [1, 2, 3]}", "not 3"),

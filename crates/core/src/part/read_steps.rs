@@ -8,6 +8,7 @@ use technolog_note::{Note, note};
 use super::Bottom;
 use super::arrange_steps::{Cylinder, Cylinders};
 use super::file::hole as form;
+use super::limits::Counted;
 use super::read::Reader;
 use super::read_diameter::Sized;
 
@@ -34,6 +35,9 @@ pub(super) fn depth_or_length() -> Note {
 impl Reader<'_> {
     /// The cylinders of a stepped hole.
     pub(super) fn steps(&mut self, items: &[Node], whole: Whole<'_>) -> Option<Cylinders> {
+        if self.bounded(Counted::Steps, items).len() < items.len() {
+            return None;
+        }
         let mut cylinders = Vec::new();
         // The end of the step before; unknown after a mistake.
         let mut start = Some(Micrometres::ZERO);

@@ -49,3 +49,6 @@ planfile-no-number-points = `{ $text }` is not a number of points
 planfile-docs-audit-md-lists-rules = docs/audit.md lists the rules; `--format json` says which one a finding has
 planfile-no-rule = no rule `{ $key }`
 planfile-alike-no-figure-finding = `{ $name }` in `alike` is not a figure of a finding
+planfile-too-many-rows = there are { $count } rows, and a plan may have { $most }
+planfile-too-many-tools = there are { $count } tools, and a plan may have { $most }
+planfile-check-or-split = check what was written twice, or make several plans of it

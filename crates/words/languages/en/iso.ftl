@@ -38,3 +38,5 @@ cycle-plane = a fixed cycle outside the plane G17
     .help = give G17 before the cycle
 tap-counterclockwise = tapping while the spindle turns counterclockwise
     .help = give M3
+too-many-blocks = the program has more than { $most } blocks: it is not run
+    .help = put what repeats into subprograms, or make several programs of it

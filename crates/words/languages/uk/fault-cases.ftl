@@ -31,3 +31,6 @@ case-table-has-no-input = таблиця { $table } не має входу `{ $k
 case-table-gives-no = таблиця { $table } не дає `{ $key }`
 case-case-cannot-filled-where-stands = випадок { $case } не можна дописати там, де він стоїть
 case-write-expect-on-line-own = напишіть `expect: ~` окремим рядком
+case-too-many-cases = випадків у файлі { $count }, а може бути { $most }
+case-head-too-large = разом із тим, що на початку файлу, значень у випадках { $count }, а може бути { $most }
+case-write-in-the-cases = напишіть у випадках те, що потрібно кожному

@@ -49,3 +49,6 @@ planfile-no-number-points = `{ $text }` – не кількість балів
 planfile-docs-audit-md-lists-rules = правила перелічено в docs/audit.md; яке саме, каже `--format json`
 planfile-no-rule = немає правила `{ $key }`
 planfile-alike-no-figure-finding = `{ $name }` в `alike` – не величина зауваження
+planfile-too-many-rows = рядків { $count }, а в плані може бути { $most }
+planfile-too-many-tools = інструментів { $count }, а в плані може бути { $most }
+planfile-check-or-split = перевірте, що написано двічі, або поділіть план на кілька

@@ -26,4 +26,5 @@ mod writer;
 
 pub use control::{Control, IsoControl};
 pub use run::check;
+pub use text::MOST_BLOCKS;
 pub use writer::write;

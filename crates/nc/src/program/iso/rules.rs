@@ -22,6 +22,7 @@ pub(super) const RULES: &[Rule] = &[
     ("active-comment", Warning, "text"),
     ("message-comment", Remark, "text"),
     ("empty-program", Error, "text"),
+    ("too-many-blocks", Error, "text"),
     ("word-twice", Error, "blocks"),
     ("word-unused", Error, "blocks"),
     ("group-twice", Warning, "blocks"),

@@ -45,8 +45,15 @@ pub(super) struct Block {
     pub words: Vec<Word>,
 }
 
+/// Blocks of a program: with all of them a check takes a second, and a third of a gigabyte.
+pub const MOST_BLOCKS: usize = 200_000;
+
 /// Every block of the text, whether it is closed by a second `%`, and what could not be read.
 pub(super) fn blocks(text: &str, control: &Control) -> (Vec<Block>, bool, Vec<Fault>) {
+    blocks_within(MOST_BLOCKS, text, control)
+}
+
+fn blocks_within(most: usize, text: &str, control: &Control) -> (Vec<Block>, bool, Vec<Fault>) {
     let mut faults = Vec::new();
     let mut blocks = Vec::new();
     let mut opened = false;
@@ -68,7 +75,12 @@ pub(super) fn blocks(text: &str, control: &Control) -> (Vec<Block>, bool, Vec<Fa
             }
         }
         let mut reader = SourceLine { control, faults: &mut faults, line: line_number, pointless: &mut pointless };
-        blocks.extend(reader.block(line));
+        let block = reader.block(line);
+        if let Some(beyond) = block.as_ref().filter(|_| blocks.len() == most) {
+            faults.push(fault("too-many-blocks", beyond.span, beyond.number).with("most", most));
+            return (blocks, false, faults);
+        }
+        blocks.extend(block);
     }
     (blocks, false, faults)
 }
@@ -286,4 +298,23 @@ fn number_end(characters: &[(usize, char)], mut at: usize) -> usize {
         at += 1;
     }
     at
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn more_blocks_than_the_bound_are_refused_at_the_first_of_them() {
+        let knowledge = crate::shipped::knowledge().unwrap();
+        for control in ["linuxcnc", "fanuc"] {
+            let control = Control::read(control, &knowledge).unwrap();
+            let text = "G21\n\n(nothing)\nN7 M30\n";
+            assert_eq!(blocks_within(2, text, &control).2, []);
+            let (blocks, _, faults) = blocks_within(1, text, &control);
+            assert_eq!((blocks.len(), faults.len()), (1, 1));
+            assert_eq!((faults[0].code, faults[0].span.line, faults[0].block), ("too-many-blocks", 4, Some(7)));
+            assert!(faults[0].is_error(), "nothing is run");
+        }
+    }
 }

@@ -1,0 +1,190 @@
+//! How much a part may have: with all of it a plan takes some seconds, and no part of a workshop has as much.
+//! docs/limits.md has the figures.
+
+use crate::knowledge::diagnostic::Place;
+use crate::knowledge::yaml::Node;
+use technolog_note::{Note, note};
+
+use super::Part;
+use super::read::Reader;
+
+/// Points of all groups together, in lists and patterns.
+pub const MOST_POINTS: usize = 20_000;
+/// Groups of equal holes.
+pub const MOST_KINDS: usize = 500;
+/// Cylinders of a stepped hole.
+pub const MOST_STEPS: usize = 50;
+/// Clamps.
+pub const MOST_CLAMPS: usize = 100;
+
+/// What a part may have only so many of.
+#[derive(Clone, Copy)]
+pub(super) enum Counted {
+    Points,
+    Kinds,
+    Steps,
+    Clamps,
+}
+
+impl Counted {
+    const fn most(self) -> usize {
+        match self {
+            Self::Points => MOST_POINTS,
+            Self::Kinds => MOST_KINDS,
+            Self::Steps => MOST_STEPS,
+            Self::Clamps => MOST_CLAMPS,
+        }
+    }
+
+    const fn code(self) -> &'static str {
+        match self {
+            Self::Points => "too-many-points",
+            Self::Kinds => "too-many-kinds",
+            Self::Steps => "too-many-steps",
+            Self::Clamps => "too-many-clamps",
+        }
+    }
+
+    /// What is wrong with so many, and what to do.
+    fn refusal(self, count: usize) -> Option<(Note, Note)> {
+        let most = self.most();
+        let message = match self {
+            Self::Points => note!("part-too-many-points", count = count, most = most),
+            Self::Kinds => note!("part-too-many-kinds", count = count, most = most),
+            Self::Steps => note!("part-too-many-steps", count = count, most = most),
+            Self::Clamps => note!("part-too-many-clamps", count = count, most = most),
+        };
+        (count > most).then(|| (message, note!("part-check-counts-or-split")))
+    }
+}
+
+impl Reader<'_> {
+    /// Refuses more than a part may have.
+    pub(super) fn no_more(&mut self, what: Counted, count: usize, place: &Place) -> Option<()> {
+        match what.refusal(count) {
+            Some((message, help)) => self.problems.error_help(what.code(), message, place, help),
+            None => Some(()),
+        }
+    }
+
+    /// The items of a list, as many as a part may have; more are refused at the first of them.
+    pub(super) fn bounded<'n>(&mut self, what: Counted, items: &'n [Node]) -> &'n [Node] {
+        if let Some(beyond) = items.get(what.most()) {
+            let _ = self.no_more(what, items.len(), &beyond.place);
+        }
+        items.get(..what.most()).unwrap_or(items)
+    }
+
+    /// Counts the points of a list or a pattern, before they are made; nothing where they are too many, which is told once.
+    pub(super) fn room_for(&mut self, points: usize, node: &Node) -> Option<()> {
+        let before = self.counted_points;
+        self.counted_points = before.saturating_add(points);
+        if before > MOST_POINTS {
+            return None;
+        }
+        self.no_more(Counted::Points, self.counted_points, &node.place)
+    }
+}
+
+impl Part {
+    /// What it has too many of, in words, and what to do: of a part that was not read by [`super::read_part`].
+    pub fn beyond_bounds(&self) -> Option<(Note, Note)> {
+        let points = self.holes.iter().map(|hole| hole.at.len()).sum();
+        let steps = self.holes.iter().map(|hole| hole.steps.len()).max().unwrap_or_default();
+        let counts = [
+            (Counted::Points, points),
+            (Counted::Kinds, self.holes.len()),
+            (Counted::Steps, steps),
+            (Counted::Clamps, self.fixture.clamps.len()),
+        ];
+        counts.into_iter().find_map(|(what, count)| what.refusal(count))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use technolog_words::Lang;
+
+    use super::*;
+    use crate::part::read_part;
+    use crate::shipped;
+
+    const HEAD: &str = "part: P\nmaterial: steel-45\nmachine: gf2171\ndatum: {x: left, y: front}\n\
+                        blank: {kind: plate, length: 4000, width: 4000, thickness: 60}\n";
+
+    fn group(name: usize, keys: &str) -> String {
+        format!("  - {{name: A{name}, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, {keys}}}\n")
+    }
+
+    /// Points of a list, 10 mm apart, from a row on.
+    fn list(points: usize, row: usize) -> String {
+        let place = |point: usize| format!("[{}, {}]", 10 + 10 * (point % 390), 10 + 10 * (row + point / 390));
+        format!("at: [{}]", (0..points).map(place).collect::<Vec<_>>().join(", "))
+    }
+
+    /// The part, or each problem with its code and place.
+    fn read(text: &str) -> Result<Part, Vec<String>> {
+        let told = |one: &crate::knowledge::Diagnostic| one.told(|note| Lang::EN.say(note));
+        read_part("p", text, &shipped::knowledge().unwrap()).map_err(|problems| problems.iter().map(told).collect())
+    }
+
+    fn refused(text: &str) -> String {
+        let problems = read(text).unwrap_err();
+        assert_eq!(problems.len(), 1, "{problems:?}");
+        problems.into_iter().next().unwrap()
+    }
+
+    #[test]
+    fn as_many_points_as_the_bound_are_read_and_one_more_is_refused() {
+        let pattern = "pattern: {grid: {start: [10, 2010], columns: 100, rows: 100, step: 10}}";
+        let text = |points: usize| {
+            let groups = [group(1, &list(points, 0)), group(2, pattern)];
+            format!("{HEAD}holes:\n{}", groups.concat().replace("through", "diameter: 5, through"))
+        };
+        let part = read(&text(10_000)).unwrap();
+        assert_eq!(part.holes.iter().map(|hole| hole.at.len()).sum::<usize>(), MOST_POINTS);
+        assert_eq!(part.beyond_bounds(), None);
+        let told = refused(&text(10_001));
+        assert!(told.contains("the part has 20001 points, and may have 20000 [too-many-points]; "), "{told}");
+        assert!(told.starts_with("p:8:"), "at the pattern: {told}");
+        // Told once, though the pattern behind the list is too many, too.
+        let told = refused(&text(100_000));
+        assert!(told.contains("the part has 100000 points") && told.starts_with("p:7:"), "{told}");
+        let mut part = part;
+        let again = part.holes[1].at.clone();
+        part.holes[0].at.extend(again);
+        let (message, _) = part.beyond_bounds().unwrap();
+        assert_eq!(Lang::EN.say(&message), "the part has 30000 points, and may have 20000");
+    }
+
+    #[test]
+    fn as_many_kinds_of_holes_as_the_bound_are_read_and_one_more_is_refused() {
+        let text = |kinds: usize| {
+            let groups = (0..kinds).map(|kind| group(kind, &list(1, kind)).replace("through", "diameter: 5, through"));
+            format!("{HEAD}holes:\n{}", groups.collect::<String>().replace("[10, ", "[100, "))
+        };
+        assert_eq!(read(&text(390)).unwrap().holes.len(), 390);
+        let told = refused(&text(MOST_KINDS + 1).replace("4000, width: 4000", "9000, width: 9000"));
+        assert!(told.contains("has 501 kinds of holes, and may have 500 [too-many-kinds]; "), "{told}");
+        assert!(told.starts_with(&format!("p:{}:5: ", 6 + MOST_KINDS + 1)), "{told}");
+        assert_eq!(read(&text(MOST_KINDS).replace("4000, width: 4000", "9000, width: 9000")).unwrap().holes.len(), 500);
+    }
+
+    #[test]
+    fn as_many_steps_and_clamps_as_the_bounds_are_read_and_one_more_is_refused() {
+        let text = |steps: usize, clamps: usize| {
+            let step = |at: usize| format!("{{diameter: {}, length: 1}}", 70 - at);
+            let steps: Vec<String> = (0..steps).map(step).collect();
+            let clamp = |at: usize| format!("{{at: [{}, 3900]}}", 10 + at);
+            let clamps: Vec<String> = (0..clamps).map(clamp).collect();
+            let hole = group(1, &format!("diameter: 10, steps: [{}], {}", steps.join(", "), "at: [[100, 100]]"));
+            format!("{HEAD}fixture: {{clamps: [{}]}}\nholes:\n{hole}", clamps.join(", "))
+        };
+        let part = read(&text(MOST_STEPS, MOST_CLAMPS)).unwrap();
+        assert_eq!((part.holes[0].steps.len(), part.fixture.clamps.len()), (MOST_STEPS, MOST_CLAMPS));
+        let told = refused(&text(MOST_STEPS + 1, 1));
+        assert!(told.contains("has 51 steps, and may have 50 [too-many-steps]; "), "{told}");
+        let told = refused(&text(1, MOST_CLAMPS + 1));
+        assert!(told.contains("has 101 clamps, and may have 100 [too-many-clamps]; "), "{told}");
+    }
+}

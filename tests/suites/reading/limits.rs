@@ -1,0 +1,60 @@
+//! How much a file may say: as much as the bound is read, and one more is refused where it stands.
+
+use std::fmt::Write as _;
+
+use technolog::audit::limits::{MOST_ROWS, MOST_TOOLS};
+use technolog::audit::read_plan;
+use technolog::knowledge::Diagnostic;
+use technolog::words::Lang;
+use technolog_testing::KNOWLEDGE;
+
+fn told(problems: &[Diagnostic]) -> Vec<String> {
+    problems.iter().map(|one| one.told(|note| Lang::EN.say(note))).collect()
+}
+
+/// What is wrong with a plan whose part is sound.
+fn problems_of_plan(plan: &str) -> Vec<String> {
+    const PART: &str = "part:\n  part: P\n  material: steel-45\n  machine: gf2171\n  \
+        blank: {kind: plate, length: 200, width: 100, thickness: 40}\n  \
+        holes: [{name: A, diameter: 10, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, at: [[0, 0]]}]\n";
+    let read = read_plan("p", &format!("{PART}{plan}"), &KNOWLEDGE, &|name| Err(name.to_owned()));
+    read.err().map(|unreadable| told(&unreadable.problems)).unwrap_or_default()
+}
+
+/// The lines of so many of a kind, from 1.
+fn lines(head: &str, count: usize, one: impl Fn(usize) -> String) -> String {
+    (1..=count).fold(format!("{head}:\n"), |mut text, number| {
+        let _ = writeln!(text, "  {}", one(number));
+        text
+    })
+}
+
+#[test]
+fn of_a_plan_the_rows_and_tools_are_bounded() {
+    let rows = |count| lines("route", count, |row| format!("- {{row: {row}, operation: drill, hole: A}}"));
+    let conditions = |count| lines("conditions", count, |row| format!("- {{for: {row}, feed: 0.1}}"));
+    let tools = |count| lines("tools", count, |tool| format!("T{tool}: {{diameter: 10}}"));
+    assert_eq!(problems_of_plan(&(rows(MOST_ROWS) + &conditions(MOST_ROWS) + &tools(MOST_TOOLS))), [""; 0]);
+    let refused = |plan: String, line: usize, words: &str| {
+        let problems = problems_of_plan(&plan);
+        assert_eq!(problems.len(), 1, "{problems:?}");
+        assert!(problems[0].starts_with(&format!("p:{line}:")) && problems[0].contains(words), "{problems:?}");
+    };
+    // The head of the part has six lines, that of the list one.
+    refused(rows(MOST_ROWS + 1), 7 + MOST_ROWS + 1, "3001 rows, and a plan may have 3000 [too-many-rows]; ");
+    refused(tools(MOST_TOOLS + 1), 7 + MOST_TOOLS + 1, "501 tools, and a plan may have 500 [too-many-tools]; ");
+    let twice = rows(1) + &lines("conditions", MOST_ROWS + 1, |_| "- {for: 1}".to_owned());
+    assert_eq!(problems_of_plan(&twice).len(), MOST_ROWS, "each but the first, and one for those beyond");
+    let named = format!("conditions: [{{for: [{}]}}]\n", "1, ".repeat(MOST_ROWS + 1));
+    refused(rows(1) + &named, 9, "[too-many-rows]");
+}
+
+#[test]
+fn of_many_rows_that_may_be_meant_the_first_are_listed() {
+    let rows = lines("route", 1_000, |row| format!("- {{row: {row}, operation: drill, hole: A}}"));
+    let problems = problems_of_plan(&(rows + "conditions: [{for: 1001}]\n"));
+    assert_eq!(problems.len(), 1, "{problems:?}");
+    assert!(
+        problems[0].ends_with("its rows are 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, …")
+    );
+}
