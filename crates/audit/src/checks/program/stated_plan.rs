@@ -56,9 +56,18 @@ pub(super) fn held(
         return Ok(Err(lacks(row, "audit-program-row-hole")));
     }
     let making = Making { context, graph, setting, reading };
-    let mut plan = Plan::clone(context.plan);
-    plan.holes.clear();
-    plan.tools.clear();
+    let ours = context.plan;
+    let mut plan = Plan {
+        part: ours.part.clone(),
+        cutting: ours.cutting,
+        holes: Vec::new(),
+        tools: Vec::new(),
+        clamping: ours.clamping.clone(),
+        sequence: Vec::new(),
+        visiting: ours.visiting.clone(),
+        time: ours.time,
+        findings: ours.findings.clone(),
+    };
     // In the order of the part: `sequence` goes through both together.
     for hole in &stated.part.holes {
         let mut transitions: Vec<Transition> = Vec::new();
