@@ -79,12 +79,13 @@ fn figure(lang: Lang, column: &Column, written: &str) -> String {
     }
 }
 
-/// A word of an enum; its id where it has no other name.
+/// A word of an enum, in this column or in any; its id where it has no other name.
 fn word<'v>(lang: Lang, column: &Column, id: &'v str) -> &'v str {
     if column.values.iter().all(|value| Operation::from_name(value).is_some()) {
         return operation_noun(id, lang);
     }
-    lang.find(&format!("table-value-{id}")).unwrap_or(id)
+    let in_column = lang.find(&format!("table-value-{}-{id}", column.name));
+    in_column.or_else(|| lang.find(&format!("table-value-{id}"))).unwrap_or(id)
 }
 
 /// A test of a decision table: `(10..15]` is `понад 10 до 15`.

@@ -34,6 +34,12 @@ table-value-solid = solid
 table-value-cast-or-pre-machined = cast or pre-machined
 table-value-with-hole = with a hole
 table-value-above = above what is allowed
+# Values of one column.
+table-value-take-above = take the step above
+table-value-take-below = take the step below
+table-value-entry-machined = machined face
+table-value-entry-rough = rough face
+# Values of the textbook's tables.
 table-value-not-above = not above what is allowed
 table-value-plain = plain
 table-value-smooth = smooth
@@ -55,6 +61,9 @@ table-value-fine = fine
 table-value-semi-finish-or-single = semi-finish or single
 # Columns that need no other name in any table.
 table-column-diameter = diameter
+table-column-through = through
+table-column-approach = approach
+table-column-overrun = overrun
 table-column-length = length
 table-column-designation = designation
 table-column-flute_length = flute length

@@ -5,13 +5,13 @@ audit-route-by-scheme = переходи { $printed } для схеми { $state
 audit-one-drill = Ø{ $diameter } одним свердлом: за 1.2.1 свердлять двома, перше 0,5–0,6 діаметра
 # Openings.
 audit-opening-not-made = { $feature } Ø{ $diameter } креслення не робить жоден перехід
-audit-opening-not-centred = { $feature } Ø{ $diameter } не робить жоден перехід, а лунка Ø{ $spot } вужча
+audit-opening-not-centred = { $feature } Ø{ $diameter } не робить жоден перехід, а центрувальне заглиблення Ø{ $spot } вужче
 audit-opening-unasked = на кресленні цього отвору такого немає: { $operation }
 audit-opening-diameter = за кресленням: { $feature }
 audit-opening-depth = за кресленням: { $feature }
 # Depths.
 audit-depth-of-hole = отвір { $hole } креслення такої глибини не має
-audit-spot-depth = глибина лунки t = (D/2)/tg φ за кутом центрувального свердла
+audit-spot-depth = глибина центрувального заглиблення t = (D/2)/tg φ за кутом центрувального свердла
 audit-breaks-through = вершина інструмента на { $end } мм, а деталь завтовшки { $thickness } мм: глухий отвір стане наскрізним
 # Threads.
 audit-tap-drill = отвір під { $thread } від { $low } до { $high } мм

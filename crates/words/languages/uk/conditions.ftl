@@ -52,5 +52,5 @@ card-calibration = карта: { $name } × { $factor } від формули
 card-point = карта друкує тут V = { $speed } м/хв, P = { $thrust } Н, N = { $power } кВт
 card-point-forces-differ = карта друкує тут V = { $speed } м/хв, P = { $thrust } Н, N = { $power } кВт; силу й потужність формула не відтворює; навантаження взято за формулою
 card-corrections = поправки прикладу: швидкість × { $product }, матеріал { $material }
-card-without-depth = глибина { $ratio } діаметра: коефіцієнт { $factor } ({ $table }) не враховано, поправки карт на глибину невідомі
+card-without-depth = глибина { $ratio } D: коефіцієнт { $factor } ({ $table }) не враховано, поправки карт на глибину невідомі
 card-other-material = поправки карт для матеріалу { $material } невідомі

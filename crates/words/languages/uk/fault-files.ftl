@@ -1,6 +1,6 @@
 # Помилки будь-яких файлів.
 yaml-single-value = одне значення
-yaml-from-here-on-utf-text = звідси це не текст у UTF-8
+yaml-from-here-on-utf-text = далі файл не в UTF-8
 yaml-save-file-utf = збережіть файл у кодуванні UTF-8
 yaml-second-document-one-file = другий документ в одному файлі
 yaml-remove-line-make-two-files = приберіть рядок `---` або зробіть два файли

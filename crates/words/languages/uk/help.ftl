@@ -73,5 +73,5 @@ usage-conflict = аргумент `{ $argument }` не поєднується з
 usage-count = аргумент `{ $argument }` має не стільки значень, скільки треба
 usage-not-utf8 = аргумент не є текстом UTF-8
 usage-possible-values = можливі значення: { $values }
-usage-similar = підказка: схоже є: { $values }
+usage-similar = підказка: можливо, { $values }
 usage-more = Докладніше: `--help`.

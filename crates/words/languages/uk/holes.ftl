@@ -1,15 +1,15 @@
 # Visiting the holes.
 visiting-method = { $method } (квалітет { $it }, допуск міжосьової відстані { $centre } мм, { "К" }т = { $ratio })
-position-lost-at-tool-change = 1.3.1 радить робити кінцеві переходи послідовно, не рухаючи деталь; верстат замінює інструмент у X { $x } Y { $y }, тож стіл рухається і правила дотримати не можна: { $tools } інструментами паралельно { $parallel } хв, послідовно { $sequential } хв
-visited-in-parallel = за 1.3.1 послідовний обхід був би швидший, але заміна інструмента в X { $x } Y { $y } рухає стіл: { $tools } інструментами паралельно { $parallel } хв, послідовно { $sequential } хв
+position-lost-at-tool-change = 1.3.1 радить робити кінцеві переходи послідовно, не рухаючи деталь; верстат замінює інструмент у X { $x } Y { $y }, тож стіл рухається і правила дотримати не можна: { $tools } інструментами паралельно – { $parallel } хв, послідовно – { $sequential } хв
+visited-in-parallel = за 1.3.1 послідовний обхід був би швидший, але заміна інструмента в X { $x } Y { $y } рухає стіл: { $tools } інструментами паралельно – { $parallel } хв, послідовно – { $sequential } хв
 # Schemes.
 stages = етапи: { $stages } (Δ0 = { $delta } мм, σс = { $sigma } мм)
 no-stages = для квалітету { $it } етапів таблиця не дає
 table-for-hole = квалітет { $it } шукано в { $table } за рядками квалітету { $asked-it }, допуск міжосьової відстані { $centre } мм
-cell = взято { $take }
+cell = взято: { $take }
 scheme = схема { $scheme } (квалітет { $it }, { $roughness })
-which-of-two = у клітинці { $schemes }; взято { $take }
-centre = центрувати: у суцільному металі, глибина { $ratio } діаметра
+which-of-two = у клітинці { $schemes }; взято: { $take }
+centre = центрувати: у суцільному металі, глибина { $ratio } D
 no-centre = центрування не потрібне: квалітет { $it }, Ø{ $diameter }, глибина { $ratio } D
 twin = схема { $scheme } з центруванням – це схема { $centred }
 no-twin = схема { $scheme } не має пари з центруванням; його додано
@@ -20,7 +20,7 @@ finish-elsewhere = за таблицями отвір остаточно обр�
 grade-without-distance = centre_tolerance: IT{ $it } потребує двох отворів у групі; вкажіть ширину допуску в мм
 grade-outside-table = IT{ $it } на міжосьовій відстані { $distance } мм поза таблицею: { $why }
 point-breaks-through = вершина свердла Ø{ $diameter } сягає { $depth } ≥ { $limit } мм товщини заготовки: глухий отвір проб’ється
-spot-too-deep = лунка Ø{ $diameter } завглибшки { $depth } ≥ { $limit } мм, глибини отвору
+spot-too-deep = центрувальне заглиблення Ø{ $diameter } завглибшки { $depth } ≥ { $limit } мм, глибини отвору
 too-heavy = маса { $mass } > { $limit } кг, найбільшої для верстата
 not-planned = { $operation }: цей перехід тут не проєктують
 rows-rejected = рядки за графою { $column }: { $rows }
@@ -40,9 +40,9 @@ no-drill-in-allowance = { $operation } до Ø{ $diameter }: немає свер
 no-drill-before-boring = під розточування до Ø{ $diameter } немає свердла від Ø{ $smallest } до Ø{ $largest }
 no-bar-enters = до Ø{ $diameter }: жодна борштанга не входить в отвір Ø{ $hole }
 bar-set-by-hand = розточування за кілька робочих ходів: між ними борштангу переналагоджують вручну; великі отвори доцільно фрезерувати (1.2.1)
-spot-by-drill = лунка Ø{ $spot }: { $share } від свердла Ø{ $drill }
-spot-by-depth = лунка Ø{ $spot }, не { $share } від свердла Ø{ $drill }: глибша за половину отвору не буде
-spot-by-chamfer = лунка Ø{ $spot } утворює і фаску
+spot-by-drill = центрувальне заглиблення Ø{ $spot }: { $share } від свердла Ø{ $drill }
+spot-by-depth = центрувальне заглиблення Ø{ $spot }, не { $share } від свердла Ø{ $drill }: глибшим за половину отвору воно не буде
+spot-by-chamfer = центрувальне заглиблення Ø{ $spot } утворює і фаску
 travel = недобіг { $approach } мм, перебіг { $overrun } мм
 # Of any row.
 unconfirmed = не підтверджено: { $table }, рядок { $row }: { $why }

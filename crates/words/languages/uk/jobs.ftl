@@ -1,4 +1,4 @@
-machining-cycle = цикл { $cycle }, глибина { $ratio } діаметра
+machining-cycle = цикл { $cycle }, глибина { $ratio } D
 no-room-under-part = інструмент виходить на { $below } мм нижче від деталі, а пристосування заввишки { $height } мм: інструмент зайде в стіл
 supports-assumed = висоту пристосування не задано (fixture.height), а інструмент виходить на { $below } мм нижче від деталі: прийнято опори { $height } мм
 change-over-part = точка заміни інструмента X{ $x } Y{ $y } – над деталлю

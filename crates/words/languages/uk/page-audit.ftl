@@ -1,6 +1,6 @@
 # The page of an audit.
 audit-title = Перевірка плану «{ $plan }»
-audit-summary = помилок – { $error }, хибних значень – { $wrong }, сумнівних – { $doubtful }, зауважень – { $note }; з них наслідків інших – { $follow }
+audit-summary = помилок – { $error }, хибних значень – { $wrong }, сумнівних – { $doubtful }, зауважень – { $note }; з них наслідки інших – { $follow }
 # Sections.
 audit-section-route = Маршрут
 audit-section-tools = Різальний інструмент
@@ -187,7 +187,7 @@ audit-value-bore = основний циліндр
 audit-value-step = ступінь
 audit-value-thread = різь
 audit-value-cone = конус
-audit-value-counterbore = цеківка
+audit-value-counterbore = цековане заглиблення
 audit-value-countersink = зенківка
 audit-value-chamfer = фаска
 audit-value-face = торець

@@ -34,6 +34,12 @@ table-value-solid = суцільний метал
 table-value-cast-or-pre-machined = литий або попередньо оброблений
 table-value-with-hole = з отвором
 table-value-above = вище за допустиме
+# Values of one column.
+table-value-take-above = взяти вищий ступінь
+table-value-take-below = взяти нижчий ступінь
+table-value-entry-machined = оброблена поверхня
+table-value-entry-rough = необроблена поверхня
+# Values of the textbook's tables.
 table-value-not-above = не вище за допустиме
 table-value-plain = гладкий
 table-value-smooth = гладкий
@@ -55,6 +61,9 @@ table-value-fine = тонке
 table-value-semi-finish-or-single = напівчистове або одноразове
 # Columns that need no other name in any table.
 table-column-diameter = діаметр
+table-column-through = наскрізний
+table-column-approach = недобіг
+table-column-overrun = перебіг
 table-column-length = довжина
 table-column-designation = позначення
 table-column-flute_length = довжина робочої частини

@@ -37,6 +37,6 @@ test-files-counted = { $count } { $count ->
         [few] файли
        *[many] файлів
     }
-test-all-as-expected = { $files }, { $cases }: усе зійшлося
+test-all-as-expected = { $files }, { $cases }: розбіжностей немає
 test-some-failed = { $files }, { $cases }: не зійшлося { $failed }
 test-unusable-files = {""}, не читається файлів: { $count }

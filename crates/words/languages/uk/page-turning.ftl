@@ -71,7 +71,7 @@ turn-map-along = Від L/D = { $ratio } самі поздовжні ходи н
 turn-map-across = Від L/D = { $ratio } самі поперечні ходи кращі за самі поздовжні.
 # The page of an operation.
 turn-machine = Обладнання
-turn-no-lathe = верстат не вказано
+turn-no-lathe = верстата не вказано
 turn-set-ups = Установи та поверхні (лекція 12.1)
 turn-set-up = Установ { $number }
 turn-contour-outer = Зовнішній контур
@@ -129,7 +129,7 @@ turn-total-of = { $count } { $count ->
        *[many] чорнових переходів
     }: шлях різання { $cutting } мм, час { $time } хв.
 # The programs of an operation.
-turn-program = { $number }: установ { $set_up }, { $side }, зони { $zones }, { $tool }
+turn-program = { $number }: установ { $set_up }, { $side }, зона { $zones }, { $tool }
 turn-program-not-written = { $program }: { $why }
 turn-no-such-program = немає програми з таким номером
 turn-tool-not-written = { $tool }: { $why }

@@ -1,5 +1,5 @@
 # What is made and what is not.
-not-made = { $hole }: { $operation } (T{ $tool }) не виконано, точок { $count }: { $points }
+not-made = { $hole }: { $operation } (T{ $tool }) не виконано в точках ({ $count }): { $points }
     .help = додайте ці точки
 cut-again = зайве: в { $at } T{ $tool } ще раз іде до Z{ $z }, а це вже зроблено
     .help = приберіть повтор
@@ -140,7 +140,7 @@ not-turned-over = другий установ починається без зу
 stop-for-nothing = зупинка, якої план не має
     .help = приберіть зайве або переконайтеся, що це навмисно
 # Around the cuts.
-other-order = порядок точок не за планом з { $at } (там { $needed }): інших місць { $count }, шлях { $way } мм
+other-order = порядок точок не за планом з { $at } (там { $needed }): місць з іншим порядком – { $count }, шлях { $way } мм
     .help = порівняйте з `technolog order`
 idle-point = рух до { $at }, де нічого не роблять
     .help = приберіть зайве або переконайтеся, що це навмисно

@@ -11,7 +11,7 @@ element-beyond = { $surface }: лежить за спадом, після яко
 element-partly = { $surface }: частину її різець обробив би, та додатковим є весь елемент
 # Set-ups.
 setup-first = з вільного торця
-setup-only = один установ обробляє все
+setup-only = усе обробляють за один установ
 setup-falls-away = від Z { $z }, Ø{ $diameter } контур спадає до патрона крутіше за φ1 = { $secondary }° і вже не підіймається
 setup-bore-widens = отвір розширюється до протилежного торця
 setup-far-face = на протилежному торці є припуск
