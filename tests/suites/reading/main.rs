@@ -9,8 +9,10 @@
 )]
 
 mod files;
+mod fuzz;
 mod limits;
 mod problems;
+mod signs;
 
 use std::fs;
 use std::io::Write;
