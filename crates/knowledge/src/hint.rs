@@ -80,9 +80,9 @@ fn translated<'k>(typed: &str, known: &[&'k str]) -> Vec<&'k str> {
         keys.split(' ').filter_map(|key| known.iter().find(|known| **known == key).copied()).collect()
     };
     let typed: Vec<char> = typed.chars().collect();
-    let words = WORDS.iter().filter_map(|(word, keys)| Some((edit_distance(&typed, word, limit)?, named(keys))));
-    let near = words.filter(|(_, keys)| !keys.is_empty());
-    near.min_by_key(|(distance, _)| *distance).map(|(_, keys)| keys).unwrap_or_default()
+    let of_known = WORDS.iter().filter(|(_, keys)| keys.split(' ').any(|key| known.contains(&key)));
+    let near = of_known.filter_map(|(word, keys)| Some((edit_distance(&typed, word, limit)?, keys)));
+    near.min_by_key(|(distance, _)| *distance).map(|(_, keys)| named(keys)).unwrap_or_default()
 }
 
 #[cfg(test)]

@@ -9,9 +9,11 @@
 )]
 
 mod files;
+mod fuzz;
 mod limits;
 mod paths;
 mod problems;
+mod signs;
 
 use std::fs;
 use std::io::Write;
