@@ -152,7 +152,7 @@ fn iso(control: &str, text: &str) {
         let end = (fault.span.column + fault.span.width - 1) as usize;
         assert!(fault.span.column >= 1 && end <= line.max(1), "{fault:?} is outside its line");
         in_words(&fault.note, text);
-        assert!(report::remedy(&fault.note, Lang::EN).is_some(), "{} has no remedy", fault.code);
+        assert!(Lang::EN.remedy(&fault.note).is_some(), "{} has no remedy", fault.code);
     }
     counted(faults.len(), text);
 }
@@ -211,7 +211,7 @@ fn inside(place: Option<&Place>, text: &str) {
 /// A sentence has words in both languages, and no name of a figure stands where the figure should.
 fn in_words(note: &Note, text: &str) {
     for lang in LANGS {
-        let said = report::sentence(note, lang);
+        let said = lang.say(note);
         assert!(!said.is_empty(), "{note} has no words");
         assert!(!said.contains("{$") && !said.contains("{ $") || text.contains('$'), "{said}");
     }
