@@ -1,4 +1,5 @@
-//! How long the shortest sequence of passes takes to find, beside trying every order, and beside petgraph's Dijkstra.
+//! How long the shortest sequence of passes takes to find, beside trying every order, and beside petgraph's Dijkstra; how
+//! long the schemes of a zone take; and how the time for a whole operation grows with the length of a contour.
 //!
 //! `cargo bench --bench turning` prints a line for each shaft; the clock is read here, never by the search.
 
@@ -9,6 +10,7 @@ use std::time::Instant;
 
 use technolog::turning::contour::{Contour, Piece, Side, Turn};
 use technolog::turning::length::Half;
+use technolog::turning::operation::plan;
 use technolog::turning::passes::cost::Objective;
 use technolog::turning::passes::enumeration::enumerate;
 use technolog::turning::passes::grid::Grid;
@@ -16,6 +18,7 @@ use technolog::turning::passes::optimum::CostToGo;
 use technolog::turning::point::Point;
 use technolog::turning::shaft::{Division, Shaft};
 use technolog::turning::transitions::{Feeds, Scheme, Settings, Stock, Tool, work};
+use technolog::turning::workpiece::read_workpiece;
 use technolog::units::{Degrees, MillimetresPerMinute};
 use technolog_testing::shafts;
 use technolog_testing::shafts::by_petgraph;
@@ -50,6 +53,7 @@ fn main() {
         }
     }
     transitions();
+    long_contours();
 }
 
 /// The least time of many runs: what the work takes when nothing else disturbs it.
@@ -129,4 +133,170 @@ fn transitions() {
             microseconds(make)
         );
     }
+}
+
+/// Long contours, each of four sizes: what reading, planning and writing take, and with which power of the size they grow.
+fn long_contours() {
+    let knowledge = technolog::shipped::knowledge().unwrap();
+    println!(
+        "\n{:<12} {:>8} {:>6} {:>9} {:>9} {:>9} {:>8}",
+        "contour", "elements", "works", "read ms", "plan ms", "json ms", "json MB"
+    );
+    for (name, shape, bore) in [
+        ("steps", Shape::Steps, false),
+        ("steps, bore", Shape::Steps, true),
+        ("waves", Shape::Waves, false),
+        ("waves, bore", Shape::Waves, true),
+    ] {
+        let mut times = Vec::new();
+        for size in [125, 250, 500, 1000] {
+            let text = long(shape, size, bore);
+            let elements = text.lines().filter(|line| line.starts_with("  - ")).count();
+            let workpiece = read_workpiece("long", &text, &knowledge).unwrap();
+            let operation = plan(&workpiece, &knowledge).unwrap();
+            let works: usize = operation.zones().map(|(_, _, zone)| zone.works.len()).sum();
+            let json = serde_json::to_string(&operation).unwrap().len() as f64 / 1e6;
+            let read = milliseconds(|| read_workpiece("long", &text, &knowledge).unwrap().threads.len());
+            let planned = milliseconds(|| plan(&workpiece, &knowledge).unwrap().findings.len());
+            let written = milliseconds(|| serde_json::to_string(&operation).unwrap().len());
+            println!("{name:<12} {elements:>8} {works:>6} {read:>9.1} {planned:>9.1} {written:>9.1} {json:>8.1}");
+            times.push((elements as f64, read + planned + written));
+        }
+        println!("{name:<12} grows with the power {:.2}", power(&times));
+    }
+}
+
+/// The least time of a few runs.
+fn milliseconds<T>(mut work: impl FnMut() -> T) -> f64 {
+    let mut least = f64::INFINITY;
+    for _ in 0..3 {
+        let start = Instant::now();
+        black_box(work());
+        least = least.min(start.elapsed().as_secs_f64() * 1e3);
+    }
+    least
+}
+
+/// The power of the size with which a time grows: the slope of the straight line through their logarithms.
+fn power(times: &[(f64, f64)]) -> f64 {
+    let logarithms: Vec<(f64, f64)> = times.iter().map(|(size, time)| (libm::log(*size), libm::log(*time))).collect();
+    let count = logarithms.len() as f64;
+    let mean = |of: fn(&(f64, f64)) -> f64| logarithms.iter().map(of).sum::<f64>() / count;
+    let (x, y) = (mean(|one| one.0), mean(|one| one.1));
+    let slope = logarithms.iter().map(|one| (one.0 - x) * (one.1 - y)).sum::<f64>();
+    slope / logarithms.iter().map(|one| (one.0 - x) * (one.0 - x)).sum::<f64>()
+}
+
+/// What a long contour does over and over.
+#[derive(Clone, Copy, PartialEq)]
+enum Shape {
+    /// It widens step by step.
+    Steps,
+    /// It widens by a fillet, a face and a chamfer and narrows again by a cone: each wave leaves a closed part.
+    Waves,
+}
+
+/// A contour under the pen; lengths and diameters are micrometres.
+struct Pen {
+    items: Vec<String>,
+    diameter: i64,
+    z: i64,
+    /// 1 where the contour widens towards the chuck, −1 in a bore, which narrows.
+    sign: i64,
+}
+
+impl Pen {
+    fn at(start: i64, sign: i64) -> Self {
+        let items = vec![format!("{{from: {{d: {}, z: 0}}}}", mm(start))];
+        Self { items, diameter: start, z: 0, sign }
+    }
+
+    fn item(&mut self, wider: i64, along: i64, text: impl Fn(String, String) -> String) {
+        self.diameter += self.sign * wider;
+        self.z -= along;
+        self.items.push(text(mm(self.diameter), mm(self.z)));
+    }
+
+    fn cylinder(&mut self, along: i64) {
+        self.item(0, along, |_, z| format!("{{cylinder: {z}}}"));
+    }
+
+    fn groove(&mut self, width: i64, depth: i64) {
+        let (wide, deep) = (mm(width), mm(depth));
+        self.item(0, width, |_, _| format!("{{groove: rectangular, width: {wide}, depth: {deep}}}"));
+    }
+
+    fn cone(&mut self, wider: i64, along: i64) {
+        self.item(wider, along, |d, z| format!("{{cone: {{d: {d}, z: {z}}}}}"));
+    }
+
+    fn quarter(&mut self, radius: i64, bulge: &str) {
+        let size = mm(radius);
+        self.item(2 * radius, radius, |d, z| format!("{{arc: {{d: {d}, z: {z}}}, radius: {size}, bulge: {bulge}}}"));
+    }
+
+    fn face(&mut self, wider: i64) {
+        self.item(wider, 0, |d, _| format!("{{face: {d}}}"));
+    }
+
+    fn chamfer(&mut self, size: i64) {
+        self.item(2 * size, size, |_, _| format!("{{chamfer: {}}}", mm(size)));
+    }
+
+    /// Ten elements of a shape.
+    fn draw(&mut self, shape: Shape) {
+        let (groove, cone, fillet, face, chamfer) = match shape {
+            Shape::Steps => (500, 100, 100, 100, 100),
+            Shape::Waves => (800, 2000, 2000, 1000, 500),
+        };
+        self.cylinder(2000);
+        self.groove(2000, groove);
+        self.cylinder(1000);
+        self.cone(cone, 2000);
+        self.cylinder(1500);
+        self.quarter(fillet, "in");
+        self.face(face);
+        self.chamfer(chamfer);
+        self.cylinder(2000);
+        match shape {
+            Shape::Steps => self.quarter(100, "out"),
+            Shape::Waves => self.cone(-8000, 12_000),
+        }
+    }
+
+    /// A list of a file.
+    fn list(&self, key: &str) -> String {
+        format!("{key}:\n{}", self.items.iter().map(|item| format!("  - {item}\n")).collect::<String>())
+    }
+}
+
+/// The file of a part with so many elements, half of them in its bore if it has one.
+fn long(shape: Shape, size: usize, bore: bool) -> String {
+    let periods = |size: usize| size / 10;
+    let mut outer = Pen::at(if bore { 70_000 } else { 0 }, 1);
+    outer.item(0, 0, |_, _| "{face: 80}".to_owned());
+    outer.diameter = 80_000;
+    for _ in 0..periods(if bore { size / 2 } else { size }) {
+        outer.draw(shape);
+    }
+    let mut inner = Pen::at(70_000, -1);
+    for _ in 0..periods(size / 2) {
+        inner.draw(shape);
+    }
+    let end = outer.z.min(if bore { inner.z } else { 0 }) - 2000;
+    outer.cylinder(outer.z - end);
+    inner.cylinder(inner.z - end);
+    let inner = if bore { inner.list("inner") } else { String::new() };
+    let (diameter, length) = (mm(outer.diameter + 14_000), mm(61_000 - end));
+    format!(
+        "shaft: Long\nmaterial: steel-45\nblank: {{kind: bar, diameter: {diameter}, length: {length}, face: 1}}\n{}{inner}\
+         roughing: {{limiting_depth: 3}}\nallowances: {{method: stated, on_diameter: 0.2, on_face: 0.1}}\n\
+         rates: {{longitudinal_feed: 180, transverse_feed: 150, rapid: 6000}}\n",
+        outer.list("outer")
+    )
+}
+
+/// Micrometres as files write them.
+fn mm(micrometres: i64) -> String {
+    Half::new(2 * micrometres).to_string()
 }

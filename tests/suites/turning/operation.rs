@@ -5,6 +5,7 @@ use proptest::prelude::*;
 use serde_json::{Value, json};
 use technolog::note::Severity;
 use technolog::turning::contour::Side;
+use technolog::turning::length::Half;
 use technolog::turning::operation::programs::{Form, programs};
 use technolog::turning::operation::work::{Work, ZoneWork};
 use technolog::turning::operation::{Operation, plan};
@@ -118,6 +119,40 @@ fn what_once_went_wrong_goes_right() {
         }
     }
     assert!(wrong.is_empty(), "{wrong}");
+}
+
+/// Between which Z a blank stands over its rough contour by more than rounding, every 0.01 mm.
+fn stands(work: &Work) -> Option<(Half, Half)> {
+    let over = |z: Half| {
+        let (rough, blank) = (work.stock.rough.radii_at(z)?, work.stock.blank.radii_at(z)?);
+        let thick = match work.stock.rough.side {
+            Side::Outer => blank.1 - rough.0,
+            Side::Inner => rough.1 - blank.0,
+        };
+        (thick > Half::from(0.002)).then_some(z)
+    };
+    let places = (work.stock.from.halves()..=work.stock.to.halves()).step_by(20).map(Half::new);
+    let found: Vec<Half> = places.filter_map(over).collect();
+    found.first().copied().zip(found.last().copied())
+}
+
+#[test]
+fn no_pass_goes_where_nothing_stands() {
+    for entry in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/operations")).unwrap() {
+        let path = entry.unwrap().path();
+        let operation = planned(&read_workpiece("part", &std::fs::read_to_string(&path).unwrap(), &KNOWLEDGE).unwrap());
+        for work in operation.zones().flat_map(|(_, _, zone)| &zone.works) {
+            let (from, to) = stands(work).unwrap();
+            // What begins before the metal, runs over its end or has a wide edge.
+            let room = work.pace.approach_mm + work.pace.retract_mm + work.levels.depth;
+            for transition in &work.transitions {
+                for (piece, _) in transition.way.pieces().filter(|(_, purpose)| *purpose != Purpose::Rapid) {
+                    let beyond = [piece.from.z, piece.to.z].iter().any(|z| *z < from - room || to + room < *z);
+                    assert!(!beyond, "{} {} {piece:?}: stock {from}..{to}", path.display(), transition.scheme.name());
+                }
+            }
+        }
+    }
 }
 
 proptest! {

@@ -204,6 +204,31 @@ fn every_bad_shaft_is_refused_with_every_mistake_at_its_place() {
     assert!(seen >= 60, "{seen}");
 }
 
+/// The bound of docs/turned-part-format.md: 2,000 items. The mistake stands at the first item beyond it.
+#[test]
+fn a_contour_of_more_items_than_are_read_is_refused_at_the_first_of_them() {
+    let file = |items: usize| {
+        let cylinders = "  - {cylinder: {length: 1}}\n".repeat(items - 2);
+        format!(
+            "shaft: Long\nmaterial: steel-45\nblank: {{kind: bar, diameter: 30, length: 2100}}\nouter:\n  - {{from: {{d: 0, z: 0}}}}\n  - {{face: 20}}\n{cylinders}"
+        )
+    };
+    assert!(read_turned("long", &file(2000), &KNOWLEDGE).is_ok());
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("too-long.yaml");
+    fs::write(&path, file(2001)).unwrap();
+    let path = path.to_str().unwrap();
+    for (lang, help) in [("uk", "= підказка:"), ("en", "= help:")] {
+        let output = run(&[path, "--lang", lang]);
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{said}");
+        // Four lines before the first item: the 2001st stands in line 2005, behind its dash.
+        for part in [&format!("{path}:2005:5"), "[too-many-items]", "2001", "2000", help] {
+            assert!(said.contains(part), "{part}: {said}");
+        }
+        assert_eq!(said.matches(help).count(), 1, "{said}");
+    }
+}
+
 /// The figures of the map at the paper's own length are those of the paper's shaft: L/D = 34/65 lies between the ratios,
 /// so the shaft is made 65 mm long and held against a shaft of that length.
 #[test]

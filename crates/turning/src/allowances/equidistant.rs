@@ -189,14 +189,13 @@ fn outline(contour: &Contour, distances: &[Half], axis: bool) -> Result<Vec<Over
         Vector::new(right, ground),
         Vector::new(right, ground - FOUNDATION),
     ];
-    let mut outlines = vec![foundation.map(Corner::sharp).to_vec()];
     let tops = tops(&parallels, axis);
     let wide = |top: &&Vec<Corner>| match (top.first(), top.last()) {
         (Some(first), Some(last)) => last.at.z - first.at.z > SAME,
         _ => false,
     };
-    outlines.extend(tops.iter().filter(wide).map(|top| shadow(top, ground - FOUNDATION / 2.0)));
-    let whole = union(&outlines).ok_or(EquidistantError::NotJoined)?;
+    let shadows: Vec<_> = tops.iter().filter(wide).map(|top| shadow(top, ground - FOUNDATION / 2.0)).collect();
+    let whole = union(&foundation.map(Corner::sharp), &shadows).ok_or(EquidistantError::NotJoined)?;
     let end = |corner: Vector, out: Vector, reach: f64, outwards: f64| {
         let on_axis = axis && corner.radius == 0.0;
         let out = if on_axis { Vector::new(outwards, 0.0) } else { out };
@@ -207,6 +206,7 @@ fn outline(contour: &Contour, distances: &[Half], axis: bool) -> Result<Vec<Over
         to: end(last.to, last.ahead_to.left(), last.distance, 1.0),
         left: Vector::new(left, ground),
         right: Vector::new(right, ground),
+        reach: FAR * most + FOUNDATION,
     };
     let found = read_back::read_back(&whole, &ends, &parallels).ok_or(EquidistantError::NotJoined)?;
     if found.is_empty() { Err(EquidistantError::Vanished) } else { Ok(found) }

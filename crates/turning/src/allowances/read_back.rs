@@ -45,6 +45,8 @@ pub(super) struct Ends {
     pub left: Vector,
     /// The one behind the end towards the chuck.
     pub right: Vector,
+    /// How far a point of the outline can be from the piece over which it lies, along Z, mm.
+    pub reach: f64,
 }
 
 /// A stretch of the outline.
@@ -109,7 +111,7 @@ pub(super) fn read_back(whole: &[Corner], ends: &Ends, parallels: &[Parallel]) -
     stretches = stretches.into_iter().rev().map(OutlinePiece::reversed).collect();
     let mut found: Vec<(OutlinePiece, usize)> = Vec::new();
     for stretch in stretches {
-        let of = parallel_of(stretch, parallels).or(found.last().map(|(_, of)| *of)).unwrap_or(0);
+        let of = parallel_of(stretch, parallels, ends.reach).or(found.last().map(|(_, of)| *of)).unwrap_or(0);
         match found.last_mut() {
             Some((last, its)) if *its == of && last.goes_on_as(stretch) => {
                 *last = OutlinePiece { from: last.from, to: stretch.to, sweep: last.sweep + stretch.sweep };
@@ -182,8 +184,9 @@ fn crossing(stretch: OutlinePiece, measure: impl Fn(Vector) -> f64) -> f64 {
     (low + high) / 2.0
 }
 
-/// The parallel on which a stretch lies, the nearest of them where there are several.
-fn parallel_of(stretch: OutlinePiece, parallels: &[Parallel]) -> Option<usize> {
+/// The parallel on which a stretch lies, the nearest of them where there are several. Their pieces are in the order of Z,
+/// and only those in reach are looked at.
+fn parallel_of(stretch: OutlinePiece, parallels: &[Parallel], reach: f64) -> Option<usize> {
     let middle = stretch.at(0.5);
     let fits = |parallel: &Parallel| {
         let from = middle.minus(parallel.over_from);
@@ -205,7 +208,9 @@ fn parallel_of(stretch: OutlinePiece, parallels: &[Parallel]) -> Option<usize> {
         let along = chord.unit().dot(middle.minus(parallel.over_from));
         (-along).max(along - chord.length()).max(0.0)
     };
-    let fitting = parallels.iter().enumerate().filter(|(_, parallel)| fits(parallel));
+    let first = parallels.partition_point(|parallel| parallel.to.z < middle.z - reach);
+    let near = parallels.iter().enumerate().skip(first).take_while(|(_, one)| one.from.z <= middle.z + reach);
+    let fitting = near.filter(|(_, parallel)| fits(parallel));
     fitting.min_by(|(_, one), (_, other)| beyond(one).total_cmp(&beyond(other))).map(|(of, _)| of)
 }
 

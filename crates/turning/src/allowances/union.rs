@@ -12,6 +12,8 @@ use cavalier_contours::polyline::{
 
 use crate::turning::point::Vector;
 
+use super::equidistant::SAME;
+
 /// How many of the crate's units are a millimetre, one after the other.
 const UNITS: [f64; 4] = [100.0, 1000.0, 10.0, 1.0];
 
@@ -20,6 +22,9 @@ const NOTHING: f64 = 1e-5;
 
 /// How far inside an edge it is tried whether the whole covers it, mm.
 const INSIDE: f64 = 1e-5;
+
+/// So far before the next outline, mm, the whole is cut off.
+const CLEAR: f64 = 0.01;
 
 /// A corner of a closed outline, and how the outline goes on from it to the next one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,12 +42,47 @@ impl Corner {
     }
 }
 
-/// The outer boundary of all outlines together, clockwise; none where they do not hang together or leave a hole.
-pub(super) fn union(outlines: &[Vec<Corner>]) -> Option<Vec<Corner>> {
-    let (first, others) = outlines.split_first()?;
-    others
-        .iter()
-        .try_fold(first.clone(), |whole, outline| UNITS.iter().find_map(|unit| together(&whole, outline, *unit)))
+/// The outer boundary of a foundation and all outlines that stand on it, clockwise; none where they do not hang together
+/// or leave a hole. The foundation begins with its lower corner at the free end.
+///
+/// The outlines come in the order of the contour: what lies before all that are still to come is done, and only the rest,
+/// a few neighbours, is joined with the next one. So the time grows with the length of the contour, not with its square.
+pub(super) fn union(foundation: &[Corner], outlines: &[Vec<Corner>]) -> Option<Vec<Corner>> {
+    let (mut done, mut rest) = (Vec::new(), foundation.to_vec());
+    for (outline, reach) in outlines.iter().zip(reaches(outlines)) {
+        settle(&mut done, &mut rest, reach - CLEAR);
+        let joined = UNITS.iter().find_map(|unit| together(&rest, outline, *unit))?;
+        rest = from_corner(joined, rest.first()?.at)?;
+    }
+    Some(foundation.first().copied().into_iter().chain(done).chain(rest.into_iter().skip(1)).collect())
+}
+
+/// How far each outline or one after it reaches towards the free end.
+fn reaches(outlines: &[Vec<Corner>]) -> Vec<f64> {
+    let mut reach = f64::INFINITY;
+    let mut reaches: Vec<f64> = Vec::with_capacity(outlines.len());
+    for outline in outlines.iter().rev() {
+        reach = outline.iter().map(|corner| corner.at.z).fold(reach, f64::min);
+        reaches.push(reach);
+    }
+    reaches.reverse();
+    reaches
+}
+
+/// Moves the corners before a Z from the rest to what is done. The last of them stays: below it the rest is cut off upright.
+fn settle(done: &mut Vec<Corner>, rest: &mut Vec<Corner>, before: f64) {
+    let upper = rest.iter().skip(1).take_while(|corner| corner.at.z < before).count();
+    done.extend(rest.drain(1..upper.max(1)));
+    if let [lower, first, ..] = rest.as_mut_slice() {
+        lower.at.z = first.at.z;
+    }
+}
+
+/// A closed outline from one of its corners on.
+fn from_corner(mut outline: Vec<Corner>, at: Vector) -> Option<Vec<Corner>> {
+    let start = outline.iter().position(|corner| corner.at.minus(at).length() < SAME)?;
+    outline.rotate_left(start);
+    Some(outline)
 }
 
 /// Two outlines as one; none where the crate fails, which shows in points of theirs that the whole does not cover.

@@ -4,6 +4,7 @@
 //! an outer one, and to its left where it is a bore.
 
 pub mod piece;
+pub mod stretches;
 pub mod surface;
 
 use serde::Serialize;
@@ -13,6 +14,7 @@ use super::point::Point;
 pub use crate::tables::turning::part::Side;
 use piece::both;
 pub use piece::{Curve, Piece, Turn};
+pub use stretches::Stretches;
 pub use surface::{Profile, Surface, SurfaceKind, SurfaceName};
 
 /// Pieces that hang together: each begins where the one before it ends.
@@ -60,6 +62,13 @@ impl Contour {
         self.pieces.iter().all(forward)
     }
 
+    /// Its part between two Z, of a contour whose pieces stand in the order of Z: whole pieces, with both neighbours where
+    /// one of them begins at such a Z.
+    #[must_use]
+    pub fn near(&self, from: Half, to: Half) -> Self {
+        Self { side: self.side, pieces: touching(&self.pieces, from, to).to_vec() }
+    }
+
     /// Whether it has nothing but cylinders and faces.
     pub fn is_stepped(&self) -> bool {
         self.pieces.iter().all(|piece| piece.is_face() || piece.is_cylinder())
@@ -103,6 +112,12 @@ impl Contour {
         };
         Self { side, pieces: self.pieces.iter().map(|piece| piece.inside_out(top)).collect() }
     }
+}
+
+/// The pieces with a point between two Z, these included. They stand in the order of Z.
+pub fn touching(pieces: &[Piece], from: Half, to: Half) -> &[Piece] {
+    let (_, ahead) = pieces.split_at(pieces.partition_point(|piece| piece.to.z < from));
+    ahead.split_at(ahead.partition_point(|piece| piece.from.z <= to)).0
 }
 
 #[cfg(test)]

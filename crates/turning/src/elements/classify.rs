@@ -1,5 +1,7 @@
 //! Classifies a surface as main or additional, with the reasons.
 
+use std::collections::BTreeMap;
+
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Figure, Note};
@@ -15,6 +17,57 @@ use super::{Angles, Class, Element, Ground};
 /// An undercut is steeper than this angle, degrees. The 0.06° above 90° allow for the rounded ends of an upright arc.
 const UPRIGHT: f64 = 90.06;
 
+/// A bit with what the tool reaches of it and the bridge over it.
+#[derive(Clone, Copy)]
+pub(super) struct SeenBit<'s> {
+    bit: &'s Bit,
+    shade: Option<Shade>,
+    reached: bool,
+    under: Option<&'s Span>,
+}
+
+/// What the tool reaches of a contour.
+pub(super) struct Seen<'s> {
+    /// In the order of the feed.
+    bits: Vec<SeenBit<'s>>,
+    /// The same by surface.
+    by_surface: BTreeMap<usize, Vec<SeenBit<'s>>>,
+}
+
+impl<'s> Seen<'s> {
+    pub fn new(bits: &'s [Bit], shades: &[(Option<Shade>, bool)], spans: &'s [Span]) -> Self {
+        let seen = |(bit, (shade, reached)): (&'s Bit, &(Option<Shade>, bool))| SeenBit {
+            bit,
+            shade: *shade,
+            reached: *reached,
+            under: None,
+        };
+        let mut bits: Vec<SeenBit<'s>> = bits.iter().zip(shades).map(seen).collect();
+        for span in spans {
+            let under = bits.iter_mut().take(span.bits.1).skip(span.bits.0);
+            under.for_each(|bit| bit.under = bit.under.or(Some(span)));
+        }
+        let mut by_surface: BTreeMap<usize, Vec<SeenBit<'s>>> = BTreeMap::new();
+        for one in &bits {
+            by_surface.entry(one.bit.surface).or_default().push(*one);
+        }
+        Self { bits, by_surface }
+    }
+
+    fn of(&self, surface: usize) -> &[SeenBit<'s>] {
+        self.by_surface.get(&surface).map_or(&[], Vec::as_slice)
+    }
+
+    /// The steepest fall of a valley, and whether the tool reaches part of its floor.
+    fn valley(&self, span: &Span) -> (f64, bool) {
+        let fall = span.under.iter().map(|bit| steepness(bit.piece).1).fold(0.0, f64::max);
+        let floor = span.under.iter().map(|bit| bit.piece.from.radius.min(bit.piece.to.radius)).min();
+        let on_floor = |bit: &Bit| bit.piece.to.radius <= bit.piece.from.radius && Some(bit.piece.to.radius) == floor;
+        let mut under = self.bits.iter().take(span.bits.1).skip(span.bits.0);
+        (fall, under.any(|one| on_floor(one.bit) && one.reached))
+    }
+}
+
 /// Classifies a surface from what the tool reaches of it and the bridges over it.
 ///
 /// # Errors
@@ -23,24 +76,15 @@ pub(super) fn class(
     index: usize,
     surface: &Surface,
     tool: Angles,
-    bits: &[Bit],
-    shades: &[(Option<Shade>, bool)],
-    spans: &[Span],
+    seen: &Seen<'_>,
     knowledge: &Knowledge,
 ) -> Result<Class, KnowledgeError> {
-    let own: Vec<(usize, &Bit, Option<Shade>, bool)> = bits
-        .iter()
-        .zip(shades)
-        .enumerate()
-        .filter(|(_, (bit, _))| bit.surface == index)
-        .map(|(at, (bit, (shade, reached)))| (at, bit, *shade, *reached))
-        .collect();
-    let steep = own.iter().map(|(_, bit, ..)| steepness(bit.piece));
+    let own = seen.of(index);
+    let steep = own.iter().map(|one| steepness(one.bit.piece));
     let (rise, fall) = steep.fold((0.0_f64, 0.0_f64), |most, one| (most.0.max(one.0), most.1.max(one.1)));
-    let has = |shade| own.iter().any(|(_, _, found, _)| *found == Some(shade));
-    let under = |at: usize| spans.iter().find(|span| (span.bits.0..span.bits.1).contains(&at));
-    let covered = !own.is_empty() && own.iter().all(|(at, ..)| under(*at).is_some());
-    let beyond = !own.is_empty() && own.iter().all(|(at, ..)| under(*at).is_some_and(|span| span.open));
+    let has = |shade| own.iter().any(|one| one.shade == Some(shade));
+    let covered = !own.is_empty() && own.iter().all(|one| one.under.is_some());
+    let beyond = !own.is_empty() && own.iter().all(|one| one.under.is_some_and(|span| span.open));
     let ground = if surface.kind.is_additional() {
         Ground::Kind
     } else if beyond {
@@ -68,14 +112,13 @@ pub(super) fn class(
     } else {
         Ground::Reach
     };
-    let span = own.iter().find_map(|(at, ..)| under(*at));
-    let valley = span.map(|span| valley_of(span, bits, shades));
+    let valley = own.iter().find_map(|one| one.under).map(|span| seen.valley(span));
     let (element, tool_kind, because) = {
         let note = note(ground, &surface.name, (rise, fall), tool);
         let (valley_fall, reached) = valley.unwrap_or((fall, true));
         ask(surface, ground, valley_fall, reached, note, knowledge)?
     };
-    let reached_somewhere = own.iter().any(|(.., reached)| *reached);
+    let reached_somewhere = own.iter().any(|one| one.reached);
     let partly = !matches!(ground, Ground::Reach | Ground::Kind | Ground::Valley | Ground::Beyond) && reached_somewhere;
     let notes = partly.then(|| Note::new("element-partly").with("surface", &surface.name)).into_iter().collect();
     Ok(Class {
@@ -90,15 +133,6 @@ pub(super) fn class(
         because,
         notes,
     })
-}
-
-/// The steepest fall of a valley, and whether the tool reaches part of its floor.
-fn valley_of(span: &Span, bits: &[Bit], shades: &[(Option<Shade>, bool)]) -> (f64, bool) {
-    let fall = span.under.iter().map(|bit| steepness(bit.piece).1).fold(0.0, f64::max);
-    let floor = span.under.iter().map(|bit| bit.piece.from.radius.min(bit.piece.to.radius)).min();
-    let on_floor = |bit: &Bit| bit.piece.to.radius <= bit.piece.from.radius && Some(bit.piece.to.radius) == floor;
-    let mut under = bits.iter().zip(shades).take(span.bits.1).skip(span.bits.0);
-    (fall, under.any(|(bit, (_, reached))| on_floor(bit) && *reached))
 }
 
 /// The element and the kind of tool that the rule `turning-element` gives.

@@ -5,14 +5,17 @@
 //! bridges over what it does not make. The rule `turning-element` says what kind of tool an additional element asks for.
 //!
 //! - `view` turns bores inside out and mirrors for the other hand, so that all else knows one case only;
-//! - `reach` finds what the edges of the tool leave in the shadow;
+//! - `reach` finds what the edges of the tool leave in the shadow of the `metal`;
 //! - `bridge` and `silhouette` make the main contour.
 
 mod bridge;
 mod classify;
+mod metal;
 mod reach;
 mod silhouette;
 pub(super) mod view;
+
+use std::collections::BTreeMap;
 
 use serde::Serialize;
 
@@ -26,6 +29,7 @@ pub use crate::tables::turning::part::{Element, Ground};
 use super::contour::{Contour, Piece, Profile, SurfaceKind, SurfaceName};
 use super::point::Point;
 use bridge::{Bridged, Span, bridge};
+use classify::Seen;
 use reach::{Edges, Shade};
 use view::{Bit, View};
 
@@ -123,8 +127,9 @@ pub fn classify(profile: &Profile, tool: Angles, knowledge: &Knowledge) -> Resul
     };
     let lost: Vec<bool> = bits.iter().zip(&shades).map(lost).collect();
     let spans = bridge(&bits, &lost).spans;
+    let seen = Seen::new(&bits, &shades, &spans);
     let surfaces = profile.surfaces.iter().enumerate();
-    surfaces.map(|(index, surface)| classify::class(index, surface, tool, &bits, &shades, &spans, knowledge)).collect()
+    surfaces.map(|(index, surface)| classify::class(index, surface, tool, &seen, knowledge)).collect()
 }
 
 /// The main contour of a profile for a tool, whose classes these are.
@@ -146,9 +151,13 @@ pub fn split(profile: &Profile, classes: &[Class], tool: Angles) -> Option<(Prof
     let (view, bits, done) = bridged(profile, classes, tool);
     let open = done.spans.iter().find(|span| span.open)?;
     let part = |bits: &[Bit]| {
-        let surfaces = profile.surfaces.iter().enumerate().filter_map(|(index, surface)| {
-            let own: Vec<Bit> = bits.iter().filter(|bit| bit.surface == index).copied().collect();
-            (!own.is_empty()).then(|| super::contour::Surface { pieces: view.back(&own), ..surface.clone() })
+        let mut own: BTreeMap<usize, Vec<Bit>> = BTreeMap::new();
+        for bit in bits {
+            own.entry(bit.surface).or_default().push(*bit);
+        }
+        let surfaces = own.iter().filter_map(|(index, own)| {
+            let surface = profile.surfaces.get(*index)?;
+            Some(super::contour::Surface { pieces: view.back(own), ..surface.clone() })
         });
         Profile { side: profile.side, surfaces: surfaces.collect() }
     };

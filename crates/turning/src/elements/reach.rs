@@ -13,6 +13,7 @@ use crate::turning::contour::{Curve, Piece};
 use crate::turning::point::{Point, Vector};
 
 use super::Angles;
+use super::metal::{Bound, Metal};
 use super::view::Bit;
 
 /// A shadow less deep than this, mm, is the rounding of points to halves of a micrometre.
@@ -48,34 +49,41 @@ impl Edges {
     pub fn shades(&self, bits: &[Bit], solid: impl Fn(&Bit) -> bool) -> Vec<(Option<Shade>, bool)> {
         let keys: Vec<Vec<Point>> =
             bits.iter().map(|bit| if solid(bit) { self.keys(bit.piece) } else { Vec::new() }).collect();
+        let metal = Metal::new(&keys, |at| Bound {
+            behind: self.behind.dot(at.vector()),
+            ahead: -self.ahead.dot(at.vector()),
+            least_z: at.z,
+        });
         let judge = |(index, bit): (usize, &Bit)| {
             let own = self.keys(bit.piece);
-            let shade = own.iter().filter_map(|at| self.over(*at, index, bit.piece, &keys)).min();
+            let shade = own.iter().filter_map(|at| self.over(*at, index, bit.piece, &metal)).min();
             let reached =
-                shade.is_none() || inside(bit.piece).any(|at| self.over(at, index, bit.piece, &keys).is_none());
+                shade.is_none() || inside(bit.piece).any(|at| self.over(at, index, bit.piece, &metal).is_none());
             (shade, reached)
         };
         bits.iter().enumerate().map(judge).collect()
     }
 
     /// What keeps the tip from a point of a bit.
-    fn over(&self, tip: Point, index: usize, piece: Piece, keys: &[Vec<Point>]) -> Option<Shade> {
+    fn over(&self, tip: Point, index: usize, piece: Piece, metal: &Metal) -> Option<Shade> {
         let along = |at: Point| piece.from.to(at).length();
-        let before = |other: usize, at: Point| other < index || (other == index && along(at) < along(tip));
-        let after = |other: usize, at: Point| other > index || (other == index && along(at) > along(tip));
-        let all = || keys.iter().enumerate().flat_map(|(other, points)| points.iter().map(move |at| (other, *at)));
-        let behind = |(other, at): &(usize, Point)| {
-            before(*other, *at) && at.z <= tip.z && self.behind.dot(tip.to(*at)) > TRIFLE
-        };
-        let ahead = |(other, at): &(usize, Point)| {
-            after(*other, *at) && at.radius >= tip.radius && self.ahead.dot(at.to(tip)) > TRIFLE
-        };
-        if all().any(|one| behind(&one)) {
+        let behind = |at: Point| at.z <= tip.z && self.behind.dot(tip.to(at)) > TRIFLE;
+        let ahead = |at: Point| at.radius >= tip.radius && self.ahead.dot(at.to(tip)) > TRIFLE;
+        // A bound is rounded otherwise than what is compared exactly: half of what counts is far more than that.
+        let far_behind = self.behind.dot(tip.vector()) + TRIFLE / 2.0;
+        let far_ahead = -self.ahead.dot(tip.vector()) + TRIFLE / 2.0;
+        let own = || metal.of(index).iter().copied();
+        if own().any(|at| along(at) < along(tip) && behind(at))
+            || metal.before(index, |bound| bound.behind > far_behind, behind)
+        {
             return Some(Shade::Behind);
         }
-        let mut above = all().filter(ahead).peekable();
-        above.peek()?;
-        Some(if above.any(|(_, at)| at.z < tip.z) { Shade::Over } else { Shade::Ahead })
+        let rises = |over: bool| {
+            let counts = |at: Point| ahead(at) && (!over || at.z < tip.z);
+            own().any(|at| along(at) > along(tip) && counts(at))
+                || metal.after(index, |bound| bound.ahead > far_ahead && (!over || bound.least_z < tip.z), counts)
+        };
+        rises(false).then(|| if rises(true) { Shade::Over } else { Shade::Ahead })
     }
 
     /// The points of a piece farthest across either edge.

@@ -8,7 +8,7 @@ use crate::turning::allowances::areas::{Areas, areas, between};
 use crate::turning::allowances::finishing::{Allowance, Errors, Method, allowance, finishing};
 use crate::turning::allowances::surfaces::Place;
 use crate::turning::allowances::{equidistant, equidistant_over};
-use crate::turning::contour::{Contour, Curve, Piece, Profile, Side};
+use crate::turning::contour::{Contour, Curve, Piece, Profile, Side, Stretches, Surface};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::workpiece::{Allowances, Workpiece};
@@ -139,7 +139,9 @@ fn left(
     findings: &mut Vec<Finding>,
 ) -> Option<Vec<(Piece, Option<usize>)>> {
     let main = &stretch.main.contour;
-    let surfaces: Vec<Option<usize>> = main.pieces.iter().map(|piece| surface_of(piece, &stretch.profile)).collect();
+    let along = along(&stretch.profile);
+    let surfaces: Vec<Option<usize>> =
+        main.pieces.iter().map(|piece| surface_of(piece, &stretch.profile, &along)).collect();
     let later = |surface: &Option<usize>| {
         let name = surface.and_then(|index| stretch.profile.surfaces.get(index)).map(|surface| &surface.name);
         let one = bench.elsewhere.iter().find(|one| Some(&one.surface) == name);
@@ -206,9 +208,20 @@ fn method(allowances: &Allowances) -> Method {
 
 /// The surface that a piece of the main contour lies on: one with a piece on the same line or circle that it shares a
 /// point with.
-fn surface_of(piece: &Piece, profile: &Profile) -> Option<usize> {
-    let lies_on = |other: &Piece| same_carrier(piece, other) && touches(piece, other);
-    profile.surfaces.iter().position(|surface| surface.pieces.iter().any(lies_on))
+fn surface_of(piece: &Piece, profile: &Profile, along: &Stretches) -> Option<usize> {
+    let lies_on = |other: &Piece| touches(piece, other) && same_carrier(piece, other);
+    let mut near = along.touching(piece.from.z.min(piece.to.z), piece.from.z.max(piece.to.z));
+    near.find(|index| profile.surfaces.get(*index).is_some_and(|surface| surface.pieces.iter().any(lies_on)))
+}
+
+/// Where the surfaces of a profile lie, from end to end of their pieces.
+fn along(profile: &Profile) -> Stretches {
+    let ends = |surface: &Surface| {
+        let ends = surface.pieces.iter().flat_map(|piece| [piece.from.z, piece.to.z]);
+        let (least, most) = (ends.clone().min(), ends.max());
+        (least.unwrap_or_default(), most.unwrap_or_default())
+    };
+    Stretches::new(&profile.surfaces.iter().map(ends).collect::<Vec<_>>())
 }
 
 fn touches(one: &Piece, other: &Piece) -> bool {

@@ -8,6 +8,7 @@
 //! Neighbours of one kind stay together: parting at every face costs a return for each (lecture, fig. 12.5 a).
 
 use crate::tables::turning::passes::PartsWorked;
+use crate::turning::allowances::areas::between;
 use crate::turning::contour::{Contour, Piece, Side};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
@@ -87,10 +88,17 @@ fn floor(zone: &Zone, side: Side) -> Option<Half> {
     }
 }
 
-/// Whether anything stands between the contours of a stock.
+/// Whether anything stands between the contours of a stock. Nothing does where they have the same pieces.
 fn stands(stock: &Stock) -> bool {
-    let area = crate::turning::allowances::areas::between(&stock.blank, &stock.rough).area_mm2.0;
-    !stock.rough.pieces.is_empty() && area > 1e-4
+    let (rough, blank) = (&stock.rough.pieces, &stock.blank.pieces);
+    let same = |(one, other): &(&Piece, &Piece)| one == other;
+    let before = rough.iter().zip(blank).take_while(same).count();
+    let behind = rough.iter().skip(before).rev().zip(blank.iter().skip(before).rev()).take_while(same).count();
+    let rest = |contour: &Contour| {
+        let pieces = contour.pieces.get(before..contour.pieces.len() - behind).unwrap_or_default();
+        Contour { side: contour.side, pieces: pieces.to_vec() }
+    };
+    !rough.is_empty() && between(&rest(&stock.blank), &rest(&stock.rough)).area_mm2.0 > 1e-4
 }
 
 /// A contour with the pocket of a closed part bridged level from its lower lip.
@@ -112,11 +120,17 @@ fn bridge(rough: &Contour, part: &Part) -> Option<Contour> {
     Some(Contour { side: rough.side, pieces })
 }
 
+/// A point so near to a piece lies on it: ends of pieces are rounded.
+const NEAR: Half = Half::new(4);
+
 /// The pieces of a contour between two of its points.
 fn cut(contour: &Contour, from: Point, to: Point) -> Vec<Piece> {
     let lies = |piece: &Piece, point: Point| {
+        if point.z < piece.from.z - NEAR || piece.to.z + NEAR < point.z {
+            return false;
+        }
         let on = if piece.is_face() { piece.at_radius(point.radius) } else { piece.at_z(point.z) };
-        on.iter().any(|at| at.to(point).length() < 0.002)
+        on.iter().any(|at| at.to(point).length() < NEAR.to_mm())
     };
     let mut pieces = Vec::new();
     let mut inside = false;

@@ -14,7 +14,7 @@ use crate::turning::tooling::TurningTool;
 use crate::turning::transitions::check::{MOST_PASSES, Unsuited};
 use crate::turning::transitions::measures::{Best, best};
 use crate::turning::transitions::split::Split;
-use crate::turning::transitions::{self, Scheme, Settings, Stock, Transition};
+use crate::turning::transitions::{self, PreparedZone, Scheme, Settings, Stock, Transition};
 use crate::turning::zones::{self, Feed, Fit, Returns, TurnedSide, Zone, fit, idle_returns};
 use crate::units::{Degrees, Micrometres};
 
@@ -254,8 +254,8 @@ fn zone_work(
             stock.blank = left;
         }
         let done = clear(stock, scheme, limit, zone, task, bench, findings)?;
-        left = done.transition().map(|transition| transition.left.clone());
-        work.works.push(done);
+        left = done.left;
+        work.works.push(done.work);
     }
     let deepest = work.works.iter().map(|work| work.levels.depth).max();
     let joined = zone.feed == Feed::Along && zone.parts.len() > 1;
@@ -276,6 +276,12 @@ fn facing(zone: &Zone, rough: &Contour) -> Stock {
     }
 }
 
+/// A work, and the surface that the scheme taken leaves.
+struct Cleared {
+    work: Work,
+    left: Option<Contour>,
+}
+
 fn clear(
     stock: Stock,
     scheme: usize,
@@ -284,7 +290,7 @@ fn clear(
     task: Task<'_, '_>,
     bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
-) -> Result<Work, KnowledgeError> {
+) -> Result<Cleared, KnowledgeError> {
     let knowledge = bench.knowledge;
     let levels = levels(&stock, limit, zone.feed);
     let task = Task { diameter: begins_at(&levels, &stock).unwrap_or(task.diameter), ..task };
@@ -299,8 +305,13 @@ fn clear(
     let offset = |contour: &Contour, distance: Half| equidistant(contour, &vec![distance; contour.pieces.len()]).ok();
     let all: &[Scheme] = if zone.feed == Feed::Across { &[Scheme::Descent] } else { &Scheme::ALL };
     let (mut found, mut refused) = (Vec::new(), Vec::new());
+    let prepared = Refusal::split(PreparedZone::of(&stock, &tool, &settings))?;
     for &scheme in all {
-        match Refusal::split(transitions::work(&stock, &tool, &settings, scheme, &offset, knowledge))? {
+        let made = match &prepared {
+            Ok(prepared) => Refusal::split(prepared.transition(scheme, &offset, knowledge))?,
+            Err(why) => Err(why.clone()),
+        };
+        match made {
             Ok(transition) => found.push(transition),
             Err(why) => refused.push(RefusedScheme { scheme, why: why.note() }),
         }
@@ -320,7 +331,9 @@ fn clear(
         let order = |one: &&Transition| one.measures.time_min.0;
         even.min_by(|a, b| order(a).total_cmp(&order(b))).map(|one| one.scheme)
     });
-    Ok(Work {
+    let transition = found.iter().find(|one| Some(one.scheme) == taken);
+    let left = prepared.ok().zip(transition).map(|(prepared, transition)| prepared.left(transition));
+    let work = Work {
         levels,
         pace,
         taken,
@@ -330,7 +343,8 @@ fn clear(
         transitions: found,
         refused,
         stock,
-    })
+    };
+    Ok(Cleared { work, left })
 }
 
 /// The levels of a stock. Before a face the passes go across, so its thickness is divided, not its height.

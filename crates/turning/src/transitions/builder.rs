@@ -65,7 +65,7 @@ impl<'z> ToolpathBuilder<'z> {
         Self {
             zone,
             settings,
-            stock: InProcessStock::of(&zone.blank),
+            stock: zone.whole.clone(),
             path: Toolpath::at(zone.home(settings)),
             roles: vec![SupportPointRole::Home],
             passes: 0,
@@ -268,7 +268,12 @@ impl<'z> ToolpathBuilder<'z> {
     /// The part of a path that cuts metal, from its first to its last contact. A face down to its beginning and one up
     /// from its end belong to it, as far as metal stands beside them. Slivers narrower than the rounding are ignored.
     pub fn trimmed(&self, pieces: &[Piece]) -> Vec<Piece> {
-        let metal = |piece: &Piece| if piece.is_face() { Vec::new() } else { self.stock.metal(piece) };
+        let (from, to) = self.zone.worked;
+        let metal = |piece: &Piece| {
+            let mut metal = if piece.is_face() { Vec::new() } else { self.stock.metal(piece) };
+            metal.retain(|(begins, ends)| *begins < to && from < *ends);
+            metal
+        };
         let metal: Vec<Vec<(Half, Half)>> = pieces.iter().map(metal).collect();
         if metal.iter().flatten().all(|(from, to)| is_narrow(*from, *to)) {
             return Vec::new();

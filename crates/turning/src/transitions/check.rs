@@ -8,7 +8,7 @@ use crate::units::round_to;
 
 use super::in_process_stock::InProcessStock;
 use super::monotone::{MonotoneContour, clipped, radius_on};
-use super::{Scheme, Settings, Stock, Tool};
+use super::{PreparedZone, Scheme, Settings, Stock, Tool};
 
 /// What is let pass of an angle whatever the piece, degrees.
 const ROUNDING_DEGREES: f64 = 0.01;
@@ -68,19 +68,16 @@ impl Unsuited {
     }
 }
 
-/// Whether toolpaths can be made at all.
+/// Whether toolpaths can be made over a zone at all.
 ///
 /// # Errors
 /// A reason, each with its remedy in the sentences: contours that do not hang together, lead back, differ in their
-/// stretch of Z or in their side; a rough contour above its blank; lengths that are not positive; a contour steeper than
-/// the tool's angles; a way against a stop over a contour that is not stepped.
-pub fn check(
+/// stretch of Z or in their side; a rough contour above its blank; lengths that are not positive.
+pub fn zone(
     stock: &Stock,
     ground: &MonotoneContour,
     blank: &MonotoneContour,
-    tool: &Tool,
     settings: &Settings,
-    scheme: Scheme,
 ) -> Tried<(), Unsuited> {
     let not = |why: Unsuited| Err(Refusal::Not(why));
     for (contour, own) in [("rough", &stock.rough), ("blank", &stock.blank)] {
@@ -94,11 +91,22 @@ pub fn check(
     if settings.depth <= Half::ZERO || settings.approach <= Half::ZERO || settings.retract <= Half::ZERO {
         return not(Unsuited::NotPositive);
     }
-    if let Some(z) = above(ground, blank) {
-        return not(Unsuited::RoughAboveBlank { z: Half::ZERO - z });
+    match above(ground, blank) {
+        Some(z) => not(Unsuited::RoughAboveBlank { z: Half::ZERO - z }),
+        None => Ok(()),
     }
+}
+
+/// Whether a scheme suits a zone.
+///
+/// # Errors
+/// A reason, as of [`zone`]: more passes than anybody would turn, a way against a stop over a contour that is not stepped,
+/// a contour steeper than the tool's angles.
+pub fn scheme(zone: &PreparedZone, settings: &Settings, scheme: Scheme) -> Tried<(), Unsuited> {
+    let not = |why: Unsuited| Err(Refusal::Not(why));
+    let (ground, stock) = (&zone.rough, &zone.stock);
     let across = scheme == Scheme::Descent;
-    let stock_high = || Some(blank.highest(blank.from(), blank.to())? - ground.lowest(ground.from(), ground.to())?);
+    let stock_high = || Some(zone.top - ground.lowest(ground.from(), ground.to())?);
     let high = if across { Some(stock.to - stock.from) } else { stock_high() };
     if let Some(passes) = high.map(|high| high.parts(settings.depth)).filter(|passes| *passes > MOST_PASSES) {
         return not(Unsuited::TooManyPasses { passes });
@@ -106,11 +114,16 @@ pub fn check(
     if scheme == Scheme::LoopAgainstStop && !is_roller(&stock.rough, ground) {
         return not(Unsuited::StopNeedsSteps);
     }
-    let steep = ground.pieces.iter().find_map(|piece| too_steep(piece, tool));
-    if let Some((piece, angle, limit)) = steep.filter(|_| scheme != Scheme::Descent) {
-        return not(Unsuited::TooSteep { z: Half::ZERO - piece.from.z, angle, limit });
+    match &zone.steep {
+        Some(steep) if scheme != Scheme::Descent => not(steep.clone()),
+        _ => Ok(()),
     }
-    Ok(())
+}
+
+/// The first flank of a contour that is steeper than the tool's angle.
+pub fn steep(ground: &MonotoneContour, tool: &Tool) -> Option<Unsuited> {
+    let (piece, angle, limit) = ground.pieces.iter().find_map(|piece| too_steep(piece, tool))?;
+    Some(Unsuited::TooSteep { z: Half::ZERO - piece.from.z, angle, limit })
 }
 
 fn same_stretch(stock: &Stock, ground: &MonotoneContour, blank: &MonotoneContour) -> bool {
@@ -122,7 +135,7 @@ fn same_stretch(stock: &Stock, ground: &MonotoneContour, blank: &MonotoneContour
 fn above(ground: &MonotoneContour, blank: &MonotoneContour) -> Option<Half> {
     let standing = InProcessStock::of(blank);
     let over = |piece: &Piece| {
-        standing.cells().iter().find_map(|cell| {
+        standing.over(piece.from.z, piece.to.z).iter().find_map(|cell| {
             let top = clipped(&cell.top, piece.from.z.max(cell.from), piece.to.z.min(cell.to))?;
             let middle = Half::new((top.from.z + top.to.z).halves().div_euclid(2));
             let places = [top.from.z, middle, top.to.z];

@@ -24,8 +24,16 @@ pub fn work(course: &mut ToolpathBuilder<'_>) {
     let shifted = |count: i64| -> Vec<Piece> {
         let by = |size: Half| Half::new(size.halves().saturating_mul(count));
         let place = |point: Point| Point { radius: point.radius + by(step.radius), z: point.z - by(step.z) };
-        let pieces = course.rough().pieces.iter().map(|piece| piece.mapped(false, place)).collect();
-        MonotoneContour { pieces }.stretched(course.rough().from(), course.rough().to()).pieces
+        // What is shifted over the stretch that is worked.
+        let ((from, to), rough) = (course.zone.worked, course.rough());
+        let near = rough.touching(from, to + by(step.z));
+        let pieces = near.iter().map(|piece| piece.mapped(false, place)).collect();
+        let pass = MonotoneContour { pieces };
+        let begins = near.first() == rough.pieces.first();
+        let ends = near.last() == rough.pieces.last();
+        let from = if begins { rough.from() } else { pass.from() };
+        let to = if ends { rough.to() } else { pass.to() };
+        pass.stretched(from, to).pieces
     };
     let count = (1..=MOST).find(|count| course.trimmed(&shifted(*count)).is_empty()).unwrap_or(MOST);
     let passes: Vec<_> = (0..count).rev().map(|count| (count, shifted(count))).collect();
@@ -65,10 +73,17 @@ fn along(course: &ToolpathBuilder<'_>) -> Half {
     if ground.pieces.iter().any(|piece| piece.to.radius < piece.from.radius) {
         return Half::ZERO;
     }
+    let cells = course.zone.whole.cells();
+    let heights: Vec<Half> = cells
+        .iter()
+        .scan(Half::ZERO, |highest, cell| {
+            *highest = cell.top.to.radius.max(cell.top.from.radius).max(*highest);
+            Some(*highest)
+        })
+        .collect();
     let before = |face: &Piece| {
         let middle = Half::new((face.from.radius + face.to.radius).halves() / 2);
-        let cell =
-            course.zone.whole.cells().iter().find(|cell| cell.top.to.radius.max(cell.top.from.radius) > middle)?;
+        let cell = cells.get(heights.partition_point(|highest| *highest <= middle))?;
         let stock = face.from.z - cell.from;
         (cell.from > ground.from()).then_some(stock)
     };

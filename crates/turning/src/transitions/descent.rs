@@ -42,13 +42,15 @@ pub fn slice(point: Point, edge: Half) -> Piece {
 /// the edge.
 fn places(course: &ToolpathBuilder<'_>, edge: Half) -> Vec<Half> {
     let ground = course.rough();
-    let mut places: Vec<Half> = ground.pieces.iter().flat_map(|piece| [piece.from.z, piece.to.z]).collect();
+    let (from, to) = course.zone.worked;
+    let beside = ground.touching(from - edge - edge, to + edge);
+    let mut places: Vec<Half> = beside.iter().flat_map(|piece| [piece.from.z, piece.to.z]).collect();
     places.extend(places.clone().into_iter().map(|z| z + edge));
     places.retain(|z| (ground.from()..=ground.to()).contains(z));
     places.sort();
     places.dedup();
     let mut filled = Vec::new();
-    let mut before = ground.from();
+    let mut before = places.first().copied().unwrap_or(ground.from());
     for place in places {
         let width = place - before;
         let parts = width.parts(edge);

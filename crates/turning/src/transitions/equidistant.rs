@@ -24,22 +24,22 @@ pub type Offset<'o> = &'o dyn Fn(&Contour, Half) -> Option<Contour>;
 /// 3. From there it goes to the start of the next pass (4-5, 4-8).
 ///
 /// The depth is measured square to the contour: radially it is more on cones, and on a face the whole of it.
-pub fn work(course: &mut ToolpathBuilder<'_>, rough: &Contour, offset: Offset<'_>) -> Tried<(), Unsuited> {
+pub fn work(course: &mut ToolpathBuilder<'_>, offset: Offset<'_>) -> Tried<(), Unsuited> {
     let depth = course.settings.depth;
     let mut passes = Vec::new();
     for count in 1..=MOST {
         let distance = Half::new(depth.halves().saturating_mul(count));
-        let Some(beside) = offset(rough, distance) else {
+        let Some(beside) = beside(course, distance, offset) else {
             return Err(Refusal::Not(Unsuited::NoEquidistant { distance }));
         };
-        let beside = MonotoneContour::of(&beside).stretched(course.rough().from(), course.rough().to());
         if course.trimmed(&beside.pieces).is_empty() {
             break;
         }
         passes.push(beside);
     }
     passes.reverse();
-    passes.push(course.rough().clone());
+    let (from, to) = course.zone.worked;
+    passes.push(MonotoneContour { pieces: course.rough().touching(from, to).to_vec() });
     let corner = Point {
         radius: course.zone.held(course.zone.top + course.settings.retract),
         z: course.rough().from() - course.settings.approach,
@@ -59,4 +59,19 @@ pub fn work(course: &mut ToolpathBuilder<'_>, rough: &Contour, offset: Offset<'_
         course.pass(&way, Purpose::Cut, SupportPointRole::ContourEnd);
     }
     Ok(())
+}
+
+/// The equidistant at a distance over the stretch that is worked. No corner of it lies farther from its own than twice the
+/// distance, so what lies farther off is not asked for.
+fn beside(course: &ToolpathBuilder<'_>, distance: Half, offset: Offset<'_>) -> Option<MonotoneContour> {
+    let whole = &course.zone.stock.rough;
+    let ((from, to), far) = (course.zone.worked, distance + distance + Half::from(1.0));
+    let near = whole.near(from - far, to + far);
+    let beside = MonotoneContour::of(&offset(&near, distance)?);
+    // To the ends of the zone only where these are the ends of the contour: elsewhere it goes on otherwise.
+    let begins = near.pieces.first() == whole.pieces.first();
+    let ends = near.pieces.last() == whole.pieces.last();
+    let from = if begins { course.rough().from() } else { beside.from() };
+    let to = if ends { course.rough().to() } else { beside.to() };
+    Some(beside.stretched(from, to))
 }

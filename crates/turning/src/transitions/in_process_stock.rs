@@ -60,7 +60,7 @@ impl InProcessStock {
     /// The greatest radius of the metal where a stretch of it begins or ends between two Z.
     fn walled(&self, from: Half, to: Half) -> Option<Half> {
         let within = |z: Half| from < z && z < to;
-        let radii = self.cells.iter().flat_map(|cell| {
+        let radii = self.over(from, to).iter().flat_map(|cell| {
             let begins = within(cell.from).then(|| radius_on(&cell.top, cell.from));
             begins.into_iter().chain(within(cell.to).then(|| radius_on(&cell.top, cell.to)))
         });
@@ -70,14 +70,14 @@ impl InProcessStock {
     /// The greatest radius between two Z; nothing where no metal is. The sides beyond them do not count.
     pub fn highest(&self, from: Half, to: Half) -> Option<Half> {
         let (from, to) = (from.min(to), from.max(to));
-        let parts = self.cells.iter().filter_map(|cell| self.part(cell, from, to));
+        let parts = self.over(from, to).iter().filter_map(|cell| self.part(cell, from, to));
         parts.flat_map(|part| [part.from.radius, part.to.radius]).max()
     }
 
     /// How far before a Z, at most so far, there is nothing above a radius.
     pub fn room_before(&self, z: Half, radius: Half, most: Half) -> Half {
         let stop = z - most;
-        for cell in self.cells.iter().rev().filter(|cell| cell.from < z && cell.to > stop) {
+        for cell in self.over(stop, z).iter().rev() {
             let Some(part) = self.part(cell, stop, z) else { continue };
             if part.to.radius > radius {
                 return z - part.to.z;
@@ -132,16 +132,15 @@ impl InProcessStock {
                 matches!(part.curve, Curve::Line) || part.from.radius.max(part.to.radius) <= a.min(b)
             }
         };
-        self.cells.iter().all(over)
+        self.over(from.z, to.z).iter().all(over)
     }
 
     /// The most that stands above a ground anywhere; what the rounding of points leaves is none, nor what fills a slot
     /// narrower than that. Where an arc meets something aslant, a bound of it from above.
-    pub fn ridge(&self, ground: &MonotoneContour) -> Half {
+    pub fn ridge(&self, ground: &[Piece]) -> Half {
         let mut most = Half::ZERO;
-        for piece in ground.pieces.iter().filter(|piece| !piece.is_face()) {
-            let first = self.cells.partition_point(|cell| cell.to <= piece.from.z);
-            for cell in self.cells.iter().skip(first).take_while(|cell| cell.from < piece.to.z) {
+        for piece in ground.iter().filter(|piece| !piece.is_face()) {
+            for cell in self.over(piece.from.z, piece.to.z) {
                 let top = self.part(cell, piece.from.z, piece.to.z);
                 let under = off_foot(piece).and_then(|piece| clipped(&piece, cell.from, cell.to));
                 let (Some(top), Some(under)) = (top, under) else { continue };
@@ -160,14 +159,14 @@ impl InProcessStock {
         // The piece of the ground that the last one is a part of.
         let mut of = None;
         for (index, piece) in ground.pieces.iter().enumerate().filter(|(_, piece)| !piece.is_face()) {
-            let first = self.cells.partition_point(|cell| cell.to <= piece.from.z);
-            for cell in self.cells.iter().skip(first).take_while(|cell| cell.from < piece.to.z) {
+            for cell in self.over(piece.from.z, piece.to.z) {
                 let (Some(top), Some(under)) =
                     (self.part(cell, piece.from.z, piece.to.z), clipped(piece, cell.from, cell.to))
                 else {
                     continue;
                 };
-                let clean = (top.to.z - top.from.z).halves() <= ROUNDED || touches(&top, piece);
+                let is_ground = cell.top == *piece;
+                let clean = is_ground || (top.to.z - top.from.z).halves() <= ROUNDED || touches(&top, piece);
                 let (next, source) = if clean { (under, Some(index)) } else { (top, None) };
                 match pieces.last_mut() {
                     Some(last) if source.is_some() && source == of => last.to = next.to,
@@ -184,6 +183,12 @@ impl InProcessStock {
         Contour { side: Side::Outer, pieces }
     }
 
+    /// The cells with a length over a stretch.
+    pub fn over(&self, from: Half, to: Half) -> &[StockSpan] {
+        let (_, ahead) = self.cells.split_at(self.cells.partition_point(|cell| cell.to <= from));
+        ahead.split_at(ahead.partition_point(|cell| cell.from < to)).0
+    }
+
     /// The part of a cell over a stretch, where it has a length.
     fn part(&self, cell: &StockSpan, from: Half, to: Half) -> Option<Piece> {
         clipped(&cell.top, from.max(cell.from), to.min(cell.to))
@@ -192,8 +197,7 @@ impl InProcessStock {
     /// Tells for each stretch under a piece whether metal stands above it, from the free end.
     fn compared(&self, piece: &Piece, mut tell: impl FnMut(Half, Half, bool)) {
         let piece = &if piece.to.z < piece.from.z { piece.reversed() } else { *piece };
-        let first = self.cells.partition_point(|cell| cell.to <= piece.from.z);
-        for cell in self.cells.iter().skip(first).take_while(|cell| cell.from < piece.to.z) {
+        for cell in self.over(piece.from.z, piece.to.z) {
             let (from, to) = (cell.from.max(piece.from.z), cell.to.min(piece.to.z));
             if from < to {
                 compare(&cell.top, piece, from, to, &mut tell);

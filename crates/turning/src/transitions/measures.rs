@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::note::{Figure, Note};
+use crate::turning::contour::Piece;
 use crate::turning::length::Half;
 use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::units::{Minutes, round_to};
@@ -52,10 +53,7 @@ pub fn measure(
         cutting += metal;
         beside += length - metal;
         time += length / rate;
-        standing.lower(&piece);
-        if let (Some(edge), Purpose::Cut) = (edge, purpose) {
-            standing.lower(&descent::slice(piece.to, edge));
-        }
+        cut(&mut standing, &piece, purpose, edge);
     }
     ToolpathMeasures {
         cutting_mm: round_to(cutting, 3),
@@ -67,8 +65,19 @@ pub fn measure(
     }
 }
 
+/// Takes away what a move cuts, and what an edge of a width cuts with it.
+pub(super) fn cut(standing: &mut InProcessStock, piece: &Piece, purpose: Purpose, edge: Option<Half>) {
+    if purpose == Purpose::Rapid {
+        return;
+    }
+    standing.lower(piece);
+    if let (Some(edge), Purpose::Cut) = (edge, purpose) {
+        standing.lower(&descent::slice(piece.to, edge));
+    }
+}
+
 /// How much of a piece goes through metal, mm.
-fn metal(standing: &InProcessStock, piece: &crate::turning::contour::Piece, edge: Option<Half>) -> f64 {
+fn metal(standing: &InProcessStock, piece: &Piece, edge: Option<Half>) -> f64 {
     if piece.from.z != piece.to.z {
         let forth = if piece.to.z < piece.from.z { piece.reversed() } else { *piece };
         let parts = standing.metal(&forth).into_iter().filter_map(|(from, to)| clipped(&forth, from, to));

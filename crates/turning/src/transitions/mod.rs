@@ -5,7 +5,8 @@
 //! [`semi_finishing`], [`equidistant`], [`contour`]. They share [`split`] (the levels), [`straight`] (straight
 //! passes), [`builder`] (a toolpath under construction) over [`monotone`] (the rough contour) and [`in_process_stock`]
 //! (what is left of the blank); [`narrow`] says what is too narrow to count, [`support_points`] names the support
-//! points, [`measures`] measures and compares, [`check`] refuses what cannot be worked.
+//! points, [`measures`] measures and compares, [`check`] refuses what cannot be worked, [`zone`] prepares a zone for all
+//! of this.
 //!
 //! A toolpath is that of the theoretical point of the tool on the rough contour: the corner of the two tangents to its
 //! nose, along the axis and across it. On cylinders and upright faces ahead the true edge cuts the same. Over a
@@ -32,28 +33,25 @@ pub mod split;
 pub mod straight;
 pub mod support_points;
 pub mod zigzag;
+pub mod zone;
 
 use serde::Serialize;
 
-use crate::error::{KnowledgeError, Refusal, Tried};
+use crate::error::{KnowledgeError, Tried};
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Figure, Finding, Note, Severity};
 use crate::tables::turning::passes::TurningSchemes;
 use crate::units::{Degrees, MillimetresPerMinute, Roughness};
 
-use super::contour::{Contour, Side};
+use super::contour::Contour;
 use super::length::Half;
-use super::point::Point;
 use super::toolpath::{Move, Purpose, Toolpath};
 use super::workpiece;
-use builder::ToolpathBuilder;
 use check::Unsuited;
 use equidistant::Offset;
-use in_process_stock::InProcessStock;
 use measures::ToolpathMeasures;
-use monotone::MonotoneContour;
-use split::Split;
 use support_points::SupportPoint;
+pub use zone::PreparedZone;
 
 /// What is to be removed: what stands between two contours over one stretch of Z.
 ///
@@ -218,9 +216,6 @@ pub struct Transition {
     /// The most that is left over the rough contour anywhere, radial; none but by rounding is 0. Where an arc of the
     /// blank is left over a slope, a bound of it from above.
     pub ridges_mm: Half,
-    /// The surface of what stands after it: the rough contour with its ridges. The blank of a work that goes deeper.
-    #[serde(skip)]
-    pub left: Contour,
     /// Whether what is left for finishing is even: no ridges.
     pub uniform: bool,
     /// Its lengths, its time and its passes.
@@ -229,46 +224,12 @@ pub struct Transition {
     pub because: Because,
 }
 
-/// A zone prepared for work: as an outer contour, in pieces that only rise or only fall.
-#[derive(Clone, Debug)]
-pub struct PreparedZone {
-    /// The rough contour.
-    pub rough: MonotoneContour,
-    /// The blank.
-    pub blank: MonotoneContour,
-    /// The whole blank, before any work.
-    pub whole: InProcessStock,
-    /// The highest radius of the blank.
-    pub top: Half,
-    /// The radius above which the tool cannot go: in a bore, inside out, the axis.
-    pub ceiling: Option<Half>,
-}
-
-impl PreparedZone {
-    fn of(stock: &Stock, ceiling: Option<Half>) -> Self {
-        let (ground, blank) = (MonotoneContour::of(&stock.rough), MonotoneContour::of(&stock.blank));
-        let whole = InProcessStock::of(&blank);
-        let top = blank.highest(blank.from(), blank.to()).unwrap_or_default();
-        Self { rough: ground, blank, whole, top, ceiling }
-    }
-
-    /// A radius, or the highest where the tool can be.
-    pub fn held(&self, radius: Half) -> Half {
-        self.ceiling.map_or(radius, |ceiling| radius.min(ceiling))
-    }
-
-    /// Off the corner of the blank by the approach.
-    pub fn home(&self, settings: &Settings) -> Point {
-        Point { radius: self.held(self.top + settings.approach), z: self.rough.from() - settings.approach }
-    }
-}
-
 /// Makes the way of a scheme over a zone, outer or inner. `offset` makes the equidistant contours of the scheme of that
-/// name; the others do not ask it.
+/// name; the others do not ask it. Several schemes over one zone have the same [`PreparedZone`].
 ///
 /// # Errors
-/// The zone, the tool or the settings do not suit ([`check::check`]), an equidistant cannot be made, or the knowledge base
-/// lacks the scheme.
+/// The zone, the tool or the settings do not suit ([`check`]), an equidistant cannot be made, or the knowledge base lacks
+/// the scheme.
 pub fn work(
     stock: &Stock,
     tool: &Tool,
@@ -277,60 +238,7 @@ pub fn work(
     offset: Offset<'_>,
     knowledge: &Knowledge,
 ) -> Tried<Transition, Unsuited> {
-    if stock.rough.side == Side::Outer {
-        return outer(stock, tool, settings, scheme, offset, knowledge, None);
-    }
-    let Some((_, top)) = stock.rough.radii() else {
-        return Err(Refusal::Not(Unsuited::NotMonotone { contour: "rough" }));
-    };
-    let inside_out = Stock { rough: stock.rough.inside_out(top), blank: stock.blank.inside_out(top), ..*stock };
-    let back = |contour: &Contour, distance: Half| Some(offset(&contour.inside_out(top), distance)?.inside_out(top));
-    let found = outer(&inside_out, tool, settings, scheme, &back, knowledge, Some(top))?;
-    let way = way_inside_out(&found.way, top);
-    let roles: Vec<_> = found.points.iter().map(|point| point.role).collect();
-    let left = found.left.inside_out(top);
-    Ok(Transition { points: support_points::points(&way, &roles), way, left, ..found })
-}
-
-fn outer(
-    stock: &Stock,
-    tool: &Tool,
-    settings: &Settings,
-    scheme: Scheme,
-    offset: Offset<'_>,
-    knowledge: &Knowledge,
-    ceiling: Option<Half>,
-) -> Tried<Transition, Unsuited> {
-    let row = scheme.told(knowledge)?.row;
-    let zone = PreparedZone::of(stock, ceiling);
-    check::check(stock, &zone.rough, &zone.blank, tool, settings, scheme)?;
-    let split = || Split::with_depth(&zone.rough, &zone.blank, settings.depth);
-    let mut course = ToolpathBuilder::new(&zone, settings);
-    match scheme {
-        Scheme::Loop => looped::work(&mut course, &split()),
-        Scheme::LoopAgainstStop => looped::work(&mut course, &split().against_stops(&zone.rough)),
-        Scheme::Zigzag => zigzag::work(&mut course, &split()),
-        Scheme::Descent => descent::work(&mut course),
-        Scheme::PickUp => pick_up::work(&mut course, &split(), tool.nose_radius),
-        Scheme::SemiFinishing => semi_finishing::work(&mut course, &split()),
-        Scheme::Equidistant => equidistant::work(&mut course, &stock.rough, offset)?,
-        Scheme::Contour => contour::work(&mut course),
-    }
-    let course = course.home();
-    let edge = (scheme == Scheme::Descent).then_some(settings.depth);
-    let ridges_mm = course.stock.ridge(&zone.rough);
-    let note = Note::new(format!("transition-{}", scheme.name()));
-    Ok(Transition {
-        scheme,
-        points: support_points::points(&course.path, &course.roles),
-        edge,
-        ridges_mm,
-        left: course.stock.surface(&zone.rough),
-        uniform: ridges_mm == Half::ZERO,
-        measures: measures::measure(&course.path, &zone, &settings.feeds, course.passes, edge),
-        because: Because::row(row, note),
-        way: course.path,
-    })
+    PreparedZone::of(stock, tool, settings)?.transition(scheme, offset, knowledge)
 }
 
 /// A way inside out: that over a bore, and back.

@@ -1,6 +1,6 @@
 //! Monotone contours: pieces that only rise or only fall, so that each crosses a horizontal once.
 
-use crate::turning::contour::{Contour, Curve, Piece};
+use crate::turning::contour::{Contour, Curve, Piece, touching};
 use crate::turning::length::Half;
 use crate::turning::point::{Point, Vector};
 
@@ -83,7 +83,7 @@ impl MonotoneContour {
     /// face at its beginning is in it where it falls, one at its end where it rises.
     pub fn clamped(&self, low: Half, high: Half, from: Half, to: Half) -> Vec<Piece> {
         let mut way: Vec<Piece> = Vec::new();
-        for piece in &self.pieces {
+        for piece in self.touching(from, to) {
             let part = if piece.is_face() {
                 let rises = piece.to.radius > piece.from.radius;
                 let z = piece.from.z;
@@ -112,9 +112,10 @@ impl MonotoneContour {
     pub fn flank(&self, foot: Point) -> Vec<Piece> {
         let falls = |piece: &&Piece| piece.from.radius > piece.to.radius;
         // A piece that ends there goes before one that passes there but for rounding.
-        let ends = self.pieces.iter().rposition(|piece| falls(&piece) && piece.to == foot);
-        let passes = || self.pieces.iter().rposition(|piece| falls(&piece) && lies_on(piece, foot));
-        let Some(last) = ends.or_else(passes) else { return Vec::new() };
+        let beside = self.touching(foot.z, foot.z);
+        let ends = beside.iter().rposition(|piece| falls(&piece) && piece.to == foot);
+        let passes = || beside.iter().rposition(|piece| falls(&piece) && lies_on(piece, foot));
+        let Some(last) = ends.or_else(passes).map(|last| last + self.before(foot.z)) else { return Vec::new() };
         let above = self.pieces.iter().take(last).rev().take_while(falls);
         let mut flank: Vec<Piece> = above.copied().collect();
         flank.reverse();
@@ -125,8 +126,8 @@ impl MonotoneContour {
     }
 
     /// What of the contour follows a point of it; after a point of a face first the rest of the face.
-    pub fn beyond(&self, point: Point) -> Vec<Piece> {
-        let rest = |piece: &Piece| {
+    pub fn beyond(&self, point: Point) -> impl Iterator<Item = Piece> + '_ {
+        let rest = move |piece: &Piece| {
             if piece.is_face() {
                 let rises = piece.to.radius > piece.from.radius;
                 let ahead = if rises { piece.to.radius > point.radius } else { piece.to.radius < point.radius };
@@ -138,20 +139,22 @@ impl MonotoneContour {
             }
             clipped(piece, point.z, self.to())
         };
-        let mut rest: Vec<Piece> = self.pieces.iter().filter_map(rest).collect();
+        let mut rest = self.pieces.iter().skip(self.before(point.z)).filter_map(rest);
+        let mut begins: Vec<Piece> = rest.next().into_iter().collect();
         // On a steep stretch the radius at the Z of the point, rounded, is not quite its own: the stretch begins at the
         // point, or an upright line leads to it where the point lies before its beginning.
-        if let Some(first) = rest.first().copied().filter(|first| !first.is_face() && first.from.z == point.z) {
-            let own_start = self.pieces.iter().any(|piece| piece.from == first.from && piece.to == first.to);
+        if let Some(first) = begins.first().copied().filter(|first| !first.is_face() && first.from.z == point.z) {
+            let own_start =
+                self.touching(point.z, point.z).iter().any(|piece| piece.from == first.from && piece.to == first.to);
             let rises = first.to.radius >= first.from.radius;
             let before = if rises { point.radius < first.from.radius } else { point.radius > first.from.radius };
             if own_start && before {
-                rest.insert(0, Piece::line(point, first.from));
-            } else if let Some(first) = rest.first_mut() {
+                begins.insert(0, Piece::line(point, first.from));
+            } else if let Some(first) = begins.first_mut() {
                 first.from = point;
             }
         }
-        rest
+        begins.into_iter().chain(rest)
     }
 
     /// How far the contour goes on from a point without falling, mm.
@@ -191,12 +194,23 @@ impl MonotoneContour {
 
     /// Whether a point lies on the contour, to the rounding of its points.
     pub fn holds(&self, point: Point) -> bool {
-        self.pieces.iter().any(|piece| lies_on(piece, point))
+        self.touching(point.z, point.z).iter().any(|piece| lies_on(piece, point))
     }
 
     /// Its pieces with a length over a stretch, cut off at its ends.
     fn over(&self, from: Half, to: Half) -> impl Iterator<Item = Piece> + '_ {
-        self.pieces.iter().filter(|piece| !piece.is_face()).filter_map(move |piece| clipped(piece, from, to))
+        let beside = self.touching(from, to).iter();
+        beside.filter(|piece| !piece.is_face()).filter_map(move |piece| clipped(piece, from, to))
+    }
+
+    /// How many pieces end before a Z. They do not lead back, so they are in the order of Z.
+    fn before(&self, z: Half) -> usize {
+        self.pieces.partition_point(|piece| piece.to.z < z)
+    }
+
+    /// The pieces with a point in a stretch, its ends included.
+    pub fn touching(&self, from: Half, to: Half) -> &[Piece] {
+        touching(&self.pieces, from, to)
     }
 }
 

@@ -24,9 +24,10 @@ pub fn work(course: &mut ToolpathBuilder<'_>, split: &Split) {
     }
     let Some(end) = worked_to(course) else { return };
     let here = course.here();
+    let (from, to) = course.zone.worked;
     let ridge = course
         .rough()
-        .pieces
+        .touching(from, to)
         .iter()
         .filter(|piece| !piece.is_face())
         .find_map(|piece| course.stock.metal(piece).first().map(|(from, _)| (*piece, *from)));
@@ -53,27 +54,29 @@ pub fn work(course: &mut ToolpathBuilder<'_>, split: &Split) {
 
 /// Z of the end of the stock that stood over the contour.
 fn worked_to(course: &ToolpathBuilder<'_>) -> Option<Half> {
-    let pieces = course.rough().pieces.iter().rev().filter(|piece| !piece.is_face());
+    let (from, to) = course.zone.worked;
+    let pieces = course.rough().touching(from, to).iter().rev().filter(|piece| !piece.is_face());
     pieces.filter_map(|piece| course.zone.whole.metal(piece).last().map(|(_, to)| *to)).next()
 }
 
 /// A way up to a Z, with the face there as far up as the blank was.
-fn held(course: &ToolpathBuilder<'_>, way: Vec<Piece>, end: Half) -> Vec<Piece> {
-    let part = |piece: &Piece| {
+fn held(course: &ToolpathBuilder<'_>, way: impl Iterator<Item = Piece>, end: Half) -> Vec<Piece> {
+    let part = |piece: Piece| {
         if !piece.is_face() {
-            return clipped(piece, Half::new(i64::MIN), end);
+            return clipped(&piece, Half::new(i64::MIN), end);
         }
         let blank = course.zone.whole.sides(piece.from.z).0.unwrap_or(piece.to.radius);
         let top = if piece.from.z == end { piece.to.radius.min(blank) } else { piece.to.radius };
         let kept = piece.from.z < end || piece.from.z == end && top > piece.from.radius;
         kept.then(|| piece.between(piece.from, Point { radius: top, z: piece.from.z }))
     };
-    way.iter().filter_map(part).collect()
+    way.take_while(|piece| piece.from.z <= end).filter_map(part).collect()
 }
 
 /// A way with a support point wherever a straight pass ended on it, as fig. 12.4 b counts them (10, 6, 2).
 fn parted(course: &ToolpathBuilder<'_>, way: &[Piece]) -> Vec<Piece> {
-    let ends: Vec<Point> = course.ends().collect();
+    let mut ends: Vec<Point> = course.ends().collect();
+    ends.sort_by_key(|end| end.z);
     let mut parts = Vec::new();
     for piece in way {
         let on = |end: &&Point| {
@@ -85,7 +88,8 @@ fn parted(course: &ToolpathBuilder<'_>, way: &[Piece]) -> Vec<Piece> {
             };
             beside && **end != piece.from && **end != piece.to
         };
-        let mut cuts: Vec<Point> = ends.iter().filter(on).copied().collect();
+        let (_, beside) = ends.split_at(ends.partition_point(|end| end.z < piece.from.z));
+        let mut cuts: Vec<Point> = beside.iter().take_while(|end| end.z <= piece.to.z).filter(on).copied().collect();
         cuts.sort_by_key(|cut| {
             (cut.z, if piece.to.radius >= piece.from.radius { cut.radius } else { Half::ZERO - cut.radius })
         });

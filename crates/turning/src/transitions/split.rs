@@ -10,6 +10,8 @@
 //! together. A cone or an arc counts with its deepest point, and a blank that is not a cylinder with its highest, so the
 //! true depth of a pass is nowhere above t_p.
 
+use std::collections::BTreeSet;
+
 use serde::Serialize;
 
 use crate::turning::contour::Contour;
@@ -83,13 +85,23 @@ impl Split {
         Self::levelled(sections(ground, blank, depth), depth)
     }
 
+    /// The same levels over a part of the zone.
+    #[must_use]
+    pub(super) fn within(mut self, (from, to): (Half, Half)) -> Self {
+        for section in &mut self.sections {
+            (section.from, section.to) = (section.from.max(from), section.to.min(to));
+        }
+        self.sections.retain(|section| section.from < section.to);
+        self
+    }
+
     /// The same sections with levels that begin anew at each cylinder of the rough contour, so that each is reached.
     #[must_use]
     pub(super) fn against_stops(mut self, ground: &MonotoneContour) -> Self {
         for section in &mut self.sections {
             let radii = ground.pieces.iter().filter(|piece| piece.is_cylinder()).map(|piece| piece.from.radius);
-            let within =
-                |radius: &Half| *radius < section.top && section.stands.iter().any(|one| one.deepest == *radius);
+            let deepest: BTreeSet<Half> = section.stands.iter().map(|one| one.deepest).collect();
+            let within = |radius: &Half| *radius < section.top && deepest.contains(radius);
             let mut stops: Vec<Half> = radii.filter(within).collect();
             stops.sort();
             stops.dedup();
@@ -179,7 +191,7 @@ fn stands(ground: &MonotoneContour, section: &Section, limit: Half) -> Vec<Piece
         let stand = PieceStock { from: part.from.z, to: part.to.z, deepest, stock, passes, mean };
         (stock > Half::ZERO).then_some(stand)
     };
-    ground.pieces.iter().filter(|piece| !piece.is_face()).filter_map(of).collect()
+    ground.touching(section.from, section.to).iter().filter(|piece| !piece.is_face()).filter_map(of).collect()
 }
 
 #[cfg(test)]

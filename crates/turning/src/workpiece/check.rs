@@ -8,7 +8,7 @@ use crate::turning::length::Half;
 use crate::turning::reading::Reader;
 
 use super::Blank;
-use super::cross::{Chain, crossing, flat};
+use super::cross::{Chain, along, crossing, flat};
 use super::walk::Walked;
 
 /// What lies within a micrometre of a limit is on it: points of arcs are rounded.
@@ -74,9 +74,13 @@ pub(super) fn walls(outer: &Walked, inner: &Walked, reader: &mut Reader<'_>) {
         .iter()
         .flat_map(|(surface, _)| surface.pieces.iter().map(move |piece| (surface, Chain::of(*piece))))
         .collect();
+    let contour = along(outers.iter().map(|(_, chain)| chain));
     for (surface, place) in &inner.surfaces {
         let chains = surface.pieces.iter().map(|piece| Chain::of(*piece));
-        let meets = |chain: &Chain| outers.iter().find(|(_, other)| chain.meets(other)).map(|(other, _)| *other);
+        let meets = |chain: &Chain| {
+            let near = outers.get(chain.touching(&contour)).unwrap_or_default();
+            near.iter().find(|(_, other)| chain.meets(other)).map(|(other, _)| *other)
+        };
         if let Some(other) = chains.into_iter().find_map(|chain| meets(&chain)) {
             reader.fault::<()>("no-wall", &[("surface", &surface.name), ("other", &other.name)], place);
             return;
@@ -145,6 +149,8 @@ fn outside(surface: &Surface, blank: &Contour) -> Option<(Half, Half, Half)> {
         let (least, most) = found.unwrap_or((point.z, point.z));
         Some((point.z.min(least), point.z.max(most)))
     })?;
+    // An arc may swing out by its rounding.
+    let blank = blank.near(least - SLACK, most + SLACK);
     let pieces = part.pieces.iter().chain(&blank.pieces);
     let mut places: Vec<Half> = pieces.flat_map(|piece| flat(*piece)).map(|point| point.z).collect();
     places.retain(|z| (least..=most).contains(z));

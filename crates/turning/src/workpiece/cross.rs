@@ -1,6 +1,8 @@
 //! Whether contours meet: arcs are taken as chains of chords that lie within half a micrometre of them.
 
-use crate::turning::contour::{Curve, Piece};
+use std::ops::Range;
+
+use crate::turning::contour::{Curve, Piece, Stretches};
 use crate::turning::length::Half;
 use crate::turning::point::{Point, Vector};
 
@@ -89,9 +91,20 @@ impl Chain {
         })
     }
 
+    /// Which of the chains along a contour may meet this one, in their order.
+    pub fn touching(&self, contour: &Stretches) -> Range<usize> {
+        self.room.map_or(0..0, |(low, high)| contour.touching(low.z, high.z))
+    }
+
     fn ends(&self) -> [Option<Point>; 2] {
         [self.points.first().copied(), self.points.last().copied()]
     }
+}
+
+/// Where the chains along a contour lie.
+pub(super) fn along<'c>(chains: impl IntoIterator<Item = &'c Chain>) -> Stretches {
+    let stretch = |chain: &Chain| chain.room.map_or_else(Default::default, |(low, high)| (low.z, high.z));
+    Stretches::new(&chains.into_iter().map(stretch).collect::<Vec<_>>())
 }
 
 /// Twice the area of a triangle: positive where the third point lies to the left.
@@ -124,9 +137,10 @@ fn cross(one: (Point, Point), two: (Point, Point)) -> bool {
 /// The first pair of pieces, by their places, that meet beyond the ends they share.
 pub(super) fn crossing(pieces: &[Piece]) -> Option<(usize, usize)> {
     let chains: Vec<Chain> = pieces.iter().map(|piece| Chain::of(*piece)).collect();
-    (0..chains.len()).flat_map(|one| (0..one).map(move |two| (two, one))).find(|(two, one)| {
-        let (Some(a), Some(b)) = (chains.get(*two), chains.get(*one)) else { return false };
-        a.meets(b)
+    let along = along(&chains);
+    chains.iter().enumerate().find_map(|(one, chain)| {
+        let near = chain.touching(&along).take_while(|two| *two < one);
+        near.map(|two| (two, one)).find(|(two, _)| chains.get(*two).is_some_and(|other| other.meets(chain)))
     })
 }
 

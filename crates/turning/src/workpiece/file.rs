@@ -57,10 +57,10 @@ forms! {
         /// Whether and when it is heat-treated; not unless said.
         pub heat_treatment: Option<HeatTreatment>,
         /// Its outside from the axis, or from the bore, at the free end towards the chuck.
-        #[schemars(length(min = 2))]
+        #[schemars(length(min = 2, max = 2000))]
         pub outer: Vec<ItemFile>,
         /// Its bore from the free end.
-        #[schemars(length(min = 2))]
+        #[schemars(length(min = 2, max = 2000))]
         pub inner: Option<Vec<ItemFile>>,
         /// How roughing is bounded.
         pub roughing: Option<ContourRoughing>,
@@ -88,10 +88,10 @@ forms! {
         #[schemars(length(min = 1))]
         pub steps: Option<Vec<Step>>,
         /// Of a forging or casting: its outside; it may begin before the finished face, at Z above 0.
-        #[schemars(length(min = 2))]
+        #[schemars(length(min = 2, max = 2000))]
         pub outer: Option<Vec<ItemFile>>,
         /// Of a forging or casting: its bore.
-        #[schemars(length(min = 2))]
+        #[schemars(length(min = 2, max = 2000))]
         pub inner: Option<Vec<ItemFile>>,
     }
 
@@ -165,6 +165,7 @@ pub enum MethodFile {
 #[cfg(test)]
 mod tests {
     use super::super::groove::GrooveForm;
+    use super::super::items::MOST_ITEMS;
     use super::*;
     use crate::knowledge::Word;
     use std::path::Path;
@@ -179,6 +180,14 @@ mod tests {
         }
         let kept = std::fs::read_to_string(&path).unwrap_or_default();
         assert!(kept == generated, "docs/shaft.schema.json is old: run `UPDATE_SCHEMA=1 cargo test schema`");
+    }
+
+    #[test]
+    fn schema_and_reader_have_the_same_bound() {
+        let most = |path: &str| schema().as_value().pointer(path).and_then(|most| most.as_u64());
+        for name in ["WorkpieceFile/properties/outer", "WorkpieceFile/properties/inner", "BlankFile/properties/outer"] {
+            assert_eq!(most(&format!("/$defs/{name}/maxItems")), Some(MOST_ITEMS as u64), "{name}");
+        }
     }
 
     #[test]

@@ -16,6 +16,10 @@ use super::item_file::{
 };
 use super::thread::{self, Named};
 
+/// The most items of a contour: each closed part is planned with the whole contour beside it, so that time, memory and
+/// the answer grow with the square of their number. Of so many items that is seconds and some hundred megabytes.
+pub const MOST_ITEMS: usize = 2000;
+
 /// Whose contour is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Whose {
@@ -121,6 +125,14 @@ impl Reader<'_> {
         let Some(nodes) = self.problems.list(node) else { return Vec::new() };
         if nodes.len() < 2 {
             self.fault::<()>("no-items", &[], &node.place);
+        }
+        if let Some(first_too_many) = nodes.get(MOST_ITEMS) {
+            self.fault::<()>(
+                "too-many-items",
+                &[("count", &nodes.len()), ("most", &MOST_ITEMS)],
+                &first_too_many.place,
+            );
+            return Vec::new();
         }
         nodes.iter().map(|node| self.item(node, side, whose)).collect()
     }

@@ -190,6 +190,7 @@ fn divided(bits: &[Piece], z: Half) -> (Vec<Piece>, Vec<Piece>) {
 /// Whether the blank stands over the contour anywhere in a part: beside the corners of both, and between.
 fn has_stock(draft: &PartDraft, rough: &Contour, blank: &Contour) -> bool {
     let (from, to) = (draft.start_z(), draft.end_z());
+    let (rough, blank) = (rough.near(from, to), blank.near(from, to));
     let corners = rough.corners().into_iter().chain(blank.corners()).map(|corner| corner.z);
     let mut places: Vec<Half> = corners.filter(|z| (from..=to).contains(z)).collect();
     places.sort_unstable();
@@ -254,6 +255,7 @@ fn bounds(draft: &PartDraft, surface: Half) -> Bounds {
 /// The greatest radius of the blank between two Z, without the faces at the ends.
 fn surface(blank: &Contour, from: Half, to: Half) -> Half {
     let inside = |z: Half| from < z && z < to;
+    let blank = blank.near(from, to);
     let corners = blank.pieces.iter().flat_map(|piece| piece.extremes()).filter(|at| inside(at.z)).map(|at| at.radius);
     let near = [from + Half::new(1), to - Half::new(1)];
     let ends = near.into_iter().filter_map(|z| blank.radii_at(z)).map(|(_, most)| most);

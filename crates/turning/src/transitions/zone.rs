@@ -1,0 +1,142 @@
+//! A zone prepared for the schemes: checked, as an outer contour, in pieces that only rise or only fall.
+
+use crate::error::{Refusal, Tried};
+use crate::knowledge::Knowledge;
+use crate::note::{Because, Note};
+use crate::turning::contour::{Contour, Side};
+use crate::turning::length::Half;
+use crate::turning::point::Point;
+
+use super::builder::ToolpathBuilder;
+use super::check::{self, Unsuited};
+use super::equidistant::Offset;
+use super::in_process_stock::InProcessStock;
+use super::monotone::MonotoneContour;
+use super::split::Split;
+use super::{Scheme, Settings, Stock, Tool, Transition};
+use super::{
+    contour, descent, equidistant, looped, measures, pick_up, semi_finishing, support_points, way_inside_out, zigzag,
+};
+
+/// A zone prepared for work.
+#[derive(Clone, Debug)]
+pub struct PreparedZone {
+    /// The rough contour.
+    pub rough: MonotoneContour,
+    /// The blank.
+    pub blank: MonotoneContour,
+    /// The whole blank, before any work.
+    pub whole: InProcessStock,
+    /// The highest radius of the blank.
+    pub top: Half,
+    /// The radius above which the tool cannot go: in a bore, inside out, the axis.
+    pub ceiling: Option<Half>,
+    /// Beyond this stretch the blank is the rough contour itself, piece by piece: nothing is cut there.
+    pub worked: (Half, Half),
+    /// Both contours as they came, as outer ones.
+    pub stock: Stock,
+    /// Why passes along the contour are not possible with this tool.
+    pub(super) steep: Option<Unsuited>,
+    nose_radius: Half,
+    settings: Settings,
+    levels: Split,
+}
+
+impl PreparedZone {
+    /// A zone, outer or inner, for a tool and how it goes.
+    ///
+    /// # Errors
+    /// No scheme can work it ([`check::zone`]).
+    pub fn of(stock: &Stock, tool: &Tool, settings: &Settings) -> Tried<Self, Unsuited> {
+        let (stock, ceiling) = if stock.rough.side == Side::Outer {
+            (stock.clone(), None)
+        } else {
+            let Some((_, top)) = stock.rough.radii() else {
+                return Err(Refusal::Not(Unsuited::NotMonotone { contour: "rough" }));
+            };
+            (Stock { rough: stock.rough.inside_out(top), blank: stock.blank.inside_out(top), ..*stock }, Some(top))
+        };
+        let (rough, blank) = (MonotoneContour::of(&stock.rough), MonotoneContour::of(&stock.blank));
+        check::zone(&stock, &rough, &blank, settings)?;
+        let worked = worked(&rough, &blank);
+        let whole = InProcessStock::of(&blank);
+        let top = blank.highest(blank.from(), blank.to()).unwrap_or_default();
+        let levels = Split::with_depth(&rough, &blank, settings.depth).within(worked);
+        let (steep, nose_radius, settings) = (check::steep(&rough, tool), tool.nose_radius, *settings);
+        Ok(Self { rough, blank, whole, top, ceiling, worked, stock, steep, nose_radius, settings, levels })
+    }
+
+    /// A radius, or the highest where the tool can be.
+    pub fn held(&self, radius: Half) -> Half {
+        self.ceiling.map_or(radius, |ceiling| radius.min(ceiling))
+    }
+
+    /// Off the corner of the blank by the approach.
+    pub fn home(&self, settings: &Settings) -> Point {
+        Point { radius: self.held(self.top + settings.approach), z: self.rough.from() - settings.approach }
+    }
+
+    /// The zone cleared by a scheme. `offset` makes the equidistant contours of the scheme of that name.
+    ///
+    /// # Errors
+    /// The scheme does not suit ([`check::scheme`]), an equidistant cannot be made, or the knowledge base lacks the scheme.
+    pub fn transition(&self, scheme: Scheme, offset: Offset<'_>, knowledge: &Knowledge) -> Tried<Transition, Unsuited> {
+        let row = scheme.told(knowledge)?.row;
+        check::scheme(self, &self.settings, scheme)?;
+        let mut course = ToolpathBuilder::new(self, &self.settings);
+        match scheme {
+            Scheme::Loop => looped::work(&mut course, &self.levels),
+            Scheme::LoopAgainstStop => looped::work(&mut course, &self.levels.clone().against_stops(&self.rough)),
+            Scheme::Zigzag => zigzag::work(&mut course, &self.levels),
+            Scheme::Descent => descent::work(&mut course),
+            Scheme::PickUp => pick_up::work(&mut course, &self.levels, self.nose_radius),
+            Scheme::SemiFinishing => semi_finishing::work(&mut course, &self.levels),
+            Scheme::Equidistant => {
+                let outer = |contour: &Contour, distance: Half| match self.ceiling {
+                    None => offset(contour, distance),
+                    Some(top) => Some(offset(&contour.inside_out(top), distance)?.inside_out(top)),
+                };
+                equidistant::work(&mut course, &outer)?;
+            }
+            Scheme::Contour => contour::work(&mut course),
+        }
+        let course = course.home();
+        let edge = (scheme == Scheme::Descent).then_some(self.settings.depth);
+        let ridges_mm = course.stock.ridge(self.rough.touching(self.worked.0, self.worked.1));
+        let measures = measures::measure(&course.path, self, &self.settings.feeds, course.passes, edge);
+        let way = self.ceiling.map_or(course.path.clone(), |top| way_inside_out(&course.path, top));
+        Ok(Transition {
+            scheme,
+            points: support_points::points(&way, &course.roles),
+            edge,
+            ridges_mm,
+            uniform: ridges_mm == Half::ZERO,
+            measures,
+            because: Because::row(row, Note::new(format!("transition-{}", scheme.name()))),
+            way,
+        })
+    }
+
+    /// The surface of what stands after a transition: the rough contour with its ridges. The blank of a work that goes
+    /// deeper.
+    pub fn left(&self, transition: &Transition) -> Contour {
+        let mut stock = self.whole.clone();
+        let way = self.ceiling.map_or(transition.way.clone(), |top| way_inside_out(&transition.way, top));
+        for (piece, purpose) in way.pieces() {
+            measures::cut(&mut stock, &piece, purpose, transition.edge);
+        }
+        let left = stock.surface(&self.rough);
+        self.ceiling.map_or(left.clone(), |top| left.inside_out(top))
+    }
+}
+
+/// The stretch between the pieces that two contours have in common at both ends.
+fn worked(rough: &MonotoneContour, blank: &MonotoneContour) -> (Half, Half) {
+    let same = |(one, other): &(&_, &_)| one == other;
+    let before = rough.pieces.iter().zip(&blank.pieces).take_while(same).count();
+    let behind = rough.pieces.iter().rev().zip(blank.pieces.iter().rev()).take_while(same).count();
+    let from = rough.pieces.get(before).map_or(rough.to(), |piece| piece.from.z);
+    let last = rough.pieces.len().checked_sub(behind + 1).and_then(|last| rough.pieces.get(last));
+    let to = last.map_or(rough.from(), |piece| piece.to.z);
+    (from, to.max(from))
+}
