@@ -86,7 +86,7 @@ mod tests {
             (&["technolog", "frob"], "помилка: невідома команда `frob`"),
             (
                 &["technolog", "turn", "x", "--objectiv"],
-                "помилка: невідомий аргумент `--objectiv`\n  підказка: схоже є: --objective",
+                "помилка: невідомий аргумент `--objectiv`\n  підказка: можливо, --objective",
             ),
             (
                 &["technolog", "turn", "x", "--objective", "foo"],

@@ -60,6 +60,7 @@ pub fn programs_list(programs: &[OperationProgram], lang: Lang) -> String {
             number = index + 1,
             set_up = program.set_up,
             side = word(program.side.name()),
+            count = program.zones.len(),
             zones = Figure::list(program.zones.iter().map(|zone| Figure::number(zone.to_string()))),
             tool = &program.tool
         );

@@ -126,7 +126,10 @@ turn-total-of = { $count } rough { $count ->
        *[other] transitions
     }: cutting path { $cutting } mm, time { $time } min.
 # The programs of an operation.
-turn-program = { $number }: set-up { $set_up }, { $side }, zones { $zones }, { $tool }
+turn-program = { $number }: set-up { $set_up }, { $side }, { $count ->
+        [one] zone
+       *[other] zones
+    } { $zones }, { $tool }
 turn-program-not-written = { $program }: { $why }
 turn-no-such-program = there is no program of this number
 turn-tool-not-written = { $tool }: { $why }

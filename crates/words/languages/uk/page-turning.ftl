@@ -129,7 +129,11 @@ turn-total-of = { $count } { $count ->
        *[many] чорнових переходів
     }: шлях різання { $cutting } мм, час { $time } хв.
 # The programs of an operation.
-turn-program = { $number }: установ { $set_up }, { $side }, зона { $zones }, { $tool }
+turn-program = { $number }: установ { $set_up }, { $side }, { $count ->
+        [one] зона
+        [few] зони
+       *[many] зони
+    } { $zones }, { $tool }
 turn-program-not-written = { $program }: { $why }
 turn-no-such-program = немає програми з таким номером
 turn-tool-not-written = { $tool }: { $why }
