@@ -47,6 +47,7 @@ travel = недобіг { $approach } мм, перебіг { $overrun } мм
 # Of any row.
 unconfirmed = не підтверджено: { $table }, рядок { $row }: { $why }
 names-look-alike = { $count } { $count ->
+        [one] групу
         [few] групи
        *[many] груп
     } названо { $name }: літери на вигляд однакові, але одні латинські, інші кириличні; пишіть назви однією абеткою
