@@ -8,12 +8,14 @@
 mod exact;
 mod local;
 mod neighbours;
+mod places;
 mod rows;
 mod search;
 
 use crate::part::Point;
 
 use super::metric::Metric;
+use places::{Bounds, Places, Quest};
 
 pub use exact::EXACT_POINTS;
 
@@ -140,15 +142,47 @@ pub(super) fn near_edges(space: &Space<'_>, mut edge: impl FnMut(usize, usize)) 
 /// The book's own rule (textbook Appendix Г): from each point to the nearest not yet visited, in straight
 /// distance; among equals the first of the list. It begins at point 0.
 pub fn nearest_rule(space: &Space<'_>) -> Path {
-    let points = space.points;
-    let mut left: Vec<usize> = (1..points.len()).collect();
-    let mut order: Vec<usize> = (0..points.len().min(1)).collect();
-    let mut here = 0;
-    while let Some(next) = (0..left.len()).min_by_key(|&at| (Metric::Euclid.cost(points[here], points[left[at]]), at)) {
-        here = left.remove(next);
+    let places = Places::of(space.points);
+    let boxes = places.boxes();
+    let mut left: Vec<u32> = vec![0; space.points.len()];
+    boxes.iter().flatten().for_each(|&number| left[number as usize] += 1);
+    let mut order = Vec::with_capacity(space.points.len());
+    let mut visited = vec![false; space.points.len()];
+    let mut next = (!space.points.is_empty()).then_some(0);
+    while let Some(here) = next {
+        visited[here] = true;
+        boxes[here].iter().for_each(|&number| left[number as usize] -= 1);
         order.push(here);
+        let mut nearest = Nearest { points: space.points, here, left: &left, visited: &visited, found: None };
+        places.seek(&mut nearest);
+        next = nearest.found.map(|(_, point)| point);
     }
     Path { cost: space.length(&order), order, optimal: false }
+}
+
+/// The quest for the nearest point that was not visited, with the distance.
+struct Nearest<'s> {
+    points: &'s [Point],
+    here: usize,
+    /// How many points of each box were not visited.
+    left: &'s [u32],
+    visited: &'s [bool],
+    found: Option<(i64, usize)>,
+}
+
+impl Quest for Nearest<'_> {
+    fn least(&self, number: usize, bounds: &Bounds) -> Option<i64> {
+        let here = self.points[self.here];
+        let cost = Metric::Euclid.cost(here, bounds.nearest(here));
+        (self.left[number] > 0 && self.found.is_none_or(|(found, _)| cost <= found)).then_some(cost)
+    }
+
+    fn meet(&mut self, point: usize) {
+        let cost = Metric::Euclid.cost(self.points[self.here], self.points[point]);
+        if !self.visited[point] && self.found.is_none_or(|found| (cost, point) < found) {
+            self.found = Some((cost, point));
+        }
+    }
 }
 
 /// The tour cut open where it begins: at point 0, or at the node without place, which is left out. Of the two

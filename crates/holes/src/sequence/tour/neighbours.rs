@@ -1,6 +1,8 @@
 //! The near nodes of every node, nearest first: where the search looks for better edges.
 
 use super::Space;
+use super::places::{Bounds, Places, Quest};
+use crate::part::Point;
 
 /// The nearest nodes of each.
 const NEAREST: usize = 6;
@@ -16,13 +18,14 @@ pub(super) struct Neighbours {
 }
 
 impl Neighbours {
-    /// Of every node, by comparing all pairs: a few milliseconds for a thousand.
+    /// Of every node.
     pub(super) fn of(space: &Space<'_>) -> Self {
         let count = space.nodes();
+        let places = Places::of(space.points);
         let mut all = Self { starts: Vec::with_capacity(count + 1), nodes: Vec::with_capacity(count * MOST) };
         for node in 0..count {
             all.starts.push(all.nodes.len());
-            let mut near = near(space, node);
+            let mut near = near(space, &places, node);
             near.sort_unstable();
             near.dedup();
             all.nodes.extend(near.into_iter().take(MOST));
@@ -39,30 +42,62 @@ impl Neighbours {
 }
 
 /// The candidates of a node with their cost: its nearest, those of its quarters, and the node without place.
-fn near(space: &Space<'_>, node: usize) -> Vec<(i64, u32)> {
-    let (mut nearest, mut quarters) = (Shortest::new(NEAREST), [const { Shortest::new(OF_QUARTER) }; 4]);
+fn near(space: &Space<'_>, places: &Places<'_>, node: usize) -> Vec<(i64, u32)> {
     let Some(&at) = space.points.get(node) else {
         return (0..space.points.len().min(MOST)).map(|other| (0, other as u32)).collect();
     };
-    for (other, &point) in space.points.iter().enumerate().filter(|(other, _)| *other != node) {
-        let cost = space.metric.cost(at, point);
-        nearest.offer(cost, other as u32);
-        // Every direction belongs to one quarter, an axis to the quarter it begins.
-        let (right, up) = ((point.x - at.x).micrometres(), (point.y - at.y).micrometres());
-        let quarter = match (right, up) {
+    let [a, b, c, d] = [const { Shortest::new(OF_QUARTER) }; 4];
+    let mut around = Around { space, node, at, nearest: Shortest::new(NEAREST), quarters: [a, b, c, d] };
+    places.seek(&mut around);
+    let closing = space.free_ends.then_some((0, space.points.len() as u32));
+    let quarters = around.quarters.iter().flat_map(Shortest::iter);
+    closing.into_iter().chain(around.nearest.iter()).chain(quarters).collect()
+}
+
+/// The quest for what is near a point, in all directions and in each quarter.
+struct Around<'s> {
+    space: &'s Space<'s>,
+    node: usize,
+    at: Point,
+    nearest: Shortest,
+    quarters: [Shortest; 4],
+}
+
+impl Around<'_> {
+    /// Every direction belongs to one quarter, an axis to the quarter it begins.
+    fn quarter(&self, point: Point) -> usize {
+        match ((point.x - self.at.x).micrometres(), (point.y - self.at.y).micrometres()) {
             (1.., 0..) => 0,
             (..=0, 1..) => 1,
             (..=-1, _) => 2,
             _ => 3,
-        };
-        quarters[quarter].offer(cost, other as u32);
+        }
     }
-    let closing = space.free_ends.then_some((0, space.points.len() as u32));
-    let quarters = quarters.iter().flat_map(Shortest::iter);
-    closing.into_iter().chain(nearest.iter()).chain(quarters).collect()
 }
 
-/// The few cheapest of many, cheapest first, the first of equals kept.
+impl Quest for Around<'_> {
+    fn least(&self, _: usize, bounds: &Bounds) -> Option<i64> {
+        let cost = self.space.metric.cost(self.at, bounds.nearest(self.at));
+        // A box lies within one quarter where its corners do; in several its best may be of any.
+        let Bounds { low, high } = *bounds;
+        let corners = [low, high, Point { x: low.x, y: high.y }, Point { x: high.x, y: low.y }];
+        let of_quarter = |corner: Point| self.quarters[self.quarter(corner)].worst();
+        let worst = corners.map(of_quarter).into_iter().chain([self.nearest.worst()]).max();
+        (worst >= Some(cost)).then_some(cost)
+    }
+
+    fn meet(&mut self, other: usize) {
+        if other == self.node {
+            return;
+        }
+        let point = self.space.points[other];
+        let cost = self.space.metric.cost(self.at, point);
+        self.nearest.offer(cost, other as u32);
+        self.quarters[self.quarter(point)].offer(cost, other as u32);
+    }
+}
+
+/// The few cheapest of many, cheapest first, of equals those first in the list of points.
 struct Shortest {
     most: usize,
     held: usize,
@@ -71,16 +106,21 @@ struct Shortest {
 
 impl Shortest {
     const fn new(most: usize) -> Self {
-        Self { most, held: 0, list: [(i64::MAX, 0); NEAREST] }
+        Self { most, held: 0, list: [(i64::MAX, u32::MAX); NEAREST] }
+    }
+
+    /// What costs more has no place.
+    const fn worst(&self) -> i64 {
+        self.list[self.most - 1].0
     }
 
     #[inline]
     fn offer(&mut self, cost: i64, node: u32) {
-        if cost >= self.list[self.most - 1].0 {
+        if (cost, node) >= self.list[self.most - 1] {
             return;
         }
         let mut place = self.held.min(self.most - 1);
-        while place > 0 && self.list[place - 1].0 > cost {
+        while place > 0 && self.list[place - 1] > (cost, node) {
             self.list[place] = self.list[place - 1];
             place -= 1;
         }

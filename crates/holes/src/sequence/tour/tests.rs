@@ -130,3 +130,49 @@ fn a_tour_begins_with_the_first_point_and_goes_the_way_of_the_list() {
     assert_eq!(path(&Space::closed(&square, Metric::Euclid), Effort(1)).order, [0, 1, 2, 3]);
     assert_eq!(path(&Space::open(&square, Metric::Euclid), Effort(1)).order, [0, 1, 2, 3]);
 }
+
+/// Where a point lies from another one: to the right and up, up and to the left, and so on round.
+fn quarter(from: Point, to: Point) -> usize {
+    match ((to.x - from.x).micrometres(), (to.y - from.y).micrometres()) {
+        (1.., 0..) => 0,
+        (..=0, 1..) => 1,
+        (..=-1, _) => 2,
+        _ => 3,
+    }
+}
+
+proptest! {
+    #![proptest_config(technolog_laws::cases!(60))]
+
+    #[test]
+    fn near_points_are_those_that_looking_at_all_finds(points in points(120)) {
+        for space in spaces(&points) {
+            let neighbours = neighbours::Neighbours::of(&space);
+            for (node, &at) in points.iter().enumerate() {
+                let others = (0..points.len()).filter(|other| *other != node);
+                let mut all: Vec<(i64, u32)> = others.map(|other| (space.cost(node, other), other as u32)).collect();
+                all.sort_unstable();
+                let mut near: BTreeSet<(i64, u32)> = all.iter().copied().take(6).collect();
+                for own in 0..4 {
+                    let of_quarter = all.iter().filter(|(_, other)| quarter(at, points[*other as usize]) == own);
+                    near.extend(of_quarter.take(2));
+                }
+                near.extend(space.free_ends.then_some((0, points.len() as u32)));
+                let near: Vec<(i64, u32)> = near.into_iter().take(12).collect();
+                prop_assert_eq!(neighbours.near(node as u32), near, "{}", node);
+            }
+        }
+    }
+
+    #[test]
+    fn the_rule_of_the_book_goes_to_the_nearest_of_all_that_are_left(points in points(120)) {
+        let space = Space::closed(&points, Metric::Euclid);
+        let order = nearest_rule(&space).order;
+        prop_assert!(each_once(&order, points.len()));
+        for (at, pair) in order.windows(2).enumerate() {
+            let left = &order[at + 1..];
+            let nearest = left.iter().map(|&other| (space.cost(pair[0], other), other)).min();
+            prop_assert_eq!(nearest.map(|(_, other)| other), Some(pair[1]));
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! Where the points are: boxes, each halved into two, so that what is near is found without looking at everything.
+
+use std::ops::Range;
+
+use crate::part::Point;
+use crate::units::Micrometres;
+
+/// The most points of a box that is not halved.
+const LEAF: usize = 6;
+
+/// The points in boxes. Box 0 holds all of them; the halves of box `k` are boxes `2k + 1` and `2k + 2`.
+pub(super) struct Places<'p> {
+    points: &'p [Point],
+    /// The points box by box: those of a box stand together.
+    order: Vec<u32>,
+    bounds: Vec<Bounds>,
+}
+
+/// The corners of a box.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bounds {
+    pub(super) low: Point,
+    pub(super) high: Point,
+}
+
+impl Bounds {
+    /// The place within that is nearest to a point.
+    #[inline]
+    pub(super) fn nearest(&self, point: Point) -> Point {
+        let Self { low, high } = self;
+        Point { x: point.x.max(low.x).min(high.x), y: point.y.max(low.y).min(high.y) }
+    }
+}
+
+/// What is looked for.
+pub(super) trait Quest {
+    /// What the best point of a box may cost; nothing where none of them is wanted.
+    fn least(&self, number: usize, bounds: &Bounds) -> Option<i64>;
+    /// A point that is looked at.
+    fn meet(&mut self, point: usize);
+}
+
+/// A box by its number, with where its points stand.
+#[derive(Clone)]
+struct Part {
+    number: usize,
+    range: Range<usize>,
+}
+
+impl Part {
+    fn halves(&self) -> Option<[Self; 2]> {
+        let Range { start, end } = self.range;
+        let middle = start.midpoint(end);
+        let half = |side, range| Self { number: 2 * self.number + side, range };
+        (end - start > LEAF).then(|| [half(1, start..middle), half(2, middle..end)])
+    }
+}
+
+impl<'p> Places<'p> {
+    pub(super) fn of(points: &'p [Point]) -> Self {
+        let zero = Point { x: Micrometres::ZERO, y: Micrometres::ZERO };
+        let bounds = vec![Bounds { low: zero, high: zero }; points.len().max(1)];
+        let mut places = Self { points, order: (0..points.len() as u32).collect(), bounds };
+        places.halve(&places.all());
+        places
+    }
+
+    fn all(&self) -> Part {
+        Part { number: 0, range: 0..self.order.len() }
+    }
+
+    /// Finds the corners of a box, and halves it across its longer side.
+    fn halve(&mut self, part: &Part) {
+        let at = |&index: &u32| self.points[index as usize];
+        let own = &mut self.order[part.range.clone()];
+        let Some(first) = own.first().map(at) else { return };
+        let (low, high) = own.iter().map(at).fold((first, first), |(low, high), point| {
+            let low = Point { x: low.x.min(point.x), y: low.y.min(point.y) };
+            (low, Point { x: high.x.max(point.x), y: high.y.max(point.y) })
+        });
+        self.bounds[part.number] = Bounds { low, high };
+        if let Some(halves) = part.halves() {
+            let wide = high.x - low.x > high.y - low.y;
+            own.select_nth_unstable_by_key(halves[0].range.len(), |index| {
+                let Point { x, y } = at(index);
+                (if wide { [x, y] } else { [y, x] }, *index)
+            });
+            halves.iter().for_each(|half| self.halve(half));
+        }
+    }
+
+    /// The numbers of the boxes that hold each point, the largest first.
+    pub(super) fn boxes(&self) -> Vec<Vec<u32>> {
+        let mut boxes = vec![Vec::new(); self.points.len()];
+        self.boxes_in(&self.all(), &mut boxes);
+        boxes
+    }
+
+    fn boxes_in(&self, part: &Part, boxes: &mut [Vec<u32>]) {
+        self.order[part.range.clone()].iter().for_each(|&point| boxes[point as usize].push(part.number as u32));
+        part.halves().iter().flatten().for_each(|half| self.boxes_in(half, boxes));
+    }
+
+    /// Looks at what a quest may want, first where it may be cheaper.
+    pub(super) fn seek(&self, quest: &mut impl Quest) {
+        self.seek_in(&self.all(), quest);
+    }
+
+    fn seek_in(&self, part: &Part, quest: &mut impl Quest) {
+        let Some(mut halves) = part.halves() else {
+            return self.order[part.range.clone()].iter().for_each(|&point| quest.meet(point as usize));
+        };
+        let least = |half: &Part, quest: &_| Quest::least(quest, half.number, &self.bounds[half.number]);
+        match halves.each_ref().map(|half| least(half, quest)) {
+            [Some(one), Some(other)] if other < one => halves.reverse(),
+            [None, Some(_)] => halves.reverse(),
+            _ => {}
+        }
+        for half in halves {
+            if least(&half, quest).is_some() {
+                self.seek_in(&half, quest);
+            }
+        }
+    }
+}
