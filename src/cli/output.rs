@@ -5,6 +5,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::path::{Component, Path, PathBuf};
 
+use technolog::document::cleaned_lines;
 use technolog::knowledge::Diagnostic;
 use technolog::words::say;
 
@@ -65,10 +66,10 @@ impl Screen {
     }
 }
 
-/// Shows problems beside the answer.
+/// Shows problems beside the answer. Names of files and arguments may hold what steers a terminal.
 pub fn complain(problems: &str) {
     // Where not even this can be printed there is nobody to tell.
-    let _ = io::stderr().lock().write_all(problems.as_bytes());
+    let _ = io::stderr().lock().write_all(cleaned_lines(problems).as_bytes());
 }
 
 /// The way to a file from a folder, both absolute.

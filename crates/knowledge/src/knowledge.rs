@@ -150,7 +150,7 @@ impl Knowledge {
             collect_yaml(&folder.join(top), top, &mut files, &mut problems);
         }
         if files.is_empty() && problems.is_empty() {
-            let message = note!("table-no-tables", display = folder.display().to_string());
+            let message = note!("table-no-tables", folder = folder.display().to_string());
             problems
                 .push(Diagnostic::error("no-knowledge", message, None).help(note!("table-must-hold-catalogs-rules")));
         }

@@ -13,6 +13,7 @@ use technolog::cases::{Asker, Case, CaseFile, Failure};
 use technolog::error::KnowledgeError;
 use technolog::knowledge::Diagnostic;
 use technolog::parallel;
+use technolog::words::say;
 
 use self::files::{SourceFile, around, collect};
 use super::diagnostics::{Texts, render};
@@ -132,6 +133,13 @@ fn write(
     context.spare_inputs()?;
     match filled.text {
         Some(text) => {
+            // Cases take their time; what somebody wrote meanwhile is not lost.
+            if copy.is_none() && std::fs::read(&found.path).ok().as_deref() != Some(found.text.as_bytes()) {
+                let message = say!(context.lang, "test-file-changed", file = &found.shown);
+                return Err(Diagnostic::error("file-changed", message, None)
+                    .help(context.word("test-run-again"))
+                    .into());
+            }
             output::write(text.as_bytes(), copy.or(Some(&found.path)), context.lang)?;
             Ok(filled.cases)
         }

@@ -244,3 +244,13 @@ fn a_form_that_a_command_does_not_have_is_refused() {
         assert!(complaint(&answer).contains("no-format"), "{}", complaint(&answer));
     }
 }
+
+#[test]
+fn names_and_arguments_do_not_steer_the_terminal() {
+    let folder = scratch("signs");
+    fs::write(folder.join("n\u{1b}[31m\u{202e}.yaml"), "x: 1\n").unwrap();
+    for args in [&["audit", "."][..], &["plan", "\u{1b}[31m"], &["plan", "part.yaml", "--format", "\u{1b}[31m"]] {
+        let said = complaint(&run(&folder, args));
+        assert!(!said.is_empty() && !said.contains(['\u{1b}', '\u{202e}']), "{said:?}");
+    }
+}

@@ -148,15 +148,18 @@ impl SourceLine<'_> {
     fn characters(&mut self, line: &str) -> Vec<(usize, char)> {
         let mut kept = Vec::new();
         let mut comment = None;
+        let mut text = String::new();
         for (column, character) in line.chars().enumerate() {
             match (comment, character) {
                 (Some(from), ')') => {
-                    let text: String = line.chars().skip(from + 1).take(column - from - 1).collect();
                     self.active_comment(&text, false, from, column + 1);
                     comment = None;
                 }
-                (Some(_), _) => {}
-                (None, '(') => comment = Some(column),
+                (Some(_), character) => text.push(character),
+                (None, '(') => {
+                    comment = Some(column);
+                    text.clear();
+                }
                 (None, ';') => {
                     let text: String = line.chars().skip(column + 1).collect();
                     self.active_comment(&text, true, column, line.chars().count());
