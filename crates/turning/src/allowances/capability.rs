@@ -12,7 +12,7 @@ use crate::turning::contour::{Profile, Surface, SurfaceKind, SurfaceName};
 use crate::turning::length::Half;
 use crate::units::{ItGrade, Micrometres, Roughness};
 
-use super::surfaces::{Place, query_size, diameter, on_side, place};
+use super::surfaces::{Place, diameter, on_side, place, query_size};
 
 /// The accuracy that a lathe reaches, from its passport.
 #[derive(Clone, Copy, Debug)]

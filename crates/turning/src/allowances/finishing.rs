@@ -11,7 +11,7 @@ use crate::turning::length::Half;
 use crate::units::{Micrometres, Microns};
 
 use super::capability::is_groove;
-use super::surfaces::{Place, query_size, diameter, on_side, place};
+use super::surfaces::{Place, diameter, on_side, place, query_size};
 
 /// The errors that an allowance must cover, each on one side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
