@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 pub use crate::knowledge::vocabulary::Severity;
-pub use technolog_note::{Figure, Note, Tell, Told, Word};
+pub use technolog_note::{Figure, Note, Told, Word};
 
 use crate::knowledge::{Answer, RowRef, Source, Table};
 

@@ -119,18 +119,6 @@ pub trait Told {
     fn told(self) -> Figure;
 }
 
-/// What can be told without being given away: for lists of figures of several kinds.
-pub trait Tell {
-    /// The figure.
-    fn tell(&self) -> Figure;
-}
-
-impl<T: Told + Clone> Tell for T {
-    fn tell(&self) -> Figure {
-        self.clone().told()
-    }
-}
-
 impl Told for Figure {
     fn told(self) -> Figure {
         self

@@ -12,7 +12,7 @@ use std::fmt;
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-pub use figure::{Figure, Tell, Told, Word};
+pub use figure::{Figure, Told, Word};
 
 /// A sentence of the program in no language: what it says, and its figures.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]

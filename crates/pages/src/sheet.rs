@@ -4,7 +4,7 @@ use crate::document::{Document, Field, Finding, Inlines, Severity as Shown};
 use crate::knowledge::Knowledge;
 use crate::machine::Machine;
 use crate::material::Material;
-use crate::note::{Because, Figure, Note, Severity, Tell};
+use crate::note::{Because, Figure, Note, Severity, Told};
 use crate::plan::{Clamping, Plan};
 use crate::units::{Micrometres, round_to};
 
@@ -60,7 +60,7 @@ pub(crate) fn number(value: f64, places: u32, lang: Lang) -> String {
 
 /// A length in mm with the separator of the language, without trailing zeros.
 pub(crate) fn mm(value: Micrometres, lang: Lang) -> String {
-    lang.figure(&value.tell())
+    lang.figure(&value.told())
 }
 
 /// A number for a sentence, without trailing zeros.

@@ -5,7 +5,7 @@ use crate::knowledge::diagnostic::{Diagnostic, Place, Severity};
 use crate::knowledge::form::KeyOf;
 use crate::knowledge::yaml::{Fields, Node, Problems, parse};
 use crate::material;
-use crate::note::{Note, Tell};
+use crate::note::Note;
 use crate::turning::tooling::Lathe;
 use crate::units::Micrometres;
 
@@ -44,6 +44,15 @@ impl Mistake {
     }
 }
 
+/// The code of a mistake of meaning, and its sentence: `mistake!("unknown-lathe", lathe = text)`.
+macro_rules! mistake {
+    ($code:expr $(, $name:ident = $value:expr)* $(,)?) => {{
+        let code: &'static str = $code;
+        (code, technolog_note::note!(code $(, $name = $value)*))
+    }};
+}
+pub(super) use mistake;
+
 /// A value with its place.
 pub(super) type Placed<T> = (T, Place);
 
@@ -81,14 +90,8 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Notes a mistake of meaning with its figures.
-    pub(super) fn fault<T>(
-        &mut self,
-        code: &'static str,
-        figures: &[(&'static str, &dyn Tell)],
-        place: &Place,
-    ) -> Option<T> {
-        let note = figures.iter().fold(Note::new(code), |note, (name, value)| note.with(*name, value.tell()));
+    /// Adds a mistake of meaning; nothing is read there.
+    pub(super) fn fault<T>(&mut self, (code, note): (&'static str, Note), place: &Place) -> Option<T> {
         self.meant.push(Mistake::Meaning(code, note, place.clone()));
         None
     }
@@ -96,7 +99,7 @@ impl<'a> Reader<'a> {
     pub(super) fn name(&mut self, node: &Node) -> Option<String> {
         let text = self.problems.text(node)?.trim();
         if text.is_empty() {
-            return self.fault("empty-name", &[], &node.place);
+            return self.fault(mistake!("empty-name"), &node.place);
         }
         Some(text.to_owned())
     }
@@ -106,10 +109,8 @@ impl<'a> Reader<'a> {
         let text = self.problems.text(node)?.to_owned();
         match material::named(self.knowledge, &text) {
             Ok(id) => Some(id),
-            Err(Some(near)) => {
-                self.fault("unknown-material-near", &[("material", &text), ("near", &near)], &node.place)
-            }
-            Err(None) => self.fault("unknown-material", &[("material", &text)], &node.place),
+            Err(Some(near)) => self.fault(mistake!("unknown-material-near", material = text, near = near), &node.place),
+            Err(None) => self.fault(mistake!("unknown-material", material = text), &node.place),
         }
     }
 
@@ -121,7 +122,7 @@ impl<'a> Reader<'a> {
             return Some(text);
         }
         let known = known.iter().map(|id| format!("`{id}`")).collect::<Vec<_>>().join(", ");
-        self.fault("unknown-lathe", &[("lathe", &text), ("known", &known)], &node.place)
+        self.fault(mistake!("unknown-lathe", lathe = text, known = known), &node.place)
     }
 
     pub(super) fn choice<T: Copy>(&mut self, node: &Node, choices: &[(&str, T)]) -> Option<T> {
@@ -130,7 +131,7 @@ impl<'a> Reader<'a> {
             return Some(*value);
         }
         let known = choices.iter().map(|(name, _)| format!("`{name}`")).collect::<Vec<_>>().join(", ");
-        self.fault("no-such-choice", &[("word", &text), ("known", &known)], &node.place)
+        self.fault(mistake!("no-such-choice", word = text, known = known), &node.place)
     }
 
     /// A length above zero, with its place.
@@ -138,11 +139,10 @@ impl<'a> Reader<'a> {
         let node = node?;
         let length = self.problems.scalar::<Micrometres>(node)?;
         if length <= Micrometres::ZERO {
-            return self.fault("not-above-zero", &[("key", &key), ("length", &length)], &node.place);
+            return self.fault(mistake!("not-above-zero", key = key, length = length), &node.place);
         }
         if length > LARGEST {
-            let figures: [(&str, &dyn Tell); 3] = [("key", &key), ("length", &length), ("most", &LARGEST)];
-            return self.fault("length-too-large", &figures, &node.place);
+            return self.fault(mistake!("length-too-large", key = key, length = length, most = LARGEST), &node.place);
         }
         Some((length, node.place.clone()))
     }

@@ -2,7 +2,7 @@
 //! holes, and what every route was weighed against.
 
 use crate::document::{Align, Block, Column, Document, Field, Inlines, Item, Table};
-use crate::note::{Figure, Note, Tell, Told};
+use crate::note::{Figure, Note, Told};
 use crate::part::{Face, Hole};
 use crate::plan::{Achieved, Alternative, Feature, HolePlan, Operation, Plan, Route, RouteSource, Stop, Transition};
 use crate::units::Micrometres;
@@ -104,8 +104,8 @@ pub(crate) fn size_of(hole: &Hole, transition: &Transition) -> Figure {
     let thread = hole.thread_at(transition.step).filter(|_| transition.operation == Operation::Tap);
     match (thread, step) {
         (Some(thread), _) => thread.written.clone().told(),
-        (None, Some(step)) => step.diameter.tell(),
-        (None, None) => hole.diameter.tell(),
+        (None, Some(step)) => (&step.diameter).told(),
+        (None, None) => (&hole.diameter).told(),
     }
 }
 
@@ -167,7 +167,7 @@ fn content(plan: &Plan, own: &HolePlan, transition: &Transition, lang: Lang) -> 
 fn achieved(achieved: Option<&Achieved>, lang: Lang) -> String {
     let Some(achieved) = achieved else { return String::new() };
     let it = achieved.it.map(|it| format!("IT{it}"));
-    let roughness = achieved.roughness.map(|roughness| lang.figure(&roughness.tell()));
+    let roughness = achieved.roughness.map(|roughness| lang.figure(&roughness.told()));
     it.into_iter().chain(roughness).collect::<Vec<_>>().join(", ")
 }
 

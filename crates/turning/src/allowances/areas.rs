@@ -1,8 +1,8 @@
-//! The three allowances of fig. 12.2 as areas: between the blank and the rough contour, over the additional elements, and
-//! between the rough contour and the finished one.
+//! The three allowances of fig. 12.2 as areas: between the blank and the rough contour, over the additional elements,
+//! and between the rough contour and the finished one.
 //!
-//! Each is what lies between two contours of the half section, its area in the section and the volume of its ring about
-//! the axis.
+//! Each area lies between two contours of the half section. It has a size in the section and, turned about the axis, a
+//! volume.
 
 use serde::Serialize;
 
@@ -26,7 +26,7 @@ pub struct Area {
     pub area_mm2: SquareMillimetres,
     /// The volume of its ring, mm³.
     pub volume_mm3: CubicMillimetres,
-    /// Its closed boundary, for drawings; where both contours touch, it has no width.
+    /// Its closed boundary, for drawings. It has no width where both contours touch.
     pub boundary: Vec<Piece>,
 }
 
@@ -41,18 +41,18 @@ pub struct Areas {
     pub finish: Area,
 }
 
-/// The areas 1, 2 and 3 of the outer or of the inner side, all contours of the same side: the blank, its rough contour,
-/// the main contour with its bridges and the part.
+/// The areas 1, 2 and 3 of one side, from contours of that side: the blank, its rough contour, the main contour with
+/// its bridges, and the part.
 ///
-/// The rough contour ends over the ends of the part, where the blank may go on: at an end all contours are joined by
-/// straight lines, so that what the blank has beyond (the rest in the chuck) counts only where its contour lies. The
-/// lecture lets area 2 begin at the rough contour; over a bridge this counts the finishing layer twice, so here it begins
-/// at the main contour, and the three areas add up to what lies between blank and part.
+/// The rough contour ends above the ends of the part, where the blank may go on. All contours are joined by straight
+/// lines at their ends, so stock beyond the end (the rest in the chuck) counts only where the blank's own contour
+/// includes it. In the lecture area 2 begins at the rough contour. Over a bridge that counts the finishing layer twice,
+/// so here it begins at the main contour, and the three areas add up to everything between blank and part.
 pub fn areas(blank: &Contour, rough: &Contour, main: &Contour, part: &Contour) -> Areas {
     Areas { rough_main: between(blank, rough), additional: between(main, part), finish: between(rough, main) }
 }
 
-/// What lies between a contour farther from the metal and one nearer to it, of the same side, which end at the same ends.
+/// The area between two contours of one side with the same ends; `upper` is farther from the metal.
 pub fn between(upper: &Contour, lower: &Contour) -> Area {
     let mut boundary: Vec<Piece> = upper.pieces.clone();
     let closing = |from: Option<Point>, to: Option<Point>| match (from, to) {
@@ -67,19 +67,19 @@ pub fn between(upper: &Contour, lower: &Contour) -> Area {
     Area { area_mm2: SquareMillimetres(area), volume_mm3: CubicMillimetres(volume), boundary }
 }
 
-/// The area under a piece down to the axis, ∫ r dz, mm²; negative towards the free end.
+/// The area under a piece down to the axis, ∫ r dz, mm²; negative for a piece that runs towards the free end.
 ///
-/// Under the chord lies a trapezium; between chord and arc a segment of the circle, R²/2·(α − sin α), which a left turn
-/// takes away.
+/// Under the chord it is a trapezium. Between chord and arc it is a segment of the circle, R²/2·(α − sin α), which is
+/// subtracted for a left turn.
 fn under(piece: Piece) -> f64 {
     let (from, to) = (piece.from.vector(), piece.to.vector());
     (to.z - from.z) * (from.radius + to.radius) / 2.0 + segment(piece).map_or(0.0, |segment| segment.area)
 }
 
-/// The volume under a piece turned about the axis, π ∫ r² dz, mm³; negative towards the free end.
+/// The volume under a piece turned about the axis, π ∫ r² dz, mm³; negative for a piece that runs towards the free end.
 ///
-/// Under the chord lies a frustum, π·Δz·(r₁² + r₁r₂ + r₂²)/3; the segment has, by Pappus, its area times the way of its
-/// centroid, which lies 4R·sin³(α/2)/(3(α − sin α)) from the centre of the arc.
+/// Under the chord it is a frustum, π·Δz·(r₁² + r₁r₂ + r₂²)/3. By Pappus, the segment adds its area times the path of
+/// its centroid, which lies 4R·sin³(α/2)/(3(α − sin α)) from the centre of the arc.
 fn about(piece: Piece) -> f64 {
     let (from, to) = (piece.from.vector(), piece.to.vector());
     let squares = from.radius * from.radius + from.radius * to.radius + to.radius * to.radius;
@@ -89,7 +89,7 @@ fn about(piece: Piece) -> f64 {
 
 /// A segment of a circle between an arc and its chord.
 struct Segment {
-    /// Its area, mm²; negative for a left turn, which runs below its chord where it goes towards the chuck.
+    /// Its area, mm²; negative for a left turn, which lies below its chord when it runs towards the chuck.
     area: f64,
     /// Its area times the radius of its centroid, mm³.
     moment: f64,
@@ -103,7 +103,7 @@ fn segment(piece: Piece) -> Option<Segment> {
     let sign = if turn == Turn::Left { -1.0 } else { 1.0 };
     let (full, sine) = (2.0 * half, libm::sin(half));
     let area = sign * radius * radius / 2.0 * (full - libm::sin(full));
-    // From the centre towards the arc, which lies to the left of its chord where it turns right.
+    // From the centre towards the arc. An arc that turns right lies to the left of its chord.
     let out = chord.unit().left().times(sign);
     let first = 2.0 / 3.0 * radius * radius * radius * sine * sine * sine;
     Some(Segment { area, moment: area * centre.radius + sign * first * out.radius })
@@ -146,7 +146,7 @@ mod tests {
         let half_circle = Piece::arc(at(0.0, 0.0), at(0.0, 20.0), Half::from(10.0), Turn::Right);
         let ball = Contour { side: Side::Outer, pieces: vec![half_circle] };
         is(&between(&ball, &axis(20.0)), PI * 50.0, 4.0 / 3.0 * PI * 1000.0);
-        // Half of a ring of 3 about 20: Pappus, πr²/2 at 20 + 4r/3π from the axis.
+        // Half a torus of radius 3 about a circle of radius 20: by Pappus πr²/2 at 20 + 4r/3π from the axis.
         let ring = Contour {
             side: Side::Outer,
             pieces: vec![Piece::arc(at(20.0, 0.0), at(20.0, 6.0), Half::from(3.0), Turn::Right)],
@@ -154,20 +154,20 @@ mod tests {
         let base = Contour::through(Side::Outer, &[at(20.0, 0.0), at(20.0, 6.0)]);
         let size = PI * 4.5;
         is(&between(&ring, &base), size, size * 2.0 * PI * (20.0 + 4.0 / PI));
-        // The same hollow: a round groove.
+        // The same arc as a round groove.
         let groove = Contour {
             side: Side::Outer,
             pieces: vec![Piece::arc(at(20.0, 0.0), at(20.0, 6.0), Half::from(3.0), Turn::Left)],
         };
         is(&between(&base, &groove), size, size * 2.0 * PI * (20.0 - 4.0 / PI));
-        // A bore of 8 widened to 10 over 15 mm: the metal lies outside.
+        // A bore of radius 8 widened to 10 over 15 mm.
         let [before, after] =
             [8.0, 10.0].map(|radius| Contour::through(Side::Inner, &[at(radius, 0.0), at(radius, 15.0)]));
         is(&between(&before, &after), 30.0, PI * (100.0 - 64.0) * 15.0);
     }
 
-    /// A pin of Ø40 × 30 from a bar of Ø50, a groove of 3 × 2 in it, 0.5 left on the diameter and 0.2 on the face. All by
-    /// hand.
+    /// A pin of Ø40 × 30 from a bar of Ø50 with a groove of 3 × 2; 0.5 is left on the diameter and 0.2 on the face.
+    /// Worked by hand.
     #[test]
     fn the_three_allowances_of_a_grooved_pin() {
         let corners = [at(0.0, 0.0), at(20.0, 0.0), at(20.0, 10.0), at(18.0, 10.0), at(18.0, 13.0), at(20.0, 13.0)];

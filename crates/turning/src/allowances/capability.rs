@@ -1,5 +1,6 @@
-//! What the lathe cannot finish, and what is left there for another machine (lecture 12.2, the first statement). The contour
-//! that the lathe leaves instead is laid in [`crate::turning::operation::layers`], once grooves are bridged.
+//! What the lathe cannot finish, and the intermediate allowance that is left for another machine (lecture 12.2, the
+//! first statement). [`crate::turning::operation::layers`] makes the contour that includes this allowance, after
+//! grooves are bridged.
 
 use serde::Serialize;
 
@@ -11,9 +12,9 @@ use crate::turning::contour::{Profile, Surface, SurfaceKind, SurfaceName};
 use crate::turning::length::Half;
 use crate::units::{ItGrade, Micrometres, Roughness};
 
-use super::surfaces::{Place, asked, diameter, on_side, place};
+use super::surfaces::{Place, diameter, on_side, place, query_size};
 
-/// What a lathe holds: its passport's data.
+/// The accuracy that a lathe reaches, from its passport.
 #[derive(Clone, Copy, Debug)]
 pub struct Holds {
     /// The finest grade of outer diameters.
@@ -51,31 +52,30 @@ pub struct Elsewhere {
     pub because_allowance: Because,
 }
 
-/// What of a profile is finished on another machine, with the intermediate allowance that stays for it, and what could not be
-/// compared; `length` is that of the whole part. A surface without grade and roughness, or a part without a lathe, is left
-/// as it is, with a finding.
+/// The surfaces of a profile that are finished on another machine, with their intermediate allowances; `length` is that
+/// of the whole part. A main surface without grade and roughness, and a part without a lathe, cannot be compared: a
+/// finding says so.
 ///
-/// # Errors
-/// The knowledge base lacks a table.
+/// # Errors The knowledge base lacks a table.
 pub fn elsewhere(
     profile: &Profile,
     holds: Option<&Holds>,
     length: Micrometres,
     knowledge: &Knowledge,
 ) -> Result<(Vec<Elsewhere>, Vec<Finding>), KnowledgeError> {
-    let (mut found, mut findings) = (Vec::new(), Vec::new());
+    let (mut later, mut findings) = (Vec::new(), Vec::new());
     let Some(holds) = holds else {
         findings.push(Finding::of_part(Severity::Note, Note::new("no-lathe-to-compare")));
-        return Ok((found, findings));
+        return Ok((later, findings));
     };
     for surface in &profile.surfaces {
         let place = place(surface, profile.side);
-        found.extend(compare(surface, place, holds, length, knowledge, &mut findings)?);
+        later.extend(compare(surface, place, holds, length, knowledge, &mut findings)?);
     }
-    Ok((found, findings))
+    Ok((later, findings))
 }
 
-/// One surface: what follows for it elsewhere, if anything does.
+/// Compares one surface with the lathe; none if the lathe can finish it.
 fn compare(
     surface: &Surface,
     place: Place,
@@ -93,7 +93,7 @@ fn compare(
         }
         return Ok(None);
     }
-    // A thread is turned as a cylinder, but nobody grinds it as one.
+    // A thread is turned like a cylinder, but it is not ground like one.
     let kind = if surface.kind.is_additional() { FinishedSurface::Additional } else { place.into() };
     let rule = knowledge.ask(&TurningFinishElsewhereFor {
         surface: kind,
@@ -115,20 +115,20 @@ fn compare(
             .with("surface", &surface.name)
             .with("operation", Figure::operation(operation.name())),
     );
-    let (diameter, length) = (asked(diameter(surface)), asked(length));
-    let told = knowledge.ask(&GrindingAllowanceFor { place_on: place, diameter, length })?;
-    let Some(row) = told.winner()? else {
+    let (diameter, length) = (query_size(diameter(surface)), query_size(length));
+    let lookup = knowledge.ask(&GrindingAllowanceFor { place_on: place, diameter, length })?;
+    let Some(row) = lookup.winner()? else {
         find(Severity::Error, "no-allowance-for-elsewhere");
         return Ok(None);
     };
     let allowance_mm = on_side(place, row.allowance);
     let note = Note::new("elsewhere-allowance").with("surface", &surface.name).with("allowance", allowance_mm);
-    let because_allowance = Because::answer(&told.answer, note);
+    let because_allowance = Because::answer(&lookup.answer, note);
     findings.extend(doubtful_row(row.row));
     Ok(Some(Elsewhere { surface: surface.name.clone(), operation, allowance_mm, because, because_allowance }))
 }
 
-/// Whether a kind of surface is a groove, which is cut after the main contour and has no finishing allowance of its own.
+/// Whether a surface is a groove. Grooves are cut after the main contour and have no finishing allowance of their own.
 pub(super) const fn is_groove(kind: SurfaceKind) -> bool {
     kind.is_additional() && !matches!(kind, SurfaceKind::Thread)
 }

@@ -1,10 +1,10 @@
-//! The line at a distance from a contour: the rough contour of lecture 12.2, each of whose points leaves the allowance of
-//! the piece below it.
+//! The offset curve of a contour. The rough contour of lecture 12.2 is one: it leaves over each piece the allowance of
+//! that piece.
 //!
-//! What is left over a piece is the strip between the piece and its parallel, and everything under the strip, because the
-//! tool comes from outside: a contour that does not lead back towards the free end keeps that property. Strips that meet
-//! at a corner which bulges are joined there; at a hollow corner they overlap. The rough contour is the outer boundary of
-//! all strips together (`union` finds it). Arcs keep their centres.
+//! The stock over a piece is the strip between the piece and its offset, and everything below the strip, because the
+//! tool comes from outside. So the offset of a contour that does not run back towards the free end does not run back
+//! either. Strips are joined at a convex corner and overlap at a concave one. The rough contour is the outer boundary
+//! of all strips together (`union` finds it). Arcs keep their centres.
 
 use crate::note::{Figure, Note, Told};
 use crate::turning::contour::{Contour, Curve, Piece, Side, Turn};
@@ -14,23 +14,23 @@ use crate::turning::point::Vector;
 use super::read_back;
 use super::union::{Corner, union};
 
-/// How far the corner of two extended parallels may lie from the corner of the part, in larger allowances of the two; a
-/// sharper corner is rounded. Twice is met where the contour turns by 120°.
+/// The corner of two extended offsets may lie so far from the corner of the part, in multiples of the larger allowance
+/// of the two. A sharper corner is rounded. The factor 2 is reached where the contour turns by 120°.
 const FAR: f64 = 2.0;
 
-/// Angles below this are none: their sine, which over an allowance of 1 mm is 10 nm.
+/// Angles with a smaller sine count as straight: over an allowance of 1 mm that is 10 nm.
 const STRAIGHT: f64 = 1e-5;
 
-/// Points nearer than this are one, mm: the fifth part of half a micrometre.
+/// Points nearer than this are equal, mm: a fifth of half a micrometre.
 pub(super) const SAME: f64 = 1e-4;
 
-/// Ends of neighbouring parallels nearer than this are one, mm: half a micrometre, to which all is rounded.
+/// Ends of neighbouring offsets nearer than this are equal, mm: half a micrometre, the unit of rounding.
 const TOUCH: f64 = 5e-4;
 
-/// How far the foundation on which the strips stand reaches below and beside the contour, mm.
+/// How far the rectangle under all strips reaches below the contour and beyond its ends, mm.
 const FOUNDATION: f64 = 10.0;
 
-/// Why there is no equidistant.
+/// Why there is no offset curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum EquidistantError {
     /// The contour has no pieces.
@@ -50,16 +50,16 @@ pub enum EquidistantError {
     /// A piece leads back towards the free end.
     #[error("the contour leads back towards the free end; bridge what is undercut before allowances are laid on")]
     LeadsBack,
-    /// A distance is less than nothing.
+    /// A distance is below zero.
     #[error("the distance of piece {piece} is negative; an allowance is at least 0")]
     Negative {
         /// Its place on the contour, from 1.
         piece: usize,
     },
-    /// The contour is hollow arcs alone, and all have come to nothing.
+    /// The contour has only concave arcs, and all of them vanish at their distances.
     #[error("nothing is left of the contour at this distance; it is larger than the radii of its hollow arcs")]
     Vanished,
-    /// The strips did not come together.
+    /// The strips did not join into one outline.
     #[error("the strips over the contour did not join into one outline; report the contour, it is a defect of ours")]
     NotJoined,
 }
@@ -81,34 +81,33 @@ impl Told for EquidistantError {
     }
 }
 
-/// A piece of an equidistant, with the piece of the contour that it lies over.
+/// A piece of an offset curve, with the piece of the contour below it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Over {
     /// The piece.
     pub piece: Piece,
-    /// The place of the piece of the contour to which it is parallel, from 0; of what joins two of them the earlier one.
+    /// The index of the piece of the contour whose offset it is; for a join between two offsets, that of the earlier
+    /// one.
     pub of: usize,
 }
 
-/// The contour at a distance from each piece of this one: concentric arcs, parallel lines, extended to corners where the
-/// part bulges (rounded where an arc ends there or where they would meet far off) and cut where it is hollow. Rounded to
-/// halves of a micrometre.
+/// The offset curve of a contour with a distance for each piece: parallel lines and concentric arcs. Offsets are
+/// extended to their corner where the part is convex (rounded where an arc ends there, or where they would meet far
+/// away), and cut where it is concave. Points are rounded to half a micrometre.
 ///
-/// Between pieces that touch without a corner but differ in their distance it steps. It begins and ends upright over the
-/// ends of the contour; on the axis it reaches the axis. It does not lead back, but for half a micrometre of rounding where
-/// an arc ends upright.
+/// It has a step between pieces that touch without a corner but have different distances. It begins and ends
+/// perpendicular to the ends of the contour; on the axis it reaches the axis. It does not run back, except by half a
+/// micrometre of rounding where an arc ends upright.
 ///
-/// # Errors
-/// The contour is empty, broken or leads back; a distance is lacking or negative.
+/// # Errors The contour is empty, broken or runs back; a distance is missing or negative.
 pub fn equidistant(contour: &Contour, distances: &[Half]) -> Result<Contour, EquidistantError> {
     let pieces = equidistant_over(contour, distances)?.into_iter().map(|over| over.piece).collect();
     Ok(Contour { side: contour.side, pieces })
 }
 
-/// The same, each piece with what it lies over.
+/// The same, with the piece of the contour below each piece.
 ///
-/// # Errors
-/// As [`equidistant`].
+/// # Errors As [`equidistant`].
 pub fn equidistant_over(contour: &Contour, distances: &[Half]) -> Result<Vec<Over>, EquidistantError> {
     check(contour, distances)?;
     if contour.side == Side::Inner {
@@ -121,8 +120,8 @@ pub fn equidistant_over(contour: &Contour, distances: &[Half]) -> Result<Vec<Ove
     between_bare_faces(contour, distances, true)
 }
 
-/// The outline with the bare faces at its ends: one that leads away from the axis there has no strip where it has no
-/// distance, and nothing under which it would stand, so it is laid on afterwards, from where the outline ends.
+/// The offset with the bare faces at its ends. A face at an end without a distance has no strip, and no strip lies over
+/// it, so it is added afterwards, from where the outline ends.
 fn between_bare_faces(contour: &Contour, distances: &[Half], axis: bool) -> Result<Vec<Over>, EquidistantError> {
     let pieces = || contour.pieces.iter().zip(distances);
     let bare = |piece: &Piece, distance: Half| piece.is_face() && distance == Half::ZERO;
@@ -136,25 +135,25 @@ fn between_bare_faces(contour: &Contour, distances: &[Half], axis: bool) -> Resu
     if inside.is_empty() {
         return outline(contour, distances, axis);
     }
-    let mut found = outline(&Contour { side: contour.side, pieces: inside.to_vec() }, by, axis)?;
-    for over in &mut found {
+    let mut offset = outline(&Contour { side: contour.side, pieces: inside.to_vec() }, by, axis)?;
+    for over in &mut offset {
         over.of += before;
     }
-    // What of a face the strip beside it covers is no face any more.
-    if let (Some(first), Some(start)) = (found.first().map(|over| over.piece.from), contour.start())
+    // The part of a face that the neighbouring strip covers is left out.
+    if let (Some(first), Some(start)) = (offset.first().map(|over| over.piece.from), contour.start())
         && (before > 0 && start.radius > first.radius && start.z == first.z)
     {
-        found.insert(0, Over { piece: Piece::line(start, first), of: before - 1 });
+        offset.insert(0, Over { piece: Piece::line(start, first), of: before - 1 });
     }
-    if let (Some(last), Some(end)) = (found.last().map(|over| over.piece.to), contour.end())
+    if let (Some(last), Some(end)) = (offset.last().map(|over| over.piece.to), contour.end())
         && (behind > 0 && end.radius > last.radius && end.z == last.z)
     {
-        found.push(Over { piece: Piece::line(last, end), of: rest.end });
+        offset.push(Over { piece: Piece::line(last, end), of: rest.end });
     }
-    Ok(found)
+    Ok(offset)
 }
 
-/// Everything that must be true before.
+/// The preconditions.
 fn check(contour: &Contour, distances: &[Half]) -> Result<(), EquidistantError> {
     if contour.pieces.is_empty() {
         return Err(EquidistantError::Empty);
@@ -174,7 +173,7 @@ fn check(contour: &Contour, distances: &[Half]) -> Result<(), EquidistantError> 
     }
 }
 
-/// The strips over an outer contour, joined, and their outer boundary.
+/// The outer boundary of the strips over an outer contour.
 fn outline(contour: &Contour, distances: &[Half], axis: bool) -> Result<Vec<Over>, EquidistantError> {
     let parallels: Vec<Parallel> =
         contour.pieces.iter().zip(distances).map(|(piece, distance)| Parallel::new(*piece, *distance)).collect();
@@ -208,18 +207,18 @@ fn outline(contour: &Contour, distances: &[Half], axis: bool) -> Result<Vec<Over
         right: Vector::new(right, ground),
         reach: FAR * most + FOUNDATION,
     };
-    let found = read_back::read_back(&whole, &ends, &parallels).ok_or(EquidistantError::NotJoined)?;
-    if found.is_empty() { Err(EquidistantError::Vanished) } else { Ok(found) }
+    let pieces = read_back::read_back(&whole, &ends, &parallels).ok_or(EquidistantError::NotJoined)?;
+    if pieces.is_empty() { Err(EquidistantError::Vanished) } else { Ok(pieces) }
 }
 
-/// A piece and its parallel, mm.
+/// A piece and its offset, mm.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Parallel {
     /// The piece.
     pub piece: Piece,
-    /// Its distance, at most the radius of a hollow arc, from whose points nothing goes beyond the centre.
+    /// Its distance; over a concave arc at most the radius, because no offset goes beyond the centre.
     pub distance: f64,
-    /// The distance that was asked for.
+    /// The distance that was required.
     pub wanted: f64,
     /// Its beginning.
     pub from: Vector,
@@ -229,11 +228,11 @@ pub(super) struct Parallel {
     pub ahead_from: Vector,
     /// Its direction at its end, 1 long.
     pub ahead_to: Vector,
-    /// Where the parallel begins.
+    /// Where the offset begins.
     pub over_from: Vector,
     /// Where it ends.
     pub over_to: Vector,
-    /// The angle of both, radians, as in [`Corner`]; 0 for a line and for the parallel of an arc that vanished.
+    /// The angle of both, radians, as in [`Corner`]; 0 for a line and for an arc whose offset vanished.
     pub sweep: f64,
 }
 
@@ -260,8 +259,7 @@ impl Parallel {
     }
 }
 
-/// The upper edges of all strips: one line as long as strips follow each other without a hollow corner between them and
-/// without leading back.
+/// The upper edges of all strips. Strips share an edge until a concave corner, or until the edge would run back.
 fn tops(parallels: &[Parallel], axis: bool) -> Vec<Vec<Corner>> {
     let mut tops = Tops::default();
     if let Some(first) = parallels.first().filter(|first| axis && first.from.radius == 0.0) {
@@ -285,37 +283,37 @@ fn tops(parallels: &[Parallel], axis: bool) -> Vec<Vec<Corner>> {
     tops.done
 }
 
-/// The upper edges so far.
+/// The upper edges under construction.
 #[derive(Default)]
 struct Tops {
     done: Vec<Vec<Corner>>,
-    /// The one that grows.
+    /// The unfinished edge.
     top: Vec<Corner>,
-    /// The corner of the part under its end.
+    /// The corner of the part below its end.
     last_corner: Vector,
 }
 
 impl Tops {
-    /// Goes on to some corners, over that corner of the part. Where the way would lead back, another edge begins.
+    /// Continues to some corners above that corner of the part. Where the edge would run back, a new one begins.
     fn follow(&mut self, corners: Vec<Corner>, part: Vector) {
         for corner in corners {
             if self.top.last().is_some_and(|last| corner.at.z < last.at.z - TOUCH) {
                 self.end(part);
             }
             if self.top.is_empty() && corner.at.z > part.z {
-                // A strip that leans towards the chuck has its first edge over the ground.
+                // The strip leans towards the chuck: its edge begins at the part.
                 self.top.push(Corner::sharp(part));
             }
             self.top.push(corner);
         }
     }
 
-    /// Ends the edge over that corner of the part.
+    /// Ends the edge above that corner of the part.
     fn end(&mut self, part: Vector) {
         if let Some(last) = self.top.last_mut() {
             last.sweep = 0.0;
             if last.at.z < part.z {
-                // A strip that leans towards the free end has its last edge over the ground.
+                // The strip leans towards the free end: its edge ends at the part.
                 self.top.push(Corner::sharp(part));
             }
             self.done.push(std::mem::take(&mut self.top));
@@ -323,7 +321,8 @@ impl Tops {
     }
 }
 
-/// The corners between the axis and the strip that begins (or ends) on it: half of what joins it to its own image.
+/// The corners between the axis and the strip that begins (or ends) on it: half of the join between the strip and its
+/// mirror image.
 fn tip(one: &Parallel, next: &Parallel, begins: bool) -> Vec<Corner> {
     let corners = join(one, next).unwrap_or_default();
     let [arc, end] = corners.as_slice() else { return corners };
@@ -337,13 +336,13 @@ fn tip(one: &Parallel, next: &Parallel, begins: bool) -> Vec<Corner> {
     }
 }
 
-/// The image of a piece on the other side of the axis, walked the way that the contour goes on there.
+/// The mirror image of a piece beyond the axis, in the direction in which the contour would go on there.
 fn mirrored(parallel: &Parallel) -> Parallel {
     let piece = parallel.piece.inside_out(Half::ZERO).reversed();
     Parallel::new(piece, Half::from(parallel.wanted))
 }
 
-/// The corners between the end of one parallel and the beginning of the next; none at a hollow corner.
+/// The corners between the end of one offset and the beginning of the next; none at a concave corner.
 fn join(one: &Parallel, next: &Parallel) -> Option<Vec<Corner>> {
     let (sine, cosine) = (one.ahead_to.cross(next.ahead_from), one.ahead_to.dot(next.ahead_from));
     if one.over_to.minus(next.over_from).length() < TOUCH || sine.abs() < STRAIGHT && cosine > 0.0 {
@@ -355,7 +354,7 @@ fn join(one: &Parallel, next: &Parallel) -> Option<Vec<Corner>> {
     let (corner, sine) = (one.to, sine.abs());
     let (out_one, out_next) = (one.ahead_to.left(), next.ahead_from.left());
     if one.is_line() && next.is_line() {
-        // How far each parallel must be extended to meet the other.
+        // How far each offset must be extended to meet the other.
         let beyond_one = (next.distance - one.distance * cosine) / sine.max(STRAIGHT);
         let before_next = (one.distance - next.distance * cosine) / sine.max(STRAIGHT);
         if beyond_one < 0.0 {
@@ -369,13 +368,13 @@ fn join(one: &Parallel, next: &Parallel) -> Option<Vec<Corner>> {
             return Some(vec![Corner::sharp(corner.plus(meeting))]);
         }
     }
-    // About the corner, at the smaller distance of the two.
+    // An arc about the corner, with the smaller distance of the two.
     let distance = one.wanted.min(next.wanted);
     let (from, to) = (corner.plus(out_one.times(distance)), corner.plus(out_next.times(distance)));
     Some(vec![Corner { at: from, sweep: -libm::atan2(sine, cosine) }, Corner::sharp(to)])
 }
 
-/// An upper edge and everything under it, down to the ground.
+/// The outline of an upper edge and everything below it, down to the ground.
 fn shadow(top: &[Corner], ground: f64) -> Vec<Corner> {
     let mut outline: Vec<Corner> = Vec::new();
     for corner in top {
@@ -384,7 +383,7 @@ fn shadow(top: &[Corner], ground: f64) -> Vec<Corner> {
             _ => outline.push(*corner),
         }
     }
-    // A face without a distance at an end stands over nothing.
+    // An upright end, of a face without a distance, has no strip below it.
     let upright = |one: &Corner, next: &Corner| one.sweep == 0.0 && (one.at.z - next.at.z).abs() < SAME;
     while let [.., one, next] = outline.as_slice() {
         if !upright(one, next) || next.at.radius < one.at.radius {

@@ -1,4 +1,4 @@
-//! The finishing allowances: by a table, by the errors of the pass before, or as the file states them (lecture 12.2).
+//! Finishing allowances: from a table, from the errors of the previous pass, or as the file states them (lecture 12.2).
 
 use serde::Serialize;
 
@@ -11,27 +11,27 @@ use crate::turning::length::Half;
 use crate::units::{Micrometres, Microns};
 
 use super::capability::is_groove;
-use super::surfaces::{Place, asked, diameter, on_side, place};
+use super::surfaces::{Place, diameter, on_side, place, query_size};
 
 /// The errors that an allowance must cover, each on one side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Errors {
-    /// Rz, the height of the roughness that the pass before leaves; none: of the table `surface-after-pass`.
+    /// Rz, the height of the roughness that the previous pass leaves; if none, from the table `surface-after-pass`.
     pub roughness_height: Option<Half>,
-    /// T, the damaged layer that it leaves; none: of the same table.
+    /// T, the damaged layer that it leaves; if none, from the same table.
     pub damaged_layer: Option<Half>,
-    /// ρ, the deviations in space that it leaves: bending, being off the axis.
+    /// ρ, the spatial deviations that it leaves, such as bending and eccentricity.
     pub deviation: Half,
-    /// ε, the error of setting the part up for this pass.
+    /// ε, the set-up error of this pass.
     pub setting: Half,
 }
 
-/// How finishing allowances are found. What a surface states itself goes before.
+/// How finishing allowances are found. An allowance that a surface states itself takes precedence.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
     /// By experience and statistics: the table `finish-turning-allowance`.
     Table,
-    /// By reckoning from errors.
+    /// Calculated from errors.
     Analytic(Errors),
     /// As stated for the whole part.
     Stated {
@@ -49,18 +49,18 @@ pub struct Allowance {
     pub surface: SurfaceName,
     /// Where it lies.
     pub place: Place,
-    /// On one side, along the normal, mm; none where it is unknown (a finding says so) and for grooves, which are bridged.
+    /// On one side, along the normal, mm. None if it is unknown (a finding says so) and for grooves, which are bridged.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub allowance_mm: Option<Half>,
-    /// The row that it rests on, where it does.
+    /// The row that it rests on, if it comes from a table.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub because: Option<Because>,
 }
 
-/// The least allowance on one side (the analytic method of Кован, lecture 12.2: errors of the concrete conditions).
+/// The least allowance on one side by Kovan's analytic method (lecture 12.2), from the errors of the actual conditions.
 ///
-/// z_min = Rz + T + √(ρ² + ε²) for surfaces of revolution, whose errors have any direction (2·z_min on the diameter), and
-/// z_min = Rz + T + ρ + ε for faces, whose errors have one. Rounded up to half a micrometre.
+/// z_min = Rz + T + √(ρ² + ε²) for surfaces of revolution, whose errors can have any direction (2·z_min on the
+/// diameter), and z_min = Rz + T + ρ + ε for faces, whose errors have one direction. Rounded up to half a micrometre.
 ///
 /// Source: Косилова А.Г., Мещеряков Р.К. Справочник технолога-машиностроителя, т. 1, chapter on allowances.
 pub fn least(place: Place, roughness_height: Half, damaged_layer: Half, deviation: Half, setting: Half) -> Half {
@@ -91,12 +91,12 @@ pub fn finishing(
             Some(stated) => (Some(stated), None),
             None if is_groove(surface.kind) => (None, None),
             None => {
-                let found = allowance(place, diameter(surface), length, method, knowledge)?;
-                if found.0.is_none() {
+                let result = allowance(place, diameter(surface), length, method, knowledge)?;
+                if result.0.is_none() {
                     let note = Note::new("no-finishing-allowance").with("surface", &surface.name);
                     findings.push(Finding::of_part(Severity::Error, note));
                 }
-                found
+                result
             }
         };
         if let Some(doubt) = because.as_ref().and_then(Because::doubt) {
@@ -110,11 +110,10 @@ pub fn finishing(
     Ok((allowances, findings))
 }
 
-/// The finishing allowance at a place, on one side, for what is no surface of its own too, such as a bridge; none where the
-/// table has no row for its size or the file states none.
+/// The finishing allowance on one side for a place and a size, also for a bridge, which is no surface. None if the
+/// table has no row for the size or the file states no allowance.
 ///
-/// # Errors
-/// The knowledge base lacks a table or a row that must be there.
+/// # Errors The knowledge base lacks a table or a row that must be there.
 pub fn allowance(
     place: Place,
     diameter: Micrometres,
@@ -124,28 +123,28 @@ pub fn allowance(
 ) -> Result<(Option<Half>, Option<Because>), KnowledgeError> {
     match method {
         Method::Table => {
-            let (diameter, length) = (asked(diameter), asked(length));
-            let told = knowledge.ask(&FinishTurningAllowanceFor { place_on: place, diameter, length })?;
-            let Some(row) = told.winner()? else { return Ok((None, None)) };
-            let found = on_side(place, row.allowance);
-            let note = Note::new("finishing-allowance").with("place", place.name()).with("allowance", found);
-            Ok((Some(found), Some(Because::answer(&told.answer, note))))
+            let (diameter, length) = (query_size(diameter), query_size(length));
+            let lookup = knowledge.ask(&FinishTurningAllowanceFor { place_on: place, diameter, length })?;
+            let Some(row) = lookup.winner()? else { return Ok((None, None)) };
+            let allowance_mm = on_side(place, row.allowance);
+            let note = Note::new("finishing-allowance").with("place", place.name()).with("allowance", allowance_mm);
+            Ok((Some(allowance_mm), Some(Because::answer(&lookup.answer, note))))
         }
         Method::Stated { on_diameter, on_face } => {
             let stated = if place == Place::Face { on_face } else { on_diameter };
             Ok((stated.map(|stated| on_side(place, stated)), None))
         }
         Method::Analytic(errors) => {
-            let told = knowledge.ask(&SurfaceAfterPassFor { pass: Pass::Rough })?;
-            let row = told.need(Pass::Rough.name())?;
+            let lookup = knowledge.ask(&SurfaceAfterPassFor { pass: Pass::Rough })?;
+            let row = lookup.need(Pass::Rough.name())?;
             let of = |thickness: Microns| Half::from(thickness.0 / 1000.0);
             let (height, layer) = (of(row.roughness_height), of(row.damaged_layer));
             let (given, stated) = (errors.roughness_height, errors.damaged_layer);
-            let found =
+            let allowance_mm =
                 least(place, given.unwrap_or(height), stated.unwrap_or(layer), errors.deviation, errors.setting);
-            let note = Note::new("analytic-allowance").with("place", place.name()).with("allowance", found);
-            let because = (given.is_none() || stated.is_none()).then(|| Because::answer(&told.answer, note));
-            Ok((Some(found), because))
+            let note = Note::new("analytic-allowance").with("place", place.name()).with("allowance", allowance_mm);
+            let because = (given.is_none() || stated.is_none()).then(|| Because::answer(&lookup.answer, note));
+            Ok((Some(allowance_mm), because))
         }
     }
 }

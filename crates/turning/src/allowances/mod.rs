@@ -1,8 +1,9 @@
 //! What is left for finishing, and the rough contour that leaves it (lecture 12.2).
 //!
-//! - [`mod@capability`]: what the lathe cannot finish gets an intermediate allowance;
-//! - [`mod@finishing`]: the finishing allowance of each surface, by table, from errors or as stated;
-//! - [`mod@equidistant`]: the rough contour, which keeps those allowances (the union of `union`, read back by `read_back`);
+//! - [`mod@capability`]: the intermediate allowance where the lathe cannot finish a surface;
+//! - [`mod@finishing`]: the finishing allowance of each surface, from a table, from errors or as stated;
+//! - [`mod@equidistant`]: the rough contour at these allowances (`union` joins the strips, `read_back` makes pieces of
+//!   them);
 //! - [`mod@areas`]: the three allowances as areas and volumes.
 
 pub mod areas;

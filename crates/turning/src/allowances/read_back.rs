@@ -1,4 +1,4 @@
-//! The outline of all strips together, read back as pieces of a contour.
+//! Makes pieces of a contour from the outline of all strips.
 
 use crate::turning::contour::{Curve, Piece, Turn};
 use crate::turning::length::Half;
@@ -7,45 +7,45 @@ use crate::turning::point::{Point, Vector};
 use super::equidistant::{Over, Parallel, SAME};
 use super::union::Corner;
 
-/// A piece of the outline lies on a parallel if its middle is no farther from it, mm: half a micrometre.
+/// A stretch of the outline lies on an offset if its middle is no farther from it, mm: half a micrometre.
 const ON_IT: f64 = 5e-4;
 
-/// The sine of the angle within which a line is parallel; short lines have directions that are not exact.
+/// Lines are parallel below this sine of the angle between them: the directions of short lines are not exact.
 const PARALLEL: f64 = 1e-3;
 
-/// An arc with a shorter chord is written as a line, mm: it bends by nanometres.
+/// An arc with a shorter chord is written as a line, mm: it bends by nanometres only.
 const SHORT: f64 = 2e-3;
 
-/// An arc whose written centre is farther from its own is written in halves, mm.
+/// An arc is written as two halves if its rounded centre would be farther from the true one, mm.
 const OFF_CENTRE: f64 = 1e-3;
 
-/// Half a circle and its rounding, radians.
+/// Half a circle with its rounding, radians.
 const HALF_CIRCLE: f64 = std::f64::consts::PI + 1e-6;
 
-/// One end of the contour below.
+/// One end of the contour below the outline.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct End {
     /// The corner of the part.
     pub corner: Vector,
-    /// From there to the end of its parallel, 1 long; along the axis where the part ends on it.
+    /// The direction from there to the end of its offset, 1 long; along the axis if the part ends on it.
     pub out: Vector,
-    /// How far the parallel is from the corner, mm.
+    /// The distance of the offset from the corner, mm.
     pub reach: f64,
-    /// How far the outline can be from it where the strip of another piece covers that, mm.
+    /// How far the outline can be from the corner where the strip of another piece covers that end, mm.
     pub far: f64,
 }
 
-/// Both ends, and those of the foundation between which the outline is wanted.
+/// Both ends, and the corners of the foundation between which the outline is read.
 pub(super) struct Ends {
     /// At the free end.
     pub from: End,
     /// Towards the chuck.
     pub to: End,
-    /// The upper corner of the foundation before the free end.
+    /// The upper corner of the foundation beyond the free end.
     pub left: Vector,
-    /// The one behind the end towards the chuck.
+    /// The upper corner beyond the end towards the chuck.
     pub right: Vector,
-    /// How far a point of the outline can be from the piece over which it lies, along Z, mm.
+    /// How far along Z a point of the outline can be from the piece below it, mm.
     pub reach: f64,
 }
 
@@ -66,12 +66,12 @@ impl OutlinePiece {
         self.to.minus(self.from)
     }
 
-    /// The point at a share of its way.
+    /// The point at a share of its length.
     fn at(self, share: f64) -> Vector {
         if self.sweep == 0.0 {
             return self.from.plus(self.chord().times(share));
         }
-        // The chord from the beginning turns by half the angle that is left, and is as long as its own arc demands.
+        // The chord of the first part is turned from the whole chord by half the remaining angle.
         let part = self.sweep * share;
         let length = self.chord().length() * libm::sin(part / 2.0) / libm::sin(self.sweep / 2.0);
         let turn = (part - self.sweep) / 2.0;
@@ -79,7 +79,7 @@ impl OutlinePiece {
         self.from.plus(ahead.times(length * libm::cos(turn))).plus(ahead.left().times(length * libm::sin(turn)))
     }
 
-    /// Whether another stretch lies on the same line or circle and goes the same way; both arcs at most half a circle.
+    /// Whether another stretch continues the same line or circle in the same direction; together at most half a circle.
     fn goes_on_as(self, next: Self) -> bool {
         if self.sweep == 0.0 && next.sweep == 0.0 {
             let whole = next.to.minus(self.from);
@@ -96,36 +96,36 @@ impl OutlinePiece {
         self.at(0.0).plus(self.chord().times(0.5)).plus(self.chord().unit().left().times(height))
     }
 
-    /// What is left of it from a share of its way on.
+    /// The remainder after a share of its length.
     fn rest(self, share: f64) -> Self {
         Self { from: self.at(share), to: self.to, sweep: self.sweep * (1.0 - share) }
     }
 }
 
-/// The pieces of an outline between its ends, each with the parallel that it lies on.
+/// The outline between its ends as pieces, each with the offset that it lies on.
 pub(super) fn read_back(whole: &[Corner], ends: &Ends, parallels: &[Parallel]) -> Option<Vec<Over>> {
     let mut stretches = above_foundation(whole, ends)?;
     trim(&mut stretches, ends.from, -1.0);
     stretches = stretches.into_iter().rev().map(OutlinePiece::reversed).collect();
     trim(&mut stretches, ends.to, 1.0);
     stretches = stretches.into_iter().rev().map(OutlinePiece::reversed).collect();
-    let mut found: Vec<(OutlinePiece, usize)> = Vec::new();
+    let mut merged: Vec<(OutlinePiece, usize)> = Vec::new();
     for stretch in stretches {
-        let of = parallel_of(stretch, parallels, ends.reach).or(found.last().map(|(_, of)| *of)).unwrap_or(0);
-        match found.last_mut() {
+        let of = parallel_of(stretch, parallels, ends.reach).or(merged.last().map(|(_, of)| *of)).unwrap_or(0);
+        match merged.last_mut() {
             Some((last, its)) if *its == of && last.goes_on_as(stretch) => {
                 *last = OutlinePiece { from: last.from, to: stretch.to, sweep: last.sweep + stretch.sweep };
             }
-            _ => found.push((stretch, of)),
+            _ => merged.push((stretch, of)),
         }
     }
-    let over = found
+    let over = merged
         .into_iter()
         .flat_map(|(stretch, of)| pieces(stretch, parallels.get(of)).map(move |piece| Over { piece, of }));
     Some(over.filter(|over| !over.piece.is_nothing()).collect())
 }
 
-/// The outline from the foundation before the part to that behind it.
+/// The outline between the foundation before the part and that behind it.
 fn above_foundation(whole: &[Corner], ends: &Ends) -> Option<Vec<OutlinePiece>> {
     let is_at = |corner: &Corner, at: Vector| at.minus(corner.at).length() < SAME;
     let start = whole.iter().position(|corner| is_at(corner, ends.left))?;
@@ -139,8 +139,9 @@ fn above_foundation(whole: &[Corner], ends: &Ends) -> Option<Vec<OutlinePiece>> 
     Some(stretches.map(stretch).filter(|stretch| !on_ground(stretch)).collect())
 }
 
-/// Leaves out what lies before the end of the part: before the outline first meets the ray from the corner of the part
-/// through the end of its parallel. Where the strip of another piece covers that end, the ray is level.
+/// Removes what lies beyond the end of the part: everything before the outline first meets the ray from the corner of
+/// the part through the end of its offset. If the strip of another piece covers that end, the ray is parallel to the
+/// axis.
 fn trim(stretches: &mut Vec<OutlinePiece>, end: End, outwards: f64) {
     let level = End { out: Vector::new(outwards, 0.0), reach: end.far, ..end };
     if let Some(rest) = after(stretches, end).or_else(|| after(stretches, level)) {
@@ -148,7 +149,7 @@ fn trim(stretches: &mut Vec<OutlinePiece>, end: End, outwards: f64) {
     }
 }
 
-/// What follows after the ray; none where the outline does not meet it in its reach.
+/// The stretches after the ray; none if the outline does not meet it within its reach.
 fn after(stretches: &[OutlinePiece], end: End) -> Option<Vec<OutlinePiece>> {
     let along = |at: Vector| end.out.dot(at.minus(end.corner));
     let aside = |at: Vector| end.out.cross(at.minus(end.corner));
@@ -157,7 +158,7 @@ fn after(stretches: &[OutlinePiece], end: End) -> Option<Vec<OutlinePiece>> {
     for (place, stretch) in stretches.iter().enumerate() {
         let rest = || stretches.iter().skip(place + 1).copied();
         if met(stretch.to) {
-            // Up to the ray; what lies on it is left out too.
+            // What lies on the ray is removed too.
             return Some(rest().skip_while(|next| met(next.to)).collect());
         }
         if aside(stretch.from) * aside(stretch.to) < 0.0 {
@@ -170,7 +171,7 @@ fn after(stretches: &[OutlinePiece], end: End) -> Option<Vec<OutlinePiece>> {
     None
 }
 
-/// At which share of a stretch a measure changes its sign, by halving.
+/// The share of a stretch at which a measure changes its sign, by bisection.
 fn crossing(stretch: OutlinePiece, measure: impl Fn(Vector) -> f64) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..50 {
@@ -184,8 +185,8 @@ fn crossing(stretch: OutlinePiece, measure: impl Fn(Vector) -> f64) -> f64 {
     (low + high) / 2.0
 }
 
-/// The parallel on which a stretch lies, the nearest of them where there are several. Their pieces are in the order of Z,
-/// and only those in reach are looked at.
+/// The offset on which a stretch lies, the nearest if there are several. Their pieces are in the order of Z, so only
+/// those within reach are compared.
 fn parallel_of(stretch: OutlinePiece, parallels: &[Parallel], reach: f64) -> Option<usize> {
     let middle = stretch.at(0.5);
     let fits = |parallel: &Parallel| {
@@ -202,7 +203,7 @@ fn parallel_of(stretch: OutlinePiece, parallels: &[Parallel], reach: f64) -> Opt
             }
         }
     };
-    // How far the middle lies beyond the ends of the parallel.
+    // How far the middle lies beyond the ends of the offset.
     let beyond = |parallel: &Parallel| {
         let chord = parallel.over_to.minus(parallel.over_from);
         let along = chord.unit().dot(middle.minus(parallel.over_from));
@@ -214,7 +215,8 @@ fn parallel_of(stretch: OutlinePiece, parallels: &[Parallel], reach: f64) -> Opt
     fitting.min_by(|(_, one), (_, other)| beyond(one).total_cmp(&beyond(other))).map(|(of, _)| of)
 }
 
-/// A stretch as a piece, or two: the rounded ends of nearly half a circle may not tell its centre, its halves do.
+/// A stretch as one piece, or as two: the rounded ends of nearly half a circle may not give its centre, but those of
+/// its halves do.
 fn pieces(stretch: OutlinePiece, parallel: Option<&Parallel>) -> impl Iterator<Item = Piece> {
     let whole = piece(stretch, parallel);
     let off = whole.centre().map_or(0.0, |centre| stretch.centre().minus(centre).length());
@@ -226,7 +228,7 @@ fn pieces(stretch: OutlinePiece, parallel: Option<&Parallel>) -> impl Iterator<I
     parts.into_iter().map(move |part| piece(part, parallel))
 }
 
-/// A stretch as a piece. Where it lies on the parallel of an arc it has the radius of that arc and the distance.
+/// A stretch as a piece. On the offset of an arc its radius follows from that arc and the distance.
 fn piece(stretch: OutlinePiece, parallel: Option<&Parallel>) -> Piece {
     let (from, to) = (Point::at(stretch.from), Point::at(stretch.to));
     let chord = stretch.chord().length();
@@ -240,7 +242,7 @@ fn piece(stretch: OutlinePiece, parallel: Option<&Parallel>) -> Piece {
         Curve::Arc { radius, turn: Turn::Right } if turn == Turn::Right => Some(radius + Half::from(parallel.distance)),
         _ => None,
     });
-    // A join has the place of an arc beside it, but not its radius.
+    // A join carries the index of a neighbouring arc, but has another radius.
     let radius =
         concentric.filter(|radius| (radius.to_mm() - computed.to_mm()).abs() < ON_IT.max(0.01 * computed.to_mm()));
     Piece::arc(from, to, radius.unwrap_or(computed), turn)

@@ -1,4 +1,4 @@
-//! What of a surface decides its allowance: where it lies, and how large it and the part are.
+//! What decides the allowance of a surface: its place, its size and that of the part.
 
 use crate::turning::contour::{Profile, Side, Surface, SurfaceKind};
 use crate::turning::length::Half;
@@ -16,7 +16,7 @@ pub fn place(surface: &Surface, side: Side) -> Place {
     }
 }
 
-/// An allowance of a table on one side: the tables give it on the diameter, but on faces.
+/// The allowance of a table, on one side. The tables give it on the diameter, except for faces.
 pub const fn on_side(place: Place, allowance: Micrometres) -> Half {
     match place {
         Place::Face => Half::of(allowance),
@@ -38,7 +38,7 @@ pub fn length(profile: &Profile) -> Micrometres {
     }
 }
 
-/// A size as the tables of allowances are asked for it: sizes of nothing ask for the least.
-pub(super) fn asked(size: Micrometres) -> Micrometres {
+/// The size for a query of the allowance tables; they begin above zero.
+pub(super) fn query_size(size: Micrometres) -> Micrometres {
     size.max(Micrometres::new(1))
 }

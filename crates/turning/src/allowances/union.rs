@@ -1,9 +1,9 @@
-//! The union of closed outlines of lines and arcs: the one file that knows the crate `cavalier_contours`.
+//! The union of closed outlines of lines and arcs. No other file uses the crate `cavalier_contours`.
 //!
-//! What we found of its union (0.9.0) on random contours: edges that lie on each other it handles; where edges meet at a
-//! very flat angle, so that corners come nearer than its tolerance of 1e-5, it loses a part about once in 10,000 times
-//! without saying so. Hence each union is tried for what it covers, and made again in other units, in which the same
-//! tolerance is another length. Its debug assertions panic in such cases, so Cargo.toml turns them off.
+//! Its union (0.9.0), tried on random contours: it handles edges that coincide. Where edges meet at a very flat angle,
+//! so that corners come nearer than its tolerance of 1e-5, it silently loses a part about once in 10,000 times. So each
+//! union is checked for what it covers, and repeated in other units, in which the same tolerance is another length. Its
+//! debug assertions panic in such cases, so Cargo.toml turns them off.
 
 use cavalier_contours::core::math::Vector2;
 use cavalier_contours::polyline::{
@@ -14,16 +14,16 @@ use crate::turning::point::Vector;
 
 use super::equidistant::SAME;
 
-/// How many of the crate's units are a millimetre, one after the other.
+/// How many units of the crate are a millimetre, in the order in which they are tried.
 const UNITS: [f64; 4] = [100.0, 1000.0, 10.0, 1.0];
 
-/// Areas smaller than this are rounding, mm².
+/// Smaller areas are rounding, mm².
 const NOTHING: f64 = 1e-5;
 
-/// How far inside an edge it is tried whether the whole covers it, mm.
+/// Coverage is checked so far inside each edge, mm.
 const INSIDE: f64 = 1e-5;
 
-/// So far before the next outline, mm, the whole is cut off.
+/// The finished part ends at least so far before the next outline, mm.
 const CLEAR: f64 = 0.01;
 
 /// A corner of a closed outline, and how the outline goes on from it to the next one.
@@ -31,7 +31,8 @@ const CLEAR: f64 = 0.01;
 pub(super) struct Corner {
     /// Where it is, mm.
     pub at: Vector,
-    /// The angle of the arc to the next corner, radians: 0 is a straight line, positive turns left, at most half a circle.
+    /// The angle of the arc to the next corner, radians: 0 for a straight line, positive to the left, at most half a
+    /// circle.
     pub sweep: f64,
 }
 
@@ -42,11 +43,12 @@ impl Corner {
     }
 }
 
-/// The outer boundary of a foundation and all outlines that stand on it, clockwise; none where they do not hang together
-/// or leave a hole. The foundation begins with its lower corner at the free end.
+/// The outer boundary of a foundation and all outlines that stand on it, clockwise; none if they are not connected or
+/// leave a hole. The foundation begins with its lower corner at the free end.
 ///
-/// The outlines come in the order of the contour: what lies before all that are still to come is done, and only the rest,
-/// a few neighbours, is joined with the next one. So the time grows with the length of the contour, not with its square.
+/// The outlines come in the order of the contour. What lies before all remaining outlines is finished; only the rest, a
+/// few neighbours, is joined with the next outline. So the time grows with the length of the contour, not with its
+/// square.
 pub(super) fn union(foundation: &[Corner], outlines: &[Vec<Corner>]) -> Option<Vec<Corner>> {
     let (mut done, mut rest) = (Vec::new(), foundation.to_vec());
     for (outline, reach) in outlines.iter().zip(reaches(outlines)) {
@@ -57,7 +59,7 @@ pub(super) fn union(foundation: &[Corner], outlines: &[Vec<Corner>]) -> Option<V
     Some(foundation.first().copied().into_iter().chain(done).chain(rest.into_iter().skip(1)).collect())
 }
 
-/// How far each outline or one after it reaches towards the free end.
+/// The least Z of each outline and all after it.
 fn reaches(outlines: &[Vec<Corner>]) -> Vec<f64> {
     let mut reach = f64::INFINITY;
     let mut reaches: Vec<f64> = Vec::with_capacity(outlines.len());
@@ -69,7 +71,8 @@ fn reaches(outlines: &[Vec<Corner>]) -> Vec<f64> {
     reaches
 }
 
-/// Moves the corners before a Z from the rest to what is done. The last of them stays: below it the rest is cut off upright.
+/// Moves the corners before a Z from the rest to the finished part. The last of them stays; below it the rest is cut
+/// off vertically.
 fn settle(done: &mut Vec<Corner>, rest: &mut Vec<Corner>, before: f64) {
     let upper = rest.iter().skip(1).take_while(|corner| corner.at.z < before).count();
     done.extend(rest.drain(1..upper.max(1)));
@@ -78,34 +81,34 @@ fn settle(done: &mut Vec<Corner>, rest: &mut Vec<Corner>, before: f64) {
     }
 }
 
-/// A closed outline from one of its corners on.
+/// A closed outline, rotated to begin at that corner.
 fn from_corner(mut outline: Vec<Corner>, at: Vector) -> Option<Vec<Corner>> {
     let start = outline.iter().position(|corner| corner.at.minus(at).length() < SAME)?;
     outline.rotate_left(start);
     Some(outline)
 }
 
-/// Two outlines as one; none where the crate fails, which shows in points of theirs that the whole does not cover.
+/// The union of two outlines; none if the crate fails, that is if the result does not cover some point of them.
 fn together(one: &[Corner], other: &[Corner], unit: f64) -> Option<Vec<Corner>> {
     let (one, other) = (polyline(one, unit), polyline(other, unit));
     let area = |line: &Polyline<f64>| line.area().abs() / (unit * unit);
     let result = one.boolean(&other, BooleanOp::Or);
     let parts = result.pos_plines.into_iter().chain(result.neg_plines).map(|part| part.pline);
     let mut parts = parts.filter(|part| area(part) > NOTHING);
-    let (mut found, more) = (parts.next()?, parts.next());
-    let covered = [&one, &other].into_iter().all(|line| covers(&found, line, INSIDE * unit));
-    if more.is_some() || !covered || area(&found) > area(&one) + area(&other) + NOTHING {
+    let (mut joined, more) = (parts.next()?, parts.next());
+    let covered = [&one, &other].into_iter().all(|line| covers(&joined, line, INSIDE * unit));
+    if more.is_some() || !covered || area(&joined) > area(&one) + area(&other) + NOTHING {
         return None;
     }
-    if found.orientation() == PlineOrientation::CounterClockwise {
-        found.invert_direction_mut();
+    if joined.orientation() == PlineOrientation::CounterClockwise {
+        joined.invert_direction_mut();
     }
     let back = |x: f64, y: f64| Vector::new(x / unit, y / unit);
     let corner = |at: Vector, bulge: f64| Corner { at, sweep: 4.0 * libm::atan(bulge) };
-    Some(found.iter_vertexes().map(|vertex| corner(back(vertex.x, vertex.y), vertex.bulge)).collect())
+    Some(joined.iter_vertexes().map(|vertex| corner(back(vertex.x, vertex.y), vertex.bulge)).collect())
 }
 
-/// Whether the middles of all edges of a clockwise outline, moved into it by that much, lie in the whole.
+/// Whether the result covers a clockwise outline: the middle of each edge, moved inside by a small distance.
 fn covers(whole: &Polyline<f64>, outline: &Polyline<f64>, inside: f64) -> bool {
     outline.iter_segments().all(|(from, to)| {
         let middle = seg_midpoint(from, to);
@@ -114,7 +117,7 @@ fn covers(whole: &Polyline<f64>, outline: &Polyline<f64>, inside: f64) -> bool {
     })
 }
 
-/// The same in the crate's form: a vertex has, beside its place, a bulge, the tangent of a quarter of the angle of its arc.
+/// An outline as the crate has it: each vertex has a bulge, the tangent of a quarter of the angle of its arc.
 fn polyline(outline: &[Corner], unit: f64) -> Polyline<f64> {
     let mut line = Polyline::with_capacity(outline.len(), true);
     for corner in outline {

@@ -1,7 +1,7 @@
-//! The contour of a turned part or blank in the half section: lines and arcs, one after the other.
+//! The contour of a turned part or blank in the half section: a chain of lines and arcs.
 //!
-//! A contour goes from the free end towards the chuck. The metal lies to its right, which is towards the axis, where it is
-//! an outer one, and to its left where it is a bore.
+//! A contour runs from the free end towards the chuck. The metal is on its right, towards the axis, for an outer
+//! contour, and on its left for a bore.
 
 pub mod piece;
 pub mod stretches;
@@ -17,7 +17,7 @@ pub use piece::{Curve, Piece, Turn};
 pub use stretches::Stretches;
 pub use surface::{Profile, Surface, SurfaceKind, SurfaceName};
 
-/// Pieces that hang together: each begins where the one before it ends.
+/// A chain of pieces: each begins where the one before it ends.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Contour {
     /// Where its metal lies.
@@ -27,7 +27,7 @@ pub struct Contour {
 }
 
 impl Contour {
-    /// A contour of straight lines through points, without those that have no length.
+    /// Straight lines through points; lines without length are left out.
     pub fn through(side: Side, points: &[Point]) -> Self {
         let lines = points.iter().zip(points.iter().skip(1)).map(|(from, to)| Piece::line(*from, *to));
         Self { side, pieces: lines.filter(|piece| !piece.is_nothing()).collect() }
@@ -53,7 +53,7 @@ impl Contour {
         self.pieces.iter().zip(self.pieces.iter().skip(1)).all(|(one, next)| one.to == next.from)
     }
 
-    /// Whether no piece leads back towards the free end, so that each Z has one radius, or a face.
+    /// Whether no piece runs back towards the free end, so that each Z has one radius, or a face.
     pub fn is_monotone(&self) -> bool {
         let forward = |piece: &Piece| {
             piece.to.z >= piece.from.z
@@ -62,30 +62,30 @@ impl Contour {
         self.pieces.iter().all(forward)
     }
 
-    /// Its part between two Z, of a contour whose pieces stand in the order of Z: whole pieces, with both neighbours where
-    /// one of them begins at such a Z.
+    /// The whole pieces with a point between two Z, these included. The pieces must be in the order of Z.
     #[must_use]
     pub fn near(&self, from: Half, to: Half) -> Self {
         Self { side: self.side, pieces: touching(&self.pieces, from, to).to_vec() }
     }
 
-    /// Whether it has nothing but cylinders and faces.
+    /// Whether it has only cylinders and faces.
     pub fn is_stepped(&self) -> bool {
         self.pieces.iter().all(|piece| piece.is_face() || piece.is_cylinder())
     }
 
-    /// The least and the greatest radius at a Z, of a monotone contour: the same but on a face. None beyond its ends.
+    /// The least and the greatest radius at a Z. For a monotone contour they differ only on a face. None beyond its
+    /// ends.
     pub fn radii_at(&self, z: Half) -> Option<(Half, Half)> {
         let points = self.pieces.iter().flat_map(|piece| piece.at_z(z));
         points.map(|point| (point.radius, point.radius)).reduce(both)
     }
 
-    /// Where it crosses, touches or lies on the horizontal of a radius, in its own order; a point that two pieces share
-    /// stands once.
+    /// Where it crosses, touches or lies on the horizontal of a radius, in its own order. A point that two pieces share
+    /// appears once.
     pub fn at_radius(&self, radius: Half) -> Vec<Point> {
-        let mut found: Vec<Point> = self.pieces.iter().flat_map(|piece| piece.at_radius(radius)).collect();
-        found.dedup();
-        found
+        let mut points: Vec<Point> = self.pieces.iter().flat_map(|piece| piece.at_radius(radius)).collect();
+        points.dedup();
+        points
     }
 
     /// The least and the greatest radius of it anywhere.
@@ -93,17 +93,17 @@ impl Contour {
         self.pieces.iter().map(|piece| piece.radii()).reduce(both)
     }
 
-    /// The part turned over: what was Z = `length` becomes Z = 0, and the contour again goes from the free end.
+    /// The part turned over: Z = `length` becomes Z = 0, and the contour runs from the free end again.
     #[must_use]
     pub fn turned_over(&self, length: Half) -> Self {
         let place = |point: Point| Point { radius: point.radius, z: length - point.z };
-        // Mirrored and walked the other way, an arc bends to the side that it bent to.
+        // Mirrored and reversed, an arc still bends to the same side.
         let pieces = self.pieces.iter().rev().map(|piece| piece.mapped(true, place).reversed()).collect();
         Self { side: self.side, pieces }
     }
 
-    /// Inside out: radii count inwards from `top`. A bore becomes an outer contour and the other way round, so that what
-    /// is written for outer contours serves for bores.
+    /// Inside out: radii count inwards from `top`. A bore becomes an outer contour and an outer contour a bore, so code
+    /// for outer contours also works for bores.
     #[must_use]
     pub fn inside_out(&self, top: Half) -> Self {
         let side = match self.side {
@@ -114,7 +114,7 @@ impl Contour {
     }
 }
 
-/// The pieces with a point between two Z, these included. They stand in the order of Z.
+/// The pieces with a point between two Z, these included. They must be in the order of Z.
 pub fn touching(pieces: &[Piece], from: Half, to: Half) -> &[Piece] {
     let (_, ahead) = pieces.split_at(pieces.partition_point(|piece| piece.to.z < from));
     ahead.split_at(ahead.partition_point(|piece| piece.from.z <= to)).0
@@ -128,7 +128,7 @@ mod tests {
         Point { radius: Half::from(radius), z: Half::from(z) }
     }
 
-    /// A pin of 10 with a fillet of 5 into a flange of 30, which a chamfer of 2 ends.
+    /// A pin of radius 10 with a fillet of 5 into a flange of radius 30 with a chamfer of 2.
     fn pin() -> Contour {
         let mut pin = Contour::through(Side::Outer, &[at(0.0, 0.0), at(10.0, 0.0), at(10.0, 20.0)]);
         pin.pieces.push(Piece::arc(at(10.0, 20.0), at(15.0, 25.0), Half::from(5.0), Turn::Left));

@@ -5,13 +5,13 @@ use serde::Serialize;
 use crate::turning::length::Half;
 use crate::turning::point::{Point, Vector};
 
-/// To which side an arc bends, going along it with Z to the right and the radius upwards.
+/// To which side an arc bends, seen along it with Z to the right and the radius upwards.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Turn {
-    /// Counter-clockwise: on an outer contour from the free end a fillet, hollow.
+    /// Counter-clockwise: on an outer contour from the free end a concave arc, such as a fillet.
     Left,
-    /// Clockwise: on an outer contour from the free end a ball, bulging.
+    /// Clockwise: on an outer contour from the free end a convex arc, such as a ball.
     Right,
 }
 
@@ -64,7 +64,7 @@ impl Piece {
         Self { from, to, curve: Curve::Arc { radius, turn } }
     }
 
-    /// The same, walked the other way.
+    /// The same piece in the other direction.
     #[must_use]
     pub const fn reversed(self) -> Self {
         let curve = match self.curve {
@@ -94,8 +94,8 @@ impl Piece {
         self.from.to(self.to)
     }
 
-    /// The centre of an arc, from zero; none for a line. An arc whose radius is a trifle less than half its chord (its
-    /// ends are rounded) has its centre in the middle of it.
+    /// The centre of an arc, as a vector from zero; none for a line. If rounding left the radius slightly less than
+    /// half the chord, it is the middle of the chord.
     pub fn centre(self) -> Option<Vector> {
         let Curve::Arc { radius, turn } = self.curve else { return None };
         let chord = self.chord();
@@ -144,7 +144,7 @@ impl Piece {
         }
     }
 
-    /// The points of it that lie farthest out in each direction: its ends, and where an arc is level or upright.
+    /// Its outermost points in each direction: its ends, and points where an arc is horizontal or vertical.
     pub fn extremes(self) -> Vec<Point> {
         let mut points = vec![self.from, self.to];
         if let (Curve::Arc { radius, .. }, Some(centre)) = (self.curve, self.centre()) {
@@ -170,19 +170,19 @@ impl Piece {
         radii.fold((self.from.radius, self.from.radius), both)
     }
 
-    /// Whether a point on the circle of an arc, or on the line, lies between its ends.
+    /// Whether a point of its line or circle lies between its ends.
     pub fn holds(self, point: Point) -> bool {
         let (before, after) = (self.from.to(point), point.to(self.to));
         match self.curve {
             Curve::Line => self.chord().dot(before) >= 0.0 && self.chord().dot(after) >= 0.0,
-            // The point must lie off the chord on the bulging side: an arc is at most half a circle.
+            // An arc is at most half a circle, so its points lie on the convex side of the chord.
             Curve::Arc { turn: Turn::Left, .. } => self.chord().cross(before) <= 0.0,
             Curve::Arc { turn: Turn::Right, .. } => self.chord().cross(before) >= 0.0,
         }
     }
 
-    /// Where it crosses or touches the horizontal of a radius, in its own order; the beginning and the end of a cylinder
-    /// that lies on it.
+    /// Where it crosses or touches the horizontal of a radius, in its own order; for a cylinder on that radius, both
+    /// ends.
     pub fn at_radius(self, radius: Half) -> Vec<Point> {
         self.crossings(
             radius,
@@ -192,13 +192,12 @@ impl Piece {
         )
     }
 
-    /// Where it crosses or touches the vertical of a Z, in its own order; the beginning and the end of a face that stands
-    /// on it.
+    /// Where it crosses or touches the vertical of a Z, in its own order; for a face at that Z, both ends.
     pub fn at_z(self, z: Half) -> Vec<Point> {
         self.crossings(z, |point| point.z, |z, radius| Point { radius, z }, |vector| (vector.z, vector.radius))
     }
 
-    /// The same for both axes: the level is that of the first coordinate.
+    /// Crossings on either axis; `level` is a value of the coordinate `first`.
     fn crossings(
         self,
         level: Half,
@@ -207,7 +206,7 @@ impl Piece {
         parts: impl Fn(Vector) -> (f64, f64),
     ) -> Vec<Point> {
         let (from, to) = (first(self.from), first(self.to));
-        let mut found = Vec::new();
+        let mut points = Vec::new();
         match (self.curve, self.centre()) {
             (Curve::Arc { radius, .. }, Some(centre)) => {
                 let (along, across) = parts(centre);
@@ -218,39 +217,39 @@ impl Piece {
                     for other in [across - half, across + half] {
                         let at = point(level, Half::from(other));
                         if self.holds(at) {
-                            found.push(at);
+                            points.push(at);
                         }
                     }
                 }
-                // The ends are exact; the circle through them is not.
+                // The ends are exact, the circle through them is not.
                 for end in [self.from, self.to] {
                     if first(end) == level {
-                        found.retain(|at| at.to(end).length() > 0.01);
-                        found.push(end);
+                        points.retain(|at| at.to(end).length() > 0.01);
+                        points.push(end);
                     }
                 }
             }
-            _ if from == level && to == level => found.extend([self.from, self.to]),
+            _ if from == level && to == level => points.extend([self.from, self.to]),
             _ if (from <= level && level <= to) || (to <= level && level <= from) => {
                 let share = (level - from).to_mm() / (to - from).to_mm();
                 let at = self.from.moved(self.chord().times(share));
                 let (_, other) = parts(at.vector());
-                found.push(point(level, Half::from(other)));
+                points.push(point(level, Half::from(other)));
             }
             _ => {}
         }
-        found.sort_by(|a, b| self.from.to(*a).length().total_cmp(&self.from.to(*b).length()));
-        found.dedup();
-        found
+        points.sort_by(|a, b| self.from.to(*a).length().total_cmp(&self.from.to(*b).length()));
+        points.dedup();
+        points
     }
 
-    /// The part of it between two of its points, in its own direction.
+    /// The part between two of its points, in its own direction.
     #[must_use]
     pub const fn between(self, from: Point, to: Point) -> Self {
         Self { from, to, curve: self.curve }
     }
 
-    /// Each point replaced; arcs bend to the other side where the replacement mirrors.
+    /// The piece with each point mapped. An arc bends to the other side if the mapping mirrors.
     #[must_use]
     pub fn mapped(self, mirrors: bool, place: impl Fn(Point) -> Point) -> Self {
         let curve = match self.curve {
@@ -267,7 +266,7 @@ impl Piece {
     }
 }
 
-/// From the lesser of two beginnings to the greater of two ends.
+/// The smaller of two minima and the greater of two maxima.
 pub(super) fn both(one: (Half, Half), other: (Half, Half)) -> (Half, Half) {
     (one.0.min(other.0), one.1.max(other.1))
 }
@@ -280,7 +279,7 @@ mod tests {
         Point { radius: Half::from(radius), z: Half::from(z) }
     }
 
-    /// A quarter fillet of 5 from a cylinder of radius 20 into a face: the centre lies 5 outwards of its beginning.
+    /// A quarter fillet of 5 from a cylinder of radius 20 into a face: its centre is 5 outwards of its beginning.
     #[test]
     fn a_fillet_turns_left_about_a_centre_above_it() {
         let fillet = Piece::arc(at(20.0, 10.0), at(25.0, 15.0), Half::from(5.0), Turn::Left);
@@ -288,12 +287,12 @@ mod tests {
         assert!((fillet.length_mm() - 5.0 * std::f64::consts::FRAC_PI_2).abs() < 1e-9);
         assert!((fillet.direction_at_start().degrees()).abs() < 1e-6);
         assert!((fillet.direction_at_end().degrees() - 90.0).abs() < 1e-6);
-        // 3-4-5: one outwards of the lowest point is 3 along.
+        // By the triangle 3-4-5: 1 outwards of the lowest point is 3 along.
         assert_eq!(fillet.at_radius(Half::from(21.0)), [at(21.0, 13.0)]);
         assert_eq!(fillet.at_z(Half::from(14.0)), [at(22.0, 14.0)]);
     }
 
-    /// Half a ball of 10 from the axis to the axis: bulging, farthest out in its middle.
+    /// Half a ball of 10 from axis to axis: convex, outermost in its middle.
     #[test]
     fn a_ball_turns_right_and_is_crossed_twice() {
         let ball = Piece::arc(at(0.0, 0.0), at(0.0, 20.0), Half::from(10.0), Turn::Right);

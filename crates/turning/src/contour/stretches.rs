@@ -1,15 +1,15 @@
-//! Finds what lies over a stretch of Z without looking at a whole contour.
+//! Finds what lies over a stretch of Z without a search of the whole contour.
 
 use std::ops::Range;
 
 use crate::turning::length::Half;
 
-/// Stretches of Z in the order of a contour. It may lead back in places, in grooves, so they need not be sorted.
+/// Stretches of Z in the order of a contour. In grooves it may run back, so they need not be sorted.
 #[derive(Clone, Debug)]
 pub struct Stretches {
-    /// The farthest end of each stretch and those before it.
+    /// The greatest end of each stretch and all before it.
     ends: Vec<Half>,
-    /// The nearest beginning of each stretch and those after it.
+    /// The least beginning of each stretch and all after it.
     begins: Vec<Half>,
 }
 
@@ -29,7 +29,7 @@ impl Stretches {
         Self { ends: all.iter().scan(Half::new(i64::MIN), farthest).collect(), begins }
     }
 
-    /// The places of the stretches that may have a point between two Z, these included: all before and behind have none.
+    /// The indices of the stretches that may have a point between two Z, these included. No other stretch has one.
     pub fn touching(&self, from: Half, to: Half) -> Range<usize> {
         let first = self.ends.partition_point(|end| *end < from);
         first..self.begins.partition_point(|begin| *begin <= to).max(first)
@@ -49,9 +49,9 @@ mod tests {
         for from in -5..55 {
             for to in from..55 {
                 let (from, to) = half(&(from, to));
-                let found = stretches.touching(from, to);
+                let near = stretches.touching(from, to);
                 for (place, (begin, end)) in all.iter().enumerate() {
-                    assert!(found.contains(&place) || *end < from || *begin > to, "{place} over {from}..{to}");
+                    assert!(near.contains(&place) || *end < from || *begin > to, "{place} over {from}..{to}");
                 }
             }
         }

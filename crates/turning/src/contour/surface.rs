@@ -1,4 +1,4 @@
-//! The surfaces of a part along a contour: what the drawing says of each.
+//! The surfaces of a part along a contour, with what the drawing says of each.
 
 use std::fmt;
 
@@ -15,9 +15,9 @@ use super::{Contour, Piece, Side};
 /// The name of a surface.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum SurfaceName {
-    /// That of the file, the same in every language.
+    /// The name in the file, the same in every language.
     Given(String),
-    /// Its place on the contour from the free end, from 1: `outer 1` or `inner 1`.
+    /// The position on the contour from the free end, from 1: `outer 1` or `inner 1`.
     Place(Side, usize),
 }
 
@@ -63,7 +63,7 @@ pub struct Surface {
     pub kind: SurfaceKind,
     /// Its pieces; a groove has several.
     pub pieces: Vec<Piece>,
-    /// The IT grade of its size, where the drawing gives one.
+    /// The IT grade of its size, if the drawing gives one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub grade: Option<ItGrade>,
     /// Its roughness, where the drawing gives one.

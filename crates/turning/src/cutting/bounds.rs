@@ -1,5 +1,4 @@
-//! What tool and lathe can carry. Every bound is a load that grows with the depth of cut and a capacity that it must
-//! not pass.
+//! What tool and lathe can carry. Every limit compares a load, which grows with the depth of cut, with a capacity.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -21,11 +20,11 @@ use super::{Cut, Direction, MissingFigure};
 pub enum Bound {
     /// The shank bends too far for its steel.
     ShankStrength,
-    /// The tip gives way too far.
+    /// The tip bends away too far.
     ShankStiffness,
     /// The edge of the insert is too short.
     InsertEdge,
-    /// The main force is more than the carriage can carry.
+    /// The main force is too large for the carriage.
     CuttingForce,
     /// The drive along the feed is too weak.
     FeedForce,
@@ -69,12 +68,12 @@ pub enum Load {
     TorqueNM(NewtonMetres),
     /// A power.
     PowerKw(Kilowatts),
-    /// A depth of cut, where the bound is one itself.
+    /// A depth of cut, if the limit is a depth.
     DepthMm(Micrometres),
 }
 
 impl Load {
-    /// Whether it lies within a capacity of its own kind.
+    /// Whether it is within a capacity of its own kind.
     pub fn within(self, capacity: Self) -> bool {
         match (self, capacity) {
             (Self::ForceN(load), Self::ForceN(capacity)) => load.0 <= capacity.0,
@@ -97,7 +96,7 @@ impl Load {
     }
 }
 
-/// A bound that could not be computed, and the figure that was missing.
+/// A limit that could not be calculated, and the figure that was missing.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct UnknownBound {
     /// The bound.
@@ -109,19 +108,19 @@ pub struct UnknownBound {
 }
 
 impl UnknownBound {
-    /// As a finding: the depth is given without that bound.
+    /// As a finding: the depth is given without that limit.
     pub fn finding(&self) -> Finding {
-        Finding::of_part(Severity::Doubtful, self.told(Note::new("bound-not-reckoned")))
+        Finding::of_part(Severity::Doubtful, self.noted(Note::new("bound-not-reckoned")))
     }
 
-    /// A sentence with the bound, what is missing, and of what.
-    pub(super) fn told(&self, note: Note) -> Note {
+    /// A sentence with the limit, what is missing, and of what.
+    pub(super) fn noted(&self, note: Note) -> Note {
         let (of, what) = self.why.names();
         note.with("bound", Figure::word(self.bound.name())).with("of", of).with("what", what)
     }
 }
 
-/// What a bound is held against.
+/// What the load of a limit is.
 #[derive(Clone, Copy, Debug)]
 enum Measure {
     Force(Component),
@@ -139,7 +138,7 @@ pub(super) struct Check {
     pub because: Vec<Because>,
 }
 
-/// The forces of a cut at a feed, each where its figures are known.
+/// The forces of a cut at a feed, as far as their figures are known.
 #[derive(Clone, Debug)]
 pub(super) struct Forces {
     pub main: Result<ForceLaw, MissingFigure>,
@@ -161,7 +160,7 @@ impl Forces {
         }
     }
 
-    /// A component at a depth and a speed; nothing where its figures are not known.
+    /// A component at a depth and a speed; none if its figures are not known.
     pub fn at(&self, component: Component, depth: Micrometres, speed: MetresPerMinute) -> Option<Newtons> {
         self.law(component).as_ref().ok().map(|law| law.at(depth.to_mm(), speed))
     }
@@ -183,12 +182,12 @@ pub(super) fn power(force: Newtons, speed: MetresPerMinute) -> Kilowatts {
 }
 
 impl Check {
-    /// Whether it is about what the cut loads, and not about a depth that ends by itself.
+    /// Whether it limits a load. The length of the edge limits a depth only.
     pub const fn is_of_loads(&self) -> bool {
         !matches!(self.measure, Measure::Depth)
     }
 
-    /// The load at a depth and a speed; a check is only made where its figures are known.
+    /// The load at a depth and a speed. A check exists only if its figures are known.
     pub fn load(&self, cut: &Cut<'_, '_>, forces: &Forces, depth: Micrometres, speed: MetresPerMinute) -> Option<Load> {
         let main = || forces.at(Component::Main, depth, speed);
         Some(match self.measure {
@@ -200,10 +199,10 @@ impl Check {
     }
 }
 
-/// Every bound of a cut: those that can be computed, and what is missing for the others.
+/// The limits of a cut that can be calculated, and what is missing for the others.
 pub(super) fn checks(cut: &Cut<'_, '_>, forces: &Forces) -> Result<(Vec<Check>, Vec<UnknownBound>), KnowledgeError> {
-    // Against the feed Px pushes along the axis; across it the same force pushes along X. In grooving there is no Px,
-    // and Py is against the feed.
+    // In longitudinal turning Px acts along the axis, in facing along X. In grooving there is no Px, and Py acts
+    // against the feed.
     let (along, across) = match cut.direction {
         Direction::Longitudinal => (Q::FeedForceZ, Q::FeedForceX),
         Direction::Transverse => (Q::FeedForceX, Q::FeedForceZ),
@@ -235,7 +234,7 @@ pub(super) fn checks(cut: &Cut<'_, '_>, forces: &Forces) -> Result<(Vec<Check>, 
     }
     let (mut checks, mut missing) = (Vec::new(), Vec::new());
     for (bound, component, check) in tried {
-        // A bound that does not hold for the tool at all is neither computed nor missing.
+        // A limit that does not apply to the tool is neither calculated nor missing.
         if bound == Bound::InsertEdge && cut.tool.plunges() {
             continue;
         }
@@ -249,7 +248,7 @@ pub(super) fn checks(cut: &Cut<'_, '_>, forces: &Forces) -> Result<(Vec<Check>, 
     Ok((checks, missing))
 }
 
-/// A constant of `turning-limits`, of which `of` takes the figure it must have, and why.
+/// A constant of `turning-limits` with its reason; `of` takes the required figure from the row.
 fn constant<T: Told + Clone>(
     cut: &Cut<'_, '_>,
     name: Limit,
@@ -276,7 +275,7 @@ fn stress(cut: &Cut<'_, '_>, name: Limit) -> Result<(f64, Because), KnowledgeErr
     constant(cut, name, |row| row.stress.map(|stress| stress.0.to_f64()))
 }
 
-/// The overhang, mm: that of the tool's row, else by the ratio of `turning-limits` to its height or diameter.
+/// The overhang, mm: from the tool's row, otherwise by the ratio of `turning-limits` to its height or diameter.
 fn overhang(cut: &Cut<'_, '_>, shank: Shank) -> Result<(f64, Vec<Because>), KnowledgeError> {
     if let Some(reach) = cut.tool.reach {
         let note = Note::new("overhang").with("length", reach);
@@ -339,14 +338,14 @@ fn insert_edge(cut: &Cut<'_, '_>) -> Tried<Check, MissingFigure> {
     let row = cut.knowledge.find(|row: &InsertEdgeShare<'_>| row.shape == shape)?.ok_or_else(|| lacks("insert"))?;
     let share = row.share;
     let depth = share * edge.to_mm() * libm::sin(cut.edge_angle().to_f64().to_radians());
-    // Down to a whole micrometre, so that the share is never passed.
+    // Rounded down to a micrometre, so that the share is never exceeded.
     let depth = Micrometres::new((depth * 1000.0).floor() as i64);
     let note = Note::new("insert-edge").with("share", share).with("edge", edge).with("depth", depth);
     let because = vec![Because::row(row.row, note)];
     Ok(Check { bound: Bound::InsertEdge, measure: Measure::Depth, capacity: Load::DepthMm(depth), because })
 }
 
-/// A drive of the carriage: the component of the force along it ≤ what its record gives.
+/// A drive of the carriage: the force along it ≤ the force in its record.
 fn drive(cut: &Cut<'_, '_>, bound: Bound, component: Component, quantity: Q) -> Tried<Check, MissingFigure> {
     let force = match quantity {
         Q::FeedForceZ => cut.lathe.feed_force_z,
@@ -365,7 +364,7 @@ fn spindle_torque(cut: &Cut<'_, '_>) -> Tried<Check, MissingFigure> {
     Ok(Check { bound: Bound::SpindleTorque, measure: Measure::Torque, capacity: Load::TorqueNM(torque), because })
 }
 
-/// Pz · V / 60000 ≤ N · η. Where the record has no η, that of `turning-limits` stands in, marked.
+/// Pz · V / 60000 ≤ N · η. If the record has no η, that of `turning-limits` is used and marked.
 fn spindle_power(cut: &Cut<'_, '_>) -> Tried<Check, MissingFigure> {
     let (share, of_share) = match cut.lathe.efficiency {
         Some(share) => {

@@ -1,4 +1,4 @@
-//! Cutting conditions of a transition at a depth that is given, held by the lathe.
+//! Cutting conditions of a transition at a given depth, within the limits of the lathe.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -26,7 +26,7 @@ pub struct TurningConditions {
     pub tool: String,
     /// The lathe's id.
     pub lathe: String,
-    /// Depth of cut, mm; of a grooving tool the width of its blade.
+    /// Depth of cut, mm; for a grooving tool the width of its blade.
     pub depth_mm: Micrometres,
     /// Feed.
     pub feed_mm_per_rev: MillimetresPerRev,
@@ -42,18 +42,18 @@ pub struct TurningConditions {
     pub tool_life_min: Minutes,
     /// Pz; absent where no figures are known.
     pub main_force_n: Option<Newtons>,
-    /// Py, across the feed, in grooving against it; absent where no figures are known.
+    /// Py, across the feed, in grooving against it; absent if no figures are known.
     pub radial_force_n: Option<Newtons>,
-    /// Px, against the feed; absent where no figures are known, and in grooving.
+    /// Px, against the feed; absent in grooving, and if no figures are known.
     pub axial_force_n: Option<Newtons>,
-    /// Torque at the largest diameter; absent where no figures are known.
+    /// Torque at the largest diameter; absent if no figures are known.
     pub torque_n_m: Option<NewtonMetres>,
-    /// Cutting power; absent where no figures are known.
+    /// Cutting power; absent if no figures are known.
     pub power_kw: Option<Kilowatts>,
-    /// What held them back: `tool-life`, `spindle-speed-max`, `spindle-speed-min`, `spindle-power`, `feed-max` or
+    /// What limited them: `tool-life`, `spindle-speed-max`, `spindle-speed-min`, `spindle-power`, `feed-max` or
     /// `feed-min`.
     pub limited_by: String,
-    /// The bounds that these conditions still pass: the depth is too large, take less.
+    /// The limits that these conditions exceed: the depth must be reduced.
     pub exceeded: Vec<Bound>,
     /// The bounds that could not be computed.
     pub missing: Vec<UnknownBound>,
@@ -62,21 +62,20 @@ pub struct TurningConditions {
 }
 
 impl TurningConditions {
-    /// What a reader of the conditions must know: every bound that is missing.
+    /// Findings for the reader of the conditions: every limit that could not be calculated.
     pub fn findings(&self) -> Vec<Finding> {
         self.missing.iter().map(UnknownBound::finding).collect()
     }
 }
 
-/// Conditions of a cut at a depth; with a roughness the feed is that of finishing, and never above that of roughing.
+/// Conditions of a cut at a depth. With a roughness the feed is that of finishing, but never above that of roughing.
 ///
-/// The speed is that of the tool's life, on the spindle's step below it. Where the spindle power is not enough, the
-/// speed is reduced until it is. Feed rates beyond the axis are held at its ends. A grooving tool cuts its own width,
-/// whatever depth is given.
+/// The speed is that of the tool life, on the spindle step below it. If the spindle power is not enough, the speed is
+/// reduced until it is. Feed rates outside the range of the axis are set to its end. A grooving tool cuts its own
+/// width, whatever depth is given.
 ///
-/// # Errors
-/// No feed or speed is known for this; the roughness is finer than the tables or than the lathe holds; a depth that is
-/// not above zero; threads; a broken table.
+/// # Errors No feed or speed is known; the roughness is finer than the tables or the lathe allow; the depth is not
+/// above zero; threads; a broken table.
 pub fn conditions(
     cut: &Cut<'_, '_>,
     depth: Micrometres,
@@ -111,19 +110,19 @@ pub fn conditions(
     };
     let rate = feed.0 * rpm.0;
     let ends = [(rate > most.0, most, "feed-max", of_most), (rate < least.0, least, "feed-min", of_least)];
-    for (outside, held, name, quantity) in ends {
+    for (outside, end, name, quantity) in ends {
         if outside {
-            feed = MillimetresPerRev(held.0 / rpm.0);
+            feed = MillimetresPerRev(end.0 / rpm.0);
             limited_by = name;
-            because.push(Because::row(cut.lathe.row(quantity)?, Note::new("feed-held").with("limit", held.0)));
+            because.push(Because::row(cut.lathe.row(quantity)?, Note::new("feed-held").with("limit", end.0)));
         }
     }
-    // The feed may have been held: the loads are those of the feed that is left.
+    // The feed may have been limited: the loads are those at the feed that is used.
     let forces = Forces::of(cut, feed)?;
     because.extend(forces.because());
     let speed = speed_at(rpm, cut.diameter);
     let exceeded = |check: &&Check| {
-        // The speed has already given way to the power; what is left over by rounding is no excess.
+        // The speed is already reduced to the power; what rounding adds is not an excess.
         check.load(cut, &forces, depth, speed).is_some_and(|load| !load.rounded().within(check.capacity.rounded()))
     };
     let main = forces.at(Component::Main, depth, speed);
@@ -151,7 +150,7 @@ pub fn conditions(
     })
 }
 
-/// The feed of finishing where a roughness is asked, and never above that of roughing where the tables have one.
+/// The feed of finishing if a roughness is required, but never above that of roughing if the tables have one.
 fn feed_of(
     cut: &Cut<'_, '_>,
     depth: Micrometres,
@@ -177,7 +176,7 @@ fn feed_of(
     }
 }
 
-/// The spindle's speed for a wanted one, and what held it.
+/// The spindle speed for a wanted speed, and what limited it.
 fn first_speed(cut: &Cut<'_, '_>, wanted: RevsPerMinute) -> (RevsPerMinute, &'static str) {
     let (slowest, fastest) = cut.lathe.spindle.ends();
     let limited_by = if wanted.0 > fastest.0 {
@@ -190,9 +189,9 @@ fn first_speed(cut: &Cut<'_, '_>, wanted: RevsPerMinute) -> (RevsPerMinute, &'st
     (cut.lathe.spindle.at_most(wanted), limited_by)
 }
 
-/// The fastest speed below one at which the power does; nothing where it does already.
+/// The fastest speed below a given one for which the power is enough; none if it is enough already.
 ///
-/// N = Pz·V/60000 with Pz ~ V^n, so of a stepless spindle V' = V·(N'/N)^(1/(1+n)).
+/// N = Pz·V/60000 with Pz ~ V^n, so for a stepless spindle V' = V·(N'/N)^(1/(1+n)).
 pub(super) fn within_power(
     cut: &Cut<'_, '_>,
     check: &Check,
@@ -217,7 +216,7 @@ pub(super) fn within_power(
             let (Load::PowerKw(now), Load::PowerKw(most)) = (now, check.capacity) else { return None };
             let exponent = forces.main.as_ref().map_or(0.0, |law| law.speed_exponent());
             let slower = rpm.0 * libm::pow(most.0 / now.0, 1.0 / (1.0 + exponent));
-            // A tenth of a revolution down, as a program writes it.
+            // Rounded down to a tenth of a revolution, as a program writes it.
             RevsPerMinute((round_to(slower, 1) - 0.1).max(min.0))
         }
     })

@@ -21,11 +21,10 @@ pub struct Feed {
     pub because: Vec<Because>,
 }
 
-/// The feed of a roughing pass of that depth (`turning-rough-feed`, `turning-boring-feed`); of a grooving tool its feed
-/// at the diameter (`grooving-feed`), whatever the depth. The lower end of the handbook's range is taken.
+/// The feed of a roughing pass at a depth (`turning-rough-feed`, `turning-boring-feed`); for a grooving tool its feed
+/// at the diameter (`grooving-feed`), whatever the depth. It is the lower end of the handbook's range.
 ///
-/// # Errors
-/// The table has no feed for the tool, the diameter or the depth; the tool's row lacks its shank; threads.
+/// # Errors The table has no feed for the tool, the diameter or the depth; the tool's row lacks its shank; threads.
 pub fn rough_feed(cut: &Cut<'_, '_>, depth: Micrometres) -> Tried<Feed, CuttingRefusal> {
     let (diameter, process) = (cut.diameter, cut.process());
     let lacks = |quantity: &str| Refusal::Not(CuttingRefusal::Figure(cut.tool_lacks(quantity).during(process)));
@@ -59,12 +58,12 @@ pub fn rough_feed(cut: &Cut<'_, '_>, depth: Micrometres) -> Tried<Feed, CuttingR
     Ok(Feed { feed, because: figures.because(note) })
 }
 
-/// The feed that leaves a roughness, by the nose radius: nine cells of `boring-finish-feed`, the others of
-/// `turning-finish-feed`, times `turning-finish-feed-strength` for steel. Between two columns the finer one and between
-/// two radii the smaller one is taken.
+/// The feed that leaves a roughness, by the nose radius: nine cells are from `boring-finish-feed`, the others from
+/// `turning-finish-feed`, for steel multiplied by `turning-finish-feed-strength`. Between two columns the finer one,
+/// between two radii the smaller one is taken.
 ///
-/// # Errors
-/// The roughness is finer than the table; the tool's row has no nose radius, or one below the table's; threads.
+/// # Errors The roughness is finer than the table; the tool's row has no nose radius, or one below the table's;
+/// threads.
 pub fn finish_feed(cut: &Cut<'_, '_>, roughness: Roughness) -> Tried<Feed, CuttingRefusal> {
     let process = cut.process();
     let no_nose = || Refusal::Not(CuttingRefusal::Figure(cut.tool_lacks("nose_radius").during(process)));
@@ -75,11 +74,11 @@ pub fn finish_feed(cut: &Cut<'_, '_>, roughness: Roughness) -> Tried<Feed, Cutti
     let column = columns.into_iter().flatten().filter(|column| *column <= roughness).max();
     let roughness = column.ok_or(Refusal::Not(CuttingRefusal::TooFineToTurn { roughness, process }))?;
     let (mut feed, row) = match rest.ask(&TurningFinishFeedFor { roughness, nose_radius })?.winner()? {
-        Some(found) => (found.feed.0, found.row),
+        Some(cell) => (cell.feed.0, cell.row),
         None => {
             let nine = cut.knowledge.ask(&BoringFinishFeedFor { roughness, nose_radius })?;
-            let found = nine.need("this roughness and nose")?;
-            (found.feed.0, found.row)
+            let cell = nine.need("this roughness and nose")?;
+            (cell.feed.0, cell.row)
         }
     };
     let mut because = vec![Because::row(row, Note::new("turning-finish-feed").with("feed", feed))];
@@ -92,7 +91,7 @@ pub fn finish_feed(cut: &Cut<'_, '_>, roughness: Roughness) -> Tried<Feed, Cutti
     Ok(Feed { feed: MillimetresPerRev(feed), because })
 }
 
-/// The largest nose radius of the table that is not above the tool's: a smaller nose is fed slower.
+/// The largest nose radius of the table that is not above the tool's: a smaller nose has a slower feed.
 fn nose_of_table(knowledge: &Knowledge, nose: Micrometres) -> Result<Option<&str>, KnowledgeError> {
     let table = knowledge.table(TurningFinishFeedFor::TABLE)?;
     let radii = TurningFinishFeedFor::nose_radius(table).into_iter().flat_map(|column| &column.values);

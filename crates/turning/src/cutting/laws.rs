@@ -22,7 +22,7 @@ use super::{Cut, FigureOwner, MissingFigure, of_tables};
 /// What the tools of this room are of.
 const TOOL_MATERIAL: ToolMaterial = ToolMaterial::Carbide;
 
-/// `factor · t^depth · V^speed`, with t in mm and V in m/min; the feed stands in the factor.
+/// `factor · t^depth · V^speed`, with t in mm and V in m/min; the feed is part of the factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct PowerLaw {
     factor: f64,
@@ -65,12 +65,11 @@ impl ForceLaw {
     }
 }
 
-/// The speed at which the tool lasts as long as `boring-parameters` says (Косилова/Мещеряков т.2):
+/// The speed for the tool life of `boring-parameters` (Косилова/Мещеряков т.2):
 ///
 /// V = Cv / (T^m · t^x · s^y) · Kmv · Kpv · Kiv · Kφv, and 0.9 of it in a bore; in grooving without t, Kφv and the 0.9.
 ///
-/// # Errors
-/// A table has no figure for this material or tool.
+/// # Errors A table has no figure for this material or tool.
 pub(super) fn speed(cut: &Cut<'_, '_>, feed: MillimetresPerRev) -> Tried<SpeedLaw, MissingFigure> {
     let (life, reason) = factors::single_point_life(cut.knowledge)?;
     let mut because = vec![reason];
@@ -106,11 +105,10 @@ pub(super) fn speed(cut: &Cut<'_, '_>, feed: MillimetresPerRev) -> Tried<SpeedLa
 
 /// A component of the force (Косилова/Мещеряков т.2 tables 9, 22, 23):
 ///
-/// P = 10 · Cp · t^x · s^y · V^n · Kmp · Kφp · Kγp, N; in grooving t is the width of the blade, and there is no angle to
-/// correct for.
+/// P = 10 · Cp · t^x · s^y · V^n · Kmp · Kφp · Kγp, N. In grooving t is the width of the blade, and there is no factor
+/// for an angle.
 ///
-/// # Errors
-/// A table has no figure for this material, or the tool's row has no insert to know its rake by.
+/// # Errors A table has no figure for this material, or the tool's row has no insert, so that its rake is unknown.
 pub(super) fn force(
     cut: &Cut<'_, '_>,
     component: Component,
@@ -119,7 +117,7 @@ pub(super) fn force(
     let tool_material = TOOL_MATERIAL;
     let turning = !cut.tool.plunges();
     let of_boring = turning && component == Component::Main;
-    // The factor of the material is of the process as a whole for Pz of turning, and the row's own elsewhere.
+    // For Pz of turning the factor of the material belongs to the whole process, otherwise to the row.
     let figures = if of_boring {
         let figures = of_tables(figures::ask(|material_group| BoringForceFor { material_group, tool_material }, cut))?;
         figures.map(|row| ([row.cp, row.x, row.y, row.n], None))
@@ -163,8 +161,8 @@ fn material(cut: &Cut<'_, '_>, row: &TurningForce<'_>) -> (f64, Because) {
     (factor, Because::row(row.row, shown("material-force-factor", factor)))
 }
 
-/// Kiv: the first grade of the tool that `tool-material-factor` knows for the material, against the grade that the
-/// coefficients are for. A tool whose row names no grade, or has that very grade, needs no factor.
+/// Kiv: the first grade of the tool that `tool-material-factor` has for the material, relative to the grade of the
+/// coefficients. A tool without a grade, or with that very grade, needs no factor.
 fn grade(cut: &Cut<'_, '_>, reference: &str) -> Tried<Option<(f64, Because)>, MissingFigure> {
     if cut.tool.grades.is_empty() || cut.tool.grades.contains(&reference) {
         return Ok(None);
@@ -218,7 +216,7 @@ const fn of_component(component: Component, [pz, py, px]: [f64; 3]) -> f64 {
     }
 }
 
-/// An angle as tables are asked for it.
+/// An angle for a query of the tables.
 fn degrees(angle: Decimal) -> Degrees {
     Degrees(angle.to_f64())
 }

@@ -1,4 +1,5 @@
-//! The limiting depth of cut: the largest within everything that tool and lathe can carry (lecture 12.4, l. 614-626).
+//! The limiting depth of cut: the largest depth within everything that tool and lathe can carry (lecture 12.4, l.
+//! 614-626).
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -14,7 +15,7 @@ use super::conditions::within_power;
 use super::laws::{self, SpeedLaw};
 use super::{Cut, CuttingRefusal, NonPositive, Speed, of_figures};
 
-/// The limiting depth of cut, and every bound that it was held against.
+/// The limiting depth of cut, with every limit that was compared.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct LimitingDepth {
     /// The tool.
@@ -25,19 +26,19 @@ pub struct LimitingDepth {
     pub material: String,
     /// The diameter it was computed at, mm.
     pub diameter_mm: Micrometres,
-    /// The feed it was reckoned with.
+    /// The feed of the calculation.
     pub feed_mm_per_rev: MillimetresPerRev,
-    /// The largest depth, mm, in whole steps of `turning-limits`; absent where not even one step is allowed.
+    /// The largest depth, mm, in whole steps of `turning-limits`; absent if not even one step is allowed.
     pub depth_mm: Option<Micrometres>,
-    /// The bound that allows the least; of equals the first of the list.
+    /// The strictest limit; of equals the first of the list.
     pub decided_by: Bound,
-    /// The cutting speed at that depth (at one step, where none is allowed).
+    /// The cutting speed at that depth (at one step if none is allowed).
     pub speed_m_per_min: MetresPerMinute,
     /// The spindle speed at that depth.
     pub spindle_rpm: RevsPerMinute,
-    /// Every bound that could be reckoned.
+    /// Every limit that could be calculated.
     pub bounds: Vec<BoundTold>,
-    /// The bounds that could not, and why: the depth is given without them.
+    /// The other limits, and why: the depth is given without them.
     pub missing: Vec<UnknownBound>,
     /// The rows behind speed and forces.
     pub because: Vec<Because>,
@@ -48,9 +49,9 @@ pub struct LimitingDepth {
 pub struct BoundTold {
     /// Which.
     pub bound: Bound,
-    /// The largest depth that it alone allows, mm; absent where not even one step.
+    /// The largest depth that it allows alone, mm; absent if not even one step.
     pub depth_mm: Option<Micrometres>,
-    /// The load at the limiting depth (at one step, where none is allowed).
+    /// The load at the limiting depth (at one step if none is allowed).
     pub load: Load,
     /// What tool or lathe bears.
     pub capacity: Load,
@@ -59,7 +60,7 @@ pub struct BoundTold {
 }
 
 impl LimitingDepth {
-    /// What a reader of the depth must know: every bound that is missing.
+    /// Findings for the reader of the depth: every limit that could not be calculated.
     pub fn findings(&self) -> Vec<Finding> {
         self.missing.iter().map(UnknownBound::finding).collect()
     }
@@ -71,7 +72,7 @@ struct Turns<'c, 'a, 'k> {
     speed: Speed,
     law: Option<SpeedLaw>,
     forces: &'c Forces,
-    /// The bound of power, where it can be computed.
+    /// The limit of power, if it can be calculated.
     power: Option<&'c Check>,
 }
 
@@ -92,8 +93,7 @@ impl<'c, 'a, 'k> Turns<'c, 'a, 'k> {
         Ok(Self { cut, speed, law, forces, power })
     }
 
-    /// Spindle speed and cutting speed at a depth, on a step that the spindle has; a spindle speed that is given is
-    /// taken as it is.
+    /// Spindle speed and cutting speed at a depth, on a step of the spindle; a given spindle speed is used as it is.
     fn at(&self, depth: Micrometres) -> (RevsPerMinute, MetresPerMinute) {
         let spindle = &self.cut.lathe.spindle;
         let rpm = match (self.speed, &self.law) {
@@ -111,16 +111,15 @@ impl<'c, 'a, 'k> Turns<'c, 'a, 'k> {
 
 /// The limiting depth of cut (lecture 12.4, l. 614-626: tool strength, feed drive, torque, tool life and others).
 ///
-/// Depths are tried upwards in the steps of `turning-limits`. At each the speed is that of the tool's life there, on a
-/// step of the spindle, and from it follow forces, torque and power; so t and V(t) are always of one cut. A bound's
-/// depth is the last before the first that passes it: on a spindle with steps a deeper cut may run a step slower and
-/// need less power again, but smaller depths must hold as well, for levels are seldom full. The limiting depth is the
-/// least of all bounds, so every depth up to it is allowed, rounded down to the step.
+/// Depths are tried upwards in the steps of `turning-limits`. At each the speed is that of the tool life, on a step of
+/// the spindle, and forces, torque and power follow from it; so t and V(t) always belong to one cut. The depth of a
+/// limit is the last one before the first that exceeds it. On a stepped spindle a deeper cut may run a step slower and
+/// need less power again, but smaller depths must be possible too, because levels are seldom full. The limiting depth
+/// is the least of all, so every depth up to it is allowed, rounded down to the step.
 ///
-/// # Errors
-/// A grooving tool (its depth of cut is its width) or a threading tool; a diameter or feed that is not above zero; no
-/// figures for the speed of the tool's life; no load that can be computed, so that the depth is not known; a broken
-/// table.
+/// # Errors A grooving tool (its depth of cut is its width) or a threading tool; a diameter or feed that is not above
+/// zero; no figures for the speed of the tool life; no load that can be calculated, so that the depth is unknown; a
+/// broken table.
 pub fn limiting_depth(
     cut: &Cut<'_, '_>,
     feed: MillimetresPerRev,
@@ -132,7 +131,7 @@ pub fn limiting_depth(
     positive(cut, feed)?;
     let forces = Forces::of(cut, feed)?;
     let (checks, missing) = bounds::checks(cut, &forces)?;
-    // An edge that is long enough says nothing about the load that shank and spindle can carry.
+    // The length of the edge alone does not limit the load of shank and spindle.
     if !checks.iter().any(Check::is_of_loads) {
         return Err(Refusal::Not(CuttingRefusal::LimitNotKnown(missing.into_iter().next())));
     }
@@ -144,12 +143,13 @@ pub fn limiting_depth(
     let allowed = |check: &Check| -> i64 {
         (1..=steps).take_while(|&steps| holds(check, cut, &forces, depth_at(steps), &turns)).last().unwrap_or(0)
     };
-    let found: Vec<i64> = checks.iter().map(allowed).collect();
-    let least = found.iter().copied().min().unwrap_or(0);
-    let decided_by = checks.iter().zip(&found).find(|(_, steps)| **steps == least).map(|(check, _)| check.bound);
+    let allowed_steps: Vec<i64> = checks.iter().map(allowed).collect();
+    let least = allowed_steps.iter().copied().min().unwrap_or(0);
+    let decided_by =
+        checks.iter().zip(&allowed_steps).find(|(_, steps)| **steps == least).map(|(check, _)| check.bound);
     let told_at = depth_at(least.max(1));
     let (rpm, velocity) = turns.at(told_at);
-    let told = |(check, steps): (&Check, &i64)| {
+    let entry = |(check, steps): (&Check, &i64)| {
         let load = check.load(cut, &forces, told_at, velocity)?;
         Some(BoundTold {
             bound: check.bound,
@@ -172,7 +172,7 @@ pub fn limiting_depth(
         decided_by: decided_by.unwrap_or(Bound::Handbook),
         speed_m_per_min: velocity.rounded(2),
         spindle_rpm: rpm.rounded(2),
-        bounds: checks.iter().zip(&found).filter_map(told).collect(),
+        bounds: checks.iter().zip(&allowed_steps).filter_map(entry).collect(),
         missing,
         because,
     })

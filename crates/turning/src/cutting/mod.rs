@@ -1,13 +1,13 @@
-//! How deep, how fast and with what feed a lathe cuts: the limiting depth of cut of lecture 12.4 and the cutting
+//! How deep, how fast and at what feed a lathe cuts: the limiting depth of cut of lecture 12.4 and the cutting
 //! conditions of a transition.
 //!
-//! - [`Cut`] says what cuts what on which lathe; everybody here starts from it;
-//! - `laws` turns the coefficient tables into power laws of depth and speed, once for a cut and a feed;
-//! - [`rough_feed`] and [`finish_feed`] ask the tables of feeds;
+//! - [`Cut`] says what cuts what on which lathe; everything here starts from it;
+//! - `laws` makes power laws of depth and speed from the coefficient tables, for one cut and one feed;
+//! - [`rough_feed`] and [`finish_feed`] take feeds from their tables;
 //! - `bounds` is what tool and lathe can carry, [`limiting_depth`] the largest depth within all of it;
-//! - [`conditions`] is feed, speed, spindle step and forces at a depth that is given.
+//! - [`conditions`] is feed, speed, spindle step and forces at a given depth.
 //!
-//! Planning of contours takes its figures from here and computes none.
+//! The planning of contours takes its figures from here and calculates none itself.
 
 mod bounds;
 mod conditions;
@@ -43,7 +43,7 @@ pub struct Cut<'a, 'k> {
     pub tool: &'a TurningTool<'k>,
     /// What is cut.
     pub material: &'a Material<'k>,
-    /// The largest diameter that is cut: that before an outer cut, that after an inner one. The speed is meant there.
+    /// The largest diameter of the cut: the one before an outer cut, the one after an inner cut. The speed is for it.
     pub diameter: Micrometres,
     /// Where the feed goes.
     pub direction: Direction,
@@ -63,9 +63,9 @@ pub enum Direction {
 /// What the cutting speed is to be.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Speed {
-    /// That at which the tool lasts as long as `boring-parameters` says.
+    /// The speed for the tool life of `boring-parameters`.
     ForToolLife,
-    /// The same, or as much slower as the power of the spindle asks for: how [`conditions`] turns.
+    /// The same, reduced as far as the power of the spindle requires: the speed of [`conditions`].
     WithinPower,
     /// A speed at the largest diameter.
     Surface(MetresPerMinute),
@@ -84,7 +84,7 @@ impl<'k> Asking<'k> for Cut<'_, 'k> {
 }
 
 impl Cut<'_, '_> {
-    /// The angle between the edge that cuts and the feed, degrees: φ along the axis; across it the edge behind the tip
+    /// The angle between the cutting edge and the feed, degrees: φ along the axis. Across it the edge behind the tip
     /// cuts, which leans back from the feed by 90 + φ1.
     fn edge_angle(&self) -> Decimal {
         match self.direction {
@@ -105,7 +105,7 @@ impl Cut<'_, '_> {
         tried.map_err(|refusal| refusal.map(|lacking| lacking.during(self.process())))
     }
 
-    /// Which coefficients hold: those of turning, or of grooving.
+    /// Whose coefficients apply: those of turning, or of grooving.
     fn process(&self) -> Process {
         if self.tool.plunges() { Process::Grooving } else { Process::Turning }
     }
@@ -121,12 +121,12 @@ impl Cut<'_, '_> {
     }
 }
 
-/// What the tables of cutting conditions refuse, as something that is missing.
+/// A refusal of the tables of cutting conditions as a missing figure.
 fn of_tables<T>(tried: Tried<T, Uncut>) -> Tried<T, MissingFigure> {
     tried.map_err(|refusal| refusal.map(|why| FigureOwner::Cutting(why).into()))
 }
 
-/// What is missing, as what keeps a cut from being computed.
+/// A missing figure as the reason why a cut cannot be calculated.
 fn of_figures<T>(tried: Tried<T, MissingFigure>) -> Tried<T, CuttingRefusal> {
     tried.map_err(|refusal| refusal.map(CuttingRefusal::Figure))
 }

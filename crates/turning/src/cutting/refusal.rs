@@ -20,21 +20,21 @@ pub enum CuttingRefusal {
     NoFeed { lacking: MissingFigure, depth: Micrometres, diameter: Micrometres },
     /// Nothing is cut.
     NothingToCut(NonPositive),
-    /// The tables have no feed for so fine a surface.
+    /// The tables have no feed for such a fine surface.
     TooFineToTurn { roughness: Roughness, process: Process },
     /// The lathe leaves no surface so fine.
     TooFineForLathe { lathe: String, roughness: Roughness, best: Roughness },
     /// Threads are not computed.
     Threads { tool: String, process: Process },
-    /// A grooving or threading tool has no depth of cut to choose.
+    /// The depth of cut of a grooving or threading tool cannot be chosen.
     NoDepth { tool: String },
-    /// No load can be computed; the first bound that lacks something.
+    /// No load can be calculated; the first limit with a missing figure.
     LimitNotKnown(Option<UnknownBound>),
     /// No source gives the limiting depth.
     NoLimitingDepth,
 }
 
-/// A quantity of a cut that is not above zero, or beyond reason.
+/// A quantity of a cut that is not above zero, or unreasonably large.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(missing_docs)] // the quantities themselves
 pub enum NonPositive {
@@ -43,13 +43,13 @@ pub enum NonPositive {
     Feed(MillimetresPerRev),
 }
 
-/// A figure that is missing; in JSON it is its sentence.
+/// A missing figure. In JSON it is its sentence.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(into = "Note", try_from = "Note")]
 pub struct MissingFigure {
     /// What the figure belongs to.
     pub of: FigureOwner,
-    /// For what it was asked, where that matters.
+    /// The process that needs it, if that matters.
     pub process: Option<Process>,
 }
 
@@ -74,13 +74,13 @@ impl From<FigureOwner> for MissingFigure {
 }
 
 impl MissingFigure {
-    /// The same, asked for a process.
+    /// The same for a process.
     #[must_use]
     pub fn during(self, process: Process) -> Self {
         Self { process: Some(process), ..self }
     }
 
-    /// The owner and the name of the figure, as sentences show them.
+    /// The owner and the name of the figure, as they appear in sentences.
     pub(super) fn names(&self) -> (&str, &str) {
         match &self.of {
             FigureOwner::Tool { tool, quantity } => (tool, quantity),
@@ -170,7 +170,7 @@ impl CuttingRefusal {
             Self::NoDepth { tool } => new("tool-has-no-depth").with("tool", tool),
             Self::LimitNotKnown(missing) => {
                 let note = new("limit-not-known");
-                missing.as_ref().map_or_else(|| note.clone(), |missing| missing.told(note.clone()))
+                missing.as_ref().map_or_else(|| note.clone(), |missing| missing.noted(note.clone()))
             }
             Self::NoLimitingDepth => new("no-limiting-depth"),
         }

@@ -1,13 +1,13 @@
-//! Bridges over what the tool does not make, from lip to lip, and the contour that is left for it.
+//! Bridges over what the tool cannot make, from lip to lip, and the contour that is left for the tool.
 //!
-//! A run of bits that the tool does not make lies between two lips. It is bridged in the first of these ways that fits:
+//! Bits that the tool cannot make lie between two lips. They are bridged in the first of these ways that fits:
 //!
-//! 1. **Corner.** The contour goes on straight from both lips until the lines meet: the cylinder over a groove in it, the
-//!    face over a groove in it, cylinder and face to their corner over a relief. The meeting point may not lie higher than
-//!    the higher lip, and the part not above the bridge.
-//! 2. **Level.** From the near lip parallel to the axis to where the contour rises through that radius again. What lies
-//!    below is covered, even if the tool could make it.
-//! 3. **Open.** Where it never does, parallel to the axis to the end of the contour. What lies below is for the other
+//! 1. **Corner.** The contour continues straight from both lips until the lines meet: a cylinder over its groove, a
+//!    face over its groove, cylinder and face to their corner over a relief. The meeting point must not be above the
+//!    higher lip, nor the part above the bridge.
+//! 2. **Level.** From the near lip parallel to the axis to where the contour rises through that radius again.
+//!    Everything below is covered, even if the tool could make it.
+//! 3. **Open.** If it never rises again, parallel to the axis to the end of the contour. What is below is for the other
 //!    set-up.
 
 use crate::turning::contour::Piece;
@@ -17,13 +17,13 @@ use crate::turning::point::{Point, Vector};
 use super::silhouette::silhouette;
 use super::view::{Bit, outer};
 
-/// What a part may stand out of a bridge, mm: points are rounded to halves of a micrometre.
+/// How far the part may be above a bridge, mm: points are rounded to half a micrometre.
 const TRIFLE: f64 = 0.0015;
 
 /// A bridge and what it covers, as the tool sees it.
 #[derive(Clone, Debug)]
 pub(super) struct Span {
-    /// The first of the bits under it, and the first behind it.
+    /// The index of the first bit under it, and of the first bit after it.
     pub bits: (usize, usize),
     /// The part under it, from lip to lip.
     pub under: Vec<Bit>,
@@ -39,7 +39,7 @@ pub(super) struct Bridged {
     pub spans: Vec<Span>,
 }
 
-/// Lays the bridges over the bits that are `lost` to the tool.
+/// Bridges the bits that are `lost` to the tool.
 pub(super) fn bridge(bits: &[Bit], lost: &[bool]) -> Bridged {
     let is_lost = |index: usize| lost.get(index).copied().unwrap_or(false);
     let mut done = Bridged { bits: Vec::new(), spans: Vec::new() };
@@ -59,7 +59,7 @@ pub(super) fn bridge(bits: &[Bit], lost: &[bool]) -> Bridged {
         }
         let lip = bit.piece.from;
         if bit.piece.to.radius >= lip.radius {
-            // Nothing falls away from this lip: a corner before a steep face has no other shape either.
+            // The contour does not fall from this lip: a corner before a steep face cannot have another shape.
             done.bits.push(*bit);
             index += 1;
             continue;
@@ -77,7 +77,7 @@ impl Bridged {
         self.spans.push(span);
     }
 
-    /// Goes on level from the beginning of a bit that falls; where to go on.
+    /// Bridges level from the beginning of a falling bit. Returns the index of the next bit.
     fn level(&mut self, bits: &[Bit], index: usize) -> usize {
         let ahead = bits.get(index..).unwrap_or_default();
         let Some(first) = ahead.first() else { return bits.len() };
@@ -111,7 +111,7 @@ fn laid(surface: usize, points: &[Point]) -> Vec<Bit> {
     lines.filter(|piece| !piece.is_nothing()).map(|piece| Bit { surface, origin: None, piece }).collect()
 }
 
-/// The bridge that goes on from both lips to where the lines meet.
+/// The bridge that extends both lips until the lines meet.
 fn corner(before: Option<&Bit>, run: &[Bit], after: Option<&Bit>) -> Option<Vec<Bit>> {
     let (before, first, after) = (before?, run.first()?, after?);
     let (near, far) = (before.piece.to, after.piece.from);
@@ -133,11 +133,11 @@ enum Meeting {
     At(Point),
 }
 
-/// Where the line on from one lip meets the line back from the other.
+/// Where the line onwards from one lip meets the line backwards from the other.
 fn meeting(near: Point, out: Vector, far: Point, back: Vector) -> Option<Meeting> {
     let gap = near.to(far);
     let across = out.cross(back);
-    // The lips of a groove are exact to half a micrometre, so their directions are as close as that over the gap.
+    // The lips of a groove are exact to half a micrometre, and so are their directions over the gap.
     if out.cross(gap).abs() <= TRIFLE && back.cross(gap).abs() <= TRIFLE && out.dot(gap) > 0.0 && back.dot(gap) > 0.0 {
         return Some(Meeting::OneLine);
     }
@@ -148,7 +148,7 @@ fn meeting(near: Point, out: Vector, far: Point, back: Vector) -> Option<Meeting
     (on >= -TRIFLE && to >= -TRIFLE).then(|| Meeting::At(near.moved(out.times(on))))
 }
 
-/// Whether a run of the part reaches above a bridge, or over the free side of its far lip.
+/// Whether bits of the part are above a bridge, or beyond its far lip.
 fn stands_out(run: &[Bit], over: &[Bit], far: Point) -> bool {
     let bridge = outer(over.iter().map(|bit| bit.piece).collect());
     let above = |at: Point| match bridge.radii_at(at.z) {
@@ -158,8 +158,8 @@ fn stands_out(run: &[Bit], over: &[Bit], far: Point) -> bool {
     run.iter().flat_map(|bit| along(bit.piece)).any(above)
 }
 
-/// Points of a piece: its ends, beside them, and fifteen between. Where a lip goes on upright from the end of a fillet, the
-/// fillet stands over the other line only just beside its end.
+/// Points of a piece: its ends, points next to them, and fifteen between. A fillet that ends at an upright lip is above
+/// the other line only very near its end.
 fn along(piece: Piece) -> impl Iterator<Item = Point> {
     let one = Half::new(1);
     let (from, to) = (piece.from.z.halves(), piece.to.z.halves());

@@ -14,10 +14,10 @@ use super::reach::Shade;
 use super::view::{Bit, steepness};
 use super::{Angles, Class, Element, Ground};
 
-/// An undercut is steeper than this angle, degrees. The 0.06° above 90° allow for the rounded ends of an upright arc.
+/// An undercut is steeper than this, degrees. 0.06° above 90° are allowed for the rounded ends of an upright arc.
 const UPRIGHT: f64 = 90.06;
 
-/// A bit with what the tool reaches of it and the bridge over it.
+/// A bit, what the tool reaches of it, and the bridge over it.
 #[derive(Clone, Copy)]
 pub(super) struct SeenBit<'s> {
     bit: &'s Bit,
@@ -135,7 +135,7 @@ pub(super) fn class(
     })
 }
 
-/// The element and the kind of tool that the rule `turning-element` gives.
+/// The element and the kind of tool from the rule `turning-element`.
 fn ask(
     surface: &Surface,
     ground: Ground,

@@ -1,14 +1,14 @@
-//! Points of a contour as a tree over its order: a query passes over whole branches in which no point can count.
+//! The points of a contour as a tree over their order. A query skips every branch in which no point can count.
 
 use std::ops::Range;
 
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 
-/// The most points of a branch that has no branches of its own.
+/// The most points of a branch without branches of its own.
 const LEAF: usize = 8;
 
-/// What holds for all points of a branch: none lies farther across either edge, none nearer to the free end.
+/// Limits of all points of a branch: the greatest distances across both edges, and the least Z.
 #[derive(Clone, Copy)]
 pub(super) struct Bound {
     pub behind: f64,
@@ -56,7 +56,7 @@ impl Metal {
         self.points.get(self.range(bit)).unwrap_or_default()
     }
 
-    /// Whether a point before a bit counts; none does in a branch that its bound rules out.
+    /// Whether a point before a bit counts. A branch is skipped if no point within its limits may count.
     pub fn before(&self, bit: usize, may: impl Fn(Bound) -> bool, counts: impl Fn(Point) -> bool) -> bool {
         self.any(0..self.range(bit).start, &may, &counts)
     }
@@ -79,7 +79,7 @@ impl Metal {
 }
 
 impl Branch {
-    /// A branch of points that begin with that one; none without points.
+    /// A branch of points, the first of them with that index; none without points.
     fn of(first: usize, bounds: &[Bound]) -> Option<Self> {
         let bound = bounds.iter().copied().reduce(Bound::and)?;
         let (one, other) = bounds.split_at(bounds.len() / 2);

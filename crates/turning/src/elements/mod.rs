@@ -1,11 +1,12 @@
 //! Main and additional elements of a contour, and the main contour (lecture 12.1, l. 79-99).
 //!
-//! Main is what a contouring tool with φ = 95° and φ1 = 30° makes; all else is additional. The same is asked here of any
-//! tool. [`classify`] judges every surface of a contour for a tool that feeds in one direction; [`main_contour`] lays
-//! bridges over what it does not make. The rule `turning-element` says what kind of tool an additional element asks for.
+//! A main element is one that a contouring tool with φ = 95° and φ1 = 30° can make; all others are additional. Here the
+//! tool can be any. [`classify`] classifies every surface for a tool that feeds in one direction, [`main_contour`]
+//! bridges what the tool cannot make. The rule `turning-element` names the kind of tool that an additional element
+//! needs.
 //!
-//! - `view` turns bores inside out and mirrors for the other hand, so that all else knows one case only;
-//! - `reach` finds what the edges of the tool leave in the shadow of the `metal`;
+//! - `view` turns bores inside out and mirrors the contour for the other hand, so that the rest knows only one case;
+//! - `reach` finds the points that the tool cannot reach because of other `metal`;
 //! - `bridge` and `silhouette` make the main contour.
 
 mod bridge;
@@ -57,7 +58,7 @@ pub struct Angles {
 }
 
 impl Angles {
-    /// The contouring tool by which the lecture tells main elements: φ = 95°, φ1 = 30° (12.1, l. 85-91).
+    /// The contouring tool by which the lecture defines main elements: φ = 95°, φ1 = 30° (12.1, l. 85-91).
     pub const CONTOURING: Self = Self { main: Degrees(95.0), secondary: Degrees(30.0), hand: Hand::Right };
 }
 
@@ -72,9 +73,9 @@ pub struct Class {
     pub element: Element,
     /// Why.
     pub ground: Ground,
-    /// Whether the tool makes a part of it, though not all; then the whole of it is additional.
+    /// Whether the tool makes part of it, but not all; then all of it is additional.
     pub partly: bool,
-    /// Its steepest rise in the direction of the feed, degrees in [0, 180]; above 90 it leads back.
+    /// Its steepest rise in the direction of the feed, degrees in [0, 180]; above 90 it runs back.
     #[serde(rename = "rise_deg")]
     pub rise: Degrees,
     /// Its steepest fall, degrees in [0, 180].
@@ -82,9 +83,9 @@ pub struct Class {
     pub fall: Degrees,
     /// The kind of tool that makes it, by the rule `turning-element`.
     pub tool: String,
-    /// Which of its angles against which of the tool, and the row that names the tool.
+    /// Its angles compared with those of the tool, and the row that names the tool.
     pub because: Because,
-    /// What else to know: that a part of it could be made.
+    /// Further notes: that part of it could be made.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<Note>,
 }
@@ -96,7 +97,7 @@ pub struct Valley {
     pub surfaces: Vec<usize>,
     /// The lips, from the free end.
     pub lips: (Point, Point),
-    /// The part between the lips: one side of the region of these elements (allowance 2).
+    /// The part between the lips: the lower side of the region of these elements (allowance 2).
     pub under: Vec<Piece>,
     /// The bridge between the lips: the other side.
     pub bridge: Vec<Piece>,
@@ -132,12 +133,12 @@ pub fn classify(profile: &Profile, tool: Angles, knowledge: &Knowledge) -> Resul
     surfaces.map(|(index, surface)| classify::class(index, surface, tool, &seen, knowledge)).collect()
 }
 
-/// The main contour of a profile for a tool, whose classes these are.
+/// The main contour of a profile with its classes for a tool.
 ///
-/// Bridges go from lip to lip, as the lips go on, or level from the near lip: a groove in a cylinder is bridged by the
-/// cylinder, a relief at a shoulder by cylinder and face to their corner, a face groove by the face. A thread stays as the
-/// cylinder that it is cut into. What rises too steeply for φ is not bridged: it has no other shape. A face that leans
-/// back, though not more than φ, goes upright: the rest of it is for finishing.
+/// Bridges extend the lips, or go level from the near lip: a groove in a cylinder is bridged by the cylinder, a relief
+/// at a shoulder by cylinder and face to their corner, a face groove by the face. A thread stays as the cylinder that
+/// it is cut into. A rise steeper than φ is not bridged, because it cannot have another shape. A face that leans back
+/// by no more than φ becomes upright; the rest of it is left for finishing.
 pub fn main_contour(profile: &Profile, classes: &[Class], tool: Angles) -> Main {
     let (view, _, done) = bridged(profile, classes, tool);
     let mut valleys: Vec<Valley> = done.spans.iter().map(|span| valley(span, view)).collect();
@@ -145,8 +146,8 @@ pub fn main_contour(profile: &Profile, classes: &[Class], tool: Angles) -> Main 
     Main { contour: Contour { side: profile.side, pieces: view.back(&done.bits) }, valleys }
 }
 
-/// Where a fall begins that never rises again, with the profile before it and behind it; a surface that begins before it
-/// and ends behind it stands in both, by its pieces. None where the contour has no such fall.
+/// Divides a profile where the contour falls and never rises again. A surface across that point is in both parts, with
+/// its pieces of each. None if the contour has no such fall.
 pub fn split(profile: &Profile, classes: &[Class], tool: Angles) -> Option<(Profile, Profile)> {
     let (view, bits, done) = bridged(profile, classes, tool);
     let open = done.spans.iter().find(|span| span.open)?;
@@ -165,7 +166,7 @@ pub fn split(profile: &Profile, classes: &[Class], tool: Angles) -> Option<(Prof
     Some(if view.mirrored() { (part(behind), part(before)) } else { (part(before), part(behind)) })
 }
 
-/// The bits of a profile and the bridges over those that its classes leave out.
+/// The bits of a profile, and the bridges over those that its classes exclude.
 fn bridged(profile: &Profile, classes: &[Class], tool: Angles) -> (View, Vec<Bit>, Bridged) {
     let view = View::new(profile, tool.hand);
     let bits = view.bits(profile);
@@ -180,7 +181,7 @@ fn bridged(profile: &Profile, classes: &[Class], tool: Angles) -> (View, Vec<Bit
     (view, bits, done)
 }
 
-/// Additional by kind and cut into another surface; a thread is its cylinder first.
+/// Whether a kind is cut into another surface. A thread counts as its cylinder.
 fn is_bridged(kind: SurfaceKind) -> bool {
     kind.is_additional() && kind != SurfaceKind::Thread
 }
@@ -190,7 +191,7 @@ fn valley(span: &Span, view: View) -> Valley {
     surfaces.sort_unstable();
     surfaces.dedup();
     let ends = |bits: &[Bit]| bits.first().zip(bits.last()).map(|(first, last)| (first.piece.from, last.piece.to));
-    // A bridge without length covers what hangs off one point: a far face.
+    // A bridge without length covers what begins and ends at one point: a far face.
     let (near, far) = ends(&span.over).or_else(|| ends(&span.under)).unwrap_or_default();
     let (near, far) = (view.point(near), view.point(far));
     let lips = if view.mirrored() { (far, near) } else { (near, far) };

@@ -1,13 +1,13 @@
-//! Which parts of a contour the edges of a tool cannot reach.
+//! The parts of a contour that the edges of a tool cannot reach.
 //!
-//! The tool stands over a point of the contour with its tip. Its main edge goes up from there at φ to the feed, its
-//! auxiliary edge at φ1 to the return direction. Metal above either edge keeps the tip away:
+//! The tip of the tool is above a point of the contour. From there its main edge goes up at φ to the feed, its
+//! auxiliary edge at φ1 to the return direction. Metal above an edge keeps the tip away:
 //!
-//! - metal behind and above the line that goes back and up at φ1: the point lies in the shadow of what fell before it;
-//! - metal above and ahead of the line that goes up at φ: the point lies in the corner before what rises too steeply.
+//! - metal behind and above the line back and up at φ1: the point is in the shadow of what fell before it;
+//! - metal ahead and above the line up at φ: the point is in the corner before what rises too steeply.
 //!
-//! Both lines are straight, so it is enough to hold the points of each piece that lie farthest across them against each
-//! other: the ends, and of an arc where it is parallel to the edge. Edges count as long as they are needed.
+//! Both lines are straight, so only the points of each piece that are farthest across them are compared: its ends, and
+//! the point of an arc where it is parallel to the edge. Edges count as infinitely long.
 
 use crate::turning::contour::{Curve, Piece};
 use crate::turning::point::{Point, Vector};
@@ -16,21 +16,21 @@ use super::Angles;
 use super::metal::{Bound, Metal};
 use super::view::Bit;
 
-/// A shadow less deep than this, mm, is the rounding of points to halves of a micrometre.
+/// A smaller overlap is rounding of points to half a micrometre, mm.
 const TRIFLE: f64 = 0.001;
 
 /// Why the tip does not reach a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Shade {
-    /// Metal behind stands above the auxiliary edge.
+    /// Metal behind is above the auxiliary edge.
     Behind,
-    /// Metal that rises ahead stands in the main edge.
+    /// Metal ahead rises above the main edge.
     Ahead,
-    /// Metal hangs over it: the contour leads back above.
+    /// Metal overhangs: the contour runs back above.
     Over,
 }
 
-/// The edges of a tool, each by the direction across it.
+/// The edges of a tool, each as the direction across it.
 pub(super) struct Edges {
     behind: Vector,
     ahead: Vector,
@@ -45,7 +45,7 @@ impl Edges {
         }
     }
 
-    /// What keeps the tip from some point of each bit, and whether it comes to any other point of it.
+    /// For each bit, what keeps the tip from one of its points, and whether the tip reaches another of its points.
     pub fn shades(&self, bits: &[Bit], solid: impl Fn(&Bit) -> bool) -> Vec<(Option<Shade>, bool)> {
         let keys: Vec<Vec<Point>> =
             bits.iter().map(|bit| if solid(bit) { self.keys(bit.piece) } else { Vec::new() }).collect();
@@ -69,7 +69,8 @@ impl Edges {
         let along = |at: Point| piece.from.to(at).length();
         let behind = |at: Point| at.z <= tip.z && self.behind.dot(tip.to(at)) > TRIFLE;
         let ahead = |at: Point| at.radius >= tip.radius && self.ahead.dot(at.to(tip)) > TRIFLE;
-        // A bound is rounded otherwise than what is compared exactly: half of what counts is far more than that.
+        // Limits of branches are rounded differently from the exact comparison; half the tolerance is far more than
+        // that.
         let far_behind = self.behind.dot(tip.vector()) + TRIFLE / 2.0;
         let far_ahead = -self.ahead.dot(tip.vector()) + TRIFLE / 2.0;
         let own = || metal.of(index).iter().copied();
@@ -86,7 +87,7 @@ impl Edges {
         rises(false).then(|| if rises(true) { Shade::Over } else { Shade::Ahead })
     }
 
-    /// The points of a piece farthest across either edge.
+    /// The points of a piece that are farthest across either edge.
     fn keys(&self, piece: Piece) -> Vec<Point> {
         let mut points = vec![piece.from, piece.to];
         if let (Curve::Arc { radius, .. }, Some(centre)) = (piece.curve, piece.centre()) {
@@ -112,7 +113,7 @@ fn inside(piece: Piece) -> impl Iterator<Item = Point> {
         let Some(centre) = piece.centre() else { return Some(Point::at(on_chord)) };
         let Curve::Arc { radius, .. } = piece.curve else { return None };
         let spoke = on_chord.minus(centre);
-        // Half a circle has its centre on the chord: its middle has no direction from there.
+        // The centre of half a circle is on the chord, where it gives no direction.
         (spoke.length() > 1e-6).then(|| Point::at(centre.plus(spoke.unit().times(radius.to_mm()))))
     })
 }

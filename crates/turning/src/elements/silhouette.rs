@@ -1,6 +1,6 @@
-//! What of a contour can be seen from outside, across the axis: where it leads back towards the free end, it goes upright
-//! from the foremost point instead. What a contouring tool still reaches there (a face that leans back by up to φ − 90°) is
-//! left to finishing: roughing works in levels over a contour that does not lead back.
+//! The contour as seen from outside, across the axis: where it runs back towards the free end, it goes upright from the
+//! foremost point instead. What a contouring tool could still reach there (a face that leans back by up to φ − 90°) is
+//! left to finishing, because roughing works in levels over a contour that does not run back.
 
 use crate::turning::contour::Piece;
 use crate::turning::length::Half;
@@ -9,7 +9,7 @@ use crate::turning::point::Point;
 use super::bridge::Span;
 use super::view::Bit;
 
-/// The outline of bits as seen from outside, and the bridges that it took.
+/// The outline of bits as seen from outside, with the bridges it needs.
 pub(super) fn silhouette(bits: Vec<Bit>) -> (Vec<Bit>, Vec<Span>) {
     let mut seen: Vec<Bit> = Vec::new();
     let mut spans = Vec::new();
@@ -20,7 +20,7 @@ pub(super) fn silhouette(bits: Vec<Bit>) -> (Vec<Bit>, Vec<Span>) {
         } else if bit.piece.from == here && bit.piece.to.z >= here.z {
             seen.push(bit);
         } else if let Some(at) = forward(bit.piece, here.z) {
-            // Leave an undercut that falls: go on from where the contour is visible again.
+            // After an undercut the outline goes on where the contour is visible again.
             seen.push(Bit { piece: Piece::line(here, at), origin: None, ..bit });
             seen.push(Bit { piece: bit.piece.between(at, bit.piece.to), ..bit });
         }
@@ -29,7 +29,7 @@ pub(super) fn silhouette(bits: Vec<Bit>) -> (Vec<Bit>, Vec<Span>) {
     (seen, spans)
 }
 
-/// Takes back what lies under the end of a bit that leads back and out, and goes upright to it.
+/// Removes what lies under the end of a bit that runs back and outwards, and goes upright to that end.
 fn upright(seen: &mut Vec<Bit>, bit: Bit) -> Span {
     let lip = bit.piece.to;
     let mut under = vec![bit];
@@ -52,7 +52,7 @@ fn upright(seen: &mut Vec<Bit>, bit: Bit) -> Span {
     Span { bits: (0, 0), under, over: vec![over], open: false }
 }
 
-/// Where a piece comes past a Z on its way forward.
+/// Where a piece passes a Z on its way towards the chuck.
 fn forward(piece: Piece, z: Half) -> Option<Point> {
     (piece.to.z > z).then(|| piece.at_z(z).last().copied().unwrap_or(piece.from))
 }

@@ -1,5 +1,5 @@
-//! A contour as the tool sees it: from outside, feeding to the right. A bore is turned inside out for it and a tool of
-//! the other hand gets the mirror image, so that every question of reach is asked, and answered, once.
+//! A contour as the tool sees it: from outside, feeding to the right. A bore is turned inside out, and a tool of the
+//! other hand gets the mirror image, so that reach is calculated for one case only.
 
 use crate::turning::contour::{Contour, Curve, Piece, Profile, Side, Turn};
 use crate::turning::length::Half;
@@ -7,12 +7,12 @@ use crate::turning::point::{Point, Vector};
 
 use super::Hand;
 
-/// A part of a piece that neither changes between rising and falling nor between leading forward and back.
+/// A part of a piece that only rises or only falls, and does not change its direction along Z.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Bit {
     /// The surface that it is of.
     pub surface: usize,
-    /// Which piece of the contour it is of; none: laid over a valley.
+    /// The index of its piece on the contour; none for a part of a bridge.
     pub origin: Option<usize>,
     /// Where it runs, as the tool sees it.
     pub piece: Piece,
@@ -42,7 +42,8 @@ impl View {
             seen.extend(quarters(self.forth(piece)).into_iter().map(bit));
         }
         if self.mirrored {
-            // Each piece was turned round by `forth`, its bits stand in the order of the feed; the pieces do not yet.
+            // `forth` reversed each piece, so the bits of a piece are in the order of the feed; now the pieces are put
+            // in it.
             let mut order: Vec<Vec<Bit>> = seen.chunk_by(|a, b| a.origin == b.origin).map(<[Bit]>::to_vec).collect();
             order.reverse();
             seen = order.concat();
@@ -60,8 +61,8 @@ impl View {
         }
     }
 
-    /// What the tool sees, as pieces of the part from the free end: bits of one piece are one again, and lines along or
-    /// across the axis that go on in each other too.
+    /// Bits as pieces of the part from the free end. Bits of one piece are joined, and so are lines along or across the
+    /// axis that continue each other.
     pub fn back(self, bits: &[Bit]) -> Vec<Piece> {
         let mut joined: Vec<Bit> = Vec::new();
         for bit in bits.iter().filter(|bit| !bit.piece.is_nothing()) {
@@ -83,7 +84,7 @@ impl View {
         self.forth(Piece::line(at, at)).from
     }
 
-    /// Indices in the order of the feed, in the order of the part.
+    /// Whether the order of the feed is the reverse of that of the part.
     pub const fn mirrored(self) -> bool {
         self.mirrored
     }
@@ -104,19 +105,19 @@ pub fn quarters(piece: Piece) -> Vec<Piece> {
     let mut corners = piece.extremes();
     let away = |at: &Point| piece.from.to(*at).length();
     corners.sort_by(|a, b| away(a).total_cmp(&away(b)));
-    // An extreme within a micrometre of an end is that end, rounded.
+    // An extreme within a micrometre of an end is the rounded end.
     corners
         .retain(|at| *at == piece.from || *at == piece.to || (away(at) > 0.0015 && at.to(piece.to).length() > 0.0015));
     corners.dedup();
     corners.iter().zip(corners.iter().skip(1)).map(|(from, to)| piece.between(*from, *to)).collect()
 }
 
-/// The contour of pieces that the tool sees, as an outer one.
+/// Pieces as the tool sees them, as an outer contour.
 pub fn outer(pieces: Vec<Piece>) -> Contour {
     Contour { side: Side::Outer, pieces }
 }
 
-/// How steep a piece is at most: its steepest rise and its steepest fall, degrees in [0, 180]; above 90 it leads back.
+/// The steepest rise and the steepest fall of a piece, degrees in [0, 180]; above 90 it runs back.
 pub fn steepness(piece: Piece) -> (f64, f64) {
     let start = upright(piece.direction_at_start());
     let (least, most) = match piece.curve {
@@ -131,7 +132,7 @@ pub fn steepness(piece: Piece) -> (f64, f64) {
     (rise, fall)
 }
 
-/// A direction in degrees, where straight back counts as rising.
+/// A direction in degrees; straight back counts as rising.
 fn upright(direction: Vector) -> f64 {
     let degrees = direction.degrees();
     if degrees <= -180.0 { 180.0 } else { degrees }

@@ -1,10 +1,8 @@
 //! What a shaft file says, held against itself: the steps against each other and against the blank.
 
-use crate::note::Tell;
-
 use crate::knowledge::diagnostic::Place;
 use crate::turning::passes::grid::{MOST_STATES, states};
-use crate::turning::reading::{Placed, Reader};
+use crate::turning::reading::{Placed, Reader, mistake};
 use crate::units::Micrometres;
 
 use super::Shaft;
@@ -22,14 +20,20 @@ pub(super) fn steps(
         let Some((diameter, place)) = &step.diameter else { continue };
         let (diameter, number) = (*diameter, index + 1);
         if let Some((blank, _)) = blank_diameter.filter(|(blank, _)| diameter > *blank) {
-            let figures: [(&str, &dyn Tell); 3] = [("step", &number), ("diameter", &diameter), ("blank", blank)];
-            reader.fault::<()>("step-beyond-blank", &figures, place);
+            reader.fault::<()>(mistake!("step-beyond-blank", step = number, diameter = diameter, blank = blank), place);
         }
         match largest {
             Some((before, other)) if diameter < before => {
-                let figures: [(&str, &dyn Tell); 4] =
-                    [("step", &number), ("diameter", &diameter), ("before", &before), ("other", &other)];
-                reader.fault::<()>("step-rises-to-the-free-end", &figures, place);
+                reader.fault::<()>(
+                    mistake!(
+                        "step-rises-to-the-free-end",
+                        step = number,
+                        diameter = diameter,
+                        before = before,
+                        other = other
+                    ),
+                    place,
+                );
             }
             _ => largest = Some((diameter, number)),
         }
@@ -43,7 +47,7 @@ pub(super) fn steps(
         if sum > *blank {
             let all: Option<Micrometres> = steps.iter().map(|step| step.length.as_ref().map(|(it, _)| *it)).sum();
             let all = all.unwrap_or(sum);
-            reader.fault::<()>("steps-beyond-blank", &[("sum", &all), ("blank", blank)], place);
+            reader.fault::<()>(mistake!("steps-beyond-blank", sum = all, blank = blank), place);
             return;
         }
     }
@@ -53,6 +57,6 @@ pub(super) fn steps(
 pub(super) fn grid(shaft: &Shaft, place: &Place, reader: &mut Reader<'_>) {
     let states = states(shaft);
     if states > MOST_STATES {
-        reader.fault::<()>("grid-too-fine", &[("states", &states), ("most", &MOST_STATES)], place);
+        reader.fault::<()>(mistake!("grid-too-fine", states = states, most = MOST_STATES), place);
     }
 }

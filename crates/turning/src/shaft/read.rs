@@ -3,7 +3,7 @@
 use crate::knowledge::Knowledge;
 use crate::knowledge::form::KeyOf;
 use crate::knowledge::yaml::{Fields, Node};
-use crate::turning::reading::{Mistake, Placed, Reader};
+use crate::turning::reading::{Mistake, Placed, Reader, mistake};
 use crate::units::{Micrometres, MillimetresPerMinute};
 
 use super::check;
@@ -90,7 +90,7 @@ impl Reader<'_> {
         let kinds = [BlankKind::Bar, BlankKind::Forging, BlankKind::Casting].map(|kind| (kind.name(), kind));
         let kind = fields.need(file::Blank::kind, &mut self.problems).and_then(|node| match node.text() {
             // A tube has a bore, for which the short form has no words.
-            Some("tube") => self.fault("tube-with-steps", &[], &node.place),
+            Some("tube") => self.fault(mistake!("tube-with-steps"), &node.place),
             _ => self.choice(node, &kinds),
         });
         let diameter = self.need(&mut fields, file::Blank::diameter);
@@ -104,7 +104,7 @@ impl Reader<'_> {
     pub(crate) fn steps(&mut self, node: &Node) -> Vec<PlacedStep> {
         let Some(nodes) = self.problems.list(node) else { return Vec::new() };
         if nodes.is_empty() {
-            self.fault::<()>("no-steps", &[], &node.place);
+            self.fault::<()>(mistake!("no-steps"), &node.place);
         }
         let mut steps = Vec::new();
         for node in nodes {

@@ -1,9 +1,7 @@
 //! The steps of a blank (a forging or casting near the shape of the shaft), held against its cylinder and the shaft.
 
-use crate::note::Tell;
-
 use crate::knowledge::diagnostic::Place;
-use crate::turning::reading::{Placed, Reader};
+use crate::turning::reading::{Placed, Reader, mistake};
 use crate::units::Micrometres;
 
 use super::BlankKind;
@@ -26,7 +24,7 @@ pub(crate) fn check(
     reader: &mut Reader<'_>,
 ) {
     if kind == Some(BlankKind::Bar) {
-        reader.fault::<()>("bar-with-steps", &[], &shape.place);
+        reader.fault::<()>(mistake!("bar-with-steps"), &shape.place);
     }
     let mut before = Micrometres::ZERO;
     let mut ends: Vec<(Micrometres, Micrometres)> = Vec::new();
@@ -35,27 +33,31 @@ pub(crate) fn check(
         let (Some((diameter, place)), Some((long, _))) = (&step.diameter, &step.length) else { return };
         let number = index + 1;
         if *diameter < before {
-            let figures: [(&str, &dyn Tell); 3] = [("step", &number), ("diameter", diameter), ("before", &before)];
-            reader.fault::<()>("blank-step-rises-to-the-free-end", &figures, place);
+            reader.fault::<()>(
+                mistake!("blank-step-rises-to-the-free-end", step = number, diameter = diameter, before = before),
+                place,
+            );
         }
         if let Some((around, _)) = around.filter(|(around, _)| diameter > around) {
-            let figures: [(&str, &dyn Tell); 3] = [("step", &number), ("diameter", diameter), ("blank", around)];
-            reader.fault::<()>("blank-step-beyond-blank", &figures, place);
+            reader.fault::<()>(
+                mistake!("blank-step-beyond-blank", step = number, diameter = diameter, blank = around),
+                place,
+            );
         }
         before = before.max(*diameter);
         end = end + *long;
         ends.push((end, *diameter));
     }
     if let Some((length, _)) = length.filter(|(length, _)| end > *length) {
-        reader.fault::<()>("steps-beyond-blank", &[("sum", &end), ("blank", length)], &shape.place);
+        reader.fault::<()>(mistake!("steps-beyond-blank", sum = end, blank = length), &shape.place);
     }
     let mut from = Micrometres::ZERO;
     for (index, step) in steps.iter().enumerate() {
         let (Some((diameter, place)), Some((long, _))) = (&step.diameter, &step.length) else { return };
         let over = ends.iter().find(|(end, _)| from < *end).map(|(_, over)| *over);
         if let Some(over) = over.filter(|over| diameter > over) {
-            let figures: [(&str, &dyn Tell); 3] = [("step", &(index + 1)), ("diameter", diameter), ("blank", &over)];
-            reader.fault::<()>("step-beyond-blank", &figures, place);
+            reader
+                .fault::<()>(mistake!("step-beyond-blank", step = index + 1, diameter = diameter, blank = over), place);
         }
         from = from + *long;
     }

@@ -1,11 +1,9 @@
 //! The contours of a workpiece, held against themselves, each other and the blank.
 
-use crate::note::Tell;
-
 use crate::knowledge::diagnostic::Place;
 use crate::turning::contour::{Contour, Side, Surface};
 use crate::turning::length::Half;
-use crate::turning::reading::Reader;
+use crate::turning::reading::{Reader, mistake};
 
 use super::Blank;
 use super::cross::{Chain, along, crossing, flat};
@@ -25,7 +23,7 @@ pub(super) fn crosses_itself(walked: &Walked, reader: &mut Reader<'_>) {
     if let Some((one, two)) = crossing(&pieces)
         && let (Some((surface, _)), Some((later, place))) = (owners.get(one), owners.get(two))
     {
-        reader.fault::<()>("contour-crosses-itself", &[("surface", &later.name), ("other", &surface.name)], place);
+        reader.fault::<()>(mistake!("contour-crosses-itself", surface = later.name, other = surface.name), place);
     }
 }
 
@@ -34,33 +32,40 @@ pub(super) fn crosses_itself(walked: &Walked, reader: &mut Reader<'_>) {
 pub(super) fn ends(outer: &Walked, inner: Option<&Walked>, blank: Option<&Blank>, reader: &mut Reader<'_>) {
     let Some((start, place)) = &outer.start else { return };
     if start.z != Half::ZERO {
-        reader.fault::<()>("does-not-begin-at-zero", &[("z", &(Half::ZERO - start.z))], place);
+        reader.fault::<()>(mistake!("does-not-begin-at-zero", z = Half::ZERO - start.z), place);
     }
     match inner {
         Some(inner) => {
             if let Some((bore, place)) = inner.start.as_ref().filter(|(bore, _)| bore != start) {
-                let figures: [(&str, &dyn Tell); 4] = [
-                    ("d", &bore.radius.diameter()),
-                    ("z", &(Half::ZERO - bore.z)),
-                    ("outer_d", &start.radius.diameter()),
-                    ("outer_z", &(Half::ZERO - start.z)),
-                ];
-                reader.fault::<()>("contours-do-not-meet", &figures, place);
+                reader.fault::<()>(
+                    mistake!(
+                        "contours-do-not-meet",
+                        d = bore.radius.diameter(),
+                        z = Half::ZERO - bore.z,
+                        outer_d = start.radius.diameter(),
+                        outer_z = Half::ZERO - start.z
+                    ),
+                    place,
+                );
             }
             let last = inner.surfaces.last().map(|(_, place)| place);
             if let (Some(end), Some(far), Some(place)) = (inner.end(), outer.end(), last)
                 && (inner.whole && outer.whole && end.radius != Half::ZERO && end.z != far.z)
             {
-                let figures: [(&str, &dyn Tell); 2] = [("z", &(Half::ZERO - end.z)), ("far", &(Half::ZERO - far.z))];
-                reader.fault::<()>("bore-ends-nowhere", &figures, place);
+                reader.fault::<()>(
+                    mistake!("bore-ends-nowhere", z = Half::ZERO - end.z, far = Half::ZERO - far.z),
+                    place,
+                );
             }
         }
         None => {
             let Some(blank) = blank else { return };
             let bore = blank.inner.as_ref().and_then(Contour::start).map_or(Half::ZERO, |start| start.radius);
             if start.radius != bore {
-                let figures: [(&str, &dyn Tell); 2] = [("d", &start.radius.diameter()), ("bore", &bore.diameter())];
-                reader.fault::<()>("does-not-begin-on-the-axis", &figures, place);
+                reader.fault::<()>(
+                    mistake!("does-not-begin-on-the-axis", d = start.radius.diameter(), bore = bore.diameter()),
+                    place,
+                );
             }
         }
     }
@@ -82,7 +87,7 @@ pub(super) fn walls(outer: &Walked, inner: &Walked, reader: &mut Reader<'_>) {
             near.iter().find(|(_, other)| chain.meets(other)).map(|(other, _)| *other)
         };
         if let Some(other) = chains.into_iter().find_map(|chain| meets(&chain)) {
-            reader.fault::<()>("no-wall", &[("surface", &surface.name), ("other", &other.name)], place);
+            reader.fault::<()>(mistake!("no-wall", surface = surface.name, other = other.name), place);
             return;
         }
     }
@@ -96,8 +101,7 @@ pub(super) fn walls(outer: &Walked, inner: &Walked, reader: &mut Reader<'_>) {
     let turned_out = bore.zip(around).is_some_and(|((bore, _), (_, around))| bore >= around);
     let ends_beyond = inner.end().zip(end).is_some_and(|(inner, outer)| inner.z > outer.z);
     if (turned_out || ends_beyond) && start.is_some() {
-        let figures: [(&str, &dyn Tell); 2] = [("surface", &first.0.name), ("other", &"outer")];
-        reader.fault::<()>("no-wall", &figures, &first.1);
+        reader.fault::<()>(mistake!("no-wall", surface = first.0.name, other = "outer"), &first.1);
     }
 }
 
@@ -106,36 +110,48 @@ pub(super) fn within_blank(outer: &Walked, inner: Option<&Walked>, blank: &Blank
     if blank.face() < Half::ZERO
         && let Some((_, place)) = &outer.start
     {
-        reader.fault::<()>("blank-begins-behind", &[("face", &blank.face())], place);
+        reader.fault::<()>(mistake!("blank-begins-behind", face = blank.face()), place);
     }
     for (surface, place) in &outer.surfaces {
         let end = surface.pieces.iter().map(|piece| piece.to.z).max().unwrap_or(Half::ZERO);
         if end > blank.end() {
-            let figures: [(&str, &dyn Tell); 3] =
-                [("surface", &surface.name), ("z", &(Half::ZERO - end)), ("blank", &(Half::ZERO - blank.end()))];
-            reader.fault::<()>("part-longer-than-blank", &figures, place);
+            reader.fault::<()>(
+                mistake!(
+                    "part-longer-than-blank",
+                    surface = surface.name,
+                    z = Half::ZERO - end,
+                    blank = Half::ZERO - blank.end()
+                ),
+                place,
+            );
             break;
         }
         if let Some((z, part, limit)) = outside(surface, &blank.outer) {
-            let figures: [(&str, &dyn Tell); 4] = [
-                ("surface", &surface.name),
-                ("z", &(Half::ZERO - z)),
-                ("diameter", &part.diameter()),
-                ("blank", &limit.diameter()),
-            ];
-            reader.fault::<()>("part-beyond-blank", &figures, place);
+            reader.fault::<()>(
+                mistake!(
+                    "part-beyond-blank",
+                    surface = surface.name,
+                    z = Half::ZERO - z,
+                    diameter = part.diameter(),
+                    blank = limit.diameter()
+                ),
+                place,
+            );
         }
     }
     let (Some(bore), Some(inner)) = (&blank.inner, inner) else { return };
     for (surface, place) in &inner.surfaces {
         if let Some((z, part, limit)) = outside(surface, bore) {
-            let figures: [(&str, &dyn Tell); 4] = [
-                ("surface", &surface.name),
-                ("z", &(Half::ZERO - z)),
-                ("diameter", &part.diameter()),
-                ("blank", &limit.diameter()),
-            ];
-            reader.fault::<()>("blank-bore-beyond-part", &figures, place);
+            reader.fault::<()>(
+                mistake!(
+                    "blank-bore-beyond-part",
+                    surface = surface.name,
+                    z = Half::ZERO - z,
+                    diameter = part.diameter(),
+                    blank = limit.diameter()
+                ),
+                place,
+            );
         }
     }
 }

@@ -5,7 +5,7 @@ use crate::knowledge::form::{KeyOf, meant};
 use crate::knowledge::yaml::{Fields, Node, NodeKind};
 use crate::turning::contour::Side;
 use crate::turning::length::Half;
-use crate::turning::reading::{LARGEST, Placed, Reader};
+use crate::turning::reading::{LARGEST, Placed, Reader, mistake};
 use crate::units::{Decimal, ItGrade, Micrometres, Roughness};
 
 use super::grade;
@@ -124,14 +124,10 @@ impl Reader<'_> {
     pub(super) fn items(&mut self, node: &Node, side: Side, whose: Whose) -> Vec<Option<Item>> {
         let Some(nodes) = self.problems.list(node) else { return Vec::new() };
         if nodes.len() < 2 {
-            self.fault::<()>("no-items", &[], &node.place);
+            self.fault::<()>(mistake!("no-items"), &node.place);
         }
         if let Some(first_too_many) = nodes.get(MOST_ITEMS) {
-            self.fault::<()>(
-                "too-many-items",
-                &[("count", &nodes.len()), ("most", &MOST_ITEMS)],
-                &first_too_many.place,
-            );
+            self.fault::<()>(mistake!("too-many-items", count = nodes.len(), most = MOST_ITEMS), &first_too_many.place);
             return Vec::new();
         }
         nodes.iter().map(|node| self.item(node, side, whose)).collect()
@@ -150,13 +146,13 @@ impl Reader<'_> {
                 fields.finish(&all, &mut self.problems);
                 return None;
             }
-            return self.fault("item-without-surface", &[("known", &known.join(", "))], &node.place);
+            return self.fault(mistake!("item-without-surface", known = known.join(", ")), &node.place);
         };
         if let Some((_, other)) = mains.next() {
-            return self.fault("two-surfaces-in-one", &[("one", main), ("other", other)], &node.place);
+            return self.fault(mistake!("two-surfaces-in-one", one = main, other = other), &node.place);
         }
         if whose == Whose::Blank && matches!(kind, ItemKind::Thread | ItemKind::Groove) {
-            return self.fault("item-of-a-part", &[("key", main)], &node.place);
+            return self.fault(mistake!("item-of-a-part", key = main), &node.place);
         }
         let at = (node, side, whose);
         match kind {
@@ -229,7 +225,7 @@ impl Reader<'_> {
             let text = self.problems.text(node)?;
             match grade::read(text, side) {
                 Ok(grade) => Some(grade),
-                Err(code) => self.fault(code, &[("grade", &text)], &node.place),
+                Err(code) => self.fault(mistake!(code, grade = text), &node.place),
             }
         });
         let roughness = fields.take(roughness).and_then(|node| self.problems.scalar(node));
@@ -241,14 +237,14 @@ impl Reader<'_> {
     pub(super) fn not_below_zero(&mut self, node: &Node, key: &str) -> Option<Micrometres> {
         let length = self.problems.scalar::<Micrometres>(node)?;
         if length < Micrometres::ZERO {
-            return self.fault("below-zero", &[("key", &key), ("length", &length)], &node.place);
+            return self.fault(mistake!("below-zero", key = key, length = length), &node.place);
         }
         self.not_too_large((length, node.place.clone()), key).map(|(length, _)| length)
     }
 
     fn not_too_large(&mut self, (length, place): Placed<Micrometres>, key: &str) -> Measure {
         if length.abs() > LARGEST {
-            return self.fault("length-too-large", &[("key", &key), ("length", &length), ("most", &LARGEST)], &place);
+            return self.fault(mistake!("length-too-large", key = key, length = length, most = LARGEST), &place);
         }
         Some((length, place))
     }
@@ -258,7 +254,7 @@ impl Reader<'_> {
         let node = node?;
         let diameter = self.problems.scalar::<Micrometres>(node)?;
         if diameter < Micrometres::ZERO {
-            return self.fault("negative-diameter", &[("key", &key), ("diameter", &diameter)], &node.place);
+            return self.fault(mistake!("negative-diameter", key = key, diameter = diameter), &node.place);
         }
         self.not_too_large((diameter, node.place.clone()), key)
     }
@@ -268,7 +264,7 @@ impl Reader<'_> {
         let node = node?;
         let z = self.problems.scalar::<Micrometres>(node)?;
         if whose == Whose::Part && z > Micrometres::ZERO {
-            return self.fault("z-before-the-face", &[("z", &z)], &node.place);
+            return self.fault(mistake!("z-before-the-face", z = z), &node.place);
         }
         self.not_too_large((z, node.place.clone()), key)
     }
@@ -304,7 +300,7 @@ impl Reader<'_> {
         let node = fields.need(ArcItem::radius, &mut self.problems)?;
         match node.text().and_then(|text| text.parse::<Micrometres>().ok()) {
             Some(radius) if radius < Micrometres::ZERO => {
-                self.fault("arc-over-half-a-circle", &[("radius", &radius)], &node.place)
+                self.fault(mistake!("arc-over-half-a-circle", radius = radius), &node.place)
             }
             _ => self.length(Some(node), ArcItem::radius.name()),
         }
@@ -314,7 +310,7 @@ impl Reader<'_> {
         let text = self.problems.text(node)?;
         match thread::read(text, self.knowledge) {
             Ok(named) => Some((named, node.place.clone())),
-            Err(code) => self.fault(code, &[("thread", &text)], &node.place),
+            Err(code) => self.fault(mistake!(code, thread = text), &node.place),
         }
     }
 
@@ -328,7 +324,7 @@ impl Reader<'_> {
             (None, length) => Along::Length(self.length(length, ThreadItem::length.name())),
             (to, None) => Along::Z(self.z(to, ThreadItem::to.name(), whose)),
             (to, Some(length)) => {
-                self.fault::<()>("end-said-twice", &[], &length.place);
+                self.fault::<()>(mistake!("end-said-twice"), &length.place);
                 Along::Z(self.z(to, ThreadItem::to.name(), whose))
             }
         }

@@ -6,7 +6,7 @@ use crate::knowledge::form::{Form, meant};
 use crate::knowledge::yaml::{Node, NodeKind, missing_key, parse};
 use crate::knowledge::{Diagnostic, Knowledge};
 use crate::turning::contour::Side;
-use crate::turning::reading::{Mistake, Placed, Reader};
+use crate::turning::reading::{Mistake, Placed, Reader, mistake};
 use crate::turning::shaft::Holding;
 use crate::turning::shaft::file::ShaftFile;
 
@@ -109,7 +109,7 @@ impl Reader<'_> {
             None => Some(None),
         };
         if let Some(steps) = fields.take_foreign(ShaftFile::steps) {
-            self.fault::<()>("both-steps-and-outer", &[], &steps.place);
+            self.fault::<()>(mistake!("both-steps-and-outer"), &steps.place);
         }
         fields.finish(&mut self.problems);
 
@@ -166,7 +166,7 @@ impl Reader<'_> {
         for (name, place) in names {
             match known.get(&name) {
                 Some(line) => {
-                    self.fault::<()>("name-twice", &[("surface", &name), ("line", line)], &place);
+                    self.fault::<()>(mistake!("name-twice", surface = name, line = line), &place);
                 }
                 None => {
                     known.insert(name, place.line);

@@ -1,13 +1,11 @@
 //! The blank of the contour form: a bar or tube by its sizes, a forging or casting by steps or contours.
 
-use crate::note::Tell;
-
 use crate::knowledge::form::KeyOf;
 use crate::knowledge::yaml::{Fields, Node};
 use crate::turning::contour::{Contour, Side};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
-use crate::turning::reading::Reader;
+use crate::turning::reading::{Reader, mistake};
 use crate::turning::shaft::BlankKind;
 use crate::turning::shaft::read::PlacedStep;
 use crate::turning::shaft::shape::{self, Shape};
@@ -45,8 +43,7 @@ impl Reader<'_> {
             (Some(kind), shaped) => {
                 if let Some(outer) = shaped {
                     self.fault::<()>(
-                        "blank-key-of-another-kind",
-                        &[("key", &BlankFile::outer.name()), ("stock", &kind.name())],
+                        mistake!("blank-key-of-another-kind", key = BlankFile::outer.name(), stock = kind.name()),
                         &outer.place,
                     );
                 }
@@ -72,7 +69,7 @@ impl Reader<'_> {
     ) {
         for key in keys {
             if let Some(node) = fields.take(*key) {
-                self.fault::<()>(code, &[("key", &key.name()), ("stock", &kind.name())], &node.place);
+                self.fault::<()>(mistake!(code, key = key.name(), stock = kind.name()), &node.place);
             }
         }
     }
@@ -103,13 +100,12 @@ impl Reader<'_> {
         if let (Some(Some((bore, place))), Some((diameter, _))) = (&bore, &diameter)
             && bore >= diameter
         {
-            let figures: [(&str, &dyn Tell); 2] = [("bore", bore), ("diameter", diameter)];
-            return self.fault("bore-beyond-diameter", &figures, place);
+            return self.fault(mistake!("bore-beyond-diameter", bore = bore, diameter = diameter), place);
         }
         if let (Some(face), Some((length, place))) = (face, &length)
             && face >= *length
         {
-            return self.fault("face-beyond-length", &[("face", &face), ("length", length)], place);
+            return self.fault(mistake!("face-beyond-length", face = face, length = length), place);
         }
         let bore = match bore {
             Some(bore) => Some(Half::radius_of(bore?.0)),
@@ -130,18 +126,22 @@ impl Reader<'_> {
         if let (Some((start, place)), expected) = (&outside.start, bore.as_ref().map(|bore| &bore.start)) {
             match expected {
                 None if start.radius != Half::ZERO => {
-                    let figures: [(&str, &dyn Tell); 2] =
-                        [("d", &start.radius.diameter()), ("bore", &Micrometres::ZERO)];
-                    self.fault::<()>("does-not-begin-on-the-axis", &figures, place);
+                    self.fault::<()>(
+                        mistake!("does-not-begin-on-the-axis", d = start.radius.diameter(), bore = Micrometres::ZERO),
+                        place,
+                    );
                 }
                 Some(Some((bore, place))) if bore != start => {
-                    let figures: [(&str, &dyn Tell); 4] = [
-                        ("d", &bore.radius.diameter()),
-                        ("z", &(Half::ZERO - bore.z)),
-                        ("outer_d", &start.radius.diameter()),
-                        ("outer_z", &(Half::ZERO - start.z)),
-                    ];
-                    self.fault::<()>("contours-do-not-meet", &figures, place);
+                    self.fault::<()>(
+                        mistake!(
+                            "contours-do-not-meet",
+                            d = bore.radius.diameter(),
+                            z = Half::ZERO - bore.z,
+                            outer_d = start.radius.diameter(),
+                            outer_z = Half::ZERO - start.z
+                        ),
+                        place,
+                    );
                 }
                 _ => {}
             }

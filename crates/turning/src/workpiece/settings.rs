@@ -2,7 +2,7 @@
 
 use crate::knowledge::form::KeyOf;
 use crate::knowledge::yaml::Node;
-use crate::turning::reading::Reader;
+use crate::turning::reading::{Reader, mistake};
 use crate::units::{Decimal, Micrometres, MillimetresPerMinute};
 
 use super::file::{AllowancesFile, ContourRates, ContourRoughing, ErrorsFile};
@@ -43,7 +43,7 @@ impl Reader<'_> {
             match node {
                 Some(node) if method.is_some_and(|method| method != owner) => {
                     let owner = if owner == Method::Stated { "stated" } else { "analytic" };
-                    reader.fault("allowance-of-another-method", &[("key", &key.name()), ("owner", &owner)], &node.place)
+                    reader.fault(mistake!("allowance-of-another-method", key = key.name(), owner = owner), &node.place)
                 }
                 node => node,
             }
@@ -68,7 +68,7 @@ impl Reader<'_> {
             let node = fields.need(key, &mut reader.problems)?;
             let error = reader.problems.scalar::<Decimal>(node)?;
             if error < Decimal::from_int(0) {
-                return reader.fault("below-zero", &[("key", &key.name()), ("length", &error)], &node.place);
+                return reader.fault(mistake!("below-zero", key = key.name(), length = error), &node.place);
             }
             Some(Microns::new(error))
         };

@@ -1,13 +1,12 @@
 //! Along the items of a contour: each becomes a surface, if it leads where a contour can go.
 
-use crate::note::Tell;
-
 use crate::knowledge::diagnostic::Place;
 use crate::note::Finding;
+use crate::note::Note;
 use crate::turning::contour::{Curve, Piece, Profile, Side, Surface, SurfaceKind, SurfaceName, Turn};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
-use crate::turning::reading::{Placed, Reader};
+use crate::turning::reading::{Placed, Reader, mistake};
 
 use super::Thread;
 use super::groove::GrooveForm;
@@ -81,8 +80,8 @@ fn z_of(measure: &Measure) -> Option<Half> {
 }
 
 impl Walk<'_, '_, '_> {
-    pub fn fault(&mut self, code: &'static str, figures: &[(&'static str, &dyn Tell)], place: &Place) {
-        self.reader.fault::<()>(code, figures, place);
+    pub fn fault(&mut self, mistake: (&'static str, Note), place: &Place) {
+        self.reader.fault::<()>(mistake, place);
         self.walked.whole = false;
     }
 
@@ -103,11 +102,11 @@ impl Walk<'_, '_, '_> {
                 (self.radius, self.z) = (radius_of(&to.d), z_of(&to.z));
                 self.walked.start = self.here().map(|point| (point, item.place.clone()));
                 if self.walked.side == Side::Inner && self.radius == Some(Half::ZERO) {
-                    self.fault("bore-begins-on-the-axis", &[], &item.place);
+                    self.fault(mistake!("bore-begins-on-the-axis"), &item.place);
                 }
             }
-            What::From(_) => self.fault("from-not-first", &[], &item.place),
-            _ if index == 0 => self.fault("first-item-not-from", &[], &item.place),
+            What::From(_) => self.fault(mistake!("from-not-first"), &item.place),
+            _ if index == 0 => self.fault(mistake!("first-item-not-from"), &item.place),
             What::Face(d) => self.straight(item, SurfaceKind::Face, (radius_of(d), self.z)),
             What::Cylinder(along) => {
                 let z = self.z_after(along);
@@ -118,7 +117,7 @@ impl Walk<'_, '_, '_> {
                 let to = (radius_of(&to.d), z_of(&to.z));
                 let (same_radius, same_z) = (to.0.is_some() && to.0 == self.radius, to.1.is_some() && to.1 == self.z);
                 if same_radius != same_z {
-                    self.fault("cone-without-slant", &[], &item.place);
+                    self.fault(mistake!("cone-without-slant"), &item.place);
                 }
                 self.straight(item, kind, to);
             }
@@ -154,7 +153,7 @@ impl Walk<'_, '_, '_> {
             _ => &item.place,
         };
         if let Some((radius, least)) = falls_short(piece) {
-            self.fault("arc-does-not-reach", &[("radius", &radius), ("least", &least)], radius_place);
+            self.fault(mistake!("arc-does-not-reach", radius = radius, least = least), radius_place);
         } else if self.leads_on(piece, kind, &item.place) {
             self.push(item, kind, vec![piece]);
         }
@@ -190,18 +189,18 @@ impl Walk<'_, '_, '_> {
         let z_shown = |z: Half| Half::ZERO - z;
         let extremes = piece.extremes();
         if piece.is_nothing() {
-            self.fault("leads-nowhere", &[("d", &to.radius.diameter()), ("z", &z_shown(to.z))], place);
+            self.fault(mistake!("leads-nowhere", d = to.radius.diameter(), z = z_shown(to.z)), place);
         } else if to.z < from.z || (groove_went.is_some_and(|went| went * back < 0) && kind == SurfaceKind::Face) {
             let code = if groove_went.is_some() { "groove-over-neighbour" } else { "runs-back" };
-            self.fault(code, &[("from", &z_shown(from.z)), ("to", &z_shown(to.z))], place);
+            self.fault(mistake!(code, from = z_shown(from.z), to = z_shown(to.z)), place);
         } else if let Some(point) = extremes.iter().find(|point| point.z < from.z - SLACK || point.z > to.z + SLACK) {
-            self.fault("arc-swings-out", &[("z", &z_shown(point.z))], place);
+            self.fault(mistake!("arc-swings-out", z = z_shown(point.z)), place);
         } else if extremes.iter().any(|point| point.radius < Half::ZERO - SLACK) {
-            self.fault("below-the-axis", &[], place);
+            self.fault(mistake!("below-the-axis"), place);
         } else if from.radius == Half::ZERO
             && (to.radius == Half::ZERO && piece.curve == Curve::Line || self.last().is_some())
         {
-            self.fault("along-the-axis", &[("z", &z_shown(from.z))], place);
+            self.fault(mistake!("along-the-axis", z = z_shown(from.z)), place);
         } else {
             return true;
         }
@@ -230,7 +229,7 @@ impl Walk<'_, '_, '_> {
         let known = self.here().is_some();
         let Some(way) = self.radial_way(index) else {
             if known {
-                self.fault("chamfer-which-way", &[], &item.place);
+                self.fault(mistake!("chamfer-which-way"), &item.place);
             }
             return self.straight(item, SurfaceKind::Chamfer, (None, None));
         };
@@ -239,7 +238,7 @@ impl Walk<'_, '_, '_> {
             _ => None,
         };
         if let Some(face) = face.map(|face| Half::new(face.halves().abs())).filter(|face| *face < side) {
-            self.fault("chamfer-larger-than-face", &[("chamfer", size), ("face", &face)], place);
+            self.fault(mistake!("chamfer-larger-than-face", chamfer = size, face = face), place);
         }
         let radius = self.radius.map(|radius| radius + Half::new(way * side.halves()));
         self.straight(item, SurfaceKind::Chamfer, (radius, self.z.map(|z| z + side)));
@@ -258,10 +257,11 @@ impl Walk<'_, '_, '_> {
             let (least, most) = named.diameters(self.walked.side);
             let diameter = radius.diameter();
             if !(least..=most).contains(&diameter) {
-                let figures: [(&str, &dyn Tell); 4] =
-                    [("thread", &named.written), ("diameter", &diameter), ("least", &least), ("most", &most)];
                 let code = if least == most { "thread-on-another-diameter" } else { "thread-in-another-bore" };
-                self.fault(code, &figures, place);
+                self.fault(
+                    mistake!(code, thread = named.written, diameter = diameter, least = least, most = most),
+                    place,
+                );
             }
         }
         let before = self.walked.surfaces.len();

@@ -1,11 +1,10 @@
 //! The grooves of a walk: their sizes, from the file or a standard, and how they lie on the contour.
 
-use crate::note::Tell;
-
 use crate::knowledge::diagnostic::Place;
 use crate::turning::contour::{Piece, Side, SurfaceKind};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
+use crate::turning::reading::mistake;
 use crate::units::{Decimal, Micrometres};
 
 use super::groove::{self, Frame, GrooveForm, Sizes};
@@ -24,23 +23,21 @@ impl Walk<'_, '_, '_> {
     ) -> Option<(SurfaceKind, Vec<Piece>)> {
         let sizes = self.sizes(index, here, item, written)?;
         let Some(frame) = self.frame(index, here, written.kind) else {
-            self.fault("groove-not-in-a-face", &[], &item.place);
+            self.fault(mistake!("groove-not-in-a-face"), &item.place);
             return None;
         };
         if frame.on_cylinder && frame.radial < 0 && sizes.depth >= here.radius {
-            let figures: [(&str, &dyn Tell); 2] = [("depth", &sizes.depth), ("radius", &here.radius)];
-            self.fault("groove-deeper-than-radius", &figures, &item.place);
+            self.fault(mistake!("groove-deeper-than-radius", depth = sizes.depth, radius = here.radius), &item.place);
             return None;
         }
         match groove::pieces(sizes, frame) {
             Ok(pieces) if pieces.iter().any(|piece| piece.to.radius < Half::ZERO) => {
-                self.fault("below-the-axis", &[], &item.place);
+                self.fault(mistake!("below-the-axis"), &item.place);
                 None
             }
             Ok(pieces) => Some((written.kind.surface(), pieces)),
             Err(code) => {
-                let figures: [(&str, &dyn Tell); 2] = [("width", &sizes.width), ("depth", &sizes.depth)];
-                self.fault(code, &figures, &item.place);
+                self.fault(mistake!(code, width = sizes.width, depth = sizes.depth), &item.place);
                 None
             }
         }
@@ -63,7 +60,7 @@ impl Walk<'_, '_, '_> {
     fn sizes(&mut self, index: usize, here: Point, item: &Item, written: &Written) -> Option<Sizes> {
         let kind = written.kind;
         if let Some((_, place)) = written.angle.as_ref().filter(|_| !kind.has_angle()) {
-            self.fault("angle-of-a-straight-groove", &[("kind_of_groove", &kind.name())], place);
+            self.fault(mistake!("angle-of-a-straight-groove", kind_of_groove = kind.name()), place);
         }
         if written.spoilt {
             return None;
@@ -91,7 +88,7 @@ impl Walk<'_, '_, '_> {
         .filter_map(|(key, lacks)| lacks.then_some(*key))
         .collect();
         if !lacking.is_empty() {
-            self.fault("groove-sizes-needed", &[("keys", &lacking.join(", "))], &item.place);
+            self.fault(mistake!("groove-sizes-needed", keys = lacking.join(", ")), &item.place);
         }
         let shoulder_first = self.last().is_none_or(|last| last.kind == SurfaceKind::Face);
         let radius = given(&written.radius).map(Half::of);
@@ -102,7 +99,7 @@ impl Walk<'_, '_, '_> {
     /// The tangent of half the angle between the walls.
     fn slant(&mut self, angle: Decimal, place: &Place) -> Option<f64> {
         if angle <= Decimal::from_int(0) || angle >= Decimal::from_int(180) {
-            self.fault("bad-groove-angle", &[("angle", &angle)], place);
+            self.fault(mistake!("bad-groove-angle", angle = angle), place);
             return None;
         }
         Some(libm::tan((angle.to_f64() / 2.0).to_radians()))

@@ -1,7 +1,7 @@
 //! The surfaces of each set-up: what the drawing says of them, main or additional, and their allowances.
 
 use crate::document::{Block, Column, Document, Inlines, Item, Keep};
-use crate::note::Tell;
+use crate::note::Told;
 use technolog_turning::contour::Side;
 use technolog_turning::elements::Element;
 use technolog_turning::operation::{Operation, SetUpWork, SideWork};
@@ -50,7 +50,7 @@ fn elements(page: &mut Document, operation: &Operation, stretch: &TurnedSide, wo
             );
         }
         rows.push(vec![
-            lang.figure(&surface.name.tell()).into(),
+            lang.figure(&(&surface.name).told()).into(),
             lang.term("word", surface.kind.name()).into(),
             arrow(figure(from.radius.diameter(), lang), figure(to.radius.diameter(), lang)).into(),
             arrow(z(from.z, lang), z(to.z, lang)).into(),
