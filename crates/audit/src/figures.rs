@@ -14,7 +14,7 @@ const DIGITS: i32 = 5;
 /// A finding for every stated figure that is not what it should be.
 pub(super) fn findings(context: &Context<'_>, graph: &Graph<'_>) -> Vec<Finding> {
     let verdicts = graph.verdicts();
-    let one = |verdict: &Verdict| finding(verdict, &verdicts, context, graph);
+    let one = |verdict: &Verdict| finding(verdict, verdicts, context, graph);
     verdicts.iter().filter_map(one).collect()
 }
 

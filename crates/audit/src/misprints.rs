@@ -36,7 +36,7 @@ pub(super) fn correct(graph: &mut Graph<'_>) {
     for _ in 0..MOST {
         let own: Vec<Id> = graph
             .verdicts()
-            .into_iter()
+            .iter()
             .filter(|verdict| matches!(verdict.status, Status::Root(_, None)))
             .map(|verdict| verdict.id)
             .filter(|id| graph.computed_from_right(*id).is_none())
