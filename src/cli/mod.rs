@@ -358,7 +358,7 @@ pub fn main() -> ExitCode {
 /// Help and version, or arguments that fit no command.
 fn refused(error: &clap::Error, lang: words::Lang) -> ExitCode {
     match usage::message(error, &mut help::command(lang), lang) {
-        Some(message) => output::complain(&message),
+        Some(message) => output::complain(&document::cleaned_lines(&message)),
         // Where not even this can be printed there is nobody to tell.
         None => drop(error.print()),
     }

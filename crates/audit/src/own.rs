@@ -87,6 +87,9 @@ pub(super) fn read(
         let place = &root.get("part").unwrap_or(root).place;
         return problems.error_help("bad-value", message, place, help);
     }
+    if let Some(node) = several_lines(root) {
+        return problems.text(node).and(None);
+    }
     let tolerances: Result<Tolerances, KnowledgeError> = Tolerances::read(knowledge);
     let Ok(tolerances) = tolerances else {
         return problems.error("knowledge", note!("planfile-table-audit-tolerance-cannot-used"), &root.place);
@@ -270,6 +273,15 @@ impl Own<'_> {
             at,
             figures,
         }
+    }
+}
+
+/// The first text of several lines: no plan of ours has one.
+fn several_lines(node: &Node) -> Option<&Node> {
+    match &node.kind {
+        NodeKind::Scalar { text, .. } => text.contains(['\n', '\t']).then_some(node),
+        NodeKind::Seq(items) => items.iter().find_map(several_lines),
+        NodeKind::Map(entries) => entries.iter().find_map(|(_, node)| several_lines(node)),
     }
 }
 

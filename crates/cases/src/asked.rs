@@ -274,7 +274,7 @@ impl Reader<'_> {
 
     /// A file that is named, or, where it has several lines, the text itself; with the name for places.
     fn named_or_text(&mut self, node: &Node) -> Option<(String, String)> {
-        let text = self.problems.text(node)?.to_owned();
+        let text = self.problems.lines(node)?.to_owned();
         if text.contains('\n') {
             return Some((format!("{}:{}", self.file, node.place.line), text));
         }

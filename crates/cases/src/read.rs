@@ -94,8 +94,8 @@ impl Reader<'_> {
         let _ = self.problems.open_map(own)?;
         let whole = merge::over(own, head);
         let mut fields = self.problems.map(&whole)?;
-        let name = fields.take(CaseForm::name).and_then(|node| self.problems.text(node)).map(str::to_owned);
-        let mut text = |key| fields.take(key).and_then(|node| self.problems.text(node)).map(str::to_owned);
+        let name = fields.take(CaseForm::name).and_then(|node| self.problems.name(node)).map(str::to_owned);
+        let mut text = |key| fields.take(key).and_then(|node| self.problems.lines(node)).map(str::to_owned);
         let (source, because) = (text(CaseForm::source), text(CaseForm::because));
         let expected = fields.take(CaseForm::expect).map(|node| expected::read(node, &mut self.problems));
         let title = name.unwrap_or_else(|| title(own));

@@ -17,7 +17,9 @@ const fn is_break(sign: char) -> bool {
 
 fn shown(sign: char) -> char {
     let turns = matches!(sign, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
-    if sign.is_control() || turns { char::REPLACEMENT_CHARACTER } else { sign }
+    // XML has no such signs.
+    let none = matches!(sign, '\u{fffe}' | '\u{ffff}');
+    if sign.is_control() || turns || none { char::REPLACEMENT_CHARACTER } else { sign }
 }
 
 /// The way to another page, as it may stand in an address; nothing for a scheme that browsers carry out.

@@ -16,7 +16,7 @@ mod text;
 mod tree;
 mod words;
 
-pub use clean::line as cleaned;
+pub use clean::{line as cleaned, lines as cleaned_lines};
 pub use format::{Contradiction, Format, agreed};
 pub use html::html;
 pub use inline::{Inline, Inlines};

@@ -41,6 +41,17 @@ pub fn text_of(file: &str, bytes: Vec<u8>) -> Result<String, Diagnostic> {
     })
 }
 
+/// The first sign of a text that nobody sees: one that steers a terminal, or turns the direction of what is read. Ends of
+/// lines and tabs are none: texts of several lines have them.
+pub fn unseen(text: &str) -> Option<char> {
+    text.chars().find(|sign| match sign {
+        '\n' | '\t' => false,
+        '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => true,
+        '\u{fffe}' | '\u{ffff}' => true,
+        sign => sign.is_control(),
+    })
+}
+
 /// A file that is larger than [`MOST_BYTES`].
 pub fn too_large(file: &str) -> Diagnostic {
     let place = Place { file: Arc::from(file), line: 1, column: 1, width: 1 };

@@ -11,6 +11,9 @@ use crate::form::{AnyKeys, Form};
 pub use crate::form::{Fields, missing_key};
 pub use tree::{MOST_DEPTH, MOST_VALUES, parse};
 
+/// Characters of a name.
+pub const LONGEST_NAME: usize = 200;
+
 /// A value of a YAML file and where it stands.
 #[derive(Clone, Debug)]
 pub struct Node {
@@ -113,8 +116,29 @@ impl Problems {
         }
     }
 
-    /// The text of a scalar.
+    /// The text of a scalar, of one line.
     pub fn text<'n>(&mut self, node: &'n Node) -> Option<&'n str> {
+        let text = self.lines(node)?;
+        if text.trim().contains(['\n', '\t']) {
+            self.0.push(tree::several_lines(&node.place));
+            return None;
+        }
+        Some(text)
+    }
+
+    /// The text of a scalar that names something: without spaces around it, and short enough for the cell of a table.
+    pub fn name<'n>(&mut self, node: &'n Node) -> Option<&'n str> {
+        let text = self.text(node)?.trim();
+        let count = text.chars().count();
+        if count > LONGEST_NAME {
+            let message = note!("yaml-name-too-long", count = count, most = LONGEST_NAME);
+            return self.error_help("too-long", message, &node.place, note!("yaml-shorten"));
+        }
+        Some(text)
+    }
+
+    /// The text of a scalar, of any number of lines.
+    pub fn lines<'n>(&mut self, node: &'n Node) -> Option<&'n str> {
         match node.text() {
             Some(text) if !node.is_null() => Some(text),
             _ => self.error(
@@ -168,6 +192,22 @@ impl Problems {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_name_is_one_short_line() {
+        let read = |text: &str| {
+            let (root, mut problems) = (parse("t.yaml", text).0.unwrap(), Problems::default());
+            let name = problems.name(root.get("a").unwrap()).map(str::to_owned);
+            (name, problems.0.iter().map(|one| one.code).collect::<Vec<_>>())
+        };
+        assert_eq!(read("a: ' Плита № 5 '\n"), (Some("Плита № 5".to_owned()), vec![]));
+        assert_eq!(read("a: >\n  Плита\n  № 5\n"), (Some("Плита № 5".to_owned()), vec![]));
+        for broken in ["a: |\n  Плита\n  № 5\n", "a: \"Плита\\t№ 5\"\n", "a: Плита\n\n  № 5\n"] {
+            assert_eq!(read(broken), (None, vec!["line-break"]), "{broken}");
+        }
+        assert_eq!(read(&format!("a: {}\n", "я".repeat(LONGEST_NAME))).1, [""; 0]);
+        assert_eq!(read(&format!("a: {}\n", "я".repeat(LONGEST_NAME + 1))), (None, vec!["too-long"]));
+    }
 
     #[test]
     fn one_slip_is_one_problem() {

@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use crate::document::cleaned;
+
 /// Colours of what is told apart by people who see colours differently too (Okabe and Ito, 2008).
 pub(super) const COLOURS: [&str; 6] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"];
 
@@ -142,8 +144,7 @@ pub(super) fn broken(text: &str, size: f64, width: f64) -> Vec<String> {
     lines
 }
 
-/// A text that may stand between tags; what XML cannot hold at all is left out.
+/// A text that may stand between tags; what nobody should see is shown as a replacement character.
 pub(super) fn escaped(text: &str) -> String {
-    let kept = text.chars().filter(|letter| !letter.is_control());
-    kept.collect::<String>().replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+    cleaned(text).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use technolog::audit::marks::Scheme;
 use technolog::audit::{Audited, Auditor, Unread};
+use technolog::document::cleaned;
 use technolog::knowledge::Diagnostic;
 use technolog::words::say;
 use technolog::{parallel, report};
@@ -43,7 +44,7 @@ pub fn run(
             Seen::Plan(plan) => audited.push(plan),
             Seen::NoPlan => {
                 let skipped = say!(context.lang, "audit-skipped-file", file = path.display().to_string());
-                output::complain(&format!("{skipped}\n"));
+                output::complain(&format!("{}\n", cleaned(&skipped)));
             }
         }
     }

@@ -11,6 +11,7 @@
 mod files;
 mod limits;
 mod problems;
+mod signs;
 
 use std::fs;
 use std::io::Write;

@@ -42,7 +42,7 @@ pub fn read_scheme(file: &str, text: &str, rules: &[&str]) -> Result<Scheme, Vec
 
 fn scheme(root: &Node, rules: &[&str], problems: &mut Problems) -> Option<Scheme> {
     let mut fields = problems.map(root)?;
-    let name = fields.take(SchemeFile::scheme).and_then(|node| problems.text(node)).unwrap_or_default().to_owned();
+    let name = fields.take(SchemeFile::scheme).and_then(|node| problems.name(node)).unwrap_or_default().to_owned();
     let points = fields.need(SchemeFile::points, problems).and_then(|node| positive(node, problems));
     let pass_node = fields.take(SchemeFile::pass);
     let pass = pass_node.and_then(|node| positive(node, problems));

@@ -248,7 +248,7 @@ impl Reader<'_> {
     /// A text that is not empty.
     fn text(&mut self, node: Option<&Node>) -> Option<Text> {
         let node = node?;
-        let text = self.problems.text(node)?.trim();
+        let text = self.problems.name(node)?;
         if text.is_empty() {
             return self.problems.error("bad-value", note!("planfile-text-must-empty"), &node.place);
         }

@@ -104,7 +104,7 @@ impl Reader<'_> {
 
     /// A text that is not empty.
     pub(super) fn name(&mut self, node: &Node) -> Option<String> {
-        let text = self.problems.text(node)?.trim();
+        let text = self.problems.name(node)?;
         if text.is_empty() {
             return self.problems.error("bad-value", note!("part-name-must-empty"), &node.place);
         }

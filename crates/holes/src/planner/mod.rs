@@ -12,6 +12,7 @@
 mod choose;
 mod fit;
 mod magazine;
+mod names;
 mod options;
 mod sources;
 mod step_drill;
@@ -88,6 +89,7 @@ pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result
     let visiting = sequence::visiting::visiting(part, &holes, &shop, &mut findings)?;
     let off_table = zone::off_table(part, &shop.machine);
     findings.extend(off_table.iter().map(|fault| Finding::of_part(Severity::Error, fault.note())));
+    findings.extend(names::alike(part));
     findings.extend(doubtful_row(shop.material.row));
     let mut plan = Plan {
         part: part.clone(),

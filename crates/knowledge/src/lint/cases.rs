@@ -77,12 +77,12 @@ fn case(node: &Node, problems: &mut Problems) -> Option<Case> {
     });
     let expect = fields.need("expect", problems).and_then(|node| expectation(node, problems));
     let _ = fields.take("name");
-    let source = fields.take("source").and_then(|node| problems.text(node)).map(str::to_owned);
+    let source = fields.take("source").and_then(|node| problems.lines(node)).map(str::to_owned);
     let because = match source.is_some() {
         true => fields.take("because"),
         false => fields.need("because", problems),
     };
-    let because = because.and_then(|node| problems.text(node)).map(str::to_owned);
+    let because = because.and_then(|node| problems.lines(node)).map(str::to_owned);
     let because = source.into_iter().chain(because).reduce(|source, because| format!("{source}: {because}"));
     fields.finish(&["given", "expect", "because", "source", "name"], problems);
     Some(Case { given: given?, expect: expect?, because: because?, place: node.place.clone() })

@@ -8,7 +8,7 @@ use saphyr_parser::{Event, Marker, Parser, ScalarStyle, ScanError, Span};
 
 use super::{Key, Node, NodeKind};
 use crate::diagnostic::{Diagnostic, Place};
-use crate::input::{MOST_BYTES, too_large};
+use crate::input::{MOST_BYTES, too_large, unseen};
 
 /// Lists and mappings within each other. Files of the program have ten levels at the most; who walks over a tree calls
 /// himself for each.
@@ -87,6 +87,17 @@ fn too_deep(place: Place) -> Diagnostic {
     Diagnostic::error("too-deep", message, place).help(note!("yaml-check-brackets-and-indents"))
 }
 
+/// A text where one of one line belongs.
+pub(super) fn several_lines(place: &Place) -> Diagnostic {
+    Diagnostic::error("line-break", note!("yaml-one-line-expected"), place.clone())
+        .help(note!("yaml-write-in-one-line"))
+}
+
+fn unseen_sign(sign: char, place: &Place) -> Diagnostic {
+    let message = note!("yaml-sign-nobody-sees", sign = format!("U+{:04X}", u32::from(sign)));
+    Diagnostic::error("control-character", message, place.clone()).help(note!("yaml-remove-the-sign"))
+}
+
 /// An open sequence or mapping.
 enum Frame {
     Seq(Vec<Node>, Place),
@@ -146,7 +157,13 @@ impl Builder<'_> {
             Event::Scalar(text, style, ..) => {
                 let quoted = style != ScalarStyle::Plain;
                 let text = text.into_owned();
+                if let Some(sign) = unseen(&text) {
+                    self.problems.push(unseen_sign(sign, &place));
+                }
                 if let Some(Frame::Map(_, key @ None, _)) = self.stack.last_mut() {
+                    if text.contains(['\n', '\t']) {
+                        self.problems.push(several_lines(&place));
+                    }
                     *key = Some(Key { text, place });
                 } else {
                     self.add(Node { kind: NodeKind::Scalar { text, quoted }, place });
@@ -258,6 +275,28 @@ mod tests {
         for (text, place) in [("a: 1\nb: [1, 2\n", "t.yaml:2:4"), ("a: [1\nb: 2\n", "t.yaml:2:2")] {
             assert_eq!(parse("t.yaml", text).1[0].place.as_ref().unwrap().to_string(), place, "{text}");
         }
+    }
+
+    #[test]
+    fn signs_that_nobody_sees_are_refused_at_their_text() {
+        for (sign, shown) in
+            [("\u{1b}", "U+001B"), ("\u{202e}", "U+202E"), ("\u{2066}", "U+2066"), ("\u{7f}", "U+007F")]
+        {
+            for text in
+                [format!("a: 1\nb: x{sign}y\n"), format!("a: 1\nb: \"x{sign}y\"\n"), format!("a: 1\nb{sign}: 1\n")]
+            {
+                let (_, problems) = parse("t.yaml", &text);
+                let told: Vec<String> = problems.iter().map(|one| one.told(|note| Lang::EN.say(note))).collect();
+                assert!(
+                    told[0].starts_with("t.yaml:2:") && told[0].contains("[control-character]"),
+                    "{text:?}: {told:?}"
+                );
+                assert!(told[0].contains(shown) && told.len() == 1, "{told:?}");
+            }
+        }
+        let (_, problems) = parse("t.yaml", "\"a\\nb\": 1\n\"c\\e\": 1\n");
+        assert_eq!(problems.iter().map(|one| one.code).collect::<Vec<_>>(), ["line-break", "control-character"]);
+        assert!(parse("t.yaml", "a: |\n  N1 X1\tY1\n  N2\nb: х\u{301}🙂\n").1.is_empty());
     }
 
     #[test]

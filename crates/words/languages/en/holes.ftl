@@ -46,3 +46,4 @@ spot-by-chamfer = spot Ø{ $spot } makes the chamfer too
 travel = approach { $approach } mm, overrun { $overrun } mm
 # Of any row.
 unconfirmed = unconfirmed: { $table }, row { $row }: { $why }
+names-look-alike = { $count } groups are named { $name }: their letters look the same, but some are Latin and some Cyrillic; write all names in one alphabet

@@ -46,3 +46,7 @@ spot-by-chamfer = лунка Ø{ $spot } утворює і фаску
 travel = недобіг { $approach } мм, перебіг { $overrun } мм
 # Of any row.
 unconfirmed = не підтверджено: { $table }, рядок { $row }: { $why }
+names-look-alike = { $count } { $count ->
+        [few] групи
+       *[many] груп
+    } названо { $name }: літери на вигляд однакові, але одні латинські, інші кириличні; пишіть назви однією абеткою
