@@ -1,10 +1,10 @@
-//! Bytes as a program of the control 2С42-65: whatever they are, the check ends and tells places inside the text.
+//! The target `check` of `targets.rs`: bytes as a program of the control 2С42-65.
 
 #![no_main]
 
-#[path = "../one_check.rs"]
-mod one_check;
+#[path = "../targets.rs"]
+mod targets;
 
 use libfuzzer_sys::fuzz_target;
 
-fuzz_target!(|bytes: &[u8]| one_check::one_check(bytes));
+fuzz_target!(|bytes: &[u8]| targets::run("check", bytes));

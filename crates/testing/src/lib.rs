@@ -3,6 +3,7 @@
 #![allow(clippy::disallowed_methods, reason = "tests hold the codes of notes against what is expected")]
 pub mod cuts;
 pub mod extremes;
+pub mod fuzzing;
 pub mod holes;
 pub mod kinds;
 pub mod lawful;

@@ -7,52 +7,19 @@
 #[path = "../../../fuzz/one_check.rs"]
 mod one_check;
 
-use std::fs;
 use std::panic::catch_unwind;
-use std::path::Path;
 
 use one_check::one_check;
 use technolog_laws::{count, seed_of};
+use technolog_testing::fuzzing::{self, Random, files};
 
 /// Mutations of an ordinary run: counted, so that the same are tried on every machine.
 const ROUNDS: usize = 4_000;
 
 /// Programs as bytes, in the order of their paths.
 fn programs() -> Vec<Vec<u8>> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let mut paths = Vec::new();
-    let mut folders = ["fuzz/corpus/check", "tests/programs", "examples"].map(|folder| root.join(folder)).to_vec();
-    while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(folder).unwrap() {
-            let path = entry.unwrap().path();
-            if path.is_dir() {
-                folders.push(path);
-            } else if path.extension().is_some_and(|extension| extension == "nc") {
-                paths.push(path);
-            }
-        }
-    }
-    paths.sort();
-    paths.into_iter().map(|path| fs::read(path).unwrap()).collect()
-}
-
-/// Xorshift: the same numbers everywhere.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, limit: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 16) as usize % limit.max(1)
-    }
-
-    /// A stretch of so many bytes, some bytes long or some lines.
-    fn stretch(&mut self, length: usize) -> std::ops::Range<usize> {
-        let begin = self.below(length + 1);
-        let most = if self.below(3) == 0 { length } else { 12 };
-        begin..(begin + self.below(most + 1)).min(length)
-    }
+    let wanted = |path: &std::path::Path| path.extension().is_some_and(|extension| extension == "nc");
+    files(&["fuzz/corpus/check", "tests/programs", "examples"], wanted)
 }
 
 /// What gets into programs, by hand and by fault.
@@ -109,30 +76,12 @@ const LITTER: &[&str] = &[
     "\nN5 X10 Y10\n",
 ];
 
+/// A mutated program, some with a line that says how the operator's panel is set.
 fn mutated(programs: &[Vec<u8>], random: &mut Random) -> Vec<u8> {
-    let mut bytes = programs[random.below(programs.len())].clone();
-    for _ in 0..=random.below(6) {
-        let stretch = random.stretch(bytes.len());
-        match random.below(6) {
-            0 if !bytes.is_empty() => {
-                let at = random.below(bytes.len());
-                bytes[at] ^= 1 << random.below(8);
-            }
-            1 => drop(bytes.drain(stretch)),
-            2 => {
-                let again = bytes[stretch.clone()].to_vec();
-                bytes.splice(stretch.end..stretch.end, again);
-            }
-            3 => {
-                let other = &programs[random.below(programs.len())];
-                bytes.splice(stretch, other[random.stretch(other.len())].to_vec());
-            }
-            4 => {
-                let panel: Vec<u8> = (0..20).map(|_| b'0' + random.below(75) as u8).collect();
-                bytes.splice(0..0, [b"%", panel.as_slice(), b"\n"].concat());
-            }
-            _ => drop(bytes.splice(stretch, LITTER[random.below(LITTER.len())].bytes())),
-        }
+    let mut bytes = fuzzing::mutated(programs, LITTER, random);
+    if random.below(2) == 0 {
+        let panel: Vec<u8> = (0..20).map(|_| b'0' + random.below(75) as u8).collect();
+        bytes.splice(0..0, [b"%", panel.as_slice(), b"\n"].concat());
     }
     bytes
 }
@@ -147,7 +96,7 @@ fn every_program_at_hand_is_checked_without_panic() {
 #[test]
 fn no_mutation_of_a_program_makes_the_check_panic() {
     let programs = programs();
-    let mut random = Random(seed_of("mutations of programs") | 1);
+    let mut random = Random::new(seed_of("mutations of programs"));
     for round in 0..count(ROUNDS) {
         let bytes = mutated(&programs, &mut random);
         let held = catch_unwind(|| one_check(&bytes));

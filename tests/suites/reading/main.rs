@@ -9,6 +9,7 @@
 )]
 
 mod files;
+mod fuzz;
 mod limits;
 mod problems;
 mod signs;

@@ -25,6 +25,6 @@ mod words;
 mod writer;
 
 pub use control::{Control, IsoControl};
-pub use run::check;
+pub use run::{check, check_within};
 pub use text::MOST_BLOCKS;
 pub use writer::write;

@@ -25,6 +25,18 @@ pub fn check<S: Sink>(
     setting: &Setting,
     sink: &mut S,
 ) -> Vec<Fault> {
+    check_within(BUDGET, text, control, machine, setting, sink)
+}
+
+/// The same, of no more blocks and motions than that.
+pub fn check_within<S: Sink>(
+    budget: usize,
+    text: &str,
+    control: &Control,
+    machine: &Machine<'_>,
+    setting: &Setting,
+    sink: &mut S,
+) -> Vec<Fault> {
     let (blocks, closed, mut faults) = text::blocks(text, control);
     let words: Vec<BlockWords> = blocks.iter().map(|block| BlockWords::read(block, control, &mut faults)).collect();
     let programs = programs::programs(&blocks, &words, control, &mut faults);
@@ -38,7 +50,7 @@ pub fn check<S: Sink>(
             setting,
             closed,
             state: ControlState::power_on(control, setting),
-            running: Running::new(sink, fault, BUDGET),
+            running: Running::new(sink, fault, budget),
         };
         run.main();
         faults.extend(run.running.finish(blocks.first().map(|block| block.span).unwrap_or_default()));
