@@ -53,6 +53,8 @@ pub const TARGETS: [(&str, Target); 13] = [
 const MOST_INPUT: usize = 64 * 1024;
 /// Problems of a byte: an empty mapping may lack every key.
 const PROBLEMS_PER_BYTE: usize = 8;
+/// So many problems of a text are said: the words of one after the other are the same, and slow in a debug build.
+const MOST_SAID: usize = 12;
 /// Blocks and motions of a program.
 const BUDGET: usize = 4_000;
 /// What is planned has no more points and kinds of holes.
@@ -120,10 +122,8 @@ fn setting(text: &str) {
 
 fn list(text: &str) {
     let Err(faults) = read_list("list", text) else { return };
-    faults.iter().for_each(|fault| {
-        inside(fault.place.as_ref(), text);
-        in_words(&fault.note, text);
-    });
+    inside(faults.iter().map(|fault| fault.place.as_ref()), text);
+    in_words(faults.iter().map(|fault| &fault.note), text);
     counted(faults.len(), text);
 }
 
@@ -151,9 +151,11 @@ fn iso(control: &str, text: &str) {
         let line = lines.get((fault.span.line as usize).saturating_sub(1)).map_or(0, |line| line.chars().count());
         let end = (fault.span.column + fault.span.width - 1) as usize;
         assert!(fault.span.column >= 1 && end <= line.max(1), "{fault:?} is outside its line");
-        in_words(&fault.note, text);
+    }
+    for fault in faults.iter().take(MOST_SAID) {
         assert!(Lang::EN.remedy(&fault.note).is_some(), "{} has no remedy", fault.code);
     }
+    in_words(faults.iter().map(|fault| &fault.note), text);
     counted(faults.len(), text);
 }
 
@@ -175,24 +177,18 @@ fn is_small(part: &Part) -> bool {
 }
 
 fn mistakes(mistakes: &[Mistake], text: &str) {
-    for mistake in mistakes {
-        inside(mistake.place(), text);
-        match mistake {
-            Mistake::Form(problem) => [Some(&problem.message), problem.help.as_ref()]
-                .into_iter()
-                .flatten()
-                .for_each(|note| in_words(note, text)),
-            Mistake::Meaning(_, note, _) => in_words(note, text),
-        }
-    }
+    inside(mistakes.iter().map(Mistake::place), text);
+    let notes = mistakes.iter().map(|mistake| match mistake {
+        Mistake::Form(problem) => &problem.message,
+        Mistake::Meaning(_, note, _) => note,
+    });
+    in_words(notes, text);
     counted(mistakes.len(), text);
 }
 
 fn told(problems: &[Diagnostic], text: &str) {
-    for problem in problems {
-        inside(problem.place.as_ref(), text);
-        [Some(&problem.message), problem.help.as_ref()].into_iter().flatten().for_each(|note| in_words(note, text));
-    }
+    inside(problems.iter().map(|problem| problem.place.as_ref()), text);
+    in_words(problems.iter().flat_map(|problem| [Some(&problem.message), problem.help.as_ref()]).flatten(), text);
     counted(problems.len(), text);
 }
 
@@ -201,16 +197,17 @@ fn counted(problems: usize, text: &str) {
     assert!(problems <= most, "{problems} problems of {} bytes", text.len());
 }
 
-/// A place is in a line that the text has, or in the one behind its end.
-fn inside(place: Option<&Place>, text: &str) {
+/// Places are in lines that the text has, or in the one behind its end.
+fn inside<'p>(places: impl Iterator<Item = Option<&'p Place>>, text: &str) {
     let lines = text.split(['\n', '\r']).count();
-    let line = place.map_or(1, |place| place.line as usize);
-    assert!(line >= 1 && line <= lines + 1, "{place:?} of {lines} lines");
+    for place in places.flatten() {
+        assert!((1..=lines + 1).contains(&(place.line as usize)), "{place:?} of {lines} lines");
+    }
 }
 
-/// A sentence has words in both languages, and no name of a figure stands where the figure should.
-fn in_words(note: &Note, text: &str) {
-    for lang in LANGS {
+/// Sentences have words in both languages, and no name of a figure stands where the figure should.
+fn in_words<'n>(notes: impl Iterator<Item = &'n Note>, text: &str) {
+    for (note, lang) in notes.take(MOST_SAID).flat_map(|note| LANGS.map(|lang| (note, lang))) {
         let said = lang.say(note);
         assert!(!said.is_empty(), "{note} has no words");
         assert!(!said.contains("{$") && !said.contains("{ $") || text.contains('$'), "{said}");

@@ -52,8 +52,11 @@ pub fn read_cases(file: &str, text: &str, around: Around<'_>) -> CaseFile {
     CaseFile { file: file.to_owned(), cases, mistakes, texts }
 }
 
+/// What a mistake says and what to do about it.
+type Told = (Note, Option<Note>);
+
 /// What tells a mistake from others: of one in the form its words too.
-fn identity(mistake: &Mistake) -> (Option<Place>, &'static str, Option<(Note, Option<Note>)>) {
+fn identity(mistake: &Mistake) -> (Option<Place>, &'static str, Option<Told>) {
     let words = match mistake {
         Mistake::Form(own) => Some((own.message.clone(), own.help.clone())),
         Mistake::Meaning(..) => None,

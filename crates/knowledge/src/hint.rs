@@ -80,8 +80,10 @@ fn translated<'k>(typed: &str, known: &[&'k str]) -> Vec<&'k str> {
         keys.split(' ').filter_map(|key| known.iter().find(|known| **known == key).copied()).collect()
     };
     let typed: Vec<char> = typed.chars().collect();
-    let of_known = WORDS.iter().filter(|(_, keys)| keys.split(' ').any(|key| known.contains(&key)));
-    let near = of_known.filter_map(|(word, keys)| Some((edit_distance(&typed, word, limit)?, keys)));
+    // The cheapest test first: most words are too short or too long.
+    let near = WORDS.iter().filter(|(word, _)| word.chars().count().abs_diff(typed.len()) <= limit);
+    let near = near.filter(|(_, keys)| keys.split(' ').any(|key| known.contains(&key)));
+    let near = near.filter_map(|(word, keys)| Some((edit_distance(&typed, word, limit)?, keys)));
     near.min_by_key(|(distance, _)| *distance).map(|(_, keys)| named(keys)).unwrap_or_default()
 }
 

@@ -1,12 +1,19 @@
 //! How much a file may say: as much as the bound is read, and one more is refused where it stands.
 
 use std::fmt::Write as _;
+use std::fs;
 
 use technolog::audit::limits::{MOST_ROWS, MOST_TOOLS};
 use technolog::audit::read_plan;
+use technolog::cases::limits::MOST_CASES;
 use technolog::knowledge::Diagnostic;
+use technolog::knowledge::input::MOST_MB;
+use technolog::knowledge::yaml::{LONGEST_NAME, MOST_DEPTH, MOST_VALUES};
+use technolog::part::limits;
+use technolog::program::iso::MOST_BLOCKS;
+use technolog::sequence::list;
 use technolog::words::Lang;
-use technolog_testing::KNOWLEDGE;
+use technolog_testing::{KNOWLEDGE, root};
 
 fn told(problems: &[Diagnostic]) -> Vec<String> {
     problems.iter().map(|one| one.told(|note| Lang::EN.say(note))).collect()
@@ -57,4 +64,36 @@ fn of_many_rows_that_may_be_meant_the_first_are_listed() {
     assert!(
         problems[0].ends_with("its rows are 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, …")
     );
+}
+
+#[test]
+fn the_pages_say_the_bounds() {
+    // In the order of the pages; of the control 2С42-65 and of the run the tables of `programs` hold the figures.
+    let bounds = [
+        ("too-large", MOST_MB),
+        ("too-deep", MOST_DEPTH),
+        ("too-many-values", MOST_VALUES),
+        ("too-long", LONGEST_NAME),
+        ("too-many-points", limits::MOST_POINTS),
+        ("too-many-kinds", limits::MOST_KINDS),
+        ("too-many-steps", limits::MOST_STEPS),
+        ("too-many-clamps", limits::MOST_CLAMPS),
+        ("too-many-points", list::MOST_POINTS),
+        ("too-many-rows", MOST_ROWS),
+        ("too-many-tools", MOST_TOOLS),
+        ("too-many-cases", MOST_CASES),
+        ("too-many-values", MOST_VALUES),
+        ("too-many-blocks", MOST_BLOCKS),
+    ];
+    for page in ["docs/limits.md", "docs/uk/limits.md"] {
+        let text = fs::read_to_string(root().join(page)).unwrap();
+        let cells = text.lines().filter_map(|line| line.strip_prefix("| ")?.strip_suffix("` |")?.split_once(" | "));
+        let said = cells.filter_map(|(_, rest)| {
+            let (bound, code) = rest.split_once(" | `")?;
+            Some((code, bound.replace([',', ' ', '\u{a0}'], "").parse::<usize>().ok()?))
+        });
+        let said: Vec<(&str, usize)> =
+            said.filter(|(code, _)| !["memory-full", "run-too-long"].contains(code)).collect();
+        assert_eq!(said, bounds, "{page}");
+    }
 }

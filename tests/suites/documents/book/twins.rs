@@ -9,9 +9,10 @@ use super::links::target;
 use super::page::{Block, Page, pages};
 
 /// What a user needs, and so stands in both languages.
-const NEEDED: [&str; 9] = [
+const NEEDED: [&str; 10] = [
     "audit",
     "index",
+    "limits",
     "outputs",
     "part-format",
     "program",
