@@ -217,7 +217,7 @@ mod tests {
     fn of_many_problems_the_gravest_are_shown_and_the_others_counted() {
         let of = |line: u32| {
             let problem = problem(line, 1, 1);
-            if line % 100 == 0 { problem } else { Diagnostic { severity: Severity::Note, ..problem } }
+            if line.is_multiple_of(100) { problem } else { Diagnostic { severity: Severity::Note, ..problem } }
         };
         let texts = texts("");
         let places = |amount| {
