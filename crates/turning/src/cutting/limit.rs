@@ -145,7 +145,8 @@ pub fn limiting_depth(
     };
     let allowed_steps: Vec<i64> = checks.iter().map(allowed).collect();
     let least = allowed_steps.iter().copied().min().unwrap_or(0);
-    let decided_by = checks.iter().zip(&allowed_steps).find(|(_, steps)| **steps == least).map(|(check, _)| check.bound);
+    let decided_by =
+        checks.iter().zip(&allowed_steps).find(|(_, steps)| **steps == least).map(|(check, _)| check.bound);
     let told_at = depth_at(least.max(1));
     let (rpm, velocity) = turns.at(told_at);
     let entry = |(check, steps): (&Check, &i64)| {

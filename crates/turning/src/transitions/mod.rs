@@ -206,8 +206,9 @@ impl From<workpiece::Scheme> for Scheme {
 pub struct Transition {
     /// The scheme.
     pub scheme: Scheme,
-    /// The way of the tool, from home and back.
-    pub way: Toolpath,
+    /// The toolpath, from home and back.
+    #[serde(rename = "way")]
+    pub path: Toolpath,
     /// Its points with their names; the first is home, and each motion has the one that it ends in.
     pub points: Vec<SupportPoint>,
     /// The width of the tool's edge, of descent: what a motion across the axis takes with it towards the free end.
@@ -241,13 +242,13 @@ pub fn work(
     PreparedZone::of(stock, tool, settings)?.transition(scheme, offset, knowledge)
 }
 
-/// A way inside out: that over a bore, and back.
-fn way_inside_out(way: &Toolpath, top: Half) -> Toolpath {
-    let moves = way.pieces().map(|(piece, purpose)| {
+/// A toolpath inside out: from a bore to an outer contour, or back.
+fn path_inside_out(path: &Toolpath, top: Half) -> Toolpath {
+    let moves = path.pieces().map(|(piece, purpose)| {
         let piece = piece.inside_out(top);
         Move { to: piece.to, curve: piece.curve, purpose }
     });
-    Toolpath { from: way.from.inside_out(top), moves: moves.collect() }
+    Toolpath { from: path.from.inside_out(top), moves: moves.collect() }
 }
 
 /// Whether finishing must follow a scheme for a roughness that is asked: where the table `turning-schemes` says how fine

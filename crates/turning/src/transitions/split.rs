@@ -15,7 +15,7 @@ use std::collections::BTreeSet;
 use serde::Serialize;
 
 use crate::turning::contour::Contour;
-use crate::turning::length::{Half, as_told_z};
+use crate::turning::length::{Half, negative_z};
 
 use super::monotone::MonotoneContour;
 
@@ -23,10 +23,10 @@ use super::monotone::MonotoneContour;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct PieceStock {
     /// Z of its beginning.
-    #[serde(rename = "from_z_mm", serialize_with = "as_told_z")]
+    #[serde(rename = "from_z_mm", serialize_with = "negative_z")]
     pub from: Half,
     /// Z of its end.
-    #[serde(rename = "to_z_mm", serialize_with = "as_told_z")]
+    #[serde(rename = "to_z_mm", serialize_with = "negative_z")]
     pub to: Half,
     /// Its deepest point, radius.
     #[serde(rename = "deepest_radius_mm")]
@@ -45,10 +45,10 @@ pub struct PieceStock {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Section {
     /// Z of its beginning.
-    #[serde(rename = "from_z_mm", serialize_with = "as_told_z")]
+    #[serde(rename = "from_z_mm", serialize_with = "negative_z")]
     pub from: Half,
     /// Z of its end.
-    #[serde(rename = "to_z_mm", serialize_with = "as_told_z")]
+    #[serde(rename = "to_z_mm", serialize_with = "negative_z")]
     pub to: Half,
     /// The highest radius of the blank over it.
     #[serde(rename = "top_radius_mm")]

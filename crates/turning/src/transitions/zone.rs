@@ -15,7 +15,7 @@ use super::monotone::MonotoneContour;
 use super::split::Split;
 use super::{Scheme, Settings, Stock, Tool, Transition};
 use super::{
-    contour, descent, equidistant, looped, measures, pick_up, semi_finishing, support_points, way_inside_out, zigzag,
+    contour, descent, equidistant, looped, measures, path_inside_out, pick_up, semi_finishing, support_points, zigzag,
 };
 
 /// A zone prepared for work.
@@ -104,16 +104,16 @@ impl PreparedZone {
         let edge = (scheme == Scheme::Descent).then_some(self.settings.depth);
         let ridges_mm = course.stock.ridge(self.rough.touching(self.worked.0, self.worked.1));
         let measures = measures::measure(&course.path, self, &self.settings.feeds, course.passes, edge);
-        let way = self.ceiling.map_or(course.path.clone(), |top| way_inside_out(&course.path, top));
+        let path = self.ceiling.map_or(course.path.clone(), |top| path_inside_out(&course.path, top));
         Ok(Transition {
             scheme,
-            points: support_points::points(&way, &course.roles),
+            points: support_points::points(&path, &course.roles),
             edge,
             ridges_mm,
             uniform: ridges_mm == Half::ZERO,
             measures,
             because: Because::row(row, Note::new(format!("transition-{}", scheme.name()))),
-            way,
+            path,
         })
     }
 
@@ -121,8 +121,8 @@ impl PreparedZone {
     /// deeper.
     pub fn left(&self, transition: &Transition) -> Contour {
         let mut stock = self.whole.clone();
-        let way = self.ceiling.map_or(transition.way.clone(), |top| way_inside_out(&transition.way, top));
-        for (piece, purpose) in way.pieces() {
+        let path = self.ceiling.map_or(transition.path.clone(), |top| path_inside_out(&transition.path, top));
+        for (piece, purpose) in path.pieces() {
             measures::cut(&mut stock, &piece, purpose, transition.edge);
         }
         let left = stock.surface(&self.rough);

@@ -23,7 +23,7 @@ use crate::note::Because;
 use crate::units::{Degrees, Micrometres};
 
 use super::contour::{Contour, Side};
-use super::length::{Half, as_told_z};
+use super::length::{Half, negative_z};
 pub use fit::{Fit, ToolAngles, fit};
 pub use join::{Returns, idle_returns};
 pub use kind::{SchemeChoice, ZoneKind};
@@ -63,10 +63,10 @@ pub struct Zone {
     /// In which direction its passes go.
     pub feed: Feed,
     /// Z of its beginning, towards the chuck.
-    #[serde(rename = "from_z_mm", serialize_with = "as_told_z")]
+    #[serde(rename = "from_z_mm", serialize_with = "negative_z")]
     pub from_z: Half,
     /// Z of its end, towards the chuck.
-    #[serde(rename = "to_z_mm", serialize_with = "as_told_z")]
+    #[serde(rename = "to_z_mm", serialize_with = "negative_z")]
     pub to_z: Half,
     /// The least radius of its stock.
     #[serde(rename = "least_radius_mm")]

@@ -11,7 +11,7 @@ use crate::knowledge::Knowledge;
 use crate::note::Because;
 use crate::turning::contour::{Contour, Piece, Side};
 use crate::turning::elements::view::{outer, quarters, steepness};
-use crate::turning::length::{Half, as_told_z};
+use crate::turning::length::{Half, negative_z};
 use crate::units::{Degrees, round_to};
 
 use super::kind::{Bounds, ZoneKind, alone};
@@ -40,10 +40,10 @@ impl Needs {
 #[derive(Clone, Debug, Serialize)]
 pub struct Part {
     /// Z of its beginning, towards the chuck.
-    #[serde(rename = "from_z_mm", serialize_with = "as_told_z")]
+    #[serde(rename = "from_z_mm", serialize_with = "negative_z")]
     pub from_z: Half,
     /// Z of its end, towards the chuck.
-    #[serde(rename = "to_z_mm", serialize_with = "as_told_z")]
+    #[serde(rename = "to_z_mm", serialize_with = "negative_z")]
     pub to_z: Half,
     /// The least radius of its stock.
     #[serde(rename = "least_radius_mm")]
