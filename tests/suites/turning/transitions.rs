@@ -299,7 +299,7 @@ fn over_steps_the_levels_are_those_of_the_shaft() {
     let split = Split::of(&stock.rough, &stock.blank, levels.limit);
     assert_eq!(split.depth, levels.depth);
     let of_shaft: Vec<_> = levels.stocks().iter().map(|one| (one.stock, one.passes, one.mean)).collect();
-    let of_zone: Vec<_> = split.sections[0].stands.iter().map(|one| (one.stock, one.passes, one.mean)).collect();
+    let of_zone: Vec<_> = split.sections[0].stocks.iter().map(|one| (one.stock, one.passes, one.mean)).collect();
     assert_eq!(of_zone, of_shaft);
 }
 

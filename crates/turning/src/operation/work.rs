@@ -363,10 +363,10 @@ fn levels(stock: &Stock, limit: Half, feed: Feed) -> Split {
 /// The largest diameter that a work cuts along the axis: outside its highest top, in a bore its deepest wall. What
 /// earlier works removed does not count.
 fn begins_at(levels: &Split, stock: &Stock) -> Option<Micrometres> {
-    let worked = levels.sections.iter().filter(|section| !section.stands.is_empty());
+    let worked = levels.sections.iter().filter(|section| !section.stocks.is_empty());
     let radius = match stock.rough.side {
         Side::Outer => worked.map(|section| section.top).max(),
-        Side::Inner => worked.flat_map(|section| &section.stands).map(|stand| stand.deepest).max(),
+        Side::Inner => worked.flat_map(|section| &section.stocks).map(|stock| stock.deepest).max(),
     };
     radius.map(Half::diameter)
 }
