@@ -43,7 +43,8 @@ pub fn work(builder: &mut ToolpathBuilder<'_>) {
         let start = builder.side_start(first).unwrap_or(first);
         builder.pass(&path, Purpose::Cut, SupportPointRole::ContourEnd);
         let higher = Half::new(step.radius.halves().saturating_mul(count));
-        let clear = builder.zone.limited(builder.zone.top + builder.settings.retract + higher).max(builder.here().radius);
+        let clear =
+            builder.zone.limited(builder.zone.top + builder.settings.retract + higher).max(builder.here().radius);
         builder.rapid(Point { radius: clear, z: builder.here().z }, SupportPointRole::Clear);
         builder.rapid(Point { radius: clear, z: start.z }, SupportPointRole::Returned);
     }

@@ -25,7 +25,10 @@ pub fn work(builder: &mut ToolpathBuilder<'_>) {
         let here = builder.here();
         builder.rapid(Point { radius: here.radius.max(clear), z: here.z }, SupportPointRole::Clear);
         builder.rapid(Point { radius: builder.here().radius, z }, SupportPointRole::Returned);
-        builder.rapid(Point { radius: builder.zone.limited(metal + builder.settings.approach), z }, SupportPointRole::Start);
+        builder.rapid(
+            Point { radius: builder.zone.limited(metal + builder.settings.approach), z },
+            SupportPointRole::Start,
+        );
         builder.straight(Point { radius, z }, Purpose::Cut, SupportPointRole::End);
         builder.stock.lower(&slice(Point { radius, z }, edge));
         builder.passed(Vec::new());

@@ -215,7 +215,8 @@ mod tests {
         rough.pieces.push(Piece::arc(at(30.0, 20.0), at(35.0, 25.0), Half::from(5.0), Turn::Left));
         let blank = Contour::through(Side::Outer, &[at(40.0, 0.0), at(40.0, 25.0)]);
         let split = Split::of(&rough, &blank, Half::from(4.0));
-        let found_stocks: Vec<_> = split.sections[0].stocks.iter().map(|one| (one.stock, one.passes, one.mean)).collect();
+        let found_stocks: Vec<_> =
+            split.sections[0].stocks.iter().map(|one| (one.stock, one.passes, one.mean)).collect();
         assert_eq!(found_stocks, [(Half::from(20.0), 5, Half::from(4.0)), (Half::from(10.0), 3, Half::from(3.3335))]);
         assert_eq!(split.depth, Half::from(4.0));
         assert_eq!(split.sections[0].horizontals, [36.0, 32.0, 28.0, 24.0, 20.0].map(Half::from));
