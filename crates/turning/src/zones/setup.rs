@@ -197,7 +197,9 @@ fn hold_blank(
     // The blank may end with its far face, down to the axis or a bore.
     let radius = part.blank.radii_at(end.z).map_or(end.radius, |(_, most)| most);
     let diameter = radius.diameter();
-    let code = |long_enough: bool| Note::new(if long_enough { "hold-blank" } else { "hold-blank-short" }).with("length", length);
+    let code = |long_enough: bool| {
+        Note::new(if long_enough { "hold-blank" } else { "hold-blank-short" }).with("length", length)
+    };
     let (least, because) = least_length(diameter, code(true), knowledge)?;
     if length >= least {
         return Ok((Some(Hold::Blank { diameter_mm: diameter, length_mm: length }), because));
