@@ -128,7 +128,7 @@ fn transitions() {
         println!(
             "{:<18} {:>7} {:>7} {:>10.1}",
             scheme.name(),
-            made.way.moves.len(),
+            made.path.moves.len(),
             made.measures.passes,
             microseconds(make)
         );

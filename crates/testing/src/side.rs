@@ -66,7 +66,7 @@ impl Metal {
                     corners.extend(contour.corners().iter().map(|corner| over(corner.z)));
                 }
                 let ways = one.zones.iter().flat_map(|zone| &zone.works).filter_map(|work| work.transition());
-                points.extend(ways.flat_map(|way| way.way.moves.iter().map(|one| over(one.to.z))));
+                points.extend(ways.flat_map(|way| way.path.moves.iter().map(|one| over(one.to.z))));
             }
         }
         let (from, to) = (blank.outer.start().unwrap().z, blank.outer.end().unwrap().z);
@@ -213,7 +213,7 @@ fn set_up_off(metal: &mut Metal, set_up: &SetUpWork, one: &SideWork) -> (Vec<Fau
                     *allowed = allowed.max(transition.ridges_mm.to_mm());
                 }
             }
-            let way = seen_way(&transition.way, side, top);
+            let way = seen_way(&transition.path, side, top);
             let axis = if side == Side::Inner { top } else { Half::new(i64::MAX) };
             if way.moves.iter().any(|one| one.to.radius > axis) || way.from.radius > axis {
                 faults.push(Fault { law: "a bore's tool goes beyond the axis", at: at.clone(), by: 1.0, z: 0.0 });

@@ -1,4 +1,4 @@
-//! Lengths as whole halves of a micrometre: a diameter is exact to a micrometre, so its half is exact to a half.
+//! Lengths as whole halves of a micrometre: diameters are exact to a micrometre, so radii are exact to half of one.
 
 use std::fmt;
 use std::iter::Sum;
@@ -43,19 +43,19 @@ impl Half {
         Micrometres::new(self.0)
     }
 
-    /// How many equal parts it takes at least, so that none of them is above `most` (at least half a micrometre): the
-    /// quotient, rounded up. None for a length that is not above zero.
+    /// The least number of equal parts that are not above `most` (at least half a micrometre): the quotient, rounded
+    /// up. 0 for a length that is not above zero.
     pub fn parts(self, most: Self) -> i64 {
         let most = most.0.max(1);
         self.0.max(0).saturating_add(most - 1) / most
     }
 
-    /// One of so many equal parts, rounded up to a whole half of a micrometre; `parts` is taken as 1 at least.
+    /// One of so many equal parts, rounded up to half a micrometre; at least 1 part is assumed.
     pub fn part(self, parts: i64) -> Self {
         Self(self.parts(Self(parts)))
     }
 
-    /// In whole micrometres, rounded up; of a length that is not negative.
+    /// In whole micrometres, rounded up; for a length that is not negative.
     pub fn rounded_up(self) -> Micrometres {
         Micrometres::new(self.parts(Self(2)))
     }
@@ -114,7 +114,7 @@ impl Serialize for Half {
 ///
 /// # Errors
 /// Those of the serializer.
-pub fn as_told_z<S: Serializer>(z: &Half, serializer: S) -> Result<S::Ok, S::Error> {
+pub fn negative_z<S: Serializer>(z: &Half, serializer: S) -> Result<S::Ok, S::Error> {
     (Half::ZERO - *z).serialize(serializer)
 }
 

@@ -1,12 +1,12 @@
-//! Turning: a shaft or a part of any contour, how its stock is roughed away, and with what.
+//! Turning: how the stock of a shaft or of a part of any contour is roughed away, and with what.
 //!
-//! - [`shaft`] is the file of a shaft: what it says, and every mistake of it at once;
-//! - [`workpiece`] is the same for a part of any contour, and reads either form of the file;
+//! - [`shaft`] reads the file of a shaft and reports all its mistakes at once;
+//! - [`workpiece`] is the same for a part of any contour, and reads both forms of the file;
 //! - [`length`] is the exact length of this crate, in halves of a micrometre, because half of a diameter is one;
 //! - [`contour`] is a section of lines and arcs, [`point`] its points, [`toolpath`] what a tool does along it;
 //! - [`levels`] splits the stock over a shaft into levels, [`schemes`] clears them by the schemes of the lecture;
-//! - [`elements`] tells main elements from additional ones, [`allowances`] lays the rough contour, [`zones`] takes the stock
-//!   apart and says from which end it is turned;
+//! - [`elements`] separates main elements from additional ones, [`allowances`] makes the rough contour, [`zones`]
+//!   divides the stock and decides from which end it is turned;
 //! - [`tooling`] is lathes and turning tools, [`cutting`] how deep and how fast they cut (docs/turning-tools.md);
 //! - [`transitions`] clears a zone of any shape by the lecture's seven schemes of passes;
 //! - [`operation`] runs all of these in order;
@@ -36,7 +36,7 @@ pub mod transitions;
 pub mod workpiece;
 pub mod zones;
 
-// This room and those below, under one name each in the whole program.
+// This crate and those below it, under the names that the whole program uses.
 use crate as turning;
 use technolog_core::{error, material, note, reason};
 use technolog_knowledge::{self as knowledge, units};

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::point::Point;
 
-/// Numbers points in the order of the first visit; a place that is visited again keeps its name.
+/// Numbers points in the order of the first visit. A point that is visited again keeps its name.
 #[derive(Clone, Debug, Default)]
 pub struct Numbering {
     names: BTreeMap<(i64, i64), String>,
@@ -22,13 +22,13 @@ impl Numbering {
         self.names.insert(key(at), name.to_owned());
     }
 
-    /// Numbers a place before it is visited, even where another has its name already.
+    /// Numbers a point before it is visited, even if it has a name already.
     pub fn number(&mut self, at: Point) {
         self.last += 1;
         self.names.insert(key(at), self.last.to_string());
     }
 
-    /// The name of a place, the next number where it has none yet.
+    /// The name of a point: the next number if it has none yet.
     pub fn name(&mut self, at: Point) -> String {
         if let Some(name) = self.names.get(&key(at)) {
             return name.clone();

@@ -1,12 +1,12 @@
-//! Points of the half section, exact, and vectors between them, which are not.
+//! Points of the half section, which are exact, and vectors between them, which are not.
 
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
 use super::length::Half;
 
-/// A point of the half section: radius from the axis, Z from the face of the free end towards the chuck. Output shows
-/// it as drawings have it, `diameter_mm` and `z_mm`, negative towards the chuck.
+/// A point of the half section: radius from the axis, Z from the face of the free end towards the chuck. Output has
+/// `diameter_mm` and `z_mm` as on drawings, with Z negative towards the chuck.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub struct Point {
     /// Radius.
@@ -17,10 +17,10 @@ pub struct Point {
 
 impl Serialize for Point {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut told = serializer.serialize_struct("Point", 2)?;
-        told.serialize_field("diameter_mm", &self.radius.diameter())?;
-        told.serialize_field("z_mm", &(Half::ZERO - self.z))?;
-        told.end()
+        let mut fields = serializer.serialize_struct("Point", 2)?;
+        fields.serialize_field("diameter_mm", &self.radius.diameter())?;
+        fields.serialize_field("z_mm", &(Half::ZERO - self.z))?;
+        fields.end()
     }
 }
 
@@ -35,13 +35,13 @@ impl Point {
         Vector { z: (other.z - self.z).to_mm(), radius: (other.radius - self.radius).to_mm() }
     }
 
-    /// The point that a vector leads to, rounded to half a micrometre.
+    /// This point moved by a vector, rounded to half a micrometre.
     #[must_use]
     pub fn moved(self, by: Vector) -> Self {
         Self { radius: self.radius + Half::from(by.radius), z: self.z + Half::from(by.z) }
     }
 
-    /// The point of a distance from zero, rounded to half a micrometre.
+    /// The point at a vector from zero, rounded to half a micrometre.
     pub fn at(place: Vector) -> Self {
         Self::default().moved(place)
     }
@@ -90,19 +90,19 @@ impl Vector {
         Self { z: self.z + other.z, radius: self.radius + other.radius }
     }
 
-    /// What leads here from there, both seen from one point.
+    /// The difference of two vectors.
     #[must_use]
     pub fn minus(self, other: Self) -> Self {
         Self { z: self.z - other.z, radius: self.radius - other.radius }
     }
 
-    /// Turned by a quarter to the left, which is outwards for a displacement towards the chuck.
+    /// Turned by 90° to the left, which is outwards for a displacement towards the chuck.
     #[must_use]
     pub fn left(self) -> Self {
         Self { z: -self.radius, radius: self.z }
     }
 
-    /// The same direction, 1 mm long; itself where it has no length.
+    /// The same direction, 1 mm long; unchanged if it has no length.
     #[must_use]
     pub fn unit(self) -> Self {
         let length = self.length();
@@ -114,7 +114,7 @@ impl Vector {
         self.z * other.z + self.radius * other.radius
     }
 
-    /// The cross product: positive where the other displacement turns to the left of this one.
+    /// The cross product: positive if the other displacement turns to the left of this one.
     pub fn cross(self, other: Self) -> f64 {
         self.z * other.radius - self.radius * other.z
     }

@@ -1,4 +1,4 @@
-//! What every file of a turned part is read with: its mistakes, names, materials, choices and lengths.
+//! Reads what all files of turned parts have: names, materials, choices and lengths, with their mistakes.
 
 use crate::knowledge::Knowledge;
 use crate::knowledge::diagnostic::{Diagnostic, Place, Severity};
@@ -17,7 +17,8 @@ pub(super) const LARGEST: Micrometres = Micrometres::from_mm(100_000);
 pub enum Mistake {
     /// Of the file's form: how it is written.
     Form(Diagnostic),
-    /// Of what it says, by the code that is the note's too: `report::sentence` and `report::remedy` have the words.
+    /// A mistake of content, with its code, which is also that of the note: `report::sentence` and `report::remedy`
+    /// have the words.
     Meaning(&'static str, Note, Place),
 }
 
@@ -27,7 +28,7 @@ impl Mistake {
         Self::Meaning(code, Note::new(code), place.clone())
     }
 
-    /// Where it stands.
+    /// Its place.
     pub const fn place(&self) -> Option<&Place> {
         match self {
             Self::Form(diagnostic) => diagnostic.place.as_ref(),
@@ -44,7 +45,7 @@ impl Mistake {
     }
 }
 
-/// The code of a mistake of meaning, and its sentence: `mistake!("unknown-lathe", lathe = text)`.
+/// The code of a mistake of content, and its sentence: `mistake!("unknown-lathe", lathe = text)`.
 macro_rules! mistake {
     ($code:expr $(, $name:ident = $value:expr)* $(,)?) => {{
         let code: &'static str = $code;
@@ -64,18 +65,18 @@ pub(super) struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// A reader of a text, and the tree of it unless it is broken beyond reading.
+    /// A reader for a text, and the tree of the text if it can be parsed.
     pub(super) fn open(file: &str, text: &str, knowledge: &'a Knowledge) -> (Self, Option<Node>) {
         let (root, problems) = parse(file, text);
         (Self::over(problems, knowledge), root)
     }
 
-    /// A reader of a tree, with what was wrong with its text.
+    /// A reader for a tree, with the problems of its text.
     pub(super) fn over(problems: Vec<Diagnostic>, knowledge: &'a Knowledge) -> Self {
         Self { knowledge, problems: Problems(problems), meant: Vec::new() }
     }
 
-    /// What was read, or every mistake in the order of the file.
+    /// The result, or every mistake in the order of the file.
     pub(super) fn close<T>(self, read: Option<T>) -> Result<T, Vec<Mistake>> {
         let Self { problems, meant, .. } = self;
         let broken = !meant.is_empty() || problems.0.iter().any(|problem| problem.severity == Severity::Error);
@@ -90,7 +91,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Adds a mistake of meaning; nothing is read there.
+    /// Adds a mistake of content. Returns none, for a value that could not be read.
     pub(super) fn fault<T>(&mut self, (code, note): (&'static str, Note), place: &Place) -> Option<T> {
         self.meant.push(Mistake::Meaning(code, note, place.clone()));
         None
@@ -104,7 +105,7 @@ impl<'a> Reader<'a> {
         Some(text.to_owned())
     }
 
-    /// The id of a material, by itself or by an alias.
+    /// The id of a material, from the id itself or an alias.
     pub(super) fn material(&mut self, node: &Node) -> Option<String> {
         let text = self.problems.text(node)?.to_owned();
         match material::named(self.knowledge, &text) {

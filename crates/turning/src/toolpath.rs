@@ -1,7 +1,7 @@
 //! Toolpaths of turning tools: lines and arcs of the theoretical point, each with its purpose. Transitions make them;
-//! programs, drawings and times read them.
+//! programs, drawings and times use them.
 //!
-//! Architecture invariant: a toolpath depends on no control.
+//! Architecture invariant: a toolpath does not depend on any control.
 
 use serde::Serialize;
 
@@ -18,13 +18,13 @@ pub enum Purpose {
     Cut,
     /// Straight into the metal, towards the contour, at the feed of cutting in.
     Infeed,
-    /// Along the contour, cutting the ridges that passes left, at the feed of picking up.
+    /// Along the contour, cutting the ridges that passes left, at the feed of pick-up.
     PickUp,
     /// Along the whole contour after the passes, at the feed of the semi-finishing pass.
     SemiFinish,
     /// Along the contour at the feed of finishing.
     Finish,
-    /// At a feed, but through no metal: along a contour that is cut already, or off it.
+    /// At a feed, but not through metal: along a contour that is cut already, or off it.
     Return,
 }
 

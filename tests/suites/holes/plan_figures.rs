@@ -179,7 +179,7 @@ fn the_limit_is_what_a_pass_may_take_and_each_work_is_reckoned_where_it_begins()
     let force = conditions.main_force_n.unwrap().0;
     near(conditions.power_kw.unwrap().0, force * 76.78 / 60_000.0);
     // Every stand takes the fewest passes that the limit allows.
-    for stand in second.levels.sections.iter().flat_map(|section| &section.stands) {
+    for stand in second.levels.sections.iter().flat_map(|section| &section.stocks) {
         assert_eq!(stand.passes, (stand.stock.to_mm() / 7.8).ceil() as i64, "{stand:?}");
     }
 }

@@ -146,7 +146,7 @@ fn no_pass_goes_where_nothing_stands() {
             // What begins before the metal, runs over its end or has a wide edge.
             let room = work.pace.approach_mm + work.pace.retract_mm + work.levels.depth;
             for transition in &work.transitions {
-                for (piece, _) in transition.way.pieces().filter(|(_, purpose)| *purpose != Purpose::Rapid) {
+                for (piece, _) in transition.path.pieces().filter(|(_, purpose)| *purpose != Purpose::Rapid) {
                     let beyond = [piece.from.z, piece.to.z].iter().any(|z| *z < from - room || to + room < *z);
                     assert!(!beyond, "{} {} {piece:?}: stock {from}..{to}", path.display(), transition.scheme.name());
                 }
@@ -264,7 +264,7 @@ fn programs_for_rs274() {
                 .filter_map(|(_, work)| Some((work, work.transition()?)))
                 .map(|(work, transition)| {
                     let moves: Vec<Value> = transition
-                        .way
+                        .path
                         .pieces()
                         .map(|(piece, purpose)| {
                             let mut told = told_piece(piece);
@@ -273,7 +273,7 @@ fn programs_for_rs274() {
                             told
                         })
                         .collect();
-                    json!({"from": [transition.way.from.radius.to_mm(), transition.way.from.z.to_mm()], "moves": moves})
+                    json!({"from": [transition.path.from.radius.to_mm(), transition.path.from.z.to_mm()], "moves": moves})
                 })
                 .collect();
             let program = files.iter().map(|file| file.text.as_str()).collect::<String>();
@@ -450,8 +450,8 @@ fn trace() {
                         println!("    refused {} {:?}", refused.scheme.name(), refused.why);
                     }
                     if let Some(transition) = work.transition() {
-                        print!("    way ({} {})", transition.way.from.radius, transition.way.from.z);
-                        for one in &transition.way.moves {
+                        print!("    way ({} {})", transition.path.from.radius, transition.path.from.z);
+                        for one in &transition.path.moves {
                             print!(" {:?}({} {})", one.purpose, one.to.radius, one.to.z);
                         }
                         println!();

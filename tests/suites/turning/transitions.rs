@@ -72,7 +72,7 @@ fn pick_up_has_the_two_feeds_of_the_lecture() {
 fn pick_up_goes_on_by_half_the_nose_radius() {
     let found = made(&figure_a(), 2.0, Scheme::PickUp, 0.8);
     let over: Vec<f64> = found
-        .way
+        .path
         .pieces()
         .zip(found.points.iter().skip(1))
         .filter(|(_, to)| to.role == SupportPointRole::Overrun)
@@ -115,7 +115,7 @@ fn equidistant_visits_the_points_of_the_lecture() {
     };
     let found = work(&stock, &tool(0.8), &settings(5.0), Scheme::Equidistant, &offset, &KNOWLEDGE).unwrap();
     assert_eq!(names(&found), "0-1-2-3-4-5-6-7-4-8-9-10-0");
-    let arcs: Vec<Half> = found.way.moves.iter().filter_map(|one| radius_of(one.curve)).collect();
+    let arcs: Vec<Half> = found.path.moves.iter().filter_map(|one| radius_of(one.curve)).collect();
     assert_eq!(arcs, [mm(5.0), mm(10.0), mm(15.0)], "arcs stay arcs");
     assert!(found.uniform);
 }
@@ -248,7 +248,7 @@ fn the_descent_goes_down_slice_by_slice() {
     let points = [at(30.0, 0.0), at(30.0, 5.0), at(22.0, 5.0), at(22.0, 15.0), at(30.0, 15.0), at(30.0, 20.0)];
     let found = made(&under_bar(Contour::through(Side::Outer, &points), 30.0), 4.0, Scheme::Descent, 0.0);
     let cuts: Vec<_> =
-        found.way.pieces().filter(|(_, purpose)| *purpose == Purpose::Cut).map(|(piece, _)| piece).collect();
+        found.path.pieces().filter(|(_, purpose)| *purpose == Purpose::Cut).map(|(piece, _)| piece).collect();
     assert!(cuts.iter().all(|cut| cut.is_face() && cut.to.radius == mm(22.0)), "{cuts:?}");
     assert_eq!(cuts.iter().map(|cut| cut.to.z.to_mm()).collect::<Vec<_>>(), [9.0, 12.0, 15.0]);
     assert_eq!((found.ridges_mm, found.edge), (Half::ZERO, Some(mm(4.0))));
@@ -262,16 +262,16 @@ fn in_closed_zones_the_tool_returns_along_the_contour() {
     let stock = under_bar(Contour::through(Side::Outer, &points), 30.0);
     for scheme in [Scheme::PickUp, Scheme::SemiFinishing] {
         let found = made(&stock, 2.0, scheme, 0.0);
-        let purposes: Vec<Purpose> = found.way.moves.iter().map(|one| one.purpose).collect();
+        let purposes: Vec<Purpose> = found.path.moves.iter().map(|one| one.purpose).collect();
         let fed = purposes.iter().position(|purpose| *purpose != Purpose::Rapid).unwrap();
         let last = purposes.iter().rposition(|purpose| *purpose != Purpose::Rapid).unwrap();
         assert!(!purposes[fed..=last].contains(&Purpose::Rapid), "{scheme:?} {purposes:?}");
         let cuts: Vec<usize> = (0..purposes.len()).filter(|index| purposes[*index] == Purpose::Cut).collect();
         assert_eq!(cuts.len(), 3);
         for pair in cuts.windows(2) {
-            let began = found.way.pieces().nth(pair[0]).unwrap().0.from;
+            let began = found.path.pieces().nth(pair[0]).unwrap().0.from;
             let back = (pair[0]..pair[1]).rfind(|index| purposes[*index] == Purpose::Return).unwrap();
-            assert_eq!(found.way.moves[back].to, began, "{scheme:?}");
+            assert_eq!(found.path.moves[back].to, began, "{scheme:?}");
             assert!(purposes[back + 1..pair[1]].iter().all(|purpose| *purpose == Purpose::Infeed));
         }
         assert!(found.uniform);
@@ -299,7 +299,7 @@ fn over_steps_the_levels_are_those_of_the_shaft() {
     let split = Split::of(&stock.rough, &stock.blank, levels.limit);
     assert_eq!(split.depth, levels.depth);
     let of_shaft: Vec<_> = levels.stocks().iter().map(|one| (one.stock, one.passes, one.mean)).collect();
-    let of_zone: Vec<_> = split.sections[0].stands.iter().map(|one| (one.stock, one.passes, one.mean)).collect();
+    let of_zone: Vec<_> = split.sections[0].stocks.iter().map(|one| (one.stock, one.passes, one.mean)).collect();
     assert_eq!(of_zone, of_shaft);
 }
 
@@ -357,9 +357,9 @@ const CLEAN: [Scheme; 2] = [Scheme::PickUp, Scheme::SemiFinishing];
 /// told, arcs of the contour's radii only.
 fn keeps_the_laws(stock: &Stock, found: &Transition) -> Result<section::Worked, TestCaseError> {
     let scheme = found.scheme;
-    prop_assert_eq!(found.way.end(), found.way.from, "{:?} ends at home", scheme);
-    prop_assert_eq!(found.points.len(), found.way.moves.len() + 1);
-    let worked = work_off(stock, &found.way, found.edge);
+    prop_assert_eq!(found.path.end(), found.path.from, "{:?} ends at home", scheme);
+    prop_assert_eq!(found.points.len(), found.path.moves.len() + 1);
+    let worked = work_off(stock, &found.path, found.edge);
     prop_assert!(worked.below < ROUNDING, "{:?} cuts {} mm below the contour", scheme, worked.below);
     prop_assert!(worked.hit < ROUNDING, "{:?}: a rapid goes {} mm into metal", scheme, worked.hit);
     let told = found.ridges_mm.to_mm();
@@ -380,10 +380,10 @@ fn keeps_the_laws(stock: &Stock, found: &Transition) -> Result<section::Worked, 
     prop_assert!(left.hangs_together() && left.is_monotone());
     let radii: Vec<Half> = stock.rough.pieces.iter().filter_map(|piece| radius_of(piece.curve)).collect();
     if scheme != Scheme::Equidistant {
-        let mut arcs = found.way.moves.iter().filter_map(|one| radius_of(one.curve));
+        let mut arcs = found.path.moves.iter().filter_map(|one| radius_of(one.curve));
         prop_assert!(arcs.all(|radius| radii.contains(&radius)), "{:?}: arcs stay arcs", scheme);
     }
-    prop_assert!(found.way.pieces().all(|(piece, purpose)| purpose != Purpose::Rapid || piece.curve == Curve::Line));
+    prop_assert!(found.path.pieces().all(|(piece, purpose)| purpose != Purpose::Rapid || piece.curve == Curve::Line));
     Ok(worked)
 }
 
@@ -423,8 +423,8 @@ proptest! {
         let found = made(&stock, depth, Scheme::Equidistant, 0.8);
         let worked = keeps_the_laws(&stock, &found)?;
         prop_assert!(found.uniform && worked.left < 2.0 * ROUNDING);
-        let mut columns = section::Columns::of(&stock, &found.way);
-        let pieces: Vec<(Piece, Purpose)> = found.way.pieces().collect();
+        let mut columns = section::Columns::of(&stock, &found.path);
+        let pieces: Vec<(Piece, Purpose)> = found.path.pieces().collect();
         for pass in pieces.split(|(_, purpose)| *purpose == Purpose::Rapid) {
             let points: Vec<(f64, f64)> = pass.iter().flat_map(|(piece, _)| sampled(piece)).collect();
             for (piece, _) in pass {
@@ -445,13 +445,13 @@ proptest! {
         for scheme in [Scheme::Loop, Scheme::Zigzag, Scheme::Descent, Scheme::PickUp, Scheme::SemiFinishing, Scheme::Contour] {
             let (outer, bored) = (made(&stock, depth, scheme, 0.8), made(&inner, depth, scheme, 0.8));
             let place = |point: technolog::turning::point::Point| technolog::turning::point::Point { radius: top - point.radius, ..point };
-            let mut turned = Toolpath::at(place(outer.way.from));
-            for (piece, purpose) in outer.way.pieces() {
+            let mut turned = Toolpath::at(place(outer.path.from));
+            for (piece, purpose) in outer.path.pieces() {
                 turned.follow(piece.mapped(true, place), purpose);
             }
-            prop_assert_eq!(bored.way.from, turned.from);
-            prop_assert_eq!(bored.way.moves.len(), turned.moves.len(), "{:?}", scheme);
-            for (one, other) in bored.way.moves.iter().zip(&turned.moves) {
+            prop_assert_eq!(bored.path.from, turned.from);
+            prop_assert_eq!(bored.path.moves.len(), turned.moves.len(), "{:?}", scheme);
+            for (one, other) in bored.path.moves.iter().zip(&turned.moves) {
                 // A point of an arc that lies between two halves of a micrometre may be rounded to either.
                 let near = |a: Half, b: Half| (a - b).halves().abs() <= 1;
                 prop_assert!(near(one.to.radius, other.to.radius) && near(one.to.z, other.to.z), "{:?}", scheme);
@@ -468,7 +468,7 @@ proptest! {
         for scheme in [Scheme::PickUp, Scheme::SemiFinishing] {
             let found = made(&stock, depth, scheme, 0.0);
             keeps_the_laws(&stock, &found)?;
-            let purposes: Vec<Purpose> = found.way.moves.iter().map(|one| one.purpose).collect();
+            let purposes: Vec<Purpose> = found.path.moves.iter().map(|one| one.purpose).collect();
             let cut = |purpose: &Purpose| *purpose == Purpose::Cut;
             let (first, last) = (purposes.iter().position(cut), purposes.iter().rposition(cut));
             if let (Some(first), Some(last)) = (first, last) {
@@ -518,7 +518,7 @@ fn a_bore_is_not_left_beyond_its_axis() {
     let stock = Stock { rough, blank, from: mm(0.0), to: mm(30.0) };
     for scheme in Scheme::ALL.into_iter().filter(|scheme| *scheme != Scheme::Equidistant) {
         let found = made(&stock, 1.5, scheme, 0.4);
-        assert!(found.way.moves.iter().all(|one| one.to.radius >= Half::ZERO), "{scheme:?}");
+        assert!(found.path.moves.iter().all(|one| one.to.radius >= Half::ZERO), "{scheme:?}");
     }
 }
 

@@ -132,7 +132,7 @@ fn way(
     lang: Lang,
 ) -> f64 {
     let stock = &work.stock;
-    let points = transition.way.pieces().map(|(piece, _)| piece).collect::<Vec<_>>();
+    let points = transition.path.pieces().map(|(piece, _)| piece).collect::<Vec<_>>();
     let moves = Contour { side: side.side, pieces: points };
     let (near, far) = corners(&[&stock.blank, &stock.rough, &moves], false);
     let view = View::within(near, far, MARGIN, top + TITLE + MARGIN, WIDE - 2.0 * MARGIN, TALL);
@@ -162,7 +162,7 @@ fn way(
         }
     }
     view.line(canvas, stock.rough.pieces.iter().copied(), Pen::solid("#333333", 1.3));
-    view.way(canvas, &transition.way);
+    view.way(canvas, &transition.path);
     numbers(canvas, &view, transition);
     let bottom = top + TITLE + MARGIN + tall + 46.0;
     legend(canvas, transition, bottom, lang);
@@ -204,7 +204,7 @@ fn legend(canvas: &mut Canvas, transition: &Transition, bottom: f64, lang: Lang)
         (Purpose::Return, "turn-way-return"),
     ];
     for (purpose, name) in purposes {
-        if transition.way.moves.iter().any(|one| one.purpose == purpose) {
+        if transition.path.moves.iter().any(|one| one.purpose == purpose) {
             canvas.line(&[(left, bottom - 7.0), (left + 34.0, bottom - 7.0)], pen_of(purpose));
             canvas.text((left + 40.0, bottom - 3.0), 12.0, Anchor::Start, lang.word(name));
             left += 190.0;

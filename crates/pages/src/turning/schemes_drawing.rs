@@ -10,7 +10,7 @@ use technolog_turning::length::Half;
 use technolog_turning::passes::Sequences;
 use technolog_turning::point::Point;
 use technolog_turning::schemes::path::Motion;
-use technolog_turning::schemes::{SchemeTold, Schemes};
+use technolog_turning::schemes::{SchemeEntry, Schemes};
 use technolog_words::say;
 
 const STOCK: &str = "#f3ead2";
@@ -81,7 +81,7 @@ fn stock(canvas: &mut Canvas, schemes: &Schemes, place: &impl Fn(Point) -> At) {
 }
 
 /// The path with its points. A name stands where it covers no other, and is left out where it would everywhere.
-fn way(canvas: &mut Canvas, scheme: &SchemeTold, place: &impl Fn(Point) -> At) {
+fn way(canvas: &mut Canvas, scheme: &SchemeEntry, place: &impl Fn(Point) -> At) {
     for (before, vertex) in scheme.path.iter().zip(scheme.path.iter().skip(1)) {
         let (from, to) = (place(before.at), place(vertex.at));
         let pen = if vertex.motion == Motion::Rapid { RAPID } else { FEED };

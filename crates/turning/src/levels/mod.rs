@@ -1,13 +1,13 @@
-//! Splitting the rough zone of a stepped shaft into levels, as lecture 12.4 does (l. 576-660).
+//! Splitting the rough zone of a stepped shaft into levels, by lecture 12.4 (l. 576-660).
 //!
-//! 1. Over each cylinder stands the stock tᵢ = X(blank) − X(cylinder) (a, l. 608).
+//! 1. The stock over a cylinder is tᵢ = X(blank) − X(cylinder) (a, l. 608).
 //! 2. It needs at least nᵢ = ⌈tᵢ / t_lim⌉ passes (b, l. 614).
-//! 3. Divided equally, that is the mean depth tᵢ / nᵢ (c, l. 628).
-//! 4. The largest mean depth becomes the one depth t_p of the whole zone (d, l. 640). None of them is above t_lim, so
-//!    neither is it.
+//! 3. Their mean depth is tᵢ / nᵢ (c, l. 628).
+//! 4. The largest mean depth becomes the one depth t_p of the whole zone (d, l. 640). No mean depth is above t_lim, so
+//!    t_p is not either.
 //! 5. The horizontals lie at t_p, 2·t_p, … under the surface of the blank (e, l. 646).
 //!
-//! Radii are whole halves of a micrometre, so a mean depth is rounded up to one: that never adds a pass.
+//! Radii are whole halves of a micrometre, so a mean depth is rounded up to one. That never adds a pass.
 
 pub mod zone;
 

@@ -1,7 +1,7 @@
-//! The rough zone of a stepped shaft: the stock over each cylinder, and which of them hang together.
+//! The rough zone of a stepped shaft: the stock over each cylinder, and which cylinders form a section.
 //!
-//! The blank may be stepped itself. Then the zone is taken apart into sections, each under one diameter of the blank
-//! (lecture, fig. 12.10), and the schemes work in one section after the other from the free end.
+//! The blank may be stepped too. Then the zone is divided into sections, each under one diameter of the blank (lecture,
+//! fig. 12.10), and the schemes work one section after the other from the free end.
 
 use crate::turning::length::Half;
 use crate::turning::shaft::Shaft;
@@ -15,8 +15,8 @@ pub struct Cylinder {
     pub to: Half,
     /// Its radius after roughing.
     pub radius: Half,
-    /// Radius up to which the face at its end stands, where there is one: a shoulder of the rough contour, or at the
-    /// end of all cylinders the bar in the chuck.
+    /// Radius of the top of the face at its end, if there is a face: a shoulder of the rough contour, or the bar in the
+    /// chuck after the last cylinder.
     pub wall: Option<Half>,
 }
 
@@ -61,7 +61,7 @@ pub fn sections(shaft: &Shaft) -> Vec<Section> {
     sections
 }
 
-/// A piece of the axis with one radius of the part and one of the blank.
+/// A stretch of the axis with one radius of the part and one of the blank.
 struct Cell {
     from: Half,
     to: Half,
@@ -69,7 +69,7 @@ struct Cell {
     blank: Half,
 }
 
-/// The pieces from the free end to the end of the steps.
+/// These stretches from the free end to the end of the steps.
 fn cells(shaft: &Shaft) -> Vec<Cell> {
     let mut cells: Vec<Cell> = Vec::new();
     let mut from = Half::ZERO;
@@ -89,7 +89,7 @@ fn cells(shaft: &Shaft) -> Vec<Cell> {
     cells
 }
 
-/// The radius of the blank just behind a Z, and where the next step of the blank begins, if there is one.
+/// The radius of the blank just behind a Z, and Z of the next step of the blank, if there is one.
 fn blank_at(shaft: &Shaft, z: Half) -> (Half, Option<Half>) {
     let mut end = Half::ZERO;
     for step in &shaft.blank_steps {
@@ -101,7 +101,7 @@ fn blank_at(shaft: &Shaft, z: Half) -> (Half, Option<Half>) {
     (Half::radius_of(shaft.blank.diameter), None)
 }
 
-/// The radius of the blank that goes on behind the last step, if it does.
+/// The radius of the blank behind the last step, if the blank is longer.
 fn bar_beyond(shaft: &Shaft) -> Option<Half> {
     let end: Half = shaft.steps.iter().map(|step| Half::of(step.length)).sum();
     (Half::of(shaft.blank.length) > end).then(|| blank_at(shaft, end).0)

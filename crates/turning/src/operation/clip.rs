@@ -3,8 +3,8 @@
 use crate::turning::contour::{Contour, Piece};
 use crate::turning::length::Half;
 
-/// A monotone contour between two Z. Faces at the ends are kept where they lead into the stretch as walls: at its end those
-/// that go away from the axis, at its beginning those that come towards it.
+/// The part of a monotone contour between two Z. Faces at its ends are kept if they are walls of that part: at its end
+/// those that rise, at its beginning those that fall.
 pub(super) fn between(contour: &Contour, from: Half, to: Half) -> Contour {
     let mut pieces: Vec<Piece> = Vec::new();
     for piece in &contour.pieces {
@@ -27,7 +27,7 @@ pub(super) fn between(contour: &Contour, from: Half, to: Half) -> Contour {
             pieces.push(piece.between(begin, stop));
         }
     }
-    // A wall at the beginning hangs on nothing if no piece follows where it ends.
+    // A wall at the beginning is not connected if no piece begins where it ends.
     Contour { side: contour.side, pieces }
 }
 

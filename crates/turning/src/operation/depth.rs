@@ -1,4 +1,4 @@
-//! How deep a pass may be, and how fast it goes: given, or from tool and lathe (lecture 12.4, l. 614-626).
+//! How deep a pass may be, and how fast it goes: as given, or by tool and lathe (lecture 12.4, l. 614-626).
 
 use serde::Serialize;
 
@@ -20,11 +20,11 @@ use super::tools::Bench;
 /// The depth of the passes over a zone.
 #[derive(Clone, Debug, Serialize)]
 pub struct Depth {
-    /// The limiting depth t_lim, mm: the most that one pass may take. What the passes take is t_p of each work.
+    /// The limiting depth t_lim, mm: the most that one pass may take. The passes take t_p of each work.
     pub limiting_depth_mm: Half,
     /// Whether the file gives it.
     pub given: bool,
-    /// How it was found, where it was: at the feed for this depth tool and lathe may carry more.
+    /// How it was found, if it was not given. Tool and lathe may carry more at the feed for this depth.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limit: Option<LimitingDepth>,
 }
@@ -32,7 +32,7 @@ pub struct Depth {
 /// How the tool moves over a zone.
 #[derive(Clone, Debug, Serialize)]
 pub struct Pace {
-    /// Feed, speed, spindle step and loads at the depth of the passes, where a lathe is named.
+    /// Feed, speed, spindle step and loads at the depth of the passes, if a lathe is named.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub conditions: Option<TurningConditions>,
     /// Rates of all motions.
@@ -56,10 +56,9 @@ pub struct Task<'a, 'k> {
     pub stock: Half,
 }
 
-/// The limiting depth of a zone; none where no source gives it, which is a finding.
+/// The limiting depth of a zone. If no source gives it, none, with a finding.
 ///
-/// # Errors
-/// The knowledge base lacks a table.
+/// # Errors The knowledge base lacks a table.
 pub fn depth(
     task: Task<'_, '_>,
     bench: &Bench<'_, '_>,
@@ -91,27 +90,27 @@ pub fn depth(
     }
 }
 
-/// The most passes that a stock is divided into before the search for a depth gives up.
+/// The search for a depth divides the stock into at most so many passes.
 const MOST_PASSES: i64 = 60;
 
-/// The limit: the most that one pass may take at the feed of the passes.
+/// The most that one pass may take at the feed of the passes.
 ///
-/// The feed depends on the depth, so the stock is divided into one, two, three… passes until there is a feed for their
-/// depth and tool and lathe can carry it. What they carry at that feed is the limit, as far as the table has that
-/// feed: deeper passes have another. The number of passes that found it is the fewest that it allows.
+/// The feed depends on the depth. So the stock is divided into one, two, three… passes until there is a feed for their
+/// depth and tool and lathe can carry it. The limit is what they can carry at that feed, as long as the table has that
+/// feed for it: deeper passes have another. The number of passes at which the search ends is the least that the limit
+/// allows.
 fn limit(cut: &Cut<'_, '_>, stock: Half) -> Tried<(LimitingDepth, Half), CuttingRefusal> {
     let mut first: Option<Tried<LimitingDepth, CuttingRefusal>> = None;
     for passes in 1..=MOST_PASSES {
         let depth = stock.part(passes);
         let whole = depth.rounded_up();
-        let found = rough_feed(cut, whole).and_then(|feed| bearable(cut, feed.feed, depth));
-        match found {
+        match rough_feed(cut, whole).and_then(|feed| bearable(cut, feed.feed, depth)) {
             Err(Refusal::Knowledge(error)) => return Err(Refusal::Knowledge(error)),
-            Ok(found) if found.depth_mm.is_some_and(|limit| Half::of(limit) >= depth) => {
-                let limit = found.depth_mm.unwrap_or(whole);
-                // One pass takes the whole stock: no deeper one is asked for.
-                let limit = if passes == 1 { limit } else { of_one_feed(cut, found.feed_mm_per_rev, whole, limit)? };
-                return Ok((found, Half::of(limit).max(depth)));
+            Ok(limit) if limit.depth_mm.is_some_and(|most| Half::of(most) >= depth) => {
+                let most = limit.depth_mm.unwrap_or(whole);
+                // One pass takes the whole stock, so no deeper pass is needed.
+                let most = if passes == 1 { most } else { of_one_feed(cut, limit.feed_mm_per_rev, whole, most)? };
+                return Ok((limit, Half::of(most).max(depth)));
             }
             other => {
                 first.get_or_insert(other);
@@ -119,14 +118,14 @@ fn limit(cut: &Cut<'_, '_>, stock: Half) -> Tried<(LimitingDepth, Half), Cutting
         }
     }
     match first {
-        Some(Ok(found)) => Ok((LimitingDepth { depth_mm: None, ..found }, Half::ZERO)),
+        Some(Ok(limit)) => Ok((LimitingDepth { depth_mm: None, ..limit }, Half::ZERO)),
         Some(Err(refusal)) => Err(refusal),
         None => Err(Refusal::Not(CuttingRefusal::NoLimitingDepth)),
     }
 }
 
-/// What tool and lathe can carry at a feed: at the speed of the tool life where that suffices for a depth, else at the
-/// slower one that the power of the spindle asks for. A pass more is quicker than all of them at a slower spindle.
+/// What tool and lathe can carry at a feed: at the speed of the tool life if that is enough for a depth, otherwise at
+/// the slower speed that the spindle power requires. One pass more takes less time than all passes at a slower spindle.
 fn bearable(cut: &Cut<'_, '_>, feed: MillimetresPerRev, depth: Half) -> Tried<LimitingDepth, CuttingRefusal> {
     let quick = limiting_depth(cut, feed, Speed::ForToolLife)?;
     if quick.depth_mm.is_some_and(|limit| Half::of(limit) >= depth) {
@@ -135,8 +134,8 @@ fn bearable(cut: &Cut<'_, '_>, feed: MillimetresPerRev, depth: Half) -> Tried<Li
     limiting_depth(cut, feed, Speed::WithinPower)
 }
 
-/// The largest depth up to a limit that still has the feed of a smaller one, in tenths of a millimetre from the limit
-/// down.
+/// The largest depth up to a limit that still has the feed of a smaller depth, downwards from the limit in tenths of a
+/// millimetre.
 fn of_one_feed(
     cut: &Cut<'_, '_>,
     feed: MillimetresPerRev,
@@ -146,15 +145,14 @@ fn of_one_feed(
     let mut deepest = limit;
     while deepest > depth {
         match Refusal::split(rough_feed(cut, deepest))? {
-            Ok(found) if found.feed == feed => return Ok(deepest),
+            Ok(rough) if rough.feed == feed => return Ok(deepest),
             _ => deepest = deepest - Micrometres::new(100),
         }
     }
     Ok(depth)
 }
 
-/// What is cut, through the skin that the rule `turning-skin` says the blank has, with the row that says it; none without a
-/// lathe.
+/// What is cut, with the skin of the blank by the rule `turning-skin` and its row; none without a lathe.
 fn cut<'a, 'k>(task: Task<'a, 'k>, bench: &'a Bench<'_, 'k>) -> Result<Option<(Cut<'a, 'k>, Because)>, KnowledgeError> {
     let Some(lathe) = bench.lathe else { return Ok(None) };
     let (knowledge, stock) = (bench.knowledge, bench.workpiece.blank.kind);
@@ -167,11 +165,10 @@ fn cut<'a, 'k>(task: Task<'a, 'k>, bench: &'a Bench<'_, 'k>) -> Result<Option<(C
     Ok(Some((Cut { knowledge, lathe, tool, material, diameter, direction, surface }, because)))
 }
 
-/// Rates and distances at a depth of passes: those of the file before those of the conditions before those of the
-/// table `turning-motion`; what the file says of no kind of motion goes at the main feed, and that is reported.
+/// Rates and distances at a depth of passes: from the file, otherwise from the conditions, otherwise from the table
+/// `turning-motion`. A motion for which the file has no rate goes at the main feed, and a finding says so.
 ///
-/// # Errors
-/// The knowledge base lacks a table.
+/// # Errors The knowledge base lacks a table.
 pub fn pace(
     task: Task<'_, '_>,
     depth: Half,
@@ -182,15 +179,15 @@ pub fn pace(
     let conditions = match cut(task, bench)? {
         None => None,
         Some((cut, skin)) => match Refusal::split(conditions(&cut, depth.rounded_up(), None))? {
-            Ok(mut found) => {
-                found.because.push(skin);
-                findings.extend(found.findings());
-                if !found.exceeded.is_empty() {
-                    let bounds: Vec<String> = found.exceeded.iter().map(|bound| bound.name().to_owned()).collect();
+            Ok(mut conditions) => {
+                conditions.because.push(skin);
+                findings.extend(conditions.findings());
+                if !conditions.exceeded.is_empty() {
+                    let bounds: Vec<String> = conditions.exceeded.iter().map(|bound| bound.name().to_owned()).collect();
                     let note = Note::new("bounds-exceeded").with("tool", task.tool.designation).with("depth", depth);
                     findings.push(Finding::of_part(Severity::Wrong, note.with("bounds", bounds.join(", "))));
                 }
-                Some(found)
+                Some(conditions)
             }
             Err(why) => {
                 findings.push(Finding::of_part(Severity::Doubtful, why.note()));
@@ -212,8 +209,8 @@ pub fn pace(
         Direction::Longitudinal => longitudinal_feed,
         Direction::Transverse => transverse_feed,
     };
-    let found = conditions.as_ref().map(|found| found.feed_mm_per_min).filter(|_| given.is_none());
-    let main = found.unwrap_or(stated);
+    let calculated = conditions.as_ref().map(|calculated| calculated.feed_mm_per_min).filter(|_| given.is_none());
+    let main = calculated.unwrap_or(stated);
     let other = |rate: Option<MillimetresPerMinute>| rate.unwrap_or(main);
     let rate = |of: fn(&crate::turning::workpiece::Rates) -> Option<MillimetresPerMinute>| given.as_ref().and_then(of);
     let (infeed, pick_up) = (rate(|rates| rates.infeed), rate(|rates| rates.pick_up_feed));

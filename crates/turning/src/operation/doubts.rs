@@ -1,4 +1,4 @@
-//! The unconfirmed rows behind an operation: every figure of low trust is shown on the page.
+//! The unconfirmed rows behind an operation: the page marks every figure that nothing confirms.
 
 use crate::note::{Because, Finding, Note, Severity};
 

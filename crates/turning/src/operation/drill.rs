@@ -32,11 +32,10 @@ impl Drilled {
     }
 }
 
-/// The hole under a rough bore, and the bore without what the drill has taken of its bottom; none where the bore is too
-/// narrow to be drilled and bored, which is a finding.
+/// The hole to drill under a rough bore, and the bore without the part of its bottom that the drill removes. If the
+/// bore is too narrow to be drilled and bored, none, with a finding.
 ///
-/// # Errors
-/// The knowledge base lacks the rule `bore-drill`, or a row of it.
+/// # Errors The knowledge base lacks the rule `bore-drill`, or a row of it.
 pub(super) fn before_boring(
     rough: &Contour,
     knowledge: &Knowledge,
@@ -71,7 +70,7 @@ pub(super) fn before_boring(
     Ok(Some((Drilled { diameter_mm: diameter, depth_mm: end.z, because }, without_middle(rough, diameter))))
 }
 
-/// A blind bore ends with its bottom, of which the drill has taken the middle.
+/// A blind bore ends with its bottom; the drill has removed the middle of it.
 fn without_middle(rough: &Contour, drill: Micrometres) -> Contour {
     let (mut rough, radius) = (rough.clone(), Half::radius_of(drill));
     if let Some(bottom) = rough.pieces.last_mut().filter(|last| last.is_face() && last.to.radius < radius) {

@@ -23,7 +23,7 @@ use super::tools::Bench;
 pub struct Layers {
     /// The finishing allowance of each surface.
     pub allowances: Vec<Allowance>,
-    /// The blank, as far as this set-up turns it; of a bore into solid metal the drilled hole.
+    /// The blank, as far as this set-up turns it; for a bore into solid metal the drilled hole.
     #[serde(skip)]
     pub blank: Contour,
     /// That hole, where there is one.
@@ -31,10 +31,10 @@ pub struct Layers {
     pub drilled_first: Option<Drilled>,
     /// The rough contour.
     pub rough: Contour,
-    /// The contour that this lathe leaves after finishing: the main one, with what stays for other machines.
+    /// The contour after finishing on this lathe: the main contour with the allowances for other machines.
     #[serde(skip)]
     pub left: Contour,
-    /// The main contour, additional elements bridged.
+    /// The main contour, with additional elements bridged.
     #[serde(skip)]
     pub main: Contour,
     /// The part.
@@ -45,7 +45,7 @@ pub struct Layers {
     pub areas: Areas,
 }
 
-/// The areas without their boundaries, which are for drawings.
+/// The areas without their boundaries, which only drawings need.
 fn sizes<S: serde::Serializer>(areas: &Areas, serializer: S) -> Result<S::Ok, S::Error> {
     #[derive(Serialize)]
     struct Size {
@@ -62,10 +62,10 @@ fn sizes<S: serde::Serializer>(areas: &Areas, serializer: S) -> Result<S::Ok, S:
         .serialize(serializer)
 }
 
-/// The layers of a stretch; `face` is Z of the rough face of the free end, from which a bore is bored. None where they cannot be laid, which is a finding.
+/// The layers of a side; `face` is Z of the rough face of the free end, from which a bore is bored. If they cannot be
+/// made, none, with a finding.
 ///
-/// # Errors
-/// The knowledge base lacks a table.
+/// # Errors The knowledge base lacks a table.
 pub fn layers(
     stretch: &TurnedSide,
     set_up: &SetUp,
@@ -76,11 +76,11 @@ pub fn layers(
     let (workpiece, knowledge) = (bench.workpiece, bench.knowledge);
     let length = Micrometres::new(workpiece.length().halves() / 2);
     let method = method(&workpiece.allowances);
-    let (allowances, found) = finishing(&stretch.profile, method, length, knowledge)?;
-    findings.extend(found);
+    let (allowances, doubts) = finishing(&stretch.profile, method, length, knowledge)?;
+    findings.extend(doubts);
     let main = &stretch.main.contour;
     let Some(mut left) = left(stretch, bench, findings) else { return Ok(None) };
-    // The file may leave out the far face: what is turned over begins with it all the same.
+    // The file may leave out the far face, but a part that is turned over begins with it.
     if let Some(face) = left.first().and_then(|(first, _)| far_face(first.from, set_up, main.side, workpiece)) {
         left.insert(0, (face, None));
     }
@@ -121,7 +121,7 @@ pub fn layers(
     Ok(Some(Layers { allowances, blank, drilled_first, rough, left, main: main.clone(), part, areas }))
 }
 
-/// A rough bore from the rough face on: before its own beginning stands the allowance of the face.
+/// A rough bore from the rough face on: the allowance of the face lies before the beginning of the bore.
 fn up_to(mut rough: Contour, face: Option<Half>) -> Contour {
     if let (Side::Inner, Some(start), Some(z)) = (rough.side, rough.start(), face)
         && z < start.z
@@ -131,8 +131,8 @@ fn up_to(mut rough: Contour, face: Option<Half>) -> Contour {
     rough
 }
 
-/// The main contour with what stays for other machines, each piece with its surface; none where it cannot be laid, which is
-/// a finding.
+/// The main contour with the allowances for other machines, each piece with its surface. If it cannot be made, none,
+/// with a finding.
 fn left(
     stretch: &TurnedSide,
     bench: &Bench<'_, '_>,
@@ -160,11 +160,10 @@ fn left(
     }
 }
 
-/// The layers before the far face where a set-up turns nothing else from outside: the face alone, up to the radius that the
-/// part has there.
+/// The layers before the far face if a set-up turns nothing else from outside: the face alone, up to the radius of the
+/// part there.
 ///
-/// # Errors
-/// The knowledge base lacks a table.
+/// # Errors The knowledge base lacks a table.
 pub fn before_face(
     set_up: &SetUp,
     bench: &Bench<'_, '_>,
@@ -206,15 +205,15 @@ fn method(allowances: &Allowances) -> Method {
     }
 }
 
-/// The surface that a piece of the main contour lies on: one with a piece on the same line or circle that it shares a
-/// point with.
+/// The index of the surface of a piece of the main contour: the first one that touches it and has a piece on the same
+/// line or circle.
 fn surface_of(piece: &Piece, profile: &Profile, along: &Stretches) -> Option<usize> {
     let lies_on = |other: &Piece| touches(piece, other) && same_carrier(piece, other);
     let mut near = along.touching(piece.from.z.min(piece.to.z), piece.from.z.max(piece.to.z));
     near.find(|index| profile.surfaces.get(*index).is_some_and(|surface| surface.pieces.iter().any(lies_on)))
 }
 
-/// Where the surfaces of a profile lie, from end to end of their pieces.
+/// The stretches of the surfaces of a profile, by the ends of their pieces.
 fn along(profile: &Profile) -> Stretches {
     let ends = |surface: &Surface| {
         let ends = surface.pieces.iter().flat_map(|piece| [piece.from.z, piece.to.z]);
@@ -230,7 +229,7 @@ fn touches(one: &Piece, other: &Piece) -> bool {
         && spans((one.from.radius, one.to.radius), (other.from.radius, other.to.radius))
 }
 
-/// Within two micrometres: ends of pieces are rounded.
+/// Whether two pieces are on one line or circle, to two micrometres: ends of pieces are rounded.
 fn same_carrier(one: &Piece, other: &Piece) -> bool {
     const NEAR: f64 = 0.002;
     match (one.curve, other.curve, one.centre(), other.centre()) {
@@ -249,7 +248,7 @@ fn same_carrier(one: &Piece, other: &Piece) -> bool {
 struct SideStock {
     /// The blank, or the hole that is drilled into it.
     blank: Contour,
-    /// The rough contour as far as the blank stands.
+    /// The rough contour, as far as there is blank over it.
     rough: Contour,
     drilled_first: Option<Drilled>,
 }
@@ -293,8 +292,8 @@ fn standing(
     }))
 }
 
-/// The rough contour from where the blank begins: where the stock on the face is thinner than its allowance, which is
-/// reported.
+/// The rough contour from the beginning of the blank on. If the stock on the face is less than its allowance, there is
+/// a finding.
 fn behind_blank(rough: &Contour, blank: &Contour, findings: &mut Vec<Finding>) -> Contour {
     let (Some(start), Some(raw), Some(end)) = (rough.start(), blank.start(), rough.end()) else { return rough.clone() };
     if start.z >= raw.z {
@@ -312,8 +311,8 @@ fn behind_blank(rough: &Contour, blank: &Contour, findings: &mut Vec<Finding>) -
     clipped
 }
 
-/// The far face of the part, which is the free one of a part turned over, up to where its contour begins; none where the
-/// contour has a face of its own, and in the first set-up.
+/// The far face of the part up to the beginning of its contour; it is the free face of a part that is turned over. None
+/// if the contour has a face itself, and in the first set-up.
 fn far_face(begins: Point, set_up: &SetUp, side: Side, workpiece: &Workpiece) -> Option<Piece> {
     let bore = workpiece.inner.as_ref().and_then(|inner| inner.contour().end());
     let within = bore.filter(|end| end.z == workpiece.length()).map_or(Half::ZERO, |end| end.radius);
@@ -321,7 +320,8 @@ fn far_face(begins: Point, set_up: &SetUp, side: Side, workpiece: &Workpiece) ->
     (set_up.turned_over && side == Side::Outer && begins.radius > within).then_some(face)
 }
 
-/// A blank that begins with the face of its end: turned over, that of a bar is not drawn.
+/// A blank that begins with the face of its end. The far face of a bar is not drawn, so it is added when the bar is
+/// turned over.
 fn faced(mut blank: Contour, inner: Option<&Contour>) -> Contour {
     if let Some(start) = blank.start().filter(|_| blank.pieces.first().is_some_and(|first| !first.is_face())) {
         let within = inner.and_then(|inner| inner.end()).map_or(Half::ZERO, |end| end.radius);

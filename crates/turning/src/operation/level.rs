@@ -1,10 +1,10 @@
-//! Contours held above a level: how the upper part of a stock is parted from the lower one.
+//! Raises a contour to a level, which separates the upper part of a stock from the lower one.
 
 use crate::turning::contour::{Contour, Piece, Side};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 
-/// A monotone outer contour where it is above a level, and the level elsewhere; of a bore, where it is below.
+/// The greater of a monotone outer contour and a level; for a bore the smaller.
 pub(super) fn raised(contour: &Contour, level: Half) -> Contour {
     let above = contour.side == Side::Outer;
     let mut pieces: Vec<Piece> = Vec::new();
@@ -19,7 +19,7 @@ pub(super) fn raised(contour: &Contour, level: Half) -> Contour {
         points.push(piece.to);
         for (from, to) in points.iter().zip(points.iter().skip(1)) {
             let part = piece.between(*from, *to);
-            // A point inside the part says on which side of the level it lies: at its ends it may touch.
+            // The extremes of the part say on which side of the level it lies; its ends may touch the level.
             let (least, most) = part.radii();
             let kept = if above { most > level } else { least < level };
             if kept {
@@ -42,8 +42,8 @@ mod tests {
         Point { radius: Half::from(radius), z: Half::from(z) }
     }
 
-    /// A pin of 10, a fillet of 10 up to 20, a cylinder: the circle's middle is (20, 20), so it is at 14 where
-    /// z = 20 + √(100 − 36) = 28.
+    /// A pin of radius 10, a fillet of 10 up to 20, a cylinder. The centre of the fillet is (20, 20), so its radius is
+    /// 14 at z = 20 + √(100 − 36) = 28.
     fn pin() -> Contour {
         let mut pin = Contour::through(Side::Outer, &[at(10.0, 0.0), at(10.0, 20.0)]);
         pin.pieces.push(Piece::arc(at(10.0, 20.0), at(20.0, 30.0), Half::from(10.0), Turn::Left));

@@ -9,7 +9,7 @@
 //! 5. [`depth`]: the limiting depth, cutting conditions and feeds;
 //! 6. [`work`]: the seven schemes over each zone, and the one that is taken.
 //!
-//! Nothing here decides what a rule or a table can: it asks them, in this order, and keeps their reasons.
+//! What a rule or a table can decide is not decided here: the rules are asked in this order, and their reasons kept.
 
 mod clip;
 pub mod depth;
@@ -44,7 +44,7 @@ pub struct Operation {
     /// The part.
     #[serde(flatten)]
     pub workpiece: Workpiece,
-    /// What is said of the blank.
+    /// What the rules say of the blank.
     pub blank_advice: Vec<Advice>,
     /// What is finished on another machine.
     pub elsewhere: Vec<Elsewhere>,
@@ -73,7 +73,7 @@ pub struct SideWork {
     pub layers: Layers,
     /// The zones and how each is cleared.
     pub zones: Vec<ZoneWork>,
-    /// The additional elements under the main contour: a closed zone each, with the tools that fit.
+    /// The additional elements under the main contour, each a closed zone with the tools that fit.
     pub additional: Vec<ZoneWork>,
 }
 
@@ -92,10 +92,9 @@ impl Operation {
 
 /// Plans the turning of a part.
 ///
-/// What cannot be made is a finding, never an error of the program.
+/// What cannot be made is a finding, not an error of the program.
 ///
-/// # Errors
-/// The knowledge base lacks a table or a row that must be there.
+/// # Errors The knowledge base lacks a table or a row that must be there.
 pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, KnowledgeError> {
     let mut findings = workpiece.findings.clone();
     let lathe = prepare::lathe(workpiece, knowledge, &mut findings)?;
@@ -141,11 +140,11 @@ pub fn plan(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, K
     let mut operation =
         Operation { workpiece: workpiece.clone(), blank_advice, elsewhere, set_ups: done, findings: Vec::new() };
     findings.extend(doubts::doubts(&operation));
-    operation.findings = told_once(findings);
+    operation.findings = merged(findings);
     Ok(operation)
 }
 
-/// The outside of a set-up, then its bore: a bore is roughed into a part that is faced already.
+/// The outside of a set-up, then its bore: the part is faced before it is bored.
 fn sides(set_up: &SetUp, bench: &Bench<'_, '_>, findings: &mut Vec<Finding>) -> Result<Vec<SideWork>, KnowledgeError> {
     let mut sides = Vec::new();
     if set_up.faces
@@ -167,11 +166,11 @@ fn sides(set_up: &SetUp, bench: &Bench<'_, '_>, findings: &mut Vec<Finding>) -> 
     Ok(sides)
 }
 
-/// The figures in which findings that are merged may differ.
+/// The figures in which merged findings may differ.
 const LISTED: [&str; 2] = ["surface", "row"];
 
-/// Each finding once, in the order in which it came; those that differ in nothing but a surface or a row as one.
-fn told_once(findings: Vec<Finding>) -> Vec<Finding> {
+/// Each finding once, in the order of the first. Findings that differ only in a surface or a row are merged.
+fn merged(findings: Vec<Finding>) -> Vec<Finding> {
     let mut kept: Vec<Finding> = Vec::new();
     for finding in findings {
         let mut alike = kept.iter_mut().filter(|other| other.severity == finding.severity);

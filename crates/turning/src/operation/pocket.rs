@@ -1,11 +1,11 @@
 //! The parts of a zone that are worked one after the other (lecture 12.4, l. 504-518; fig. 12.3 г).
 //!
-//! 1. Where the open parts have a scheme of their own, they come first: all that stands above their floor, from the
-//!    free end on, because stock in front of them blocks the tool otherwise.
-//! 2. Then what is left below that floor, closed parts bridged level from lip to lip.
+//! 1. If the open parts have a scheme of their own, they come first: everything above their floor, from the free end
+//!    on, because stock in front of them would block the tool.
+//! 2. Then what is left below that floor, with closed parts bridged level from lip to lip.
 //! 3. Then the closed parts, one by one from the free end.
 //!
-//! Neighbours of one kind stay together: parting at every face costs a return for each (lecture, fig. 12.5 a).
+//! Neighbours of one kind stay together: a division at every face would cost a return for each (lecture, fig. 12.5 a).
 
 use crate::tables::turning::passes::PartsWorked;
 use crate::turning::allowances::areas::between;
@@ -21,17 +21,17 @@ use super::level::raised;
 /// A stock to be cleared by one scheme.
 #[derive(Clone, Debug)]
 pub(super) struct Piecework {
-    /// What stands, in the coordinates of the set-up.
+    /// What is removed, in the coordinates of the set-up.
     pub stock: Stock,
     /// Its place in the schemes of the zone.
     pub scheme: usize,
 }
 
 /// The parts of a zone that are cleared separately, in the order of work: a chain of contours from the blank down to
-/// the rough contour, all over the whole zone, so that each work knows what stock is left beside it.
+/// the rough contour. Each covers the whole zone, so that each work knows the stock beside it.
 ///
-/// A blank of a shape of its own may lie below the floor of the open part, or below a bridge; then all is one work, by the
-/// last scheme of the rule, which leaves an even allowance.
+/// A shaped blank may be below the floor of the open part, or below a bridge. Then everything is one work, by the last
+/// scheme of the rule, which leaves an even allowance.
 pub(super) fn pieceworks(zone: &Zone, rough: &Contour, blank: &Contour) -> Vec<Piecework> {
     let (from, to) = (zone.from_z, zone.to_z);
     let within = |contour: &Contour| clip::between(contour, from, to);
@@ -53,7 +53,7 @@ pub(super) fn pieceworks(zone: &Zone, rough: &Contour, blank: &Contour) -> Vec<P
             lowest = over;
         }
     }
-    // What is bridged last is cleared first; the pockets come after all else.
+    // What was bridged last is cleared first; the pockets come last.
     if let Some((_, scheme)) = chain.last_mut().filter(|_| each) {
         *scheme = 1.min(last);
     } else if let Some((_, scheme)) = chain.last_mut() {
@@ -88,7 +88,7 @@ fn floor(zone: &Zone, side: Side) -> Option<Half> {
     }
 }
 
-/// Whether anything stands between the contours of a stock. Nothing does where they have the same pieces.
+/// Whether there is stock between the contours. Common pieces at both ends are skipped: there is none between them.
 fn stands(stock: &Stock) -> bool {
     let (rough, blank) = (&stock.rough.pieces, &stock.blank.pieces);
     let same = |(one, other): &(&Piece, &Piece)| one == other;
@@ -101,11 +101,11 @@ fn stands(stock: &Stock) -> bool {
     !rough.is_empty() && between(&rest(&stock.blank), &rest(&stock.rough)).area_mm2.0 > 1e-4
 }
 
-/// A contour with the pocket of a closed part bridged level from its lower lip.
+/// A contour with a closed part bridged level from its lower lip.
 fn bridge(rough: &Contour, part: &Part) -> Option<Contour> {
     let outer = rough.side == Side::Outer;
     let (first, last) = (part.contour.first()?.from, part.contour.last()?.to);
-    // From inside a bore the lower lip is that of the larger radius.
+    // For a bore, the lower lip is the one with the larger radius.
     let lip = if outer { first.radius.min(last.radius) } else { first.radius.max(last.radius) };
     let crossed = |piece: &Piece| piece.at_radius(lip).first().copied();
     let from = part.contour.iter().find_map(crossed)?;
@@ -120,7 +120,7 @@ fn bridge(rough: &Contour, part: &Part) -> Option<Contour> {
     Some(Contour { side: rough.side, pieces })
 }
 
-/// A point so near to a piece lies on it: ends of pieces are rounded.
+/// Points nearer than this to a piece are on it: ends of pieces are rounded.
 const NEAR: Half = Half::new(4);
 
 /// The pieces of a contour between two of its points.

@@ -9,10 +9,9 @@ use crate::turning::tooling::Lathe;
 use crate::turning::workpiece::Workpiece;
 use crate::units::Micrometres;
 
-/// The lathe that the file names; none where it names none, which is a finding.
+/// The lathe that the file names. If it names none, none, with a finding.
 ///
-/// # Errors
-/// No catalog has it (the reader of files has seen to that), or its record is not whole.
+/// # Errors No catalog has it (the reader of files prevents that), or its record is incomplete.
 pub fn lathe<'k>(
     workpiece: &Workpiece,
     knowledge: &'k Knowledge,
@@ -30,10 +29,9 @@ pub fn lathe<'k>(
     Ok(Some(lathe))
 }
 
-/// What of the part the lathe cannot finish, with the intermediate allowances that stay for it.
+/// What the lathe cannot finish, with the intermediate allowances for later operations.
 ///
-/// # Errors
-/// The knowledge base lacks a table.
+/// # Errors The knowledge base lacks a table.
 pub fn finished_elsewhere(
     workpiece: &Workpiece,
     lathe: Option<&Lathe<'_>>,
@@ -55,9 +53,9 @@ pub fn finished_elsewhere(
     let length = Micrometres::new(workpiece.length().halves() / 2);
     let mut all = Vec::new();
     for profile in std::iter::once(&workpiece.outer).chain(&workpiece.inner) {
-        let (found, said) = elsewhere(profile, holds.as_ref(), length, knowledge)?;
-        all.extend(found);
-        findings.extend(said);
+        let (later, doubts) = elsewhere(profile, holds.as_ref(), length, knowledge)?;
+        all.extend(later);
+        findings.extend(doubts);
     }
     Ok(all)
 }

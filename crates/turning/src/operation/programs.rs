@@ -21,7 +21,7 @@ use super::work::{Work, ZoneWork};
 pub enum Form {
     /// Every motion by itself.
     Motions,
-    /// The roughing cycle of the control, where one can clear the zone.
+    /// The roughing cycle of the control, if one can clear the zone.
     Cycles,
 }
 
@@ -34,7 +34,7 @@ pub struct OperationProgram {
     pub side: Side,
     /// The numbers of its zones on that side.
     pub zones: Vec<usize>,
-    /// Its works in order: the number of the zone, and the place of the work in it, from 0.
+    /// Its works in order: the number of the zone, and the index of the work in it.
     pub works: Vec<(usize, usize)>,
     /// Its tool.
     pub tool: String,
@@ -52,11 +52,10 @@ struct ToolRun<'a> {
     works: Vec<(&'a ZoneWork, &'a Work)>,
 }
 
-/// The programs of an operation in the order of work; `spindle` is the spindle speed that the user states. Tools have the
-/// places of the turret in the order of their first use.
+/// The programs of an operation in the order of work; `spindle` is the spindle speed that the user states. Tools are
+/// numbered on the turret in the order of their first use.
 ///
-/// # Errors
-/// There is no such control, or a table lacks something of it.
+/// # Errors There is no such control, or a table lacks something of it.
 pub fn programs(
     operation: &Operation,
     control: &str,
@@ -118,18 +117,18 @@ fn runs(operation: &Operation, spindle: Option<RevsPerMinute>, form: Form) -> Ve
     runs
 }
 
-/// Every toolpath of a run, from home to home. Between two toolpaths the tool goes from one home to the next, both off
-/// the corner of the blank before its free face.
+/// All toolpaths of a run as one, from home to home. Each home is off the corner of the blank before its free face, and
+/// the tool goes from one to the next.
 fn motions(run: &ToolRun<'_>, setting: &Setting, control: &Control) -> Result<Vec<ProgramFile>, NotWritten> {
     let mut whole: Option<Toolpath> = None;
-    for way in run.works.iter().filter_map(|(_, work)| work.transition()).map(|transition| &transition.way) {
+    for path in run.works.iter().filter_map(|(_, work)| work.transition()).map(|transition| &transition.path) {
         match &mut whole {
-            None => whole = Some(way.clone()),
+            None => whole = Some(path.clone()),
             Some(whole) => {
-                for corner in over(whole.end(), way.from, run.side) {
+                for corner in over(whole.end(), path.from, run.side) {
                     whole.go(corner, Purpose::Rapid);
                 }
-                whole.moves.extend(way.moves.iter().copied());
+                whole.moves.extend(path.moves.iter().copied());
             }
         }
     }
@@ -137,7 +136,7 @@ fn motions(run: &ToolRun<'_>, setting: &Setting, control: &Control) -> Result<Ve
     Ok(vec![ProgramFile { name: format!("{}.ngc", run.place), text }])
 }
 
-/// The path from one home to the next: first away from the axis and the metal; in a bore first out of it.
+/// From one home to the next: first away from the axis and the metal; from a bore first out of it.
 fn over(from: Point, to: Point, side: Side) -> [Point; 2] {
     let z = from.z.min(to.z);
     let radius = match side {
@@ -147,7 +146,7 @@ fn over(from: Point, to: Point, side: Side) -> [Point; 2] {
     [Point { radius, z: if side == Side::Inner { z } else { from.z } }, Point { radius, z: to.z }]
 }
 
-/// What is cleared by one scheme, as the cycle of the control over its rough contour.
+/// Each work as the cycle of the control over its rough contour.
 fn cycles(run: &ToolRun<'_>, setting: &Setting, control: &Control) -> Result<Vec<ProgramFile>, NotWritten> {
     let mut files = Vec::new();
     for (zone, work) in &run.works {
@@ -167,15 +166,15 @@ fn cycles(run: &ToolRun<'_>, setting: &Setting, control: &Control) -> Result<Vec
     Ok(files)
 }
 
-/// The corner of a blank before its free face: its greatest radius, of a bore its least.
+/// The corner of a blank before its free face: at its greatest radius, for a bore at its least.
 fn corner(blank: &Contour) -> Point {
     let (least, most) = blank.radii().unwrap_or_default();
     let z = blank.start().map_or(Half::ZERO, |start| start.z);
     Point { radius: if blank.side == Side::Outer { most } else { least }, z }
 }
 
-/// Speed and feeds of a work: the spindle step of its conditions, or the speed that the user states; without either there
-/// is no program, because feeds are written for a revolution.
+/// Speed and feeds of a work: the spindle step of its conditions, or the speed that the user states. Without either
+/// there is no program, because feeds are written per revolution.
 fn setting(
     tool: u32,
     operation: &Operation,
@@ -183,8 +182,8 @@ fn setting(
     spindle: Option<RevsPerMinute>,
 ) -> Result<Setting, NotWritten> {
     let pace = &work.pace;
-    let found = pace.conditions.as_ref().map(|found| found.spindle_rpm);
-    let rpm = spindle.or(found).ok_or(NotWritten::NoSpeed)?;
+    let conditioned = pace.conditions.as_ref().map(|conditioned| conditioned.spindle_rpm);
+    let rpm = spindle.or(conditioned).ok_or(NotWritten::NoSpeed)?;
     let per_rev = |rate: MillimetresPerMinute| MillimetresPerRev(round_to(rate.0 / rpm.0, 4));
     let feeds = Feeds {
         cut: per_rev(pace.feeds.main),

@@ -1,4 +1,4 @@
-//! Which tools rough a side: of those that fit the zones, as few as possible.
+//! Which tools rough a side: as few as possible of those that fit the zones.
 
 use std::cmp::Ordering;
 
@@ -50,11 +50,11 @@ pub struct ChosenTool {
     pub width_mm: Option<Micrometres>,
     /// Its row, and why this one.
     pub because: Because,
-    /// By what it comes before others that fit as many zones.
+    /// Why it comes before other tools that fit as many zones.
     pub because_order: Because,
 }
 
-/// Which of two tools comes first by one thing alone.
+/// Compares two tools by one preference.
 fn compare(by: Preference, one: &TurningTool<'_>, other: &TurningTool<'_>) -> Ordering {
     match by {
         Preference::LeastTrailAngle => one.trail_angle.cmp(&other.trail_angle),
@@ -63,7 +63,7 @@ fn compare(by: Preference, one: &TurningTool<'_>, other: &TurningTool<'_>) -> Or
     }
 }
 
-/// What counts among tools of a kind, what counts most first, and the row that says so.
+/// The preferences for tools of a kind, the most important first, and their row.
 fn order(kind: ToolKind, knowledge: &Knowledge) -> Result<(Vec<Preference>, Because), KnowledgeError> {
     let asked = knowledge.ask(&TurningToolOrderFor { kind })?;
     let order = asked.need(kind.name())?.prefer;
@@ -72,7 +72,7 @@ fn order(kind: ToolKind, knowledge: &Knowledge) -> Result<(Vec<Preference>, Beca
     Ok((order, because))
 }
 
-/// Tools of a kind in that order; equals stay in that of their tables.
+/// Sorts tools of a kind by these preferences; equals keep the order of their tables.
 fn put_in_order(tools: &mut [TurningTool<'_>], kind: ToolKind, knowledge: &Knowledge) -> Result<(), KnowledgeError> {
     let (order, _) = order(kind, knowledge)?;
     tools.sort_by(|one, other| {
@@ -142,8 +142,8 @@ pub fn angles(tool: &TurningTool<'_>) -> ToolAngles {
     }
 }
 
-/// For each zone the index of the tool that is taken; none where none fits. The tool that fits the most zones is taken for
-/// all of them, then that for the most of the rest (lecture, l. 540-546: the number of tools should be the least); among
+/// For each zone the index of its tool; none if no tool fits. The tool that fits the most zones is taken for all of
+/// them, then the one for the most of the rest (lecture, l. 540-546: the number of tools should be the least); among
 /// equals the first.
 pub fn assign(zones: &[Zone], tools: &[ToolAngles]) -> Vec<Option<usize>> {
     let fits: Vec<Vec<bool>> = zones
@@ -169,11 +169,10 @@ pub fn assign(zones: &[Zone], tools: &[ToolAngles]) -> Vec<Option<usize>> {
     }
 }
 
-/// The entry of a tool in the output.
+/// A tool as the output shows it.
 ///
-/// # Errors
-/// The knowledge base lacks the rule `turning-tool-order`, or a row of it.
-pub fn told(tool: &TurningTool<'_>, zones: usize, bench: &Bench<'_, '_>) -> Result<ChosenTool, KnowledgeError> {
+/// # Errors The knowledge base lacks the rule `turning-tool-order`, or a row of it.
+pub fn chosen(tool: &TurningTool<'_>, zones: usize, bench: &Bench<'_, '_>) -> Result<ChosenTool, KnowledgeError> {
     let (_, because_order) = order(tool.kind, bench.knowledge)?;
     Ok(ChosenTool {
         width_mm: tool.width,

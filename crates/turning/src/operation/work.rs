@@ -36,10 +36,10 @@ pub struct ZoneWork {
     /// The limiting depth.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub depth: Option<Depth>,
-    /// What is cleared by itself, in the order of work.
+    /// The parts that are cleared separately, in the order of work.
     pub works: Vec<Work>,
-    /// What it saves that its parts are one zone (fig. 12.5), on levels of its largest t_p, whatever the schemes; none of a
-    /// zone of one part, and of a face.
+    /// The returns saved because its parts are one zone (fig. 12.5), on levels of its largest t_p, for any scheme. None
+    /// for a zone of one part, and for a face.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub returns: Option<Returns>,
 }
@@ -54,14 +54,14 @@ impl ZoneWork {
 /// What is cleared by one scheme.
 #[derive(Clone, Debug, Serialize)]
 pub struct Work {
-    /// What stands.
+    /// What is removed.
     #[serde(skip)]
     pub stock: Stock,
     /// Its levels, with the one depth t_p.
     pub levels: Split,
     /// Rates and conditions at t_p.
     pub pace: Pace,
-    /// The scheme that is taken: asked for by the file, or the first of the rule.
+    /// The scheme that is taken: the one in the file, or the first of the rule.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub taken: Option<Scheme>,
     /// Why this one.
@@ -70,7 +70,7 @@ pub struct Work {
     pub transitions: Vec<Transition>,
     /// The others, with the reason.
     pub refused: Vec<RefusedScheme>,
-    /// The quickest of those that leave an even allowance.
+    /// The scheme with the least time of those that leave an even allowance.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub quickest_even: Option<Best>,
     /// The quickest of all.
@@ -95,10 +95,9 @@ impl Work {
     }
 }
 
-/// The zones of a side and how each is cleared.
+/// The zones of a side, with how each is cleared.
 ///
-/// # Errors
-/// The knowledge base lacks a table.
+/// # Errors The knowledge base lacks a table.
 pub fn zones(
     layers: &Layers,
     bench: &Bench<'_, '_>,
@@ -127,10 +126,9 @@ pub fn zones(
     Ok(works)
 }
 
-/// Tells where a surface is asked to be finer than the scheme that is taken can leave it as the last one.
+/// A finding for each scheme that leaves a rougher surface than the part requires, so that finishing must follow.
 ///
-/// # Errors
-/// The knowledge base lacks the table of schemes.
+/// # Errors The knowledge base lacks the table of schemes.
 pub fn finishing_after(
     zones: &[ZoneWork],
     profile: &Profile,
@@ -144,11 +142,10 @@ pub fn finishing_after(
     Ok(())
 }
 
-/// The zones under the bridges of the main contour, each with the tools that fit it: turning, boring and grooving. What a
-/// turning tool reaches gets its ways too; how a groove is plunged is not planned.
+/// The zones under the bridges of the main contour, each with the turning, boring and grooving tools that fit it. What
+/// a turning tool reaches gets its toolpaths too; the plunging of grooves is not planned.
 ///
-/// # Errors
-/// The knowledge base lacks a table.
+/// # Errors The knowledge base lacks a table.
 pub fn additional(
     stretch: &TurnedSide,
     bench: &Bench<'_, '_>,
@@ -170,30 +167,31 @@ pub fn additional(
                 continue;
             }
             zone.number = works.len() + 1;
-            let mut held = fit(&zone, &angles);
-            too_short(&mut held, &candidates, zone.greatest_radius - zone.least_radius);
-            let tool = held.fitting.first().and_then(|name| candidates.iter().find(|tool| tool.designation == name));
+            let mut found_fit = fit(&zone, &angles);
+            too_short(&mut found_fit, &candidates, zone.greatest_radius - zone.least_radius);
+            let tool =
+                found_fit.fitting.first().and_then(|name| candidates.iter().find(|tool| tool.designation == name));
             let ground = ZoneContours { rough: &rough, blank: &blank };
-            let ways = tool.filter(|tool| !tool.plunges());
-            let mut work = match ways {
+            let turning = tool.filter(|tool| !tool.plunges());
+            let mut work = match turning {
                 Some(tool) => zone_work(&zone, Some(tool), 1, &angles, ground, bench, findings)?,
-                None => ZoneWork { zone, fit: held, tool: None, depth: None, works: Vec::new(), returns: None },
+                None => ZoneWork { zone, fit: found_fit, tool: None, depth: None, works: Vec::new(), returns: None },
             };
-            work.tool = tool.map(|tool| tools::told(tool, 1, bench)).transpose()?;
+            work.tool = tool.map(|tool| tools::chosen(tool, 1, bench)).transpose()?;
             works.push(work);
         }
     }
     Ok(works)
 }
 
-/// Takes the grooving tools out that do not come down to the floor.
-fn too_short(held: &mut Fit, tools: &[TurningTool<'_>], deep: Half) {
+/// Refuses the grooving tools that do not reach the floor.
+fn too_short(fit: &mut Fit, tools: &[TurningTool<'_>], deep: Half) {
     for tool in tools {
         let Some(reach) = tool.groove_depth.filter(|reach| tool.plunges() && Half::of(*reach) < deep) else { continue };
-        if let Some(index) = held.fitting.iter().position(|name| name == tool.designation) {
-            held.fitting.remove(index);
+        if let Some(index) = fit.fitting.iter().position(|name| name == tool.designation) {
+            fit.fitting.remove(index);
             let why = Note::new("groove-too-deep").with("depth", deep).with("reach", reach);
-            held.refused.push(zones::fit::RefusedTool { tool: tool.designation.to_owned(), why: vec![why] });
+            fit.refused.push(zones::fit::RefusedTool { tool: tool.designation.to_owned(), why: vec![why] });
         }
     }
 }
@@ -224,7 +222,7 @@ fn zone_work(
         findings.push(Finding::of_part(Severity::Error, note));
         return Ok(work);
     };
-    work.tool = Some(tools::told(tool, count, bench)?);
+    work.tool = Some(tools::chosen(tool, count, bench)?);
     let (direction, stocks) = match zone.feed {
         Feed::Across => (Direction::Transverse, vec![(facing(zone, ground.rough), 0)]),
         Feed::Along => {
@@ -240,7 +238,7 @@ fn zone_work(
     let task = Task { tool, diameter, direction, stock };
     work.depth = depth::depth(task, bench, findings)?;
     let Some(limit) = work.depth.as_ref().map(|depth| depth.limiting_depth_mm) else { return Ok(work) };
-    // Before the levels are made: there may be more than anything holds.
+    // Before the levels are made: there may be too many for the memory.
     let passes = stock.parts(limit);
     if passes > MOST_PASSES {
         let note = Unsuited::TooManyPasses { passes }.note().with("zone", zone.number);
@@ -249,7 +247,7 @@ fn zone_work(
     }
     let mut left: Option<Contour> = None;
     for (mut stock, scheme) in stocks {
-        // This work starts from what the previous one left, ridges included.
+        // This work begins with what the previous one left, ridges included.
         if let Some(left) = left.take() {
             stock.blank = left;
         }
@@ -263,7 +261,7 @@ fn zone_work(
     Ok(work)
 }
 
-/// The face of the free end as a stock: nothing of it stays, and behind it stands the part.
+/// The stock before the face of the free end: all of it is removed, and behind it is the part.
 fn facing(zone: &Zone, rough: &Contour) -> Stock {
     let (from, to) = (zone.from_z, zone.to_z);
     let at = |radius, z| Point { radius, z };
@@ -276,7 +274,7 @@ fn facing(zone: &Zone, rough: &Contour) -> Stock {
     }
 }
 
-/// A work, and the surface that the scheme taken leaves.
+/// A work, and the surface that its scheme leaves.
 struct Cleared {
     work: Work,
     left: Option<Contour>,
@@ -304,7 +302,7 @@ fn clear(
     };
     let offset = |contour: &Contour, distance: Half| equidistant(contour, &vec![distance; contour.pieces.len()]).ok();
     let all: &[Scheme] = if zone.feed == Feed::Across { &[Scheme::Descent] } else { &Scheme::ALL };
-    let (mut found, mut refused) = (Vec::new(), Vec::new());
+    let (mut possible, mut refused) = (Vec::new(), Vec::new());
     let prepared = Refusal::split(PreparedZone::of(&stock, &tool, &settings))?;
     for &scheme in all {
         let made = match &prepared {
@@ -312,42 +310,42 @@ fn clear(
             Err(why) => Err(why.clone()),
         };
         match made {
-            Ok(transition) => found.push(transition),
+            Ok(transition) => possible.push(transition),
             Err(why) => refused.push(RefusedScheme { scheme, why: why.note() }),
         }
     }
     let wanted = wanted(zone, scheme, bench);
-    let taken = wanted.filter(|wanted| found.iter().any(|one| one.scheme == *wanted));
+    let taken = wanted.filter(|wanted| possible.iter().any(|one| one.scheme == *wanted));
     if let (Some(wanted), None) = (wanted, taken) {
         let note =
             Note::new("scheme-not-possible").with("scheme", Figure::scheme(wanted.name())).with("zone", zone.number);
-        findings.push(Finding::of_part(if found.is_empty() { Severity::Error } else { Severity::Doubtful }, note));
+        findings.push(Finding::of_part(if possible.is_empty() { Severity::Error } else { Severity::Doubtful }, note));
         if let Some(refused) = refused.iter().find(|one| one.scheme == wanted) {
             findings.push(Finding::of_part(Severity::Note, refused.why.clone()));
         }
     }
     let taken = taken.or_else(|| {
-        let even = found.iter().filter(|one| one.uniform);
+        let even = possible.iter().filter(|one| one.uniform);
         let order = |one: &&Transition| one.measures.time_min.0;
         even.min_by(|a, b| order(a).total_cmp(&order(b))).map(|one| one.scheme)
     });
-    let transition = found.iter().find(|one| Some(one.scheme) == taken);
+    let transition = possible.iter().find(|one| Some(one.scheme) == taken);
     let left = prepared.ok().zip(transition).map(|(prepared, transition)| prepared.left(transition));
     let work = Work {
         levels,
         pace,
         taken,
         because: zone.scheme.because.clone(),
-        quickest_even: best(found.iter().filter(|one| one.uniform)),
-        quickest: best(&found),
-        transitions: found,
+        quickest_even: best(possible.iter().filter(|one| one.uniform)),
+        quickest: best(&possible),
+        transitions: possible,
         refused,
         stock,
     };
     Ok(Cleared { work, left })
 }
 
-/// The levels of a stock. Before a face the passes go across, so its thickness is divided, not its height.
+/// The levels of a stock. A face is turned across, so its thickness is divided, not its height.
 fn levels(stock: &Stock, limit: Half, feed: Feed) -> Split {
     if feed == Feed::Across {
         let thick = stock.to - stock.from;
@@ -362,18 +360,18 @@ fn levels(stock: &Stock, limit: Half, feed: Feed) -> Split {
     }
 }
 
-/// The largest diameter that a work cuts, when it is worked along: outside its highest top, in a bore its deepest wall.
-/// What the works before it have taken off is not there any more.
+/// The largest diameter that a work cuts along the axis: outside its highest top, in a bore its deepest wall. What
+/// earlier works removed does not count.
 fn begins_at(levels: &Split, stock: &Stock) -> Option<Micrometres> {
-    let worked = levels.sections.iter().filter(|section| !section.stands.is_empty());
+    let worked = levels.sections.iter().filter(|section| !section.stocks.is_empty());
     let radius = match stock.rough.side {
         Side::Outer => worked.map(|section| section.top).max(),
-        Side::Inner => worked.flat_map(|section| &section.stands).map(|stand| stand.deepest).max(),
+        Side::Inner => worked.flat_map(|section| &section.stocks).map(|stock| stock.deepest).max(),
     };
     radius.map(Half::diameter)
 }
 
-/// The scheme that the file asks for, or that of the rule: a face is always turned across.
+/// The scheme that the file requires, or that of the rule. A face is always turned across.
 fn wanted(zone: &Zone, index: usize, bench: &Bench<'_, '_>) -> Option<Scheme> {
     if zone.feed == Feed::Across {
         return Some(Scheme::Descent);

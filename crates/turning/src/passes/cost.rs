@@ -12,19 +12,20 @@ use super::pass::{PassDirection, PassEnd, PassStart, legs};
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 pub enum Objective {
-    /// The length cut in metal: the paper's criterion. Among equals fewer passes, then fewer changes of direction.
+    /// The length cut in metal: the criterion of the paper. Of equals the one with fewer passes, then with fewer
+    /// changes of direction.
     Path,
     /// The length cut in metal plus a fixed amount for each pass.
     PathAndPasses {
         /// Added for each pass, mm.
         per_pass_mm: Half,
     },
-    /// The time with feeds, approach, retract and rapids. Among equals the shorter length in metal.
+    /// The time with feeds, approach, retract and rapids. Of equals the one with the shorter length in metal.
     Time {
         /// How fast the tool moves.
         rates: Rates,
     },
-    /// The number of passes. Among equals the shorter length in metal.
+    /// The number of passes. Of equals the one with the shorter length in metal.
     Passes,
 }
 
@@ -39,7 +40,7 @@ impl Objective {
         }
     }
 
-    /// The cost of a pass of that length, and of the motion to it from the end of the previous one.
+    /// The cost of a pass of a length, with the motion to it from the end of the previous one.
     #[inline(always)]
     pub(super) fn pass(&self, start: PassStart, length: Half, before: Option<PassEnd>, bar: Half) -> Cost {
         let long = length.halves().unsigned_abs();
@@ -65,8 +66,8 @@ impl Objective {
     }
 }
 
-/// A cost: what the objective counts (halves of a micrometre, nanoseconds or passes), and two numbers that decide
-/// among equals.
+/// A cost: what the objective counts (halves of a micrometre, nanoseconds or passes), and two numbers to choose among
+/// equals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub struct Cost {
     /// What the objective counts.
@@ -89,7 +90,7 @@ impl Cost {
     }
 }
 
-/// Time of a pass with its approach, ns: both at the feed.
+/// The time of a pass and its approach, both at the feed, ns.
 fn cutting(rates: &Rates, kind: PassDirection, length: Half) -> u64 {
     let feed = match kind {
         PassDirection::Longitudinal => rates.longitudinal_feed,
@@ -98,12 +99,12 @@ fn cutting(rates: &Rates, kind: PassDirection, length: Half) -> u64 {
     nanoseconds(length + Half::of(rates.approach), feed)
 }
 
-/// Time of the rapids from the end of a pass (or from home) to the start of the next (or home), ns.
+/// The time of the rapids from the end of a pass (or home) to the start of the next (or home), ns.
 fn link(rates: &Rates, before: Option<PassEnd>, next: Option<PassStart>, bar: Half) -> u64 {
     let mut time = 0;
     for (a, b) in legs(before, next, bar, rates) {
-        let way = (a.radius - b.radius).halves().abs().max((a.z - b.z).halves().abs());
-        time += nanoseconds(Half::new(way), rates.rapid);
+        let longer = (a.radius - b.radius).halves().abs().max((a.z - b.z).halves().abs());
+        time += nanoseconds(Half::new(longer), rates.rapid);
     }
     time
 }

@@ -1,11 +1,11 @@
-//! Every order of passes, one after the other, as the paper does it: the measure of the optimum in tests and benches.
+//! Tries every order of passes, as the paper does: tests and benches compare the optimum with it.
 
 use super::cost::{Cost, Objective};
 use super::grid::Grid;
 use super::optimum::moves;
 use super::pass::PassEnd;
 
-/// The cheapest of all orders, with how many orders there are. The number grows as fast as the ways through a grid:
+/// The cheapest of all orders, and how many orders there are. Their number grows like that of the paths through a grid:
 /// 10 levels and 10 slices have 184,756.
 pub fn enumerate(grid: &Grid, objective: Objective) -> (Option<Cost>, u64) {
     let mut search = Search { grid, objective, best: None, orders: 0 };

@@ -7,7 +7,7 @@ use crate::turning::length::Half;
 use crate::turning::shaft::{Division, Shaft};
 use crate::units::Micrometres;
 
-/// The most states that are looked through: 1,000 levels by 1,000 slices.
+/// The largest grid that is searched: 1,000 levels by 1,000 slices.
 pub const MOST_STATES: u64 = 1_000_000;
 
 /// What one longitudinal pass takes.
@@ -34,7 +34,7 @@ pub struct Slice {
     pub step: usize,
 }
 
-/// Neighbouring steps of one diameter, as the cylinder that they are.
+/// Neighbouring steps of one diameter, as one cylinder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cylinder {
     /// Its radius.
@@ -88,18 +88,18 @@ impl Grid {
         Self { bar, cylinders, levels, slices, longitudinal_depth: longitudinal, transverse_depth: transverse }
     }
 
-    /// The radius of the stock after so many levels are gone.
+    /// The radius of the stock after so many levels are removed.
     pub fn radius(&self, levels: usize) -> Half {
         levels.checked_sub(1).and_then(|last| self.levels.get(last)).map_or(self.bar, |level| level.to)
     }
 
-    /// Z of the face after so many slices are gone.
+    /// Z of the face after so many slices are removed.
     pub fn face(&self, slices: usize) -> Half {
         slices.checked_sub(1).and_then(|last| self.slices.get(last)).map_or(Half::ZERO, |slice| slice.to)
     }
 
-    /// Whether no stock is left: the face has come to the shoulder of the next level, or, which is the same, the
-    /// stock is no larger than the step of the next slice. From then on every further level and slice is empty.
+    /// Whether no stock is left: the face is at the shoulder of the next level or, which is the same, the stock is not
+    /// larger than the step of the next slice. Every further level and slice is then empty.
     pub fn done(&self, levels: usize, slices: usize) -> bool {
         self.levels.get(levels).is_none_or(|level| level.end <= self.face(slices)) || slices >= self.slices.len()
     }
@@ -113,7 +113,7 @@ impl Grid {
     }
 }
 
-/// How many states the grid of a shaft has, without making it.
+/// The number of states of a shaft's grid, calculated without the grid.
 pub fn states(shaft: &Shaft) -> u64 {
     let parts = |size: Half, depth: Half| size.parts(depth).unsigned_abs();
     let (longitudinal, transverse) =
@@ -127,7 +127,7 @@ pub fn states(shaft: &Shaft) -> u64 {
     levels.saturating_mul(slices)
 }
 
-/// The cylinders that are smaller than the bar: no shoulder stands between neighbouring steps of one diameter.
+/// The cylinders that are smaller than the bar: there is no shoulder between neighbouring steps of one diameter.
 fn cylinders(shaft: &Shaft) -> Vec<Cylinder> {
     let bar = Half::radius_of(shaft.blank.diameter);
     let mut cylinders: Vec<Cylinder> = Vec::new();
@@ -145,14 +145,14 @@ fn cylinders(shaft: &Shaft) -> Vec<Cylinder> {
     cylinders
 }
 
-/// A size in depths: where each begins and ends.
+/// Divides a size into depths: the beginning and the end of each.
 fn divide(size: Half, depth: Half, division: Division) -> Vec<(Half, Half)> {
     let count = size.parts(depth);
     let (size, depth) = (size.halves(), depth.halves().max(1));
     let end = |part: i64| match division {
         Division::Full => (part * depth).min(size),
-        // Whole halves of a micrometre, none above the depth: rounding a multiple of size/count keeps neighbours
-        // within its rounded-up value, and that is at most the depth.
+        // Whole halves of a micrometre, none above the depth: size/count is not above the depth, so neither is it
+        // rounded up, and neighbouring multiples, rounded down, differ by no more than that.
         Division::Equal => size * part / count,
     };
     (0..count).map(|part| (Half::new(end(part)), Half::new(end(part + 1)))).collect()

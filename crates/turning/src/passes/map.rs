@@ -1,5 +1,5 @@
-//! The general advice as figures: long parts lengthwise, discs crosswise. The shaft is stretched along its axis, and for
-//! each ratio of length to diameter the variants are found anew.
+//! The general advice in figures: long parts lengthwise, discs crosswise. The shaft is stretched along its axis, and
+//! the variants are calculated for each ratio of length to diameter.
 
 use serde::Serialize;
 
@@ -28,11 +28,11 @@ pub struct Ratio {
     pub margin_percent: f64,
 }
 
-/// The ratios that are looked at: ten for each power of ten, from a disc of 0.1 to a shaft of 10.
+/// The ratios of the map: ten for each power of ten, from a disc of 0.1 to a shaft of 10.
 const RATIOS: [f64; 21] =
     [0.1, 0.125, 0.16, 0.2, 0.25, 0.315, 0.4, 0.5, 0.63, 0.8, 1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0, 10.0];
 
-/// The map of a shaft. A ratio whose grid would be too fine is left out.
+/// The map of a shaft. A ratio with a grid that would be too fine is left out.
 pub fn map(shaft: &Shaft, objective: Objective) -> Vec<Ratio> {
     RATIOS.iter().filter_map(|ratio| at(shaft, objective, *ratio)).collect()
 }
@@ -66,8 +66,8 @@ fn at(shaft: &Shaft, objective: Objective, ratio: f64) -> Option<Ratio> {
     })
 }
 
-/// Which of longitudinal and transverse passes alone is the better one for the longest shafts of the map, and the ratio of
-/// length to diameter from which it stays so.
+/// Whether longitudinal or transverse passes alone are better for the longest shafts of the map, and the ratio of
+/// length to diameter from which on they are.
 pub fn settled(map: &[Ratio]) -> Option<(PassDirection, f64)> {
     let better = |ratio: &Ratio| match ratio.above_optimum_percent {
         [along, across, _] if along <= across => PassDirection::Longitudinal,

@@ -1,7 +1,7 @@
-//! The shortest sequence of roughing passes over a stepped shaft (the paper), beside the sequences people use.
+//! The shortest sequence of roughing passes over a stepped shaft (the paper), compared with the usual sequences.
 //!
-//! The steps: [`grid`] makes levels and slices of a shaft, [`optimum`] finds the best order of its passes,
-//! [`variants`] the ones it is shown beside, and [`find`] puts them together into [`Sequences`], which is plain data.
+//! The steps: [`grid`] makes levels and slices of a shaft, [`optimum`] finds the best order of its passes, [`variants`]
+//! makes those for comparison, and [`find`] puts them together into [`Sequences`], which is plain data.
 
 pub mod cost;
 pub mod enumeration;
@@ -27,7 +27,7 @@ use grid::Grid;
 use optimum::CostToGo;
 use pass::{LathePoint, Pass, PassDirection};
 
-/// How many cuts the search over rich moves weighs: some seconds at most.
+/// How many cuts the search over rich moves compares at most: some seconds.
 const EFFORT: usize = 4_000_000;
 
 /// The passes of a shaft, as several variants.
@@ -41,12 +41,12 @@ pub struct Sequences {
     /// Which moves passes may make.
     pub moves: Moves,
     /// The levels from the bar inwards.
-    pub levels: Vec<LevelTold>,
+    pub levels: Vec<LevelEntry>,
     /// The slices from the free end.
-    pub slices: Vec<SliceTold>,
+    pub slices: Vec<SliceEntry>,
     /// `longitudinal`, `transverse`, `per-step`, `optimal`, in this order.
     pub variants: Vec<Variant>,
-    /// With rich moves: how good the optimum is proven to be. Without them it is exact.
+    /// With rich moves, the lower bound that is proven for the optimum. Without them the optimum is exact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub proof: Option<rich::SearchProof>,
     /// The variant to take.
@@ -57,7 +57,7 @@ pub struct Sequences {
 
 /// A level in the output.
 #[derive(Clone, Copy, Debug, Serialize)]
-pub struct LevelTold {
+pub struct LevelEntry {
     /// Diameter before, mm.
     pub from_diameter_mm: Micrometres,
     /// Diameter after, mm.
@@ -70,7 +70,7 @@ pub struct LevelTold {
 
 /// A slice in the output.
 #[derive(Clone, Copy, Debug, Serialize)]
-pub struct SliceTold {
+pub struct SliceEntry {
     /// Z before, mm.
     pub from_z_mm: Half,
     /// Z after, mm.
@@ -92,11 +92,11 @@ pub struct Variant {
     pub cost: f64,
     /// By how much that is above the optimum, per cent.
     pub above_optimum_percent: f64,
-    /// The time with feeds, approach, retract and rapids, where the file gives rates, min.
+    /// The time with feeds, approach, retract and rapids, if the file gives rates, min.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub time_min: Option<Minutes>,
     /// The passes in order.
-    pub passes: Vec<PassTold>,
+    pub passes: Vec<PassEntry>,
     /// The passes for drawings.
     #[serde(skip)]
     pub drawn: Vec<Pass>,
@@ -104,7 +104,7 @@ pub struct Variant {
 
 /// A pass in the output.
 #[derive(Clone, Debug, Serialize)]
-pub struct PassTold {
+pub struct PassEntry {
     /// Its number, from 1.
     pub number: usize,
     /// Its direction.
@@ -121,10 +121,10 @@ pub struct PassTold {
     pub reason: Note,
 }
 
-/// The variant to take, by the rule `pass-direction`.
+/// The recommended variant, by the rule `pass-direction`.
 #[derive(Clone, Debug, Serialize)]
 pub struct Recommended {
-    /// Its name; absent where the blank is turned parallel to its contour and no variant of these fits.
+    /// Its name; absent if the blank is turned parallel to its contour, because no variant does that.
     pub variant: Option<&'static str>,
     /// Why.
     pub because: Because,
@@ -140,7 +140,8 @@ pub fn find(shaft: &Shaft, objective: Objective, knowledge: &Knowledge) -> Resul
     let named = named(&grid, objective);
     let mut optimal = CostToGo::of(&grid, objective).passes();
     let best = total(&optimal, objective, &grid);
-    // Only one direction per step lets a longitudinal pass end before its shoulder, so it can win (docs/turning.md).
+    // Only with one direction per step a longitudinal pass can end before its shoulder, so this variant can win
+    // (docs/turning.md).
     if let Some((name, passes)) = named.iter().find(|(_, passes)| total(passes, objective, &grid) < best) {
         findings.push(Finding::of_part(
             Severity::Note,
@@ -150,8 +151,8 @@ pub fn find(shaft: &Shaft, objective: Objective, knowledge: &Knowledge) -> Resul
     }
     let mut proof = None;
     if shaft.roughing.moves == Moves::Rich {
-        let (better, told) = rich::find(&grid, objective, total(&optimal, objective, &grid).main, EFFORT);
-        proof = Some(told);
+        let (better, proven) = rich::find(&grid, objective, total(&optimal, objective, &grid).main, EFFORT);
+        proof = Some(proven);
         if let Some(better) = better {
             optimal = better;
             findings.clear();
@@ -169,8 +170,8 @@ pub fn find(shaft: &Shaft, objective: Objective, knowledge: &Knowledge) -> Resul
         shaft: shaft.clone(),
         objective,
         moves: shaft.roughing.moves,
-        levels: grid.levels.iter().map(level_told).collect(),
-        slices: grid.slices.iter().map(slice_told).collect(),
+        levels: grid.levels.iter().map(level_entry).collect(),
+        slices: grid.slices.iter().map(slice_entry).collect(),
         variants,
         proof,
         recommended,
@@ -206,7 +207,7 @@ fn variant(
         Objective::Passes => main as f64,
     };
     let above = if best.main == 0 { 0.0 } else { (own.main as f64 / best.main as f64 - 1.0) * 100.0 };
-    let told = |(index, pass): (usize, &Pass)| PassTold {
+    let entry = |(index, pass): (usize, &Pass)| PassEntry {
         number: index + 1,
         kind: pass.kind,
         from: pass.from.into(),
@@ -221,13 +222,13 @@ fn variant(
         cost: shown(own.main),
         above_optimum_percent: crate::units::round_to(above, 2),
         time_min: shaft.rates.map(|rates| minutes(total(&passes, Objective::Time { rates }, grid).main).rounded(4)),
-        passes: passes.iter().enumerate().map(told).collect(),
+        passes: passes.iter().enumerate().map(entry).collect(),
         drawn: passes,
     }
 }
 
-fn level_told(level: &grid::Level) -> LevelTold {
-    LevelTold {
+fn level_entry(level: &grid::Level) -> LevelEntry {
+    LevelEntry {
         from_diameter_mm: level.from.diameter(),
         to_diameter_mm: level.to.diameter(),
         depth_mm: level.from - level.to,
@@ -235,8 +236,8 @@ fn level_told(level: &grid::Level) -> LevelTold {
     }
 }
 
-fn slice_told(slice: &grid::Slice) -> SliceTold {
-    SliceTold {
+fn slice_entry(slice: &grid::Slice) -> SliceEntry {
+    SliceEntry {
         from_z_mm: Half::ZERO - slice.from,
         to_z_mm: Half::ZERO - slice.to,
         depth_mm: slice.to - slice.from,

@@ -1,12 +1,12 @@
 //! The exact optimum of the paper's model.
 //!
-//! The remaining stock is described by two numbers: how many levels and how many slices are gone. From each such state
-//! two passes lead on, so the states are a grid without cycles, and the shortest way through it is found by working
-//! backwards once over all states: each is looked at once, after both that it leads to. As the way to a pass depends
-//! on where the one before ended, a state also says which direction that one had.
+//! Two numbers describe the stock that is left: how many levels and how many slices are removed. From each such state
+//! two passes are possible, so the states are a grid without cycles. The shortest path through it is found backwards in
+//! one run over all states, each after the two that it leads to. The cost of a pass depends on where the previous one
+//! ended, so a state also has the direction of the previous pass.
 //!
-//! A general search over a graph (petgraph's Dijkstra, which the tests hold this against) keeps a queue and marks that a
-//! grid without cycles does not need; benches/turning.rs has both.
+//! A general search over a graph (petgraph's Dijkstra, with which the tests compare this) needs a queue and marks,
+//! which a grid without cycles does not; benches/turning.rs measures both.
 
 use crate::note::{Figure, Note};
 use crate::turning::length::Half;
@@ -27,7 +27,7 @@ pub struct Move {
     pub length: Half,
 }
 
-/// The longitudinal and the transverse pass of a state; none where no stock is left.
+/// The longitudinal and the transverse pass of a state; none if no stock is left.
 #[inline]
 pub fn moves(grid: &Grid, levels: usize, slices: usize) -> Option<[Move; 2]> {
     if grid.done(levels, slices) {
@@ -37,7 +37,7 @@ pub fn moves(grid: &Grid, levels: usize, slices: usize) -> Option<[Move; 2]> {
     Some(both(level, slice, grid.radius(levels), grid.face(slices)))
 }
 
-/// Both passes where the stock has that radius and that face.
+/// Both passes for a radius and a face of the stock.
 #[inline]
 fn both(level: &Level, slice: &Slice, radius: Half, face: Half) -> [Move; 2] {
     let longitudinal = Move {
@@ -53,7 +53,7 @@ fn both(level: &Level, slice: &Slice, radius: Half, face: Half) -> [Move; 2] {
     [longitudinal, transverse]
 }
 
-/// Where the pass before this state ended, if it had that direction.
+/// Where the previous pass ended, if it had that direction.
 #[inline]
 pub fn ended(grid: &Grid, levels: usize, slices: usize, kind: PassDirection) -> Option<PassEnd> {
     let at = match kind {
@@ -72,7 +72,7 @@ pub fn ended(grid: &Grid, levels: usize, slices: usize, kind: PassDirection) -> 
 pub struct CostToGo<'g> {
     grid: &'g Grid,
     objective: Objective,
-    /// By levels, slices and the direction of the pass before.
+    /// By levels, slices and the direction of the previous pass.
     costs: Vec<[Cost; 2]>,
     width: usize,
 }
@@ -86,7 +86,7 @@ impl<'g> CostToGo<'g> {
         let mut all = Self { grid, objective, costs: vec![[Cost::ZERO; 2]; (grid.levels.len() + 1) * width], width };
         for levels in (0..=grid.levels.len()).rev() {
             let radius = grid.radius(levels);
-            // From this number of slices on nothing is left to cut.
+            // From this number of slices on there is nothing left to cut.
             let live = grid.levels.get(levels).map_or(0, |level| {
                 (1 + grid.slices.partition_point(|slice| slice.to < level.end)).min(grid.slices.len())
             });
@@ -113,7 +113,7 @@ impl<'g> CostToGo<'g> {
         all
     }
 
-    /// Both passes of a state, each with the cost from where it leads to; none where no stock is left.
+    /// Both passes of a state, each with the cost from there to the end; none if no stock is left.
     #[inline]
     fn begun(&self, levels: usize, slices: usize) -> Option<[(Move, Cost); 2]> {
         let [longitudinal, transverse] = moves(self.grid, levels, slices)?;
@@ -122,7 +122,7 @@ impl<'g> CostToGo<'g> {
         Some([(longitudinal, after_longitudinal), (transverse, after_transverse)])
     }
 
-    /// The cheapest cost that begins with either of both passes.
+    /// The cheapest cost of the two passes.
     #[inline]
     fn each(&self, begun: &[(Move, Cost); 2], before: Option<PassEnd>) -> [Cost; 2] {
         begun.map(|(pass, after)| self.objective.pass(pass.start, pass.length, before, self.grid.bar).plus(after))
@@ -136,7 +136,7 @@ impl<'g> CostToGo<'g> {
         }
     }
 
-    /// The passes of the optimum; where both directions cost the same to the last, longitudinal.
+    /// The passes of the optimum. If both directions cost exactly the same, longitudinal.
     pub fn passes(&self) -> Vec<Pass> {
         let (mut levels, mut slices, mut before, mut passes) = (0, 0, None, Vec::new());
         while let Some(begun) = self.begun(levels, slices) {
@@ -152,7 +152,7 @@ impl<'g> CostToGo<'g> {
     }
 }
 
-/// Why a pass was taken: what is left to pay after either.
+/// Why a pass was taken: the remaining cost after either pass.
 fn reason(objective: Objective, each: [Cost; 2], taken: usize) -> Note {
     let (own, other) = (each[taken], each[1 - taken]);
     let shown = |cost: Cost| match objective {
@@ -174,7 +174,8 @@ fn reason(objective: Objective, each: [Cost; 2], taken: usize) -> Note {
 /// A move of the grid as a pass.
 pub fn pass(grid: &Grid, levels: usize, slices: usize, made: Move, reason: Note) -> Pass {
     let (radius, face) = (grid.radius(levels), grid.face(slices));
-    // A longitudinal pass takes from its new radius out, a transverse one from the step out; both from the face on.
+    // A longitudinal pass removes from its new radius outwards, a transverse one from the step outwards; both from the
+    // face on.
     let near = Point { radius: made.end.radius, z: face };
     let depth = match made.start.kind {
         PassDirection::Longitudinal => radius - made.end.radius,

@@ -66,7 +66,7 @@ pub struct Pass {
     pub to: Point,
     /// The largest depth: radial of a longitudinal pass, axial of a transverse one.
     pub depth: Half,
-    /// The rectangles of metal that it takes, each by its corner nearest to axis and free end, and the one opposite.
+    /// The rectangles of metal that it removes, each by its corner nearest to axis and free end, and the opposite one.
     pub removed: Vec<(Point, Point)>,
     /// Why this one.
     pub reason: Note,
@@ -92,8 +92,7 @@ impl Pass {
     }
 }
 
-/// A point in lathe coordinates: the diameter and Z, which is negative towards the chuck from the face of the free
-/// end.
+/// A point in lathe coordinates: diameter, and Z, which is negative towards the chuck from the face of the free end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct LathePoint {
     /// Diameter, mm.
@@ -108,15 +107,16 @@ impl From<Point> for LathePoint {
     }
 }
 
-/// The rapids from the end of a pass to where the feed of the next begins, each from a point to a point. Without a
-/// pass before, and without one after, it is the point home: off the corner of the bar by the approach on both axes.
+/// The rapids from the end of a pass to where the feed of the next begins. Before the first pass and after the last one
+/// it is home: off the corner of the bar by the approach on both axes.
 ///
 /// 1. The tool draws back by the retract on both axes, off the surface and off the shoulder.
-/// 2. Where a longitudinal pass begins farther to the free end, it goes there along the axis, then to its radius.
-/// 3. Else, before a transverse pass, and home, it goes out over the stock first, then along the axis, then in.
+/// 2. If a longitudinal pass begins nearer to the free end, the tool goes there along the axis, then to its radius.
+/// 3. Otherwise, and before a transverse pass, and home, it goes out above the stock first, then along the axis, then
+///    in.
 ///
-/// So no rapid goes through metal: what lies beside the end of a pass towards the free end and outwards is gone, and the
-/// stock never falls towards the chuck.
+/// No rapid goes through metal: what is beside the end of a pass, towards the free end and outwards, is removed, and
+/// the stock never falls towards the chuck.
 pub fn legs(
     before: Option<PassEnd>,
     next: Option<PassStart>,

@@ -1,4 +1,4 @@
-//! The variants that the optimum is shown beside: longitudinal only, transverse only, and one direction per step.
+//! The variants for comparison with the optimum: longitudinal only, transverse only, and one direction per step.
 
 use crate::note::{Figure, Note};
 use crate::turning::length::Half;
@@ -9,7 +9,7 @@ use super::optimum::{moves, pass};
 use super::pass::{Pass, PassDirection, PassEnd};
 use crate::turning::point::Point;
 
-/// What passes cost in that order, the return to home included.
+/// The cost of passes in that order, with the return to home.
 pub fn total(passes: &[Pass], objective: Objective, bar: Half) -> Cost {
     let mut before: Option<PassEnd> = None;
     let mut sum = Cost::ZERO;
@@ -37,11 +37,11 @@ pub fn one_direction(grid: &Grid, kind: PassDirection) -> Vec<Pass> {
     passes
 }
 
-/// The best of all combinations of one direction per step: the steps from the free end, each cleared over its own length
-/// down to its diameter before the next is begun.
+/// The best of all combinations of one direction per step. The steps are cleared from the free end, each over its own
+/// length down to its diameter before the next.
 ///
-/// The combinations need not be tried one by one: what a step costs depends on the one before only by where its last
-/// pass ended, so the best way to end a step in either direction is kept, step by step.
+/// The combinations need not be tried one by one: the cost of a step depends on the previous one only through where its
+/// last pass ended. So the best sequence that ends a step in either direction is kept, step by step.
 pub fn per_step(grid: &Grid, objective: Objective) -> Vec<Pass> {
     let mut best: Vec<(Cost, Vec<Pass>)> = vec![(Cost::ZERO, Vec::new())];
     let cost = |passes: &[Pass], before: Option<PassEnd>| {

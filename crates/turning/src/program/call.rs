@@ -1,4 +1,4 @@
-//! The call of a roughing cycle: its fields as table lathe-cycle-fields lists them, filled from a task.
+//! The call of a roughing cycle: the fields of table lathe-cycle-fields, filled from a task.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
@@ -40,14 +40,14 @@ impl Cycles {
     /// # Errors
     /// A table lacks a cycle for some direction or side, or has no field.
     pub fn read(control: LatheControl, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
-        let mut found = Self::default();
+        let mut cycles = Self::default();
         for row in knowledge.rows::<LatheCycles<'_>>()?.into_iter().filter(|row| row.control == control) {
             let LatheCycles { direction, side, machining, .. } = row;
-            found.cycles.push(Cycle { direction, side, code: row.cycle.to_owned(), machining });
+            cycles.cycles.push(Cycle { direction, side, code: row.cycle.to_owned(), machining });
         }
         for direction in [Direction::Longitudinal, Direction::Facing] {
             for side in [Side::Outer, Side::Inner] {
-                if found.cycle(direction, side).is_none() {
+                if cycles.cycle(direction, side).is_none() {
                     let wanted = format!("control {}, {} {}", control.name(), direction.name(), side.name());
                     return Err(KnowledgeError::no_row(knowledge.table_of::<LatheCycles<'_>>()?, &wanted));
                 }
@@ -65,8 +65,8 @@ impl Cycles {
             holds: row.holds,
             on_diameter: row.measure == Some(Measure::Diameter),
         };
-        found.fields = fields.into_iter().map(field).collect();
-        Ok(found)
+        cycles.fields = fields.into_iter().map(field).collect();
+        Ok(cycles)
     }
 
     fn cycle(&self, direction: Direction, side: Side) -> Option<&Cycle> {
@@ -78,8 +78,8 @@ impl Cycles {
         self.cycle(task.roughing.direction, task.rough.side).map(|cycle| cycle.code.as_str()).unwrap_or_default()
     }
 
-    /// The fields of the call in their order, each with its name and what stands in it. An allowance along the contour is
-    /// never asked for: what is left stands along X and Z.
+    /// The fields of the call in their order, each with its name and value. The allowance along the contour is always
+    /// left out: allowances are along X and Z.
     pub fn filled(&self, task: &Task<'_>, contour: &str, feeds: &Feeds) -> Vec<(&str, String)> {
         let machining = self.cycle(task.roughing.direction, task.rough.side).and_then(|cycle| cycle.machining);
         let value = |field: &Field| {

@@ -1,5 +1,5 @@
-//! The stock over a contour as one roughing cycle of a control: what is asked, whether it can be asked, and the profile that
-//! the control is told.
+//! The stock over a contour as one roughing cycle of a control: the task, whether a cycle can do it, and the profile
+//! for the control.
 
 use crate::turning::contour::{Contour, Piece, Side};
 use crate::turning::length::Half;
@@ -9,7 +9,7 @@ use super::refused::{NotWritten, check_arc};
 
 pub use crate::tables::controls::lathe::Direction;
 
-/// How far an arc may bulge back beyond its ends, 1 µm: they are rounded to half a micrometre along both axes.
+/// How far an arc may go back beyond its ends, 1 µm: they are rounded to half a micrometre along both axes.
 const SLACK: Half = Half::new(2);
 
 /// How a cycle takes the stock.
@@ -23,7 +23,7 @@ pub struct Roughing {
     pub clearance: Half,
     /// How far it draws back after a pass along each axis; above 0, at most the clearance.
     pub retract: Half,
-    /// What it leaves over the contour; nothing where the contour is the rough one.
+    /// The allowance that it leaves over the contour; zero if the contour is the rough one.
     pub allowance: Allowance,
 }
 
@@ -45,14 +45,14 @@ pub struct ProgramFile {
     pub text: String,
 }
 
-/// A program with a cycle: the main program, and subprograms in files of their own, where the control has them so.
+/// A program with a cycle: the main program, and its subprograms if the control has them in files of their own.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CycleProgram {
     /// The main program first.
     pub files: Vec<ProgramFile>,
 }
 
-/// What is to be cut, checked: a contour that the passes can follow, and the corner of the blank before it.
+/// A checked task: a contour that the passes can follow, and the corner of the blank before it.
 pub(super) struct Task<'a> {
     pub rough: &'a Contour,
     pub corner: Point,
@@ -60,11 +60,10 @@ pub(super) struct Task<'a> {
 }
 
 impl<'a> Task<'a> {
-    /// Checks a task. The corner is where the face of the blank meets its surface: for an outer contour its radius and the Z
-    /// of its free face, for a bore the radius of the hole that is there.
+    /// Checks a task. The corner is where the face of the blank meets its surface: for an outer contour the radius of
+    /// the surface, for a bore that of the hole, and the Z of the free face.
     ///
-    /// # Errors
-    /// What of it no cycle can do.
+    /// # Errors What no cycle can do.
     pub fn new(rough: &'a Contour, corner: Point, roughing: Roughing) -> Result<Self, NotWritten> {
         let (Some(start), Some(end)) = (rough.start(), rough.end()) else { return Err(NotWritten::EmptyContour) };
         for (number, piece) in (1..).zip(&rough.pieces) {
@@ -86,8 +85,8 @@ impl<'a> Task<'a> {
         Ok(Self { rough, corner, roughing })
     }
 
-    /// The profile in the direction of the work: from beside the blank, along the contour, out to the surface of the blank.
-    /// `before` and `beyond` are how far outside the blank it begins and ends.
+    /// The profile in the direction of the work: from beside the blank, along the contour, out to the surface of the
+    /// blank. `before` and `beyond` are how far outside the blank it begins and ends.
     pub fn profile(&self, before: Half, beyond: Half) -> Vec<Piece> {
         let ends = (self.rough.start(), self.rough.end());
         let (Some(start), Some(end)) = ends else { return Vec::new() };
@@ -113,8 +112,8 @@ impl<'a> Task<'a> {
         pieces
     }
 
-    /// Where the cycle begins: beside the corner of the blank, by the clearance away from it in the direction in which the
-    /// passes come, on its surface in the other.
+    /// Where the cycle begins: at the corner of the blank, by the clearance away from it in the direction from which
+    /// the passes come, and on the surface in the other direction.
     pub fn begins(&self) -> Point {
         let Point { radius, z } = self.corner;
         let clearance = self.roughing.clearance;
@@ -142,8 +141,8 @@ fn check_roughing(roughing: Roughing) -> Result<(), NotWritten> {
     Ok(())
 }
 
-/// Whether passes of that direction meet each piece once: no piece leads back along the axis, or for passes across back
-/// towards the axis (of a bore away from it).
+/// Whether passes of that direction meet each piece once: no piece runs back along the axis or, for passes across the
+/// axis, back towards it (in a bore away from it).
 fn check_monotone(rough: &Contour, direction: Direction) -> Result<(), NotWritten> {
     let along = |point: Point| match (direction, rough.side) {
         (Direction::Longitudinal, _) => point.z,

@@ -14,9 +14,9 @@ const CONTOUR: &str = "100";
 
 /// The program of a task.
 ///
-/// The subprogram stands before the call, which takes its first move as a rapid from the beginning of the cycle. The feed
-/// of the passes stands in a block before the call: what the subprogram says of feeds is not read. The cycle itself goes
-/// along the contour after its passes and leaves the blank.
+/// The subprogram comes before the call. The cycle makes the first move of the subprogram as a rapid from its start
+/// point. The feed of the passes is in a block before the call, because feeds in the subprogram are ignored. The cycle
+/// itself follows the contour after its passes and leaves the blank.
 pub(super) fn write(
     control: &Control,
     cycles: &Cycles,
@@ -24,7 +24,8 @@ pub(super) fn write(
     setting: &Setting,
 ) -> Result<CycleProgram, NotWritten> {
     let words = control.words()?;
-    // D, which would leave one, makes half circles (LinuxCNC issue 2939) or is refused («Cannot intersect parallel lines»).
+    // D, which would leave an allowance, makes half circles (LinuxCNC issue 2939) or is refused («Cannot intersect
+    // parallel lines»).
     if task.roughing.allowance != super::Allowance::default() {
         return Err(NotWritten::Allowance { control: control.name.clone() });
     }
@@ -33,8 +34,8 @@ pub(super) fn write(
     sheet.rapid(task.begins());
     sheet.line(&words.filled(Use::ContourBegins, &[("number", CONTOUR.to_owned())]));
     sheet.forget();
-    // The profile leaves the blank: where it only touches its surface, an arc that ends there a trifle below makes G71 seek
-    // the end of its first pass for ever (seen in rs274 of 2.9.0~pre1).
+    // The profile must leave the blank. If it only touches the surface, and an arc ends there slightly below it, G71
+    // searches for the end of its first pass forever (seen in rs274 of 2.9.0~pre1).
     let clearance = task.roughing.clearance;
     let profile = task.profile(clearance, clearance);
     for (index, piece) in profile.iter().enumerate() {

@@ -1,12 +1,12 @@
 //! Programs for lathes: a toolpath as single moves, or a rough contour as the roughing cycle of a control.
 //!
-//! - [`Control`] is the language of a control, read from tables lathe-…; [`plain()`] and [`cycle()`] write;
+//! - [`Control`] is the language of a control, read from tables lathe-…; [`plain()`] and [`cycle()`] write programs;
 //! - [`setting`] is the settings of a program besides its toolpath: tool, spindle, feeds, coolant;
-//! - `words` are the words of a control, `sheet` the lines of a program with their modes;
-//! - [`cycle`](mod@cycle) is a task of roughing and its profile, `call` the call of a cycle with its fields;
-//! - `linuxcnc`, `sinumerik` put a cycle into the form of their control; [`refused`] is why something is not written.
+//! - `words` are the words of a control, `text` the lines of a program with their modes;
+//! - [`cycle`](mod@cycle) is a roughing task and its profile, `call` the call of a cycle with its fields;
+//! - `linuxcnc` and `sinumerik` write a cycle for their control; [`refused`] is why something is not written.
 //!
-//! docs/turning-programs.md has the fields with their sources, how arcs were settled, and how to add a control.
+//! docs/turning-programs.md has the fields with their sources, how arcs were decided, and how to add a control.
 
 mod call;
 pub mod cycle;
@@ -34,10 +34,10 @@ pub use refused::NotWritten;
 pub use setting::{Feeds, Setting, Speed};
 use words::ControlWords;
 
-/// Puts the cycle of a task into the form of a control.
+/// Writes the cycle of a task for a control.
 type CycleWriter = fn(&Control, &Cycles, &cycle::Task<'_>, &Setting) -> Result<CycleProgram, NotWritten>;
 
-/// The controls of lathes that have a form for a cycle: one line and one file each.
+/// The controls with a writer of cycles: one line and one file each.
 const WRITERS: [(LatheControl, CycleWriter); 2] =
     [(LatheControl::LinuxCnc, linuxcnc::write), (LatheControl::Sinumerik, sinumerik::write)];
 
@@ -48,7 +48,7 @@ pub struct Control {
     pub name: String,
     /// None where no program is written for it.
     words: Option<ControlWords>,
-    /// None where its roughing cycle is not written.
+    /// None if its roughing cycle cannot be written.
     cycles: Option<(Cycles, CycleWriter)>,
     /// What is known by name alone.
     known_words: Vec<String>,
@@ -58,10 +58,9 @@ impl Control {
     /// The controls, as a user names them.
     pub const NAMES: &'static [&'static str] = LatheControl::WORDS;
 
-    /// Reads the language of a control. One of which little is known can be read, and then refuses to write.
+    /// Reads the language of a control. A control of which little is known can be read, but nothing is written for it.
     ///
-    /// # Errors
-    /// There is no such control, or a table of it lacks what is asked of it.
+    /// # Errors There is no such control, or one of its tables lacks a required row.
     pub fn read(name: &str, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
         let table = knowledge.table_of::<LatheControls<'_>>()?;
         let control = LatheControl::from_word(name).ok_or_else(|| KnowledgeError::no_row(table, name))?;
@@ -92,10 +91,9 @@ impl Control {
 }
 
 /// The stock over a rough contour as the roughing cycle of a control. `corner` is the corner of the blank before the
-/// contour: the radius of its surface (of a bore: of the hole that is there) and the Z of its free face.
+/// contour: the radius of its surface (for a bore: of the hole) and the Z of its free face.
 ///
-/// # Errors
-/// Why it cannot be written.
+/// # Errors Why it cannot be written.
 pub fn cycle(
     control: &Control,
     rough: &Contour,
@@ -109,8 +107,8 @@ pub fn cycle(
     writer(control, cycles, &task, setting)
 }
 
-/// The name of a part as the name of a file on a control: at most 14 Latin letters, digits and underscores, two letters
-/// first.
+/// The name of a part as a file name on a control: at most 14 Latin letters, digits and underscores, beginning with two
+/// letters.
 fn file_name(name: &str) -> String {
     let latin = ascii(name).to_uppercase();
     let kept = latin.chars().map(|letter| if letter.is_ascii_alphanumeric() { letter } else { '_' });

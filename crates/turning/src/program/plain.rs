@@ -14,13 +14,13 @@ use super::words::Use;
 ///
 /// # Errors
 /// Why it cannot be written.
-pub fn plain(control: &Control, way: &Toolpath, setting: &Setting) -> Result<String, NotWritten> {
+pub fn plain(control: &Control, path: &Toolpath, setting: &Setting) -> Result<String, NotWritten> {
     let words = control.words()?;
     setting.check()?;
-    if way.moves.is_empty() {
+    if path.moves.is_empty() {
         return Err(NotWritten::EmptyWay);
     }
-    for (number, (piece, purpose)) in (1..).zip(way.pieces()) {
+    for (number, (piece, purpose)) in (1..).zip(path.pieces()) {
         check_arc(piece, number)?;
         if setting.feeds.of(purpose).is_none() && piece.curve != Curve::Line {
             return Err(NotWritten::RapidArc { piece: number });
@@ -28,15 +28,15 @@ pub fn plain(control: &Control, way: &Toolpath, setting: &Setting) -> Result<Str
     }
     let mut sheet = ProgramWriter::new(words);
     begin(&mut sheet, control, setting)?;
-    sheet.rapid(way.from);
-    for (piece, purpose) in way.pieces() {
+    sheet.rapid(path.from);
+    for (piece, purpose) in path.pieces() {
         sheet.go(piece, setting.feeds.of(purpose).map_or(Pace::Rapid, Pace::Feed));
     }
     end(&mut sheet);
     Ok(sheet.finish())
 }
 
-/// What every program begins with: the modes, the tool, the spindle, the coolant.
+/// The beginning of every program: the modes, the tool, the spindle, the coolant.
 pub(super) fn begin(sheet: &mut ProgramWriter<'_>, control: &Control, setting: &Setting) -> Result<(), NotWritten> {
     let words = control.words()?;
     sheet.comment(&ascii(&setting.name));
@@ -63,7 +63,7 @@ pub(super) fn begin(sheet: &mut ProgramWriter<'_>, control: &Control, setting: &
     Ok(())
 }
 
-/// What every program ends with; the coolant is stopped even where this program did not start it.
+/// The end of every program; the coolant is stopped even if this program did not start it.
 pub(super) fn end(sheet: &mut ProgramWriter<'_>) {
     sheet.put(&[Use::SpindleStop]);
     sheet.put(&[Use::CoolantOff]);

@@ -71,14 +71,14 @@ pub enum NotWritten {
     },
     /// A contour that begins before the face of the blank.
     BeforeFace,
-    /// A contour that begins on the surface of the blank or ends at its face: there is nothing to begin with.
+    /// A contour that begins on the surface of the blank or ends at its face, so that nothing can be cut.
     NothingToCut,
     /// A depth or a distance that is not above 0.
     NotAboveZero {
         /// Which.
         name: &'static str,
     },
-    /// A retract that leads back into the blank, for the cycle begins nearer to it.
+    /// A retract that would lead back into the blank, because the cycle begins nearer to it.
     RetractBeyondClearance {
         /// The retract.
         retract: Half,

@@ -9,7 +9,7 @@ use super::text::number;
 /// How the spindle turns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Speed {
-    /// Constant cutting speed, and the spindle speed that it must not pass.
+    /// Constant cutting speed, and the spindle speed that must not be exceeded.
     Cutting {
         /// Cutting speed, above 0.
         speed: MetresPerMinute,

@@ -14,8 +14,9 @@ use super::{Control, file_name};
 
 /// The program of a task.
 ///
-/// The contour begins on the face of the blank and ends on its surface, because the cycle takes the stock to reach as far
-/// as the contour does. It finds its own beginning, which may be approached from where the tool stands.
+/// The contour begins on the face of the blank and ends on its surface, because the cycle assumes that the stock
+/// reaches as far as the contour. The cycle finds its own start point, to which the tool may go from its current
+/// position.
 pub(super) fn write(
     control: &Control,
     cycles: &Cycles,

@@ -52,17 +52,17 @@ impl<'c> ProgramWriter<'c> {
         self.line(&line);
     }
 
-    /// From now on nothing of the modes is known: the next move says everything.
+    /// Forgets the modes: the next move is written in full.
     pub fn forget(&mut self) {
         (self.at, self.motion, self.feed) = (None, None, None);
     }
 
-    /// A rapid to a point, from wherever the tool is.
+    /// A rapid to a point, from the current position.
     pub fn rapid(&mut self, to: Point) {
         self.go(Piece::line(self.at.unwrap_or(to), to), Pace::Rapid);
     }
 
-    /// One move. An arc always says its function: LinuxCNC's G71 takes an arc without one for G2.
+    /// One move. An arc always has its function: in LinuxCNC's G71 an arc without one is a G2.
     pub fn go(&mut self, piece: Piece, pace: Pace) {
         let motion = motion(piece.curve, pace);
         let mut words = Vec::new();
@@ -101,9 +101,9 @@ impl<'c> ProgramWriter<'c> {
     }
 }
 
-/// The function of a move. A toolpath counts Z towards the chuck and a program away from it, which mirrors arcs: what
-/// bends to the left in the toolpath goes clockwise, seen with Z to the right and X upwards (docs/turning-programs.md,
-/// «Arcs»).
+/// The function of a move. Z counts towards the chuck in a toolpath and away from it in a program, which mirrors arcs:
+/// an arc that turns left in the toolpath is clockwise, seen with Z to the right and X upwards
+/// (docs/turning-programs.md, «Arcs»).
 const fn motion(curve: Curve, pace: Pace) -> Use {
     match (curve, pace) {
         (Curve::Line, Pace::Rapid) => Use::Rapid,
@@ -113,12 +113,12 @@ const fn motion(curve: Curve, pace: Pace) -> Use {
     }
 }
 
-/// A radius as a program in diameters says it; whole micrometres, so it is exact.
+/// A radius as a diameter of the program; exact, in whole micrometres.
 pub(super) fn diameter(radius: Half) -> String {
     radius.diameter().to_string()
 }
 
-/// Z as a program says it, away from the chuck; exact.
+/// Z of the program, away from the chuck; exact.
 pub(super) fn position(z: Half) -> String {
     (Half::ZERO - z).to_string()
 }
@@ -128,7 +128,7 @@ fn offset(millimetres: f64) -> String {
     number(millimetres, 4)
 }
 
-/// A computed number with at most so many places.
+/// A calculated number with at most so many places.
 pub(super) fn number(value: f64, places: u32) -> String {
     Decimal::from_f64_rounded(crate::units::round_to(value, places)).to_string()
 }

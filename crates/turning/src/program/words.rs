@@ -32,12 +32,12 @@ impl ControlWords {
         Ok(Self { words, comment: comment.to_owned() })
     }
 
-    /// A word; empty where the control has none.
+    /// A word; empty if the control has none.
     pub fn get(&self, wanted: Use) -> &str {
         self.words.get(&wanted).map(String::as_str).unwrap_or_default()
     }
 
-    /// A word with what stands in it in braces filled in.
+    /// A word with its names in braces replaced by values.
     pub fn filled(&self, wanted: Use, values: &[(&str, String)]) -> String {
         values
             .iter()

@@ -1,8 +1,7 @@
-//! The schemes by which the rough zone of a stepped shaft is cleared (lecture 12.4), each as the path of its tool.
+//! The schemes by which the rough zone of a stepped shaft is cleared (lecture 12.4), each as a toolpath.
 //!
 //! [`removal`] puts the passes of a scheme in order, [`path`] makes points of them, [`report`] names and measures
-//! these; [`zones`] says what kinds of zones there are and which scheme of passes suits each; [`find`] puts all
-//! together.
+//! these; [`zones`] classifies the zones and gives the scheme of passes for each; [`find`] puts all together.
 
 pub mod path;
 pub mod rates;
@@ -33,12 +32,12 @@ pub struct Schemes {
     pub splitting: Splitting,
     /// The zone over each cylinder, and the whole one.
     pub zones: Vec<SchemeZone>,
-    /// The schemes in the order of the lecture; none where there is no stock.
-    pub schemes: Vec<SchemeTold>,
+    /// The schemes in the order of the lecture; none if there is no stock.
+    pub schemes: Vec<SchemeEntry>,
     /// The best of them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub best_scheme: Option<Best>,
-    /// What the reader must know; in an answer they stand with all other findings.
+    /// Findings for the reader; an answer lists them with all other findings.
     #[serde(skip)]
     pub findings: Vec<Finding>,
     /// The levels, for drawings.
@@ -54,16 +53,16 @@ pub struct Splitting {
     /// The one depth t_p of all passes, mm.
     pub depth_mm: Half,
     /// The stock over each cylinder, from the free end.
-    pub cylinders: Vec<CylinderTold>,
+    pub cylinders: Vec<CylinderEntry>,
     /// The horizontals of each section, from the blank inwards.
-    pub horizontals: Vec<HorizontalsTold>,
+    pub horizontals: Vec<HorizontalsEntry>,
     /// The rates and distances of the paths.
     pub rates: Rates,
 }
 
 /// The stock over a cylinder.
 #[derive(Clone, Debug, Serialize)]
-pub struct CylinderTold {
+pub struct CylinderEntry {
     /// Its diameter after roughing, mm.
     pub diameter_mm: Micrometres,
     /// The diameter of the blank over it, mm.
@@ -82,7 +81,7 @@ pub struct CylinderTold {
 
 /// The horizontals of a section.
 #[derive(Clone, Debug, Serialize)]
-pub struct HorizontalsTold {
+pub struct HorizontalsEntry {
     /// Z of the section's beginning, mm.
     pub from_z_mm: Half,
     /// Their diameters, mm.
@@ -91,7 +90,7 @@ pub struct HorizontalsTold {
 
 /// A scheme.
 #[derive(Clone, Debug, Serialize)]
-pub struct SchemeTold {
+pub struct SchemeEntry {
     /// `verticals`, `levels`, `horizontals-a` or `horizontals-b`.
     pub name: &'static str,
     /// Its lengths and its time.
@@ -99,7 +98,7 @@ pub struct SchemeTold {
     pub measures: SchemeMeasures,
     /// The points of the tool path in order, from home and back.
     pub points: Vec<SchemePoint>,
-    /// What it is and where it stands.
+    /// What it is, and its source.
     pub because: Because,
     /// The path, for drawings.
     #[serde(skip)]
@@ -117,7 +116,7 @@ pub struct Best {
     pub margin_min: Minutes,
     /// The same as a share of the next best's time, per cent.
     pub margin_percent: f64,
-    /// By what: the time, and among equals the preference of the lecture.
+    /// The reason: the time, and of equals the preference of the lecture.
     pub because: Because,
 }
 
@@ -132,7 +131,7 @@ pub fn find(shaft: &Shaft, knowledge: &Knowledge) -> Result<Schemes, KnowledgeEr
     let mut ranked = Vec::new();
     if !levels.sections.is_empty() {
         for (_, scheme) in Scheme::NAMES {
-            ranked.push(told(*scheme, &levels, &rates, knowledge)?);
+            ranked.push(entry(*scheme, &levels, &rates, knowledge)?);
         }
     } else {
         findings.clear();
@@ -148,29 +147,29 @@ pub fn find(shaft: &Shaft, knowledge: &Knowledge) -> Result<Schemes, KnowledgeEr
     })
 }
 
-/// A scheme with its place in the preference of the lecture.
-fn told(
+/// A scheme with its rank in the preference of the lecture.
+fn entry(
     scheme: Scheme,
     levels: &Levels,
     rates: &Rates,
     knowledge: &Knowledge,
-) -> Result<(i64, SchemeTold), KnowledgeError> {
+) -> Result<(i64, SchemeEntry), KnowledgeError> {
     let rule = knowledge.ask(&RemovalSchemeFor { scheme })?.need(scheme.name())?;
     let path = removal::path(scheme, levels, Half::of(rates.approach), Half::of(rates.retract));
-    let told = SchemeTold {
+    let entry = SchemeEntry {
         name: scheme.name(),
         measures: report::measure(&path, rates),
         points: report::points(&path, levels),
         because: Because::row(rule.row, Note::new(format!("scheme-{}", scheme.name()))),
         path,
     };
-    Ok((rule.preference, told))
+    Ok((rule.preference, entry))
 }
 
-/// The quickest scheme, among equals the one that the lecture prefers.
-fn best(ranked: &[(i64, SchemeTold)]) -> Option<Best> {
+/// The scheme with the least time, of equals the one that the lecture prefers.
+fn best(ranked: &[(i64, SchemeEntry)]) -> Option<Best> {
     let mut order: Vec<_> = ranked.iter().collect();
-    let time = |scheme: &SchemeTold| scheme.measures.time_min.0;
+    let time = |scheme: &SchemeEntry| scheme.measures.time_min.0;
     order.sort_by(|a, b| time(&a.1).total_cmp(&time(&b.1)).then(a.0.cmp(&b.0)));
     let [(_, best), (_, next), ..] = order.as_slice() else { return None };
     let margin = time(next) - time(best);
@@ -191,7 +190,7 @@ fn best(ranked: &[(i64, SchemeTold)]) -> Option<Best> {
 }
 
 fn splitting(levels: &Levels, rates: Rates) -> Splitting {
-    let cylinder = |one: super::levels::Stock| CylinderTold {
+    let cylinder = |one: super::levels::Stock| CylinderEntry {
         diameter_mm: one.cylinder.radius.diameter(),
         blank_diameter_mm: one.blank.diameter(),
         from_z_mm: Half::ZERO - one.cylinder.from,
@@ -205,7 +204,7 @@ fn splitting(levels: &Levels, rates: Rates) -> Splitting {
         let lowest = first.map_or(section.blank, |first| first.radius);
         let count = first.map_or(0, |first| levels.count(section, first));
         let at = |level| levels.horizontal(section, level).max(lowest).diameter();
-        HorizontalsTold { from_z_mm: Half::ZERO - section.from(), diameters_mm: (1..=count).map(at).collect() }
+        HorizontalsEntry { from_z_mm: Half::ZERO - section.from(), diameters_mm: (1..=count).map(at).collect() }
     });
     Splitting {
         limiting_depth_mm: levels.limit,

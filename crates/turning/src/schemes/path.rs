@@ -1,4 +1,4 @@
-//! The path of the tool: points in order, each with the motion that comes to it.
+//! A toolpath: points in order, each with the motion that leads to it.
 
 use serde::Serialize;
 
@@ -44,7 +44,7 @@ pub struct Vertex {
     pub motion: Motion,
     /// What it is.
     pub role: VertexRole,
-    /// How much of the motion at the feed lies before the metal: δ, or nothing.
+    /// How much of the motion at the feed is before the metal: δ, or nothing.
     pub air: Half,
 }
 
@@ -66,12 +66,12 @@ impl SchemePath {
 
     /// Goes to where the metal of a pass begins, in the order of the lecture (l. 691, 712-716).
     ///
-    /// 1. The tool draws back by the retract, off the surface and off the face that it stands at.
+    /// 1. The tool draws back by the retract, off the surface and off the face where it is.
     /// 2. It returns at this radius to the vertical of the start, δ before the metal.
     /// 3. It goes across to the depth of the pass.
     ///
-    /// To a start further out, which is that of the next section of a stepped blank, it goes across first: between
-    /// here and there the blank may be as large as the part.
+    /// To a start farther out, in the next section of a stepped blank, it goes across first: between here and there the
+    /// blank may be as large as the part.
     pub fn start(&mut self, metal: Point) {
         self.draw_back();
         let start = Point { radius: metal.radius, z: metal.z - self.approach };
@@ -100,7 +100,7 @@ impl SchemePath {
         self.across(radius, VertexRole::Corner);
     }
 
-    /// Goes up along the face of stock that still stands, to where the next pass begins.
+    /// Goes up along the face of stock that is still there, to where the next pass begins.
     pub fn rise(&mut self, radius: Half) {
         self.across(radius, VertexRole::End);
     }

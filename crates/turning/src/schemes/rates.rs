@@ -1,4 +1,4 @@
-//! How fast the tool moves, where the shaft file says nothing: rows of the table `turning-motion`.
+//! How fast the tool moves if the shaft file does not say: rows of the table `turning-motion`.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;

@@ -1,4 +1,4 @@
-//! The schemes of removal for stepped shafts (lecture 12.4, l. 684-790): in which order the tool takes the pieces
+//! The removal schemes for stepped shafts (lecture 12.4, l. 684-790): in which order the tool removes the pieces
 //! between horizontals and verticals.
 
 use crate::turning::length::Half;
@@ -10,7 +10,7 @@ use super::path::{SchemePath, Vertex};
 
 pub use crate::tables::turning::passes::Removal as Scheme;
 
-/// The path of the tool over a zone, from home and back, with the approach δ and the retract.
+/// The toolpath over a zone, from home and back, with the approach δ and the retract.
 pub fn path(scheme: Scheme, levels: &Levels, approach: Half, retract: Half) -> Vec<Vertex> {
     let largest = levels.sections.iter().map(|section| section.blank).max().unwrap_or_default();
     let mut path = SchemePath::new(largest, approach, retract);
@@ -19,7 +19,7 @@ pub fn path(scheme: Scheme, levels: &Levels, approach: Half, retract: Half) -> V
             Scheme::Verticals => verticals(levels, section, &mut path),
             Scheme::Levels => by_levels(levels, section, &mut path),
             Scheme::HorizontalsA => {
-                // All levels but the last of each cylinder, which the pass along the contour takes.
+                // All levels but the last of each cylinder, which the pass along the contour removes.
                 let counts = section.cylinders.iter().map(|one| levels.count(section, one) - 1);
                 straight(levels, section, &counts.collect::<Vec<_>>(), &mut path);
                 contour(section, &mut path);
@@ -34,8 +34,8 @@ pub fn path(scheme: Scheme, levels: &Levels, approach: Half, retract: Half) -> V
     path.home()
 }
 
-/// Cylinder after cylinder, each level by level. The last pass of a cylinder goes up its face, and on along the stock of
-/// the next cylinder to that one's first level, where the tool is already at the metal.
+/// Cylinder after cylinder, each level by level. The last pass of a cylinder goes up its face, and on along the stock
+/// of the next cylinder to the first level of that one, where the tool is already at the metal.
 fn verticals(levels: &Levels, section: &Section, path: &mut SchemePath) {
     for (index, cylinder) in section.cylinders.iter().enumerate() {
         for level in 1..=levels.count(section, cylinder) {
@@ -54,8 +54,8 @@ fn verticals(levels: &Levels, section: &Section, path: &mut SchemePath) {
     }
 }
 
-/// Level after level over all cylinders. Where a cylinder ends above a level, the tool goes up the face and on along
-/// that cylinder; where it reaches the surface of a cylinder, it cleans the face at its end.
+/// Level after level over all cylinders. If a cylinder ends above a level, the tool goes up the face and on along that
+/// cylinder; where it reaches the surface of a cylinder, it cleans the face at its end.
 fn by_levels(levels: &Levels, section: &Section, path: &mut SchemePath) {
     let Some(first) = section.cylinders.first() else { return };
     for level in 1..=levels.count(section, first) {
@@ -63,7 +63,7 @@ fn by_levels(levels: &Levels, section: &Section, path: &mut SchemePath) {
         let over: Vec<_> = section.cylinders.iter().take_while(|one| one.radius < above).collect();
         path.start(Point { radius: at.max(first.radius), z: first.from });
         for (index, cylinder) in over.iter().enumerate() {
-            // The pass goes straight on where the next cylinder is under this level too.
+            // The pass goes straight on if the next cylinder is under this level too.
             let on_surface = at <= cylinder.radius;
             let ends = on_surface || over.get(index + 1).is_none_or(|next| next.radius > at);
             if !ends {
@@ -79,8 +79,8 @@ fn by_levels(levels: &Levels, section: &Section, path: &mut SchemePath) {
     }
 }
 
-/// Straight passes, of which each cylinder has so many; they grow fewer towards the chuck, so a level ends at the first
-/// cylinder that has none of it.
+/// Straight passes, a number for each cylinder. The numbers fall towards the chuck, so a level ends at the first
+/// cylinder that does not have it.
 fn straight(levels: &Levels, section: &Section, counts: &[i64], path: &mut SchemePath) {
     for level in 1..=counts.first().copied().unwrap_or(0) {
         let over = section.cylinders.iter().zip(counts).take_while(|(_, count)| **count >= level);

@@ -15,7 +15,7 @@ use super::path::{Motion, Vertex, VertexRole};
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SchemePoint {
     /// Its name: `A` is home, the corners of the rough contour have the first numbers from the free end, and the other
-    /// points the next ones in the order of the first visit, as in the figures of the lecture. A place that is visited
+    /// points the next ones in the order of the first visit, as in the figures of the lecture. A point that is visited
     /// again keeps its name.
     pub name: String,
     /// Diameter, mm.
@@ -34,7 +34,7 @@ pub fn points(path: &[Vertex], levels: &Levels) -> Vec<SchemePoint> {
     for cylinder in levels.sections.iter().flat_map(|section| &section.cylinders) {
         numbers.number(Point { radius: cylinder.radius, z: cylinder.from });
     }
-    let told = |vertex: &Vertex| {
+    let point = |vertex: &Vertex| {
         let name = if vertex.role == VertexRole::Home { "A".to_owned() } else { numbers.name(vertex.at) };
         SchemePoint {
             name,
@@ -44,7 +44,7 @@ pub fn points(path: &[Vertex], levels: &Levels) -> Vec<SchemePoint> {
             role: vertex.role,
         }
     };
-    path.iter().map(told).collect()
+    path.iter().map(point).collect()
 }
 
 /// The measures of a path.
@@ -60,13 +60,13 @@ pub struct SchemeMeasures {
     pub passes: usize,
 }
 
-/// Measures a path. Rapids move both axes at once, so their time is that of the longer axis.
+/// Measures a path. A rapid moves both axes at once, so its time is that of the longer motion.
 pub fn measure(path: &[Vertex], rates: &Rates) -> SchemeMeasures {
     let (mut cutting, mut idle, mut time, mut passes) = (Half::ZERO, 0.0, 0.0, 0);
     for (before, vertex) in path.iter().zip(path.iter().skip(1)) {
         let across = (vertex.at.radius - before.at.radius).halves().abs();
         let along = (vertex.at.z - before.at.z).halves().abs();
-        let minutes = |way: i64, rate: MillimetresPerMinute| Half::new(way).to_mm() / rate.0;
+        let minutes = |halves: i64, rate: MillimetresPerMinute| Half::new(halves).to_mm() / rate.0;
         match vertex.motion {
             Motion::Rapid => {
                 idle += libm::hypot(Half::new(across).to_mm(), Half::new(along).to_mm());

@@ -1,5 +1,5 @@
-//! What bounds the parts of the rough zone of a stepped shaft, and which scheme of passes the lecture gives each. The
-//! rules are asked in [`zones::kind`](crate::turning::zones::kind), as for contours of any shape.
+//! What bounds the parts of the rough zone of a stepped shaft, and which scheme of passes the lecture has for each. The
+//! rules are in [`zones::kind`](crate::turning::zones::kind), as for contours of any shape.
 
 use serde::Serialize;
 
@@ -20,7 +20,7 @@ pub struct SchemeZone {
     pub to_z_mm: Half,
     /// Its kind.
     pub zone: ZoneKind,
-    /// The schemes, in the order of work; more than one where the zone is worked in parts.
+    /// The schemes, in the order of work; more than one if the zone is worked in parts.
     pub schemes: Vec<Scheme>,
     /// Why this kind.
     pub because_zone: Because,
@@ -28,22 +28,21 @@ pub struct SchemeZone {
     pub because: Because,
 }
 
-/// The zone over each cylinder, and the whole one after them where there is more than one.
+/// The zone over each cylinder, and after them the whole zone if there is more than one.
 ///
-/// # Errors
-/// The knowledge base lacks a rule or a row of it.
+/// # Errors The knowledge base lacks a rule or a row of it.
 pub fn zones(levels: &Levels, knowledge: &Knowledge) -> Result<Vec<SchemeZone>, KnowledgeError> {
     let cylinders: Vec<_> = levels.sections.iter().flat_map(|section| &section.cylinders).collect();
     let mut zones = Vec::new();
     let mut kinds = Vec::new();
     for (index, cylinder) in cylinders.iter().enumerate() {
-        // The stock of the next section of a stepped blank is a face ahead too, though not one of the contour.
+        // The stock of the next section of a stepped blank is a face ahead too, although not one of the contour.
         let stock_ahead = cylinders.get(index + 1).is_some_and(|next| next.from == cylinder.to);
         // A stepped shaft has no face behind the tool: its cylinders grow towards the chuck.
         let bounds = Bounds { ahead: cylinder.wall.is_some() || stock_ahead, behind: false };
-        let found = alone(bounds, knowledge)?;
-        kinds.push((found.kind, bounds));
-        zones.push(zone(knowledge, cylinder.from, cylinder.to, found)?);
+        let classified = alone(bounds, knowledge)?;
+        kinds.push((classified.kind, bounds));
+        zones.push(zone(knowledge, cylinder.from, cylinder.to, classified)?);
     }
     if let (Some(first), Some(last), true) = (cylinders.first(), cylinders.last(), cylinders.len() > 1) {
         zones.push(zone(knowledge, first.from, last.to, together(&kinds, knowledge)?)?);
@@ -51,16 +50,16 @@ pub fn zones(levels: &Levels, knowledge: &Knowledge) -> Result<Vec<SchemeZone>, 
     Ok(zones)
 }
 
-/// The scheme of a kind over a stretch. That of a stepped contour is the same for every blank.
-fn zone(knowledge: &Knowledge, from: Half, to: Half, found: ClassifiedZone) -> Result<SchemeZone, KnowledgeError> {
+/// The scheme for a kind of zone. For a stepped contour it is the same for every blank.
+fn zone(knowledge: &Knowledge, from: Half, to: Half, classified: ClassifiedZone) -> Result<SchemeZone, KnowledgeError> {
     let stepped = Circumstances { shaped: false, near_part: false, against_stop: false };
-    let choice = scheme(&found, stepped, knowledge)?;
+    let choice = scheme(&classified, stepped, knowledge)?;
     Ok(SchemeZone {
         from_z_mm: Half::ZERO - from,
         to_z_mm: Half::ZERO - to,
-        zone: found.kind,
+        zone: classified.kind,
         schemes: choice.schemes,
-        because_zone: found.because,
+        because_zone: classified.because,
         because: choice.because,
     })
 }

@@ -1,4 +1,4 @@
-//! What a shaft file says, held against itself: the steps against each other and against the blank.
+//! Compares the steps of a shaft file with each other and with the blank.
 
 use crate::knowledge::diagnostic::Place;
 use crate::turning::passes::grid::{MOST_STATES, states};
@@ -8,7 +8,7 @@ use crate::units::Micrometres;
 use super::Shaft;
 use super::read::PlacedStep;
 
-/// Every step against the one before it and against the blank.
+/// Compares every step with the one before it and with the blank.
 pub(super) fn steps(
     steps: &[PlacedStep],
     blank_diameter: Option<&Placed<Micrometres>>,
@@ -38,7 +38,7 @@ pub(super) fn steps(
             _ => largest = Some((diameter, number)),
         }
     }
-    // The first step that goes beyond the blank; those after it do so of necessity.
+    // Only the first step beyond the end of the blank is reported; those after it are beyond it too.
     let Some((blank, _)) = blank_length else { return };
     let mut sum = Micrometres::ZERO;
     for step in steps {
@@ -53,7 +53,7 @@ pub(super) fn steps(
     }
 }
 
-/// Whether the levels and slices are few enough to be looked through.
+/// Whether there are few enough levels and slices to search.
 pub(super) fn grid(shaft: &Shaft, place: &Place, reader: &mut Reader<'_>) {
     let states = states(shaft);
     if states > MOST_STATES {

@@ -37,7 +37,7 @@ pub struct Shaft {
     pub steps: Vec<Step>,
     /// How much one pass takes.
     pub roughing: Roughing,
-    /// How fast the tool moves; absent: times are not told.
+    /// How fast the tool moves; if absent, no times are calculated.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rates: Option<Rates>,
 }

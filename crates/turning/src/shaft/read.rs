@@ -1,4 +1,4 @@
-//! The shaft file: YAML to [`Shaft`], collecting every mistake.
+//! Reads the shaft file into a [`Shaft`], with every mistake.
 
 use crate::knowledge::Knowledge;
 use crate::knowledge::form::KeyOf;
@@ -11,9 +11,9 @@ use super::file::{self, ShaftFile};
 use super::shape::{self, Shape};
 use super::{Blank, BlankKind, Division, Holding, Moves, Rates, Roughing, Shaft, Step};
 
-/// The approach where the file gives rates and no approach, mm: our choice; the lecture names δ without a figure.
+/// The approach if the file gives rates and no approach, mm: our choice; the lecture names δ without a figure.
 const APPROACH: Micrometres = Micrometres::from_mm(2);
-/// The retract where the file gives rates and no retract: 0.5 mm (lecture 12.4).
+/// The retract if the file gives rates and no retract: 0.5 mm (lecture 12.4).
 const RETRACT: Micrometres = Micrometres::new(500);
 
 /// Reads a shaft file.
@@ -89,7 +89,7 @@ impl Reader<'_> {
         let Some(mut fields) = self.problems.map(node) else { return PlacedBlank::default() };
         let kinds = [BlankKind::Bar, BlankKind::Forging, BlankKind::Casting].map(|kind| (kind.name(), kind));
         let kind = fields.need(file::Blank::kind, &mut self.problems).and_then(|node| match node.text() {
-            // A tube has a bore, for which the short form has no words.
+            // A tube has a bore, which the short form cannot describe.
             Some("tube") => self.fault(mistake!("tube-with-steps"), &node.place),
             _ => self.choice(node, &kinds),
         });

@@ -1,4 +1,5 @@
-//! The steps of a blank (a forging or casting near the shape of the shaft), held against its cylinder and the shaft.
+//! Compares the steps of a blank (a forging or casting near the shape of the shaft) with its cylinder and with the
+//! shaft.
 
 use crate::knowledge::diagnostic::Place;
 use crate::turning::reading::{Placed, Reader, mistake};
@@ -7,14 +8,14 @@ use crate::units::Micrometres;
 use super::BlankKind;
 use super::read::PlacedStep;
 
-/// The steps of a blank and where they stand in the file.
+/// The steps of a blank and their place in the file.
 pub(crate) struct Shape {
     pub(crate) steps: Vec<PlacedStep>,
     pub(crate) place: Place,
 }
 
-/// Every step of the blank against the one before, and against the cylinder around the blank; every step of the shaft
-/// against the blank where it begins, which is where the blank over it is thinnest.
+/// Compares every step of the blank with the one before it and with the cylinder around the blank, and every step of
+/// the shaft with the blank where the step begins, because the blank over it is thinnest there.
 pub(crate) fn check(
     shape: &Shape,
     kind: Option<BlankKind>,

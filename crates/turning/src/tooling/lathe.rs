@@ -25,10 +25,10 @@ pub enum Spindle {
 }
 
 impl Spindle {
-    /// The fastest speed of the spindle that is not above the wanted one; where it has none so slow, its slowest.
+    /// The fastest speed of the spindle that is not above the wanted one; if it has none so slow, its slowest.
     ///
-    /// The nearest lower step is what handbook examples take (ukrbukva.net/page,8,69910): the tool then lasts at least
-    /// as long as it was reckoned for.
+    /// Handbook examples take the nearest lower step (ukrbukva.net/page,8,69910): the tool then lasts at least as long
+    /// as calculated.
     pub fn at_most(&self, wanted: RevsPerMinute) -> RevsPerMinute {
         match self {
             Self::Steps(steps) => {
@@ -49,7 +49,7 @@ impl Spindle {
     }
 }
 
-/// A lathe as planning sees it. What its record does not say is `None`.
+/// A lathe for planning. What its record does not have is `None`.
 #[derive(Clone, Debug)]
 pub struct Lathe<'k> {
     /// The table of its record.
@@ -59,7 +59,7 @@ pub struct Lathe<'k> {
     pub spindle: Spindle,
     /// Power of the main drive's motor.
     pub power: Kilowatts,
-    /// Share of that power which reaches the spindle.
+    /// The share of that power that reaches the spindle.
     pub efficiency: Option<Share>,
     /// Largest torque of the spindle.
     pub torque: Option<NewtonMetres>,
@@ -77,9 +77,9 @@ pub struct Lathe<'k> {
     pub feed_force_z: Option<Newtons>,
     /// Largest force of the drive along X.
     pub feed_force_x: Option<Newtons>,
-    /// Largest main cutting force, where the maker gives one.
+    /// Largest main cutting force, if the maker gives one.
     pub cutting_force: Option<Newtons>,
-    /// The grade it holds when finishing outer surfaces.
+    /// The grade that it reaches when it finishes outer surfaces.
     pub it_outer: Option<ItGrade>,
     /// The same of bores.
     pub it_inner: Option<ItGrade>,
@@ -104,7 +104,7 @@ impl<'k> Record<'k> {
         self.0.iter().find(|row| row.name.is(quantity))
     }
 
-    /// The figures of a quantity, in the unit that `lathe-quantities` names; none where the record has none.
+    /// The figures of a quantity, in the unit that `lathe-quantities` names; empty if the record has none.
     fn values(&self, quantity: Q) -> &[f64] {
         self.row(quantity).and_then(|row| row.value.as_deref()).unwrap_or_default()
     }
@@ -116,10 +116,9 @@ impl<'k> Lathe<'k> {
         knowledge.tables_of::<LatheRecord<'_>>().filter_map(|table| table.id.strip_prefix("lathe-")).collect()
     }
 
-    /// The lathe of that id, such as `16k20f3`.
+    /// The lathe with an id, such as `16k20f3`.
     ///
-    /// # Errors
-    /// There is no such lathe, its record lacks a required quantity, or it says nothing about its spindle's speeds.
+    /// # Errors There is no such lathe, its record lacks a required quantity, or it has no spindle speeds.
     pub fn find(knowledge: &'k Knowledge, id: &str) -> Result<Self, KnowledgeError> {
         let table = knowledge.table(&format!("lathe-{id}"))?;
         let record = Record(table.rows().collect::<Result<_, _>>()?);
@@ -165,16 +164,15 @@ impl<'k> Lathe<'k> {
         self.table.id.strip_prefix("lathe-").unwrap_or(&self.table.id)
     }
 
-    /// The row of a quantity, for those who cite it.
+    /// The row of a quantity, as a source.
     ///
-    /// # Errors
-    /// The record does not name it.
+    /// # Errors The record does not have it.
     pub fn row(&self, quantity: Q) -> Result<RowRef<'k>, KnowledgeError> {
         let row = self.record.row(quantity);
         row.map(|row| row.row).ok_or_else(|| KnowledgeError::no_row(self.table, quantity.name()))
     }
 
-    /// Why a part does not go in: a diameter over the carriage, or a length between the centres; nothing where it does.
+    /// Why a part does not fit: a diameter over the carriage, or a length between the centres; none if it fits.
     pub fn refuses_part(&self, diameter: Micrometres, length: Micrometres) -> Option<Note> {
         let refusal = |quantity: Q, is: Micrometres, most: Micrometres| {
             let note = Note::new("lathe-too-small").with("lathe", self.id());
@@ -187,8 +185,7 @@ impl<'k> Lathe<'k> {
         (length > self.between_centres).then(|| refusal(Q::LengthBetweenCentres, length, self.between_centres))
     }
 
-    /// Why a tool does not go in: its shank is higher than the seat; nothing where it does or where the record does not
-    /// say.
+    /// Why a tool does not fit: its shank is higher than the seat; none if it fits or the record has no seat.
     pub fn refuses_tool(&self, tool: &TurningTool<'_>) -> Option<Note> {
         let (Some(Shank::Square { height, .. }), Some(most)) = (tool.shank, self.shank_height) else { return None };
         (height > most).then(|| {

@@ -1,7 +1,7 @@
 //! What a shaft is turned with: the lathes of `catalogs/lathes` and the tools of `catalogs/tools/turning`.
 //!
-//! A figure that a record or a row does not have is `None` here and never a guess; what needs it refuses with
-//! a `Lack` of the room `cutting` (docs/turning-tools.md).
+//! A figure that a record or a row does not have is `None` here, never a guess. What needs it refuses with the missing
+//! figure (docs/turning-tools.md).
 
 mod lathe;
 mod tool;

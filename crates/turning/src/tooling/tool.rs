@@ -35,12 +35,12 @@ pub struct TurningTool<'k> {
     pub kind: ToolKind,
     /// Where it works.
     pub works: Place,
-    /// Which way it cuts.
+    /// In which direction it cuts.
     pub hand: Hand,
     /// φ, between the main edge and the feed along the axis, degrees.
     pub lead_angle: Decimal,
-    /// φ1, between the edge behind the tip and the finished surface, degrees: how steeply a contour may fall behind
-    /// the tip. φ1 = 180 − φ − ε with ε of the insert.
+    /// φ1, between the edge behind the tip and the finished surface, degrees: the steepest fall of a contour behind the
+    /// tip. φ1 = 180 − φ − ε with ε of the insert.
     pub trail_angle: Decimal,
     /// Nose radius r.
     pub nose_radius: Option<Micrometres>,
@@ -50,7 +50,7 @@ pub struct TurningTool<'k> {
     pub edge: Option<Micrometres>,
     /// Its shank or bar.
     pub shank: Option<Shank>,
-    /// Overhang out of the holder, where the row has one of its own; else by `turning-limits`.
+    /// Overhang from the holder, if its row has one; otherwise by `turning-limits`.
     pub reach: Option<Micrometres>,
     /// The smallest bore it enters.
     pub min_bore: Option<Micrometres>,
@@ -60,15 +60,14 @@ pub struct TurningTool<'k> {
     pub groove_depth: Option<Micrometres>,
     /// Least and largest pitch of a threading tool.
     pub pitch: Option<(Micrometres, Micrometres)>,
-    /// Carbide grades of its inserts, in the names of `tool-material-factor`; empty where the row has none.
+    /// Carbide grades of its inserts, in the names of `tool-material-factor`; empty if the row has none.
     pub grades: Vec<&'k str>,
 }
 
 impl<'k> TurningTool<'k> {
     /// Every turning tool, in the order of the tables.
     ///
-    /// # Errors
-    /// A table is not there, or a row lacks a required cell.
+    /// # Errors A table is missing, or a row lacks a required cell.
     pub fn all(knowledge: &'k Knowledge) -> Result<Vec<Self>, KnowledgeError> {
         let mut tools = Vec::new();
         for table in TOOL_TABLES {
@@ -79,10 +78,9 @@ impl<'k> TurningTool<'k> {
         Ok(tools)
     }
 
-    /// The tool of that designation; spaces and the case of letters do not count. Nothing where there is none.
+    /// The tool with a designation; spaces and the case of letters are ignored. None if there is none.
     ///
-    /// # Errors
-    /// As [`Self::all`].
+    /// # Errors As [`Self::all`].
     pub fn find(knowledge: &'k Knowledge, designation: &str) -> Result<Option<Self>, KnowledgeError> {
         let wanted = plain(designation);
         Ok(Self::all(knowledge)?.into_iter().find(|tool| plain(tool.designation) == wanted))

@@ -19,7 +19,7 @@ use super::{PreparedZone, Settings};
 pub enum SupportPointRole {
     /// Off the corner of the blank by the approach, where a toolpath begins and ends.
     Home,
-    /// Before a pass, off the metal by the approach or by what room there is.
+    /// Before a pass, off the metal by the approach or by as much as there is room for.
     Start,
     /// Where a pass enters the metal from its side or from above.
     Entry,
@@ -27,7 +27,7 @@ pub enum SupportPointRole {
     AtDepth,
     /// Where a straight pass ends.
     End,
-    /// A corner that the tool passes, of the contour or of the path beside it.
+    /// A corner of the contour, or of the path beside it.
     Corner,
     /// Where a motion along the contour ends.
     ContourEnd,
@@ -51,11 +51,11 @@ pub struct ToolpathBuilder<'z> {
     pub stock: InProcessStock,
     /// The toolpath so far.
     pub path: Toolpath,
-    /// What each point of it is, its beginning included.
+    /// The role of each point, its start point included.
     pub roles: Vec<SupportPointRole>,
     /// Working passes so far.
     pub passes: usize,
-    /// The last pass, along which the tool can go back.
+    /// The pieces of the last pass, along which the tool can return.
     trail: Vec<Piece>,
 }
 
@@ -78,7 +78,7 @@ impl<'z> ToolpathBuilder<'z> {
         &self.zone.rough
     }
 
-    /// Where the tool stands.
+    /// Where the tool is.
     pub fn here(&self) -> Point {
         self.path.end()
     }
@@ -93,7 +93,7 @@ impl<'z> ToolpathBuilder<'z> {
 
     /// Along a piece at a feed.
     pub fn feed(&mut self, piece: Piece, purpose: Purpose, role: SupportPointRole) {
-        debug_assert_eq!(piece.from, self.here(), "a piece begins where the way ends");
+        debug_assert_eq!(piece.from, self.here(), "a piece begins where the toolpath ends");
         if !piece.is_nothing() {
             self.path.follow(piece, purpose);
             self.roles.push(role);
@@ -101,7 +101,7 @@ impl<'z> ToolpathBuilder<'z> {
         }
     }
 
-    /// Along pieces at a feed; the last point is the end of the motion.
+    /// Along pieces at a feed; `end` is the role of the last point.
     pub fn follow(&mut self, pieces: &[Piece], purpose: Purpose, end: SupportPointRole) {
         for (index, piece) in pieces.iter().enumerate() {
             let role = if index + 1 == pieces.len() { end } else { SupportPointRole::Corner };
@@ -122,19 +122,19 @@ impl<'z> ToolpathBuilder<'z> {
         }
     }
 
-    /// Draws back off the metal by the retract on both axes; straight up where there is no room for it.
+    /// Retracts from the metal on both axes; only upwards if there is no room for that.
     pub fn draw_back(&mut self) {
         let (here, by) = (self.here(), self.settings.retract);
-        let up = self.zone.held(here.radius + by);
+        let up = self.zone.limited(here.radius + by);
         let aslant = Point { radius: up, z: here.z - by };
         let to = if self.stock.is_clear(here, aslant) { aslant } else { Point { radius: up, z: here.z } };
         self.rapid(to, SupportPointRole::Retracted);
     }
 
-    /// To a point by rapids that go through no metal.
+    /// To a point by rapids, not through metal.
     ///
-    /// 1. Along the axis at the radius where the tool stands, if nothing is in the way, else after going up above all
-    ///    metal between here and there.
+    /// 1. Along the axis at the current radius if nothing is in the way; otherwise first up, above all metal between
+    ///    here and there.
     /// 2. Across the axis to the point.
     pub fn travel(&mut self, to: Point, role: SupportPointRole) {
         let here = self.here();
@@ -146,29 +146,29 @@ impl<'z> ToolpathBuilder<'z> {
             here.radius
         } else {
             let over = over.map_or(here.radius, |over| over + self.settings.retract);
-            self.zone.held(over.max(here.radius).max(to.radius))
+            self.zone.limited(over.max(here.radius).max(to.radius))
         };
         self.rapid(Point { radius: high, z: here.z }, SupportPointRole::Clear);
         self.rapid(Point { radius: high, z: to.z }, if high == to.radius { role } else { SupportPointRole::Returned });
         self.rapid(to, role);
     }
 
-    /// To a point from above: as a rapid to off the metal, at the feed of cutting in through it.
+    /// To a point from above: a rapid to just off the metal, then the feed of cutting in.
     pub fn enter(&mut self, at: Point) {
         let top = self.stock.least_at(at.z).map_or(at.radius, |least| least.max(at.radius));
         if at == self.here() {
             return;
         }
-        let above = Point { radius: self.zone.held(top + self.settings.retract), z: at.z };
-        // Where the tool stands on the vertical below that already, it goes on from here.
+        let above = Point { radius: self.zone.limited(top + self.settings.retract), z: at.z };
+        // If the tool is on the vertical below that already, it goes on from here.
         if !(self.here().z == at.z && self.here().radius >= top && self.here().radius <= above.radius) {
             self.travel(above, SupportPointRole::Start);
         }
         self.straight(at, Purpose::Infeed, SupportPointRole::Entry);
     }
 
-    /// A pass along pieces, of which only what goes through metal is followed ([`Self::trimmed`]). Tells whether it cut
-    /// anything.
+    /// A pass along pieces, of which only the part through metal is followed ([`Self::trimmed`]). Returns whether it
+    /// cut anything.
     pub fn pass(&mut self, pieces: &[Piece], purpose: Purpose, end: SupportPointRole) -> bool {
         let mut pieces = self.trimmed(pieces);
         let Some(first) = pieces.first_mut() else { return false };
@@ -178,8 +178,8 @@ impl<'z> ToolpathBuilder<'z> {
         true
     }
 
-    /// To where the first piece of a pass begins: from the side, off the metal by the approach or by what room there is;
-    /// where there is no room, from above at the feed of cutting in. A cylinder is drawn out to the start.
+    /// To where the first piece of a pass begins: from the side, off the metal by the approach or by as much as there
+    /// is room for; without room from above, at the feed of cutting in. A cylinder is extended to the start.
     pub fn begin(&mut self, first: &mut Piece, purpose: Purpose) {
         match self.side_start(first.from).filter(|_| first.from != self.here()) {
             Some(start) => {
@@ -194,26 +194,26 @@ impl<'z> ToolpathBuilder<'z> {
         }
     }
 
-    /// Where a pass that begins at a point may start beside the metal; none where there is no room for the retract.
+    /// Where a pass may start beside the metal; none if there is no room for the retract.
     pub fn side_start(&self, at: Point) -> Option<Point> {
         let room = self.stock.room_before(at.z, at.radius, self.settings.approach);
         let enough = room > Half::ZERO && room >= self.settings.retract.min(self.settings.approach);
         enough.then_some(Point { radius: at.radius, z: at.z - room })
     }
 
-    /// A pass is done: its pieces are the trail on which the tool can go back.
+    /// Ends a pass: the tool can return along its pieces.
     pub fn passed(&mut self, trail: Vec<Piece>) {
         self.passes += 1;
         self.trail = trail;
     }
 
-    /// Another section or another stock begins: the tool cannot go back along the last pass.
+    /// Begins another section or another stock: the tool cannot return along the last pass.
     pub fn leave_trail(&mut self) {
         self.trail.clear();
     }
 
-    /// Back along the contour of the zone to where the last pass began, at the feed of cutting in, if that is the point
-    /// from which the next one goes on (l. 468-478).
+    /// Along the contour back to where the last pass began, at the feed of cutting in, if the next pass goes on from
+    /// that point (l. 468-478).
     pub fn back_along(&mut self, to: Point) {
         let begins = self.trail.first().is_some_and(|first| first.from == to);
         if !begins || self.trail.last().is_none_or(|last| last.to != self.here()) {
@@ -223,8 +223,8 @@ impl<'z> ToolpathBuilder<'z> {
         self.follow(&back, Purpose::Return, SupportPointRole::Returned);
     }
 
-    /// What of a falling flank the tool has to cut. Where the last pass began on it, only what is below: what is above
-    /// is cut, whatever the rounding of points leaves there.
+    /// The part of a falling flank that the tool must cut. If the last pass began on the flank, it is only the part
+    /// below: the part above is cut already, apart from rounding.
     pub fn flank(&self, foot: Point, back: Back) -> Vec<Piece> {
         let mut flank = self.rough().flank(foot);
         let began =
@@ -239,7 +239,7 @@ impl<'z> ToolpathBuilder<'z> {
         flank
     }
 
-    /// What of a falling flank still has metal on it, down to its foot.
+    /// The part of a falling flank that still has metal on it, down to its foot.
     fn uncut(&self, flank: &[Piece]) -> Vec<Piece> {
         let mut uncut = Vec::new();
         for piece in flank.iter().rev() {
@@ -266,7 +266,8 @@ impl<'z> ToolpathBuilder<'z> {
     }
 
     /// The part of a path that cuts metal, from its first to its last contact. A face down to its beginning and one up
-    /// from its end belong to it, as far as metal stands beside them. Slivers narrower than the rounding are ignored.
+    /// from its end are included as far as there is metal beside them. Slivers narrower than the rounding do not count,
+    /// nor does contact outside the stretch that is worked.
     pub fn trimmed(&self, pieces: &[Piece]) -> Vec<Piece> {
         let (from, to) = self.zone.worked;
         let metal = |piece: &Piece| {
@@ -306,7 +307,7 @@ impl<'z> ToolpathBuilder<'z> {
         kept
     }
 
-    /// Home: straight where nothing is in the way, else up first.
+    /// Home: straight if nothing is in the way, otherwise up first.
     pub fn home(mut self) -> Self {
         let home = self.path.from;
         if self.here() != home {

@@ -10,15 +10,15 @@ use super::in_process_stock::InProcessStock;
 use super::monotone::{MonotoneContour, clipped, radius_on};
 use super::{PreparedZone, Scheme, Settings, Stock, Tool};
 
-/// What is let pass of an angle whatever the piece, degrees.
+/// The tolerance of every angle, degrees.
 const ROUNDING_DEGREES: f64 = 0.01;
 
-/// More passes than this over one zone are a slip of the keyboard: a shift would not turn them, and the time to
-/// find them grows with their square.
+/// More passes than this over one zone are a typing mistake: no shift would turn them, and the time to find them grows
+/// with their square.
 pub const MOST_PASSES: i64 = 1000;
 
-/// What the rounding of its ends to half a micrometre may do to the direction of a piece, degrees: it turns the chord, and
-/// moves the centre of an arc.
+/// How far rounding of its ends to half a micrometre may change the direction of a piece, degrees: it turns the chord
+/// and moves the centre of an arc.
 fn rounding_degrees(piece: &Piece) -> f64 {
     const END_MM: f64 = 0.0005;
     let chord = piece.chord().length();
@@ -30,19 +30,19 @@ fn rounding_degrees(piece: &Piece) -> f64 {
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)] // the figures have the names of those of the sentences
 pub enum Unsuited {
-    /// A contour does not hang together, or leads back.
+    /// A contour is not connected, or runs back.
     NotMonotone { contour: &'static str },
-    /// The contours differ in their side or their stretch of Z.
+    /// The contours are of different sides or stretches of Z.
     ContoursDiffer,
     /// A depth or distance that is not above zero.
     NotPositive,
     /// The rough contour is above its blank there; Z from the chuck.
     RoughAboveBlank { z: Half },
-    /// A way against a stop over a contour that is not stepped.
+    /// A toolpath against a stop over a contour that is not stepped.
     StopNeedsSteps,
     /// A flank is steeper than the tool's angle, degrees.
     TooSteep { z: Half, angle: f64, limit: f64 },
-    /// The contour has none beside it at that distance.
+    /// There is no offset curve at that distance.
     NoEquidistant { distance: Half },
     /// More passes than anybody would turn.
     TooManyPasses { passes: i64 },
@@ -68,11 +68,10 @@ impl Unsuited {
     }
 }
 
-/// Whether toolpaths can be made over a zone at all.
+/// Whether toolpaths are possible over a zone at all.
 ///
-/// # Errors
-/// A reason, each with its remedy in the sentences: contours that do not hang together, lead back, differ in their
-/// stretch of Z or in their side; a rough contour above its blank; lengths that are not positive.
+/// # Errors A reason, whose sentence has a remedy: contours that are not connected, run back, or differ in their
+/// stretch of Z or their side; a rough contour above its blank; lengths that are not positive.
 pub fn zone(
     stock: &Stock,
     ground: &MonotoneContour,
@@ -99,9 +98,8 @@ pub fn zone(
 
 /// Whether a scheme suits a zone.
 ///
-/// # Errors
-/// A reason, as of [`zone`]: more passes than anybody would turn, a way against a stop over a contour that is not stepped,
-/// a contour steeper than the tool's angles.
+/// # Errors A reason, as of [`zone`]: too many passes, a toolpath against a stop over a contour that is not stepped, a
+/// contour steeper than the tool's angles.
 pub fn scheme(zone: &PreparedZone, settings: &Settings, scheme: Scheme) -> Tried<(), Unsuited> {
     let not = |why: Unsuited| Err(Refusal::Not(why));
     let (ground, stock) = (&zone.rough, &zone.stock);
@@ -150,8 +148,8 @@ fn is_roller(rough: &Contour, ground: &MonotoneContour) -> bool {
     rough.is_stepped() && ground.pieces.iter().all(|piece| piece.to.radius >= piece.from.radius)
 }
 
-/// A piece that rises more steeply than the main angle, or falls more steeply than the secondary one: its steepest angle,
-/// and the limit.
+/// A piece that rises more steeply than the main angle, or falls more steeply than the secondary one, with its steepest
+/// angle and the limit.
 fn too_steep<'p>(piece: &'p Piece, tool: &Tool) -> Option<(&'p Piece, f64, f64)> {
     let angles = [piece.direction_at_start().degrees(), piece.direction_at_end().degrees()];
     let rises = piece.to.radius > piece.from.radius;
@@ -167,8 +165,8 @@ mod tests {
     use crate::turning::point::Point;
     use crate::units::Degrees;
 
-    /// A fillet of 0.3855 whose end, upright but for rounding, leads back by 0.02°: found over a whole operation. 0.5 µm over
-    /// 0.54 mm and over 0.3855 mm are 0.053° and 0.074°.
+    /// A fillet of 0.3855 whose upright end runs back by 0.02° because of rounding; found by an operation of a random
+    /// part. 0.5 µm over 0.54 mm and over 0.3855 mm are 0.053° and 0.074°.
     #[test]
     fn rounding_of_a_small_arc_is_no_angle() {
         let at = |radius: f64, z: f64| Point { radius: Half::from(radius), z: Half::from(z) };

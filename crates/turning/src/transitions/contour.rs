@@ -15,17 +15,17 @@ const MOST: i64 = 10_000;
 ///
 /// 1. From the start beside the metal the tool goes along the shifted contour.
 /// 2. It goes up off the metal, and returns as a rapid to above the start: a closed cycle with the pass.
-/// 3. The next cycle is the same, nearer to the contour by one step of the line; the last is the contour itself.
+/// 3. The next cycle is one step of the line nearer to the contour; the last pass is the contour itself.
 ///
-/// The line leads in the direction of the blank's allowance: outwards, and towards the free end as far as the blank has
-/// stock on its faces, where the contour only rises. A bar has no such stock, so its line is radial.
-pub fn work(course: &mut ToolpathBuilder<'_>) {
-    let step = step(course);
+/// The line has the direction of the blank's allowance: outwards and, if the contour only rises, towards the free end
+/// as far as the blank has stock on its faces. A bar has no such stock, so its line is radial.
+pub fn work(builder: &mut ToolpathBuilder<'_>) {
+    let step = step(builder);
     let shifted = |count: i64| -> Vec<Piece> {
         let by = |size: Half| Half::new(size.halves().saturating_mul(count));
         let place = |point: Point| Point { radius: point.radius + by(step.radius), z: point.z - by(step.z) };
-        // What is shifted over the stretch that is worked.
-        let ((from, to), rough) = (course.zone.worked, course.rough());
+        // Only what is shifted over the stretch that is worked.
+        let ((from, to), rough) = (builder.zone.worked, builder.rough());
         let near = rough.touching(from, to + by(step.z));
         let pieces = near.iter().map(|piece| piece.mapped(false, place)).collect();
         let pass = MonotoneContour { pieces };
@@ -35,45 +35,47 @@ pub fn work(course: &mut ToolpathBuilder<'_>) {
         let to = if ends { rough.to() } else { pass.to() };
         pass.stretched(from, to).pieces
     };
-    let count = (1..=MOST).find(|count| course.trimmed(&shifted(*count)).is_empty()).unwrap_or(MOST);
+    let count = (1..=MOST).find(|count| builder.trimmed(&shifted(*count)).is_empty()).unwrap_or(MOST);
     let passes: Vec<_> = (0..count).rev().map(|count| (count, shifted(count))).collect();
     for (count, pass) in passes {
-        let way = course.trimmed(&pass);
-        let Some(first) = way.first().map(|first| first.from) else { continue };
-        let start = course.side_start(first).unwrap_or(first);
-        course.pass(&way, Purpose::Cut, SupportPointRole::ContourEnd);
+        let path = builder.trimmed(&pass);
+        let Some(first) = path.first().map(|first| first.from) else { continue };
+        let start = builder.side_start(first).unwrap_or(first);
+        builder.pass(&path, Purpose::Cut, SupportPointRole::ContourEnd);
         let higher = Half::new(step.radius.halves().saturating_mul(count));
-        let clear = course.zone.held(course.zone.top + course.settings.retract + higher).max(course.here().radius);
-        course.rapid(Point { radius: clear, z: course.here().z }, SupportPointRole::Clear);
-        course.rapid(Point { radius: clear, z: start.z }, SupportPointRole::Returned);
+        let clear =
+            builder.zone.limited(builder.zone.top + builder.settings.retract + higher).max(builder.here().radius);
+        builder.rapid(Point { radius: clear, z: builder.here().z }, SupportPointRole::Clear);
+        builder.rapid(Point { radius: clear, z: start.z }, SupportPointRole::Returned);
     }
 }
 
-/// One step of the line: the larger of its two parts is the depth of a pass.
-fn step(course: &ToolpathBuilder<'_>) -> Point {
-    let depth = course.settings.depth;
-    let (across, along) = (across(course).to_mm(), along(course).to_mm());
+/// One step of the line; its larger component is the depth of a pass.
+fn step(builder: &ToolpathBuilder<'_>) -> Point {
+    let depth = builder.settings.depth;
+    let (across, along) = (across(builder).to_mm(), along(builder).to_mm());
     let most = across.max(along);
     let part = |size: f64| if most > 0.0 { Half::from(depth.to_mm() * size / most) } else { depth };
     Point { radius: part(across), z: if most > 0.0 { part(along) } else { Half::ZERO } }
 }
 
-/// The least stock over a piece that is no face, and has some.
-fn across(course: &ToolpathBuilder<'_>) -> Half {
+/// The least stock over the pieces that have stock, without faces.
+fn across(builder: &ToolpathBuilder<'_>) -> Half {
     let over = |piece: &Piece| {
-        let top = course.zone.whole.highest(piece.from.z, piece.to.z)?;
+        let top = builder.zone.whole.highest(piece.from.z, piece.to.z)?;
         Some(top - piece.from.radius.max(piece.to.radius)).filter(|stock| *stock > Half::ZERO)
     };
-    course.rough().pieces.iter().filter(|piece| !piece.is_face()).filter_map(over).min().unwrap_or_default()
+    builder.rough().pieces.iter().filter(|piece| !piece.is_face()).filter_map(over).min().unwrap_or_default()
 }
 
-/// The least stock before a face, where the contour only rises and the blank has a face or slope of its own before it.
-fn along(course: &ToolpathBuilder<'_>) -> Half {
-    let ground = course.rough();
+/// The least stock before a face. It counts only if the contour never falls and the blank has a face or slope of its
+/// own before every face.
+fn along(builder: &ToolpathBuilder<'_>) -> Half {
+    let ground = builder.rough();
     if ground.pieces.iter().any(|piece| piece.to.radius < piece.from.radius) {
         return Half::ZERO;
     }
-    let cells = course.zone.whole.cells();
+    let cells = builder.zone.whole.cells();
     let heights: Vec<Half> = cells
         .iter()
         .scan(Half::ZERO, |highest, cell| {
@@ -88,6 +90,7 @@ fn along(course: &ToolpathBuilder<'_>) -> Half {
         (cell.from > ground.from()).then_some(stock)
     };
     let faces: Vec<Option<Half>> = ground.pieces.iter().filter(|piece| piece.is_face()).map(before).collect();
-    // A face with no stock of its own before it would be cut crosswise over all that stands there.
+    // If a face has no stock of its own before it, a shift along the axis would cut all the stock over it across the
+    // axis.
     faces.into_iter().collect::<Option<Vec<_>>>().and_then(|all| all.into_iter().min()).unwrap_or_default()
 }

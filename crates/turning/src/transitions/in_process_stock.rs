@@ -1,5 +1,5 @@
 //! The in-process stock over a zone: for each Z the radius of the metal, as spans that each lie under one line or arc.
-//! A working move lowers it to its own path. Exact in Z to half a micrometre.
+//! A working move lowers it to its path. Exact along Z to half a micrometre.
 
 use crate::turning::contour::{Contour, Curve, Piece, Side};
 use crate::turning::length::Half;
@@ -15,7 +15,7 @@ pub struct StockSpan {
     pub from: Half,
     /// Z of its end.
     pub to: Half,
-    /// Its surface: a piece that only rises or only falls, no face, perhaps longer than the stretch.
+    /// Its surface: a piece that only rises or only falls, not a face; it may be longer than the span.
     pub top: Piece,
 }
 
@@ -26,7 +26,7 @@ pub struct InProcessStock {
 }
 
 impl InProcessStock {
-    /// The whole blank, or the whole of what a contour bounds.
+    /// The whole blank, or everything that a contour bounds.
     pub fn of(blank: &MonotoneContour) -> Self {
         let pieces = blank.pieces.iter().filter(|piece| !piece.is_face());
         Self { cells: pieces.map(|piece| StockSpan { from: piece.from.z, to: piece.to.z, top: *piece }).collect() }
@@ -47,8 +47,8 @@ impl InProcessStock {
         (before, behind)
     }
 
-    /// The lesser radius of both sides of a Z, beyond the ends that of the metal beside it: a tool gets down to this
-    /// radius along a face. A slot narrower than the rounding does not count; the wall behind it does.
+    /// The smaller radius of both sides of a Z; beyond the ends that of the metal beside it. A tool can go down a face
+    /// to this radius. A slot narrower than the rounding does not count; the wall behind it does.
     pub fn least_at(&self, z: Half) -> Option<Half> {
         let (before, behind) = self.sides(z);
         match (before.max(self.walled(z - NARROW, z)), behind.max(self.walled(z, z + NARROW))) {
@@ -57,7 +57,7 @@ impl InProcessStock {
         }
     }
 
-    /// The greatest radius of the metal where a stretch of it begins or ends between two Z.
+    /// The greatest radius of the metal where a span begins or ends between two Z.
     fn walled(&self, from: Half, to: Half) -> Option<Half> {
         let within = |z: Half| from < z && z < to;
         let radii = self.over(from, to).iter().flat_map(|cell| {
@@ -67,14 +67,14 @@ impl InProcessStock {
         radii.max()
     }
 
-    /// The greatest radius between two Z; nothing where no metal is. The sides beyond them do not count.
+    /// The greatest radius between two Z; none if there is no metal. The metal beyond them does not count.
     pub fn highest(&self, from: Half, to: Half) -> Option<Half> {
         let (from, to) = (from.min(to), from.max(to));
         let parts = self.over(from, to).iter().filter_map(|cell| self.part(cell, from, to));
         parts.flat_map(|part| [part.from.radius, part.to.radius]).max()
     }
 
-    /// How far before a Z, at most so far, there is nothing above a radius.
+    /// How far before a Z, but at most `most`, there is no metal above a radius.
     pub fn room_before(&self, z: Half, radius: Half, most: Half) -> Half {
         let stop = z - most;
         for cell in self.over(stop, z).iter().rev() {
@@ -89,21 +89,21 @@ impl InProcessStock {
         most
     }
 
-    /// Where a piece that is no face goes through metal: stretches of Z. Touching is none.
+    /// The stretches of Z where a piece that is not a face goes through metal. Touching does not count.
     pub fn metal(&self, piece: &Piece) -> Vec<(Half, Half)> {
-        let mut found: Vec<(Half, Half)> = Vec::new();
+        let mut stretches: Vec<(Half, Half)> = Vec::new();
         self.compared(piece, |a, b, above| {
             if above {
-                match found.last_mut() {
+                match stretches.last_mut() {
                     Some(last) if last.1 == a => last.1 = b,
-                    _ => found.push((a, b)),
+                    _ => stretches.push((a, b)),
                 }
             }
         });
-        found
+        stretches
     }
 
-    /// Takes away what lies above a piece. A face takes nothing: it has no width.
+    /// Removes what lies above a piece. A face removes nothing: it has no width.
     pub fn lower(&mut self, piece: &Piece) {
         let piece = &if piece.to.z < piece.from.z { piece.reversed() } else { *piece };
         let mut lowered: Vec<StockSpan> = Vec::new();
@@ -117,7 +117,7 @@ impl InProcessStock {
         }
     }
 
-    /// Whether a straight way between two points goes through no metal; where it cannot be told in one look, no.
+    /// Whether a straight move between two points goes through no metal. If that is not certain, false.
     pub fn is_clear(&self, from: Point, to: Point) -> bool {
         let (from, to) = if from.z <= to.z { (from, to) } else { (to, from) };
         if from.z == to.z {
@@ -128,15 +128,15 @@ impl InProcessStock {
             let Some(part) = self.part(cell, from.z, to.z) else { return true };
             let (a, b) = (radius_on(&line, part.from.z), radius_on(&line, part.to.z));
             part.from.radius <= a && part.to.radius <= b && {
-                // An arc may bulge between its ends: then the way must be above both of them.
+                // An arc may be higher between its ends, so the move must be above both of them.
                 matches!(part.curve, Curve::Line) || part.from.radius.max(part.to.radius) <= a.min(b)
             }
         };
         self.over(from.z, to.z).iter().all(over)
     }
 
-    /// The most that stands above a ground anywhere; what the rounding of points leaves is none, nor what fills a slot
-    /// narrower than that. Where an arc meets something aslant, a bound of it from above.
+    /// The most that is left above a ground anywhere. What rounding of points leaves does not count, nor what fills a
+    /// slot narrower than that. Where an arc meets a slope it is an upper bound.
     pub fn ridge(&self, ground: &[Piece]) -> Half {
         let mut most = Half::ZERO;
         for piece in ground.iter().filter(|piece| !piece.is_face()) {
@@ -152,11 +152,11 @@ impl InProcessStock {
         most
     }
 
-    /// The surface of what stands, over a ground: the ground where nothing is above it but rounding. What is to be cleared
-    /// next stands between it and a deeper contour.
+    /// The surface of the stock over a ground; the ground itself where only rounding is above it. It is the blank of
+    /// the next, deeper work.
     pub fn surface(&self, ground: &MonotoneContour) -> Contour {
         let mut pieces: Vec<Piece> = Vec::new();
-        // The piece of the ground that the last one is a part of.
+        // The index of the piece of the ground that the last piece is part of.
         let mut of = None;
         for (index, piece) in ground.pieces.iter().enumerate().filter(|(_, piece)| !piece.is_face()) {
             for cell in self.over(piece.from.z, piece.to.z) {
@@ -189,12 +189,12 @@ impl InProcessStock {
         ahead.split_at(ahead.partition_point(|cell| cell.from < to)).0
     }
 
-    /// The part of a cell over a stretch, where it has a length.
+    /// The part of a span within a stretch, if it has a length.
     fn part(&self, cell: &StockSpan, from: Half, to: Half) -> Option<Piece> {
         clipped(&cell.top, from.max(cell.from), to.min(cell.to))
     }
 
-    /// Tells for each stretch under a piece whether metal stands above it, from the free end.
+    /// Calls `tell` for each stretch under a piece, from the free end, with whether there is metal above it.
     fn compared(&self, piece: &Piece, mut tell: impl FnMut(Half, Half, bool)) {
         let piece = &if piece.to.z < piece.from.z { piece.reversed() } else { *piece };
         for cell in self.over(piece.from.z, piece.to.z) {
@@ -222,14 +222,14 @@ impl InProcessStock {
     }
 }
 
-/// So many halves of a micrometre above a piece touch it.
+/// Metal no higher than this above a piece touches it, in halves of a micrometre.
 const TOUCHING: i64 = 1;
 
-/// No more than this is a ridge: the ends of a cut, of the one beside it and of the contour are rounded, one and a half
-/// micrometres together.
+/// A ridge must be higher than this, in halves of a micrometre: the ends of a cut, of the one beside it and of the
+/// contour are rounded, together by one and a half micrometres.
 const ROUNDED: i64 = 3;
 
-/// Where one piece lies above another over a stretch; they may cross more than once.
+/// Tells over which parts of a stretch one piece is above another; they may cross more than once.
 fn compare(top: &Piece, piece: &Piece, from: Half, to: Half, tell: &mut impl FnMut(Half, Half, bool)) {
     let middle = Half::new((from.halves() + to.halves()).div_euclid(2));
     let places = [from, middle, to];
@@ -244,8 +244,8 @@ fn compare(top: &Piece, piece: &Piece, from: Half, to: Half, tell: &mut impl FnM
     }
 }
 
-/// Whether one piece is above another at a Z by no more than the rounding of points, which is half a micrometre along
-/// both axes: on a steep piece that is more across than along.
+/// Whether one piece is above another at a Z by no more than rounding, which is half a micrometre along both axes: on a
+/// steep piece that is more across the axis than along it.
 fn is_near(top: &Piece, piece: &Piece, z: Half, slack: i64) -> bool {
     let reach = [z - Half::new(1), z, z + Half::new(1)];
     let reach = reach.into_iter().filter(|z| (piece.from.z..=piece.to.z).contains(z));
@@ -253,7 +253,7 @@ fn is_near(top: &Piece, piece: &Piece, z: Half, slack: i64) -> bool {
     (radius_on(top, z) - near).halves() <= slack
 }
 
-/// Whether what stands under `top` above a piece is too narrow to count.
+/// Whether the stock between `top` and a piece is too narrow to count.
 fn is_sliver(top: &Piece, piece: &Piece) -> bool {
     let (mut first, mut last) = (top.to.z, top.from.z);
     compare(top, piece, top.from.z, top.to.z, &mut |from, to, above| {
@@ -264,8 +264,8 @@ fn is_sliver(top: &Piece, piece: &Piece) -> bool {
     is_narrow(first, last)
 }
 
-/// A piece without the end of an arc where it is lowest: if what is beside that end is as low, it is told there, and if
-/// not, the arc and it make a slot.
+/// A piece without the lowest end of an arc. If the stock beside that end is as low, it is compared there; otherwise it
+/// and the arc form a slot.
 fn off_foot(piece: &Piece) -> Option<Piece> {
     match piece.curve {
         Curve::Line => Some(*piece),
@@ -274,7 +274,7 @@ fn off_foot(piece: &Piece) -> Option<Piece> {
     }
 }
 
-/// In so many parts two pieces over one stretch are compared.
+/// Pieces over one stretch are compared at the ends of so many parts of it.
 const PARTS: i64 = 16;
 
 /// The places at which two pieces over one stretch are compared.
@@ -283,12 +283,12 @@ fn places(piece: &Piece) -> impl Iterator<Item = Half> + use<> {
     (0..=PARTS).map(move |part| Half::new(from + length * part / PARTS))
 }
 
-/// Whether a piece lies on another but for the rounding of points.
+/// Whether a piece lies on another, apart from rounding.
 fn touches(top: &Piece, under: &Piece) -> bool {
     places(top).all(|z| is_near(top, under, z, ROUNDED))
 }
 
-/// How far a piece stands over another at most: exact where both are straight or one is level, else a bound from above.
+/// How far a piece is above another at most: exact if both are straight or one is horizontal, otherwise an upper bound.
 fn over(top: &Piece, under: &Piece) -> Half {
     let straight = |piece: &Piece| matches!(piece.curve, Curve::Line);
     if straight(top) && straight(under) || top.is_cylinder() || under.is_cylinder() {

@@ -15,24 +15,24 @@ use super::{Feeds, PreparedZone, Transition, descent};
 /// The measures of a toolpath.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ToolpathMeasures {
-    /// The length cut in metal, mm. Along an upright face nothing is cut: the point has cut up to it before.
+    /// The length cut in metal, mm. Along an upright face nothing is cut: the tool has cut up to it before.
     pub cutting_mm: f64,
-    /// Length at a feed that cuts no metal, mm: to the metal, along clean surfaces, back along the contour.
+    /// Length at a feed without metal, mm: to the metal, along clean surfaces, back along the contour.
     pub beside_mm: f64,
     /// The rapids, mm.
     pub rapid_mm: f64,
-    /// Feeds and rapids together. A rapid moves both axes at once, so its time is that of the longer axis.
+    /// Feeds and rapids together. A rapid moves both axes at once, so its time is that of the longer motion.
     pub time_min: Minutes,
     /// Working passes.
     pub passes: usize,
-    /// Times that the tool comes back to begin another pass.
+    /// How often the tool returns to begin another pass.
     pub returns: usize,
 }
 
-/// Measures a toolpath by running it over a fresh blank. `edge` is the width of the edge of a tool that plunges across
-/// the axis.
+/// Measures a toolpath by running it over a fresh blank. `edge` is the width of the edge of a tool that cuts across the
+/// axis.
 pub fn measure(
-    way: &Toolpath,
+    path: &Toolpath,
     zone: &PreparedZone,
     feeds: &Feeds,
     passes: usize,
@@ -40,7 +40,7 @@ pub fn measure(
 ) -> ToolpathMeasures {
     let mut standing = zone.whole.clone();
     let (mut cutting, mut beside, mut rapid, mut time) = (0.0, 0.0, 0.0, 0.0);
-    for (piece, purpose) in way.pieces() {
+    for (piece, purpose) in path.pieces() {
         let length = piece.length_mm();
         let rate = feeds.rate(purpose).0;
         if purpose == Purpose::Rapid {
@@ -65,7 +65,7 @@ pub fn measure(
     }
 }
 
-/// Takes away what a move cuts, and what an edge of a width cuts with it.
+/// Removes what a move cuts. If the tool has an edge, a cut removes what is under it.
 pub(super) fn cut(standing: &mut InProcessStock, piece: &Piece, purpose: Purpose, edge: Option<Half>) {
     if purpose == Purpose::Rapid {
         return;
@@ -109,10 +109,10 @@ pub struct Best {
     pub note: Note,
 }
 
-/// The quickest of several toolpaths, the first among equals; none where there are fewer than two. Whoever needs an
-/// even allowance gives it only those that are [`Transition::uniform`].
-pub fn best<'t>(ways: impl IntoIterator<Item = &'t Transition>) -> Option<Best> {
-    let mut order: Vec<&Transition> = ways.into_iter().collect();
+/// The toolpath with the least time, the first among equals; none if there are fewer than two. Where an even allowance
+/// is needed, only those that are [`Transition::uniform`] must be passed.
+pub fn best<'t>(transitions: impl IntoIterator<Item = &'t Transition>) -> Option<Best> {
+    let mut order: Vec<&Transition> = transitions.into_iter().collect();
     let time = |one: &Transition| one.measures.time_min.0;
     order.sort_by(|a, b| time(a).total_cmp(&time(b)));
     let [best, next, ..] = order.as_slice() else { return None };

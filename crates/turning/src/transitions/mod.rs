@@ -2,18 +2,17 @@
 //! of any shape: lines and arcs between a rough contour and a blank.
 //!
 //! [`work`] makes the toolpath of a scheme. Each scheme is a file: [`looped`], [`zigzag`], [`descent`], [`pick_up`],
-//! [`semi_finishing`], [`equidistant`], [`contour`]. They share [`split`] (the levels), [`straight`] (straight
-//! passes), [`builder`] (a toolpath under construction) over [`monotone`] (the rough contour) and [`in_process_stock`]
-//! (what is left of the blank); [`narrow`] says what is too narrow to count, [`support_points`] names the support
-//! points, [`measures`] measures and compares, [`check`] refuses what cannot be worked, [`zone`] prepares a zone for all
-//! of this.
+//! [`semi_finishing`], [`equidistant`], [`contour`]. They share [`split`] (the levels), [`straight`] (straight passes),
+//! [`builder`] (a toolpath under construction), [`monotone`] (the rough contour) and [`in_process_stock`]. [`zone`]
+//! prepares a zone for all schemes, [`check`] refuses what cannot be worked, [`narrow`] defines what is too narrow to
+//! count, [`support_points`] names the support points, [`measures`] measures and compares.
 //!
 //! A toolpath is that of the theoretical point of the tool on the rough contour: the corner of the two tangents to its
-//! nose, along the axis and across it. On cylinders and upright faces ahead the true edge cuts the same. Over a
-//! stretch that rises at an angle α to the axis the nose of radius r leaves r·(sin α + cos α − 1) more, square to the
-//! contour; on one that falls at α it cuts r·(1 + sin α − cos α) too deep. Compensating for that is the work of the
-//! program, not of this room. (The centre of the nose lies r before the point and r above it; its distance from the
-//! contour less r.)
+//! nose, along the axis and across it. On cylinders and upright faces ahead the true edge cuts the same. On a piece
+//! that rises at an angle α to the axis the nose of radius r leaves r·(sin α + cos α − 1) more, normal to the contour;
+//! on one that falls at α it cuts r·(1 + sin α − cos α) too deep. The program must compensate for that, not this
+//! module. (The centre of the nose lies r before the point and r above it; subtract r from its distance from the
+//! contour.)
 //!
 //! Architecture invariant: every contour is treated as an outer one; a bore is turned inside out.
 
@@ -53,13 +52,13 @@ use measures::ToolpathMeasures;
 use support_points::SupportPoint;
 pub use zone::PreparedZone;
 
-/// What is to be removed: what stands between two contours over one stretch of Z.
+/// What is to be removed: the stock between two contours over one stretch of Z.
 ///
-/// Both go from the free end towards the chuck and never lead back; a wall at an end of the zone is a face of the rough
-/// contour. Beyond the ends is air for the tool, but it never goes beyond `to`.
+/// Both contours run from the free end towards the chuck and never back. A wall at an end of the zone is a face of the
+/// rough contour. Beyond the ends there is no metal for the tool, but it never goes beyond `to`.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Stock {
-    /// The contour after roughing, nowhere above the blank.
+    /// The contour after roughing; it is nowhere above the blank.
     pub rough: Contour,
     /// The blank.
     pub blank: Contour,
@@ -69,14 +68,14 @@ pub struct Stock {
     pub to: Half,
 }
 
-/// The tool, as far as a way depends on it.
+/// What a toolpath depends on of the tool.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Tool {
     /// Nose radius.
     pub nose_radius: Half,
-    /// The main angle φ: contours may rise so steeply.
+    /// The main angle φ: the steepest rise of a contour.
     pub main: Degrees,
-    /// The secondary angle φ1: contours may fall so steeply.
+    /// The secondary angle φ1: the steepest fall of a contour.
     pub secondary: Degrees,
 }
 
@@ -85,7 +84,7 @@ pub struct Tool {
 pub struct Feeds {
     /// Of straight passes, S0.
     pub main: MillimetresPerMinute,
-    /// Of cutting in, and of ways back along the contour of a closed zone.
+    /// Of cutting in, and of return moves along the contour of a closed zone.
     pub infeed: MillimetresPerMinute,
     /// Of picking up.
     pub pick_up: MillimetresPerMinute,
@@ -114,7 +113,7 @@ impl Feeds {
 /// How the tool goes. All lengths are positive.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Settings {
-    /// t_p, the greatest depth of a pass; of descent the width of a slice.
+    /// t_p, the greatest depth of a pass; for descent the width of a slice.
     pub depth: Half,
     /// δ: how far before the metal the feed begins.
     pub approach: Half,
@@ -181,12 +180,12 @@ impl Scheme {
     }
 
     /// That row.
-    fn told(self, knowledge: &Knowledge) -> Result<TurningSchemes<'_>, KnowledgeError> {
+    fn record(self, knowledge: &Knowledge) -> Result<TurningSchemes<'_>, KnowledgeError> {
         knowledge.need(self.row().name(), |row: &TurningSchemes<'_>| row.scheme == self.row())
     }
 }
 
-/// The scheme that a file asks for. Against a stop is no wish of a file.
+/// The scheme that a file requires. A file cannot require the one against a stop.
 impl From<workpiece::Scheme> for Scheme {
     fn from(asked: workpiece::Scheme) -> Self {
         match asked {
@@ -206,30 +205,30 @@ impl From<workpiece::Scheme> for Scheme {
 pub struct Transition {
     /// The scheme.
     pub scheme: Scheme,
-    /// The way of the tool, from home and back.
-    pub way: Toolpath,
-    /// Its points with their names; the first is home, and each motion has the one that it ends in.
+    /// The toolpath, from home and back.
+    #[serde(rename = "way")]
+    pub path: Toolpath,
+    /// Its points with their names: first home, then the end of each move.
     pub points: Vec<SupportPoint>,
-    /// The width of the tool's edge, of descent: what a motion across the axis takes with it towards the free end.
+    /// For descent, the width of the tool's edge, which a motion across the axis clears towards the free end.
     #[serde(rename = "edge_mm", skip_serializing_if = "Option::is_none")]
     pub edge: Option<Half>,
-    /// The most that is left over the rough contour anywhere, radial; none but by rounding is 0. Where an arc of the
-    /// blank is left over a slope, a bound of it from above.
+    /// The most that is left above the rough contour anywhere, radial; 0 if only rounding is left. Where an arc of the
+    /// blank is left over a slope it is an upper bound.
     pub ridges_mm: Half,
-    /// Whether what is left for finishing is even: no ridges.
+    /// Whether the allowance for finishing is even, without ridges.
     pub uniform: bool,
     /// Its lengths, its time and its passes.
     pub measures: ToolpathMeasures,
-    /// Why it is what it is: its row in the table `turning-schemes`.
+    /// The reason: its row in the table `turning-schemes`.
     pub because: Because,
 }
 
-/// Makes the way of a scheme over a zone, outer or inner. `offset` makes the equidistant contours of the scheme of that
-/// name; the others do not ask it. Several schemes over one zone have the same [`PreparedZone`].
+/// Makes the toolpath of a scheme over a zone, outer or inner. Only the equidistant scheme calls `offset`, for its
+/// offset curves. For several schemes over one zone, prepare a [`PreparedZone`] once.
 ///
-/// # Errors
-/// The zone, the tool or the settings do not suit ([`check`]), an equidistant cannot be made, or the knowledge base lacks
-/// the scheme.
+/// # Errors The zone, the tool or the settings do not suit ([`check`]), an offset curve cannot be made, or the
+/// knowledge base lacks the scheme.
 pub fn work(
     stock: &Stock,
     tool: &Tool,
@@ -241,26 +240,25 @@ pub fn work(
     PreparedZone::of(stock, tool, settings)?.transition(scheme, offset, knowledge)
 }
 
-/// A way inside out: that over a bore, and back.
-fn way_inside_out(way: &Toolpath, top: Half) -> Toolpath {
-    let moves = way.pieces().map(|(piece, purpose)| {
+/// A toolpath inside out: from a bore to an outer contour, or back.
+fn path_inside_out(path: &Toolpath, top: Half) -> Toolpath {
+    let moves = path.pieces().map(|(piece, purpose)| {
         let piece = piece.inside_out(top);
         Move { to: piece.to, curve: piece.curve, purpose }
     });
-    Toolpath { from: way.from.inside_out(top), moves: moves.collect() }
+    Toolpath { from: path.from.inside_out(top), moves: moves.collect() }
 }
 
-/// Whether finishing must follow a scheme for a roughness that is asked: where the table `turning-schemes` says how fine
-/// the scheme can be as the last one, and finer is asked.
+/// A finding if finishing must follow a scheme for the required roughness: if the table `turning-schemes` says how fine
+/// the scheme can be as the last one, and the roughness is finer.
 ///
-/// # Errors
-/// The knowledge base lacks the scheme.
+/// # Errors The knowledge base lacks the scheme.
 pub fn finishing_must_follow(
     scheme: Scheme,
     asked: Roughness,
     knowledge: &Knowledge,
 ) -> Result<Option<Finding>, KnowledgeError> {
-    let Some(finest) = scheme.told(knowledge)?.finest else { return Ok(None) };
+    let Some(finest) = scheme.record(knowledge)?.finest else { return Ok(None) };
     let note = Note::new("finishing-must-follow")
         .with("scheme", Figure::scheme(scheme.name()))
         .with("finest", finest)

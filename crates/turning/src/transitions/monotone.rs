@@ -6,11 +6,11 @@ use crate::turning::point::{Point, Vector};
 
 use super::narrow::is_narrow;
 
-/// Nearer than this to its end an arc is not cut in two where it is level: over 10 µm it rises by less than half a
-/// micrometre for every radius above 0.1 mm.
+/// An arc is not divided where it is horizontal if that is nearer than this to its end, mm: over 10 µm it rises by less
+/// than half a micrometre for every radius above 0.1 mm.
 const NEAR_END: f64 = 0.01;
 
-/// A monotone outer contour, each piece of it rising, falling or a cylinder; arcs are at most a quarter of a circle.
+/// A monotone outer contour. Each piece rises, falls or is a cylinder; arcs are at most a quarter of a circle.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MonotoneContour {
     /// The pieces from the free end.
@@ -53,13 +53,14 @@ impl MonotoneContour {
         self.pieces.last().map_or(Half::ZERO, |piece| piece.to.z)
     }
 
-    /// The least radius over a stretch, faces not counted; none over a stretch without length.
+    /// The least radius over a stretch, without faces; none over a stretch without length.
     pub fn lowest(&self, from: Half, to: Half) -> Option<Half> {
         let radii = self.over(from, to).flat_map(|piece| [piece.from.radius, piece.to.radius]);
         radii.min()
     }
 
-    /// Where it is not above a radius: stretches of Z. A slot narrower than rounding is wall ([`NARROW`](super::narrow)).
+    /// The stretches of Z where it is not above a radius. A slot narrower than rounding counts as wall
+    /// ([`NARROW`](super::narrow)).
     pub fn spans(&self, radius: Half, from: Half, to: Half) -> Vec<(Half, Half)> {
         let mut spans: Vec<(Half, Half)> = Vec::new();
         for piece in self.over(from, to) {
@@ -79,10 +80,10 @@ impl MonotoneContour {
         spans
     }
 
-    /// The path along the greater of the contour and the radius `low`, held below the radius `high`, over a stretch. A
-    /// face at its beginning is in it where it falls, one at its end where it rises.
+    /// The path over a stretch along the contour, but not below the radius `low` nor above the radius `high`. A falling
+    /// face at its beginning and a rising face at its end are included.
     pub fn clamped(&self, low: Half, high: Half, from: Half, to: Half) -> Vec<Piece> {
-        let mut way: Vec<Piece> = Vec::new();
+        let mut path: Vec<Piece> = Vec::new();
         for piece in self.touching(from, to) {
             let part = if piece.is_face() {
                 let rises = piece.to.radius > piece.from.radius;
@@ -93,13 +94,13 @@ impl MonotoneContour {
                 clipped(piece, from, to)
             };
             for part in part.into_iter().flat_map(|part| parted(part, low, high)) {
-                match way.last_mut() {
+                match path.last_mut() {
                     Some(last) if last.is_cylinder() && part.is_cylinder() && last.to == part.from => last.to = part.to,
-                    _ => way.push(part),
+                    _ => path.push(part),
                 }
             }
         }
-        way
+        path
     }
 
     /// The contour itself over a stretch.
@@ -107,11 +108,10 @@ impl MonotoneContour {
         self.clamped(Half::new(i64::MIN), Half::new(i64::MAX), from, to)
     }
 
-    /// The falling flank that leads down to a point of the contour, from its top; nothing where the contour does not
-    /// fall to it.
+    /// The falling flank down to a point of the contour, from its top; empty if the contour does not fall to it.
     pub fn flank(&self, foot: Point) -> Vec<Piece> {
         let falls = |piece: &&Piece| piece.from.radius > piece.to.radius;
-        // A piece that ends there goes before one that passes there but for rounding.
+        // A piece that ends at the point takes precedence over one that only passes it within rounding.
         let beside = self.touching(foot.z, foot.z);
         let ends = beside.iter().rposition(|piece| falls(&piece) && piece.to == foot);
         let passes = || beside.iter().rposition(|piece| falls(&piece) && lies_on(piece, foot));
@@ -125,7 +125,7 @@ impl MonotoneContour {
         flank
     }
 
-    /// What of the contour follows a point of it; after a point of a face first the rest of the face.
+    /// The contour after one of its points; after a point of a face first the rest of the face.
     pub fn beyond(&self, point: Point) -> impl Iterator<Item = Piece> + '_ {
         let rest = move |piece: &Piece| {
             if piece.is_face() {
@@ -141,8 +141,8 @@ impl MonotoneContour {
         };
         let mut rest = self.pieces.iter().skip(self.before(point.z)).filter_map(rest);
         let mut begins: Vec<Piece> = rest.next().into_iter().collect();
-        // On a steep stretch the radius at the Z of the point, rounded, is not quite its own: the stretch begins at the
-        // point, or an upright line leads to it where the point lies before its beginning.
+        // On a steep piece the rounded radius at the Z of the point differs from that of the point. So the piece begins
+        // at the point, or an upright line leads to the piece if the point lies before its beginning.
         if let Some(first) = begins.first().copied().filter(|first| !first.is_face() && first.from.z == point.z) {
             let own_start =
                 self.touching(point.z, point.z).iter().any(|piece| piece.from == first.from && piece.to == first.to);
@@ -157,9 +157,9 @@ impl MonotoneContour {
         begins.into_iter().chain(rest)
     }
 
-    /// How far the contour goes on from a point without falling, mm.
+    /// The contour from a point over a length, mm, as long as it does not fall.
     pub fn onwards(&self, point: Point, length: f64) -> Vec<Piece> {
-        let (mut left, mut way) = (length, Vec::new());
+        let (mut left, mut path) = (length, Vec::new());
         for piece in self.beyond(point) {
             if left <= 0.0 || piece.to.radius < piece.from.radius {
                 break;
@@ -168,19 +168,19 @@ impl MonotoneContour {
             let part = if whole <= left { piece } else { piece.between(piece.from, on_at(&piece, left)) };
             left -= whole;
             if !part.is_nothing() {
-                way.push(part);
+                path.push(part);
             }
         }
-        way
+        path
     }
 
-    /// The greatest radius over a stretch, faces not counted; none over a stretch without length.
+    /// The greatest radius over a stretch, without faces; none over a stretch without length.
     pub fn highest(&self, from: Half, to: Half) -> Option<Half> {
         self.over(from, to).flat_map(|piece| [piece.from.radius, piece.to.radius]).max()
     }
 
-    /// Stretches over which it is not on or above a radius all along a cylinder: what stands between two of them has
-    /// none of the blank of that radius over it.
+    /// The stretches of the pieces that are below a radius somewhere. Between two of them nothing of a blank of that
+    /// radius is over the contour.
     pub fn below(&self, radius: Half, from: Half, to: Half) -> Vec<(Half, Half)> {
         let mut stretches: Vec<(Half, Half)> = Vec::new();
         for piece in self.over(from, to).filter(|piece| piece.from.radius.min(piece.to.radius) < radius) {
@@ -192,18 +192,18 @@ impl MonotoneContour {
         stretches
     }
 
-    /// Whether a point lies on the contour, to the rounding of its points.
+    /// Whether a point lies on the contour, within rounding.
     pub fn holds(&self, point: Point) -> bool {
         self.touching(point.z, point.z).iter().any(|piece| lies_on(piece, point))
     }
 
-    /// Its pieces with a length over a stretch, cut off at its ends.
+    /// The parts of its pieces over a stretch, without faces.
     fn over(&self, from: Half, to: Half) -> impl Iterator<Item = Piece> + '_ {
         let beside = self.touching(from, to).iter();
         beside.filter(|piece| !piece.is_face()).filter_map(move |piece| clipped(piece, from, to))
     }
 
-    /// How many pieces end before a Z. They do not lead back, so they are in the order of Z.
+    /// How many pieces end before a Z. The contour does not run back, so the pieces are in the order of Z.
     fn before(&self, z: Half) -> usize {
         self.pieces.partition_point(|piece| piece.to.z < z)
     }
@@ -214,7 +214,7 @@ impl MonotoneContour {
     }
 }
 
-/// Whether a point lies on a monotone piece, to the rounding of points.
+/// Whether a point lies on a monotone piece, within rounding.
 pub fn lies_on(piece: &Piece, point: Point) -> bool {
     let near = |a: Half, b: Half| (a - b).halves().abs() <= 1;
     let (low, high) = (piece.from.radius.min(piece.to.radius), piece.from.radius.max(piece.to.radius));
@@ -228,7 +228,7 @@ pub fn lies_on(piece: &Piece, point: Point) -> bool {
     }
 }
 
-/// The radius of a piece that is no face at a Z of it, rounded to half a micrometre.
+/// The radius at a Z of a piece that is not a face, rounded to half a micrometre.
 pub fn radius_on(piece: &Piece, z: Half) -> Half {
     let (along, whole) = (z - piece.from.z, piece.to.z - piece.from.z);
     if along == Half::ZERO || piece.is_cylinder() {
@@ -239,14 +239,14 @@ pub fn radius_on(piece: &Piece, z: Half) -> Half {
     }
     match (piece.curve, piece.centre()) {
         (Curve::Arc { radius, .. }, Some(centre)) => {
-            let found = across(radius, z.to_mm() - centre.z, centre.radius, piece.from.radius, piece.to.radius);
-            found.clamp(piece.from.radius.min(piece.to.radius), piece.from.radius.max(piece.to.radius))
+            let rounded = across(radius, z.to_mm() - centre.z, centre.radius, piece.from.radius, piece.to.radius);
+            rounded.clamp(piece.from.radius.min(piece.to.radius), piece.from.radius.max(piece.to.radius))
         }
         _ => piece.from.radius + share(piece.to.radius - piece.from.radius, along, whole),
     }
 }
 
-/// Z of a rising or falling piece at a radius of it, rounded to half a micrometre.
+/// The Z at a radius of a rising or falling piece, rounded to half a micrometre.
 pub fn z_on(piece: &Piece, at: Half) -> Half {
     let (up, whole) = (at - piece.from.radius, piece.to.radius - piece.from.radius);
     if up == Half::ZERO || whole == Half::ZERO {
@@ -257,14 +257,14 @@ pub fn z_on(piece: &Piece, at: Half) -> Half {
     }
     match (piece.curve, piece.centre()) {
         (Curve::Arc { radius, .. }, Some(centre)) => {
-            let found = across(radius, at.to_mm() - centre.radius, centre.z, piece.from.z, piece.to.z);
-            found.clamp(piece.from.z.min(piece.to.z), piece.from.z.max(piece.to.z))
+            let rounded = across(radius, at.to_mm() - centre.radius, centre.z, piece.from.z, piece.to.z);
+            rounded.clamp(piece.from.z.min(piece.to.z), piece.from.z.max(piece.to.z))
         }
         _ => piece.from.z + share(piece.to.z - piece.from.z, up, whole),
     }
 }
 
-/// The other coordinate of a circle, `off` from its centre along one: that of the two which lies between the ends.
+/// The other coordinate of a circle at `off` from its centre along one: of the two solutions the one between the ends.
 fn across(radius: Half, off: f64, centre: f64, one: Half, other: Half) -> Half {
     let half = libm::sqrt((radius.to_mm() * radius.to_mm() - off * off).max(0.0));
     let middle = (one.to_mm() + other.to_mm()) / 2.0;
@@ -278,7 +278,7 @@ fn share(size: Half, part: Half, whole: Half) -> Half {
     Half::new(i64::try_from((doubled + doubled.signum()) / 2).unwrap_or(0))
 }
 
-/// A piece as pieces that only rise or only fall, along both axes: an arc is cut where it is level or upright.
+/// A piece divided where it is horizontal or vertical, so that each part only rises or only falls along both axes.
 fn quarters(piece: Piece) -> Vec<Piece> {
     let far = |point: &Point| piece.from.to(*point).length() > NEAR_END && point.to(piece.to).length() > NEAR_END;
     let mut cuts: Vec<Point> = match piece.curve {
@@ -297,19 +297,20 @@ fn quarters(piece: Piece) -> Vec<Piece> {
     quarters
 }
 
-/// The part of a piece that is no face over a stretch, where it has a length.
+/// The part of a piece within a stretch of Z, if it has a length; the piece must not be a face.
 pub fn clipped(piece: &Piece, from: Half, to: Half) -> Option<Piece> {
     let (a, b) = (piece.from.z.max(from), piece.to.z.min(to));
     let at = |z: Half| Point { radius: radius_on(piece, z), z };
     (a < b).then(|| piece.between(at(a), at(b)))
 }
 
-/// The part of a piece between two of its points; of a steep arc so little may be left that it is upright: then a face.
+/// The part of a piece between two of its points. If so little of a steep arc is left that it is upright, it becomes a
+/// face.
 pub fn within(piece: &Piece, from: Point, to: Point) -> Piece {
     if from.z == to.z { Piece::line(from, to) } else { piece.between(from, to) }
 }
 
-/// A monotone piece cut at two radii; what is beyond them lies flat on them.
+/// A monotone piece cut at two radii; what is beyond them becomes horizontal at them.
 fn parted(piece: Piece, low: Half, high: Half) -> Vec<Piece> {
     let mut cuts = vec![piece.from];
     let between = |radius: &Half| {

@@ -10,75 +10,75 @@ use super::monotone::clipped;
 use super::split::Split;
 use super::straight::{Back, clear};
 
-/// Straight passes, then one motion along the contour that cuts all ridges.
+/// Straight passes, then one pass along the contour that cuts all ridges.
 ///
 /// 1. The straight passes are those of the loop (1-2-3-4, 5-6-7-8, 9-10-11-12, 13-14 of fig. 12.4 b).
 /// 2. After the last one the tool follows the contour, at a feed of its own because the depth varies (14-10-15-6-2-16;
-///    l. 412-426). It goes on from where the last pass ended, if the contour before that point is clean already; else it
-///    begins where the first ridge stands.
-/// 3. In a closed zone it returns after each straight pass along the contour of the zone to where the pass began, at the
-///    feed of cutting in, and goes down along the falling flank (l. 468-478).
-pub fn work(course: &mut ToolpathBuilder<'_>, split: &Split) {
+///    l. 412-426). It goes on from the end of the last pass if the contour before that point is clean already;
+///    otherwise it begins at the first ridge.
+/// 3. In a closed zone it returns after each straight pass along the contour of the zone to where the pass began, at
+///    the feed of cutting in, and goes down along the falling flank (l. 468-478).
+pub fn work(builder: &mut ToolpathBuilder<'_>, split: &Split) {
     for section in &split.sections {
-        clear(course, section, Back::AlongContour);
+        clear(builder, section, Back::AlongContour);
     }
-    let Some(end) = worked_to(course) else { return };
-    let here = course.here();
-    let (from, to) = course.zone.worked;
-    let ridge = course
+    let Some(end) = worked_to(builder) else { return };
+    let here = builder.here();
+    let (from, to) = builder.zone.worked;
+    let ridge = builder
         .rough()
         .touching(from, to)
         .iter()
         .filter(|piece| !piece.is_face())
-        .find_map(|piece| course.stock.metal(piece).first().map(|(from, _)| (*piece, *from)));
-    let on_contour = course.passes > 0 && course.rough().holds(here);
+        .find_map(|piece| builder.stock.metal(piece).first().map(|(from, _)| (*piece, *from)));
+    let on_contour = builder.passes > 0 && builder.rough().holds(here);
     match ridge {
         Some((piece, from)) if !on_contour || from < here.z => {
             let start = Point { radius: super::monotone::radius_on(&piece, from), z: from };
-            let way = parted(course, &held(course, course.rough().beyond(start), end));
-            if course.passes > 0 {
-                course.draw_back();
+            let path = parted(builder, &cut_off(builder, builder.rough().beyond(start), end));
+            if builder.passes > 0 {
+                builder.draw_back();
             }
-            course.pass(&way, Purpose::SemiFinish, SupportPointRole::ContourEnd);
+            builder.pass(&path, Purpose::SemiFinish, SupportPointRole::ContourEnd);
         }
         _ if on_contour => {
-            let way = parted(course, &held(course, course.rough().beyond(here), end));
-            if !way.is_empty() {
-                course.follow(&way, Purpose::SemiFinish, SupportPointRole::ContourEnd);
-                course.passed(Vec::new());
+            let path = parted(builder, &cut_off(builder, builder.rough().beyond(here), end));
+            if !path.is_empty() {
+                builder.follow(&path, Purpose::SemiFinish, SupportPointRole::ContourEnd);
+                builder.passed(Vec::new());
             }
         }
         _ => {}
     }
 }
 
-/// Z of the end of the stock that stood over the contour.
-fn worked_to(course: &ToolpathBuilder<'_>) -> Option<Half> {
-    let (from, to) = course.zone.worked;
-    let pieces = course.rough().touching(from, to).iter().rev().filter(|piece| !piece.is_face());
-    pieces.filter_map(|piece| course.zone.whole.metal(piece).last().map(|(_, to)| *to)).next()
+/// Z of the end of the stock over the contour.
+fn worked_to(builder: &ToolpathBuilder<'_>) -> Option<Half> {
+    let (from, to) = builder.zone.worked;
+    let pieces = builder.rough().touching(from, to).iter().rev().filter(|piece| !piece.is_face());
+    pieces.filter_map(|piece| builder.zone.whole.metal(piece).last().map(|(_, to)| *to)).next()
 }
 
-/// A way up to a Z, with the face there as far up as the blank was.
-fn held(course: &ToolpathBuilder<'_>, way: impl Iterator<Item = Piece>, end: Half) -> Vec<Piece> {
+/// A path up to a Z, with the face there only as far up as the blank was.
+fn cut_off(builder: &ToolpathBuilder<'_>, path: impl Iterator<Item = Piece>, end: Half) -> Vec<Piece> {
     let part = |piece: Piece| {
         if !piece.is_face() {
             return clipped(&piece, Half::new(i64::MIN), end);
         }
-        let blank = course.zone.whole.sides(piece.from.z).0.unwrap_or(piece.to.radius);
+        let blank = builder.zone.whole.sides(piece.from.z).0.unwrap_or(piece.to.radius);
         let top = if piece.from.z == end { piece.to.radius.min(blank) } else { piece.to.radius };
         let kept = piece.from.z < end || piece.from.z == end && top > piece.from.radius;
         kept.then(|| piece.between(piece.from, Point { radius: top, z: piece.from.z }))
     };
-    way.take_while(|piece| piece.from.z <= end).filter_map(part).collect()
+    path.take_while(|piece| piece.from.z <= end).filter_map(part).collect()
 }
 
-/// A way with a support point wherever a straight pass ended on it, as fig. 12.4 b counts them (10, 6, 2).
-fn parted(course: &ToolpathBuilder<'_>, way: &[Piece]) -> Vec<Piece> {
-    let mut ends: Vec<Point> = course.ends().collect();
+/// A path with a support point wherever a straight pass ended on it, as fig. 12.4 b numbers them (10, 6, 2).
+fn parted(builder: &ToolpathBuilder<'_>, path: &[Piece]) -> Vec<Piece> {
+    let mut ends: Vec<Point> = builder.ends().collect();
     ends.sort_by_key(|end| end.z);
     let mut parts = Vec::new();
-    for piece in way {
+    for piece in path {
         let on = |end: &&Point| {
             let beside = if piece.is_face() {
                 end.z == piece.from.z && piece.from.radius < end.radius && end.radius < piece.to.radius

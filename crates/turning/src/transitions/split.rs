@@ -1,21 +1,21 @@
 //! Splitting the stock of any zone into levels: the lecture's steps (12.4 a-e, l. 604-660), over lines and arcs.
 //!
-//! 1. The blank is taken apart at its faces into sections, each under its largest radius, the top (l. 794-812).
-//! 2. Over each piece of the rough contour in a section stands tᵢ = top − the deepest point of the piece (a).
+//! 1. The blank is divided at its faces into sections, each under its largest radius, the top (l. 794-812).
+//! 2. The stock over each piece of the rough contour in a section is tᵢ = top − the deepest point of the piece (a).
 //! 3. It needs at least nᵢ = ⌈tᵢ / t_lim⌉ passes (b), of the mean depth tᵢ / nᵢ (c).
 //! 4. The largest mean depth is the one depth t_p of the whole zone (d).
 //! 5. The horizontals lie at t_p, 2·t_p, … under each top, the last at the deepest point of the section (e).
 //!
-//! Over cylinders under a cylindrical blank these are the levels of [`crate::turning::levels`]; a test holds them
-//! together. A cone or an arc counts with its deepest point, and a blank that is not a cylinder with its highest, so the
-//! true depth of a pass is nowhere above t_p.
+//! Over cylinders under a cylindrical blank these are the levels of [`crate::turning::levels`]; a test compares them. A
+//! cone or an arc counts with its deepest point, and a blank that is not a cylinder with its highest, so the true depth
+//! of a pass is nowhere above t_p.
 
 use std::collections::BTreeSet;
 
 use serde::Serialize;
 
 use crate::turning::contour::Contour;
-use crate::turning::length::{Half, as_told_z};
+use crate::turning::length::{Half, negative_z};
 
 use super::monotone::MonotoneContour;
 
@@ -23,10 +23,10 @@ use super::monotone::MonotoneContour;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct PieceStock {
     /// Z of its beginning.
-    #[serde(rename = "from_z_mm", serialize_with = "as_told_z")]
+    #[serde(rename = "from_z_mm", serialize_with = "negative_z")]
     pub from: Half,
     /// Z of its end.
-    #[serde(rename = "to_z_mm", serialize_with = "as_told_z")]
+    #[serde(rename = "to_z_mm", serialize_with = "negative_z")]
     pub to: Half,
     /// Its deepest point, radius.
     #[serde(rename = "deepest_radius_mm")]
@@ -45,16 +45,17 @@ pub struct PieceStock {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Section {
     /// Z of its beginning.
-    #[serde(rename = "from_z_mm", serialize_with = "as_told_z")]
+    #[serde(rename = "from_z_mm", serialize_with = "negative_z")]
     pub from: Half,
     /// Z of its end.
-    #[serde(rename = "to_z_mm", serialize_with = "as_told_z")]
+    #[serde(rename = "to_z_mm", serialize_with = "negative_z")]
     pub to: Half,
     /// The highest radius of the blank over it.
     #[serde(rename = "top_radius_mm")]
     pub top: Half,
     /// The stock over each piece, from the free end; pieces without stock are left out.
-    pub stands: Vec<PieceStock>,
+    #[serde(rename = "stands")]
+    pub stocks: Vec<PieceStock>,
     /// The horizontals from the blank inwards.
     #[serde(rename = "horizontals_radius_mm")]
     pub horizontals: Vec<Half>,
@@ -71,16 +72,16 @@ pub struct Split {
 }
 
 impl Split {
-    /// The levels of a zone for a limiting depth, by the lecture: t_p is found.
+    /// The levels of a zone for a limiting depth; t_p is calculated by the lecture.
     pub fn of(rough: &Contour, blank: &Contour, limit: Half) -> Self {
         let (ground, blank) = (MonotoneContour::of(rough), MonotoneContour::of(blank));
         let sections = sections(&ground, &blank, limit);
-        let means = sections.iter().flat_map(|section| section.stands.iter().map(|one| one.mean));
+        let means = sections.iter().flat_map(|section| section.stocks.iter().map(|one| one.mean));
         let depth = means.max().unwrap_or(limit);
         Self::levelled(sections, depth)
     }
 
-    /// The levels of a zone for a depth t_p that is given.
+    /// The levels of a zone for a given depth t_p.
     pub(super) fn with_depth(ground: &MonotoneContour, blank: &MonotoneContour, depth: Half) -> Self {
         Self::levelled(sections(ground, blank, depth), depth)
     }
@@ -95,12 +96,13 @@ impl Split {
         self
     }
 
-    /// The same sections with levels that begin anew at each cylinder of the rough contour, so that each is reached.
+    /// The same sections with levels that begin again at each cylinder of the rough contour, so that each cylinder is
+    /// reached.
     #[must_use]
     pub(super) fn against_stops(mut self, ground: &MonotoneContour) -> Self {
         for section in &mut self.sections {
             let radii = ground.pieces.iter().filter(|piece| piece.is_cylinder()).map(|piece| piece.from.radius);
-            let deepest: BTreeSet<Half> = section.stands.iter().map(|one| one.deepest).collect();
+            let deepest: BTreeSet<Half> = section.stocks.iter().map(|one| one.deepest).collect();
             let within = |radius: &Half| *radius < section.top && deepest.contains(radius);
             let mut stops: Vec<Half> = radii.filter(within).collect();
             stops.sort();
@@ -115,13 +117,13 @@ impl Split {
         self
     }
 
-    /// The same told inside out: radii count inwards from `top`. The stock over a piece and the depths stay.
+    /// The same inside out: radii count inwards from `top`. Stocks and depths do not change.
     #[must_use]
     pub fn inside_out(mut self, top: Half) -> Self {
         for section in &mut self.sections {
             section.top = top - section.top;
-            for stand in &mut section.stands {
-                stand.deepest = top - stand.deepest;
+            for stock in &mut section.stocks {
+                stock.deepest = top - stock.deepest;
             }
             for level in &mut section.horizontals {
                 *level = top - *level;
@@ -132,7 +134,7 @@ impl Split {
 
     fn levelled(mut sections: Vec<Section>, depth: Half) -> Self {
         for section in &mut sections {
-            let floor = section.stands.iter().map(|one| one.deepest).min().unwrap_or(section.top);
+            let floor = section.stocks.iter().map(|one| one.deepest).min().unwrap_or(section.top);
             section.horizontals = horizontals(section.top, floor, depth);
         }
         Self { depth, sections }
@@ -170,26 +172,26 @@ fn sections(ground: &MonotoneContour, blank: &MonotoneContour, limit: Half) -> V
                 section.to = b;
                 section.top = section.top.max(top);
             }
-            None => sections.push(Section { from: a, to: b, top, stands: Vec::new(), horizontals: Vec::new() }),
+            None => sections.push(Section { from: a, to: b, top, stocks: Vec::new(), horizontals: Vec::new() }),
         }
         begins = false;
     }
     for section in &mut sections {
-        section.stands = stands(ground, section, limit);
+        section.stocks = stocks(ground, section, limit);
     }
-    sections.retain(|section| !section.stands.is_empty());
+    sections.retain(|section| !section.stocks.is_empty());
     sections
 }
 
-fn stands(ground: &MonotoneContour, section: &Section, limit: Half) -> Vec<PieceStock> {
+fn stocks(ground: &MonotoneContour, section: &Section, limit: Half) -> Vec<PieceStock> {
     let of = |piece: &crate::turning::contour::Piece| {
         let part = super::monotone::clipped(piece, section.from, section.to)?;
         let deepest = part.from.radius.min(part.to.radius);
         let stock = section.top - deepest;
         let passes = stock.parts(limit);
         let mean = stock.part(passes);
-        let stand = PieceStock { from: part.from.z, to: part.to.z, deepest, stock, passes, mean };
-        (stock > Half::ZERO).then_some(stand)
+        let found = PieceStock { from: part.from.z, to: part.to.z, deepest, stock, passes, mean };
+        (stock > Half::ZERO).then_some(found)
     };
     ground.touching(section.from, section.to).iter().filter(|piece| !piece.is_face()).filter_map(of).collect()
 }
@@ -213,8 +215,9 @@ mod tests {
         rough.pieces.push(Piece::arc(at(30.0, 20.0), at(35.0, 25.0), Half::from(5.0), Turn::Left));
         let blank = Contour::through(Side::Outer, &[at(40.0, 0.0), at(40.0, 25.0)]);
         let split = Split::of(&rough, &blank, Half::from(4.0));
-        let told: Vec<_> = split.sections[0].stands.iter().map(|one| (one.stock, one.passes, one.mean)).collect();
-        assert_eq!(told, [(Half::from(20.0), 5, Half::from(4.0)), (Half::from(10.0), 3, Half::from(3.3335))]);
+        let found_stocks: Vec<_> =
+            split.sections[0].stocks.iter().map(|one| (one.stock, one.passes, one.mean)).collect();
+        assert_eq!(found_stocks, [(Half::from(20.0), 5, Half::from(4.0)), (Half::from(10.0), 3, Half::from(3.3335))]);
         assert_eq!(split.depth, Half::from(4.0));
         assert_eq!(split.sections[0].horizontals, [36.0, 32.0, 28.0, 24.0, 20.0].map(Half::from));
     }
@@ -226,10 +229,10 @@ mod tests {
         let blank = Contour::through(Side::Outer, &[at(25.0, 0.0), at(25.0, 15.0), at(29.0, 15.0), at(29.0, 30.0)]);
         let split = Split::of(&rough, &blank, Half::from(3.0));
         assert_eq!(split.depth, Half::from(2.5));
-        let told: Vec<_> =
+        let parts: Vec<_> =
             split.sections.iter().map(|one| (one.from, one.to, one.top, one.horizontals.clone())).collect();
         let (first, second) = ([22.5, 20.0].map(Half::from).to_vec(), [26.5, 25.0].map(Half::from).to_vec());
-        assert_eq!(told[0], (Half::ZERO, Half::from(15.0), Half::from(25.0), first));
-        assert_eq!(told[1], (Half::from(15.0), Half::from(30.0), Half::from(29.0), second));
+        assert_eq!(parts[0], (Half::ZERO, Half::from(15.0), Half::from(25.0), first));
+        assert_eq!(parts[1], (Half::from(15.0), Half::from(30.0), Half::from(29.0), second));
     }
 }

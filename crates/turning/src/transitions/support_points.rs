@@ -13,13 +13,13 @@ use super::builder::SupportPointRole;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SupportPoint {
     /// Its name: 0 is home, the others are numbered in the order of the first visit, as in fig. 12.4 of the lecture. A
-    /// place that is visited again keeps its name.
+    /// point that is visited again keeps its name.
     pub name: String,
     /// Diameter, mm.
     pub diameter_mm: Micrometres,
     /// Z, mm: negative towards the chuck.
     pub z_mm: Half,
-    /// What the motion here is for; none at the beginning.
+    /// The purpose of the motion that ends here; none at the beginning.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub purpose: Option<Purpose>,
     /// What the point is.
@@ -27,17 +27,17 @@ pub struct SupportPoint {
 }
 
 /// The support points of a toolpath.
-pub fn points(way: &Toolpath, roles: &[SupportPointRole]) -> Vec<SupportPoint> {
+pub fn points(path: &Toolpath, roles: &[SupportPointRole]) -> Vec<SupportPoint> {
     let mut numbers = Numbering::after(0);
-    numbers.put(way.from, "0");
-    let from = std::iter::once((way.from, None));
-    let all = from.chain(way.moves.iter().map(|one| (one.to, Some(one.purpose))));
-    let told = all.zip(roles).map(|((at, purpose), role)| SupportPoint {
+    numbers.put(path.from, "0");
+    let from = std::iter::once((path.from, None));
+    let all = from.chain(path.moves.iter().map(|one| (one.to, Some(one.purpose))));
+    let points = all.zip(roles).map(|((at, purpose), role)| SupportPoint {
         name: numbers.name(at),
         diameter_mm: at.radius.diameter(),
         z_mm: Half::ZERO - at.z,
         purpose,
         role: *role,
     });
-    told.collect()
+    points.collect()
 }

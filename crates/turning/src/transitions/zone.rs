@@ -15,7 +15,7 @@ use super::monotone::MonotoneContour;
 use super::split::Split;
 use super::{Scheme, Settings, Stock, Tool, Transition};
 use super::{
-    contour, descent, equidistant, looped, measures, pick_up, semi_finishing, support_points, way_inside_out, zigzag,
+    contour, descent, equidistant, looped, measures, path_inside_out, pick_up, semi_finishing, support_points, zigzag,
 };
 
 /// A zone prepared for work.
@@ -31,11 +31,11 @@ pub struct PreparedZone {
     pub top: Half,
     /// The radius above which the tool cannot go: in a bore, inside out, the axis.
     pub ceiling: Option<Half>,
-    /// Beyond this stretch the blank is the rough contour itself, piece by piece: nothing is cut there.
+    /// Outside of this stretch blank and rough contour have the same pieces, so nothing is cut there.
     pub worked: (Half, Half),
     /// Both contours as they came, as outer ones.
     pub stock: Stock,
-    /// Why passes along the contour are not possible with this tool.
+    /// Why passes along the contour are not possible with this tool, if they are not.
     pub(super) steep: Option<Unsuited>,
     nose_radius: Half,
     settings: Settings,
@@ -43,10 +43,9 @@ pub struct PreparedZone {
 }
 
 impl PreparedZone {
-    /// A zone, outer or inner, for a tool and how it goes.
+    /// Prepares a zone, outer or inner, for a tool and its settings.
     ///
-    /// # Errors
-    /// No scheme can work it ([`check::zone`]).
+    /// # Errors No scheme can work it ([`check::zone`]).
     pub fn of(stock: &Stock, tool: &Tool, settings: &Settings) -> Tried<Self, Unsuited> {
         let (stock, ceiling) = if stock.rough.side == Side::Outer {
             (stock.clone(), None)
@@ -66,63 +65,63 @@ impl PreparedZone {
         Ok(Self { rough, blank, whole, top, ceiling, worked, stock, steep, nose_radius, settings, levels })
     }
 
-    /// A radius, or the highest where the tool can be.
-    pub fn held(&self, radius: Half) -> Half {
+    /// A radius, limited to where the tool can be.
+    pub fn limited(&self, radius: Half) -> Half {
         self.ceiling.map_or(radius, |ceiling| radius.min(ceiling))
     }
 
     /// Off the corner of the blank by the approach.
     pub fn home(&self, settings: &Settings) -> Point {
-        Point { radius: self.held(self.top + settings.approach), z: self.rough.from() - settings.approach }
+        Point { radius: self.limited(self.top + settings.approach), z: self.rough.from() - settings.approach }
     }
 
-    /// The zone cleared by a scheme. `offset` makes the equidistant contours of the scheme of that name.
+    /// The zone cleared by a scheme. `offset` makes offset curves for the equidistant scheme.
     ///
-    /// # Errors
-    /// The scheme does not suit ([`check::scheme`]), an equidistant cannot be made, or the knowledge base lacks the scheme.
+    /// # Errors The scheme does not suit ([`check::scheme`]), an offset curve cannot be made, or the knowledge base
+    /// lacks the scheme.
     pub fn transition(&self, scheme: Scheme, offset: Offset<'_>, knowledge: &Knowledge) -> Tried<Transition, Unsuited> {
-        let row = scheme.told(knowledge)?.row;
+        let row = scheme.record(knowledge)?.row;
         check::scheme(self, &self.settings, scheme)?;
-        let mut course = ToolpathBuilder::new(self, &self.settings);
+        let mut builder = ToolpathBuilder::new(self, &self.settings);
         match scheme {
-            Scheme::Loop => looped::work(&mut course, &self.levels),
-            Scheme::LoopAgainstStop => looped::work(&mut course, &self.levels.clone().against_stops(&self.rough)),
-            Scheme::Zigzag => zigzag::work(&mut course, &self.levels),
-            Scheme::Descent => descent::work(&mut course),
-            Scheme::PickUp => pick_up::work(&mut course, &self.levels, self.nose_radius),
-            Scheme::SemiFinishing => semi_finishing::work(&mut course, &self.levels),
+            Scheme::Loop => looped::work(&mut builder, &self.levels),
+            Scheme::LoopAgainstStop => looped::work(&mut builder, &self.levels.clone().against_stops(&self.rough)),
+            Scheme::Zigzag => zigzag::work(&mut builder, &self.levels),
+            Scheme::Descent => descent::work(&mut builder),
+            Scheme::PickUp => pick_up::work(&mut builder, &self.levels, self.nose_radius),
+            Scheme::SemiFinishing => semi_finishing::work(&mut builder, &self.levels),
             Scheme::Equidistant => {
                 let outer = |contour: &Contour, distance: Half| match self.ceiling {
                     None => offset(contour, distance),
                     Some(top) => Some(offset(&contour.inside_out(top), distance)?.inside_out(top)),
                 };
-                equidistant::work(&mut course, &outer)?;
+                equidistant::work(&mut builder, &outer)?;
             }
-            Scheme::Contour => contour::work(&mut course),
+            Scheme::Contour => contour::work(&mut builder),
         }
-        let course = course.home();
+        let builder = builder.home();
         let edge = (scheme == Scheme::Descent).then_some(self.settings.depth);
-        let ridges_mm = course.stock.ridge(self.rough.touching(self.worked.0, self.worked.1));
-        let measures = measures::measure(&course.path, self, &self.settings.feeds, course.passes, edge);
-        let way = self.ceiling.map_or(course.path.clone(), |top| way_inside_out(&course.path, top));
+        let ridges_mm = builder.stock.ridge(self.rough.touching(self.worked.0, self.worked.1));
+        let measures = measures::measure(&builder.path, self, &self.settings.feeds, builder.passes, edge);
+        let path = self.ceiling.map_or(builder.path.clone(), |top| path_inside_out(&builder.path, top));
         Ok(Transition {
             scheme,
-            points: support_points::points(&way, &course.roles),
+            points: support_points::points(&path, &builder.roles),
             edge,
             ridges_mm,
             uniform: ridges_mm == Half::ZERO,
             measures,
             because: Because::row(row, Note::new(format!("transition-{}", scheme.name()))),
-            way,
+            path,
         })
     }
 
-    /// The surface of what stands after a transition: the rough contour with its ridges. The blank of a work that goes
-    /// deeper.
+    /// The surface of the stock that a transition leaves: the rough contour with its ridges. It is the blank of the
+    /// next, deeper work.
     pub fn left(&self, transition: &Transition) -> Contour {
         let mut stock = self.whole.clone();
-        let way = self.ceiling.map_or(transition.way.clone(), |top| way_inside_out(&transition.way, top));
-        for (piece, purpose) in way.pieces() {
+        let path = self.ceiling.map_or(transition.path.clone(), |top| path_inside_out(&transition.path, top));
+        for (piece, purpose) in path.pieces() {
             measures::cut(&mut stock, &piece, purpose, transition.edge);
         }
         let left = stock.surface(&self.rough);
@@ -130,7 +129,7 @@ impl PreparedZone {
     }
 }
 
-/// The stretch between the pieces that two contours have in common at both ends.
+/// The stretch between the pieces that two contours have in common at their ends.
 fn worked(rough: &MonotoneContour, blank: &MonotoneContour) -> (Half, Half) {
     let same = |(one, other): &(&_, &_)| one == other;
     let before = rough.pieces.iter().zip(&blank.pieces).take_while(same).count();

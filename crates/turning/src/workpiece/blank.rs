@@ -10,17 +10,17 @@ use crate::units::Micrometres;
 pub use super::preparation::{Advice, advice};
 pub use crate::tables::turning::part::StockKind;
 
-/// The blank. Its contours lie where those of the part lie: Z = 0 is the finished face of the free end.
+/// The blank, in the coordinates of the part: Z = 0 is the finished face of the free end.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Blank {
     /// Its kind.
     pub kind: StockKind,
-    /// Its outside, from the axis or its bore at the free end; a bar's or tube's ends at its full diameter.
+    /// Its outside, from the axis or its bore at the free end; that of a bar or tube ends at its full diameter.
     pub outer: Contour,
     /// Its bore.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub inner: Option<Contour>,
-    /// How much its length may deviate, mm, where the file says it.
+    /// How much its length may deviate, mm, if the file says so.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub length_tolerance: Option<Micrometres>,
 }

@@ -1,4 +1,4 @@
-//! The contours of a workpiece, held against themselves, each other and the blank.
+//! Compares the contours of a workpiece with themselves, with each other and with the blank.
 
 use crate::knowledge::diagnostic::Place;
 use crate::turning::contour::{Contour, Side, Surface};
@@ -9,7 +9,7 @@ use super::Blank;
 use super::cross::{Chain, along, crossing, flat};
 use super::walk::Walked;
 
-/// What lies within a micrometre of a limit is on it: points of arcs are rounded.
+/// What is within a micrometre of a limit counts as on it: points of arcs are rounded.
 const SLACK: Half = Half::new(2);
 
 /// Whether a contour crosses or touches itself; the place is that of the later surface.
@@ -27,8 +27,8 @@ pub(super) fn crosses_itself(walked: &Walked, reader: &mut Reader<'_>) {
     }
 }
 
-/// Where the contours begin and end: the outer one on the axis or where the bore begins; the bore on the axis or at the
-/// far end.
+/// Checks where the contours begin and end: the outer one begins on the axis or where the bore begins; the bore ends on
+/// the axis or at the far end.
 pub(super) fn ends(outer: &Walked, inner: Option<&Walked>, blank: Option<&Blank>, reader: &mut Reader<'_>) {
     let Some((start, place)) = &outer.start else { return };
     if start.z != Half::ZERO {
@@ -71,7 +71,7 @@ pub(super) fn ends(outer: &Walked, inner: Option<&Walked>, blank: Option<&Blank>
     }
 }
 
-/// Whether there is metal between bore and outside everywhere. Both must be whole and begin together.
+/// Checks that there is metal between bore and outside everywhere. Both must be whole and begin together.
 pub(super) fn walls(outer: &Walked, inner: &Walked, reader: &mut Reader<'_>) {
     let (start, end) = (outer.start.as_ref().map(|(start, _)| *start), outer.end());
     let outers: Vec<(&Surface, Chain)> = outer
@@ -91,7 +91,7 @@ pub(super) fn walls(outer: &Walked, inner: &Walked, reader: &mut Reader<'_>) {
             return;
         }
     }
-    // They do not cross, so that one place tells which lies within.
+    // They do not cross, so one place shows which is inside.
     let (Some(outer), Some(inner), Some(first)) = (outer.profile(), inner.profile(), inner.surfaces.first()) else {
         return;
     };
@@ -105,7 +105,7 @@ pub(super) fn walls(outer: &Walked, inner: &Walked, reader: &mut Reader<'_>) {
     }
 }
 
-/// Whether the blank holds the part, surface by surface.
+/// Checks for each surface that it is within the blank.
 pub(super) fn within_blank(outer: &Walked, inner: Option<&Walked>, blank: &Blank, reader: &mut Reader<'_>) {
     if blank.face() < Half::ZERO
         && let Some((_, place)) = &outer.start
@@ -156,13 +156,13 @@ pub(super) fn within_blank(outer: &Walked, inner: Option<&Walked>, blank: &Blank
     }
 }
 
-/// The first Z at which a surface lies outside of its blank, with both radii. The radii are compared at the corners of
-/// both, at points of their arcs that lie so close that between them both are straight to half a micrometre, and midway
+/// The first Z at which a surface is outside of its blank, with both radii. The radii are compared at the corners of
+/// both, at points of their arcs so close that the arcs between them are straight to half a micrometre, and midway
 /// between all of these.
 fn outside(surface: &Surface, blank: &Contour) -> Option<(Half, Half, Half)> {
     let part = Contour { side: blank.side, pieces: surface.pieces.clone() };
-    let (least, most) = part.pieces.iter().flat_map(|piece| piece.extremes()).fold(None, |found, point| {
-        let (least, most) = found.unwrap_or((point.z, point.z));
+    let (least, most) = part.pieces.iter().flat_map(|piece| piece.extremes()).fold(None, |range, point| {
+        let (least, most) = range.unwrap_or((point.z, point.z));
         Some((point.z.min(least), point.z.max(most)))
     })?;
     // An arc may swing out by its rounding.

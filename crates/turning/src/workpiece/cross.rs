@@ -1,4 +1,4 @@
-//! Whether contours meet: arcs are taken as chains of chords that lie within half a micrometre of them.
+//! Whether contours meet. Arcs are replaced by chains of chords within half a micrometre of them.
 
 use std::ops::Range;
 
@@ -6,9 +6,9 @@ use crate::turning::contour::{Curve, Piece, Stretches};
 use crate::turning::length::Half;
 use crate::turning::point::{Point, Vector};
 
-/// How far a chord may lie from its arc, mm: what points are rounded to.
+/// How far a chord may be from its arc, mm: the rounding of points.
 const SAGITTA: f64 = 0.0005;
-/// The most chords of one arc; reached by half circles from R 6000 mm on, whose chords then lie farther off.
+/// The most chords of one arc. Half circles from R 6000 mm on reach it; their chords are then farther from the arc.
 const MOST_CHORDS: f64 = 6000.0;
 
 /// The ends of a piece with points of its arc between them.
@@ -19,7 +19,7 @@ pub(super) fn flat(piece: Piece) -> Vec<Point> {
         let spoke = |point: Point| centre.times(-1.0).plus(point.vector());
         let (first, last) = (spoke(piece.from), spoke(piece.to));
         let swept = libm::atan2(first.cross(last), first.dot(last));
-        // Half a circle may come out with either sign; the direction of the arc says which it is.
+        // For half a circle the sign is uncertain; the direction of the arc decides it.
         let left = piece.direction_at_start().dot(first.left()) > 0.0;
         let swept = if left { swept.abs() } else { -swept.abs() };
         let step = 2.0 * libm::acos((1.0 - SAGITTA / radius).max(0.0));
@@ -48,7 +48,7 @@ fn room(points: &[Point]) -> Option<(Point, Point)> {
     }))
 }
 
-/// Chains of chords with the room that they take.
+/// A chain of chords with its bounding box.
 pub(super) struct Chain {
     points: Vec<Point>,
     room: Option<(Point, Point)>,
@@ -61,8 +61,7 @@ impl Chain {
         Self { points, room }
     }
 
-    /// Whether two chains have a point in common; where the one ends and the other begins, or both begin or end, they
-    /// may.
+    /// Whether two chains have a point in common, other than common ends.
     pub fn meets(&self, other: &Self) -> bool {
         let (Some((low, high)), Some((other_low, other_high))) = (self.room, other.room) else { return false };
         let apart = |low: Half, high: Half, other_low: Half, other_high: Half| high < other_low || other_high < low;
@@ -91,7 +90,7 @@ impl Chain {
         })
     }
 
-    /// Which of the chains along a contour may meet this one, in their order.
+    /// The indices of the chains along a contour that may meet this one, in their order.
     pub fn touching(&self, contour: &Stretches) -> Range<usize> {
         self.room.map_or(0..0, |(low, high)| contour.touching(low.z, high.z))
     }
@@ -107,13 +106,13 @@ pub(super) fn along<'c>(chains: impl IntoIterator<Item = &'c Chain>) -> Stretche
     Stretches::new(&chains.into_iter().map(stretch).collect::<Vec<_>>())
 }
 
-/// Twice the area of a triangle: positive where the third point lies to the left.
+/// Twice the area of a triangle, positive if the third point is to the left.
 fn area(a: Point, b: Point, c: Point) -> i128 {
     let part = |half: Half| i128::from(half.halves());
     part(b.z - a.z) * part(c.radius - a.radius) - part(b.radius - a.radius) * part(c.z - a.z)
 }
 
-/// Whether two chords that share an end leave it the same way.
+/// Whether two chords with a common end leave it in the same direction.
 fn same_way(shared: Point, one: (Point, Point), two: (Point, Point)) -> bool {
     let far = |chord: (Point, Point)| if chord.0 == shared { chord.1 } else { chord.0 };
     let (a, b) = (far(one), far(two));
@@ -134,7 +133,7 @@ fn cross(one: (Point, Point), two: (Point, Point)) -> bool {
     a * b <= 0 && c * d <= 0
 }
 
-/// The first pair of pieces, by their places, that meet beyond the ends they share.
+/// The indices of the first two pieces that meet other than at common ends.
 pub(super) fn crossing(pieces: &[Piece]) -> Option<(usize, usize)> {
     let chains: Vec<Chain> = pieces.iter().map(|piece| Chain::of(*piece)).collect();
     let along = along(&chains);

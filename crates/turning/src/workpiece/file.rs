@@ -206,8 +206,8 @@ mod tests {
         assert_eq!(words("ConeKind"), ["cone", "chamfer"]);
     }
 
-    /// Two descriptions of one form must not drift apart: the examples, which the reader takes, are taken by these types too,
-    /// and a key that the reader does not know is not.
+    /// Both descriptions of the form must agree: these types accept the examples, which the reader accepts, and refuse
+    /// a key that the reader does not know.
     #[test]
     fn the_examples_are_of_this_form() {
         for name in ["turned-pin", "turned-ball", "turned-bushing", "turned-forging", "shaft", "shaft-forging"] {

@@ -1,6 +1,6 @@
 //! The shape of grooves: walls, floor and rounded corners, from their sizes.
 //!
-//! A groove is drawn in a frame of its own, `along` its mouth and `into` the metal, and then laid on the contour.
+//! A groove is made in a frame of its own, `along` its mouth and `into` the metal, and then placed on the contour.
 
 use crate::turning::contour::{Curve, Piece, SurfaceKind, Turn};
 use crate::turning::length::Half;
@@ -54,7 +54,7 @@ impl GrooveForm {
         }
     }
 
-    /// Whether the angle between its walls must be said.
+    /// Whether it needs the angle between its walls.
     pub const fn has_angle(self) -> bool {
         matches!(self, Self::Trapezoid | Self::Pulley)
     }
@@ -71,16 +71,16 @@ pub(super) struct Sizes {
     pub kind: GrooveForm,
     pub width: Half,
     pub depth: Half,
-    /// Rounding of the corners of the floor; none: sharp.
+    /// Rounding of the corners of the floor; if none, they are sharp.
     pub radius: Option<Half>,
-    /// Half the angle between the walls, as a tangent; zero: upright.
+    /// The tangent of half the angle between the walls; 0 if they are upright.
     pub slant: f64,
-    /// Whether the shoulder stands at the beginning, so that the 45° of a relief are at its end.
+    /// Whether the shoulder is at the beginning, so that the 45° of a relief are at its end.
     pub shoulder_first: bool,
 }
 
-/// How a groove lies on the contour: where it begins, whether its mouth runs along the axis or across it, which way, and
-/// where the metal is.
+/// How a groove is placed on the contour: where it begins, whether its mouth runs along the axis or across it, in which
+/// direction, and where the metal is.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Frame {
     pub at: Point,
@@ -137,7 +137,7 @@ pub(super) fn pieces(sizes: Sizes, frame: Frame) -> Result<Vec<Piece>, &'static 
     rounded(start, &corners, end, sizes.radius, frame.hollow)
 }
 
-/// A chain of lines, its corners rounded: tangent arcs, their ends to half a micrometre.
+/// A chain of lines with rounded corners: tangent arcs, with ends rounded to half a micrometre.
 fn rounded(
     start: Point,
     corners: &[Point],
@@ -151,7 +151,7 @@ fn rounded(
         let next = corners.get(index + 1).copied().unwrap_or(end);
         let (before, after) = (from.to(*corner), corner.to(next));
         let cut = radius.map_or(0.0, |radius| radius.to_mm() * half_turn(before, after));
-        // Half a micrometre of slack: both ends of a line are rounded.
+        // Half a micrometre is allowed: both ends of a line are rounded.
         if cut > before.length() + 0.0005 || cut > after.length() + 0.0005 {
             return Err("groove-radius-too-large");
         }
@@ -167,8 +167,7 @@ fn rounded(
     Ok(pieces)
 }
 
-/// The tangent of half the angle by which the way turns at a corner: a tangent arc of radius r begins r times it before
-/// the corner.
+/// The tangent of half the angle at a corner: a tangent arc of radius r begins r times it before the corner.
 fn half_turn(before: Vector, after: Vector) -> f64 {
     let angle = libm::atan2(before.cross(after).abs(), before.dot(after));
     libm::tan(angle / 2.0)
@@ -208,7 +207,7 @@ mod tests {
         let drawn = |sizes| corners(&pieces(sizes, outside()).unwrap());
         let rectangular = sizes(GrooveForm::Rectangular, 5.0, 3.0);
         assert_eq!(drawn(rectangular), [at(20.0, 10.0), at(17.0, 10.0), at(17.0, 15.0), at(20.0, 15.0)]);
-        // Walls at 45°: the floor is as much narrower as the groove is deep, on each side.
+        // Walls at 45°: on each side the floor is narrower by the depth of the groove.
         let trapezoid = Sizes { slant: 1.0, ..sizes(GrooveForm::Trapezoid, 8.0, 3.0) };
         assert_eq!(drawn(trapezoid), [at(20.0, 10.0), at(17.0, 13.0), at(17.0, 15.0), at(20.0, 18.0)]);
         let relief = sizes(GrooveForm::GrindingRelief, 3.0, 0.25);
@@ -246,7 +245,7 @@ mod tests {
         assert_eq!(pieces(shallow, outside()), Err("groove-walls-meet"));
     }
 
-    /// A belt groove of 34°: the arc leaves the wall and the floor tangentially, to the rounding of its ends.
+    /// A belt groove of 34°: the arc is tangent to wall and floor, within the rounding of its ends.
     #[test]
     fn arcs_are_tangent_to_slanting_walls() {
         let slant = libm::tan(17.0_f64.to_radians());

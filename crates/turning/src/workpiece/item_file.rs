@@ -76,7 +76,7 @@ pub enum GradeFile {
 /// An item that is a surface, and may say so of itself.
 pub trait Surface: Form {
     /// `name`, `grade`, `roughness`, `allowance`.
-    const SAID: [KeyOf<Self>; 4];
+    const ATTRIBUTES: [KeyOf<Self>; 4];
 }
 
 macro_rules! items {
@@ -97,7 +97,7 @@ macro_rules! items {
         }
 
         impl Surface for $name {
-            const SAID: [KeyOf<Self>; 4] = [Self::name, Self::grade, Self::roughness, Self::allowance];
+            const ATTRIBUTES: [KeyOf<Self>; 4] = [Self::name, Self::grade, Self::roughness, Self::allowance];
         }
     )*};
 }

@@ -1,4 +1,4 @@
-//! What is written along a contour, item by item, before it is walked: each value with its place, as far as it could be read.
+//! The items of a contour as the file has them: each value with its place, as far as it could be read.
 
 use crate::knowledge::diagnostic::Place;
 use crate::knowledge::form::{KeyOf, meant};
@@ -14,18 +14,18 @@ use super::item_file::{
     ArcItem, ChamferItem, ConeItem, CylinderItem, FaceItem, FromItem, GrooveItem, PointFile, Stretch, Surface,
     ThreadItem,
 };
-use super::thread::{self, Named};
+use super::thread::{self, ThreadSize};
 
-/// The most items of a contour: each closed part is planned with the whole contour beside it, so that time, memory and
-/// the answer grow with the square of their number. Of so many items that is seconds and some hundred megabytes.
+/// The most items of a contour. Each closed part is planned with the levels of the whole contour, so time, memory and
+/// the answer grow with the square of their number. At this bound that is seconds and some hundred megabytes.
 pub const MOST_ITEMS: usize = 2000;
 
 /// Whose contour is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Whose {
-    /// The part's: Z is nowhere before the finished face.
+pub(super) enum Owner {
+    /// The part: Z is never before the finished face.
     Part,
-    /// The blank's: it may begin before that face, and has neither threads nor grooves.
+    /// The blank: it may begin before that face, and has neither threads nor grooves.
     Blank,
 }
 
@@ -58,35 +58,35 @@ const ITEMS: [(ItemKind, &str); 8] = [
 pub(super) type Measure = Option<Placed<Micrometres>>;
 
 /// An item of a contour.
-pub(super) struct Item {
+pub(super) struct ContourItem {
     pub place: Place,
-    pub what: What,
-    pub said: Said,
+    pub shape: ItemShape,
+    pub attributes: Attributes,
 }
 
 /// What an item is.
-pub(super) enum What {
+pub(super) enum ItemShape {
     /// Where the contour begins.
-    From(To),
+    From(EndPoint),
     /// Across the axis to a diameter.
     Face(Measure),
     /// Along the axis.
     Cylinder(Along),
     /// Straight to a point.
-    Cone { to: To, chamfer: bool },
+    Cone { to: EndPoint, chamfer: bool },
     /// At 45° over so much of each direction.
     Chamfer(Measure),
     /// Along an arc; whether it is hollow.
-    Arc { to: To, radius: Measure, hollow: Option<bool> },
+    Arc { to: EndPoint, radius: Measure, hollow: Option<bool> },
     /// A cylinder with a thread.
-    Thread { named: Option<Placed<Named>>, along: Along },
+    Thread { size: Option<Placed<ThreadSize>>, along: Along },
     /// A groove.
-    Groove(Option<Written>),
+    Groove(Option<GrooveValues>),
 }
 
-/// A point: diameter and Z, the latter as files write it.
+/// A point: diameter and Z with the sign of the file.
 #[derive(Default)]
-pub(super) struct To {
+pub(super) struct EndPoint {
     pub d: Measure,
     pub z: Measure,
 }
@@ -100,19 +100,19 @@ pub(super) enum Along {
 }
 
 /// A groove as it is written.
-pub(super) struct Written {
+pub(super) struct GrooveValues {
     pub kind: GrooveForm,
     pub width: Measure,
     pub depth: Measure,
     pub radius: Measure,
     pub angle: Option<Placed<Decimal>>,
-    /// Whether a size that stands in the file could not be read, so that no table is asked for it.
-    pub spoilt: bool,
+    /// Whether a size in the file could not be read. Then no table is asked for it.
+    pub unreadable: bool,
 }
 
 /// What an item says of its surface.
 #[derive(Default)]
-pub(super) struct Said {
+pub(super) struct Attributes {
     pub name: Option<Placed<String>>,
     pub grade: Option<ItGrade>,
     pub roughness: Option<Roughness>,
@@ -120,8 +120,8 @@ pub(super) struct Said {
 }
 
 impl Reader<'_> {
-    /// The items of a contour; one that says not what it is is none.
-    pub(super) fn items(&mut self, node: &Node, side: Side, whose: Whose) -> Vec<Option<Item>> {
+    /// The items of a contour; none for one without a key of a surface.
+    pub(super) fn items(&mut self, node: &Node, side: Side, owner: Owner) -> Vec<Option<ContourItem>> {
         let Some(nodes) = self.problems.list(node) else { return Vec::new() };
         if nodes.len() < 2 {
             self.fault::<()>(mistake!("no-items"), &node.place);
@@ -130,19 +130,19 @@ impl Reader<'_> {
             self.fault::<()>(mistake!("too-many-items", count = nodes.len(), most = MOST_ITEMS), &first_too_many.place);
             return Vec::new();
         }
-        nodes.iter().map(|node| self.item(node, side, whose)).collect()
+        nodes.iter().map(|node| self.item(node, side, owner)).collect()
     }
 
-    fn item(&mut self, node: &Node, side: Side, whose: Whose) -> Option<Item> {
+    fn item(&mut self, node: &Node, side: Side, owner: Owner) -> Option<ContourItem> {
         let fields = self.problems.open_map(node)?;
         let mut mains = ITEMS.iter().filter(|(_, main)| node.get(main).is_some());
         let Some((kind, main)) = mains.next() else {
             let known = ITEMS.map(|(_, main)| main);
-            let said = FaceItem::SAID.map(KeyOf::name);
+            let attributes = FaceItem::ATTRIBUTES.map(KeyOf::name);
             let NodeKind::Map(entries) = &node.kind else { return None };
-            let mistyped = |key: &str| !said.contains(&key) && meant(key, &known).is_some();
+            let mistyped = |key: &str| !attributes.contains(&key) && meant(key, &known).is_some();
             if entries.iter().any(|(key, _)| mistyped(&key.text)) {
-                let all: Vec<&str> = known.into_iter().chain(said).collect();
+                let all: Vec<&str> = known.into_iter().chain(attributes).collect();
                 fields.finish(&all, &mut self.problems);
                 return None;
             }
@@ -151,75 +151,75 @@ impl Reader<'_> {
         if let Some((_, other)) = mains.next() {
             return self.fault(mistake!("two-surfaces-in-one", one = main, other = other), &node.place);
         }
-        if whose == Whose::Blank && matches!(kind, ItemKind::Thread | ItemKind::Groove) {
+        if owner == Owner::Blank && matches!(kind, ItemKind::Thread | ItemKind::Groove) {
             return self.fault(mistake!("item-of-a-part", key = main), &node.place);
         }
-        let at = (node, side, whose);
+        let at = (node, side, owner);
         match kind {
             ItemKind::From => {
                 let mut fields = self.problems.map(node)?;
                 let point = fields.need(FromItem::from, &mut self.problems);
-                let what = What::From(self.to(point, whose));
+                let shape = ItemShape::From(self.to(point, owner));
                 fields.finish(&mut self.problems);
-                Some(Item { place: node.place.clone(), what, said: Said::default() })
+                Some(ContourItem { place: node.place.clone(), shape, attributes: Attributes::default() })
             }
             ItemKind::Face => self.surface(at, FaceItem::face, |reader, value, _| {
-                What::Face(reader.diameter(value, FaceItem::face.name()))
+                ItemShape::Face(reader.diameter(value, FaceItem::face.name()))
             }),
-            ItemKind::Cylinder => {
-                self.surface(at, CylinderItem::cylinder, |reader, value, _| What::Cylinder(reader.along(value, whose)))
-            }
-            ItemKind::Cone => self.surface(at, ConeItem::cone, |reader, value, fields| What::Cone {
-                to: reader.to(value, whose),
+            ItemKind::Cylinder => self.surface(at, CylinderItem::cylinder, |reader, value, _| {
+                ItemShape::Cylinder(reader.along(value, owner))
+            }),
+            ItemKind::Cone => self.surface(at, ConeItem::cone, |reader, value, fields| ItemShape::Cone {
+                to: reader.to(value, owner),
                 chamfer: reader.is_chamfer(fields),
             }),
             ItemKind::Chamfer => self.surface(at, ChamferItem::chamfer, |reader, value, _| {
-                What::Chamfer(reader.length(value, ChamferItem::chamfer.name()))
+                ItemShape::Chamfer(reader.length(value, ChamferItem::chamfer.name()))
             }),
             ItemKind::Arc => self.surface(at, ArcItem::arc, |reader, value, fields| {
-                let to = reader.to(value, whose);
+                let to = reader.to(value, owner);
                 let radius = reader.arc_radius(fields);
                 let bulge = fields.need(ArcItem::bulge, &mut reader.problems);
                 let hollow = bulge.and_then(|node| reader.choice(node, &[("in", true), ("out", false)]));
-                What::Arc { to, radius, hollow }
+                ItemShape::Arc { to, radius, hollow }
             }),
-            ItemKind::Thread => self.surface(at, ThreadItem::thread, |reader, value, fields| What::Thread {
-                named: value.and_then(|node| reader.thread(node)),
-                along: reader.thread_end(fields, whose),
+            ItemKind::Thread => self.surface(at, ThreadItem::thread, |reader, value, fields| ItemShape::Thread {
+                size: value.and_then(|node| reader.thread(node)),
+                along: reader.thread_end(fields, owner),
             }),
-            ItemKind::Groove => {
-                self.surface(at, GrooveItem::groove, |reader, value, fields| What::Groove(reader.groove(value, fields)))
-            }
+            ItemKind::Groove => self.surface(at, GrooveItem::groove, |reader, value, fields| {
+                ItemShape::Groove(reader.groove(value, fields))
+            }),
         }
     }
 
-    /// An item that is a surface; one of a blank says nothing of itself.
+    /// An item that is a surface; one of a blank has no attributes.
     fn surface<'n, F: Surface>(
         &mut self,
-        (node, side, whose): (&'n Node, Side, Whose),
+        (node, side, owner): (&'n Node, Side, Owner),
         main: KeyOf<F>,
-        read: impl FnOnce(&mut Self, Option<&'n Node>, &mut Fields<'n, F>) -> What,
-    ) -> Option<Item> {
+        read: impl FnOnce(&mut Self, Option<&'n Node>, &mut Fields<'n, F>) -> ItemShape,
+    ) -> Option<ContourItem> {
         let mut fields = self.problems.map(node)?;
         let value = fields.need(main, &mut self.problems);
-        let what = read(self, value, &mut fields);
-        let said = match whose {
-            Whose::Part => {
-                let said = self.said(&mut fields, side);
+        let shape = read(self, value, &mut fields);
+        let attributes = match owner {
+            Owner::Part => {
+                let attributes = self.attributes(&mut fields, side);
                 fields.finish(&mut self.problems);
-                said
+                attributes
             }
-            Whose::Blank => {
-                let own = F::KEYS.len() - F::SAID.len();
+            Owner::Blank => {
+                let own = F::KEYS.len() - F::ATTRIBUTES.len();
                 fields.finish_among(&F::KEYS[..own], &mut self.problems);
-                Said::default()
+                Attributes::default()
             }
         };
-        Some(Item { place: node.place.clone(), what, said })
+        Some(ContourItem { place: node.place.clone(), shape, attributes })
     }
 
-    fn said<F: Surface>(&mut self, fields: &mut Fields<'_, F>, side: Side) -> Said {
-        let [name, grade, roughness, allowance] = F::SAID;
+    fn attributes<F: Surface>(&mut self, fields: &mut Fields<'_, F>, side: Side) -> Attributes {
+        let [name, grade, roughness, allowance] = F::ATTRIBUTES;
         let name = fields.take(name).and_then(|node| Some((self.name(node)?, node.place.clone())));
         let grade = fields.take(grade).and_then(|node| {
             let text = self.problems.text(node)?;
@@ -230,7 +230,7 @@ impl Reader<'_> {
         });
         let roughness = fields.take(roughness).and_then(|node| self.problems.scalar(node));
         let allowance = fields.take(allowance).and_then(|node| self.not_below_zero(node, allowance.name()));
-        Said { name, grade, roughness, allowance: allowance.map(Half::of) }
+        Attributes { name, grade, roughness, allowance: allowance.map(Half::of) }
     }
 
     /// A length that may be zero.
@@ -260,24 +260,24 @@ impl Reader<'_> {
     }
 
     /// A Z, negative towards the chuck.
-    fn z(&mut self, node: Option<&Node>, key: &str, whose: Whose) -> Measure {
+    fn z(&mut self, node: Option<&Node>, key: &str, owner: Owner) -> Measure {
         let node = node?;
         let z = self.problems.scalar::<Micrometres>(node)?;
-        if whose == Whose::Part && z > Micrometres::ZERO {
+        if owner == Owner::Part && z > Micrometres::ZERO {
             return self.fault(mistake!("z-before-the-face", z = z), &node.place);
         }
         self.not_too_large((z, node.place.clone()), key)
     }
 
-    fn to(&mut self, node: Option<&Node>, whose: Whose) -> To {
-        let Some(mut fields) = node.and_then(|node| self.problems.map(node)) else { return To::default() };
+    fn to(&mut self, node: Option<&Node>, owner: Owner) -> EndPoint {
+        let Some(mut fields) = node.and_then(|node| self.problems.map(node)) else { return EndPoint::default() };
         let d = fields.need(PointFile::d, &mut self.problems);
         let z = fields.need(PointFile::z, &mut self.problems);
         fields.finish(&mut self.problems);
-        To { d: self.diameter(d, PointFile::d.name()), z: self.z(z, PointFile::z.name(), whose) }
+        EndPoint { d: self.diameter(d, PointFile::d.name()), z: self.z(z, PointFile::z.name(), owner) }
     }
 
-    fn along(&mut self, node: Option<&Node>, whose: Whose) -> Along {
+    fn along(&mut self, node: Option<&Node>, owner: Owner) -> Along {
         match node {
             Some(node) if matches!(node.kind, NodeKind::Map(_)) => {
                 let Some(mut fields) = self.problems.map(node) else { return Along::Length(None) };
@@ -285,7 +285,7 @@ impl Reader<'_> {
                 fields.finish(&mut self.problems);
                 Along::Length(length)
             }
-            node => Along::Z(self.z(node, CylinderItem::cylinder.name(), whose)),
+            node => Along::Z(self.z(node, CylinderItem::cylinder.name(), owner)),
         }
     }
 
@@ -295,7 +295,7 @@ impl Reader<'_> {
         kind.unwrap_or(false)
     }
 
-    /// The radius of an arc. Programs of controls write that of the greater part of a circle with a minus.
+    /// The radius of an arc. In programs of controls a negative radius means the greater part of a circle.
     fn arc_radius(&mut self, fields: &mut Fields<'_, ArcItem>) -> Measure {
         let node = fields.need(ArcItem::radius, &mut self.problems)?;
         match node.text().and_then(|text| text.parse::<Micrometres>().ok()) {
@@ -306,7 +306,7 @@ impl Reader<'_> {
         }
     }
 
-    fn thread(&mut self, node: &Node) -> Option<Placed<Named>> {
+    fn thread(&mut self, node: &Node) -> Option<Placed<ThreadSize>> {
         let text = self.problems.text(node)?;
         match thread::read(text, self.knowledge) {
             Ok(named) => Some((named, node.place.clone())),
@@ -315,37 +315,37 @@ impl Reader<'_> {
     }
 
     /// Where a thread ends: by `to` or by `length`.
-    fn thread_end(&mut self, fields: &mut Fields<'_, ThreadItem>, whose: Whose) -> Along {
+    fn thread_end(&mut self, fields: &mut Fields<'_, ThreadItem>, owner: Owner) -> Along {
         match (fields.take(ThreadItem::to), fields.take(ThreadItem::length)) {
             (None, None) => {
                 let _ = fields.need(ThreadItem::to, &mut self.problems);
                 Along::Z(None)
             }
             (None, length) => Along::Length(self.length(length, ThreadItem::length.name())),
-            (to, None) => Along::Z(self.z(to, ThreadItem::to.name(), whose)),
+            (to, None) => Along::Z(self.z(to, ThreadItem::to.name(), owner)),
             (to, Some(length)) => {
                 self.fault::<()>(mistake!("end-said-twice"), &length.place);
-                Along::Z(self.z(to, ThreadItem::to.name(), whose))
+                Along::Z(self.z(to, ThreadItem::to.name(), owner))
             }
         }
     }
 
-    fn groove(&mut self, node: Option<&Node>, fields: &mut Fields<'_, GrooveItem>) -> Option<Written> {
-        let mut spoilt = false;
+    fn groove(&mut self, node: Option<&Node>, fields: &mut Fields<'_, GrooveItem>) -> Option<GrooveValues> {
+        let mut unreadable = false;
         let mut size = |key: KeyOf<GrooveItem>, reader: &mut Self| {
             let node = fields.take(key)?;
             let size = reader.length(Some(node), key.name());
-            spoilt |= size.is_none();
+            unreadable |= size.is_none();
             size
         };
         let (width, depth, radius) =
             (size(GrooveItem::width, self), size(GrooveItem::depth, self), size(GrooveItem::radius, self));
         let angle = fields.take(GrooveItem::angle).and_then(|node| {
             let angle = self.problems.scalar::<Decimal>(node);
-            spoilt |= angle.is_none();
+            unreadable |= angle.is_none();
             Some((angle?, node.place.clone()))
         });
         let kind = self.choice(node?, &GrooveForm::NAMES)?;
-        Some(Written { kind, width, depth, radius, angle, spoilt })
+        Some(GrooveValues { kind, width, depth, radius, angle, unreadable })
     }
 }

@@ -1,10 +1,11 @@
-//! A turned part of any contour, its blank, and what the file says of its machining: the contour form of the shaft file.
+//! A turned part of any contour, its blank, and what the file says of its machining: the contour form of the shaft
+//! file.
 //!
-//! [`read_turned`] reads either form of the file: with `steps` a [`Shaft`], with `outer` a [`Workpiece`]; every mistake is
-//! told at once. A [`Shaft`] becomes a [`Workpiece`] by `Workpiece::from`.
+//! [`read_turned`] reads either form of the file: with `steps` a [`Shaft`], with `outer` a [`Workpiece`]; it reports
+//! every mistake at once. A [`Shaft`] becomes a [`Workpiece`] by `Workpiece::from`.
 //!
-//! From the file to the contour: `items` reads what is written, `walk` goes along it and makes surfaces, `groove` draws
-//! grooves, `check` holds the whole against itself and against the blank.
+//! From the file to the contour: `items` reads the items, `walk` makes surfaces of them, `groove` the shape of grooves,
+//! and `check` compares the contours with themselves and with the blank.
 
 pub mod blank;
 mod check;
@@ -58,7 +59,7 @@ pub struct Workpiece {
     pub material: String,
     /// What it is made from.
     pub blank: Blank,
-    /// The id of a lathe, as the file names it: not checked here.
+    /// The id of a lathe, as in the file; it is not checked here.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub machine: Option<String>,
     /// How it is held.
@@ -77,10 +78,10 @@ pub struct Workpiece {
     pub roughing: Roughing,
     /// Where allowances come from.
     pub allowances: Allowances,
-    /// How fast the tool moves, where the file says it.
+    /// How fast the tool moves, if the file says so.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rates: Option<Rates>,
-    /// What its reader must know: figures that were taken from tables and are not confirmed.
+    /// Findings for the reader: figures from tables that are not confirmed.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub findings: Vec<Finding>,
 }
@@ -110,18 +111,18 @@ pub struct Thread {
     pub pitch: Micrometres,
 }
 
-/// How roughing is bounded; what is absent is found from tool, lathe and rules.
+/// How roughing is limited; what is absent follows from tool, lathe and rules.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize)]
 pub struct Roughing {
     /// The limiting depth of a pass, radial, mm.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limiting_depth: Option<Micrometres>,
-    /// The scheme of roughing passes that is asked for.
+    /// The scheme of roughing passes that the file requires.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub scheme: Option<Scheme>,
 }
 
-/// Where the finishing allowances come from (lecture 12.2, l. 155-171); a surface that states its own keeps it.
+/// Where the finishing allowances come from (lecture 12.2, l. 155-171). A surface that states its own keeps it.
 #[derive(Clone, Debug, PartialEq, Eq, Default, Serialize)]
 #[serde(tag = "method", rename_all = "kebab-case")]
 pub enum Allowances {
@@ -182,7 +183,7 @@ impl Serialize for Microns {
     }
 }
 
-/// How fast the tool moves; a feed that is absent is for whoever plans to find.
+/// How fast the tool moves; an absent feed is left to planning.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Rates {
     /// What the short form says too.

@@ -1,5 +1,5 @@
-//! What must be done to a blank before it comes to the lathe, and what in the file contradicts that (lecture 12.1,
-//! l. 105-125): the rules `turning-blank` and `turning-blank-preparation`.
+//! What must be done to a blank before it comes to the lathe, and what in the file contradicts that (lecture 12.1, l.
+//! 105-125): the rules `turning-blank` and `turning-blank-preparation`.
 
 use serde::Serialize;
 
@@ -10,7 +10,7 @@ use crate::tables::turning::part::{PartsOfBlank, TurningBlankFor, TurningBlankPr
 
 use super::Workpiece;
 
-/// A word on the blank, with the row that it rests on.
+/// Advice on the blank, with its row.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Advice {
     /// What must be done (a note), or what in the file contradicts the rules (wrong).
@@ -20,17 +20,16 @@ pub struct Advice {
     pub because: Because,
 }
 
-/// What the rules say of the blank of a workpiece: how many parts it is for, how exact its length must be, and what is
-/// done to it beforehand.
+/// The advice of the rules on the blank of a workpiece: how many parts it is for, how exact its length must be, and
+/// what is done to it beforehand.
 ///
-/// # Errors
-/// The knowledge base lacks a rule, or a row for this blank.
+/// # Errors The knowledge base lacks a rule, or a row for this blank.
 pub fn advice(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Vec<Advice>, KnowledgeError> {
     let stock = workpiece.blank.kind;
     let diameter = workpiece.blank.largest_diameter();
-    let mut said = Vec::new();
+    let mut all = Vec::new();
     let mut say = |severity, note: Note, because: Because| {
-        said.push(Advice { finding: Finding::of_part(severity, note), because });
+        all.push(Advice { finding: Finding::of_part(severity, note), because });
     };
 
     let asked = knowledge.ask(&TurningBlankFor { stock, diameter })?;
@@ -56,5 +55,5 @@ pub fn advice(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Vec<Advice
         let note = Note::new(format!("blank-{}", rule.action));
         say(severity, note.clone(), Because::row(rule.row, note));
     }
-    Ok(said)
+    Ok(all)
 }

@@ -1,4 +1,4 @@
-//! The file of a turned part in either form, and the contour form of it.
+//! Reads the file of a turned part in either form; the contour form is here.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ use crate::turning::shaft::file::ShaftFile;
 
 use super::check;
 use super::file::WorkpieceFile;
-use super::items::Whose;
+use super::items::Owner;
 use super::walk::{Walked, walk};
 use super::{Allowances, HeatTreatment, Roughing, Turned, Workpiece};
 
@@ -25,10 +25,9 @@ pub fn read_turned(file: &str, text: &str, knowledge: &Knowledge) -> Result<Turn
     turned(root, problems, knowledge)
 }
 
-/// The same of a turned part that stands inside another file.
+/// The same for a turned part inside another file.
 ///
-/// # Errors
-/// As of [`read_turned`].
+/// # Errors As of [`read_turned`].
 pub fn read_turned_node(node: &Node, knowledge: &Knowledge) -> Result<Turned, Vec<Mistake>> {
     turned(Some(node.clone()), Vec::new(), knowledge)
 }
@@ -41,7 +40,7 @@ fn turned(root: Option<Node>, problems: Vec<Diagnostic>, knowledge: &Knowledge) 
     let has = |key: &str| keys.contains(&key);
     let nearly = |key: &str| keys.iter().any(|typed| meant(typed, &[key]).is_some());
     let (outer, steps) = (WorkpieceFile::outer.name(), ShaftFile::steps.name());
-    // Keys that only the contour form has: by them a file without `outer` is known to be meant as one.
+    // Keys that only the contour form has: a file with one of them and without `outer` is meant as a contour.
     let shafts: Vec<&str> = ShaftFile::KEYS.iter().map(|key| key.name()).collect();
     let mut only = WorkpieceFile::KEYS.iter().map(|key| key.name()).filter(|key| !shafts.contains(key));
     let contour = has(outer) || !has(steps) && !nearly(steps) && only.any(nearly);
@@ -52,7 +51,7 @@ fn turned(root: Option<Node>, problems: Vec<Diagnostic>, knowledge: &Knowledge) 
     }
     let shaft = root.as_ref().and_then(|root| reader.shaft(root));
     let read = reader.close(shaft).map(Turned::Stepped);
-    // A file without either is told so, rather than that it lacks the key of one form.
+    // For a file with neither key, that is the mistake, not the missing key of one form.
     read.map_err(|mut mistakes| {
         let Some(place) = root.map(|root| root.place) else { return mistakes };
         let lacks = missing_key(steps, &place);
@@ -149,10 +148,10 @@ impl Reader<'_> {
         })
     }
 
-    /// A contour of the part, with the names that its items give.
+    /// A contour of the part, with the names of its items.
     fn contour(&mut self, node: &Node, side: Side) -> (Walked, Vec<Placed<String>>) {
-        let items = self.items(node, side, Whose::Part);
-        let names = items.iter().flatten().filter_map(|item| item.said.name.clone()).collect();
+        let items = self.items(node, side, Owner::Part);
+        let names = items.iter().flatten().filter_map(|item| item.attributes.name.clone()).collect();
         let walked = walk(&items, side, self);
         if walked.whole {
             check::crosses_itself(&walked, self);
@@ -160,7 +159,7 @@ impl Reader<'_> {
         (walked, names)
     }
 
-    /// Every name stands for one surface.
+    /// Checks that no name is given twice.
     fn names(&mut self, names: impl Iterator<Item = Placed<String>>) {
         let mut known: BTreeMap<String, u32> = BTreeMap::new();
         for (name, place) in names {

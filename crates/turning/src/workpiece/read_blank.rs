@@ -12,7 +12,7 @@ use crate::turning::shaft::shape::{self, Shape};
 use crate::units::Micrometres;
 
 use super::file::BlankFile;
-use super::items::Whose;
+use super::items::Owner;
 use super::walk::{Walked, walk};
 use super::{Blank, StockKind, check};
 
@@ -158,7 +158,7 @@ impl Reader<'_> {
     }
 
     fn blank_contour(&mut self, node: &Node, side: Side) -> Walked {
-        let items = self.items(node, side, Whose::Blank);
+        let items = self.items(node, side, Owner::Blank);
         let walked = walk(&items, side, self);
         if walked.whole {
             check::crosses_itself(&walked, self);

@@ -15,7 +15,7 @@ pub(super) struct Relief {
 }
 
 /// The relief for the grinding wheel in a cylinder of a diameter (ГОСТ 8820-69, table `grinding-relief`), of a width if
-/// one is given; none where the standard has none, or leaves a choice.
+/// one is given. None if the standard has none, or leaves a choice.
 pub(super) fn grinding(diameter: Micrometres, width: Option<Micrometres>, knowledge: &Knowledge) -> Option<Relief> {
     let mut rows = knowledge.ask(&GrindingReliefFor { diameter }).ok()?.winners().ok()?;
     rows.retain(|row| width.is_none_or(|width| row.width == width));
@@ -25,8 +25,8 @@ pub(super) fn grinding(diameter: Micrometres, width: Option<Micrometres>, knowle
     }
 }
 
-/// The normal relief at the end of a thread of a pitch (ГОСТ 10549-80, table `thread-relief`); of a bore the table has
-/// none.
+/// The normal relief at the end of a thread of a pitch (ГОСТ 10549-80, table `thread-relief`); the table has none for
+/// bores.
 pub(super) fn thread(pitch: Micrometres, side: Side, knowledge: &Knowledge) -> Option<Relief> {
     if side == Side::Inner {
         return None;
@@ -57,8 +57,8 @@ mod tests {
         assert_eq!(of(thread(mm("2.1"), Side::Outer, &knowledge)), None);
     }
 
-    /// A relief must be deeper than the profile of its thread, 0.6134 P (ISO 68-1: 17/24 of H = 0.866 P), or the tool has
-    /// no way out; and not so deep that it weakens the part for nothing.
+    /// A relief must be deeper than the profile of its thread, 0.6134 P (ISO 68-1: 17/24 of H = 0.866 P), so that the
+    /// tool can leave the thread, but not so deep that it weakens the part without need.
     #[test]
     fn reliefs_of_threads_are_deeper_than_the_thread() {
         let knowledge = shipped::knowledge().unwrap();

@@ -38,7 +38,7 @@ impl Reader<'_> {
         let method =
             fields.need(AllowancesFile::method, &mut self.problems).and_then(|node| self.choice(node, &methods));
         let mut of = |key: KeyOf<AllowancesFile>, owner: Method, reader: &mut Self| -> Option<&Node> {
-            // Needed by one method, and of no use to the others.
+            // Required by one method, useless for the others.
             let node = if method == Some(owner) { fields.need(key, &mut reader.problems) } else { fields.take(key) };
             match node {
                 Some(node) if method.is_some_and(|method| method != owner) => {

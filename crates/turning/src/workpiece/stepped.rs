@@ -1,4 +1,4 @@
-//! A stepped shaft as a workpiece, so that what is written for contours serves for both forms.
+//! A stepped shaft as a workpiece, so that code for contours works for both forms.
 
 use crate::turning::contour::{Contour, Piece, Profile, Side, Surface, SurfaceKind, SurfaceName};
 use crate::turning::length::Half;
@@ -9,8 +9,8 @@ use crate::units::Micrometres;
 use super::{Allowances, Blank, HeatTreatment, Rates, Roughing, StockKind, Workpiece};
 
 impl From<&Shaft> for Workpiece {
-    /// The diameters of a stepped shaft are those after roughing, so there is nothing left to finish: the allowances are
-    /// zero. Its limiting depth is the longitudinal one.
+    /// The diameters of a stepped shaft are those after roughing, so its finishing allowances are zero. Its limiting
+    /// depth is the longitudinal one.
     fn from(shaft: &Shaft) -> Self {
         let kind = match shaft.blank.kind {
             BlankKind::Bar => StockKind::Bar,

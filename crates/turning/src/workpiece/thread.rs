@@ -1,4 +1,4 @@
-//! A metric thread of a turned surface, as drawings write it.
+//! A metric thread of a turned surface, as drawings designate it.
 
 use crate::knowledge::Knowledge;
 use crate::tables::standards::CoarseThread;
@@ -7,7 +7,7 @@ use crate::units::Micrometres;
 
 /// A thread by its name.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Named {
+pub(super) struct ThreadSize {
     /// As the drawing writes it, in Latin letters.
     pub written: String,
     /// Nominal diameter, mm.
@@ -18,7 +18,7 @@ pub(super) struct Named {
     drill: Option<Micrometres>,
 }
 
-impl Named {
+impl ThreadSize {
     /// The least and the largest diameter that a thread may be cut on: outside the nominal one; in a bore from the minor
     /// diameter D1 = d − 1.0825 P (ISO 724) to the drill, by the tables or d − P.
     pub fn diameters(&self, side: Side) -> (Micrometres, Micrometres) {
@@ -37,7 +37,7 @@ impl Named {
 ///
 /// # Errors
 /// The code of the mistake: it is no metric thread, or its coarse pitch is not known.
-pub(super) fn read(text: &str, knowledge: &Knowledge) -> Result<Named, &'static str> {
+pub(super) fn read(text: &str, knowledge: &Knowledge) -> Result<ThreadSize, &'static str> {
     let latin = |letter: char| match letter {
         'х' | 'Х' | 'X' | '×' | '*' => 'x',
         'М' | 'м' | 'm' => 'M',
@@ -58,12 +58,12 @@ pub(super) fn read(text: &str, knowledge: &Knowledge) -> Result<Named, &'static 
     let row = knowledge.find(|row: &CoarseThread<'_>| row.thread == name).ok().flatten();
     let coarse = row.as_ref().map(|row| row.pitch);
     let pitch = pitch.or(coarse).ok_or("no-coarse-pitch")?;
-    // The profile is 0.54 P deep on each side (ISO 68-1): a core must be left.
+    // The profile is 0.54 P deep on each side (ISO 68-1), and a core must be left.
     if size <= Micrometres::ZERO || pitch <= Micrometres::ZERO || pitch + pitch >= size {
         return Err("bad-turned-thread");
     }
     let drill = if Some(pitch) == coarse { row.map(|row| row.diameter) } else { None };
-    Ok(Named { written, size, pitch, drill })
+    Ok(ThreadSize { written, size, pitch, drill })
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Along the items of a contour: each becomes a surface, if it leads where a contour can go.
+//! Makes surfaces from the items of a contour, and checks that each goes where a contour can.
 
 use crate::knowledge::diagnostic::Place;
 use crate::note::Finding;
@@ -10,10 +10,10 @@ use crate::turning::reading::{Placed, Reader, mistake};
 
 use super::Thread;
 use super::groove::GrooveForm;
-use super::items::{Along, Item, Measure, What, Written};
-use super::thread::Named;
+use super::items::{Along, ContourItem, GrooveValues, ItemShape, Measure};
+use super::thread::ThreadSize;
 
-/// Ends of arcs are rounded: so much an arc may miss its own circle by, half-micrometres.
+/// Ends of arcs are rounded: so far an arc may be off its own circle.
 const SLACK: Half = Half::new(2);
 
 /// A contour as far as it could be walked.
@@ -25,7 +25,7 @@ pub(super) struct Walked {
     pub surfaces: Vec<Placed<Surface>>,
     pub threads: Vec<Thread>,
     pub findings: Vec<Finding>,
-    /// Whether every item became a surface without a fault.
+    /// Whether every item became a surface without a mistake.
     pub whole: bool,
 }
 
@@ -43,7 +43,7 @@ impl Walked {
 }
 
 /// Walks a contour.
-pub(super) fn walk(items: &[Option<Item>], side: Side, reader: &mut Reader<'_>) -> Walked {
+pub(super) fn walk(items: &[Option<ContourItem>], side: Side, reader: &mut Reader<'_>) -> Walked {
     let walked =
         Walked { side, start: None, surfaces: Vec::new(), threads: Vec::new(), findings: Vec::new(), whole: true };
     let mut walk = Walk { items, reader, radius: None, z: None, walked };
@@ -60,17 +60,17 @@ pub(super) fn walk(items: &[Option<Item>], side: Side, reader: &mut Reader<'_>) 
     walk.walked
 }
 
-/// A walk under way.
+/// A contour under construction.
 pub(super) struct Walk<'i, 'r, 'a> {
-    pub items: &'i [Option<Item>],
+    pub items: &'i [Option<ContourItem>],
     pub reader: &'r mut Reader<'a>,
-    /// Where the contour stands, as far as it is known.
+    /// Where the contour ends so far, as far as it is known.
     radius: Option<Half>,
     z: Option<Half>,
     pub walked: Walked,
 }
 
-/// Diameters and Z of files as lengths of the contour.
+/// Diameters and Z of the file as lengths of the contour.
 fn radius_of(measure: &Measure) -> Option<Half> {
     measure.as_ref().map(|(diameter, _)| Half::radius_of(*diameter))
 }
@@ -96,23 +96,23 @@ impl Walk<'_, '_, '_> {
         }
     }
 
-    fn step(&mut self, index: usize, item: &Item) {
-        match &item.what {
-            What::From(to) if index == 0 => {
+    fn step(&mut self, index: usize, item: &ContourItem) {
+        match &item.shape {
+            ItemShape::From(to) if index == 0 => {
                 (self.radius, self.z) = (radius_of(&to.d), z_of(&to.z));
                 self.walked.start = self.here().map(|point| (point, item.place.clone()));
                 if self.walked.side == Side::Inner && self.radius == Some(Half::ZERO) {
                     self.fault(mistake!("bore-begins-on-the-axis"), &item.place);
                 }
             }
-            What::From(_) => self.fault(mistake!("from-not-first"), &item.place),
+            ItemShape::From(_) => self.fault(mistake!("from-not-first"), &item.place),
             _ if index == 0 => self.fault(mistake!("first-item-not-from"), &item.place),
-            What::Face(d) => self.straight(item, SurfaceKind::Face, (radius_of(d), self.z)),
-            What::Cylinder(along) => {
+            ItemShape::Face(d) => self.straight(item, SurfaceKind::Face, (radius_of(d), self.z)),
+            ItemShape::Cylinder(along) => {
                 let z = self.z_after(along);
                 self.straight(item, SurfaceKind::Cylinder, (self.radius, z));
             }
-            What::Cone { to, chamfer } => {
+            ItemShape::Cone { to, chamfer } => {
                 let kind = if *chamfer { SurfaceKind::Chamfer } else { SurfaceKind::Cone };
                 let to = (radius_of(&to.d), z_of(&to.z));
                 let (same_radius, same_z) = (to.0.is_some() && to.0 == self.radius, to.1.is_some() && to.1 == self.z);
@@ -121,10 +121,10 @@ impl Walk<'_, '_, '_> {
                 }
                 self.straight(item, kind, to);
             }
-            What::Chamfer(size) => self.chamfer(index, item, size),
-            What::Arc { to, radius, hollow } => self.arc(item, (radius_of(&to.d), z_of(&to.z)), radius, *hollow),
-            What::Thread { named, along } => self.thread(item, named.as_ref(), along),
-            What::Groove(written) => self.groove(index, item, written.as_ref()),
+            ItemShape::Chamfer(size) => self.chamfer(index, item, size),
+            ItemShape::Arc { to, radius, hollow } => self.arc(item, (radius_of(&to.d), z_of(&to.z)), radius, *hollow),
+            ItemShape::Thread { size, along } => self.thread(item, size.as_ref(), along),
+            ItemShape::Groove(values) => self.groove(index, item, values.as_ref()),
         }
     }
 
@@ -135,12 +135,18 @@ impl Walk<'_, '_, '_> {
         }
     }
 
-    fn straight(&mut self, item: &Item, kind: SurfaceKind, to: (Option<Half>, Option<Half>)) {
+    fn straight(&mut self, item: &ContourItem, kind: SurfaceKind, to: (Option<Half>, Option<Half>)) {
         self.arrive(item, kind, to, Some(Curve::Line));
     }
 
-    /// Goes to a point, if it is known; the surface is there if all of it is.
-    fn arrive(&mut self, item: &Item, kind: SurfaceKind, to: (Option<Half>, Option<Half>), curve: Option<Curve>) {
+    /// Goes to a point, as far as it is known; adds the surface if all of it is known.
+    fn arrive(
+        &mut self,
+        item: &ContourItem,
+        kind: SurfaceKind,
+        to: (Option<Half>, Option<Half>),
+        curve: Option<Curve>,
+    ) {
         let from = self.here();
         (self.radius, self.z) = to;
         let (Some(from), Some(to), Some(curve)) = (from, self.here(), curve) else {
@@ -148,8 +154,8 @@ impl Walk<'_, '_, '_> {
             return;
         };
         let piece = Piece { from, to, curve };
-        let radius_place = match &item.what {
-            What::Arc { radius: Some((_, place)), .. } => place,
+        let radius_place = match &item.shape {
+            ItemShape::Arc { radius: Some((_, place)), .. } => place,
             _ => &item.place,
         };
         if let Some((radius, least)) = falls_short(piece) {
@@ -159,13 +165,13 @@ impl Walk<'_, '_, '_> {
         }
     }
 
-    fn push(&mut self, item: &Item, kind: SurfaceKind, pieces: Vec<Piece>) {
-        let said = &item.said;
-        let name = match &said.name {
+    fn push(&mut self, item: &ContourItem, kind: SurfaceKind, pieces: Vec<Piece>) {
+        let attributes = &item.attributes;
+        let name = match &attributes.name {
             Some((name, _)) => SurfaceName::Given(name.clone()),
             None => SurfaceName::Place(self.walked.side, self.walked.surfaces.len() + 1),
         };
-        let (grade, roughness, stated_allowance) = (said.grade, said.roughness, said.allowance);
+        let (grade, roughness, stated_allowance) = (attributes.grade, attributes.roughness, attributes.allowance);
         let surface = Surface { name, kind, pieces, grade, roughness, stated_allowance };
         self.walked.surfaces.push((surface, item.place.clone()));
     }
@@ -207,7 +213,7 @@ impl Walk<'_, '_, '_> {
         false
     }
 
-    /// Which way the radius goes on where the contour stands: as the face before, or as the face after.
+    /// In which direction the radius goes on: that of the face before, or of the face after.
     pub fn radial_way(&self, index: usize) -> Option<i64> {
         let before = self.last().filter(|last| last.kind == SurfaceKind::Face).and_then(|face| face.pieces.first());
         if let Some(face) = before {
@@ -216,59 +222,61 @@ impl Walk<'_, '_, '_> {
         if self.last().is_none() {
             return Some(if self.walked.side == Side::Outer { 1 } else { -1 });
         }
-        match self.items.get(index + 1)?.as_ref()?.what {
-            What::Face(ref d) => Some((radius_of(d)? - self.radius?).halves().signum()).filter(|way| *way != 0),
+        match self.items.get(index + 1)?.as_ref()?.shape {
+            ItemShape::Face(ref d) => {
+                Some((radius_of(d)? - self.radius?).halves().signum()).filter(|direction| *direction != 0)
+            }
             _ => None,
         }
     }
 
-    fn chamfer(&mut self, index: usize, item: &Item, size: &Measure) {
+    fn chamfer(&mut self, index: usize, item: &ContourItem, size: &Measure) {
         let after_face = self.last().is_none_or(|last| last.kind == SurfaceKind::Face);
         let Some((size, place)) = size else { return self.straight(item, SurfaceKind::Chamfer, (None, None)) };
         let side = Half::of(*size);
         let known = self.here().is_some();
-        let Some(way) = self.radial_way(index) else {
+        let Some(direction) = self.radial_way(index) else {
             if known {
                 self.fault(mistake!("chamfer-which-way"), &item.place);
             }
             return self.straight(item, SurfaceKind::Chamfer, (None, None));
         };
-        let face = match self.items.get(index + 1).and_then(Option::as_ref).map(|next| &next.what) {
-            Some(What::Face(d)) if !after_face => radius_of(d).zip(self.radius).map(|(to, from)| to - from),
+        let face = match self.items.get(index + 1).and_then(Option::as_ref).map(|next| &next.shape) {
+            Some(ItemShape::Face(d)) if !after_face => radius_of(d).zip(self.radius).map(|(to, from)| to - from),
             _ => None,
         };
         if let Some(face) = face.map(|face| Half::new(face.halves().abs())).filter(|face| *face < side) {
             self.fault(mistake!("chamfer-larger-than-face", chamfer = size, face = face), place);
         }
-        let radius = self.radius.map(|radius| radius + Half::new(way * side.halves()));
+        let radius = self.radius.map(|radius| radius + Half::new(direction * side.halves()));
         self.straight(item, SurfaceKind::Chamfer, (radius, self.z.map(|z| z + side)));
     }
 
-    fn arc(&mut self, item: &Item, to: (Option<Half>, Option<Half>), radius: &Measure, hollow: Option<bool>) {
+    fn arc(&mut self, item: &ContourItem, to: (Option<Half>, Option<Half>), radius: &Measure, hollow: Option<bool>) {
         let kind = if hollow == Some(true) { SurfaceKind::Fillet } else { SurfaceKind::Ball };
         let radius = radius.as_ref().map(|(radius, _)| Half::of(*radius));
         let curve = radius.zip(hollow).map(|(radius, hollow)| Curve::Arc { radius, turn: self.hollow(hollow) });
         self.arrive(item, kind, to, curve);
     }
 
-    fn thread(&mut self, item: &Item, named: Option<&Placed<Named>>, along: &Along) {
+    fn thread(&mut self, item: &ContourItem, thread_size: Option<&Placed<ThreadSize>>, along: &Along) {
         let z = self.z_after(along);
-        if let Some(((named, place), radius)) = named.zip(self.radius) {
-            let (least, most) = named.diameters(self.walked.side);
+        if let Some(((thread_size, place), radius)) = thread_size.zip(self.radius) {
+            let (least, most) = thread_size.diameters(self.walked.side);
             let diameter = radius.diameter();
             if !(least..=most).contains(&diameter) {
                 let code = if least == most { "thread-on-another-diameter" } else { "thread-in-another-bore" };
                 self.fault(
-                    mistake!(code, thread = named.written, diameter = diameter, least = least, most = most),
+                    mistake!(code, thread = thread_size.written, diameter = diameter, least = least, most = most),
                     place,
                 );
             }
         }
         let before = self.walked.surfaces.len();
         self.straight(item, SurfaceKind::Thread, (self.radius, z));
-        match (named, self.last()) {
-            (Some((named, _)), Some(surface)) if self.walked.surfaces.len() > before => {
-                let (written, size, pitch) = (named.written.clone(), named.size, named.pitch);
+        match (thread_size, self.last()) {
+            (Some((thread_size, _)), Some(surface)) if self.walked.surfaces.len() > before => {
+                let (written, size, pitch) = (thread_size.written.clone(), thread_size.size, thread_size.pitch);
                 let thread = Thread { surface: surface.name.to_string(), written, size, pitch };
                 self.walked.threads.push(thread);
             }
@@ -276,16 +284,16 @@ impl Walk<'_, '_, '_> {
         }
     }
 
-    fn groove(&mut self, index: usize, item: &Item, written: Option<&Written>) {
-        let drawn = written.zip(self.here()).and_then(|(written, here)| self.drawn(index, here, item, written));
-        match (drawn, written) {
+    fn groove(&mut self, index: usize, item: &ContourItem, values: Option<&GrooveValues>) {
+        let drawn = values.zip(self.here()).and_then(|(values, here)| self.drawn(index, here, item, values));
+        match (drawn, values) {
             (Some((kind, pieces)), _) => {
                 (self.radius, self.z) = pieces.last().map(|piece| (piece.to.radius, piece.to.z)).unzip();
                 self.push(item, kind, pieces);
             }
-            (None, written) => {
-                // A groove in a cylinder ends at its diameter, wherever that is.
-                if written.is_none_or(|written| matches!(written.kind, GrooveForm::Face | GrooveForm::Corner)) {
+            (None, values) => {
+                // A groove in a cylinder ends at the diameter of the cylinder, even if that is not known.
+                if values.is_none_or(|values| matches!(values.kind, GrooveForm::Face | GrooveForm::Corner)) {
                     self.radius = None;
                 }
                 self.z = None;
@@ -295,7 +303,7 @@ impl Walk<'_, '_, '_> {
     }
 }
 
-/// The radius of an arc that is less than half the distance of its ends, but for their rounding, and that half.
+/// For an arc whose radius is less than half the distance of its ends, apart from rounding: the radius and that half.
 fn falls_short(piece: Piece) -> Option<(Half, Half)> {
     let Curve::Arc { radius, .. } = piece.curve else { return None };
     let square = |half: Half| i128::from(half.halves()) * i128::from(half.halves());

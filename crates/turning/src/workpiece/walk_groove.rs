@@ -1,4 +1,4 @@
-//! The grooves of a walk: their sizes, from the file or a standard, and how they lie on the contour.
+//! The grooves of a contour: their sizes, from the file or a standard, and how they are placed.
 
 use crate::knowledge::diagnostic::Place;
 use crate::turning::contour::{Piece, Side, SurfaceKind};
@@ -8,21 +8,21 @@ use crate::turning::reading::mistake;
 use crate::units::{Decimal, Micrometres};
 
 use super::groove::{self, Frame, GrooveForm, Sizes};
-use super::items::{Item, Measure, What, Written};
+use super::items::{ContourItem, GrooveValues, ItemShape, Measure};
 use super::relief;
 use super::walk::Walk;
 
 impl Walk<'_, '_, '_> {
-    /// The pieces of a groove that begins here; what hinders is a mistake.
+    /// The pieces of a groove that begins here; none with a mistake if it is not possible.
     pub(super) fn drawn(
         &mut self,
         index: usize,
         here: Point,
-        item: &Item,
-        written: &Written,
+        item: &ContourItem,
+        values: &GrooveValues,
     ) -> Option<(SurfaceKind, Vec<Piece>)> {
-        let sizes = self.sizes(index, here, item, written)?;
-        let Some(frame) = self.frame(index, here, written.kind) else {
+        let sizes = self.sizes(index, here, item, values)?;
+        let Some(frame) = self.frame(index, here, values.kind) else {
             self.fault(mistake!("groove-not-in-a-face"), &item.place);
             return None;
         };
@@ -35,7 +35,7 @@ impl Walk<'_, '_, '_> {
                 self.fault(mistake!("below-the-axis"), &item.place);
                 None
             }
-            Ok(pieces) => Some((written.kind.surface(), pieces)),
+            Ok(pieces) => Some((values.kind.surface(), pieces)),
             Err(code) => {
                 self.fault(mistake!(code, width = sizes.width, depth = sizes.depth), &item.place);
                 None
@@ -50,39 +50,39 @@ impl Walk<'_, '_, '_> {
             let radial = if outer { -1 } else { 1 };
             return Some(Frame { at: here, on_cylinder: true, radial, axial: 1, hollow });
         }
-        // On an outer contour a face that goes outwards looks to the free end, its metal is towards the chuck.
+        // On an outer contour a face that goes outwards faces the free end, so its metal is towards the chuck.
         let radial = self.radial_way(index)?;
         let axial = if outer { radial } else { -radial };
         Some(Frame { at: here, on_cylinder: false, radial, axial, hollow })
     }
 
-    /// The sizes of a groove: those of the file, and of a relief those of its standard where the file has none.
-    fn sizes(&mut self, index: usize, here: Point, item: &Item, written: &Written) -> Option<Sizes> {
-        let kind = written.kind;
-        if let Some((_, place)) = written.angle.as_ref().filter(|_| !kind.has_angle()) {
+    /// The sizes of a groove from the file; for a relief the missing ones from its standard.
+    fn sizes(&mut self, index: usize, here: Point, item: &ContourItem, values: &GrooveValues) -> Option<Sizes> {
+        let kind = values.kind;
+        if let Some((_, place)) = values.angle.as_ref().filter(|_| !kind.has_angle()) {
             self.fault(mistake!("angle-of-a-straight-groove", kind_of_groove = kind.name()), place);
         }
-        if written.spoilt {
+        if values.unreadable {
             return None;
         }
         let given = |measure: &Measure| measure.as_ref().map(|(length, _)| *length);
-        let (mut width, mut depth) = (given(&written.width), given(&written.depth));
+        let (mut width, mut depth) = (given(&values.width), given(&values.depth));
         if (width.is_none() || depth.is_none())
-            && let Some(found) = self.standard(index, here, kind, width)
+            && let Some(relief) = self.standard(index, here, kind, width)
         {
-            width = width.or(Some(found.width));
-            depth = depth.or(Some(found.depth));
-            self.walked.findings.extend(found.finding);
+            width = width.or(Some(relief.width));
+            depth = depth.or(Some(relief.depth));
+            self.walked.findings.extend(relief.finding);
         }
-        let slant = match &written.angle {
+        let slant = match &values.angle {
             Some((angle, place)) => self.slant(*angle, place),
             None => Some(0.0),
         };
         let lacking: Vec<&str> = [
             ("width", width.is_none()),
             ("depth", depth.is_none()),
-            ("angle", kind.has_angle() && written.angle.is_none()),
-            ("radius", kind.needs_radius() && written.radius.is_none()),
+            ("angle", kind.has_angle() && values.angle.is_none()),
+            ("radius", kind.needs_radius() && values.radius.is_none()),
         ]
         .iter()
         .filter_map(|(key, lacks)| lacks.then_some(*key))
@@ -91,7 +91,7 @@ impl Walk<'_, '_, '_> {
             self.fault(mistake!("groove-sizes-needed", keys = lacking.join(", ")), &item.place);
         }
         let shoulder_first = self.last().is_none_or(|last| last.kind == SurfaceKind::Face);
-        let radius = given(&written.radius).map(Half::of);
+        let radius = given(&values.radius).map(Half::of);
         Some(Sizes { kind, width: Half::of(width?), depth: Half::of(depth?), radius, slant: slant?, shoulder_first })
             .filter(|_| lacking.is_empty())
     }
@@ -117,8 +117,8 @@ impl Walk<'_, '_, '_> {
             GrooveForm::ThreadRelief => {
                 let before = self.last().filter(|last| last.kind == SurfaceKind::Thread);
                 let before = before.and(self.walked.threads.last()).map(|thread| thread.pitch);
-                let after = match self.items.get(index + 1).and_then(Option::as_ref).map(|next| &next.what) {
-                    Some(What::Thread { named: Some((named, _)), .. }) => Some(named.pitch),
+                let after = match self.items.get(index + 1).and_then(Option::as_ref).map(|next| &next.shape) {
+                    Some(ItemShape::Thread { size: Some((size, _)), .. }) => Some(size.pitch),
                     _ => None,
                 };
                 relief::thread(before.or(after)?, self.walked.side, self.reader.knowledge)

@@ -1,4 +1,4 @@
-//! Tools held against a zone: which fit, and of every other the inequality that fails.
+//! Compares tools with a zone: which fit, and for every other the inequality that fails.
 
 use serde::Serialize;
 
@@ -10,11 +10,11 @@ use crate::units::{Degrees, Micrometres, round_to};
 use super::parts::Needs;
 use super::{Feed, Zone, ZoneKind};
 
-/// An angle of a contour of rounded points may stand this far above that of the tool, degrees: half a micrometre over half
+/// How far an angle of a contour of rounded points may be above that of the tool, degrees: half a micrometre over half
 /// a millimetre.
 const TRIFLE: f64 = 0.06;
 
-/// What of a tool decides whether it fits a zone.
+/// What decides whether a tool fits a zone.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ToolAngles {
     /// Its designation.
@@ -22,10 +22,10 @@ pub struct ToolAngles {
     /// Its angles and its hand.
     #[serde(flatten)]
     pub angles: Angles,
-    /// Of a boring bar, the smallest bore that it enters.
+    /// For a boring bar, the smallest bore that it enters.
     #[serde(rename = "least_bore_mm", skip_serializing_if = "Option::is_none")]
     pub least_bore: Option<Micrometres>,
-    /// Of a grooving tool, its width: it goes straight in, so its angles do not count.
+    /// For a grooving tool, its width. It goes straight in, so its angles do not count.
     #[serde(rename = "width_mm", skip_serializing_if = "Option::is_none")]
     pub width: Option<Half>,
 }
@@ -49,15 +49,15 @@ pub struct RefusedTool {
 /// Tools against a zone.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Fit {
-    /// Those that fit, in the order in which they were given.
+    /// Those that fit, in the given order.
     pub fitting: Vec<String>,
     /// The others.
     pub refused: Vec<RefusedTool>,
 }
 
-/// Holds tools against a zone. The face of the free end takes every tool: its passes run out on both sides.
+/// Compares tools with a zone. Every tool fits the face of the free end: its passes run out on both sides.
 pub fn fit(zone: &Zone, tools: &[ToolAngles]) -> Fit {
-    let mut found = Fit { fitting: Vec::new(), refused: Vec::new() };
+    let mut compared = Fit { fitting: Vec::new(), refused: Vec::new() };
     let closed = |part: &&super::Part| part.kind == ZoneKind::Closed;
     let floor = zone.parts.iter().filter(closed).map(|part| part.floor_length).min();
     for tool in tools {
@@ -67,15 +67,15 @@ pub fn fit(zone: &Zone, tools: &[ToolAngles]) -> Fit {
             why.push(Note::new("tool-only-for-grooves").with("kind", Figure::word(zone.kind.name())));
         }
         if why.is_empty() {
-            found.fitting.push(tool.name.clone());
+            compared.fitting.push(tool.name.clone());
         } else {
-            found.refused.push(RefusedTool { tool: tool.name.clone(), why });
+            compared.refused.push(RefusedTool { tool: tool.name.clone(), why });
         }
     }
-    found
+    compared
 }
 
-/// Every inequality that keeps a tool from needs.
+/// Every inequality that a tool does not satisfy.
 pub(super) fn refusals(
     needs: Needs,
     passage: Option<Micrometres>,

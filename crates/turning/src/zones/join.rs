@@ -1,5 +1,5 @@
-//! Neighbouring parts joined into one zone (lecture 12.4, l. 522-546, fig. 12.5): as many surfaces in a zone as one tool
-//! reaches, so that there are few tools and few returns of the tool.
+//! Joins neighbouring parts into one zone (lecture 12.4, l. 522-546, fig. 12.5): a zone has as many surfaces as one
+//! tool reaches, so that there are few tools and few returns of the tool.
 
 use serde::Serialize;
 
@@ -13,8 +13,8 @@ use super::kind::{Bounds, Circumstances, ZoneKind, scheme, together};
 use super::parts::{Needs, Part};
 use super::{Feed, NOTHING, Stock, Zone};
 
-/// Neighbours in groups, each as long as one of the tools still reaches all of it. Going from one end, that is the fewest
-/// groups. A part that no tool reaches stands alone.
+/// Groups of neighbours, each as long as one of the tools reaches all of it. From one end that gives the fewest groups.
+/// A part that no tool reaches is a group of its own.
 pub(super) fn groups(parts: Vec<Part>, tools: &[ToolAngles]) -> Vec<Vec<Part>> {
     let mut groups: Vec<Vec<Part>> = Vec::new();
     for part in parts {
@@ -33,10 +33,9 @@ pub(super) fn groups(parts: Vec<Part>, tools: &[ToolAngles]) -> Vec<Vec<Part>> {
     groups
 }
 
-/// A zone of parts that stand in the order of Z.
+/// A zone of parts, which are in the order of Z.
 ///
-/// # Errors
-/// The knowledge base lacks the rule `turning-zone` or `turning-scheme`, or a row of one.
+/// # Errors The knowledge base lacks the rule `turning-zone` or `turning-scheme`, or a row of one.
 pub(super) fn zone(
     parts: Vec<Part>,
     feed: Feed,
@@ -44,7 +43,7 @@ pub(super) fn zone(
     knowledge: &Knowledge,
 ) -> Result<Zone, KnowledgeError> {
     let kinds: Vec<(ZoneKind, Bounds)> = parts.iter().map(|part| (part.kind, part.bounds)).collect();
-    let found = together(&kinds, knowledge)?;
+    let classified = together(&kinds, knowledge)?;
     let shaped = parts.iter().any(|part| part.contour.iter().any(|piece| !piece.is_face() && !piece.is_cylinder()));
     let circumstances = Circumstances { shaped, near_part: stock.near_part, against_stop: stock.against_stop };
     let nothing = Needs { main: NOTHING, secondary: NOTHING };
@@ -58,18 +57,19 @@ pub(super) fn zone(
         to_z,
         least_radius: parts.iter().map(|part| part.least_radius).min().unwrap_or_default(),
         greatest_radius: parts.iter().map(|part| part.greatest_radius).max().unwrap_or_default(),
-        kind: found.kind,
+        kind: classified.kind,
         needs: parts.iter().fold(nothing, |sum, part| sum.and(part.needs)),
         passage: (stock.rough.side == Side::Inner).then(|| passage(stock, from_z, to_z).diameter()),
-        scheme: scheme(&found, circumstances, knowledge)?,
-        because: found.because,
+        scheme: scheme(&classified, circumstances, knowledge)?,
+        because: classified.because,
         parts,
     };
     zone.parts.sort_by_key(|part| part.kind);
     Ok(zone)
 }
 
-/// The least radius that a boring bar passes on its way through a zone: before it the hole as roughed, in it as drilled.
+/// The least radius that a boring bar passes on its way through a zone: before it that of the roughed hole, in it that
+/// of the drilled hole.
 fn passage(stock: Stock<'_>, from: Half, to: Half) -> Half {
     let least = |contour: &crate::turning::contour::Contour, inside: &dyn Fn(Half) -> bool| {
         let ends = contour.pieces.iter().flat_map(|piece| piece.extremes());
@@ -81,23 +81,24 @@ fn passage(stock: Stock<'_>, from: Half, to: Half) -> Half {
     [before, along, inside].into_iter().flatten().min().unwrap_or_default()
 }
 
-/// How many returns of the tool joining saves, on the same levels.
+/// How many returns of the tool joining saves on the same levels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Returns {
     /// The depth of the levels, mm.
     pub depth_mm: Half,
-    /// Where the stock over each part is cleared by itself (fig. 12.5 а).
+    /// With each part cleared separately (fig. 12.5 а).
     pub split: usize,
-    /// Where a pass goes on over neighbouring parts (fig. 12.5 б, в).
+    /// With passes that go on over neighbouring parts (fig. 12.5 б, в).
     pub joined: usize,
     /// The difference.
     pub saved: usize,
 }
 
-/// Counts the passes of a zone, after each of which the tool returns, with levels of one depth from the greatest radius of
-/// the blank downward. Joined, a pass goes on over a neighbour where the border between them does not stand above the level.
+/// Counts the passes of a zone, after each of which the tool returns, with levels of one depth down from the greatest
+/// radius of the blank. In a joined zone a pass goes on over a neighbour if the border between them is not above the
+/// level.
 ///
-/// A depth that is not above zero gives no passes.
+/// There are no passes for a depth that is not above zero.
 pub fn idle_returns(zone: &Zone, depth: Half) -> Returns {
     let mut parts: Vec<&Part> = zone.parts.iter().collect();
     parts.sort_by_key(|part| part.from_z);

@@ -1,5 +1,5 @@
-//! What kind of zone something is, and by which schemes it is worked: the rules `turning-zone` and `turning-scheme`, asked
-//! for stepped shafts and for contours of any shape.
+//! The kind of a zone, and the schemes by which it is worked: the rules `turning-zone` and `turning-scheme`, for
+//! stepped shafts and for contours of any shape.
 
 use serde::Serialize;
 
@@ -32,18 +32,16 @@ pub struct ClassifiedZone {
     pub because: Because,
 }
 
-/// The kind of a zone that is no combination.
+/// The kind of a zone that is not combined.
 ///
-/// # Errors
-/// The knowledge base lacks the rule `turning-zone` or a row of it.
+/// # Errors The knowledge base lacks the rule `turning-zone` or a row of it.
 pub fn alone(bounds: Bounds, knowledge: &Knowledge) -> Result<ClassifiedZone, KnowledgeError> {
     kind(ZoneParts::Alone, bounds, knowledge)
 }
 
-/// The kind of a zone that consists of zones with these kinds and bounds. Of one kind they remain what they are.
+/// The kind of a zone that consists of zones with these kinds and bounds. If all are of one kind, it is that kind.
 ///
-/// # Errors
-/// The knowledge base lacks the rule `turning-zone` or a row of it.
+/// # Errors The knowledge base lacks the rule `turning-zone` or a row of it.
 pub fn together(parts: &[(ZoneKind, Bounds)], knowledge: &Knowledge) -> Result<ClassifiedZone, KnowledgeError> {
     let has = |kind| parts.iter().any(|(one, _)| *one == kind);
     let kinds = match (has(ZoneKind::Open), has(ZoneKind::HalfOpen), has(ZoneKind::Closed)) {
@@ -67,7 +65,7 @@ fn kind(parts: ZoneParts, bounds: Bounds, knowledge: &Knowledge) -> Result<Class
     Ok(ClassifiedZone { kind, parts, because })
 }
 
-/// What a scheme depends on besides the kind of the zone.
+/// What decides the scheme besides the kind of the zone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Circumstances {
     /// Whether the contour has anything but cylinders and faces.
@@ -81,7 +79,7 @@ pub struct Circumstances {
 /// How a zone is worked.
 #[derive(Clone, Debug, Serialize)]
 pub struct SchemeChoice {
-    /// The schemes, in the order of work; more than one where the zone is worked in parts.
+    /// The schemes, in the order of work; more than one if the zone is worked in parts.
     pub schemes: Vec<Scheme>,
     /// Schemes that may be used instead.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -99,14 +97,14 @@ pub struct SchemeChoice {
 /// # Errors
 /// The knowledge base lacks the rule `turning-scheme` or a row of it.
 pub fn scheme(
-    found: &ClassifiedZone,
+    classified: &ClassifiedZone,
     circumstances: Circumstances,
     knowledge: &Knowledge,
 ) -> Result<SchemeChoice, KnowledgeError> {
-    let name = found.kind.name();
+    let name = classified.kind.name();
     let asked = knowledge.ask(&TurningSchemeFor {
-        zone: found.kind,
-        parts: found.parts,
+        zone: classified.kind,
+        parts: classified.parts,
         contour: if circumstances.shaped { ContourShape::Shaped } else { ContourShape::Stepped },
         against_stop: circumstances.against_stop,
         blank_shape: if circumstances.near_part { BlankShape::NearPart } else { BlankShape::Bar },

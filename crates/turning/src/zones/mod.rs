@@ -1,13 +1,13 @@
-//! Zones of turning (lecture 12.3, l. 205-269; 12.4, l. 488-546): the stock between the rough contour and the blank, taken
-//! apart by what bounds it, with the angles that each zone asks of a tool and the schemes that suit it.
+//! Zones of turning (lecture 12.3, l. 205-269; 12.4, l. 488-546): the stock between the rough contour and the blank,
+//! divided by what bounds it, with the angles that each zone requires of a tool and the schemes that suit it.
 //!
-//! - [`setup`] says what is turned from which end;
-//! - [`parts`] takes the stock apart at every face and slope;
+//! - [`setup`] decides what is turned from which end;
+//! - [`parts`] divides the stock at every face and slope;
 //! - [`join`] joins neighbours that one tool reaches, and counts the returns that this saves;
-//! - [`kind`] asks the rules what kind of zone something is and by which scheme it is worked;
-//! - [`mod@fit`] holds tools against a zone.
+//! - [`kind`] takes the kind of a zone and its schemes from the rules;
+//! - [`mod@fit`] compares tools with a zone.
 //!
-//! Zones of a bore are found on it inside out and told in its own radii.
+//! Zones of a bore are found inside out, and given in the radii of the bore.
 
 pub mod fit;
 pub mod join;
@@ -23,7 +23,7 @@ use crate::note::Because;
 use crate::units::{Degrees, Micrometres};
 
 use super::contour::{Contour, Side};
-use super::length::{Half, as_told_z};
+use super::length::{Half, negative_z};
 pub use fit::{Fit, ToolAngles, fit};
 pub use join::{Returns, idle_returns};
 pub use kind::{SchemeChoice, ZoneKind};
@@ -35,7 +35,7 @@ pub use setup::{Hold, SetUp, TurnedSide, Workpiece, set_ups};
 pub struct Stock<'a> {
     /// The rough contour, monotone.
     pub rough: &'a Contour,
-    /// The blank on the same side; of a solid blank to be bored, the drilled hole.
+    /// The blank on the same side; for a bore into solid metal, the drilled hole.
     pub blank: &'a Contour,
     /// Whether the blank has nearly the shape of the part: a forging or casting.
     pub near_part: bool,
@@ -63,10 +63,10 @@ pub struct Zone {
     /// In which direction its passes go.
     pub feed: Feed,
     /// Z of its beginning, towards the chuck.
-    #[serde(rename = "from_z_mm", serialize_with = "as_told_z")]
+    #[serde(rename = "from_z_mm", serialize_with = "negative_z")]
     pub from_z: Half,
     /// Z of its end, towards the chuck.
-    #[serde(rename = "to_z_mm", serialize_with = "as_told_z")]
+    #[serde(rename = "to_z_mm", serialize_with = "negative_z")]
     pub to_z: Half,
     /// The least radius of its stock.
     #[serde(rename = "least_radius_mm")]
@@ -76,8 +76,8 @@ pub struct Zone {
     pub greatest_radius: Half,
     /// What kind of zone it is.
     pub kind: ZoneKind,
-    /// What it consists of: one part, or of a combined zone its parts in the order of fig. 12.3 г, the open ones before the
-    /// half-open and the closed.
+    /// Its parts: one or, for a combined zone, in the order of fig. 12.3 г, the open ones before the half-open and the
+    /// closed.
     pub parts: Vec<Part>,
     /// The angles that a tool needs.
     pub needs: Needs,
@@ -90,11 +90,10 @@ pub struct Zone {
     pub because: Because,
 }
 
-/// The zones of a stock from the free end: the face before the rough contour, then its parts, joined as far as one of the
-/// tools reaches. Without tools the contouring tool of the lecture is taken.
+/// The zones of a stock from the free end: the face before the rough contour, then its parts, joined as far as one of
+/// the tools reaches. Without tools the contouring tool of the lecture is used.
 ///
-/// # Errors
-/// The knowledge base lacks the rule `turning-zone` or `turning-scheme`, or a row of one.
+/// # Errors The knowledge base lacks the rule `turning-zone` or `turning-scheme`, or a row of one.
 pub fn find(stock: Stock<'_>, tools: &[ToolAngles], knowledge: &Knowledge) -> Result<Vec<Zone>, KnowledgeError> {
     let apart = parts::of(stock, knowledge)?;
     let reference = [ToolAngles::contouring()];

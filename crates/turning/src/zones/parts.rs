@@ -1,8 +1,8 @@
-//! The stock taken apart at every face and slope: each part has one floor, at most one fall behind it and one rise ahead.
+//! Divides the stock at every face and slope: each part has one floor, at most one fall behind it and one rise ahead.
 //!
-//! Along the contour a part ends where a rise ends (the next floor begins there) and where a fall begins. It ends too where
-//! the blank has a step (lecture, fig. 12.10); the higher step is then stock ahead. Behind the end of the contour a bar that
-//! goes on thicker is a wall. Parts without stock are left out.
+//! Along the contour a part ends where a rise ends (the next floor begins there) and where a fall begins. It also ends
+//! where the blank has a step (lecture, fig. 12.10); the higher step is then stock ahead. A thicker bar behind the end
+//! of the contour is a wall. Parts without stock are left out.
 
 use serde::Serialize;
 
@@ -11,13 +11,13 @@ use crate::knowledge::Knowledge;
 use crate::note::Because;
 use crate::turning::contour::{Contour, Piece, Side};
 use crate::turning::elements::view::{outer, quarters, steepness};
-use crate::turning::length::{Half, as_told_z};
+use crate::turning::length::{Half, negative_z};
 use crate::units::{Degrees, round_to};
 
 use super::kind::{Bounds, ZoneKind, alone};
 use super::{NOTHING, Stock};
 
-/// The angles that a zone asks of a tool that feeds from its beginning to its end; 0 where it asks nothing.
+/// The angles that a zone requires of a tool that feeds from its beginning to its end; 0 if it requires none.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Needs {
     /// The least φ: the steepest rise, 90° before a face.
@@ -40,10 +40,10 @@ impl Needs {
 #[derive(Clone, Debug, Serialize)]
 pub struct Part {
     /// Z of its beginning, towards the chuck.
-    #[serde(rename = "from_z_mm", serialize_with = "as_told_z")]
+    #[serde(rename = "from_z_mm", serialize_with = "negative_z")]
     pub from_z: Half,
     /// Z of its end, towards the chuck.
-    #[serde(rename = "to_z_mm", serialize_with = "as_told_z")]
+    #[serde(rename = "to_z_mm", serialize_with = "negative_z")]
     pub to_z: Half,
     /// The least radius of its stock.
     #[serde(rename = "least_radius_mm")]
@@ -55,17 +55,18 @@ pub struct Part {
     pub kind: ZoneKind,
     /// The angles that it asks for.
     pub needs: Needs,
-    /// How long its floor is along the axis: what a grooving tool must not be wider than.
+    /// The length of its floor along the axis; a grooving tool must not be wider.
     #[serde(rename = "floor_length_mm")]
     pub floor_length: Half,
-    /// The rough contour under it; none of a face.
+    /// The rough contour under it; empty for a face.
     pub contour: Vec<Piece>,
     /// Why this kind.
     pub because: Because,
     /// What bounds it.
     #[serde(skip)]
     pub bounds: Bounds,
-    /// Radii as seen from outside, a bore inside out: of the floor, of the surface of the blank, of the border to the next.
+    /// Radii as seen from outside, for a bore inside out: of the floor, of the surface of the blank, of the border to
+    /// the next part.
     #[serde(skip)]
     pub(super) floor: Half,
     #[serde(skip)]
@@ -76,7 +77,7 @@ pub struct Part {
 
 /// A stock, taken apart.
 pub struct Apart {
-    /// What stands before the face of the free end, if anything does; of outer stocks only.
+    /// The stock before the face of the free end, if there is any; for outer stocks only.
     pub face: Option<Part>,
     /// The parts along the axis, from the free end.
     pub along: Vec<Part>,
@@ -85,7 +86,7 @@ pub struct Apart {
 /// A part while it is collected.
 struct PartDraft {
     bits: Vec<Piece>,
-    /// Whether stock of the next part, or the bar behind the end, stands ahead.
+    /// Whether stock of the next part, or the bar behind the end, is ahead.
     stock_ahead: bool,
 }
 
@@ -107,10 +108,9 @@ impl PartDraft {
     }
 }
 
-/// Takes a stock apart.
+/// Divides a stock.
 ///
-/// # Errors
-/// The knowledge base lacks the rule `turning-zone` or a row of it.
+/// # Errors The knowledge base lacks the rule `turning-zone` or a row of it.
 pub fn of(stock: Stock<'_>, knowledge: &Knowledge) -> Result<Apart, KnowledgeError> {
     let top = (stock.rough.side == Side::Inner).then(|| {
         let most = |contour: &Contour| contour.radii().map_or(Half::ZERO, |(_, most)| most);
@@ -129,14 +129,14 @@ pub fn of(stock: Stock<'_>, knowledge: &Knowledge) -> Result<Apart, KnowledgeErr
     Ok(Apart { face, along })
 }
 
-/// The parts by the contour, then by the steps of the blank.
+/// Parts divided by the contour, then by the steps of the blank.
 fn drafts(rough: &Contour, blank: &Contour) -> Vec<PartDraft> {
     let start = rough.start().map(|start| start.z);
     let mut drafts: Vec<PartDraft> = Vec::new();
     let mut last = std::cmp::Ordering::Less;
     for bit in rough.pieces.iter().flat_map(|piece| quarters(*piece)) {
         let slope = bit.to.radius.cmp(&bit.from.radius);
-        // The face of the free end is no part along the axis.
+        // The face of the free end is not a part along the axis.
         if bit.is_face() && Some(bit.from.z) == start && slope.is_gt() && drafts.is_empty() {
             continue;
         }
@@ -187,7 +187,7 @@ fn divided(bits: &[Piece], z: Half) -> (Vec<Piece>, Vec<Piece>) {
     (before, behind)
 }
 
-/// Whether the blank stands over the contour anywhere in a part: beside the corners of both, and between.
+/// Whether there is stock anywhere over a part: next to the corners of blank and contour, and midway between them.
 fn has_stock(draft: &PartDraft, rough: &Contour, blank: &Contour) -> bool {
     let (from, to) = (draft.start_z(), draft.end_z());
     let (rough, blank) = (rough.near(from, to), blank.near(from, to));
@@ -195,7 +195,7 @@ fn has_stock(draft: &PartDraft, rough: &Contour, blank: &Contour) -> bool {
     let mut places: Vec<Half> = corners.filter(|z| (from..=to).contains(z)).collect();
     places.sort_unstable();
     places.dedup();
-    // At a corner a face of the neighbour would count; beside it each Z has one radius.
+    // At a corner a face of the neighbour would count; next to it each Z has one radius.
     let one = Half::new(1);
     let near = |(a, b): (&Half, &Half)| [*a + one, Half::new(i64::midpoint(a.halves(), b.halves())), *b - one];
     places.iter().zip(places.iter().skip(1)).flat_map(near).any(|z| match (rough.radii_at(z), blank.radii_at(z)) {
@@ -215,14 +215,15 @@ fn part(
     let steep: Vec<(f64, f64)> = draft.bits.iter().map(|bit| steepness(*bit)).collect();
     let steepest = |of: fn(&(f64, f64)) -> f64| Degrees(round_to(steep.iter().map(of).fold(0.0, f64::max), 4));
     let border = draft.bits.last().map_or(Half::ZERO, |bit| bit.to.radius);
-    // A thicker bar behind the end must not be cut into, so the pass ends in an upright wall; stock ahead goes anyway.
+    // A thicker bar behind the end must not be cut into, so the pass ends at an upright wall. Other stock ahead is
+    // removed anyway.
     let wall = if draft.stock_ahead && at_end { Degrees(90.0) } else { NOTHING };
     let needs = Needs { main: steepest(|one| one.0).max(wall), secondary: steepest(|one| one.1) };
     let floor = outer(draft.bits.clone()).radii().map_or(Half::ZERO, |(least, _)| least);
     let surface = surface(blank, from_z, to_z);
     let bounds = bounds(draft, surface);
-    let found = alone(bounds, knowledge)?;
-    let free = found.kind == ZoneKind::Open;
+    let classified = alone(bounds, knowledge)?;
+    let free = classified.kind == ZoneKind::Open;
     let floor_length = draft.bits.iter().filter(|bit| bit.is_cylinder()).map(|bit| bit.to.z - bit.from.z).sum();
     let (least_radius, greatest_radius) = top.map_or((floor, surface), |top| (top - surface, top - floor));
     let contour = Contour { side: Side::Outer, pieces: draft.bits.clone() };
@@ -231,11 +232,11 @@ fn part(
         to_z,
         least_radius,
         greatest_radius,
-        kind: found.kind,
+        kind: classified.kind,
         needs: if free { Needs { main: NOTHING, secondary: NOTHING } } else { needs },
         floor_length,
         contour: top.map_or(contour.clone(), |top| contour.inside_out(top)).pieces,
-        because: found.because,
+        because: classified.because,
         bounds,
         floor,
         top: surface,
@@ -243,7 +244,7 @@ fn part(
     })
 }
 
-/// What bounds a part. A single slope over whose ends no stock stands is open: passes along it run out on both sides.
+/// What bounds a part. A single slope without stock over its ends is open: passes along it run out on both sides.
 fn bounds(draft: &PartDraft, surface: Half) -> Bounds {
     let bounds = Bounds { ahead: draft.rises() || draft.stock_ahead, behind: draft.falls() };
     let [slope] = draft.bits.as_slice() else { return bounds };
@@ -262,25 +263,25 @@ fn surface(blank: &Contour, from: Half, to: Half) -> Half {
     corners.chain(ends).max().unwrap_or(Half::ZERO)
 }
 
-/// What stands before the face of the free end.
+/// The stock before the face of the free end.
 fn face(rough: &Contour, blank: &Contour, knowledge: &Knowledge) -> Result<Option<Part>, KnowledgeError> {
     let (Some(part), Some(raw)) = (rough.start(), blank.start()) else { return Ok(None) };
     if raw.z >= part.z {
         return Ok(None);
     }
     let bounds = Bounds { ahead: false, behind: false };
-    let found = alone(bounds, knowledge)?;
+    let classified = alone(bounds, knowledge)?;
     let most = surface(blank, raw.z, part.z);
     Ok(Some(Part {
         from_z: raw.z,
         to_z: part.z,
         least_radius: raw.radius,
         greatest_radius: most,
-        kind: found.kind,
+        kind: classified.kind,
         needs: Needs { main: NOTHING, secondary: NOTHING },
         floor_length: Half::ZERO,
         contour: Vec::new(),
-        because: found.because,
+        because: classified.because,
         bounds,
         floor: raw.radius,
         top: most,

@@ -1,8 +1,9 @@
 //! What is turned from which end (lecture 12.2, l. 200-202: most parts take two set-ups).
 //!
-//! From the free end a tool makes what rises towards the chuck. Behind the largest radius the contour falls; where it falls
-//! more steeply than φ1 and never rises again, the rest is for the second set-up, with the part turned over. Of a bore the
-//! same holds inside out: it is bored from the end to which it widens. The far face is of the second set-up.
+//! From the free end a tool makes what rises towards the chuck. Behind the largest radius the contour falls; where it
+//! falls more steeply than φ1 and never rises again, the rest is for the second set-up, with the part turned over. A
+//! bore is treated the same inside out: it is bored from the end to which it widens. The far face belongs to the second
+//! set-up.
 //!
 //! In the second set-up the part is held by a cylinder that the first one made, long enough for the jaws by the rule
 //! `turning-hold`.
@@ -37,7 +38,7 @@ pub struct Workpiece<'a> {
 /// What one set-up turns on one side, in its own coordinates: Z = 0 at the end that is free in it.
 #[derive(Clone, Debug, Serialize)]
 pub struct TurnedSide {
-    /// The surfaces; one that both set-ups turn a part of stands in both, with the pieces of each.
+    /// The surfaces. A surface that is turned in both set-ups is in both, with the pieces of each.
     pub profile: Profile,
     /// Each of them, judged for the tool.
     pub classes: Vec<Class>,
@@ -51,7 +52,7 @@ pub struct TurnedSide {
 pub enum Hold {
     /// Between centres.
     Centres,
-    /// In the chuck, by what of the blank the set-up does not turn.
+    /// In the chuck, by the part of the blank that the set-up does not turn.
     Blank {
         /// Its diameter at the far end.
         diameter_mm: Micrometres,
@@ -84,7 +85,7 @@ pub struct SetUp {
     /// What it bores.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub inner: Option<TurnedSide>,
-    /// Where the part is held; none where nothing is long enough.
+    /// Where the part is held; none if no cylinder is long enough.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub holds_at: Option<Hold>,
     /// Why there, or why nowhere.
@@ -139,7 +140,7 @@ pub fn set_ups(part: Workpiece<'_>, tool: Angles, knowledge: &Knowledge) -> Resu
     Ok(vec![first, second])
 }
 
-/// What of a profile is turned from the free end, and what from the other.
+/// What of a profile is turned from the free end, and what from the other end.
 fn divided(
     profile: &Profile,
     tool: Angles,
@@ -168,7 +169,7 @@ fn turned_over(profile: &Profile, length: Half) -> Profile {
     Profile { side: profile.side, surfaces: profile.surfaces.iter().rev().map(over).collect() }
 }
 
-/// The least length for the jaws on a diameter, with its row.
+/// The least length for the jaws at a diameter, with its row.
 fn least_length(diameter: Micrometres, note: Note, knowledge: &Knowledge) -> Result<(Half, Because), KnowledgeError> {
     let asked = knowledge.ask(&TurningHoldFor { diameter })?;
     let least = Half::of(asked.need(&diameter.to_string())?.least_length);
@@ -196,7 +197,9 @@ fn hold_blank(
     // The blank may end with its far face, down to the axis or a bore.
     let radius = part.blank.radii_at(end.z).map_or(end.radius, |(_, most)| most);
     let diameter = radius.diameter();
-    let code = |held: bool| Note::new(if held { "hold-blank" } else { "hold-blank-short" }).with("length", length);
+    let code = |long_enough: bool| {
+        Note::new(if long_enough { "hold-blank" } else { "hold-blank-short" }).with("length", length)
+    };
     let (least, because) = least_length(diameter, code(true), knowledge)?;
     if length >= least {
         return Ok((Some(Hold::Blank { diameter_mm: diameter, length_mm: length }), because));
@@ -204,8 +207,8 @@ fn hold_blank(
     Ok((None, least_length(diameter, code(false), knowledge)?.1))
 }
 
-/// Where the part is held in the second set-up: of the cylinders that are long enough the thickest, of these the longest;
-/// a thick cylinder bears the torque with the least force.
+/// Where the part is held in the second set-up: the thickest of the cylinders that are long enough, and of these the
+/// longest. A thick cylinder transmits the torque with the least force.
 fn hold_part(
     part: Workpiece<'_>,
     made: Option<&TurnedSide>,

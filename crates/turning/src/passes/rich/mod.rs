@@ -1,8 +1,8 @@
 //! Richer moves: passes that stop anywhere on a grid and take less than the full depth.
 //!
-//! What is left of the stock is a staircase that rises towards the chuck ([`staircase`]). A pass cuts a corner of it:
-//! to one line of radii, up to one line of Z. The best sequence is looked for by A* over the staircases ([`search`]),
-//! which is exact where it comes to its end, and, where it is stopped early, still gives a lower bound.
+//! The stock that is left is a staircase that rises towards the chuck ([`staircase`]). A pass cuts a corner of it: to
+//! one line of radii, up to one line of Z. The best sequence is found by A* over the staircases ([`search`]). The
+//! search is exact if it ends; if it is stopped early, it still gives a lower bound.
 
 pub mod search;
 pub mod staircase;
@@ -15,29 +15,29 @@ use super::cost::Objective;
 use super::grid::Grid;
 use super::pass::Pass;
 
-/// What the search over rich moves says of its answer.
+/// What the search over rich moves proves of its answer.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct SearchProof {
     /// Whether no sequence on this grid is better.
     pub optimal_on_the_grid: bool,
-    /// What no sequence on this grid can be below: mm or passes, as the objective counts.
+    /// No sequence on this grid costs less: mm or passes, as the objective counts.
     pub lower_bound: f64,
     /// Staircases that were looked at.
     pub states: usize,
-    /// Lines of radii and of Z on which passes may run and stop.
+    /// The number of lines of radii and of Z on which passes may run and stop.
     pub lines: (usize, usize),
 }
 
-/// The best sequence with rich moves that was found, if it is better than what costs `known`; and what is proven.
+/// The best sequence with rich moves, if it costs less than `known`, and what is proven.
 pub fn find(grid: &Grid, objective: Objective, known: u64, effort: usize) -> (Option<Vec<Pass>>, SearchProof) {
     let lines = staircase::Lines::of(grid);
-    // First quickly something good, so that the second search can leave out what cannot be better.
+    // First a quick search for a good sequence, so that the second search can leave out what cannot be better.
     let quick = search::search(&lines, objective, search::Greed::Quick, known, effort / 4);
-    let so_far = quick.found.as_ref().map_or(known, |found| found.cost);
-    let exact = search::search(&lines, objective, search::Greed::Exact, so_far, effort);
-    let bound = exact.bound.min(exact.found.as_ref().map_or(so_far, |found| found.cost));
+    let best_cost = quick.found.as_ref().map_or(known, |sequence| sequence.cost);
+    let exact = search::search(&lines, objective, search::Greed::Exact, best_cost, effort);
+    let bound = exact.bound.min(exact.found.as_ref().map_or(best_cost, |sequence| sequence.cost));
     let best = exact.found.or(quick.found);
-    let cost = best.as_ref().map_or(known, |found| found.cost);
+    let cost = best.as_ref().map_or(known, |sequence| sequence.cost);
     let proof = SearchProof {
         optimal_on_the_grid: bound >= cost,
         lower_bound: match objective {
@@ -47,15 +47,15 @@ pub fn find(grid: &Grid, objective: Objective, known: u64, effort: usize) -> (Op
         states: quick.states + exact.states,
         lines: (lines.radii.len(), lines.zs.len()),
     };
-    let passes = best.map(|found| {
+    let passes = best.map(|sequence| {
         let unit = |left: u64| match objective {
             Objective::Passes => left.to_string(),
             _ => crate::turning::length::Half::new(i64::try_from(left).unwrap_or(i64::MAX)).to_string(),
         };
-        let mut left = found.cost;
+        let mut left = sequence.cost;
         let mut stairs = lines.bar();
         let mut passes = Vec::new();
-        for cut in found.cuts {
+        for cut in sequence.cuts {
             let reason = Note::new("pass-of-search").with("left", unit(left));
             passes.push(lines.pass(&stairs, cut, reason));
             left = left.saturating_sub(cut.cost(objective));

@@ -1,4 +1,4 @@
-//! A* over the staircases, limited by a count of steps and not by a clock, so that the same shaft gives the same
+//! A* over the staircases. It is limited by a number of steps, not by a clock, so that the same shaft gives the same
 //! answer.
 
 use std::cmp::Reverse;
@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BinaryHeap};
 use super::super::cost::Objective;
 use super::staircase::{Cut, Lines, Stairs};
 
-/// How the search weighs what is spent against what is at least left.
+/// How the search weighs the cost of a sequence against the least remaining cost.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Greed {
     /// Unweighted: the first goal reached is optimal, and the open states give a lower bound.
@@ -28,9 +28,9 @@ pub struct CutSequence {
 /// The result of a search.
 #[derive(Clone, Debug)]
 pub struct SearchOutcome {
-    /// A sequence cheaper than what was known, if one was met.
+    /// A sequence cheaper than the known one, if there is one.
     pub found: Option<CutSequence>,
-    /// No sequence costs less than the smaller of this and what was known; of an exact search alone.
+    /// No sequence costs less than the smaller of this and the known cost; only of an exact search.
     pub bound: u64,
     /// Staircases that were looked at.
     pub states: usize,
@@ -44,8 +44,8 @@ struct SearchNode {
     done: bool,
 }
 
-/// Looks for a sequence cheaper than `known`. `effort` counts the cuts that are weighed, those of
-/// long staircases several times.
+/// Searches for a sequence cheaper than `known`. `effort` is the number of cuts to compare; those of long staircases
+/// count several times.
 pub fn search(lines: &Lines, objective: Objective, greed: Greed, known: u64, effort: usize) -> SearchOutcome {
     let weighed = |least: u64| if greed == Greed::Quick { least + least / 4 } else { least };
     let mut met: Vec<SearchNode> = vec![SearchNode { spent: (0, 0), before: None, stairs: lines.bar(), done: false }];
@@ -59,8 +59,8 @@ pub fn search(lines: &Lines, objective: Objective, greed: Greed, known: u64, eff
         states += 1;
         let (spent, stairs) = (here.spent, here.stairs.clone());
         if stairs == lines.floor {
-            let found = CutSequence { cost: spent.0, cuts: way(&met, number) };
-            return SearchOutcome { bound: found.cost, found: Some(found), states };
+            let better = CutSequence { cost: spent.0, cuts: cuts_to(&met, number) };
+            return SearchOutcome { bound: better.cost, found: Some(better), states };
         }
         if spent_effort >= effort {
             // Every open state costs at least this much; every state left out costs at least as much as the known
@@ -82,7 +82,7 @@ pub fn search(lines: &Lines, objective: Objective, greed: Greed, known: u64, eff
             let number = match numbers.get(&next) {
                 Some(&number) => {
                     let other = &mut met[number];
-                    // The quick search may come to a staircase anew more cheaply; it does not look at it again.
+                    // The quick search may reach a staircase again at a lower cost, but does not expand it again.
                     if other.done || other.spent <= cost {
                         continue;
                     }
@@ -95,7 +95,7 @@ pub fn search(lines: &Lines, objective: Objective, greed: Greed, known: u64, eff
                     met.len() - 1
                 }
             };
-            // Among equals the one with fewer passes, then the one nearer to its end.
+            // Of equals the one with fewer passes first, then the one nearer to its end.
             waiting.push(Reverse((cost.0 + weighed(least), cost.1, least, number)));
         }
     }
@@ -103,7 +103,7 @@ pub fn search(lines: &Lines, objective: Objective, greed: Greed, known: u64, eff
     SearchOutcome { found: None, bound: known, states }
 }
 
-fn way(met: &[SearchNode], mut number: usize) -> Vec<Cut> {
+fn cuts_to(met: &[SearchNode], mut number: usize) -> Vec<Cut> {
     let mut cuts = Vec::new();
     while let Some((before, cut)) = met.get(number).and_then(|here| here.before) {
         cuts.push(cut);

@@ -10,30 +10,31 @@ use crate::turning::point::Point;
 
 /// The lines on which passes run and stop.
 ///
-/// Between two shoulders they lie at full depths from the outer (or nearer) one, as the levels and slices of the paper,
-/// and at full depths from the inner (or farther) one: so the thin rest of a division may be cut first, last or between.
+/// Between two shoulders they lie at full depths from the outer (or nearer) one, like the levels and slices of the
+/// paper, and at full depths from the inner (or farther) one, so that the thin rest of a division can be cut first,
+/// last or between.
 #[derive(Clone, Debug)]
 pub struct Lines {
     /// Radii from the bar inwards.
     pub radii: Vec<Half>,
     /// Z from the free end.
     pub zs: Vec<Half>,
-    /// For each column between two lines of Z, the line of radii that the part has there.
+    /// For each column between two lines of Z, the line of radii of the part.
     pub floor: Vec<u16>,
-    /// For each column and each line of radii, what the stock from there down to the part costs at least, times the
-    /// depth across.
+    /// For each column and line of radii, the least cost of the stock from there down to the part, times the depth
+    /// across.
     over: Vec<Vec<u128>>,
-    /// For each row between two lines of radii, the column before which the part begins.
+    /// For each row between two lines of radii, the first column of the part.
     reach: Vec<usize>,
     longitudinal_depth: Half,
     transverse_depth: Half,
 }
 
-/// For each column the line of radii that the stock has there; never rising towards the chuck, as radii fall with their
-/// numbers.
+/// For each column the line of radii of the stock. Lines are numbered inwards, so the numbers never rise towards the
+/// chuck.
 pub type Stairs = Vec<u16>;
 
-/// A pass: it takes the columns from `from` up to `to` down to the line `line`.
+/// A pass: it removes the columns from `from` up to `to` down to the line `line`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cut {
     /// Its direction.
@@ -109,13 +110,13 @@ impl Lines {
         self.zs.get(column).copied().unwrap_or_default()
     }
 
-    /// What no way from a staircase to the part can cost less than.
+    /// A lower bound for the cost from a staircase to the part.
     ///
-    /// Over each column a whole number k of longitudinal passes goes, and takes at most k depths of its height; what
-    /// they leave is cut across, and a transverse pass costs its length for no more than its depth in thickness. So a
-    /// column of width w and height H costs at least w·(k + (H - k·t)/s) for the best k, with the depths t along and s
-    /// across. The same holds of each row with the directions exchanged; the larger sum is the bound. Along a pass
-    /// neither sum falls by more than the pass costs, so A* need not look at any staircase twice.
+    /// Over each column a whole number k of longitudinal passes goes, and removes at most k depths of its height. The
+    /// rest is cut across, and a transverse pass costs its length for at most its depth in thickness. So a column of
+    /// width w and height H costs at least w·(k + (H - k·t)/s) for the best k, with the depths t along and s across.
+    /// The same holds for each row with the directions exchanged; the larger sum is the bound. A pass lowers neither
+    /// sum by more than it costs, so A* need not expand any staircase twice.
     pub fn at_least(&self, stairs: &Stairs, objective: Objective) -> u64 {
         let (along, across) = (size(self.longitudinal_depth), size(self.transverse_depth));
         if objective == Objective::Passes {
@@ -125,7 +126,7 @@ impl Lines {
             });
             let long = size(self.z(stairs.len()));
             let high = size(self.radius(0) - self.radii.last().copied().unwrap_or_default());
-            // No pass takes more than the larger depth over the larger length.
+            // No pass removes more than the larger depth over the larger length.
             let most = u128::from(along.max(across)) * u128::from(long.max(high));
             return u64::try_from(area.sum::<u128>().div_ceil(most.max(1))).unwrap_or(u64::MAX);
         }
@@ -134,7 +135,7 @@ impl Lines {
         let mut rows = 0_u128;
         let mut from = stairs.len();
         for ((line, pair), to) in self.radii.windows(2).enumerate().zip(&self.reach) {
-            // Columns cut deeper than this row lie before it; farther in they are fewer.
+            // The columns that are cut deeper than this row lie before it; for inner rows they are fewer.
             from = stairs.iter().take(from).rposition(|at| usize::from(*at) > line).map_or(0, |last| last + 1);
             if from < *to {
                 let width = size(self.z(*to) - self.z(from));
@@ -145,9 +146,9 @@ impl Lines {
         u64::try_from(least).unwrap_or(u64::MAX)
     }
 
-    /// Every pass that a staircase allows. A corner is a line of radii and a line of Z: what is above the one and before
-    /// the other is gone afterwards. It may be cut along, if it is nowhere deeper than a longitudinal pass may be, and
-    /// across, if it is nowhere thicker than a slice may be.
+    /// Every pass that a staircase allows. A corner is a line of radii and a line of Z; what is above the one and
+    /// before the other is removed. It may be cut along if it is nowhere deeper than a longitudinal pass may be, and
+    /// across if it is nowhere thicker than a slice may be.
     pub fn cuts(&self, stairs: &Stairs, cuts: &mut Vec<Cut>) {
         cuts.clear();
         for to in 1..=stairs.len() {
