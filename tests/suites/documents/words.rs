@@ -27,7 +27,7 @@ const NO_SENTENCES: &[&str] = &[
     "a table value is read from a table file, not from text",
     "the angle is no number",
     "`{other}` is nothing that a bound lacks",
-    "a piece begins where the way ends",
+    "a piece begins where the toolpath ends",
     "not the name of a file",
     "of its type",
     // A form of the standard, by its own name.
