@@ -17,7 +17,8 @@ use technolog::sequence::list::{Form, List, ListFault, read_list};
 use technolog::sequence::metric::Metric;
 use technolog::sequence::tour::{Effort, Space, nearest_rule, path};
 use technolog::sequence::visiting::not_kept;
-use technolog::sequence::{bound, sequence, tool_change_point, visit_bound};
+use technolog::sequence::{bound, sequence, timed, tool_change_point, visit_bound};
+use technolog::shop::Shop;
 use technolog::units::{Micrometres, Minutes};
 
 use super::diagnostics::Texts;
@@ -80,10 +81,13 @@ fn of_part(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
     let mut plan = plan::make(&args.file, CuttingMethod::default(), knowledge, context)?;
     let machine = machine(&plan.part.machine, knowledge, context)?;
     if let Some(effort) = args.effort {
-        (plan.sequence, plan.time) = sequence(&plan.part, &plan.holes, &machine, Some(Effort(effort)));
+        plan.sequence = sequence(&plan.part, &plan.holes, &machine, Some(Effort(effort)));
+        let shop = Shop::new(&plan.part, plan.cutting, knowledge);
+        shop.and_then(|shop| timed(&mut plan, &shop))
+            .map_err(|error| CliError::of_knowledge(&error, context.lang))?;
     }
     for at in 0..plan.sequence.len() {
-        plan.sequence[at].bound_min = visit_bound(&plan.sequence[at], &plan.part, &machine);
+        plan.sequence[at].bound_min = visit_bound(&plan.sequence[at], &plan, &machine);
     }
     let home = tool_change_point(&plan.part, &machine);
     match format {

@@ -13,5 +13,6 @@ pub mod tooling;
 // The rooms below, under one name each in the whole program.
 use technolog_core::{error, machine, note, part, plan, reason, shop, zone};
 use technolog_cutting as cutting;
+use technolog_job as job;
 use technolog_knowledge::{self as knowledge, units};
 use technolog_tables as tables;

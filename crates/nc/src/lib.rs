@@ -2,11 +2,11 @@
 //!
 //! Architecture invariant: nothing is planned here. A job is made from a finished plan.
 
-pub mod job;
 pub mod program;
 
 // The rooms below, under one name each in the whole program.
 use technolog_core::{error, machine, motion, note, part, plan, shop, zone};
+pub use technolog_job as job;
 use technolog_knowledge::{self as knowledge, units};
 #[cfg(test)]
 use technolog_shipped as shipped;

@@ -133,16 +133,21 @@ fn clamps(page: &mut Document, clamping: &Clamping, lang: Lang) {
     }
 }
 
+/// The parts of the time that there are, and their sum.
 fn time(plan: &Plan, lang: Lang) -> String {
     let time = &plan.time;
-    say!(
-        lang,
-        "plan-times",
-        machine = exactly(time.machine_min.0, 2),
-        rapid = exactly(time.rapid_min.0, 2),
-        change = exactly(time.tool_change_min.0, 2),
-        total = exactly(time.total_min.0, 2)
-    )
+    let parts = [
+        ("plan-time-machine", time.machine_min, true),
+        ("plan-time-feed-out", time.feed_out_min, false),
+        ("plan-time-dwell", time.dwell_min, false),
+        ("plan-time-rapid", time.rapid_min, true),
+        ("plan-time-change", time.tool_change_min, true),
+        ("plan-time-hand", time.hand_min, false),
+    ];
+    let there = parts.iter().filter(|(_, time, always)| *always || time.0 > 0.0);
+    let said = there.map(|(key, time, _)| lang.say(&Note::new(*key).with("time", exactly(time.0, 2))));
+    let parts = said.collect::<Vec<_>>().join(" + ");
+    say!(lang, "plan-times", parts = parts, total = exactly(time.total_min.0, 2))
 }
 
 fn findings(page: &mut Document, plan: &Plan, lang: Lang) {

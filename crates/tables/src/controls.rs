@@ -46,6 +46,12 @@ vocabulary! {
         DwellStep = "dwell-step",
         /// How many times the planned dwell is no choice any more.
         Overlong = "overlong",
+        /// What it takes to put a tool into the magazine by hand, min.
+        LoadToolTime = "load-tool-time",
+        /// What it takes to set the bar of a boring tool to a diameter, min.
+        SetBarTime = "set-bar-time",
+        /// What it takes to turn the part over and clamp it again, min.
+        TurnOverTime = "turn-over-time",
     }
 }
 
@@ -56,6 +62,7 @@ impl Convention {
             Self::Withdrawal | Self::KneeStep => "mm",
             Self::FeedStep => "mm/min",
             Self::DwellStep => "s",
+            Self::LoadToolTime | Self::SetBarTime | Self::TurnOverTime => "min",
             Self::BlockNumberStep | Self::Overload | Self::Overlong => "1",
         }
     }

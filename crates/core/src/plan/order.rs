@@ -47,12 +47,35 @@ pub struct Stop {
 pub struct Times {
     /// Cutting, with approach and overrun, min.
     pub machine_min: Minutes,
+    /// At feed out of the holes, as reamers and taps leave, min.
+    #[serde(default)]
+    pub feed_out_min: Minutes,
+    /// Turning at the bottom, min.
+    #[serde(default)]
+    pub dwell_min: Minutes,
     /// Rapid motions, min.
     pub rapid_min: Minutes,
     /// Tool changes, min.
     pub tool_change_min: Minutes,
+    /// The operator's hands while the program waits: loading tools, setting bars, turning the part over, min.
+    #[serde(default)]
+    pub hand_min: Minutes,
     /// All of it, min.
     pub total_min: Minutes,
+}
+
+impl Times {
+    /// Each to the hundredth of a minute, and their sum.
+    #[must_use]
+    pub fn rounded(self) -> Self {
+        let [machine_min, feed_out_min, dwell_min] =
+            [self.machine_min, self.feed_out_min, self.dwell_min].map(|time| time.rounded(2));
+        let [rapid_min, tool_change_min, hand_min] =
+            [self.rapid_min, self.tool_change_min, self.hand_min].map(|time| time.rounded(2));
+        let parts = [machine_min, feed_out_min, dwell_min, rapid_min, tool_change_min, hand_min];
+        let total_min = parts.into_iter().sum::<Minutes>().rounded(2);
+        Self { machine_min, feed_out_min, dwell_min, rapid_min, tool_change_min, hand_min, total_min }
+    }
 }
 
 /// What section 1.3.1 says of visiting a group, and what both methods take. The plan itself visits in parallel.

@@ -10,6 +10,7 @@ use std::rc::Rc;
 
 use crate::cutting::{self, CardDoubt, Cut, Surface};
 use crate::error::{KnowledgeError, Refusal, Tried};
+use crate::job::{self, Duration, Feeding};
 use crate::knowledge::vocabulary::ToolMaterial;
 use crate::note::{Because, Note};
 use crate::part::{Hole, Part};
@@ -37,6 +38,8 @@ pub(super) struct Fitted {
     pub travel: Micrometres,
     pub approach: Micrometres,
     pub conditions: Rc<Conditions>,
+    /// The time of one pass in one hole.
+    pub took: Duration,
     /// What the cards could not give for them.
     pub doubts: Vec<CardDoubt>,
     /// Whether it is a spot that makes an edge of the hole too.
@@ -63,6 +66,8 @@ pub(super) struct Outfit {
     tool: Rc<FittedTool>,
     pub travel: Micrometres,
     pub conditions: Rc<Conditions>,
+    /// The time of one pass in one hole.
+    pub took: Duration,
     doubts: Vec<CardDoubt>,
 }
 
@@ -199,13 +204,36 @@ impl<'p, 'k> Fitting<'p, 'k> {
 
     /// One step that is not centring.
     pub fn one(&self, mut step: RouteStep, follows: Option<Operation>, last: bool) -> Tried<Fitted> {
-        let Outfit { tool, travel, conditions, doubts } = self.outfit(&step, follows, last)?;
+        let Outfit { tool, travel, conditions, took, doubts } = self.outfit(&step, follows, last)?;
         let mut because = std::mem::take(&mut step.because);
         let (approach, _, reason) = self.travels(step.place.through);
         because.push(reason.clone());
         because.extend(self.conventions(&step)?);
         let (tool, approach) = (Some(tool), *approach);
-        Ok(Fitted { step, tool, travel, approach, conditions, doubts, makes_edge: false, because })
+        Ok(Fitted { step, tool, travel, approach, conditions, took, doubts, makes_edge: false, because })
+    }
+
+    /// The time of one pass in one hole, by the cycle that a program makes of it.
+    fn took(
+        &self,
+        step: &RouteStep,
+        travel: Micrometres,
+        approach: Micrometres,
+        conditions: &Conditions,
+    ) -> Result<Duration, KnowledgeError> {
+        let feeding = Feeding {
+            operation: step.operation,
+            diameter: step.diameter,
+            from: step.from,
+            start: step.place.start,
+            depth: step.place.depth,
+            end: step.place.start + travel - approach,
+            approach,
+            pitch: step.pitch,
+            conditions,
+        };
+        let cycle = job::cycle(&feeding, Micrometres::ZERO, self.shop)?;
+        Ok(cycle.duration(self.shop.machine.rapids()))
     }
 
     /// The conventions that the lengths of a step rest on.
@@ -302,7 +330,8 @@ impl<'p, 'k> Fitting<'p, 'k> {
             assembly,
             because,
         };
-        Ok(Outfit { tool: Rc::new(tool), travel, conditions: Rc::new(conditions), doubts })
+        let took = self.took(step, travel, self.travels(step.place.through).0, &conditions)?;
+        Ok(Outfit { tool: Rc::new(tool), travel, conditions: Rc::new(conditions), took, doubts })
     }
 
     /// A milled cylinder is as round as the machine makes it, which may take a share of the tolerance.

@@ -22,7 +22,7 @@ use crate::error::{KnowledgeError, Refusal};
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Figure, Finding, Note, Severity, doubtful_row};
 use crate::part::{Face, Hole, Part};
-use crate::plan::{Clamping, CuttingMethod, Operation, Plan, Route};
+use crate::plan::{Clamping, CuttingMethod, Operation, Plan, Route, Times};
 use crate::route::Remark;
 use crate::shop::Shop;
 use crate::units::round_to;
@@ -85,7 +85,7 @@ pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result
             Some(clamping)
         }
     };
-    let (visits, time) = sequence::sequence(part, &holes, &shop.machine, None);
+    let visits = sequence::sequence(part, &holes, &shop.machine, None);
     let visiting = sequence::visiting::visiting(part, &holes, &shop, &mut findings)?;
     let off_table = zone::off_table(part, &shop.machine);
     findings.extend(off_table.iter().map(|fault| Finding::of_part(Severity::Error, fault.note())));
@@ -99,9 +99,10 @@ pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result
         clamping,
         sequence: visits,
         visiting,
-        time,
+        time: Times::default(),
         findings,
     };
+    sequence::timed(&mut plan, &shop)?;
     unconfirmed(&mut plan);
     Finding::in_order(&mut plan.findings);
     Ok(plan)

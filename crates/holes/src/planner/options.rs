@@ -4,6 +4,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use crate::error::{KnowledgeError, Refusal, Tried};
+use crate::job::Hands;
 use crate::note::{Because, Note};
 use crate::part::{Hole, Part};
 use crate::plan::{Alternative, AlternativeStep, RouteSource};
@@ -153,6 +154,7 @@ pub(super) fn options(
         shop,
         opened: RefCell::new(BTreeMap::new()),
         hops: hops(hole, shop),
+        hands: Hands::read(shop.knowledge)?,
         drilled: accuracy::drilled(shop)?,
         level_floor: true,
         edges: edges(&task, &fitting, shop)?,

@@ -5,9 +5,10 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use crate::error::{KnowledgeError, Refusal, Tried};
+use crate::job::{Duration, Hands};
 use crate::note::{Because, Note};
 use crate::part::{Face, Hole};
-use crate::plan::{Conditions, Feature, Operation};
+use crate::plan::{Feature, Operation};
 use crate::reason::Reason;
 use crate::route::bores::{self, Bore, Task};
 use crate::route::diameters::{self, Sizes};
@@ -35,6 +36,8 @@ pub(super) struct Finder<'a, 'k> {
     /// The best way to open each wider cylinder from a diameter.
     pub opened: RefCell<BTreeMap<(usize, Micrometres), Opened>>,
     pub hops: Minutes,
+    /// What the operator's hands take.
+    pub hands: Hands,
     /// The step that cuts each edge, or why none does.
     pub edges: Vec<Result<RouteStep, Reason>>,
     /// The finest grade that drilling holds, by A.1.
@@ -55,22 +58,23 @@ impl Finder<'_, '_> {
                 continue;
             }
             let outfit = self.fitting.outfit(step, None, false)?;
-            minutes += self.time_of(step, outfit.travel, &outfit.conditions);
+            minutes += self.time_of(step, outfit.took);
         }
         Ok(Minutes(minutes))
     }
 
-    /// Cutting and withdrawal of a step in all holes of the group, min.
+    /// What a step takes in all holes of the group, in and out and with its bar set between the passes, min.
     pub fn time(&self, fitted: &Fitted) -> f64 {
-        self.time_of(&fitted.step, fitted.travel, &fitted.conditions)
+        self.time_of(&fitted.step, fitted.took)
     }
 
-    fn time_of(&self, step: &RouteStep, travel: Micrometres, conditions: &Conditions) -> f64 {
+    fn time_of(&self, step: &RouteStep, took: Duration) -> f64 {
         if step.elsewhere {
             return 0.0;
         }
-        let back = travel.to_mm() * f64::from(step.passes) / self.shop.machine.rapid.0;
-        (conditions.machine_time_min.0 + back) * self.hole.at.len() as f64
+        let passes = f64::from(step.passes.max(1));
+        let set = if step.operation.is_boring() && step.passes > 1 { passes * self.hands.set_bar.0 } else { 0.0 };
+        took.total().0 * passes * self.hole.at.len() as f64 + set
     }
 
     /// The steps of the whole hole by a candidate: as the rules prefer, else with one drill, else bored.

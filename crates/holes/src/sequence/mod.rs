@@ -12,15 +12,18 @@ pub mod metric;
 pub mod tour;
 pub mod visiting;
 
+use crate::error::KnowledgeError;
+use crate::job;
 use crate::machine::{Machine, Rapid};
 use crate::part::{Face, Part, Point};
-use crate::plan::{HolePlan, Stop, Times, ToolVisit};
+use crate::plan::{HolePlan, Plan, Stop, ToolVisit};
+use crate::shop::Shop;
 use crate::units::{Micrometres, Minutes};
 
 use metric::Metric;
 use tour::{Effort, Path, Space};
 
-/// Visits of every tool, in order, and where the time goes.
+/// Visits of every tool, in order; their rapids are those across the part, until [`timed`] adds the rest.
 ///
 /// A tool is taken when every hole that needs it has come to it. Where two holes need two tools in opposite
 /// orders, the lower number is taken first and comes back later for the other hole. The paths are looked for with
@@ -30,9 +33,8 @@ pub fn sequence(
     holes: &[HolePlan],
     machine: &Machine<'_>,
     effort: Option<Effort>,
-) -> (Vec<ToolVisit>, Times) {
+) -> Vec<ToolVisit> {
     let mut visits = Vec::new();
-    let mut times = Times::default();
     let mut paths =
         Paths { home: tool_change_point(part, machine), rapid: machine.rapids(), effort, known: Vec::new() };
     for (setup, face) in [(1, Face::Entry), (2, Face::Back)] {
@@ -57,24 +59,22 @@ pub fn sequence(
                     places.extend(hole.at.iter().map(|&at| own.iter().map(|&step| stop(at, step)).collect()));
                 }
             }
-            let visit = visit(tool, setup, places, holes, &mut paths);
-            times.rapid_min = times.rapid_min + visit.rapid_min;
+            let visit = visit(tool, setup, places, &mut paths);
             visits.push(visit);
         }
     }
-    times.machine_min = holes
-        .iter()
-        .flat_map(|plan| {
-            let own = plan.transitions.iter().filter(|step| !step.elsewhere);
-            own.map(|step| step.conditions.machine_time_min.0 * plan.count as f64)
-        })
-        .map(Minutes)
-        .sum::<Minutes>()
-        .rounded(2);
-    times.tool_change_min = Minutes(machine.tool_change.0 * visits.len() as f64).rounded(2);
-    times.rapid_min = times.rapid_min.rounded(2);
-    times.total_min = (times.machine_min + times.rapid_min + times.tool_change_min).rounded(2);
-    (visits, times)
+    visits
+}
+
+/// Writes into a plan where its time goes: what the programs of its job take on the machine.
+///
+/// # Errors
+/// The knowledge cannot answer.
+pub fn timed(plan: &mut Plan, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
+    let job = job::make(plan, shop)?;
+    let hands = job::Hands::read(shop.knowledge)?;
+    plan.time = job::times(&job, &shop.machine, &hands, &mut plan.sequence);
+    Ok(())
 }
 
 /// The lowest tool that some group needs next.
@@ -109,13 +109,12 @@ impl Paths {
 
 /// A tool's way over its places, from the tool-change position and back; what is done at one place stays
 /// together, in the order of its transitions.
-fn visit(tool: u32, setup: u32, mut places: Vec<Vec<Stop>>, holes: &[HolePlan], paths: &mut Paths) -> ToolVisit {
+fn visit(tool: u32, setup: u32, mut places: Vec<Vec<Stop>>, paths: &mut Paths) -> ToolVisit {
     let at = places.iter().filter_map(|stops| stops.first()).map(|stop| stop.at);
     let points: Vec<Point> = std::iter::once(paths.home).chain(at).collect();
-    let (rapid, metric) = (paths.rapid, Metric::Rapid(paths.rapid));
+    let metric = Metric::Rapid(paths.rapid);
     let path = paths.over(&points);
-    let withdrawals: f64 = places.iter().flatten().map(|stop| withdrawal(stop, holes, rapid).0).sum();
-    let time = |cost| Minutes(metric.minutes(cost).unwrap_or_default().0 + withdrawals).rounded(3);
+    let time = |cost| metric.minutes(cost).unwrap_or_default();
     let rapid_min = time(path.cost);
     let nearest_rapid_min = time(tour::nearest_rule(&Space::closed(&points, metric)).cost);
     let path_mm = Micrometres::new(Space::closed(&points, Metric::Euclid).length(&path.order));
@@ -125,8 +124,17 @@ fn visit(tool: u32, setup: u32, mut places: Vec<Vec<Stop>>, holes: &[HolePlan], 
 }
 
 /// The bound of a visit of a plan: what its rapids take at least, min. Its own time where it is proven.
-pub fn visit_bound(visit: &ToolVisit, part: &Part, machine: &Machine<'_>) -> Option<Minutes> {
-    let mut points = vec![tool_change_point(part, machine)];
+/// Absent where a bar is set by hand between its rounds over the points.
+pub fn visit_bound(visit: &ToolVisit, plan: &Plan, machine: &Machine<'_>) -> Option<Minutes> {
+    let transition = |stop: &Stop| {
+        let hole = plan.holes.iter().find(|hole| hole.name == stop.hole)?;
+        hole.transitions.get(stop.transition)
+    };
+    let in_rounds = |stop| transition(stop).is_some_and(|step| step.passes > 1 && step.operation.is_boring());
+    if visit.stops.iter().any(in_rounds) {
+        return None;
+    }
+    let mut points = vec![tool_change_point(&plan.part, machine)];
     points.extend(visit.stops.iter().map(|stop| stop.at));
     // Transitions at one place follow each other.
     points.dedup();
@@ -149,11 +157,4 @@ pub fn visit_bound(visit: &ToolVisit, part: &Part, machine: &Machine<'_>) -> Opt
 pub fn tool_change_point(part: &Part, machine: &Machine<'_>) -> Point {
     let middle = part.middle();
     Point { x: middle.x + machine.tool_change_at.0, y: middle.y + machine.tool_change_at.1 }
-}
-
-/// Rapid out of the hole after a pass, by the working travel, for every pass.
-fn withdrawal(stop: &Stop, holes: &[HolePlan], rapid: Rapid) -> Minutes {
-    let step = holes.iter().find(|plan| plan.name == stop.hole).and_then(|plan| plan.transitions.get(stop.transition));
-    let (travel, passes) = step.map_or((Micrometres::ZERO, 0), |step| (step.travel_mm, step.passes));
-    Minutes(rapid.time(travel).0 * f64::from(passes))
 }

@@ -86,7 +86,13 @@ plan-largest-force = Hole { $hole } needs the largest clamping force: M = { $tor
 plan-clamps = Clamps { $points }: { $force } N each, screw { $screw }; start point at least { $distance } mm from a clamp.
 plan-clamps-proposed = Clamps { $points } (proposed): { $force } N each, screw { $screw }; start point at least { $distance } mm from a clamp.
 plan-weak-screw = The screw is too weak: bears { $bears } < { $force } N.
-plan-times = Machine time { $machine } + rapids { $rapid } + tool changes { $change } = { $total } min
+plan-times = { $parts } = { $total } min
+plan-time-machine = Machine time { $time }
+plan-time-feed-out = out of the holes at feed { $time }
+plan-time-dwell = dwells { $time }
+plan-time-rapid = rapids { $time }
+plan-time-change = tool changes { $time }
+plan-time-hand = by hand at stops of the program { $time }
 # Findings: how grave they are.
 plan-impossible = impossible
 plan-wrong = wrong

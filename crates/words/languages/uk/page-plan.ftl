@@ -75,7 +75,13 @@ plan-largest-force = Найбільша потрібна сила закріпл
 plan-clamps = Притискачі { $points }: сила на кожному Q = { $force } Н, гвинт { $screw }; вихідна точка – не ближче ніж { $distance } мм від притискача.
 plan-clamps-proposed = Притискачі { $points } (запропоновано): сила на кожному Q = { $force } Н, гвинт { $screw }; вихідна точка – не ближче ніж { $distance } мм від притискача.
 plan-weak-screw = Гвинт заслабкий: витримує { $bears } < { $force } Н.
-plan-times = Машинний час { $machine } + час холостих ходів { $rapid } + час заміни інструмента { $change } = { $total } хв
+plan-times = { $parts } = { $total } хв
+plan-time-machine = Машинний час { $time }
+plan-time-feed-out = виведення на робочій подачі { $time }
+plan-time-dwell = витримки { $time }
+plan-time-rapid = час холостих ходів { $time }
+plan-time-change = час заміни інструмента { $time }
+plan-time-hand = ручні прийоми під час зупинок програми { $time }
 # Findings: how grave they are.
 plan-impossible = неможливо
 plan-wrong = хибно

@@ -85,9 +85,7 @@ pub(super) fn held(
         plan.holes.push(HolePlan { name: hole.name.clone(), count: hole.at.len(), route: None, transitions });
     }
     plan.tools.sort_by_key(|tool| tool.number);
-    let (visits, time) = sequence::sequence(&plan.part, &plan.holes, &context.shop.machine, None);
-    plan.sequence = visits;
-    plan.time = time;
+    plan.sequence = sequence::sequence(&plan.part, &plan.holes, &context.shop.machine, None);
     Ok(Ok(plan))
 }
 

@@ -88,7 +88,8 @@ impl<'k> Fitting<'_, 'k> {
         let mut because = std::mem::take(&mut step.because);
         because.push(Because::row(rule.row, note));
         let (approach, doubts, makes_edge) = (self.travels(false).0, Vec::new(), edge.is_some());
-        Ok(Fitted { step, tool: None, travel, approach, conditions, doubts, makes_edge, because })
+        let took = self.took(&step, travel, approach, &conditions)?;
+        Ok(Fitted { step, tool: None, travel, approach, conditions, took, doubts, makes_edge, because })
     }
 
     /// The conditions of centring with a drill of that diameter.

@@ -12,7 +12,7 @@ use crate::tables::rules::CoolantFor;
 use crate::units::Micrometres;
 
 use super::clearance::{change_over_part, ways_over_clamps};
-use super::cycle::cycle;
+use super::cycle::{Feeding, cycle};
 use super::part_position::{reach_of_quill, stand};
 use super::{Job, Pause, SetUp, Stop, ToolWork};
 
@@ -34,7 +34,7 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
         .collect();
     for (number, face) in [(1, Face::Entry), (2, Face::Back)] {
         let mut works = Vec::new();
-        for visit in plan.sequence.iter().filter(|visit| visit.setup == number) {
+        for (index, visit) in plan.sequence.iter().enumerate().filter(|(_, visit)| visit.setup == number) {
             let Some(tool) = plan.tools.iter().find(|tool| tool.number == visit.tool) else { continue };
             let mut pauses = Vec::new();
             if works.is_empty() && !setups.is_empty() {
@@ -44,7 +44,7 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
             if magazine.insert(place, tool.number) != Some(tool.number) {
                 pauses.push(Pause::LoadTool { tool: tool.number, place });
             }
-            works.extend(rounds(visit, tool, place, pauses, plan, shop)?);
+            works.extend(rounds((index, visit), tool, place, pauses, plan, shop)?);
         }
         if works.is_empty() {
             continue;
@@ -78,7 +78,7 @@ fn place(tool: &ToolPlan, places: usize) -> u32 {
 
 /// A visit as one work, or as several where the bar of a boring tool is set by hand between its passes.
 fn rounds(
-    visit: &ToolVisit,
+    (number, visit): (usize, &ToolVisit),
     tool: &ToolPlan,
     place: u32,
     pauses: Vec<Pause>,
@@ -101,6 +101,7 @@ fn rounds(
             pauses.push(Pause::SetBar { diameter_mm });
         }
         let mut work = ToolWork {
+            visit: number,
             tool: tool.number,
             place,
             corrector: tool.corrector,
@@ -121,7 +122,7 @@ fn rounds(
                 None => {
                     let hole = plan.part.holes.iter().find(|hole| hole.name == stop.hole);
                     let pitch = hole.and_then(|hole| hole.thread_at(transition.step)).map(|thread| thread.pitch);
-                    let made = cycle(transition, pitch, &plan.part, shop)?;
+                    let made = cycle(&Feeding::of(transition, pitch), plan.part.datum.top, shop)?;
                     let (cooled, reason) = coolant(transition, shop)?;
                     work.coolant |= cooled;
                     work.because.extend(reason.filter(|reason| !work.because.contains(reason)));

@@ -13,6 +13,12 @@ mod clearance;
 mod cycle;
 mod make;
 mod part_position;
+mod time;
+
+// The rooms below, under one name each in the whole program.
+use technolog_core::{error, machine, motion, note, part, plan, shop, zone};
+use technolog_knowledge::{self as knowledge, units};
+use technolog_tables as tables;
 
 use serde::Serialize;
 
@@ -22,8 +28,9 @@ use crate::part::{Face, Point};
 use crate::plan::Operation;
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute, Seconds};
 
-pub(crate) use cycle::convention;
+pub use cycle::{Feeding, convention, cycle};
 pub use make::make;
+pub use time::{Duration, Hands, times};
 
 /// Everything a machine is to do for a part.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -72,6 +79,9 @@ pub struct SetUp {
 /// One tool from its change to the next.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ToolWork {
+    /// The visit of the plan that it is, or a part of, from 0.
+    #[serde(skip)]
+    pub visit: usize,
     /// Its number in the plan.
     pub tool: u32,
     /// Its place in the magazine: what a program calls T.

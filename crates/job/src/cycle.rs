@@ -4,8 +4,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::{Knowledge, RowRef};
 use crate::motion::Sense;
 use crate::note::{Because, Note};
-use crate::part::Part;
-use crate::plan::{Operation, Rounds, Transition};
+use crate::plan::{Conditions, Operation, Rounds, Transition};
 use crate::shop::Shop;
 use crate::tables::controls::{Convention, ProgramConventions};
 use crate::tables::rules::{Cut, HoleCycle, MachiningCycle, MachiningCycleFor};
@@ -14,19 +13,54 @@ use technolog_note::note;
 
 use super::{Cycle, CycleKind};
 
-/// How a transition of a group is carried out at each of its points.
+/// One way of a tool into a hole, with lengths below the entry face.
+#[derive(Clone, Copy, Debug)]
+pub struct Feeding<'a> {
+    /// What is done.
+    pub operation: Operation,
+    /// The diameter it leaves.
+    pub diameter: Micrometres,
+    /// The diameter before it; zero in solid metal.
+    pub from: Micrometres,
+    /// Where its cutting begins.
+    pub start: Micrometres,
+    /// Where its full diameter ends.
+    pub depth: Micrometres,
+    /// Where its tip ends.
+    pub end: Micrometres,
+    /// How far above its cutting the feed begins.
+    pub approach: Micrometres,
+    /// The pitch of its thread.
+    pub pitch: Option<Micrometres>,
+    /// The cutting conditions.
+    pub conditions: &'a Conditions,
+}
+
+impl<'a> Feeding<'a> {
+    /// Of a transition of a plan.
+    pub fn of(transition: &'a Transition, pitch: Option<Micrometres>) -> Self {
+        Self {
+            operation: transition.operation,
+            diameter: transition.diameter_mm,
+            from: transition.from_diameter_mm,
+            start: transition.start_mm,
+            depth: transition.depth_mm,
+            end: transition.end(),
+            approach: transition.approach_mm,
+            pitch,
+            conditions: &transition.conditions,
+        }
+    }
+}
+
+/// How a tool is fed at each of its points; `top` is the entry face in the drawing's Z.
 ///
 /// # Errors
 /// The knowledge cannot answer.
-pub(super) fn cycle(
-    transition: &Transition,
-    pitch: Option<Micrometres>,
-    part: &Part,
-    shop: &Shop<'_>,
-) -> Result<Cycle, KnowledgeError> {
-    let solid = transition.operation == Operation::Drill && transition.from_diameter_mm == Micrometres::ZERO;
-    let way = if solid { transition.depth_mm - transition.start_mm } else { Micrometres::ZERO };
-    let ratio = way.to_mm() / transition.diameter_mm.to_mm();
+pub fn cycle(transition: &Feeding<'_>, top: Micrometres, shop: &Shop<'_>) -> Result<Cycle, KnowledgeError> {
+    let solid = transition.operation == Operation::Drill && transition.from == Micrometres::ZERO;
+    let way = if solid { transition.depth - transition.start } else { Micrometres::ZERO };
+    let ratio = way.to_mm() / transition.diameter.to_mm();
     let operation = transition.operation;
     let question = MachiningCycleFor { operation, depth_ratio: ratio, material_group: shop.material.group };
     let asked = shop.knowledge.ask(&question)?;
@@ -34,12 +68,11 @@ pub(super) fn cycle(
     let note = Note::new("machining-cycle").with("cycle", rule.cycle.name());
     let note = note.with("ratio", crate::units::round_to(ratio, 2));
 
-    let top = part.datum.top;
     // What a control is told stands on the machine's grid.
     let grid = |length: Micrometres| length.on_grid(shop.machine.resolution);
-    let begin = grid(top - transition.start_mm + transition.approach_mm);
-    let end = grid(top - transition.end());
-    let conditions = &transition.conditions;
+    let begin = grid(top - transition.start + transition.approach);
+    let end = grid(top - transition.end);
+    let conditions = transition.conditions;
     let dwell = rule.dwell.filter(|turns| *turns > 0.0);
     let dwell_step = convention(Convention::DwellStep, shop.knowledge)?.0;
     let dwell = dwell.map(|turns| {
@@ -50,7 +83,7 @@ pub(super) fn cycle(
     let (withdrawal, convention) = withdrawal(shop)?;
     Ok(Cycle {
         operation: transition.operation,
-        kind: kind(&rule, transition, pitch, top, shop.machine.resolution)?,
+        kind: kind(&rule, transition, top, shop.machine.resolution)?,
         // Programs count turns in whole numbers; a step between them is rounded down.
         speed_rpm: RevsPerMinute(libm::floor(conditions.spindle_rpm.0)),
         feed_mm_per_min: feed(transition, shop)?,
@@ -64,15 +97,14 @@ pub(super) fn cycle(
 
 fn kind(
     rule: &MachiningCycle<'_>,
-    transition: &Transition,
-    pitch: Option<Micrometres>,
+    transition: &Feeding<'_>,
     top: Micrometres,
     resolution: Micrometres,
 ) -> Result<CycleKind, KnowledgeError> {
     let lacks = |what: Note| KnowledgeError::lacks(&rule.row.table.id, what);
     let step = || -> Result<Micrometres, KnowledgeError> {
         let share = rule.step.ok_or_else(|| lacks(note!("nc-step-cycle-steps")))?;
-        Ok(Micrometres::from_mm_rounded(transition.diameter_mm.to_mm() * share).on_grid(resolution).max(resolution))
+        Ok(Micrometres::from_mm_rounded(transition.diameter.to_mm() * share).on_grid(resolution).max(resolution))
     };
     let clearance = || rule.clearance.ok_or_else(|| lacks(note!("nc-clearance-cycle-steps")));
     Ok(match rule.cycle {
@@ -81,7 +113,7 @@ fn kind(
         HoleCycle::BoreStop => CycleKind::BoreStop,
         HoleCycle::Peck => CycleKind::Peck { step: step()?, clearance: clearance()? },
         HoleCycle::ChipBreak => CycleKind::ChipBreak { step: step()?, retreat: clearance()? },
-        HoleCycle::Tap => CycleKind::Tap { pitch: pitch.ok_or_else(|| lacks(note!("nc-pitch-thread-tapped")))? },
+        HoleCycle::Tap => CycleKind::Tap { pitch: transition.pitch.ok_or_else(|| lacks(note!("nc-pitch-thread-tapped")))? },
         HoleCycle::Circles => {
             let rounds = transition.conditions.rounds.ok_or_else(|| lacks(note!("nc-circles-mill")))?;
             // The spindle turns clockwise: against it the teeth go with the feed.
@@ -96,19 +128,19 @@ fn kind(
 
 /// The levels and circles of a mill: the stock in equal passes, the depth in equal levels, the overrun with the last.
 fn circles(
-    transition: &Transition,
+    transition: &Feeding<'_>,
     rounds: Rounds,
     top: Micrometres,
     sense: Sense,
     resolution: Micrometres,
 ) -> CycleKind {
     let (levels, passes) = (i64::from(rounds.levels.max(1)), i64::from(rounds.passes.max(1)));
-    let depth = transition.depth_mm - transition.start_mm;
+    let depth = transition.depth - transition.start;
     let level = |number: i64| match number == levels {
-        true => top - transition.end(),
-        false => top - transition.start_mm - depth.ratio(number, levels),
+        true => top - transition.end,
+        false => top - transition.start - depth.ratio(number, levels),
     };
-    let stock = transition.diameter_mm - rounds.from_diameter_mm;
+    let stock = transition.diameter - rounds.from_diameter_mm;
     let radius = |pass: i64| (rounds.from_diameter_mm + stock.ratio(pass, passes) - rounds.mill_diameter_mm).half();
     CycleKind::Circles {
         levels: (1..=levels).map(|number| level(number).on_grid(resolution)).collect(),
@@ -118,7 +150,7 @@ fn circles(
 }
 
 /// The feed in the steps that programs count it in, rounded down; a tap's is bound to its pitch and stays.
-fn feed(transition: &Transition, shop: &Shop<'_>) -> Result<MillimetresPerMinute, KnowledgeError> {
+fn feed(transition: &Feeding<'_>, shop: &Shop<'_>) -> Result<MillimetresPerMinute, KnowledgeError> {
     let planned = transition.conditions.feed_mm_per_min;
     if transition.operation == Operation::Tap {
         return Ok(planned);
@@ -135,7 +167,10 @@ fn withdrawal(shop: &Shop<'_>) -> Result<(Micrometres, Because), KnowledgeError>
 }
 
 /// A figure of the table `program-conventions`, in the unit of its name, and the row.
-pub(crate) fn convention(name: Convention, knowledge: &Knowledge) -> Result<(f64, RowRef<'_>), KnowledgeError> {
+///
+/// # Errors
+/// The table lacks the figure, or has it in another unit.
+pub fn convention(name: Convention, knowledge: &Knowledge) -> Result<(f64, RowRef<'_>), KnowledgeError> {
     let found = knowledge.need(name.name(), |row: &ProgramConventions<'_>| row.name == name)?;
     if found.unit != name.unit() {
         let problem = note!("nc-must", value = name.name(), unit = name.unit());

@@ -1,0 +1,200 @@
+//! How long a job takes: the motions of its cycles, the ways between them, tool changes and the operator's hands.
+//!
+//! The figures are those that any of the programs written from the job takes on the machine: rapids by the slower axis
+//! at the machine's rate (textbook 3.9.1, 3.10.2), feeds along their path, dwells as they say.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+use crate::machine::{Machine, Rapid};
+use crate::motion::Position;
+use crate::part::Point;
+use crate::plan::{Times, ToolVisit};
+use crate::tables::controls::Convention;
+use crate::units::{Micrometres, Minutes};
+
+use super::{Cycle, CycleKind, Job, Pause, SetUp, ToolWork, convention};
+
+/// What the operator's hands take while a program waits.
+#[derive(Clone, Copy, Debug)]
+pub struct Hands {
+    /// To put a tool into the magazine.
+    pub load_tool: Minutes,
+    /// To set the bar of a boring tool to a diameter.
+    pub set_bar: Minutes,
+    /// To turn the part over and clamp it again.
+    pub turn_over: Minutes,
+}
+
+impl Hands {
+    /// By the table `program-conventions`.
+    ///
+    /// # Errors
+    /// The table lacks a figure.
+    pub fn read(knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
+        let minutes = |name| convention(name, knowledge).map(|(value, _)| Minutes(value));
+        Ok(Self {
+            load_tool: minutes(Convention::LoadToolTime)?,
+            set_bar: minutes(Convention::SetBarTime)?,
+            turn_over: minutes(Convention::TurnOverTime)?,
+        })
+    }
+
+    /// What a pause takes.
+    pub const fn pause(&self, pause: Pause) -> Minutes {
+        match pause {
+            Pause::LoadTool { .. } => self.load_tool,
+            Pause::SetBar { .. } => self.set_bar,
+            Pause::TurnOver => self.turn_over,
+        }
+    }
+}
+
+/// The time of one cycle at one point, from the height of the ways between points and back to it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Duration {
+    /// At feed, into the metal and through it.
+    pub feed: Minutes,
+    /// At feed, out of the hole: of a reamer, of a tap.
+    pub feed_out: Minutes,
+    /// Waiting at the bottom.
+    pub dwell: Minutes,
+    /// At rapid, up and down.
+    pub rapid: Minutes,
+}
+
+impl Duration {
+    /// All of it.
+    pub fn total(&self) -> Minutes {
+        self.feed + self.feed_out + self.dwell + self.rapid
+    }
+}
+
+impl Cycle {
+    /// The time it takes at one point.
+    pub fn duration(&self, rapid: Rapid) -> Duration {
+        let depth = self.begin - self.end;
+        let at_feed = |way: f64| match self.feed_mm_per_min.0 > 0.0 {
+            true => Minutes(way / self.feed_mm_per_min.0),
+            false => Minutes(0.0),
+        };
+        let down = rapid.time(self.out - self.begin);
+        let mut took = Duration {
+            feed: at_feed(depth.to_mm()),
+            feed_out: Minutes(0.0),
+            dwell: Minutes(self.dwell_s.map_or(0.0, |dwell| dwell.0 / 60.0)),
+            rapid: down + rapid.time(self.out - self.end),
+        };
+        match &self.kind {
+            CycleKind::Drill | CycleKind::BoreStop => {}
+            CycleKind::FeedOut | CycleKind::Tap { .. } => {
+                took.feed_out = took.feed;
+                took.rapid = down + rapid.time(self.out - self.begin);
+            }
+            CycleKind::Peck { step, clearance } => {
+                for reached in bottoms(depth, *step) {
+                    took.feed = took.feed + at_feed(clearance.to_mm());
+                    took.rapid = took.rapid + rapid.time(reached) + rapid.time(reached - *clearance);
+                }
+            }
+            CycleKind::ChipBreak { step, retreat } => {
+                for _ in bottoms(depth, *step) {
+                    took.feed = took.feed + at_feed(retreat.to_mm());
+                    took.rapid = took.rapid + rapid.time(*retreat);
+                }
+            }
+            CycleKind::Circles { levels, radii, .. } => {
+                let widest = radii.last().copied().unwrap_or_default().to_mm();
+                let round: f64 = radii.iter().map(|radius| 2.0 * std::f64::consts::PI * radius.to_mm()).sum();
+                let lowest = levels.last().copied().unwrap_or(self.end);
+                let path = (self.begin - lowest).to_mm() + levels.len() as f64 * (round + 2.0 * widest);
+                took.feed = at_feed(path);
+                took.rapid = down + rapid.time(self.out - lowest);
+            }
+        }
+        took
+    }
+}
+
+/// The depths below the beginning at which a cycle in steps turns back, without the last.
+fn bottoms(depth: Micrometres, step: Micrometres) -> impl Iterator<Item = Micrometres> {
+    let step = step.max(Micrometres::new(1));
+    std::iter::successors(Some(step), move |reached| Some(*reached + step)).take_while(move |reached| *reached < depth)
+}
+
+/// What a work takes at rapid besides its cycles: from the tool-change position over its points and back.
+struct Ways {
+    rapid: Rapid,
+    change_at: Position,
+}
+
+impl Ways {
+    /// Along X and Y between two points of a set-up, the tool-change position standing for what is absent.
+    fn across(&self, from: Option<Point>, to: Option<Point>, setup: &SetUp) -> Minutes {
+        let home = Point { x: self.change_at.x - setup.zero.x, y: self.change_at.y - setup.zero.y };
+        let (from, to) = (from.unwrap_or(home), to.unwrap_or(home));
+        self.rapid.time((from.x - to.x).abs().max((from.y - to.y).abs()))
+    }
+
+    /// The quill from the tool-change position to the height of the ways of a cycle, or back.
+    fn down(&self, out: Micrometres, correction: Micrometres, setup: &SetUp) -> Minutes {
+        self.rapid.time(self.change_at.z - (setup.zero.z + out + correction))
+    }
+
+    /// Everything at rapid that is no part of a cycle.
+    fn of(&self, work: &ToolWork, correction: Micrometres, setup: &SetUp) -> Minutes {
+        let points = || work.stops.iter().map(|stop| Some(stop.at));
+        let from = std::iter::once(None).chain(points());
+        let to = points().chain([None]);
+        let across: Minutes = from.zip(to).map(|(from, to)| self.across(from, to, setup)).sum();
+        let height = |stop: Option<&super::Stop>| stop.and_then(|stop| work.cycles.get(stop.cycle)).map(|one| one.out);
+        let ends = [height(work.stops.first()), height(work.stops.last())];
+        let quill: Minutes = ends.into_iter().flatten().map(|out| self.down(out, correction, setup)).sum();
+        across + quill
+    }
+}
+
+/// Where the time of a job goes. The rapids of each visit of the plan, until now those across the part alone, become all
+/// it has, and with them those by the book's rule and the bound, from which no order of the points takes the rest away.
+pub fn times(job: &Job, machine: &Machine<'_>, hands: &Hands, visits: &mut [ToolVisit]) -> Times {
+    let ways = Ways { rapid: machine.rapids(), change_at: job.change_at };
+    // A program begins at the machine's zero and goes to the tool-change position first.
+    let Position { x, y, z } = job.change_at;
+    let first = if job.setups.is_empty() { Minutes(0.0) } else { ways.rapid.time(x.abs().max(y.abs())) };
+    let mut sum = Times { rapid_min: first + ways.rapid.time(z), ..Times::default() };
+    // The rapids of each visit, and in how many rounds it is made.
+    let mut of_visit: Vec<(Minutes, usize)> = vec![Default::default(); visits.len()];
+    let mut in_spindle = None;
+    for setup in &job.setups {
+        for work in &setup.works {
+            let correction = job.correctors.iter().find(|(number, _)| *number == work.corrector);
+            let mut rapid = ways.of(work, correction.map_or(Micrometres::ZERO, |(_, length)| *length), setup);
+            for stop in &work.stops {
+                let Some(cycle) = work.cycles.get(stop.cycle) else { continue };
+                let took = cycle.duration(ways.rapid);
+                sum.machine_min = sum.machine_min + took.feed;
+                sum.feed_out_min = sum.feed_out_min + took.feed_out;
+                sum.dwell_min = sum.dwell_min + took.dwell;
+                rapid = rapid + took.rapid;
+            }
+            sum.rapid_min = sum.rapid_min + rapid;
+            sum.hand_min = sum.hand_min + work.pauses.iter().map(|pause| hands.pause(*pause)).sum();
+            let loaded = work.pauses.iter().any(|pause| matches!(pause, Pause::LoadTool { .. }));
+            if loaded || in_spindle != Some(work.place) {
+                sum.tool_change_min = sum.tool_change_min + machine.tool_change;
+                in_spindle = Some(work.place);
+            }
+            if let Some((own, rounds)) = of_visit.get_mut(work.visit) {
+                (*own, *rounds) = (*own + rapid, *rounds + 1);
+            }
+        }
+    }
+    for (visit, (rapid, rounds)) in visits.iter_mut().zip(of_visit) {
+        // What is the same in every order of the points.
+        let more = rapid.0 - visit.rapid_min.0;
+        visit.rapid_min = rapid.rounded(3);
+        visit.nearest_rapid_min = Minutes(visit.nearest_rapid_min.0 + more).rounded(3);
+        let bound = visit.bound_min.filter(|_| rounds == 1);
+        visit.bound_min = bound.map(|bound| Minutes(bound.0 + more).rounded(3));
+    }
+    sum.rounded()
+}
