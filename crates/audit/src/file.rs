@@ -267,10 +267,16 @@ forms! {
     pub struct Times {
         /// Machine time.
         pub machine: Option<Number>,
+        /// At feed out of the holes.
+        pub feed_out: Option<Number>,
+        /// Dwells.
+        pub dwell: Option<Number>,
         /// Rapids.
         pub rapid: Option<Number>,
         /// Tool changes.
         pub tool_change: Option<Number>,
+        /// The operator's hands while the program waits.
+        pub hand: Option<Number>,
         /// Sum.
         pub total: Option<Number>,
     }

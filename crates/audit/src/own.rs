@@ -54,8 +54,11 @@ const TOOL: [(&str, Quantity); 6] = [
     ("book_correction_mm", Quantity::BookCorrection),
 ];
 
-const TIMES: [(&str, Quantity); 4] = [
+const TIMES: [(&str, Quantity); 7] = [
     ("machine_min", Quantity::MachineTime),
+    ("feed_out_min", Quantity::FeedOutTime),
+    ("dwell_min", Quantity::DwellTime),
+    ("hand_min", Quantity::HandTime),
     ("rapid_min", Quantity::RapidTime),
     ("tool_change_min", Quantity::ChangeTime),
     ("total_min", Quantity::TotalTime),

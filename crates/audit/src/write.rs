@@ -31,8 +31,16 @@ pub fn by_hand(plan: &Plan, part: &str) -> String {
     text.push_str(&clamping(plan));
     let time = plan.time;
     let mut times = Flow::default();
-    times.put("machine", time.machine_min.0).put("rapid", time.rapid_min.0);
-    times.put("tool_change", time.tool_change_min.0).put("total", time.total_min.0);
+    times.put("machine", time.machine_min.0);
+    let more = [("feed_out", time.feed_out_min), ("dwell", time.dwell_min)];
+    for (key, time) in more.into_iter().filter(|(_, time)| time.0 > 0.0) {
+        times.put(key, time.0);
+    }
+    times.put("rapid", time.rapid_min.0).put("tool_change", time.tool_change_min.0);
+    if time.hand_min.0 > 0.0 {
+        times.put("hand", time.hand_min.0);
+    }
+    times.put("total", time.total_min.0);
     put(&mut text, &format!("times: {}", times.done()));
     text
 }

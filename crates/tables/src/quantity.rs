@@ -99,6 +99,9 @@ quantities! {
     ForcePerClamp: "force_per_clamp", "Q", Newton, "force per clamp";
     MachineTime: "machine", "ΣTм", Minute, "machine time";
     RapidTime: "rapid", "Tх", Minute, "time of rapids";
+    FeedOutTime: "feed_out", "Tвв", Minute, "time at feed out of the holes";
+    DwellTime: "dwell", "Tвт", Minute, "time of dwells";
+    HandTime: "hand", "Tр", Minute, "time of the operator's hands";
     ChangeTime: "tool_change", "Tзм", Minute, "time of tool changes";
     TotalTime: "total", "T", Minute, "total time";
     Pi: "pi", "π", None, "π";
