@@ -9,7 +9,7 @@ use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::tables::cutting::DrillStrength;
 use crate::tables::machines::MachineQuantity;
-use crate::tables::rules::{Neighbour, PracticeSpeedFor, SpindleStepFor};
+use crate::tables::rules::{Load, LoadMarginFor, Neighbour, PracticeSpeedFor, SpindleStepFor};
 use crate::units::{MetresPerMinute, MillimetresPerRev, NewtonMetres, RevsPerMinute, round_to};
 
 use super::{Cut, DraftConditions, PowerLaw, rpm_at, speed_at};
@@ -30,6 +30,26 @@ struct Bound<'k> {
     limit: f64,
     kind: Limit,
     row: RowRef<'k>,
+    /// The share of the machine's limit that a load may take.
+    margin: Option<Margin<'k>>,
+}
+
+/// A share of a limit, by the rule `load-margin`.
+#[derive(Clone, Copy)]
+struct Margin<'k> {
+    share: f64,
+    row: RowRef<'k>,
+}
+
+impl<'k> Margin<'k> {
+    fn of(load: Load, shop: &Shop<'k>) -> Result<Self, KnowledgeError> {
+        let margin = shop.knowledge.ask(&LoadMarginFor { load })?.need(load.name())?;
+        Ok(Self { share: margin.share, row: margin.row })
+    }
+
+    fn told(self) -> Because {
+        Because::row(self.row, Note::new("load-margin").with("percent", round_to(self.share * 100.0, 0)))
+    }
 }
 
 /// Holds the speed of drills, mills and taps of high-speed steel to what shops drive, by the rule
@@ -73,19 +93,22 @@ pub(super) fn borne(
 ) -> Tried<Option<Borne>, Uncut> {
     let (machine, loads) = (&shop.machine, draft.loads);
     let speed = speed_at(rpm, draft.motion.turned);
+    let (thrust, torque) = (Margin::of(Load::Thrust, shop)?, Margin::of(Load::Torque, shop)?);
     let bounds = [
         drill_strength(draft, cut, shop)?,
         Some(Bound {
             law: loads.thrust,
-            limit: machine.thrust.0,
+            limit: machine.thrust.0 * thrust.share,
             kind: Limit::Thrust,
             row: machine.row(MachineQuantity::ThrustZMax)?,
+            margin: Some(thrust),
         }),
         Some(Bound {
             law: loads.torque,
-            limit: machine.spindle_torque.0,
+            limit: machine.spindle_torque.0 * torque.share,
             kind: Limit::SpindleTorque,
             row: machine.row(MachineQuantity::SpindleTorqueMax)?,
+            margin: Some(torque),
         }),
     ];
     Ok(within(&bounds, asked, speed))
@@ -107,6 +130,7 @@ fn within(bounds: &[Option<Bound<'_>>], asked: MillimetresPerRev, speed: MetresP
                 .with("limit", round_to(bound.limit, 1));
             let mut because = borne.map_or_else(Vec::new, |borne| borne.because);
             because.push(Because::row(bound.row, note));
+            because.extend(bound.margin.map(Margin::told));
             borne = Some(Borne { feed, limit: bound.kind, because });
         }
     }
@@ -158,11 +182,13 @@ fn at_step(
 ) -> Tried<LimitedConditions, Uncut> {
     let machine = &shop.machine;
     let (mut feed, mut reduced) = (draft.feed, false);
+    let margin = Margin::of(Load::Power, shop)?;
     let power = Bound {
         law: draft.loads.torque,
-        limit: 9750.0 * machine.spindle_power.0 / rpm.0,
+        limit: 9750.0 * machine.spindle_power.0 * margin.share / rpm.0,
         kind: Limit::SpindlePower,
         row: machine.row(MachineQuantity::SpindlePower)?,
+        margin: Some(margin),
     };
     for held in [borne(draft, feed, cut, rpm, shop)?, within(&[Some(power)], feed, speed_at(rpm, draft.motion.turned))]
     {
@@ -207,7 +233,7 @@ fn drill_strength<'k>(
     }
     let d = tool.to_mm();
     let limit = strength.modulus_factor * d * d * d * strength.shear_stress.0.to_f64() / 1000.0;
-    Ok(Some(Bound { law: draft.loads.torque, limit, kind: Limit::DrillStrength, row: strength.row }))
+    Ok(Some(Bound { law: draft.loads.torque, limit, kind: Limit::DrillStrength, row: strength.row, margin: None }))
 }
 
 /// Holds a tap: its feed is its pitch and cannot give way, so the spindle does.
@@ -218,13 +244,15 @@ pub(super) fn synchronous(draft: &DraftConditions, shop: &Shop<'_>) -> Tried<Lim
     let machine = &shop.machine;
     let wanted = rpm_at(draft.speed, draft.motion.turned);
     let torque = draft.loads.torque.map_or(0.0, |law| law.at(draft.feed, draft.speed));
-    if torque > machine.spindle_torque.0 {
-        let (torque, limit) = (NewtonMetres(torque), machine.spindle_torque);
+    let most = machine.spindle_torque.0 * Margin::of(Load::Torque, shop)?.share;
+    let power = machine.spindle_power.0 * Margin::of(Load::Power, shop)?.share;
+    if torque > most {
+        let (torque, limit) = (NewtonMetres(torque), NewtonMetres(most));
         return Err(Refusal::Not(Uncut::TorqueBeyondSpindle { torque, limit }));
     }
     let mut limited_by = Limit::CuttingSpeed;
     for step in machine.spindle_steps.iter().rev().filter(|step| step.0 <= wanted.0) {
-        if torque * step.0 / 9750.0 > machine.spindle_power.0 {
+        if torque * step.0 / 9750.0 > power {
             limited_by = Limit::SpindlePower;
         } else if draft.feed.0 * step.0 > machine.feed_max.0 {
             limited_by = Limit::FeedMax;

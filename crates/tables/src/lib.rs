@@ -16,6 +16,7 @@ pub mod holes;
 pub mod lathes;
 pub mod machines;
 pub mod materials;
+pub mod practice;
 pub mod quantity;
 pub mod rules;
 pub mod standards;
@@ -41,6 +42,7 @@ pub fn all() -> Vec<&'static Contract> {
         lathes::CONTRACTS,
         machines::CONTRACTS,
         materials::CONTRACTS,
+        practice::CONTRACTS,
         rules::CONTRACTS,
         standards::CONTRACTS,
         tools::CONTRACTS,

@@ -111,6 +111,13 @@ rows! {
         holders: Option<&'t str>,
     }
 
+    /// What share of the machine's limit a load may take.
+    pub struct LoadMargin of One("load-margin") asked by LoadMarginFor {
+        load: Load,
+    } {
+        share: f64,
+    }
+
     /// The machining cycle of a transition.
     pub struct MachiningCycle of One("machining-cycle") asked by MachiningCycleFor<'t> {
         operation: Operation,
@@ -293,5 +300,16 @@ rows! {
         position: Micrometres,
     } {
         take: SchemeTaken,
+    }
+
+    /// What way of working a transition is.
+    pub struct WayOfTransition of One("way-of-transition") asked by WayOfTransitionFor {
+        operation: Operation,
+        centred: bool,
+        after: MadeBy,
+        last: bool,
+    } {
+        way: &'t str,
+        worst: Worst,
     }
 }

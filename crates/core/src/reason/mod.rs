@@ -102,6 +102,8 @@ pub enum Reason {
     RankedLater { first: String },
     /// It makes the same as another route.
     SameAs { table: String, scheme: String },
+    /// The proof of plans does not hold for it.
+    NotProven { why: Note },
     /// The position asks for boring, and it does not bore.
     BoringAsked { position: Micrometres },
     /// The position does not ask for boring, and it bores.
@@ -135,6 +137,7 @@ impl Reason {
         let done =
             |code: &'static str, operation: Operation| new(code).with("operation", Figure::operation(operation.name()));
         match self {
+            Self::NotProven { why } => new("not-proven").with("why", why),
             Self::GradeWithoutDistance { it } => new("grade-without-distance").with("it", it),
             Self::GradeOutsideTable { it, distance, why } => {
                 new("grade-outside-table").with("it", it).with("distance", distance).with("why", why)

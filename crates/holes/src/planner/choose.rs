@@ -1,7 +1,7 @@
 //! Which route every group takes, all groups together: the stated order of routes.
 //!
-//! A route that holds grade, roughness and position goes before one that does not; then the total time
-//! decides, with the tool changes it adds to those of the other groups; then the places of the magazine it
+//! A route that holds grade, roughness and position goes before one that does not, and one that holds them ordinarily
+//! before one that does only at best; then the total time decides, with the tool changes it adds to those of the other groups; then the places of the magazine it
 //! adds; then the way (tables, complexes, search) and the names, so that the order is total and no file's
 //! order matters. Cost is time at the machine's rate, so it never decides alone.
 //!
@@ -34,6 +34,8 @@ enum ToolKey {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Rank {
     misses: bool,
+    /// What it reaches only at best.
+    at_best: usize,
     /// Places count before time while the magazine overflows.
     crowding: usize,
     /// Millionths of a minute.
@@ -43,8 +45,9 @@ struct Rank {
     name: usize,
 }
 
-/// What the whole part comes to, best first: groups without a route or with one that misses something, time.
-type Total = (usize, i64);
+/// What the whole part comes to, best first: groups without a route or with one that misses something, what is reached
+/// only at best, time.
+type Total = (usize, usize, i64);
 
 /// The groups' options with what is chosen of each.
 pub(super) struct Chooser<'a, 'k> {
@@ -210,7 +213,8 @@ impl<'a, 'k> Chooser<'a, 'k> {
     fn total(&self) -> Total {
         let own: f64 = (0..self.chosen.len()).filter_map(|group| self.choice(group)).map(|choice| choice.own.0).sum();
         let missing = (0..self.chosen.len()).filter(|group| self.choice(*group).is_none_or(|it| !it.meets())).count();
-        (missing, micro(own + self.change * self.tools_used() as f64))
+        let at_best = (0..self.chosen.len()).filter_map(|group| self.choice(group)).map(|it| it.at_best.len()).sum();
+        (missing, at_best, micro(own + self.change * self.tools_used() as f64))
     }
 
     /// Whether a drill is in the magazine for another group.
@@ -266,6 +270,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
         let new_tools = self.new_tools(group, index);
         Rank {
             misses: !choice.meets(),
+            at_best: choice.at_best.len(),
             crowding: if self.crowded { new_tools } else { 0 },
             time: micro(self.time(group, index, choice).0),
             new_tools,
@@ -294,6 +299,9 @@ impl<'a, 'k> Chooser<'a, 'k> {
             let more = total.0 - time.0;
             let why = match (winner.meets(), other.meets()) {
                 (true, false) => other.misses.first().cloned().unwrap_or_else(|| Note::new("misses-unknown")),
+                _ if other.at_best.len() > winner.at_best.len() => {
+                    other.at_best.first().cloned().unwrap_or_else(|| Note::new("misses-unknown"))
+                }
                 _ if more > 5e-4 => Note::new("lost-by-time").with("slower", Figure::fixed(more, 3)),
                 _ if more < -5e-4 => Note::new("lost-by-places").with("quicker", Figure::fixed(-more, 3)),
                 _ => Note::new("lost-by-order"),

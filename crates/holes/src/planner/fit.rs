@@ -14,7 +14,7 @@ use crate::job::{self, Duration, Feeding};
 use crate::knowledge::vocabulary::ToolMaterial;
 use crate::note::{Because, Note};
 use crate::part::{Hole, Part};
-use crate::plan::{Conditions, Feature, Operation};
+use crate::plan::{Conditions, Feature, HolderRef, Operation, ToolRef, Transition};
 use crate::reason::Reason;
 use crate::route::bores::Edge;
 use crate::route::{RouteStep, StepLocation};
@@ -45,6 +45,45 @@ pub(super) struct Fitted {
     /// Whether it is a spot that makes an edge of the hole too.
     pub makes_edge: bool,
     pub because: Vec<Because>,
+}
+
+impl Fitted {
+    /// As a plan has it, with the number of its tool; the tool of a spot may not be chosen yet.
+    pub fn transition(&self, number: u32) -> Transition {
+        let mut because = self.because.clone();
+        let tool = self.tool.as_deref();
+        because.extend(tool.into_iter().flat_map(|tool| tool.because.iter().cloned()));
+        let place = self.step.place;
+        Transition {
+            operation: self.step.operation,
+            feature: place.feature,
+            step: place.step,
+            face: place.face,
+            start_mm: place.start,
+            depth_mm: place.depth,
+            elsewhere: self.step.elsewhere,
+            also_diameter_mm: self.step.also,
+            achieved: self.step.achieved,
+            diameter_mm: self.step.diameter,
+            from_diameter_mm: self.step.from,
+            passes: self.step.passes,
+            travel_mm: self.travel,
+            approach_mm: self.approach,
+            tool: ToolRef {
+                number,
+                designation: tool.map(|tool| tool.designation.clone()).unwrap_or_default(),
+                table: tool.map(|tool| tool.table.clone()).unwrap_or_default(),
+                diameter_mm: tool.map(|tool| tool.diameter).unwrap_or_default(),
+            },
+            holder: HolderRef {
+                designation: tool.map(|tool| tool.assembly.holder.clone()).unwrap_or_default(),
+                table: tool.map(|tool| tool.assembly.holder_table.clone()).unwrap_or_default(),
+                length_mm: tool.map(|tool| tool.assembly.holder_length).unwrap_or_default(),
+            },
+            conditions: (*self.conditions).clone(),
+            because,
+        }
+    }
 }
 
 /// A cutter in its holder, in plain data.

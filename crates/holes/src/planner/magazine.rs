@@ -5,7 +5,7 @@ use std::rc::Rc;
 use crate::error::{KnowledgeError, Refusal};
 use crate::note::{Because, Finding, Note, Severity};
 use crate::part::{Face, Part};
-use crate::plan::{HolderRef, HolePlan, Operation, ToolPlan, ToolRef, Transition};
+use crate::plan::{HolePlan, Operation, ToolPlan, Transition};
 use crate::shop::Shop;
 use crate::tooling::{self, CutterNeed};
 use crate::units::{Micrometres, round_to};
@@ -149,7 +149,7 @@ pub(super) fn number_tools(
             name: hole.name.clone(),
             count: hole.at.len(),
             route: draft.route,
-            transitions: draft.steps.into_iter().filter_map(|fitted| transition(fitted, &tools)).collect(),
+            transitions: draft.steps.iter().filter_map(|fitted| transition(fitted, &tools)).collect(),
         })
         .collect();
     (holes, plans)
@@ -173,35 +173,10 @@ fn rank(tools: &mut [(usize, Rc<FittedTool>)], drafts: &[HoleDraft]) {
     }
 }
 
-fn transition(fitted: Fitted, tools: &[Rc<FittedTool>]) -> Option<Transition> {
-    let tool = Rc::unwrap_or_clone(fitted.tool?);
-    let number = tools.iter().zip(1..).find(|(known, _)| same(known, &tool)).map(|(_, number)| number);
+fn transition(fitted: &Fitted, tools: &[Rc<FittedTool>]) -> Option<Transition> {
+    let tool = fitted.tool.as_ref()?;
+    let number = tools.iter().zip(1..).find(|(known, _)| same(known, tool)).map(|(_, number)| number);
     // What is done on another machine has no place here.
     let number = if fitted.step.elsewhere { 0 } else { number? };
-    let mut because = fitted.because;
-    because.extend(tool.because.clone());
-    Some(Transition {
-        operation: fitted.step.operation,
-        feature: fitted.step.place.feature,
-        step: fitted.step.place.step,
-        face: fitted.step.place.face,
-        start_mm: fitted.step.place.start,
-        depth_mm: fitted.step.place.depth,
-        elsewhere: fitted.step.elsewhere,
-        also_diameter_mm: fitted.step.also,
-        achieved: fitted.step.achieved,
-        diameter_mm: fitted.step.diameter,
-        from_diameter_mm: fitted.step.from,
-        passes: fitted.step.passes,
-        travel_mm: fitted.travel,
-        approach_mm: fitted.approach,
-        tool: ToolRef { number, designation: tool.designation, table: tool.table, diameter_mm: tool.diameter },
-        holder: HolderRef {
-            designation: tool.assembly.holder,
-            table: tool.assembly.holder_table,
-            length_mm: tool.assembly.holder_length,
-        },
-        conditions: Rc::unwrap_or_clone(fitted.conditions),
-        because,
-    })
+    Some(fitted.transition(number))
 }

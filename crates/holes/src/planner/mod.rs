@@ -152,6 +152,9 @@ fn draft(
     if options.not_bored {
         report(Severity::Doubtful, Note::new("not-bored"));
     }
+    for note in &choice.at_best {
+        report(Severity::Doubtful, note.clone());
+    }
     for missed in &choice.misses {
         report(Severity::Wrong, missed.clone().with("scheme", Figure::scheme(&choice.candidate.scheme)));
     }

@@ -31,6 +31,8 @@ pub(super) struct Choice {
     pub steps: Vec<Fitted>,
     /// The requirements of grade, roughness and position that it misses.
     pub misses: Vec<Note>,
+    /// What the proof of plans says that it reaches only at best.
+    pub at_best: Vec<Note>,
     /// Cutting and rapids of all holes of the group, without tool changes.
     pub own: Minutes,
     /// A drill that another group must have, for which this route drills in two passes.
@@ -146,6 +148,7 @@ pub(super) fn options(
     };
     let mut finder = Finder {
         hole,
+        part,
         task: &task,
         fitting: &fitting,
         question,

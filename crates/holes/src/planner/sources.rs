@@ -1,8 +1,8 @@
 //! The three sources of routes. Each candidate is tried and filed as feasible or refused.
 
 use crate::error::{KnowledgeError, Refusal};
-use crate::note::{Because, Note};
-use crate::plan::{Feature, Operation, RouteSource};
+use crate::note::{Because, Note, Severity};
+use crate::plan::{Feature, Operation, RouteSource, Transition};
 use crate::reason::Reason;
 use crate::route::auxiliary::{self, AuxiliaryKind};
 use crate::route::scheme;
@@ -139,19 +139,43 @@ impl Finder<'_, '_> {
                 return Ok(false);
             }
         };
+        let mut done = false;
         for steps in plain.into_iter().chain(joined) {
-            let choice = self.choice(candidate, steps);
+            let Some(choice) = self.proven(candidate, steps, options)? else { continue };
+            done = true;
             let borrowed = choice.borrowed;
             self.file(choice, options);
             // Without the borrowed drill the rule drills in one pass.
             if let Some(drill) = borrowed
                 && let Ok(steps) = Refusal::split(self.carried_out_alone(candidate))?
+                && let Some(alone) = self.proven(candidate, steps, options)?
             {
-                let alone = Choice { instead_of: Some(drill), ..self.choice(candidate, steps) };
-                self.file(alone, options);
+                self.file(Choice { instead_of: Some(drill), ..alone }, options);
             }
         }
-        Ok(true)
+        Ok(done)
+    }
+
+    /// The route of a candidate, if the proof of plans holds for it; else it is refused with the first reason.
+    fn proven(
+        &self,
+        candidate: &Candidate,
+        steps: Vec<Fitted>,
+        options: &mut Options,
+    ) -> Result<Option<Choice>, KnowledgeError> {
+        let transitions: Vec<Transition> = steps.iter().map(|fitted| fitted.transition(0)).collect();
+        let faults = technolog_proof::prove_hole(self.hole, &transitions, self.part, self.shop)?;
+        let (at_best, wrong): (Vec<_>, Vec<_>) =
+            faults.iter().partition(|fault| fault.severity() == Severity::Doubtful);
+        if let Some(first) = wrong.first() {
+            let refused = refused(candidate, Reason::NotProven { why: first.note() });
+            if !options.refused.contains(&refused) {
+                options.refused.push(refused);
+            }
+            return Ok(None);
+        }
+        let at_best = at_best.into_iter().map(|fault| fault.note()).collect();
+        Ok(Some(Choice { at_best, ..self.choice(candidate, steps) }))
     }
 
     /// Files a route under what can be done, unless it is there already.
@@ -174,7 +198,15 @@ impl Finder<'_, '_> {
         let own = steps.iter().map(|fitted| self.time(fitted) + self.hops.0).sum::<f64>();
         let borrowed = steps.iter().find(|fitted| fitted.step.borrowed).map(|fitted| fitted.step.diameter);
         let misses = self.misses(candidate, &steps);
-        Choice { candidate: candidate.clone(), steps, misses, own: Minutes(own), borrowed, instead_of: None }
+        Choice {
+            candidate: candidate.clone(),
+            steps,
+            misses,
+            at_best: Vec::new(),
+            own: Minutes(own),
+            borrowed,
+            instead_of: None,
+        }
     }
 
     /// What of the drawing a route does not hold: grade, roughness and position must be promised by the table

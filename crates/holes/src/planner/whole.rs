@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::job::{Duration, Hands};
 use crate::note::{Because, Note};
-use crate::part::{Face, Hole};
+use crate::part::{Face, Hole, Part};
 use crate::plan::{Feature, Operation};
 use crate::reason::Reason;
 use crate::route::bores::{self, Bore, Task};
@@ -27,6 +27,7 @@ type Opened = Result<Vec<RouteStep>, Reason>;
 /// What the routes of one group are found with.
 pub(super) struct Finder<'a, 'k> {
     pub hole: &'a Hole,
+    pub part: &'a Part,
     pub task: &'a Task,
     pub fitting: &'a Fitting<'a, 'k>,
     pub question: SchemeQuestion<'a>,

@@ -146,19 +146,12 @@ pub fn write(
                 let note = Note::new("promised").with("it", promise.it).with("own", own);
                 step.because.push(Because::table(shop.knowledge.table_of::<HoleAccuracy<'_>>()?, note));
             }
-            it = Some(it.map_or(promise.it, |it| it.min(promise.it)));
-            let promised = promise.roughness;
-            roughness = match (roughness, promised) {
-                (Some(own), Some(promised)) => Some(own.min(promised)),
-                (own, promised) => own.or(promised),
-            };
+            // What a table promises for the asking is no more than its transitions reach.
+            it = it.or(Some(promise.it));
+            roughness = roughness.or(promise.roughness);
         }
-        let own = position.of(centred, guided);
         let promised = promise.and_then(|promise| promise.position).filter(|_| Some(index) == last);
-        let position_mm = match (own, promised) {
-            (Some(own), Some(promised)) => Some(own.min(promised)),
-            (own, promised) => own.or(promised),
-        };
+        let position_mm = position.of(centred, guided).or(promised);
         step.achieved = Some(Achieved { it, roughness, position_mm });
     }
     Ok(())

@@ -160,4 +160,35 @@ vocabulary! {
         Conventional = "conventional",
     }
 
+    /// A load that the machine bears.
+    pub enum Load {
+        /// Along the axis.
+        Thrust = "thrust",
+        /// About it.
+        Torque = "torque",
+        /// Of the main drive.
+        Power = "power",
+    }
+
+    /// What a hole was made by before a transition.
+    pub enum MadeBy {
+        /// Nothing: there is none.
+        Solid = "solid",
+        /// The blank has it.
+        BlankHole = "blank-hole",
+        Drill = "drill",
+        CoreDrill = "core-drill",
+        Bore = "bore",
+        Mill = "mill",
+        Ream = "ream",
+        Counterbore = "counterbore",
+    }
+
+    /// By which figure a size at worst is reckoned.
+    pub enum Worst {
+        /// What the way reaches at best.
+        Best = "best",
+        /// What it reaches ordinarily.
+        Ordinary = "ordinary",
+    }
 }

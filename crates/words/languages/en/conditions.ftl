@@ -19,6 +19,7 @@ spindle-step = computed { $computed }; steps { $below } and { $above } ({ $exces
 spindle-fastest = computed { $computed } is above the top: { $step } 1/min
 spindle-slowest = computed { $computed } is below the lowest: { $step } 1/min
 feed-reduced = feed reduced from { $from } to { $to } mm/rev: { $by }, limit { $limit }
+load-margin = a load may take { $percent } % of the machine's limit
 speed-for-feed = the speed is that for a feed of { $feed } mm/rev: { $speed } m/min instead of { $before }
 life-for-feed = for a feed of { $feed } mm/rev the formula gives { $speed } m/min: the tool life is calculated from it
 tap-lead = the tap's lead, { $lead } mm, goes beyond the full thread

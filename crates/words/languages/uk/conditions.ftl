@@ -19,6 +19,7 @@ spindle-step = розрахункова частота { $computed }; сусід
 spindle-fastest = розрахункова частота { $computed } вища за найбільшу: { $step } об/хв
 spindle-slowest = розрахункова частота { $computed } нижча за найменшу: { $step } об/хв
 feed-reduced = подачу зменшено з { $from } до { $to } мм/об: { $by }, межа { $limit }
+load-margin = навантаження може брати { $percent } % межі верстата
 speed-for-feed = швидкість узято для подачі { $feed } мм/об: { $speed } м/хв замість { $before }
 life-for-feed = для подачі { $feed } мм/об формула дає { $speed } м/хв: період стійкості пораховано від неї
 tap-lead = забірна частина мітчика { $lead } мм проходить далі за повну різь

@@ -1,0 +1,64 @@
+//! What the drawing asks of a cylinder of a hole, and which cylinder a transition works on.
+
+use crate::part::{Bottom, Hole, Part, Thread, ToleratedDiameter};
+use crate::plan::{Feature, Transition};
+use crate::units::{Micrometres, Roughness};
+
+/// A cylinder of a hole: the main one, or a step of that number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Place {
+    Main,
+    Step(usize),
+}
+
+impl Place {
+    /// The cylinder that a transition works on; nothing for edges, faces and cones.
+    pub fn of(transition: &Transition) -> Option<Self> {
+        match (transition.feature, transition.step) {
+            (Feature::Bore | Feature::Thread, None) => Some(Self::Main),
+            (Feature::Bore | Feature::Thread | Feature::Step, Some(number)) => Some(Self::Step(number)),
+            _ => None,
+        }
+    }
+}
+
+/// What the drawing asks of a cylinder.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Asked<'p> {
+    pub diameter: &'p ToleratedDiameter,
+    pub roughness: Roughness,
+    /// From the face it is entered from.
+    pub depth: Micrometres,
+    pub through: bool,
+    /// Whether its floor or shoulder is flat.
+    pub flat: bool,
+    pub thread: Option<&'p Thread>,
+    /// What the position of its axis may be off; of steps, which follow the main one, nothing.
+    pub position: Option<Micrometres>,
+}
+
+impl<'p> Asked<'p> {
+    /// What a cylinder of a hole is asked; nothing where the hole has no such step.
+    pub fn of(place: Place, hole: &'p Hole, part: &Part, position: Option<Micrometres>) -> Option<Self> {
+        match place {
+            Place::Main => Some(Self {
+                diameter: &hole.diameter,
+                roughness: hole.roughness,
+                depth: hole.depth,
+                through: hole.through,
+                flat: hole.bottom == Bottom::Flat,
+                thread: hole.thread.as_ref(),
+                position: part.position_tolerance.or(position),
+            }),
+            Place::Step(number) => hole.steps.get(number.checked_sub(1)?).map(|step| Self {
+                diameter: &step.diameter,
+                roughness: step.roughness,
+                depth: step.depth,
+                through: false,
+                flat: step.bottom == Bottom::Flat,
+                thread: step.thread.as_ref(),
+                position: None,
+            }),
+        }
+    }
+}

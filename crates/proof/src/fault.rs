@@ -1,0 +1,153 @@
+//! What fails in a plan, with the inequality that does not hold.
+
+use crate::note::{Figure, Note, Severity};
+use crate::plan::Operation;
+use crate::units::{ItGrade, Micrometres, Roughness, round_to};
+
+pub use crate::tables::rules::Load;
+
+/// What a transition reaches, beside what is asked: at best, ordinarily, asked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Wanting {
+    /// The grade of a diameter.
+    Grade(ItGrade, ItGrade, ItGrade),
+    /// The roughness of a surface.
+    Surface(Roughness, Roughness, Roughness),
+    /// The position of an axis.
+    Position(Micrometres, Micrometres, Micrometres),
+}
+
+/// Something that does not hold.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs)] // the figures have the names of those of the sentences
+pub enum Fault {
+    /// At worst the hole before is as wide as the transition leaves it: it cuts nothing on one side.
+    NoStock { operation: Operation, before: Micrometres, may_be: Micrometres, shift: Micrometres, least: Micrometres },
+    /// The last transition reaches what is asked only at best, or not at all.
+    Wanting { operation: Operation, what: Wanting },
+    /// The hole may be wider than its upper limit.
+    TooWide { operation: Operation, diameter: Micrometres, may_be: Micrometres, limit: Micrometres },
+    /// Nothing leaves the cylinder within its limits.
+    NotFinished { left: Micrometres, smallest: Micrometres, largest: Micrometres },
+    /// A tool wider than the finished hole goes into it.
+    Enters { operation: Operation, tool: Micrometres, limit: Micrometres },
+    /// A spot that stays to be seen around the finished hole.
+    SpotStays { spot: Micrometres, limit: Micrometres },
+    /// The full diameter ends before the drawing's depth.
+    TooShallow { operation: Operation, depth: Micrometres, asked: Micrometres },
+    /// The tip comes out of a blind hole's floor.
+    BreaksThrough { operation: Operation, tip: Micrometres, thickness: Micrometres },
+    /// The tool goes below what was opened for it.
+    Floor { operation: Operation, tip: Micrometres, opened: Micrometres },
+    /// The drill under a thread is out of the limits of its minor diameter.
+    TapHole { diameter: Micrometres, smallest: Micrometres, largest: Micrometres },
+    /// A load takes more of the machine's limit than it may.
+    Overload { operation: Operation, load: Load, value: f64, limit: f64, share: f64 },
+}
+
+impl Fault {
+    /// How grave: what is reached at best only is doubtful, everything else spoils the part or the tool.
+    pub fn severity(&self) -> Severity {
+        match self {
+            Self::Wanting { what, .. } if what.at_best() => Severity::Doubtful,
+            _ => Severity::Error,
+        }
+    }
+
+    /// The sentence.
+    pub fn note(&self) -> Note {
+        let of = |code: &'static str, operation: &Operation| {
+            Note::new(code).with("operation", Figure::operation(operation.name()))
+        };
+        match self {
+            Self::NoStock { operation, before, may_be, shift, least } => of("proof-no-stock", operation)
+                .with("before", before)
+                .with("may_be", may_be)
+                .with("shift", shift)
+                .with("least", least),
+            Self::Wanting { operation, what } => what.told(of(what.code(), operation)),
+            Self::TooWide { operation, diameter, may_be, limit } => of("proof-too-wide", operation)
+                .with("diameter", diameter)
+                .with("may_be", may_be)
+                .with("limit", limit),
+            Self::NotFinished { left, smallest, largest } => Note::new("proof-not-finished")
+                .with("left", left)
+                .with("smallest", smallest)
+                .with("largest", largest),
+            Self::Enters { operation, tool, limit } => {
+                of("proof-enters", operation).with("tool", tool).with("limit", limit)
+            }
+            Self::SpotStays { spot, limit } => Note::new("proof-spot-stays").with("spot", spot).with("limit", limit),
+            Self::TooShallow { operation, depth, asked } => {
+                of("proof-too-shallow", operation).with("depth", depth).with("asked", asked)
+            }
+            Self::BreaksThrough { operation, tip, thickness } => {
+                of("proof-breaks-through", operation).with("tip", tip).with("thickness", thickness)
+            }
+            Self::Floor { operation, tip, opened } => {
+                of("proof-floor", operation).with("tip", tip).with("opened", opened)
+            }
+            Self::TapHole { diameter, smallest, largest } => Note::new("proof-tap-hole")
+                .with("diameter", diameter)
+                .with("smallest", smallest)
+                .with("largest", largest),
+            Self::Overload { operation, load, value, limit, share } => of(overload(*load), operation)
+                .with("value", round_to(*value, 1))
+                .with("limit", round_to(*limit, 1))
+                .with("percent", round_to(share * 100.0, 0)),
+        }
+    }
+}
+
+const fn overload(load: Load) -> &'static str {
+    match load {
+        Load::Thrust => "proof-thrust",
+        Load::Torque => "proof-torque",
+        Load::Power => "proof-power",
+    }
+}
+
+impl Wanting {
+    /// Whether what is asked is reached at best.
+    fn at_best(self) -> bool {
+        match self {
+            Self::Grade(best, _, asked) => best <= asked,
+            Self::Surface(best, _, asked) => best <= asked,
+            Self::Position(best, _, asked) => best <= asked,
+        }
+    }
+
+    /// Whether even what is reached ordinarily suffices.
+    pub(crate) fn holds(self) -> bool {
+        match self {
+            Self::Grade(_, ordinary, asked) => ordinary <= asked,
+            Self::Surface(_, ordinary, asked) => ordinary <= asked,
+            Self::Position(_, ordinary, asked) => ordinary <= asked,
+        }
+    }
+
+    fn code(self) -> &'static str {
+        match (self, self.at_best()) {
+            (Self::Grade(..), true) => "proof-grade-at-best",
+            (Self::Grade(..), false) => "proof-grade",
+            (Self::Surface(..), true) => "proof-surface-at-best",
+            (Self::Surface(..), false) => "proof-surface",
+            (Self::Position(..), true) => "proof-position-at-best",
+            (Self::Position(..), false) => "proof-position",
+        }
+    }
+
+    fn told(self, note: Note) -> Note {
+        match self {
+            Self::Grade(best, ordinary, asked) => {
+                note.with("best", best).with("ordinary", ordinary).with("asked", asked)
+            }
+            Self::Surface(best, ordinary, asked) => {
+                note.with("best", best).with("ordinary", ordinary).with("asked", asked)
+            }
+            Self::Position(best, ordinary, asked) => {
+                note.with("best", best).with("ordinary", ordinary).with("asked", asked)
+            }
+        }
+    }
+}

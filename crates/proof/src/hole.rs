@@ -1,0 +1,316 @@
+//! A hole on its way through the transitions: how wide it may be at worst, where its axis may lie, how deep it is.
+
+use std::collections::BTreeMap;
+
+use crate::error::KnowledgeError;
+use crate::part::{CentreTolerance, Hole, Part, ThreadKind, tolerance_width};
+use crate::plan::{Feature, Operation, Transition};
+use crate::shop::Shop;
+use crate::tables::rules::MadeBy;
+use crate::units::Micrometres;
+
+use super::cylinder::{Asked, Place};
+use super::reach::{Both, Reach, Way, drift};
+use super::{Fault, Wanting, loads};
+
+/// A cylinder as far as it is made.
+#[derive(Clone, Copy, Debug)]
+struct State {
+    made_by: MadeBy,
+    /// The widest it may be.
+    largest: Micrometres,
+    /// How far its axis may lie from where the program sends the tools.
+    axis: Option<Both<Micrometres>>,
+    /// How far it may run off besides, by its end.
+    drift: Micrometres,
+    /// Whether the spindle led its tool, as in boring.
+    led: bool,
+    /// Where its full diameter ends.
+    depth: Micrometres,
+}
+
+/// Everything that fails in the transitions of a hole.
+///
+/// # Errors
+/// The knowledge cannot answer.
+pub fn prove_hole(
+    hole: &Hole,
+    transitions: &[Transition],
+    part: &Part,
+    shop: &Shop<'_>,
+) -> Result<Vec<Fault>, KnowledgeError> {
+    let mut walk = Walk { hole, transitions, part, shop, states: BTreeMap::new(), centred: false, faults: Vec::new() };
+    if let Some(diameter) = hole.state.diameter() {
+        walk.states.insert(Place::Main, State {
+            made_by: MadeBy::BlankHole,
+            largest: diameter,
+            axis: None,
+            drift: Micrometres::ZERO,
+            led: false,
+            depth: part.blank.thickness,
+        });
+    }
+    for (at, transition) in transitions.iter().enumerate() {
+        walk.step(at, transition)?;
+    }
+    Ok(walk.faults)
+}
+
+struct Walk<'a, 'k> {
+    hole: &'a Hole,
+    transitions: &'a [Transition],
+    part: &'a Part,
+    shop: &'a Shop<'k>,
+    states: BTreeMap<Place, State>,
+    centred: bool,
+    faults: Vec<Fault>,
+}
+
+impl Walk<'_, '_> {
+    fn step(&mut self, at: usize, transition: &Transition) -> Result<(), KnowledgeError> {
+        if !transition.elsewhere {
+            self.faults.extend(loads::faults(transition, self.shop)?);
+        }
+        if transition.operation == Operation::CentreDrill {
+            self.centred = true;
+            self.spot(transition);
+            return Ok(());
+        }
+        let Some(place) = Place::of(transition) else { return Ok(()) };
+        let Some(asked) = Asked::of(place, self.hole, self.part, self.position()) else { return Ok(()) };
+        // A step begins as the cylinder that it widens.
+        let before = self.states.get(&place).or_else(|| self.states.get(&Place::Main)).copied();
+        self.enters(transition, &asked);
+        self.depths(transition, &asked, before);
+        if transition.operation == Operation::Tap {
+            return Ok(());
+        }
+        // An end mill that only levels a floor leaves the cylinder as it is.
+        if transition.operation == Operation::Mill && transition.from_diameter_mm == transition.diameter_mm {
+            return Ok(());
+        }
+        let follows: Vec<&Transition> = self.transitions[at + 1..]
+            .iter()
+            .filter(|next| Place::of(next) == Some(place) && next.operation != Operation::Tap)
+            .filter(|next| next.from_diameter_mm != next.diameter_mm)
+            .collect();
+        let last = follows.is_empty();
+        let way = Way {
+            operation: transition.operation,
+            centred: self.centred,
+            after: before.map_or(MadeBy::Solid, |before| before.made_by),
+            last,
+        };
+        let Some(reach) = Reach::of(way, transition.diameter_mm, self.shop)? else { return Ok(()) };
+        if let Some(before) = before {
+            self.stock(transition, &asked, before, reach, last);
+        }
+        let width = reach.width(transition.diameter_mm, self.shop).unwrap_or_default();
+        let state = self.left(transition, before, reach, width)?;
+        if last && !transition.elsewhere {
+            self.finished(transition, &asked, reach, state, width);
+        }
+        self.states.insert(place, state);
+        Ok(())
+    }
+
+    /// What the position of the axis may be off, where the drawing says it as a width.
+    fn position(&self) -> Option<Micrometres> {
+        match self.hole.centre_tolerance {
+            CentreTolerance::Width(width) => Some(width),
+            CentreTolerance::Grade { it } => {
+                let distance = self.hole.smallest_centre_distance()?;
+                tolerance_width(it, distance, self.shop.knowledge).ok()
+            }
+        }
+    }
+
+    /// The spot of a centring drill goes away with the hole or is the edge that the drawing has.
+    fn spot(&mut self, transition: &Transition) {
+        let hole = self.hole;
+        let chamfer = hole.chamfer.map(|chamfer| hole.diameter.nominal + chamfer + chamfer);
+        let thread = hole.thread.as_ref().map(|thread| thread.size + thread.pitch + thread.pitch);
+        let cone = hole.cone.as_ref().map(|_| transition.diameter_mm);
+        let edges = [
+            chamfer,
+            thread,
+            cone,
+            hole.countersink.as_ref().map(|countersink| countersink.diameter),
+            hole.counterbore.as_ref().map(|counterbore| counterbore.diameter),
+            hole.face,
+            hole.steps.iter().map(|step| step.diameter.nominal).max(),
+        ];
+        let limit = edges.into_iter().flatten().max().unwrap_or_default().max(hole.diameter.largest());
+        if transition.diameter_mm > limit {
+            self.faults.push(Fault::SpotStays { spot: transition.diameter_mm, limit });
+        }
+    }
+
+    /// Nothing wider than the finished cylinder goes into it.
+    fn enters(&mut self, transition: &Transition, asked: &Asked<'_>) {
+        let limit = match (transition.feature, asked.thread) {
+            (Feature::Thread, Some(thread)) => thread.size,
+            _ => asked.diameter.largest(),
+        };
+        let own = matches!(
+            transition.operation,
+            Operation::Drill | Operation::DrillOut | Operation::CoreDrill | Operation::Counterbore | Operation::Mill
+        );
+        // A core drill or reamer is ground to size; a step drill makes its opening with its wide part.
+        let tool = match transition.operation {
+            Operation::CoreDrill => transition.diameter_mm,
+            _ => transition.tool.diameter_mm.min(transition.also_diameter_mm.unwrap_or(transition.tool.diameter_mm)),
+        };
+        let tool = if transition.also_diameter_mm.is_some() { transition.diameter_mm } else { tool };
+        if own && tool > limit && asked.thread.is_none_or(|thread| thread.kind == ThreadKind::Cylindrical) {
+            self.faults.push(Fault::Enters { operation: transition.operation, tool, limit });
+        }
+    }
+
+    /// Depths: the drawing's, the floor, what was opened before.
+    fn depths(&mut self, transition: &Transition, asked: &Asked<'_>, before: Option<State>) {
+        let (operation, tip) = (transition.operation, transition.end());
+        if !self.hole.through && tip >= self.part.blank.thickness {
+            let thickness = self.part.blank.thickness;
+            self.faults.push(Fault::BreaksThrough { operation, tip, thickness });
+        }
+        let follows = operation.is_reaming() || operation == Operation::Tap;
+        if let Some(before) = before.filter(|_| follows && !asked.through && !self.hole.through)
+            && tip > before.depth
+            && Place::of(transition) == Some(Place::Main)
+        {
+            self.faults.push(Fault::Floor { operation, tip, opened: before.depth });
+        }
+    }
+
+    /// The stock at worst: the widest the hole before may be, with its axis off to one side.
+    fn stock(&mut self, transition: &Transition, asked: &Asked<'_>, before: State, reach: Reach, last: bool) {
+        let shift = match (reach.own_axis, before.axis) {
+            // The spindle goes to the same point twice.
+            (Some(own), Some(_)) if before.led => own.best + own.best,
+            (Some(own), Some(axis)) => {
+                let aside = own.best + axis.ordinary + before.drift;
+                aside + aside
+            }
+            _ => Micrometres::ZERO,
+        };
+        let after = if last && !transition.elsewhere {
+            asked.diameter.smallest().max(transition.diameter_mm.min(asked.diameter.largest()))
+        } else {
+            transition.diameter_mm
+        };
+        let least = after - before.largest - shift;
+        if least <= Micrometres::ZERO {
+            self.faults.push(Fault::NoStock {
+                operation: transition.operation,
+                before: transition.from_diameter_mm,
+                may_be: before.largest,
+                shift,
+                least,
+            });
+        }
+    }
+
+    /// The cylinder after a transition.
+    fn left(
+        &self,
+        transition: &Transition,
+        before: Option<State>,
+        reach: Reach,
+        width: Micrometres,
+    ) -> Result<State, KnowledgeError> {
+        let drilled = transition.operation == Operation::Drill;
+        let along = transition.depth_mm - transition.start_mm;
+        let (axis, drift, led) = match (reach.own_axis, before) {
+            (Some(own), _) if drilled => (Some(own), drift(transition.diameter_mm, along, self.shop)?, false),
+            (Some(own), _) => (Some(own), Micrometres::ZERO, true),
+            (None, Some(before)) => (before.axis, before.drift, before.led),
+            (None, None) => (None, Micrometres::ZERO, false),
+        };
+        let depth = transition.depth_mm;
+        Ok(State {
+            made_by: made_by(transition.operation, before),
+            largest: transition.diameter_mm + width,
+            axis,
+            drift,
+            led,
+            depth,
+        })
+    }
+
+    /// What the last transition leaves, against the drawing.
+    fn finished(
+        &mut self,
+        transition: &Transition,
+        asked: &Asked<'_>,
+        reach: Reach,
+        state: State,
+        width: Micrometres,
+    ) {
+        let operation = transition.operation;
+        if transition.depth_mm < asked.depth && !asked.flat {
+            self.faults.push(Fault::TooShallow { operation, depth: transition.depth_mm, asked: asked.depth });
+        }
+        if let Some(thread) = asked.thread {
+            if thread.kind == ThreadKind::Cylindrical && transition.feature != Feature::Thread {
+                self.tap_hole(transition, thread.size, thread.pitch);
+            }
+            return;
+        }
+        let (smallest, largest) = (asked.diameter.smallest(), asked.diameter.largest());
+        let left = transition.diameter_mm;
+        if !(smallest..=largest).contains(&left) {
+            self.faults.push(Fault::NotFinished { left, smallest, largest });
+            return;
+        }
+        let mut wanting = Vec::new();
+        let mut grade = true;
+        if let Some(it) = reach.it {
+            let what = Wanting::Grade(it.best, it.ordinary, asked.diameter.it);
+            grade = what.holds();
+            wanting.push(what);
+        }
+        wanting.push(Wanting::Surface(reach.roughness.best, reach.roughness.ordinary, asked.roughness));
+        if let Some((axis, position)) = state.axis.zip(asked.position) {
+            wanting.push(Wanting::Position(axis.best, axis.ordinary, position));
+        }
+        let wanting = wanting.into_iter().filter(|what| !what.holds());
+        self.faults.extend(wanting.map(|what| Fault::Wanting { operation, what }));
+        // The size of these tools is not that of the field: they leave what they leave.
+        let fixed = matches!(operation, Operation::Drill | Operation::DrillOut | Operation::Counterbore);
+        let may_be = left + width;
+        if fixed && grade && may_be > largest {
+            self.faults.push(Fault::TooWide { operation, diameter: left, may_be, limit: largest });
+        }
+    }
+
+    /// The hole under a thread: inside the limits of the minor diameter of an internal thread 6H.
+    ///
+    /// ISO 965-1: D1 = d − 1.0825 P at least; TD1(6) = 433 P − 190 P^1.22 µm below a pitch of 1 mm and 230 P^0.7 µm from it
+    /// on. That the hole is wider than its drill is left out: the drills of ГОСТ 19257 leave room for it.
+    fn tap_hole(&mut self, transition: &Transition, size: Micrometres, pitch: Micrometres) {
+        let p = pitch.to_mm();
+        let tolerance = match p < 1.0 {
+            true => 433.0 * p - 190.0 * libm::pow(p, 1.22),
+            false => 230.0 * libm::pow(p, 0.7),
+        };
+        let smallest = Micrometres::from_mm_rounded(size.to_mm() - 1.082_532 * p);
+        let largest = smallest + Micrometres::from_mm_rounded(tolerance / 1000.0);
+        let diameter = transition.diameter_mm;
+        if diameter < smallest || diameter > largest {
+            self.faults.push(Fault::TapHole { diameter, smallest, largest });
+        }
+    }
+}
+
+fn made_by(operation: Operation, before: Option<State>) -> MadeBy {
+    match operation {
+        Operation::Drill | Operation::DrillOut | Operation::CentreDrill => MadeBy::Drill,
+        Operation::CoreDrill => MadeBy::CoreDrill,
+        Operation::RoughBore | Operation::SemiFinishBore | Operation::FinishBore => MadeBy::Bore,
+        Operation::Mill => MadeBy::Mill,
+        Operation::Counterbore | Operation::Countersink | Operation::Chamfer => MadeBy::Counterbore,
+        Operation::RoughReam | Operation::FinishReam => MadeBy::Ream,
+        Operation::Tap => before.map_or(MadeBy::Solid, |before| before.made_by),
+    }
+}

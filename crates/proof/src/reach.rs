@@ -1,0 +1,80 @@
+//! What the tables of practice say of a transition: what it reaches, where its axis goes.
+
+use crate::error::KnowledgeError;
+use crate::part::tolerance_width;
+use crate::plan::Operation;
+use crate::shop::Shop;
+use crate::tables::practice::{DrillDriftFor, HolePositionReachFor, ReachOfTransitionFor};
+use crate::tables::rules::{MadeBy, WayOfTransitionFor, Worst};
+use crate::units::{ItGrade, Micrometres, Roughness};
+
+/// A figure at best and ordinarily.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Both<T> {
+    pub best: T,
+    pub ordinary: T,
+}
+
+/// What a transition reaches.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Reach {
+    /// The grade of its diameter; nothing of threads.
+    pub it: Option<Both<ItGrade>>,
+    pub roughness: Both<Roughness>,
+    /// How far its axis may lie from where the program sends it; nothing where it goes the way of the hole.
+    pub own_axis: Option<Both<Micrometres>>,
+    worst: Worst,
+}
+
+/// What the way of a transition is told by.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Way {
+    pub operation: Operation,
+    pub centred: bool,
+    pub after: MadeBy,
+    pub last: bool,
+}
+
+impl Reach {
+    /// What a transition reaches in a hole of that diameter; nothing of a spot.
+    pub fn of(way: Way, diameter: Micrometres, shop: &Shop<'_>) -> Result<Option<Self>, KnowledgeError> {
+        if way.operation == Operation::CentreDrill {
+            return Ok(None);
+        }
+        let knowledge = shop.knowledge;
+        let Way { operation, centred, after, last } = way;
+        let named = knowledge.ask(&WayOfTransitionFor { operation, centred, after, last })?.need(operation.name())?;
+        let Some(row) = knowledge.ask(&ReachOfTransitionFor { way: named.way, diameter })?.winner()? else {
+            return Ok(None);
+        };
+        let axis = knowledge.ask(&HolePositionReachFor { way: named.way })?.need(named.way)?;
+        let own = axis.error_best.zip(axis.error_ordinary).filter(|_| !axis.follows);
+        Ok(Some(Self {
+            it: row.it_best.zip(row.it_ordinary).map(|(best, ordinary)| Both { best, ordinary }),
+            roughness: Both { best: Roughness::from_ra(row.ra_best), ordinary: Roughness::from_ra(row.ra_ordinary) },
+            own_axis: own.map(|(best, ordinary)| Both { best, ordinary }),
+            worst: named.worst,
+        }))
+    }
+
+    /// How much wider than its tool a hole of that diameter may be, as the sizes at worst are reckoned; nothing where the
+    /// tables of tolerances end.
+    pub fn width(&self, diameter: Micrometres, shop: &Shop<'_>) -> Option<Micrometres> {
+        let it = self.it?;
+        let grade = match self.worst {
+            Worst::Best => it.best,
+            Worst::Ordinary => it.ordinary,
+        };
+        tolerance_width(grade, diameter, shop.knowledge).ok()
+    }
+}
+
+/// How far the axis of a drilled hole runs off by its end; nothing for diameters that the table has not.
+pub(crate) fn drift(
+    diameter: Micrometres,
+    depth: Micrometres,
+    shop: &Shop<'_>,
+) -> Result<Micrometres, KnowledgeError> {
+    let row = shop.knowledge.ask(&DrillDriftFor { diameter }).ok().map(|answer| answer.winner()).transpose()?.flatten();
+    Ok(row.map_or(Micrometres::ZERO, |row| Micrometres::from_mm_rounded(row.drift * depth.to_mm() / 1000.0)))
+}
