@@ -229,7 +229,7 @@ impl Walk<'_, '_> {
         };
         let depth = transition.depth_mm;
         Ok(State {
-            made_by: made_by(transition.operation, before),
+            made_by: MadeBy::of(transition.operation).or(before.map(|it| it.made_by)).unwrap_or(MadeBy::Solid),
             largest: transition.diameter_mm + width,
             axis,
             drift,
@@ -300,17 +300,5 @@ impl Walk<'_, '_> {
         if diameter < smallest || diameter > largest {
             self.faults.push(Fault::TapHole { diameter, smallest, largest });
         }
-    }
-}
-
-fn made_by(operation: Operation, before: Option<State>) -> MadeBy {
-    match operation {
-        Operation::Drill | Operation::DrillOut | Operation::CentreDrill => MadeBy::Drill,
-        Operation::CoreDrill => MadeBy::CoreDrill,
-        Operation::RoughBore | Operation::SemiFinishBore | Operation::FinishBore => MadeBy::Bore,
-        Operation::Mill => MadeBy::Mill,
-        Operation::Counterbore | Operation::Countersink | Operation::Chamfer => MadeBy::Counterbore,
-        Operation::RoughReam | Operation::FinishReam => MadeBy::Ream,
-        Operation::Tap => before.map_or(MadeBy::Solid, |before| before.made_by),
     }
 }

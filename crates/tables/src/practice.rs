@@ -3,6 +3,8 @@
 use technolog_knowledge::rows;
 use technolog_knowledge::units::{ItGrade, Micrometres, Microns};
 
+use crate::rules::ReamingCase;
+
 rows! {
     /// What a way of working reaches on an ordinary machine tool.
     pub struct ReachOfTransition of One("reach-of-transition") asked by ReachOfTransitionFor<'t> {
@@ -30,4 +32,13 @@ rows! {
     } {
         drift: f64,
     } shown { offset }
+
+    /// Stock before reaming, on diameter.
+    pub struct StockBeforeReaming of One("stock-before-reaming") asked by StockBeforeReamingFor {
+        case: ReamingCase,
+        diameter: Micrometres,
+    } {
+        stock_min: Micrometres,
+        stock_max: Micrometres,
+    } shown { american_min, american_max, european_min, european_max, soviet_min, soviet_max, pages }
 }

@@ -14,8 +14,10 @@ rows! {
     /// The allowance that a transition removes.
     pub struct AllowanceBefore of One("allowance-before") asked by AllowanceBeforeFor {
         operation: Operation,
+        after: MadeBy,
     } {
-        allowance: &'t str,
+        allowance: Option<&'t str>,
+        case: Option<ReamingCase>,
         share: f64,
     }
 
@@ -311,5 +313,20 @@ rows! {
     } {
         way: &'t str,
         worst: Worst,
+    }
+}
+
+impl MadeBy {
+    /// What a hole is made by when an operation was the last; nothing for those that leave its cylinder as it is.
+    pub const fn of(operation: Operation) -> Option<Self> {
+        match operation {
+            Operation::Drill | Operation::DrillOut => Some(Self::Drill),
+            Operation::CoreDrill => Some(Self::CoreDrill),
+            Operation::RoughBore | Operation::SemiFinishBore | Operation::FinishBore => Some(Self::Bore),
+            Operation::Mill => Some(Self::Mill),
+            Operation::Counterbore => Some(Self::Counterbore),
+            Operation::RoughReam | Operation::FinishReam => Some(Self::Ream),
+            Operation::CentreDrill | Operation::Countersink | Operation::Chamfer | Operation::Tap => None,
+        }
     }
 }

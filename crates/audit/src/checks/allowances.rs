@@ -58,7 +58,8 @@ fn backwards(
         let (at, row) = rows[index];
         let previous = index.checked_sub(1).map(|before| (rows[before], left[before]));
         let Some(before) = previous.map(|(_, left)| left).or(hole.state.diameter()) else { return Ok(()) };
-        let Some(range) = range(row.operation.value, hole.diameter.nominal, &context.shop)? else {
+        let operation_before = previous.map(|((_, other), _)| other.operation.value);
+        let Some(range) = range(row.operation.value, operation_before, hole.diameter.nominal, &context.shop)? else {
             (after, window) = (before, (before, before));
             continue;
         };

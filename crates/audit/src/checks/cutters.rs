@@ -110,7 +110,7 @@ fn backed(context: &Context<'_>, at: usize, row: &Row, hole: &Hole) -> Result<bo
     };
     let stated = |quantity| next.figures.get(&quantity).map(|figure| Micrometres::from_mm_rounded(figure.value));
     let stock = stated(Q::Diameter).map(|after| after - value);
-    let range = range(next.operation.value, hole.diameter.nominal, &context.shop)?;
+    let range = range(next.operation.value, Some(row.operation.value), hole.diameter.nominal, &context.shop)?;
     let found = range.zip(stock).is_some_and(|(range, stock)| (range.low..=range.high).contains(&stock));
     Ok(found || stated(Q::From) == Some(value))
 }

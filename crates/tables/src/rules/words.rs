@@ -191,4 +191,13 @@ vocabulary! {
         /// What it reaches ordinarily.
         Ordinary = "ordinary",
     }
+
+    /// Which reamer follows what.
+    pub enum ReamingCase {
+        OneAfterDrill = "one-after-drill",
+        OneAfterCoreDrill = "one-after-core-drill",
+        RoughAfterDrill = "rough-after-drill",
+        RoughAfterCoreDrill = "rough-after-core-drill",
+        FinishAfterRough = "finish-after-rough",
+    }
 }

@@ -55,3 +55,4 @@ card-point-forces-differ = the card prints V = { $speed } m/min, P = { $thrust }
 card-corrections = the example's factors: speed × { $product }, material { $material }
 card-without-depth = { $ratio } diameters deep: the factor { $factor } of { $table } is left out, the cards' own for depth are not known
 card-other-material = the cards' factors for { $material } are not known
+stock-of-practice = in practice a reamer finds { $low } to { $high } mm on diameter

@@ -55,3 +55,4 @@ card-point-forces-differ = карта друкує тут V = { $speed } м/хв
 card-corrections = поправки прикладу: швидкість × { $product }, матеріал { $material }
 card-without-depth = глибина { $ratio } D: коефіцієнт { $factor } ({ $table }) не враховано, поправки карт на глибину невідомі
 card-other-material = поправки карт для матеріалу { $material } невідомі
+stock-of-practice = на практиці розвертка знаходить від { $low } до { $high } мм на діаметр

@@ -6,7 +6,8 @@ use crate::note::{Because, Note};
 use crate::plan::Operation;
 use crate::shop::Shop;
 use crate::tables::holes::{Allowance as Row, HoleDefault};
-use crate::tables::rules::{AllowanceBeforeFor, DrillBeforeCoreDrillFor};
+use crate::tables::practice::StockBeforeReamingFor;
+use crate::tables::rules::{AllowanceBefore, AllowanceBeforeFor, DrillBeforeCoreDrillFor, MadeBy};
 use crate::units::Micrometres;
 use technolog_note::note;
 
@@ -23,12 +24,14 @@ pub struct Range<'k> {
     pub least_is_ours: bool,
 }
 
-/// The range of a transition in a hole of that nominal diameter; nothing for those that section 1.2.1 gives no stock.
+/// The range of a transition after another in a hole of that nominal diameter; nothing for those that neither section
+/// 1.2.1 nor practice gives a stock.
 ///
 /// # Errors
 /// The knowledge cannot answer.
 pub fn range<'k>(
     operation: Operation,
+    previous: Option<Operation>,
     nominal: Micrometres,
     shop: &Shop<'k>,
 ) -> Result<Option<Range<'k>>, KnowledgeError> {
@@ -36,7 +39,7 @@ pub fn range<'k>(
     if !named {
         return Ok(None);
     }
-    let Allowance { low, high, row, least_is_ours, .. } = allowance(operation, nominal, nominal, None, shop)?;
+    let Allowance { low, high, row, least_is_ours, .. } = allowance(operation, nominal, nominal, previous, shop)?;
     Ok(Some(Range { low, high, row, least_is_ours }))
 }
 
@@ -52,7 +55,8 @@ pub(super) struct Allowance<'k> {
     pub stock: Option<Because>,
 }
 
-/// The allowance of a transition that leaves `after`, by the rule `allowance-before` and section 1.2.1.
+/// The allowance of a transition that leaves `after`, by the rule `allowance-before`, section 1.2.1 and what reamers find
+/// in practice.
 pub(super) fn allowance<'k>(
     operation: Operation,
     after: Micrometres,
@@ -60,8 +64,29 @@ pub(super) fn allowance<'k>(
     previous: Option<Operation>,
     shop: &Shop<'k>,
 ) -> Result<Allowance<'k>, KnowledgeError> {
-    let choice = shop.knowledge.ask(&AllowanceBeforeFor { operation })?.need(operation.name())?;
-    let found = shop.knowledge.need(choice.allowance, |row: &Row<'_>| row.name == choice.allowance)?;
+    let made_by = previous.and_then(MadeBy::of).unwrap_or(MadeBy::BlankHole);
+    let choice =
+        shop.knowledge.ask(&AllowanceBeforeFor { operation, after: made_by })?.need(operation.name())?;
+    let practice = match choice.case {
+        None => None,
+        Some(case) => {
+            let question = StockBeforeReamingFor { case, diameter: nominal };
+            Some(shop.knowledge.ask(&question)?.need(case.name())?)
+        }
+    };
+    let within = |low: Micrometres, high: Micrometres| {
+        low + Micrometres::from_mm_rounded((high - low).to_mm() * choice.share)
+    };
+    let Some(name) = choice.allowance else {
+        let Some(found) = practice else {
+            let table = shop.knowledge.table_of::<AllowanceBefore<'_>>()?;
+            return Err(KnowledgeError::no_row(table, operation.name()));
+        };
+        let (low, high) = (found.stock_min, found.stock_max);
+        let aim = within(low, high);
+        return Ok(Allowance { low, high, aim, row: found.row, least_is_ours: false, stock: None });
+    };
+    let found = shop.knowledge.need(name, |row: &Row<'_>| row.name == name)?;
     let row = found.row;
     if let Some(share) = found.share {
         // A share of the diameter is the most; inside it the handbook's stock, measured from the finished hole.
@@ -77,8 +102,14 @@ pub(super) fn allowance<'k>(
     }
     let low = found.minimum.ok_or_else(|| lacks(&found, "minimum"))?;
     let high = found.maximum.ok_or_else(|| lacks(&found, "maximum"))?;
-    let aim = Micrometres::from_mm_rounded(low.to_mm() + (high - low).to_mm() * choice.share);
-    Ok(Allowance { low, high, aim, row, least_is_ours: false, stock: None })
+    let aim = within(low, high);
+    let Some(practice) = practice else {
+        return Ok(Allowance { low, high, aim, row, least_is_ours: false, stock: None });
+    };
+    let (least, most) = (low.min(practice.stock_min), high.max(practice.stock_max));
+    let note = Note::new("stock-of-practice").with("low", practice.stock_min).with("high", practice.stock_max);
+    let stock = Some(Because::row(practice.row, note));
+    Ok(Allowance { low: least, high: most, aim, row, least_is_ours: false, stock })
 }
 
 /// An allowance is either a share of the diameter or a range; this one is neither.
