@@ -227,7 +227,9 @@ impl Walk<'_, '_> {
             (None, Some(before)) => (before.axis, before.drift, before.led),
             (None, None) => (None, Micrometres::ZERO, false),
         };
-        let depth = transition.depth_mm;
+        // A reamer does not go where its lead went: what was opened before it stays the room of the next.
+        let opened = before.filter(|_| transition.operation.is_reaming()).map(|before| before.depth);
+        let depth = opened.unwrap_or(transition.depth_mm).max(transition.depth_mm);
         Ok(State {
             made_by: MadeBy::of(transition.operation).or(before.map(|it| it.made_by)).unwrap_or(MadeBy::Solid),
             largest: transition.diameter_mm + width,

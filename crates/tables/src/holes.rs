@@ -67,6 +67,7 @@ vocabulary! {
         CutterGrindLimit = "cutter-grind-limit-mm",
         MillClearance = "mill-clearance-mm",
         MilledRoundnessShare = "milled-roundness-share",
+        ReamerLeadShare = "reamer-lead-share",
         TapClampDiameters = "tap-clamp-diameters",
         ThreadRunoutPitches = "thread-runout-pitches",
         TapLeadPitches = "tap-lead-pitches",

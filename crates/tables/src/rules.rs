@@ -222,7 +222,7 @@ rows! {
     pub struct StockForElsewhere of One("stock-for-elsewhere") asked by StockForElsewhereFor {
         diameter: Micrometres,
     } {
-        allowances: Vec<&'t str>,
+        transitions: Vec<Operation>,
     }
 
     /// Surface of the blank, for the speed factor.

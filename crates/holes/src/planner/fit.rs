@@ -146,6 +146,8 @@ pub(super) struct Fitting<'p, 'k> {
     clearance: Micrometres,
     floor_clearance: Micrometres,
     grind_limit: Micrometres,
+    /// How many times the lead of a reamer is what its stock asks.
+    reamer_lead_share: f64,
     /// Lead of a tap, pitches.
     tap_lead: f64,
     known: RefCell<BTreeMap<OutfitKey, Result<Outfit, Reason>>>,
@@ -185,6 +187,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             clearance: shop.convention(HoleDefault::MillClearance)?,
             floor_clearance: shop.convention(HoleDefault::FloorClearance)?,
             grind_limit: shop.convention(HoleDefault::CutterGrindLimit)?,
+            reamer_lead_share: shop.share(HoleDefault::ReamerLeadShare)?,
             tap_lead: shop.share(HoleDefault::TapLeadPitches)?,
             known: RefCell::new(BTreeMap::new()),
             spots: RefCell::new(BTreeMap::new()),

@@ -103,6 +103,8 @@ pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result
         findings,
     };
     sequence::timed(&mut plan, &shop)?;
+    // Whoever chose and whatever was chosen: the plan as it stands is proven.
+    plan.findings.extend(technolog_proof::prove(&plan, &shop)?);
     unconfirmed(&mut plan);
     Finding::in_order(&mut plan.findings);
     Ok(plan)
@@ -152,9 +154,6 @@ fn draft(
     if options.not_bored {
         report(Severity::Doubtful, Note::new("not-bored"));
     }
-    for note in &choice.at_best {
-        report(Severity::Doubtful, note.clone());
-    }
     for missed in &choice.misses {
         report(Severity::Wrong, missed.clone().with("scheme", Figure::scheme(&choice.candidate.scheme)));
     }
@@ -166,6 +165,7 @@ fn draft(
             Remark::FinishedElsewhere(diameter) => {
                 report(Severity::Note, Note::new("step-finished-elsewhere").with("diameter", diameter));
             }
+            Remark::ReamedShort(lead) => report(Severity::Doubtful, Note::new("reamed-short").with("lead", lead)),
             Remark::Promised { it, own } => {
                 let note = Note::new("promised-finer").with("it", it).with("own", own);
                 report(Severity::Doubtful, note.with("table", &choice.candidate.table));

@@ -130,6 +130,7 @@ impl Finder<'_, '_> {
         if self.level_floor {
             self.flat_floor(&mut steps)?;
         }
+        self.fitting.room_for_leads(&mut steps, main.flat);
         for step in &mut steps {
             step.elsewhere |= step.operation == Operation::Tap && !self.shop.machine.can_tap;
         }

@@ -8,7 +8,7 @@ use crate::part::{ThreadKind, ToleratedDiameter};
 use crate::plan::Operation;
 use crate::reason::Reason;
 use crate::shop::Shop;
-use crate::tables::holes::{Allowance, HoleDefault};
+use crate::tables::holes::HoleDefault;
 use crate::tables::rules::{BoringInstead, MillInstead, MillOrBoreFor, StockForElsewhereFor, TooSmallToBoreFor};
 use crate::tables::standards::ConicalThread;
 use crate::units::Micrometres;
@@ -50,7 +50,7 @@ pub struct Sizes<'a> {
 pub fn steps(candidate: &Candidate, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop<'_>) -> Tried<Vec<RouteStep>> {
     let (transitions, replaced) = milled(&candidate.transitions, bore, sizes, shop)?;
     let mut steps: Vec<RouteStep> = Vec::new();
-    let (mut after, left) = finished(candidate, bore, shop)?;
+    let (mut after, left, elsewhere) = finished(candidate, bore, shop)?;
     for index in (0..transitions.len()).rev() {
         let previous = index.checked_sub(1).map(|before| transitions[before]);
         let question = Backwards { operation: transitions[index], after, previous, bore, sizes, shop };
@@ -74,8 +74,15 @@ pub fn steps(candidate: &Candidate, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop<
         step.because.push(reason);
     }
     two_passes(&mut steps, bore, sizes, shop)?;
+    for (operation, diameter) in elsewhere {
+        let from = steps.last().map_or(Micrometres::ZERO, |last| last.diameter);
+        steps.push(RouteStep { elsewhere: true, ..RouteStep::plain(operation, bore.place, diameter, from) });
+    }
     Ok(steps)
 }
+
+/// Transitions on another machine, each with the diameter it leaves.
+type Elsewhere = Vec<(Operation, Micrometres)>;
 
 /// The transitions with the first opening milled where the rule `mill-or-bore` says so.
 fn milled(
@@ -103,26 +110,31 @@ fn milled(
 }
 
 /// The diameter the route ends at: the cylinder's, or smaller by the stock for a finish on another machine
-/// (rule `stock-for-elsewhere`); of a thread its own.
+/// (rule `stock-for-elsewhere`), with the transitions that take it there; of a thread its own.
 fn finished(
     candidate: &Candidate,
     bore: &Bore,
     shop: &Shop<'_>,
-) -> Result<(Micrometres, Option<Because>), KnowledgeError> {
+) -> Result<(Micrometres, Option<Because>, Elsewhere), KnowledgeError> {
     if let (Some(thread), Some(Operation::Tap)) = (&bore.thread, candidate.transitions.last()) {
-        return Ok((thread.size, None));
+        return Ok((thread.size, None, Vec::new()));
     }
     let target = bore.diameter.target();
     if !candidate.finish_elsewhere {
-        return Ok((target, None));
+        return Ok((target, None, Vec::new()));
     }
     let rule = shop.knowledge.ask(&StockForElsewhereFor { diameter: target })?.need("this diameter")?;
-    let mut stock = Micrometres::ZERO;
-    for name in rule.allowances {
-        let allowance = shop.knowledge.need(name, |row: &Allowance<'_>| row.name == name)?;
-        stock = stock + allowance.maximum.ok_or_else(|| allowance::lacks(&allowance, "maximum"))?;
+    let (mut after, mut elsewhere) = (target, Vec::new());
+    for (index, operation) in rule.transitions.iter().enumerate().rev() {
+        elsewhere.push((*operation, after));
+        let previous = index.checked_sub(1).map_or(Operation::Drill, |before| rule.transitions[before]);
+        let range = allowance(*operation, after, bore.diameter.nominal, Some(previous), shop)?;
+        after = after - range.high;
     }
-    Ok((target - stock, Some(Because::row(rule.row, Note::new("stock-for-elsewhere").with("stock", stock)))))
+    elsewhere.reverse();
+    let stock = target - after;
+    let note = Note::new("stock-for-elsewhere").with("stock", stock);
+    Ok((after, Some(Because::row(rule.row, note)), elsewhere))
 }
 
 /// One transition, seen from what it must leave.

@@ -112,6 +112,8 @@ pub struct RouteStep {
 pub enum Remark {
     /// A step of the hole, of that diameter, is finished on another machine.
     FinishedElsewhere(ToleratedDiameter),
+    /// Over a flat floor a reamer ends so far above it as its lead is long.
+    ReamedShort(Micrometres),
     /// A table promises a finer grade than the chain of transitions reaches.
     Promised {
         /// The grade that is promised.

@@ -18,3 +18,4 @@ proof-thrust = { $operation }: thrust { $value } N > { $percent } % of the permi
 proof-torque = { $operation }: torque { $value } N·m > { $percent } % of the permissible { $limit } N·m
 proof-power = { $operation }: power { $value } kW > { $percent } % of the drive's { $limit } kW
 not-proven = the plan is not proven: { $why }
+reamed-short = over the flat floor the reamer leaves { $lead } mm of the depth unreamed: its lead

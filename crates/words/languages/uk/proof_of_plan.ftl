@@ -18,3 +18,4 @@ proof-thrust = { $operation }: осьова сила { $value } Н > { $percent 
 proof-torque = { $operation }: крутний момент { $value } Н·м > { $percent } % від допустимих { $limit } Н·м
 proof-power = { $operation }: потужність { $value } кВт > { $percent } % від { $limit } кВт привода
 not-proven = план не доведено: { $why }
+reamed-short = над плоским дном розвертка лишає { $lead } мм глибини нерозгорнутими: її забірна частина

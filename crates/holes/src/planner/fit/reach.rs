@@ -4,7 +4,8 @@ use crate::knowledge::Knowledge;
 use crate::note::{Because, Note};
 use crate::part::Face;
 use crate::plan::{Feature, Operation};
-use crate::route::{RouteStep, StepLocation};
+use crate::route::{Remark, RouteStep, StepLocation};
+use crate::tables::rules::Lead;
 use crate::units::{Decimal, Micrometres};
 
 use super::{Fitted, Fitting};
@@ -49,9 +50,38 @@ impl Fitting<'_, '_> {
         match step.operation {
             Operation::Drill | Operation::DrillOut => cone(step.diameter, self.drill_point),
             Operation::CoreDrill => cone(step.diameter - step.from, self.core_drill_point),
+            Operation::RoughReam | Operation::FinishReam => self.reamer_lead(step.diameter - step.from),
             // The thread is full only behind the tap's lead.
             Operation::Tap => Micrometres::from_mm_rounded(step.pitch.unwrap_or_default().to_mm() * self.tap_lead),
             _ => Micrometres::ZERO,
+        }
+    }
+
+    /// The lead of a reamer that takes this stock on diameter: as long as its angle makes it on one side, and a little more.
+    fn reamer_lead(&self, stock: Micrometres) -> Micrometres {
+        let angle: f64 = match self.lead {
+            Lead::Deg5 => 5.0,
+            Lead::Deg15 => 15.0,
+        };
+        let one_side = stock.to_mm() / 2.0;
+        Micrometres::from_mm_rounded(self.reamer_lead_share * one_side / libm::tan(angle.to_radians()))
+    }
+
+    /// Room below a blind hole's depth for the leads of its reamers: what is made before them goes so much deeper. Over a
+    /// flat floor there is none: the reamers end above it.
+    pub fn room_for_leads(&self, steps: &mut [RouteStep], flat: bool) {
+        let reams = |step: &RouteStep| step.operation.is_reaming() && !step.place.through && !step.elsewhere;
+        let Some(first) = steps.iter().position(reams) else { return };
+        let room = steps.iter().filter(|step| reams(step)).map(|step| self.lead(step)).max().unwrap_or_default();
+        if flat {
+            for step in steps.iter_mut().filter(|step| reams(step)) {
+                step.place.depth = (step.place.depth - room).max(Micrometres::new(1));
+                step.remarks = vec![Remark::ReamedShort(room)];
+            }
+            return;
+        }
+        for step in steps[..first].iter_mut().filter(|step| step.operation != Operation::CentreDrill) {
+            step.place.depth = step.place.depth + room;
         }
     }
 

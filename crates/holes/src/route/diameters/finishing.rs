@@ -2,12 +2,13 @@
 
 use crate::error::{Refusal, Tried};
 use crate::note::{Because, Figure, Note};
+use crate::part::tolerance_width;
 use crate::plan::Operation;
 use crate::reason::Reason;
 use crate::tables::holes::HoleDefault;
 use crate::units::Micrometres;
 
-use super::super::{RouteStep, handbook, openings};
+use super::super::{RouteStep, accuracy, handbook, openings};
 use super::{Backwards, allowance};
 
 impl Backwards<'_, '_> {
@@ -34,7 +35,12 @@ impl Backwards<'_, '_> {
             }
             start
         } else if self.after_drill() {
-            let inside = |drill: &Micrometres| *drill >= smallest && *drill <= largest && *drill < after;
+            // What a drill may leave at worst must still be narrower than the transition leaves it.
+            let drilled = accuracy::drilled(shop)?;
+            let leaves_stock = |drill: Micrometres| {
+                tolerance_width(drilled, drill, shop.knowledge).is_ok_and(|width| drill + width < after)
+            };
+            let inside = |drill: &Micrometres| *drill >= smallest && *drill <= largest && leaves_stock(*drill);
             let drills = sizes.drills.iter().copied().filter(inside);
             let nearest = drills.min_by_key(|drill| ((*drill - aim).abs(), *drill));
             nearest.ok_or_else(|| {
