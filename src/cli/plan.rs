@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 
 use technolog::knowledge::diagnostic::nearest;
 use technolog::knowledge::{Diagnostic, Knowledge};
-use technolog::part::read_part;
+use technolog::error::KnowledgeError;
+use technolog::part::{Part, read_part};
 use technolog::plan::{CuttingMethod, Plan};
 use technolog::{audit, planner, report};
 
@@ -20,6 +21,8 @@ pub struct Args {
     part: PathBuf,
     #[command(flatten)]
     method: Method,
+    #[arg(long, value_parser = ["best", "tables"], default_value = "best")]
+    prefer: String,
 }
 
 // How cutting conditions are found.
@@ -45,7 +48,13 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let format = context.format("plan", FORMATS)?;
     let knowledge = knowledge::load(context)?;
     // As the knowledge it is not taken apart at the end of the process.
-    let plan = ManuallyDrop::new(make(&args.part, args.method.method(), knowledge, context)?);
+    let planned = match args.prefer.as_str() {
+        "tables" => planner::plan_by_tables,
+        _ => planner::plan,
+    };
+    let plan = ManuallyDrop::new(made(&args.part, knowledge, context, |part| {
+        planned(part, args.method.method(), knowledge)
+    })?);
     match format {
         Format::Json => context.emit_json(&*plan)?,
         Format::Yaml => context.emit_yaml(&*plan)?,
@@ -95,11 +104,20 @@ pub fn explain(args: &ExplainArgs, context: &Context) -> Result<Outcome, CliErro
 /// # Errors
 /// The part file cannot be used; every mistake in it is told at once.
 pub fn make(path: &Path, method: CuttingMethod, knowledge: &Knowledge, context: &Context) -> Result<Plan, CliError> {
+    made(path, knowledge, context, |part| planner::plan(part, method, knowledge))
+}
+
+fn made(
+    path: &Path,
+    knowledge: &Knowledge,
+    context: &Context,
+    planned: impl FnOnce(&Part) -> Result<Plan, KnowledgeError>,
+) -> Result<Plan, CliError> {
     let shown = path.display().to_string();
     let text = context.text(path)?;
     let part = read_part(&shown, &text, knowledge).map_err(|problems| CliError::Unusable {
         problems,
         texts: Texts::default().with(&shown, shown.clone(), Cow::Owned(text)),
     })?;
-    planner::plan(&part, method, knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))
+    planned(&part).map_err(|error| CliError::of_knowledge(&error, context.lang))
 }

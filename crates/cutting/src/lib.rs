@@ -14,6 +14,7 @@ pub mod handbook;
 pub mod laws;
 mod limits;
 mod milling;
+mod practice;
 mod reaming;
 mod settle;
 mod tapping;
@@ -38,6 +39,7 @@ pub use crate::tables::cutting::Surface;
 pub use card::CardDoubt;
 pub use limits::spindle_step;
 
+use practice::Held;
 use settle::Settled;
 
 /// What is cut.
@@ -194,8 +196,9 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
     let feed_rate = MillimetresPerMinute(held.feed.0 * held.rpm.0);
     let torque = draft.loads.torque.map(|law| NewtonMetres(law.at(held.feed, speed)));
     let power = torque.map(|torque| power_of(torque, held.rpm));
-    // The life belongs to the formula's speed, whatever practice makes of it.
-    let tool_life = Minutes(draft.tool_life.0 * libm::pow(formula_speed.0 / speed.0, 1.0 / draft.life_exponent));
+    // The life belongs to the formula's speed, also where practice is slower; where practice is faster, to that of practice.
+    let lives_at = if practice == Held::Faster { draft.speed } else { formula_speed };
+    let tool_life = Minutes(draft.tool_life.0 * libm::pow(lives_at.0 / speed.0, 1.0 / draft.life_exponent));
     let mut because = draft.because;
     because.extend(held.because);
     let found = Conditions {
@@ -210,7 +213,7 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
         power_kw: power.map(|power| power.rounded(4)),
         machine_time_min: Minutes(draft.motion.path / feed_rate.0).rounded(3),
         limited_by: match held.limited_by {
-            Limit::CuttingSpeed if practice => Limit::PracticeSpeed,
+            Limit::CuttingSpeed if practice != Held::No => Limit::PracticeSpeed,
             limit => limit,
         },
         tool_life_min: tool_life.rounded(0),

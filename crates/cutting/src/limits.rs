@@ -9,7 +9,7 @@ use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::tables::cutting::DrillStrength;
 use crate::tables::machines::MachineQuantity;
-use crate::tables::rules::{Load, LoadMarginFor, Neighbour, PracticeSpeedFor, SpindleStepFor};
+use crate::tables::rules::{Load, LoadMarginFor, Neighbour, SpindleStepFor};
 use crate::units::{MetresPerMinute, MillimetresPerRev, NewtonMetres, RevsPerMinute, round_to};
 
 use super::{Cut, DraftConditions, PowerLaw, rpm_at, speed_at};
@@ -50,26 +50,6 @@ impl<'k> Margin<'k> {
     fn told(self) -> Because {
         Because::row(self.row, Note::new("load-margin").with("percent", round_to(self.share * 100.0, 0)))
     }
-}
-
-/// Holds the speed of drills, mills and taps of high-speed steel to what shops drive, by the rule
-/// `practice-speed`; whether it was held.
-pub(super) fn practice(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> Result<bool, KnowledgeError> {
-    let drills =
-        matches!(cut.operation, Operation::CentreDrill | Operation::Drill | Operation::DrillOut | Operation::CoreDrill);
-    if !drills && !matches!(cut.operation, Operation::Mill | Operation::Tap) {
-        return Ok(false);
-    }
-    let &Cut { operation, tool_material, .. } = cut;
-    let question = PracticeSpeedFor { operation, tool_material, material_group: shop.material.group };
-    let Some(rule) = shop.knowledge.ask(&question)?.winner()? else { return Ok(false) };
-    if draft.speed.0 <= rule.limit.0 {
-        return Ok(false);
-    }
-    let note = Note::new("practice-speed").with("formula", round_to(draft.speed.0, 1)).with("limit", rule.limit.0);
-    draft.because.push(Because::row(rule.row, note));
-    draft.speed = rule.limit;
-    Ok(true)
 }
 
 /// The feed that the loads let through, when it is less than was asked.

@@ -8,6 +8,7 @@ use crate::tables::rules::FeedChoice;
 use crate::units::{MetresPerMinute, MillimetresPerRev, round_to};
 
 use super::limits::{self, Borne, LimitedConditions};
+use super::practice::{self, Held};
 use super::{Cut, DraftConditions};
 
 /// The most rounds of cutting the feed back. Loads that do not depend on the speed settle in one; those that do
@@ -19,8 +20,8 @@ pub(super) struct Settled {
     pub draft: DraftConditions,
     /// The speed of the formula for the feed taken, before practice and the spindle's steps.
     pub formula_speed: MetresPerMinute,
-    /// Whether practice holds the speed.
-    pub practice: bool,
+    /// What practice makes of the speed.
+    pub practice: Held,
     pub held: LimitedConditions,
 }
 
@@ -64,7 +65,7 @@ pub(super) fn settle(cut: &Cut, shop: &Shop<'_>) -> Tried<Settled, Uncut> {
 struct DraftAtFeed {
     draft: DraftConditions,
     formula_speed: MetresPerMinute,
-    practice: bool,
+    practice: Held,
 }
 
 impl DraftAtFeed {
@@ -76,7 +77,7 @@ impl DraftAtFeed {
 fn at(cut: &Cut, feed: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<DraftAtFeed, Uncut> {
     let mut draft = super::draft(cut, feed, shop)?;
     let formula_speed = draft.speed;
-    let practice = limits::practice(&mut draft, cut, shop)?;
+    let practice = practice::hold(&mut draft, cut, shop)?;
     Ok(DraftAtFeed { draft, formula_speed, practice })
 }
 

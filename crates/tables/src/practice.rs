@@ -1,7 +1,7 @@
 //! Row types: what shops reach, whatever a drawing asks.
 
-use technolog_knowledge::rows;
-use technolog_knowledge::units::{ItGrade, Micrometres, Microns};
+use technolog_knowledge::{rows, vocabulary};
+use technolog_knowledge::units::{Brinell, ItGrade, MetresPerMinute, Micrometres, Microns};
 
 use crate::rules::ReamingCase;
 
@@ -41,4 +41,79 @@ rows! {
         stock_min: Micrometres,
         stock_max: Micrometres,
     } shown { american_min, american_max, european_min, european_max, soviet_min, soviet_max, pages }
+
+    /// Rows of the shop tables for a grade.
+    pub struct PracticeGroup of One("practice-group") asked by PracticeGroupFor<'t> {
+        material: &'t str,
+        hardness: Brinell,
+    } {
+        group: &'t str,
+    } shown { vdi, drill_force }
+
+    /// Speeds of high-speed steel tools in practice.
+    pub struct HssSpeed of One("practice-speed-hss") asked by HssSpeedFor<'t> {
+        operation: HssWork,
+        group: &'t str,
+    } {
+        speed_low: MetresPerMinute,
+        speed: MetresPerMinute,
+        speed_high: MetresPerMinute,
+    } shown { pages }
+
+    /// Speeds of carbide tools in practice.
+    pub struct CarbideSpeed of One("practice-speed-carbide") asked by CarbideSpeedFor<'t> {
+        operation: CarbideWork,
+        coating: Coating,
+        cut: RoughOrFinish,
+        group: &'t str,
+    } {
+        speed_low: MetresPerMinute,
+        speed_high: MetresPerMinute,
+    } shown { pages }
+
+    /// Speeds of taps in practice.
+    pub struct TapSpeed of One("practice-speed-tap") asked by TapSpeedFor<'t> {
+        group: &'t str,
+    } {
+        speed_low: MetresPerMinute,
+        speed_high: MetresPerMinute,
+    } shown { clarkson_low, clarkson_high, sutton_low, sutton_high, pages }
+
+    /// Share of the speed of drilling or turning.
+    pub struct SpeedShare of One("practice-speed-share") asked by SpeedShareFor<'t> {
+        operation: &'t str,
+    } {
+        share_low: f64,
+        share: f64,
+        share_high: f64,
+    } shown { of, pages }
+}
+
+vocabulary! {
+    /// What tables of high-speed steel tell apart.
+    pub enum HssWork {
+        Turn = "turn",
+        Mill = "mill",
+        Drill = "drill",
+        Ream = "ream",
+    }
+
+    /// What tables of carbide tell apart.
+    pub enum CarbideWork {
+        Turn = "turn",
+        Drill = "drill",
+        Ream = "ream",
+    }
+
+    /// Whether the carbide is coated.
+    pub enum Coating {
+        Coated = "coated",
+        Uncoated = "uncoated",
+    }
+
+    /// The pass of a turning tool.
+    pub enum RoughOrFinish {
+        Rough = "rough",
+        Finish = "finish",
+    }
 }

@@ -1,7 +1,7 @@
 //! Row types: rules.
 
 use technolog_knowledge::rows;
-use technolog_knowledge::units::{Decimal, ItGrade, MetresPerMinute, Micrometres, Minutes, Percent, Roughness};
+use technolog_knowledge::units::{Decimal, ItGrade, Micrometres, Minutes, Percent, Roughness};
 use technolog_knowledge::vocabulary::{CuttingMethod, Operation, Shank, ToolMaterial};
 
 use crate::cutting::{Coefficients, FeedMultiple, ReamingCondition, Surface};
@@ -154,13 +154,12 @@ rows! {
         own: Option<&'t str>,
     }
 
-    /// The highest speed that shop practice allows.
-    pub struct PracticeSpeed of One("practice-speed") asked by PracticeSpeedFor<'t> {
+    /// When the speed is that of practice.
+    pub struct SecondOpinion of One("second-opinion") asked by SecondOpinionFor {
         operation: Operation,
-        tool_material: ToolMaterial,
-        material_group: &'t str,
+        share: f64,
     } {
-        limit: MetresPerMinute,
+        take: Taken,
     }
 
     /// Lead angle of a reamer.

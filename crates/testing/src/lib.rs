@@ -51,6 +51,12 @@ pub fn plan_of_hole(material: &str, machine: &str, thickness: &str, keys: &str) 
     planned(&read(&text), CuttingMethod::Formula)
 }
 
+/// The same with the schemes of the tables preferred.
+pub fn plan_of_hole_by_tables(material: &str, machine: &str, thickness: &str, keys: &str) -> Plan {
+    let part = plan_of_hole(material, machine, thickness, keys).part;
+    planner::plan_by_tables(&part, CuttingMethod::Formula, &KNOWLEDGE).unwrap_or_else(|error| panic!("{error}"))
+}
+
 /// A route of a group: the one taken, one that lost, or one that cannot be carried out.
 #[derive(Clone, Debug)]
 pub struct RouteSummary {

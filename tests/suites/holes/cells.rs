@@ -16,7 +16,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use technolog::plan::{Operation, Plan, RouteSource};
-use technolog_testing::{RouteSummary, operations, plan_of_hole, reading, routes};
+use technolog_testing::{RouteSummary, operations, plan_of_hole_by_tables, reading, routes};
 
 /// Schemes that differ only by the centring in front (the source's notes under A.7).
 const TWINS: [(&str, &str); 8] =
@@ -168,7 +168,7 @@ fn main_holes(table: &str) -> (usize, usize, BTreeSet<String>, Vec<String>) {
                      at: [[0, 0]]",
                     centre_tolerance(&row["centre_tolerance"])
                 );
-                let plan = plan_of_hole("steel-45", "gf2171", "30", &keys);
+                let plan = plan_of_hole_by_tables("steel-45", "gf2171", "30", &keys);
                 let asked = Asked {
                     what: format!(
                         "{table} Ø{diameter} IT{it} {roughness} {} {}",
@@ -272,7 +272,7 @@ fn every_row_of_a10_gives_its_scheme() {
                 "{keys}, through: true, centre_tolerance: {}, at: [[0, 0]]",
                 centre_tolerance(&row["centre_tolerance"])
             );
-            let plan = plan_of_hole("steel-45", "gf2171", "20", &keys);
+            let plan = plan_of_hole_by_tables("steel-45", "gf2171", "20", &keys);
             // A scheme with a star is only for holes that no drill has the size of: all of these have one.
             let starred: Vec<&str> = row["if_drill_differs"].split(' ').collect();
             let asked = Asked {
@@ -335,7 +335,7 @@ fn every_row_of_a4_gives_its_complex() {
                 "{keys}, through: true, centre_tolerance: {}, at: [[0, 0]]",
                 centre_tolerance(&row["centre_tolerance"])
             );
-            let plan = plan_of_hole("steel-45", "gf2171", "20", &keys);
+            let plan = plan_of_hole_by_tables("steel-45", "gf2171", "20", &keys);
             let coarse = keys.contains("H13");
             let asked = Asked {
                 what: format!("A.4 {} Ø{diameter} {}", row["hole"], row["centre_tolerance"]),

@@ -68,6 +68,16 @@ impl Limit {
     }
 }
 
+/// Which routes go before others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Preference {
+    /// The quickest of those that hold what the drawing asks.
+    #[default]
+    Best,
+    /// Those of the scheme tables A.8 to A.10, wherever they can be carried out.
+    Tables,
+}
+
 /// Everything decided about a part.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Plan {

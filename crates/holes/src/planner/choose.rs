@@ -13,7 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::note::{Figure, Note};
 use crate::part::Part;
-use crate::plan::{Alternative, Operation};
+use crate::plan::{Alternative, Operation, Preference, RouteSource};
 use crate::shop::Shop;
 use crate::units::{Micrometres, Minutes, round_to};
 
@@ -33,6 +33,8 @@ enum ToolKey {
 /// By what the routes of a group are ranked, best first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Rank {
+    /// Not of the tables, where those are preferred and have a route.
+    other_way: bool,
     misses: bool,
     /// What it reaches only at best.
     at_best: usize,
@@ -45,9 +47,9 @@ struct Rank {
     name: usize,
 }
 
-/// What the whole part comes to, best first: groups without a route or with one that misses something, what is reached
+/// What the whole part comes to, best first: groups that do not take the tables although they are preferred, groups without a route or with one that misses something, what is reached
 /// only at best, time.
-type Total = (usize, usize, i64);
+type Total = (usize, usize, usize, i64);
 
 /// The groups' options with what is chosen of each.
 pub(super) struct Chooser<'a, 'k> {
@@ -64,10 +66,11 @@ pub(super) struct Chooser<'a, 'k> {
     shop: &'a Shop<'k>,
     change: f64,
     crowded: bool,
+    preference: Preference,
 }
 
 impl<'a, 'k> Chooser<'a, 'k> {
-    pub fn new(part: &Part, shop: &'a Shop<'k>) -> Self {
+    pub fn new(part: &Part, preference: Preference, shop: &'a Shop<'k>) -> Self {
         let groups = part.holes.len();
         // A tool change takes the table to the change position and back (textbook 5.2 item 11.1).
         let middle = part.middle();
@@ -83,6 +86,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
             shop,
             change,
             crowded: false,
+            preference,
         }
     }
 
@@ -214,7 +218,10 @@ impl<'a, 'k> Chooser<'a, 'k> {
         let own: f64 = (0..self.chosen.len()).filter_map(|group| self.choice(group)).map(|choice| choice.own.0).sum();
         let missing = (0..self.chosen.len()).filter(|group| self.choice(*group).is_none_or(|it| !it.meets())).count();
         let at_best = (0..self.chosen.len()).filter_map(|group| self.choice(group)).map(|it| it.at_best.len()).sum();
-        (missing, at_best, micro(own + self.change * self.tools_used() as f64))
+        let other = (0..self.chosen.len())
+            .filter(|group| self.choice(*group).is_some_and(|choice| self.other_way(*group, choice)))
+            .count();
+        (other, missing, at_best, micro(own + self.change * self.tools_used() as f64))
     }
 
     /// Whether a drill is in the magazine for another group.
@@ -266,9 +273,17 @@ impl<'a, 'k> Chooser<'a, 'k> {
         Minutes(choice.own.0 + self.change * self.new_tools(group, index) as f64)
     }
 
+    /// Whether the tables are preferred and have a route for the group that this one is not.
+    fn other_way(&self, group: usize, choice: &Choice) -> bool {
+        let of_tables = |choice: &Choice| choice.candidate.way == RouteSource::Tables;
+        let have = || self.options[group].as_ref().is_some_and(|options| options.choices.iter().any(of_tables));
+        self.preference == Preference::Tables && !of_tables(choice) && have()
+    }
+
     fn rank(&self, group: usize, index: usize, choice: &Choice) -> Rank {
         let new_tools = self.new_tools(group, index);
         Rank {
+            other_way: self.other_way(group, choice),
             misses: !choice.meets(),
             at_best: choice.at_best.len(),
             crowding: if self.crowded { new_tools } else { 0 },
@@ -298,6 +313,9 @@ impl<'a, 'k> Chooser<'a, 'k> {
             let total = self.time(group, index, other);
             let more = total.0 - time.0;
             let why = match (winner.meets(), other.meets()) {
+                _ if self.other_way(group, other) => {
+                    Note::new("lost-by-preference").with("quicker", Figure::fixed(-more, 3))
+                }
                 (true, false) => other.misses.first().cloned().unwrap_or_else(|| Note::new("misses-unknown")),
                 _ if other.at_best.len() > winner.at_best.len() => {
                     other.at_best.first().cloned().unwrap_or_else(|| Note::new("misses-unknown"))

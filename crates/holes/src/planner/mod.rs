@@ -22,7 +22,7 @@ use crate::error::{KnowledgeError, Refusal};
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Figure, Finding, Note, Severity, doubtful_row};
 use crate::part::{Face, Hole, Part};
-use crate::plan::{Clamping, CuttingMethod, Operation, Plan, Route, Times};
+use crate::plan::{Clamping, CuttingMethod, Operation, Plan, Preference, Route, Times};
 use crate::route::Remark;
 use crate::shop::Shop;
 use crate::units::round_to;
@@ -45,6 +45,32 @@ struct HoleDraft {
 /// The knowledge base lacks something planning asks of it. A hole that cannot be made is a finding of
 /// the plan, not an error.
 pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result<Plan, KnowledgeError> {
+    plan_by(part, method, Preference::Best, knowledge)
+}
+
+/// Plans a part by the schemes of the tables, wherever they can be carried out, and tells what the best plan would save.
+///
+/// # Errors
+/// As of [`plan`].
+pub fn plan_by_tables(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result<Plan, KnowledgeError> {
+    let best = plan(part, method, knowledge)?;
+    let mut own = plan_by(part, method, Preference::Tables, knowledge)?;
+    let saves = own.time.total_min.0 - best.time.total_min.0;
+    if saves > 0.0 && !best.has_errors() {
+        let (own_time, best_time) = (own.time.total_min, best.time.total_min);
+        let note = Note::new("tables-preferred").with("own", own_time.0).with("best", best_time.0);
+        own.findings.push(Finding::of_part(Severity::Note, note.with("saves", round_to(saves, 2))));
+        Finding::in_order(&mut own.findings);
+    }
+    Ok(own)
+}
+
+fn plan_by(
+    part: &Part,
+    method: CuttingMethod,
+    preference: Preference,
+    knowledge: &Knowledge,
+) -> Result<Plan, KnowledgeError> {
     let shop = Shop::new(part, method, knowledge)?;
     let mut findings = Vec::new();
     let drills = tooling::drill_sizes(&shop)?;
@@ -57,10 +83,10 @@ pub fn plan(part: &Part, method: CuttingMethod, knowledge: &Knowledge) -> Result
         points.sort_unstable();
         (hole.diameter.nominal, it, roughness, hole.depth, points, &hole.name)
     });
-    let mut chooser = Chooser::new(part, &shop);
+    let mut chooser = Chooser::new(part, preference, &shop);
     for &index in &order {
         let hole = &part.holes[index];
-        match Refusal::split(options::options(hole, part, &chooser.drills(), &drills, &shop))? {
+        match Refusal::split(options::options(hole, part, preference, (&chooser.drills(), &drills), &shop))? {
             Ok(options) => chooser.add(index, options),
             Err(why) => findings.push(Finding::of_hole(Severity::Error, &hole.name, why.note())),
         }

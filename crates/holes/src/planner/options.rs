@@ -7,7 +7,7 @@ use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::job::Hands;
 use crate::note::{Because, Note};
 use crate::part::{Hole, Part};
-use crate::plan::{Alternative, AlternativeStep, RouteSource};
+use crate::plan::{Alternative, AlternativeStep, Preference, RouteSource};
 use crate::reason::Reason;
 use crate::route::auxiliary::{self, AuxiliaryKind};
 use crate::route::bores;
@@ -115,8 +115,8 @@ impl Options {
 pub(super) fn options(
     hole: &Hole,
     part: &Part,
-    in_magazine: &[Micrometres],
-    all_drills: &[DrillSize],
+    preference: Preference,
+    (in_magazine, all_drills): (&[Micrometres], &[DrillSize]),
     shop: &Shop<'_>,
 ) -> Tried<Options> {
     let task = bores::task(hole, part, shop)?;
@@ -149,6 +149,7 @@ pub(super) fn options(
     let mut finder = Finder {
         hole,
         part,
+        preference,
         task: &task,
         fitting: &fitting,
         question,

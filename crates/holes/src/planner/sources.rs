@@ -2,7 +2,8 @@
 
 use crate::error::{KnowledgeError, Refusal};
 use crate::note::{Because, Note, Severity};
-use crate::plan::{Feature, Operation, RouteSource, Transition};
+use crate::plan::{Feature, Operation, Preference, RouteSource, Transition};
+use technolog_proof::Fault;
 use crate::reason::Reason;
 use crate::route::auxiliary::{self, AuxiliaryKind};
 use crate::route::scheme;
@@ -165,8 +166,12 @@ impl Finder<'_, '_> {
     ) -> Result<Option<Choice>, KnowledgeError> {
         let transitions: Vec<Transition> = steps.iter().map(|fitted| fitted.transition(0)).collect();
         let faults = technolog_proof::prove_hole(self.hole, &transitions, self.part, self.shop)?;
-        let (at_best, wrong): (Vec<_>, Vec<_>) =
+        let (at_best, mut wrong): (Vec<_>, Vec<_>) =
             faults.iter().partition(|fault| fault.severity() == Severity::Doubtful);
+        // Who wants the scheme of the tables is told what it does not reach, and gets it.
+        if self.preference == Preference::Tables && candidate.way == RouteSource::Tables {
+            wrong.retain(|fault| !matches!(fault, Fault::Wanting { .. }));
+        }
         if let Some(first) = wrong.first() {
             let refused = refused(candidate, Reason::NotProven { why: first.note() });
             if !options.refused.contains(&refused) {

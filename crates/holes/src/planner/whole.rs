@@ -8,7 +8,7 @@ use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::job::{Duration, Hands};
 use crate::note::{Because, Note};
 use crate::part::{Face, Hole, Part};
-use crate::plan::{Feature, Operation};
+use crate::plan::{Feature, Operation, Preference};
 use crate::reason::Reason;
 use crate::route::bores::{self, Bore, Task};
 use crate::route::diameters::{self, Sizes};
@@ -28,6 +28,7 @@ type Opened = Result<Vec<RouteStep>, Reason>;
 pub(super) struct Finder<'a, 'k> {
     pub hole: &'a Hole,
     pub part: &'a Part,
+    pub preference: Preference,
     pub task: &'a Task,
     pub fitting: &'a Fitting<'a, 'k>,
     pub question: SchemeQuestion<'a>,

@@ -200,4 +200,11 @@ vocabulary! {
         RoughAfterCoreDrill = "rough-after-core-drill",
         FinishAfterRough = "finish-after-rough",
     }
+
+    /// Which speed is taken.
+    pub enum Taken {
+        Formula = "formula",
+        PracticeLow = "practice-low",
+        PracticeHigh = "practice-high",
+    }
 }

@@ -19,3 +19,5 @@ proof-torque = { $operation }: torque { $value } N·m > { $percent } % of the pe
 proof-power = { $operation }: power { $value } kW > { $percent } % of the drive's { $limit } kW
 not-proven = the plan is not proven: { $why }
 reamed-short = over the flat floor the reamer leaves { $lead } mm of the depth unreamed: its lead
+lost-by-preference = the tables are preferred; it would be quicker by { $quicker } min
+tables-preferred = the tables are preferred: { $own } min; the best plan takes { $best } min and saves { $saves } min

@@ -19,3 +19,5 @@ proof-torque = { $operation }: крутний момент { $value } Н·м > {
 proof-power = { $operation }: потужність { $value } кВт > { $percent } % від { $limit } кВт привода
 not-proven = план не доведено: { $why }
 reamed-short = над плоским дном розвертка лишає { $lead } мм глибини нерозгорнутими: її забірна частина
+lost-by-preference = перевагу надано таблицям; цей маршрут швидший на { $quicker } хв
+tables-preferred = перевагу надано таблицям: { $own } хв; найкращий план – { $best } хв, заощаджує { $saves } хв

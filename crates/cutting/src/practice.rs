@@ -1,0 +1,149 @@
+//! A second opinion on speeds: what shops drive by public tables, beside the formulas of the handbook.
+//!
+//! The formula stays the method. Where it parts from the practice by more than a third, the rule `second-opinion` says
+//! which of them is taken; both stand in the reasons of the plan.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::RowRef;
+use crate::knowledge::vocabulary::ToolMaterial;
+use crate::note::{Because, Note};
+use crate::plan::Operation;
+use crate::shop::Shop;
+use crate::tables::practice::{
+    CarbideSpeedFor, CarbideWork, Coating, HssSpeedFor, HssWork, PracticeGroupFor, RoughOrFinish, SpeedShareFor,
+    TapSpeedFor,
+};
+use crate::tables::rules::{SecondOpinionFor, Taken};
+use crate::units::{Brinell, MetresPerMinute, round_to};
+
+use super::{Cut, DraftConditions};
+
+/// The speeds that shops drive.
+#[derive(Clone, Copy, Debug)]
+struct Practice<'k> {
+    low: MetresPerMinute,
+    typical: MetresPerMinute,
+    high: MetresPerMinute,
+    row: RowRef<'k>,
+}
+
+impl<'k> Practice<'k> {
+    fn new(low: MetresPerMinute, high: MetresPerMinute, row: RowRef<'k>) -> Self {
+        Self { low, typical: MetresPerMinute((low.0 + high.0) / 2.0), high, row }
+    }
+
+    fn times(self, low: f64, typical: f64, high: f64) -> Self {
+        let times = |speed: MetresPerMinute, share: f64| MetresPerMinute(speed.0 * share);
+        Self {
+            low: times(self.low, low),
+            typical: times(self.typical, typical),
+            high: times(self.high, high),
+            row: self.row,
+        }
+    }
+
+    /// What shops drive for a cut; nothing where the tables have no figure for it.
+    fn of(cut: &Cut, shop: &Shop<'k>) -> Result<Option<Self>, KnowledgeError> {
+        let question = PracticeGroupFor { material: shop.material.id, hardness: Brinell(shop.material.hardness) };
+        // A hardness or a grade of somebody's own tables, which the pages have not.
+        let Ok(asked) = shop.knowledge.ask(&question) else { return Ok(None) };
+        let Some(group) = asked.winner()?.map(|row| row.group) else { return Ok(None) };
+        let steel = cut.tool_material == ToolMaterial::HighSpeedSteel;
+        match cut.operation {
+            Operation::Drill if steel => Self::hss(HssWork::Drill, group, shop),
+            Operation::CentreDrill
+            | Operation::DrillOut
+            | Operation::CoreDrill
+            | Operation::Counterbore
+            | Operation::Countersink
+            | Operation::Chamfer
+                if steel =>
+            {
+                Self::share(cut.operation, Self::hss(HssWork::Drill, group, shop)?, shop)
+            }
+            Operation::RoughReam | Operation::FinishReam if steel => Self::hss(HssWork::Ream, group, shop),
+            Operation::RoughReam | Operation::FinishReam => {
+                Self::carbide(CarbideWork::Ream, RoughOrFinish::Finish, group, shop)
+            }
+            Operation::RoughBore | Operation::SemiFinishBore | Operation::FinishBore => {
+                let rough = cut.operation == Operation::RoughBore;
+                let pass = if rough { RoughOrFinish::Rough } else { RoughOrFinish::Finish };
+                let turned = match steel {
+                    true => Self::hss(HssWork::Turn, group, shop)?,
+                    false => Self::carbide(CarbideWork::Turn, pass, group, shop)?,
+                };
+                Self::share(Operation::FinishBore, turned, shop)
+            }
+            Operation::Mill if steel => Self::hss(HssWork::Mill, group, shop),
+            Operation::Tap if steel => {
+                let row = shop.knowledge.ask(&TapSpeedFor { group })?.winner()?;
+                Ok(row.map(|row| Self::new(row.speed_low, row.speed_high, row.row)))
+            }
+            _ => Ok(None),
+        }
+    }
+
+    fn hss(operation: HssWork, group: &str, shop: &Shop<'k>) -> Result<Option<Self>, KnowledgeError> {
+        let row = shop.knowledge.ask(&HssSpeedFor { operation, group })?.winner()?;
+        Ok(row.map(|row| Self { low: row.speed_low, typical: row.speed, high: row.speed_high, row: row.row }))
+    }
+
+    /// The bars and reamers of the catalogs are not coated.
+    fn carbide(
+        operation: CarbideWork,
+        cut: RoughOrFinish,
+        group: &str,
+        shop: &Shop<'k>,
+    ) -> Result<Option<Self>, KnowledgeError> {
+        let question = CarbideSpeedFor { operation, coating: Coating::Uncoated, cut, group };
+        let row = shop.knowledge.ask(&question)?.winner()?;
+        Ok(row.map(|row| Self::new(row.speed_low, row.speed_high, row.row)))
+    }
+
+    /// Of operations that have no rows of their own: a share of drilling or turning.
+    fn share(operation: Operation, of: Option<Self>, shop: &Shop<'k>) -> Result<Option<Self>, KnowledgeError> {
+        let work = match operation {
+            Operation::Chamfer => "countersink",
+            Operation::FinishBore => "bore",
+            operation => operation.name(),
+        };
+        let Some(row) = shop.knowledge.ask(&SpeedShareFor { operation: work })?.winner()? else { return Ok(None) };
+        Ok(of.map(|of| of.times(row.share_low, row.share, row.share_high)))
+    }
+}
+
+/// What practice makes of a speed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Held {
+    /// The formula's stands.
+    No,
+    /// It is driven slower than the formula has it.
+    Slower,
+    /// It is driven faster: the formula's tool life is not that of practice.
+    Faster,
+}
+
+/// Holds the speed of a draft against practice, by the rule `second-opinion`.
+pub(super) fn hold(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> Result<Held, KnowledgeError> {
+    let Some(practice) = Practice::of(cut, shop)? else { return Ok(Held::No) };
+    let formula = draft.speed;
+    let share = formula.0 / practice.typical.0;
+    let asked = shop.knowledge.ask(&SecondOpinionFor { operation: cut.operation, share })?;
+    let taken = asked.need(cut.operation.name())?.take;
+    let (speed, held) = match taken {
+        Taken::PracticeHigh if practice.high.0 < formula.0 => (practice.high, Held::Slower),
+        Taken::PracticeLow if practice.low.0 > formula.0 => (practice.low, Held::Faster),
+        _ => (formula, Held::No),
+    };
+    let note = Note::new("second-opinion")
+        .with("formula", round_to(formula.0, 1))
+        .with("low", round_to(practice.low.0, 1))
+        .with("high", round_to(practice.high.0, 1))
+        .with("percent", round_to(share * 100.0, 0));
+    draft.because.push(Because::row(practice.row, note));
+    if held != Held::No {
+        draft.because.push(Because::answer(&asked.answer, Note::new("practice-speed").with("speed", round_to(speed.0, 1))));
+    }
+    draft.speed = speed;
+    Ok(held)
+}
