@@ -44,7 +44,7 @@ impl Short {
         let made = |hole: &HolePlan| {
             hole.transitions
                 .iter()
-                .map(|step| AlternativeStep { operation: step.operation, diameter_mm: step.diameter_mm })
+                .map(|step| AlternativeStep { operation: step.operation, diameter_mm: step.diameter_mm, elsewhere: step.elsewhere })
                 .collect()
         };
         let by_tables = route.and_then(|route| {

@@ -1,9 +1,12 @@
 //! What the part is made of, as the cutting tables ask for it.
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 use crate::error::KnowledgeError;
 use crate::knowledge::diagnostic::nearest;
 use crate::knowledge::{Knowledge, RowRef};
-use crate::tables::materials::{MaterialAlias, MaterialGrade};
+use crate::tables::materials::{Governs, HardnessStrength, MaterialAlias, MaterialGrade};
 use crate::units::Decimal;
 
 /// A material grade.
@@ -24,6 +27,16 @@ pub struct Material<'k> {
     /// Tensile strength, MPa; zero where the tables do not ask for it.
     pub strength: Decimal,
     designation: &'k str,
+}
+
+/// How hard or strong the blank is.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum MaterialState {
+    /// Brinell hardness, HB.
+    Hardness(f64),
+    /// Tensile strength, MPa.
+    Strength(f64),
 }
 
 /// The id of a material by itself or by an alias; else the known name that is nearest to it, if one is near.
@@ -48,15 +61,41 @@ impl<'k> Material<'k> {
     /// There is no such grade.
     pub fn find(knowledge: &'k Knowledge, id: &str) -> Result<Self, KnowledgeError> {
         let grade: MaterialGrade<'_> = knowledge.need(id, |row: &MaterialGrade<'_>| row.id == id)?;
-        Ok(Self {
+        let (hardness, strength) = (grade.hardness.0, grade.strength.unwrap_or_default().0);
+        let found = Self {
             row: grade.row,
             id: grade.id,
             group: grade.group,
             steel_class: grade.steel_class,
             alloy_class: grade.alloy_class,
-            hardness: grade.hardness.0,
-            strength: grade.strength.unwrap_or_default().0,
+            hardness,
+            strength,
             designation: grade.designation,
+        };
+        match grade.governs {
+            Governs::Both => Ok(found),
+            Governs::Hardness => found.in_state(MaterialState::Hardness(hardness.to_f64()), knowledge),
+            Governs::Strength => found.in_state(MaterialState::Strength(strength.to_f64()), knowledge),
+        }
+    }
+
+    /// The same material in a state: hard or strong as said, and the other figure by the table `hardness-strength`, so
+    /// that feeds, speeds and forces are of one bar. Materials that the table has not keep the figure that was not said.
+    ///
+    /// # Errors
+    /// The knowledge has no such table.
+    pub fn in_state(self, state: MaterialState, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
+        let ratio = knowledge.find(|row: &HardnessStrength<'_>| row.material_group == self.group)?.map(|row| row.ratio);
+        let figure = |of: f64| Decimal::from_f64_rounded(crate::units::round_to(of, 0));
+        Ok(match state {
+            MaterialState::Hardness(hardness) => {
+                let strength = ratio.map_or(self.strength, |ratio| figure(hardness * ratio));
+                Self { hardness: Decimal::from_f64_rounded(hardness), strength, ..self }
+            }
+            MaterialState::Strength(strength) => {
+                let hardness = ratio.map_or(self.hardness, |ratio| figure(strength / ratio));
+                Self { hardness, strength: Decimal::from_f64_rounded(strength), ..self }
+            }
         })
     }
 

@@ -83,8 +83,11 @@ impl<'k> Shop<'k> {
     /// # Errors
     /// The machine or the material is not in the knowledge base.
     pub fn new(part: &Part, method: CuttingMethod, knowledge: &'k Knowledge) -> Result<Self, KnowledgeError> {
-        let (machine, material) =
-            (Machine::find(knowledge, &part.machine)?, Material::find(knowledge, &part.material)?);
+        let machine = Machine::find(knowledge, &part.machine)?;
+        let mut material = Material::find(knowledge, &part.material)?;
+        if let Some(state) = part.material_state {
+            material = material.in_state(state, knowledge)?;
+        }
         Ok(Self::with(machine, material, method, knowledge))
     }
 

@@ -52,5 +52,21 @@ rows! {
         alloy_class: &'t str,
         hardness: Brinell,
         strength: Option<Megapascals>,
+        governs: Governs,
     } shown { standard, delivery_state, hardness_min, hardness_max, name_uk, name_en }
+
+    /// Strength of steel by its hardness.
+    pub struct HardnessStrength of One("hardness-strength") {
+        material_group: &'t str,
+        ratio: f64,
+    }
+}
+
+vocabulary! {
+    /// Which figure of a grade is the state of the blank.
+    pub enum Governs {
+        Strength = "strength",
+        Hardness = "hardness",
+        Both = "both",
+    }
 }

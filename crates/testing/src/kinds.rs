@@ -35,7 +35,7 @@ fn keys(kind: usize) -> String {
         4 => format!("{}, chamfer: 1", plain(9 + round, 13, "Ra 12.5")),
         5 => {
             let thread = ["M5", "M6", "M8", "M10"][round % 4];
-            format!("thread: {thread}, depth: 12, centre_tolerance: 0.3")
+            format!("thread: {thread}, depth: 10, centre_tolerance: 0.3")
         }
         6 => {
             let (hole, wide) = [("7", 11), ("9", 15), ("8", 17), ("10", 18)][round % 4];

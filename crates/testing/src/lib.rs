@@ -82,10 +82,12 @@ pub fn routes(plan: &Plan) -> Vec<RouteSummary> {
         };
         return plan.findings.iter().filter_map(named).collect();
     };
+    // What finishes a hole on another machine is no operation of the scheme.
+    let here = |step: &&technolog::plan::Transition| !step.elsewhere || step.operation == Operation::Tap;
     let taken = RouteSummary {
         way: Some(route.way),
         scheme: route.scheme.clone(),
-        operations: hole.transitions.iter().map(|step| (step.operation, step.diameter_mm)).collect(),
+        operations: hole.transitions.iter().filter(here).map(|step| (step.operation, step.diameter_mm)).collect(),
         carried_out: true,
         taken: true,
         why: String::new(),
@@ -93,7 +95,10 @@ pub fn routes(plan: &Plan) -> Vec<RouteSummary> {
     let others = route.alternatives.iter().map(|other| RouteSummary {
         way: Some(other.way),
         scheme: other.scheme.clone(),
-        operations: other.operations.iter().map(|made| (made.operation, made.diameter_mm)).collect(),
+        operations: (other.operations.iter())
+            .filter(|made| !made.elsewhere || made.operation == Operation::Tap)
+            .map(|made| (made.operation, made.diameter_mm))
+            .collect(),
         carried_out: other.time_min.is_some(),
         taken: false,
         why: other.why.code().to_owned(),

@@ -128,11 +128,14 @@ fn a_hole_without_a_route_says_what_is_missing() {
     assert!(planned > 0 && refused > 0, "{planned} planned, {refused} refused");
 }
 
-/// The allowances of section 1.2.1 on diameter, mm, by my own reading of the text.
-fn range(operation: Operation) -> Option<(f64, f64)> {
+/// The allowances on diameter, mm: of section 1.2.1 by my own reading of the text; of reamers by that of the pages on
+/// stock before reaming, the widest of all diameters: 0.04 to 0.25 after another reamer, 0.1 to 1 of one alone, 0.1 to 0.5
+/// of a rough one.
+fn range(operation: Operation, before: Option<Operation>) -> Option<(f64, f64)> {
     Some(match operation {
-        Operation::FinishReam => (0.05, 0.15),
-        Operation::RoughReam => (0.25, 0.5),
+        Operation::FinishReam if before == Some(Operation::RoughReam) => (0.04, 0.25),
+        Operation::FinishReam => (0.1, 1.0),
+        Operation::RoughReam => (0.1, 0.5),
         Operation::FinishBore => (0.2, 0.3),
         Operation::SemiFinishBore => (0.5, 1.0),
         Operation::RoughBore => (2.0, 3.0),
@@ -142,9 +145,11 @@ fn range(operation: Operation) -> Option<(f64, f64)> {
 
 /// The stock of every transition of the main cylinder inside its range, a pass at a time.
 fn within_allowances(hole: &HolePlan) -> Result<(), TestCaseError> {
+    let mut before = None;
     for step in hole.transitions.iter().filter(|step| step.feature == Feature::Bore) {
+        let previous = before.replace(step.operation);
         let stock = (step.diameter_mm - step.from_diameter_mm).to_mm() / f64::from(step.passes);
-        if let Some((low, high)) = range(step.operation) {
+        if let Some((low, high)) = range(step.operation, previous) {
             let inside = stock >= low - 1e-9 && stock <= high + 1e-9;
             prop_assert!(inside, "{:?} takes {stock}, not {low}-{high}: {step:?}", step.operation);
         }
@@ -161,7 +166,7 @@ fn within_allowances(hole: &HolePlan) -> Result<(), TestCaseError> {
 /// The stocks of a route that was not taken: of its diameters, with as many passes of rough boring as fit.
 fn alternative_within_allowances(operations: &[AlternativeStep]) -> Result<(), TestCaseError> {
     for pair in operations.windows(2) {
-        let [AlternativeStep { diameter_mm: from, operation: before }, AlternativeStep { diameter_mm: to, operation }] =
+        let [AlternativeStep { diameter_mm: from, operation: before, .. }, AlternativeStep { diameter_mm: to, operation, .. }] =
             pair
         else {
             continue;
@@ -170,7 +175,7 @@ fn alternative_within_allowances(operations: &[AlternativeStep]) -> Result<(), T
             before,
             Operation::CentreDrill | Operation::Counterbore | Operation::Countersink | Operation::Chamfer
         );
-        let Some((low, high)) = range(*operation).filter(|_| opened) else { continue };
+        let Some((low, high)) = range(*operation, Some(*before)).filter(|_| opened) else { continue };
         let stock = (*to - *from).to_mm();
         let most = if *operation == Operation::RoughBore { 30 } else { 1 };
         let inside = (1..=most).any(|passes| {
@@ -211,7 +216,9 @@ fn ranked(plan: &Plan) -> Result<(), TestCaseError> {
         let crowded = timed.iter().any(|(.., other)| other.why.code() == "lost-by-places");
         for (meets, time, other) in &timed {
             prop_assert!(route.meets || !meets, "{}: {other:?} meets, {} does not", hole.name, route.scheme);
-            let slower = route.time_min.0 <= time + 1.5e-3 || (route.meets && !meets);
+            // What holds a requirement only at best stands back whatever it takes.
+            let at_best = other.why.code().starts_with("proof-");
+            let slower = route.time_min.0 <= time + 1.5e-3 || (route.meets && !meets) || at_best;
             prop_assert!(slower || crowded, "{}: {other:?} is quicker than {}", hole.name, route.time_min.0);
         }
         let known = timed.len();
@@ -221,7 +228,8 @@ fn ranked(plan: &Plan) -> Result<(), TestCaseError> {
             hole.name
         );
         if !crowded {
-            let keys: Vec<(bool, f64)> = timed.iter().map(|(meets, time, _)| (!meets, *time)).collect();
+            let ordinary = timed.iter().filter(|(.., other)| !other.why.code().starts_with("proof-"));
+            let keys: Vec<(bool, f64)> = ordinary.map(|(meets, time, _)| (!meets, *time)).collect();
             prop_assert!(
                 keys.windows(2)
                     .all(|pair| pair[0].0 <= pair[1].0 && (pair[0].0 != pair[1].0 || pair[0].1 <= pair[1].1 + 1.5e-3)),

@@ -24,8 +24,9 @@ forms! {
     pub struct PartFile {
         /// Name of the part.
         pub part: Name,
-        /// Material: an id of `technolog table materials` (`steel-45`) or another name of it (`Сталь 45`, `C45`).
-        pub material: Name,
+        /// Material: an id of `technolog table materials` (`steel-45`) or another name of it (`Сталь 45`, `C45`); with its
+        /// state `{grade: 40Х, hardness: 250}`.
+        pub material: MaterialField,
         /// What the part is made from.
         pub blank: Blank,
         /// The machine's id: `gf2171`.
@@ -43,6 +44,16 @@ forms! {
         /// The groups of equal holes.
         #[schemars(length(min = 1))]
         pub holes: Vec<Hole>,
+    }
+
+    /// A material in a state: one of hardness and strength.
+    pub struct StatedMaterial {
+        /// The grade, as `material` by itself.
+        pub grade: Name,
+        /// Brinell hardness, HB.
+        pub hardness: Option<Size>,
+        /// Tensile strength, MPa.
+        pub strength: Option<Size>,
     }
 
     /// The blank, with the hole axes along Z.
@@ -84,6 +95,16 @@ forms! {
         #[schemars(regex(pattern = r"^[MМ][0-9]+$"))]
         pub screw: Option<String>,
     }
+}
+
+/// A material.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum MaterialField {
+    /// By its name.
+    Grade(Name),
+    /// By its name and state.
+    Stated(StatedMaterial),
 }
 
 /// Zero of X.

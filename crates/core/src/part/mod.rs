@@ -21,6 +21,7 @@ mod tolerance;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::material::MaterialState;
 use crate::units::{ItGrade, Micrometres, Roughness};
 
 pub use crate::tables::rules::Entry;
@@ -35,6 +36,9 @@ pub struct Part {
     pub part: String,
     /// The id of its material in the catalog `materials`.
     pub material: String,
+    /// How hard or strong the blank is, where the file says it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub material_state: Option<MaterialState>,
     /// What it is made from.
     pub blank: Blank,
     /// The id of the machine: `gf2171`.

@@ -3,15 +3,15 @@
 use crate::knowledge::Knowledge;
 use crate::knowledge::diagnostic::{Diagnostic, Place, Severity, nearest};
 use crate::knowledge::form::KeyOf;
-use crate::knowledge::yaml::{Fields, Node, Problems, parse};
+use crate::knowledge::yaml::{Fields, Node, NodeKind, Problems, parse};
 use crate::machine::Machine;
-use crate::material;
+use crate::material::{self, MaterialState};
 use crate::tables::materials::ClampScrew;
 use crate::units::{Decimal, Micrometres};
 use technolog_note::note;
 
 use super::check;
-use super::file::{self, PartFile};
+use super::file::{self, PartFile, StatedMaterial};
 use super::limits::Counted;
 use super::{Blank, BlankKind, Clamp, Datum, Entry, Fixture, Part, Point};
 
@@ -56,7 +56,7 @@ impl Reader<'_> {
     fn part(&mut self, root: &Node) -> Option<Part> {
         let mut fields = self.problems.map(root)?;
         let name = fields.need(PartFile::part, self.problems).and_then(|node| self.name(node));
-        let material = fields.need(PartFile::material, self.problems).and_then(|node| self.material(node));
+        let material = fields.need(PartFile::material, self.problems).and_then(|node| self.stated_material(node));
         let blank = fields.need(PartFile::blank, self.problems).and_then(|node| self.blank(node));
         let machine = fields.need(PartFile::machine, self.problems).and_then(|node| self.machine(node));
         let datum_node = fields.take(PartFile::datum);
@@ -88,9 +88,11 @@ impl Reader<'_> {
             check::geometry(&groups, blank, datum, self.problems);
             check::clamps(&clamps, &groups, blank, datum, self.problems);
         }
+        let (material, material_state) = material?;
         Some(Part {
             part: name?,
-            material: material?,
+            material,
+            material_state,
             blank: blank?,
             machine: machine?,
             datum: datum?,
@@ -156,6 +158,36 @@ impl Reader<'_> {
             return self.problems.error("bad-value", note!("part-mass-must-above-zero-kg"), &node.place);
         }
         Some(mass.to_f64())
+    }
+
+    /// A material by its name, or by its name and state.
+    fn stated_material(&mut self, node: &Node) -> Option<(String, Option<MaterialState>)> {
+        if !matches!(node.kind, NodeKind::Map(_)) {
+            return Some((self.material(node)?, None));
+        }
+        let mut fields = self.problems.map::<StatedMaterial>(node)?;
+        let grade = fields.need(StatedMaterial::grade, self.problems);
+        let hardness = fields.take(StatedMaterial::hardness);
+        let strength = fields.take(StatedMaterial::strength);
+        fields.finish(self.problems);
+        let grade = grade.and_then(|node| self.material(node));
+        let state = match (hardness, strength) {
+            (Some(node), None) => self.figure_of_state(node, 40.0, 450.0).map(MaterialState::Hardness),
+            (None, Some(node)) => self.figure_of_state(node, 100.0, 2000.0).map(MaterialState::Strength),
+            _ => self.problems.error("bad-value", note!("part-one-of-hardness-strength"), &node.place),
+        };
+        Some((grade?, Some(state?)))
+    }
+
+    /// A hardness or a strength within what the cutting tables know.
+    fn figure_of_state(&mut self, node: &Node, low: f64, high: f64) -> Option<f64> {
+        let figure: Decimal = self.problems.scalar(node)?;
+        let value = figure.to_f64();
+        if !(low..=high).contains(&value) {
+            let message = note!("part-state-outside", value = figure, low = low, high = high);
+            return self.problems.error("bad-value", message, &node.place);
+        }
+        Some(value)
     }
 
     /// The id of a material, by itself or by an alias.

@@ -113,6 +113,9 @@ pub struct AlternativeStep {
     pub operation: Operation,
     /// The diameter it leaves, mm.
     pub diameter_mm: Micrometres,
+    /// Whether it would be done on another machine.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub elsewhere: bool,
 }
 
 /// A route that was not taken.

@@ -102,8 +102,11 @@ pub(super) struct Options {
 impl Options {
     /// The transitions of a choice with their diameters, as plans show them.
     pub fn operations(choice: &Choice) -> Vec<AlternativeStep> {
-        let made =
-            |fitted: &Fitted| AlternativeStep { operation: fitted.step.operation, diameter_mm: fitted.step.diameter };
+        let made = |fitted: &Fitted| AlternativeStep {
+            operation: fitted.step.operation,
+            diameter_mm: fitted.step.diameter,
+            elsewhere: fitted.step.elsewhere,
+        };
         choice.steps.iter().map(made).collect()
     }
 }

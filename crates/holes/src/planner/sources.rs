@@ -227,11 +227,16 @@ impl Finder<'_, '_> {
         let Some(reached) = last.and_then(|step| step.achieved) else { return vec![Note::new("misses-unknown")] };
         let mut misses = Vec::new();
         if main.thread.is_none() {
-            if reached.it.is_none_or(|it| it > main.diameter.it) {
+            // What the table promises is for the proof to judge; here it is enough.
+            let promised = candidate.promise.map(|promise| promise.it);
+            if promised.is_none_or(|it| it > main.diameter.it) && reached.it.is_none_or(|it| it > main.diameter.it) {
                 let it = reached.it.map_or_else(|| "-".to_owned(), |it| it.to_string());
                 misses.push(Note::new("misses-grade").with("it", it).with("asked", main.diameter.it));
             }
-            if reached.roughness.is_none_or(|own| own > main.roughness) {
+            let promised = candidate.promise.and_then(|promise| promise.roughness);
+            if promised.is_none_or(|own| own > main.roughness)
+                && reached.roughness.is_none_or(|own| own > main.roughness)
+            {
                 let own = reached.roughness.map_or_else(|| "-".to_owned(), |own| own.to_string());
                 misses.push(Note::new("misses-roughness").with("roughness", own).with("asked", main.roughness));
             }

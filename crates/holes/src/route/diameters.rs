@@ -50,12 +50,13 @@ pub struct Sizes<'a> {
 pub fn steps(candidate: &Candidate, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop<'_>) -> Tried<Vec<RouteStep>> {
     let (transitions, replaced) = milled(&candidate.transitions, bore, sizes, shop)?;
     let mut steps: Vec<RouteStep> = Vec::new();
-    let (mut after, left, elsewhere) = finished(candidate, bore, shop)?;
+    let Finished { mut after, slack, because: left, elsewhere } = finished(candidate, bore, shop)?;
+    let after_here = after;
     for index in (0..transitions.len()).rev() {
         let previous = index.checked_sub(1).map(|before| transitions[before]);
         let question = Backwards { operation: transitions[index], after, previous, bore, sizes, shop };
         let mut made = if steps.is_empty() && transitions[index] == Operation::Drill {
-            vec![question.last_drill(candidate.finish_elsewhere)?]
+            vec![question.last_drill(slack)?]
         } else {
             question.steps()?
         };
@@ -74,6 +75,16 @@ pub fn steps(candidate: &Candidate, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop<
         step.because.push(reason);
     }
     two_passes(&mut steps, bore, sizes, shop)?;
+    if let (Some((_, first)), Some(last)) = (elsewhere.first(), steps.last())
+        && *first - last.diameter > slack.unwrap_or_default() + (*first - after_here)
+    {
+        // More than the first of them may find: that machine bores the rest away before it.
+        let question =
+            Backwards { operation: Operation::RoughBore, after: after_here, previous: Some(last.operation), bore, sizes, shop };
+        for rough in question.rough_bore()? {
+            steps.push(RouteStep { elsewhere: true, ..rough });
+        }
+    }
     for (operation, diameter) in elsewhere {
         let from = steps.last().map_or(Micrometres::ZERO, |last| last.diameter);
         steps.push(RouteStep { elsewhere: true, ..RouteStep::plain(operation, bore.place, diameter, from) });
@@ -81,8 +92,16 @@ pub fn steps(candidate: &Candidate, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop<
     Ok(steps)
 }
 
-/// Transitions on another machine, each with the diameter it leaves.
-type Elsewhere = Vec<(Operation, Micrometres)>;
+/// What a route ends at on this machine.
+struct Finished {
+    /// The diameter, with the most stock for another machine where one finishes the hole.
+    after: Micrometres,
+    /// How much wider it may be left for that machine; absent where none finishes it.
+    slack: Option<Micrometres>,
+    because: Option<Because>,
+    /// The transitions there, each with the diameter it leaves.
+    elsewhere: Vec<(Operation, Micrometres)>,
+}
 
 /// The transitions with the first opening milled where the rule `mill-or-bore` says so.
 fn milled(
@@ -111,30 +130,26 @@ fn milled(
 
 /// The diameter the route ends at: the cylinder's, or smaller by the stock for a finish on another machine
 /// (rule `stock-for-elsewhere`), with the transitions that take it there; of a thread its own.
-fn finished(
-    candidate: &Candidate,
-    bore: &Bore,
-    shop: &Shop<'_>,
-) -> Result<(Micrometres, Option<Because>, Elsewhere), KnowledgeError> {
+fn finished(candidate: &Candidate, bore: &Bore, shop: &Shop<'_>) -> Result<Finished, KnowledgeError> {
+    let here = |after| Finished { after, slack: None, because: None, elsewhere: Vec::new() };
     if let (Some(thread), Some(Operation::Tap)) = (&bore.thread, candidate.transitions.last()) {
-        return Ok((thread.size, None, Vec::new()));
+        return Ok(here(thread.size));
     }
     let target = bore.diameter.target();
     if !candidate.finish_elsewhere {
-        return Ok((target, None, Vec::new()));
+        return Ok(here(target));
     }
     let rule = shop.knowledge.ask(&StockForElsewhereFor { diameter: target })?.need("this diameter")?;
-    let (mut after, mut elsewhere) = (target, Vec::new());
+    let (mut after, mut slack, mut elsewhere) = (target, Micrometres::ZERO, Vec::new());
     for (index, operation) in rule.transitions.iter().enumerate().rev() {
         elsewhere.push((*operation, after));
         let previous = index.checked_sub(1).map_or(Operation::Drill, |before| rule.transitions[before]);
         let range = allowance(*operation, after, bore.diameter.nominal, Some(previous), shop)?;
-        after = after - range.high;
+        (after, slack) = (after - range.high, range.high - range.low);
     }
     elsewhere.reverse();
-    let stock = target - after;
-    let note = Note::new("stock-for-elsewhere").with("stock", stock);
-    Ok((after, Some(Because::row(rule.row, note)), elsewhere))
+    let note = Note::new("stock-for-elsewhere").with("stock", target - after);
+    Ok(Finished { after, slack: Some(slack), because: Some(Because::row(rule.row, note)), elsewhere })
 }
 
 /// One transition, seen from what it must leave.
@@ -247,14 +262,17 @@ impl Backwards<'_, '_> {
         Ok((instead, Some(Because::row(rule.row, note))))
     }
 
-    /// The drill that ends a route: of the hole's size, or the largest that leaves the stock for a finish
-    /// elsewhere.
-    pub fn last_drill(self, finish_elsewhere: bool) -> Tried<RouteStep> {
+    /// The drill that ends a route: of the hole's size, or the one that leaves the most stock for a finish elsewhere that
+    /// may be left, else the largest below.
+    pub fn last_drill(self, slack: Option<Micrometres>) -> Tried<RouteStep> {
         let drills = self.sizes.drills;
-        let found = if finish_elsewhere {
-            drills.iter().rev().copied().find(|drill| *drill <= self.after)
-        } else {
-            final_drill(&self.bore.diameter, drills)
+        let found = match slack {
+            Some(slack) => {
+                let window = self.after..=self.after + slack;
+                let inside = drills.iter().copied().find(|drill| window.contains(drill));
+                inside.or_else(|| drills.iter().rev().copied().find(|drill| *drill <= self.after))
+            }
+            None => final_drill(&self.bore.diameter, drills),
         };
         let diameter = found.ok_or_else(|| Refusal::Not(self.no_drill()))?;
         Ok(RouteStep::plain(Operation::Drill, self.bore.place, diameter, Micrometres::ZERO))

@@ -242,7 +242,7 @@ impl<'a, 'k> Graph<'a, 'k> {
             let question =
                 Backwards { operation, after, previous, bore: self.bore, sizes: self.sizes, shop: self.shop };
             let steps = if last && operation == Operation::Drill {
-                question.last_drill(false).map(|step| vec![step])
+                question.last_drill(None).map(|step| vec![step])
             } else {
                 question.steps()
             };
