@@ -132,6 +132,7 @@ pub(super) fn hold(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> R
     let taken = asked.need(cut.operation.name())?.take;
     let (speed, held) = match taken {
         Taken::PracticeHigh if practice.high.0 < formula.0 => (practice.high, Held::Slower),
+        Taken::PracticeUsual if practice.typical.0 < formula.0 => (practice.typical, Held::Slower),
         Taken::PracticeLow if practice.low.0 > formula.0 => (practice.low, Held::Faster),
         _ => (formula, Held::No),
     };

@@ -63,33 +63,34 @@ const MILL: CutterShape =
 ///
 /// - V = 46.7·20^0.45 / (80^0.33·5^0.5·0.05^0.5·20^0.1·4^0.1)·1.2224
 ///   = 46.7·3.850 / (4.246·2.236·0.2236·1.349·1.149)·1.2224 = 66.8 m/min;
-/// - practice holds it at 40 m/min: n = 1000·40/(π·20) = 637 1/min, the step 630;
-/// - feed of the centre 0.05·4·(60 - 20)/60 = 0.1333 mm/rev, 84 mm/min;
-/// - path 2·(60 - 20)·(π + 1) + 45 = 376.3 mm, 4.48 min;
+/// - practice drives such steel at 19.4 to 32.4 m/min: n = 1000·32.4/(π·20) = 516 1/min, the step 500;
+/// - feed of the centre 0.05·4·(60 - 20)/60 = 0.1333 mm/rev, 66.7 mm/min;
+/// - path 2·(60 - 20)·(π + 1) + 45 = 376.3 mm, 5.65 min;
 /// - Pz = 10·68.2·5^0.86·0.05^0.72·20·4/20^0.86·0.8^0.3 = 1791 N; M = 1791·20/2000 = 17.9 N·m;
-///   N = 17.9·630/9750 = 1.16 kW.
+///   N = 17.9·500/9750 = 0.918 kW.
 #[test]
 fn milling_by_hand() {
     let cut = Cut { cutter: Some(MILL), ..cut(Operation::Mill, 50.0, 60.0) };
     let found = conditions(&cut, "steel-45");
     near(found.computed_speed_m_per_min.0, 66.8);
-    near(found.spindle_rpm.0, 630.0);
-    near(found.speed_m_per_min.0, 39.58);
+    near(found.spindle_rpm.0, 500.0);
+    near(found.speed_m_per_min.0, 31.42);
     assert_eq!(found.limited_by.name(), "practice-speed");
     near(found.feed_mm_per_rev.0, 0.1333);
-    near(found.feed_mm_per_min.0, 84.0);
-    near(found.machine_time_min.0, 4.48);
+    near(found.feed_mm_per_min.0, 66.7);
+    near(found.machine_time_min.0, 5.646);
     near(found.torque_n_m.unwrap().0, 17.9);
-    near(found.power_kw.unwrap().0, 1.157);
+    near(found.power_kw.unwrap().0, 0.918);
     near(found.depth_of_cut_mm, 5.0);
     assert_eq!(found.axial_force_n, None);
 }
 
-/// Chromium steel 40Х of 980 MPa has its own exponent in milling: (750/980)^1.45 = 0.6785 in place of 1.2224.
+/// Chromium steel 40Х, annealed to HB 217 and so of 217·3.38 = 733 MPa, has its own exponent in milling:
+/// (750/733)^1.45 = 1.0338 in place of 1.2224.
 #[test]
 fn milling_of_chromium_steel_by_hand() {
     let cut = Cut { cutter: Some(MILL), ..cut(Operation::Mill, 50.0, 60.0) };
-    near(conditions(&cut, "steel-40x").computed_speed_m_per_min.0, 66.79 / 1.2224 * 0.6785);
+    near(conditions(&cut, "steel-40x").computed_speed_m_per_min.0, 66.79 / 1.2224 * 1.0338);
 }
 
 #[test]
@@ -124,18 +125,19 @@ fn milling_needs_a_mill_that_enters_and_a_material_with_figures() {
 /// Ø18 counterbored from Ø11: t = 3.5, s = 0.18, T = 30.
 ///
 /// - V = 16.3·18^0.3 / (30^0.3·3.5^0.2·0.18^0.5)·1.2224 = 16.3·2.380 / (2.774·1.285·0.4243)·1.2224
-///   = 31.4 m/min; n = 554.6, the step 630 is 14 % above: 500 1/min;
+///   = 31.4 m/min; practice counterbores at 0.85 of the 28.6 it drills with: 24.3 m/min, n = 430, the step 500 is 16 %
+///   above: 400 1/min;
 /// - M = 10·0.09·18·3.5^0.9·0.18^0.8·0.8459 = 16.2·3.088·0.2537·0.8459 = 10.7 N·m;
 /// - P = 10·67·3.5^1.2·0.18^0.65·0.8459 = 670·4.497·0.3280·0.8459 = 836 N.
 #[test]
 fn counterboring_by_hand() {
     let found = conditions(&cut(Operation::Counterbore, 11.0, 18.0), "steel-45");
     near(found.computed_speed_m_per_min.0, 31.36);
-    near(found.spindle_rpm.0, 500.0);
+    near(found.spindle_rpm.0, 400.0);
     near(found.feed_mm_per_rev.0, 0.18);
     near(found.torque_n_m.unwrap().0, 10.73);
     near(found.axial_force_n.unwrap().0, 836.0);
-    near(found.machine_time_min.0, 0.5);
+    near(found.machine_time_min.0, 0.625);
     assert!(codes(&found).contains(&"stand-in-operation"), "{:?}", codes(&found));
     assert!(found.because.iter().any(|because| because.table == "stand-in-operation" && because.unconfirmed.is_some()));
 }
@@ -155,22 +157,23 @@ fn cones_are_cut_like_counterbores_in_every_group_but_stainless_steel() {
 }
 
 /// M10×1.5: V = 64.8·10^1.2 / (90^0.9·1.5^0.5)·1.2224 = 64.8·15.85 / (57.39·1.225)·1.2224 = 17.9 m/min,
-/// held at 12: n = 382: 315 1/min; feed rate 1.5·315 = 472.5 mm/min, in and out 2·45/472.5 = 0.19 min;
+/// held at 13.5, the middle of the pages on taps (7 to 20): n = 430: 400 1/min; feed rate 1.5·400 = 600 mm/min, in and
+/// out 2·45/600 = 0.15 min;
 /// M = 10·0.027·10^1.4·1.5^1.5·0.8459 = 0.27·25.12·1.837·0.8459 = 10.5 N·m.
 #[test]
 fn tapping_by_hand() {
     let cut = Cut { pitch: Some(mm(1.5)), ..cut(Operation::Tap, 8.5, 10.0) };
     let found = conditions(&cut, "steel-45");
     near(found.computed_speed_m_per_min.0, 17.86);
-    near(found.spindle_rpm.0, 315.0);
+    near(found.spindle_rpm.0, 400.0);
     near(found.feed_mm_per_rev.0, 1.5);
-    near(found.feed_mm_per_min.0, 472.5);
-    near(found.machine_time_min.0, 0.19);
+    near(found.feed_mm_per_min.0, 600.0);
+    near(found.machine_time_min.0, 0.15);
     near(found.torque_n_m.unwrap().0, 10.54);
     assert_eq!(found.axial_force_n, None);
 }
 
-/// M12 at 12 m/min: n = 318. A tap takes the step at or below, 315, never the one above.
+/// M8 at 13.5 m/min: n = 537. A tap takes the step at or below, 500, never the one above.
 #[test]
 fn a_tap_never_turns_faster_than_computed_and_its_feed_is_its_pitch_to_the_last_digit() {
     for (diameter, drill, pitch) in
@@ -185,7 +188,7 @@ fn a_tap_never_turns_faster_than_computed_and_its_feed_is_its_pitch_to_the_last_
         }
     }
     let m8 = Cut { pitch: Some(mm(1.25)), ..cut(Operation::Tap, 6.8, 8.0) };
-    near(conditions(&m8, "steel-45").spindle_rpm.0, 400.0);
+    near(conditions(&m8, "steel-45").spindle_rpm.0, 500.0);
     assert_eq!(refusal(&cut(Operation::Tap, 6.8, 8.0), "steel-45"), "no-pitch");
     // A thread whose torque no feed can lower: 10·0.027·76^1.4·6^1.5·0.8459 = 1441 N·m.
     let huge = Cut { pitch: Some(mm(6.0)), ..cut(Operation::Tap, 70.0, 76.0) };
@@ -263,16 +266,16 @@ fn boring_loads_are_those_of_the_speed_that_is_driven() {
 /// A feed that a load cuts back is driven at its own speed: (operation, material, d, D), then s, V of the formula, n,
 /// T, what limits.
 ///
-/// 1. Ø30 in 40ХН (980 MPa, Kg 0.9): Kp = (980/750)^0.75 = 1.2221. The tabulated 0.48 asks for 14 900 N:
-///    s = (9806/(680·30·1.2221))^(1/0.7) = 0.2637; V = 9.8·30^0.4/(50^0.2·0.2637^0.5)·0.7861·0.9
-///    = 9.8·3.898/(2.1867·0.5135)·0.7075 = 24.07 m/min (17.84 at 0.48); n = 255.4: 250, 23.56 m/min, so
-///    T = 50·(24.07/23.56)^5 = 55.6 min.
+/// 1. Ø30 in 40ХН (HB 207, so 207·3.38 = 700 MPa, Kg 0.9): Kp = (700/750)^0.75 = 0.9496. The tabulated 0.48 asks for
+///    11 590 N, and 85 % of 9806 are 8335: s = (8335/(680·30·0.9496))^(1/0.7) = 0.2998; V = 9.8·30^0.4/(50^0.2·0.2998^0.5)
+///    ·1.0641·0.9 = 9.8·3.898/(2.1867·0.5475)·0.9577 = 30.56 m/min; practice ends at 26.7: n = 283, the step 315 is 11 %
+///    above, 29.69 m/min, so T = 50·(30.56/29.69)^5 = 57.8 min.
 /// 2. Ø2 in steel 45: s = 0.0631 (see above); V = 7·2^0.4/(15^0.2·0.0631^0.7)·1.2224 = 7·1.3195/(1.7188·0.1446)·1.2224
 ///    = 45.4 m/min; n = 7230: 2500, 15.71 m/min, so T = 15·(45.4/15.71)^5 = 3040 min.
 #[test]
 fn a_feed_that_is_cut_back_has_the_speed_and_the_life_of_its_own() {
     for (material, diameter, feed, speed, rpm, life, limit) in [
-        ("steel-40hn", 30.0, 0.2637, 24.07, 250.0, 55.6, "thrust"),
+        ("steel-40hn", 30.0, 0.2998, 30.56, 315.0, 57.8, "thrust"),
         ("steel-45", 2.0, 0.0631, 45.44, 2500.0, 3040.0, "drill-strength"),
     ] {
         let drill = Cut { depth: mm(diameter), ..cut(Operation::Drill, 0.0, diameter) };
@@ -321,7 +324,7 @@ fn the_strength_of_a_drill_is_that_of_its_own_diameter() {
 }
 
 /// Over all drills, core drills and boring cuts of all materials: what is driven stays inside thrust, torque and power of
-/// the machine (9806 N, 615 N·m, 7.5 kW; the printed figures are rounded), and each kind of limit occurs.
+/// 85 % of what the machine has (9806 N, 615 N·m, 7.5 kW; the printed figures are rounded), and each kind of limit occurs.
 #[test]
 fn whatever_limits_the_feed_the_machine_bears_what_is_driven() {
     let mut limits = std::collections::BTreeSet::new();
@@ -339,9 +342,9 @@ fn whatever_limits_the_feed_the_machine_bears_what_is_driven() {
                 let cut = Cut { tool_material, depth: mm(diameter), ..cut(operation, from, diameter) };
                 let Ok(found) = cutting::conditions(&cut, &shop(material)) else { continue };
                 let what = format!("{material} {operation:?} Ø{diameter}: {}", found.limited_by.name());
-                assert!(found.axial_force_n.is_none_or(|force| force.0 <= 9806.5), "{what}");
-                assert!(found.torque_n_m.is_none_or(|torque| torque.0 <= 615.001), "{what}");
-                assert!(found.power_kw.is_none_or(|power| power.0 <= 7.5001), "{what}");
+                assert!(found.axial_force_n.is_none_or(|force| force.0 <= 8335.6), "{what}");
+                assert!(found.torque_n_m.is_none_or(|torque| torque.0 <= 522.751), "{what}");
+                assert!(found.power_kw.is_none_or(|power| power.0 <= 6.3751), "{what}");
                 assert!(found.tool_life_min.0 > 0.0 && found.feed_mm_per_rev.0 > 0.0, "{what}");
                 limits.insert(found.limited_by.name());
             }
@@ -352,23 +355,23 @@ fn whatever_limits_the_feed_the_machine_bears_what_is_driven() {
     }
 }
 
-/// Ø60 rough bored from 48 with carbide, t = 6, s = 0.3: V = 420/(60^0.2·6^0.15·0.3^0.2)·0.9·1.25
-/// = 420/(2.2679·1.3083·0.7860)·1.125 = 202.6 m/min; n = 1075: 1000, 188.5 m/min.
+/// Ø60 rough bored from 36 with carbide, t = 12, s = 0.3: practice ends at 90 m/min, n = 477: 500, 94.2 m/min.
 ///
-/// - M = 10·300·6·188.5^-0.15·0.8459·0.03·s^0.75 = 18000·0.45573·0.8459·0.03·s^0.75 = 208.2·s^0.75 N·m: 84.4 at 0.3,
-///   and 7.5 kW are 9750·7.5/1000 = 73.13. So s = (73.13/208.2)^(1/0.75) = 0.2479, 247.9 mm/min;
-/// - at 800 the whole 0.3 goes through, but that is 240 mm/min only: 1000 stays;
-/// - power asks for less speed, not for more: the speed stays, and the tool lives longer: at 0.2479 the formula has
-///   210.5 m/min, T = 60·(210.5/188.5)^5 = 104 min.
+/// - M = 10·300·12·V^-0.15·0.8459·0.03·s^0.75, and the power that may be taken is 0.85·7.5 = 6.375 kW: at 500
+///   (9750·6.375/500/461.8)^(1/0.75) = 0.174 mm/rev, 86.9 mm/min;
+/// - a slower step lets more through: at 315, 59.38 m/min, M = 495·s^0.75 and 197.3 N·m are let through, so s = 0.2933,
+///   92.4 mm/min; at 250 all of 0.3 goes, but that is 75 mm/min only;
+/// - power asks for less speed, not for more, and the tool lives longer: at 0.2933 the formula has
+///   420/(60^0.2·12^0.15·0.2933^0.2)·1.125 = 183.4 m/min, T = 60·(183.4/59.38)^5 = 16 860 min.
 #[test]
 fn where_power_holds_the_feed_the_speed_is_not_raised_and_the_life_is_told() {
     let found =
-        conditions(&Cut { tool_material: ToolMaterial::Carbide, ..cut(Operation::RoughBore, 48.0, 60.0) }, "steel-45");
+        conditions(&Cut { tool_material: ToolMaterial::Carbide, ..cut(Operation::RoughBore, 36.0, 60.0) }, "steel-45");
     assert_eq!(found.limited_by.name(), "spindle-power");
-    near(found.spindle_rpm.0, 1000.0);
-    near(found.feed_mm_per_rev.0, 0.2479);
-    near(found.power_kw.unwrap().0, 7.5);
-    near(found.computed_speed_m_per_min.0, 210.5);
-    assert!((found.tool_life_min.0 - 104.0).abs() <= 1.0, "{}", found.tool_life_min.0);
+    near(found.spindle_rpm.0, 315.0);
+    near(found.feed_mm_per_rev.0, 0.2933);
+    near(found.power_kw.unwrap().0, 6.375);
+    near(found.computed_speed_m_per_min.0, 183.4);
+    assert!((found.tool_life_min.0 / 16860.0 - 1.0).abs() < 0.02, "{}", found.tool_life_min.0);
     assert!(codes(&found).contains(&"life-for-feed"), "{:?}", codes(&found));
 }

@@ -205,6 +205,7 @@ vocabulary! {
     pub enum Taken {
         Formula = "formula",
         PracticeLow = "practice-low",
+        PracticeUsual = "practice-usual",
         PracticeHigh = "practice-high",
     }
 }
