@@ -122,7 +122,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         }
         Format::Svg => {
             let frame = held.as_ref().map(proof::frame);
-            context.emit(&report::backplot::backplot(&steps, frame.as_ref(), context.lang))?;
+            context.emit_cleaned(&report::backplot::backplot(&steps, frame.as_ref(), context.lang))?;
         }
         _ => {
             let file: Arc<str> = Arc::from(shown.as_str());

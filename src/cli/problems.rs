@@ -4,7 +4,7 @@ use std::fmt::Display;
 use std::io::{self, ErrorKind};
 
 use technolog::document::{Block, Document, Finding, Inlines, Severity as Colour};
-use technolog::knowledge::{Diagnostic, Severity};
+use technolog::knowledge::{Diagnostic, Severity, input};
 use technolog::words::say;
 
 use super::diagnostics::{Texts, below, hidden, render_all};
@@ -17,18 +17,14 @@ pub fn unreadable(path: impl Display, error: &io::Error, lang: Lang) -> CliError
         ErrorKind::NotFound => say!(lang, "cli-not-found", path = path),
         ErrorKind::PermissionDenied => say!(lang, "cli-not-permitted", path = path),
         ErrorKind::IsADirectory => say!(lang, "cli-is-a-folder", path = path),
-        _ => say!(lang, "cli-cannot-read", path = path, error = error.to_string()),
+        _ => say!(lang, "cli-cannot-read", path = path, error = of_system(error, lang)),
     };
     Diagnostic::error("unreadable", message, None).help(lang.word("cli-check-path")).into()
 }
 
-/// What the system says of a file that another one names; that there is none in the language of the answers.
+/// What the system says, in the language of the answers.
 pub fn of_system(error: &io::Error, lang: Lang) -> String {
-    match error.kind() {
-        ErrorKind::NotFound => lang.word("file-not-there").to_owned(),
-        ErrorKind::IsADirectory => lang.word("file-is-a-folder").to_owned(),
-        _ => error.to_string(),
-    }
+    lang.say(&input::of_system(error))
 }
 
 /// A page without its title on a terminal, where the command stands above its answer.
