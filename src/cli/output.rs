@@ -86,6 +86,8 @@ pub struct Screen {
     pub width: usize,
     /// Whether it shows colours.
     pub colour: bool,
+    /// Whether somebody reads it as wide as it is; else programs may, line by line.
+    pub narrow: bool,
 }
 
 #[allow(dead_code, reason = "as emit_document")]
@@ -96,7 +98,8 @@ impl Screen {
         let said = std::env::var("COLUMNS").ok().and_then(|columns| columns.parse::<usize>().ok());
         let seen = || terminal_size::terminal_size().map(|(width, _)| usize::from(width.0));
         let width = said.or_else(|| if terminal { seen() } else { None }).unwrap_or(USUAL_WIDTH);
-        Self { width: width.max(NARROWEST), colour: terminal && std::env::var_os("NO_COLOR").is_none() }
+        let colour = terminal && std::env::var_os("NO_COLOR").is_none();
+        Self { width: width.max(NARROWEST), colour, narrow: terminal || said.is_some() }
     }
 }
 

@@ -130,7 +130,7 @@ pub fn why(reason: &Why, lang: Lang) -> String {
 }
 
 fn decision(because: &Because, lang: Lang) -> String {
-    let said = if because.note.is_empty() { because.place.clone() } else { lang.say(&because.note) };
+    let said = if because.note.is_empty() { lang.place(&because.place) } else { lang.say(&because.note) };
     match because.row {
         Some(row) => say!(lang, "test-row", table = &because.table, row = row, said = said),
         None => say!(lang, "test-table", table = &because.table, said = said),

@@ -61,7 +61,8 @@ pub fn programs_list(programs: &[OperationProgram], lang: Lang) -> String {
             set_up = program.set_up,
             side = word(program.side.name()),
             count = program.zones.len(),
-            zones = Figure::list(program.zones.iter().map(|zone| Figure::number(zone.to_string()))),
+            zones =
+                program.zones.iter().map(|zone| format!("{}.{zone}", program.set_up)).collect::<Vec<_>>().join(", "),
             tool = &program.tool
         );
         match &program.files {
