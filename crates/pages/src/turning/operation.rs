@@ -7,7 +7,6 @@ mod zones;
 
 use crate::document::{Block, Column, Document, Item, Table};
 use crate::knowledge::Knowledge;
-use crate::note::Figure;
 use technolog_turning::allowances::areas::Area;
 use technolog_turning::operation::Operation;
 use technolog_turning::operation::programs::OperationProgram;
