@@ -7,12 +7,12 @@ use std::sync::Arc;
 
 use serde::Serialize;
 use technolog::document::{Block, Document, Table};
-use technolog::knowledge::{Diagnostic, Knowledge, Place};
+use technolog::knowledge::{Diagnostic, Knowledge, Place, Severity};
 use technolog::machine::Machine;
 use technolog::motion::MotionStep;
 use technolog::motion::time::{Clock, Times};
 use technolog::motion::trace;
-use technolog::note::Figure;
+use technolog::note::{Figure, Note};
 use technolog::program::proof::PlannedJob;
 use technolog::program::{Fault, Language, Setting};
 use technolog::report;
@@ -122,7 +122,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         }
         Format::Svg => {
             let frame = held.as_ref().map(proof::frame);
-            context.emit(&report::backplot::backplot(&steps, frame.as_ref(), context.lang))?;
+            context.emit_cleaned(&report::backplot::backplot(&steps, frame.as_ref(), context.lang))?;
         }
         _ => {
             let file: Arc<str> = Arc::from(shown.as_str());
@@ -136,7 +136,12 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
                 problems.extend(proof::diagnostics(proof, &text, &file, context));
                 made = Some(proof::table(held, proof, context.lang));
             }
-            let told = (problems.len() + more, problems::blocks(problems, more, &texts, format, context));
+            let hidden = faults.iter().map(|fault| proof::shown(fault.severity));
+            let own = problems.get(told.len()..).unwrap_or_default().iter().map(|problem| problem.severity);
+            let all: Vec<Severity> = hidden.chain(own).collect();
+            let counts = [Severity::Error, Severity::Warning, Severity::Note]
+                .map(|severity| all.iter().filter(|one| **one == severity).count());
+            let told = (counts, problems::blocks(problems, more, &texts, format, context));
             let page = page(&shown, told, made, &steps, clock.times(), context.lang);
             context.emit_document(&problems::untitled(page, format), format)?;
         }
@@ -158,7 +163,7 @@ fn machine<'k>(id: &str, knowledge: &'k Knowledge, context: &Context) -> Result<
 /// The answer for people: mistakes with their lines, what is made of the part, the trace, the times.
 fn page(
     program: &str,
-    (count, problems): (usize, Vec<Block>),
+    (counts, problems): ([usize; 3], Vec<Block>),
     made: Option<Table>,
     steps: &[MotionStep],
     times: Times,
@@ -172,7 +177,7 @@ fn page(
     }
     if !steps.is_empty() {
         page.heading(2, lang.word("check-trace"));
-        page.push(Block::Code(steps.iter().map(|step| trace::line(step) + "\n").collect()));
+        page.push(Block::Code(steps.iter().map(|step| motion(step, lang) + "\n").collect()));
         page.heading(2, lang.word("check-times"));
         let minutes = |minutes: Minutes| Figure::fixed(minutes.0, 2);
         page.paragraph(say!(
@@ -185,8 +190,29 @@ fn page(
             change = minutes(times.tool_change_min)
         ));
     }
-    page.paragraph(say!(lang, "cli-findings-counted", count = count));
+    page.paragraph(total(counts, lang));
     page
+}
+
+/// A line of the trace with its words in the language of the page; the columns stay where they are.
+fn motion(step: &MotionStep, lang: Lang) -> String {
+    let line = trace::line(step);
+    let word = |id: &str| lang.find(&format!("trace-{id}")).map(str::to_owned);
+    // In front of the motion stand numbers and the letter of the block.
+    let Some(begin) = line.find(|sign: char| sign.is_ascii_lowercase()) else { return line };
+    let (head, told) = line.split_at(begin);
+    let (kind, details) = told.split_once(' ').unwrap_or((told, ""));
+    let details = details.trim_start().split(' ').map(|part| word(part).unwrap_or_else(|| part.to_owned()));
+    let kind = word(kind).unwrap_or_else(|| kind.to_owned());
+    format!("{head}{kind:<7} {}", details.collect::<Vec<_>>().join(" ")).trim_end().to_owned()
+}
+
+/// How many findings there are of each severity.
+fn total(counts: [usize; 3], lang: Lang) -> String {
+    let codes = ["check-errors", "check-warnings", "check-notes"];
+    let some = codes.into_iter().zip(counts).filter(|(_, count)| *count > 0);
+    let told: Vec<String> = some.map(|(code, count)| lang.say(&Note::new(code).with("count", count))).collect();
+    if told.is_empty() { say!(lang, "cli-findings-counted", count = 0) } else { told.join(", ") }
 }
 
 /// A mistake of a program with its place.

@@ -2,6 +2,8 @@
 
 use clap::{Arg, Command, CommandFactory};
 
+use technolog::words::say;
+
 use super::Cli;
 use super::words::Lang;
 
@@ -21,6 +23,11 @@ pub fn language(default: Lang) -> Lang {
     default
 }
 
+/// The same where nothing is known yet but the arguments and the environment.
+pub fn asked() -> Lang {
+    language(Lang::of_environment(std::env::var("LANG").ok().as_deref()))
+}
+
 /// The command with its help in that language.
 pub fn command(lang: Lang) -> Command {
     let command = Cli::command();
@@ -35,9 +42,26 @@ fn told(command: Command, lang: Lang) -> Command {
     let template = format!("{{about-with-newline}}\n{}: {{usage}}\n\n{{all-args}}", lang.word("help-usage"));
     command.about(lang.word(&format!("help-{name}")).to_owned()).help_template(template).mut_args(|arg| {
         let heading = lang.word(if arg.is_positional() { "help-arguments" } else { "help-options" });
-        let help = lang.word(&key(&name, &arg)).to_owned();
-        arg.help_heading(heading).help(help)
+        // What clap adds by itself is English.
+        let more = [values(&arg, lang), default(&arg, lang)].into_iter().flatten();
+        let help = more.fold(lang.word(&key(&name, &arg)).to_owned(), |help, more| format!("{help} {more}"));
+        let arg = arg.help_heading(heading).help(help);
+        if arg.get_action().takes_values() { arg.hide_possible_values(true).hide_default_value(true) } else { arg }
     })
+}
+
+/// What an argument may be, where its help does not say so itself.
+fn values(arg: &Arg, lang: Lang) -> Option<String> {
+    let shown = !arg.is_hide_possible_values_set() && arg.get_action().takes_values();
+    let values: Vec<String> =
+        arg.get_possible_values().iter().filter(|_| shown).map(|value| value.get_name().to_owned()).collect();
+    (!values.is_empty()).then(|| say!(lang, "help-values", values = values.join(", ")))
+}
+
+/// What an argument is where it is not given.
+fn default(arg: &Arg, lang: Lang) -> Option<String> {
+    let default = arg.get_default_values().first().filter(|_| arg.get_action().takes_values())?;
+    Some(say!(lang, "help-default", value = default.to_string_lossy().into_owned()))
 }
 
 /// The message of an argument.

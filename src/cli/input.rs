@@ -17,13 +17,13 @@ use super::{CliError, Context};
 pub struct Inputs(Mutex<Vec<PathBuf>>);
 
 impl Context {
-    /// The text of a file that the command line names. It may be a pipe.
+    /// The text of a file that the command line names. It may be what the shell has opened: standard input, `<(…)`.
     ///
     /// # Errors
-    /// It cannot be read, is too large, or is no text.
+    /// It cannot be read, is too large, is no text, or no file.
     pub fn text(&self, path: &Path) -> Result<String, CliError> {
         self.uses(path);
-        read(path, self)
+        if is_opened(path) { read(path, self) } else { text_in_folder(path, self) }
     }
 
     /// Remembers that the answer rests on this file.
@@ -62,6 +62,33 @@ pub fn text_in_folder(path: &Path, context: &Context) -> Result<String, CliError
     if is_regular(path) { read(path, context) } else { Err(irregular(path, context)) }
 }
 
+/// Where files that another file names may lie: below the folder of that file, below one that the command line names, or
+/// below the one that the program is run in. Else whoever sends a file could have any other shown.
+#[derive(Clone, Copy, Debug)]
+pub struct Places<'p> {
+    /// The folder that the command line names.
+    pub folder: Option<&'p Path>,
+    /// Wherever they lie: the user trusts the file.
+    pub anywhere: bool,
+}
+
+impl Places<'_> {
+    /// The text of a file that another one names, relative to it.
+    ///
+    /// # Errors
+    /// Why not: it lies elsewhere, or as of [`named`].
+    pub fn text(self, by: &Path, name: &str, context: &Context) -> Result<String, String> {
+        let own = by.parent().unwrap_or(Path::new(""));
+        let path = own.join(name);
+        let allowed = [Some(own), self.folder, Some(Path::new(""))];
+        let inside = || allowed.into_iter().flatten().any(|folder| is_below(&path, folder));
+        if !self.anywhere && path.exists() && !inside() {
+            return Err(context.word("file-outside").to_owned());
+        }
+        named(&path, context)
+    }
+}
+
 /// The text of a file that another one names.
 ///
 /// # Errors
@@ -72,12 +99,20 @@ pub fn named(path: &Path, context: &Context) -> Result<String, String> {
         return Err(context.word("input-not-regular").to_owned());
     }
     let bytes = File::open(path).and_then(bytes_of).map_err(|error| of_system(&error, context.lang))?;
-    String::from_utf8(bytes.ok_or_else(|| context.lang.say(&larger()))?).map_err(|error| error.to_string())
+    let bytes = bytes.ok_or_else(|| context.lang.say(&larger()))?;
+    String::from_utf8(bytes).map_err(|_| context.word("file-not-utf8").to_owned())
 }
 
-/// Whether it may be opened: a pipe waits for a writer. What is not there says so when it is opened.
+/// Whether it may be opened: a pipe waits for a writer, and so do some of the files in which the system tells of itself.
+/// What is not there says so when it is opened.
 fn is_regular(path: &Path) -> bool {
-    std::fs::metadata(path).map_or(true, |file| file.is_file() || file.is_dir())
+    let of_system = || path.canonicalize().is_ok_and(|path| path.starts_with("/proc"));
+    std::fs::metadata(path).map_or(true, |file| file.is_dir() || file.is_file() && !of_system())
+}
+
+/// Whether it is a name for what this process was given opened, as `/dev/stdin` and the pipes of the shell's `<(…)` are.
+fn is_opened(path: &Path) -> bool {
+    path == Path::new("/dev/stdin") || ["/dev/fd", "/proc/self/fd"].iter().any(|folder| path.starts_with(folder))
 }
 
 fn irregular(path: &Path, context: &Context) -> CliError {

@@ -77,7 +77,7 @@ struct Global {
 
 /// A language by its tag; which there are, else.
 fn language_named(tag: &str) -> Result<Lang, String> {
-    tag.parse().map_err(|fault: technolog::note::Note| help::language(Lang::of_environment(None)).say(&fault))
+    tag.parse().map_err(|fault: technolog::note::Note| help::asked().say(&fault))
 }
 
 /// The commands.
@@ -253,6 +253,14 @@ impl Context {
         output::write(answer.as_bytes(), self.output.as_deref(), self.lang)
     }
 
+    /// Gives out an answer that no page writer made, without signs that nobody sees.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn emit_cleaned(&self, answer: &str) -> Result<(), CliError> {
+        self.emit(&document::cleaned_lines(answer))
+    }
+
     /// How a file at `path` is called from beside the answer: from the folder of `-o`, else from here.
     pub fn beside_answer(&self, path: &Path) -> String {
         let folder = self.output.as_deref().and_then(Path::parent).filter(|folder| !folder.as_os_str().is_empty());
@@ -266,10 +274,7 @@ impl Context {
     /// # Errors
     /// It cannot be written.
     pub fn emit_json(&self, answer: &impl Serialize) -> Result<(), CliError> {
-        match serde_json::to_string_pretty(answer) {
-            Ok(text) => self.emit(&(text + "\n")),
-            Err(error) => Err(output::unprintable(self.lang, error)),
-        }
+        self.emit(&output::json(answer, self.lang)?)
     }
 
     /// Gives out the answer as YAML.
@@ -278,7 +283,7 @@ impl Context {
     /// It cannot be written.
     pub fn emit_yaml(&self, answer: &impl Serialize) -> Result<(), CliError> {
         match serde_yaml::to_string(answer) {
-            Ok(text) => self.emit(&text),
+            Ok(text) => self.emit_cleaned(&text),
             Err(error) => Err(output::unprintable(self.lang, error)),
         }
     }
@@ -363,8 +368,16 @@ pub fn main() -> ExitCode {
 fn refused(error: &clap::Error, lang: words::Lang) -> ExitCode {
     match usage::message(error, &mut help::command(lang), lang) {
         Some(message) => output::complain(&document::cleaned_lines(&message)),
-        // Where not even this can be printed there is nobody to tell.
-        None => drop(error.print()),
+        None => {
+            let text = usage::worded(&error.render().to_string(), lang);
+            // Where not even this can be printed there is nobody to tell.
+            let _ = if error.use_stderr() {
+                output::complain(&text);
+                Ok(())
+            } else {
+                output::write(text.as_bytes(), None, lang)
+            };
+        }
     }
     ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
 }

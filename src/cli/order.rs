@@ -22,6 +22,7 @@ use technolog::shop::Shop;
 use technolog::units::{Micrometres, Minutes};
 
 use super::diagnostics::Texts;
+use super::usage::whole;
 use super::{CliError, Context, Format, Outcome, knowledge, plan, words};
 
 // The order of tools and the path over the holes, with its length, time and a lower bound; also of a list of points
@@ -33,7 +34,7 @@ pub struct Args {
     metric: Option<MetricName>,
     #[arg(long)]
     closed: bool,
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(..=100_000))]
+    #[arg(long, value_name = "N", value_parser = whole::<0, 100_000>)]
     effort: Option<u32>,
     #[arg(long, value_name = "ID")]
     machine: Option<String>,
@@ -106,7 +107,7 @@ fn of_part(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
                 Panel { title, path, from_change: true, closed: true }
             };
             let panels: Vec<Panel> = plan.sequence.iter().map(panel).collect();
-            context.emit(&order_drawing::drawing(&panels, Some(&plan.part)))?;
+            context.emit_cleaned(&order_drawing::drawing(&panels, Some(&plan.part)))?;
         }
         _ => {
             let not_kept: Vec<Finding> = plan.visiting.iter().filter_map(|own| not_kept(own, &machine)).collect();
@@ -177,7 +178,7 @@ fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
             let path = found.order.iter().map(|&point| points[point]).collect();
             let title = report::order::tour_title(&tour, context.lang);
             let panel = Panel { title, path, from_change: false, closed: args.closed };
-            context.emit(&order_drawing::drawing(&[panel], None))?;
+            context.emit_cleaned(&order_drawing::drawing(&[panel], None))?;
         }
         _ => context.emit_document(&report::order::of_list(&tour, context.lang), format)?,
     }

@@ -1,15 +1,18 @@
 //! Giving out an answer: whole or not at all, and never with a panic.
 
 use std::fmt::Display;
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File, OpenOptions, Permissions};
 use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::path::{Component, Path, PathBuf};
 
+use serde::Serialize;
 use technolog::document::cleaned_lines;
 use technolog::knowledge::Diagnostic;
+use technolog::knowledge::input::unseen;
 use technolog::words::say;
 
 use super::CliError;
+use super::problems::of_system;
 use super::words::{self, Lang};
 
 /// Writes an answer to the screen, or to a file; `-` is the screen.
@@ -18,23 +21,54 @@ use super::words::{self, Lang};
 /// It cannot be written. A reader of the screen that went away (`| head`) is no error.
 pub fn write(answer: &[u8], file: Option<&Path>, lang: Lang) -> Result<(), CliError> {
     match file {
+        Some(path) if path != Path::new("-") && is_dangling(path) => {
+            let message = words::cannot_write(lang, path.display(), lang.word("file-dangling-link"));
+            Err(Diagnostic::error("unwritable", message, None).help(lang.word("cli-replace-link")).into())
+        }
         Some(path) if path != Path::new("-") => to_file(answer, path).map_err(|error| {
             let message = match error.kind() {
                 ErrorKind::PermissionDenied => say!(lang, "cli-write-not-permitted", path = path.display()),
-                _ => words::cannot_write(lang, path.display(), error),
+                ErrorKind::NotFound => words::cannot_write(lang, path.display(), lang.word("file-no-such-folder")),
+                _ => words::cannot_write(lang, path.display(), of_system(&error, lang)),
             };
             Diagnostic::error("unwritable", message, None).help(words::check_folder(lang)).into()
         }),
         _ => match to_screen(answer) {
-            Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(unprintable(lang, error)),
+            Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(unprintable(lang, of_system(&error, lang))),
             _ => Ok(()),
         },
     }
 }
 
+/// An answer as JSON. Signs that nobody sees are written as their numbers: programs get them, a terminal does not.
+///
+/// # Errors
+/// It cannot be printed.
+pub fn json(answer: &impl Serialize, lang: Lang) -> Result<String, CliError> {
+    let text = serde_json::to_string_pretty(answer).map_err(|error| unprintable(lang, error))? + "\n";
+    if unseen(&text).is_none() {
+        return Ok(text);
+    }
+    let mut escaped = String::with_capacity(text.len());
+    for sign in text.chars() {
+        // All of them have no more than four figures.
+        if unseen(sign.encode_utf8(&mut [0; 4])).is_some() {
+            escaped.push_str(&format!("\\u{:04x}", u32::from(sign)));
+        } else {
+            escaped.push(sign);
+        }
+    }
+    Ok(escaped)
+}
+
 /// The answer cannot be printed.
 pub fn unprintable(lang: Lang, error: impl Display) -> CliError {
     Diagnostic::error("unprintable", words::cannot_print(lang, error), None).help(words::print_to_file(lang)).into()
+}
+
+/// Whether it is a link that leads to no file, or round: whoever made it meant another place, which nobody knows.
+fn is_dangling(path: &Path) -> bool {
+    fs::symlink_metadata(path).is_ok_and(|file| file.is_symlink()) && fs::metadata(path).is_err()
 }
 
 /// Narrower than this nothing can be laid out.
@@ -52,6 +86,8 @@ pub struct Screen {
     pub width: usize,
     /// Whether it shows colours.
     pub colour: bool,
+    /// Whether somebody reads it as wide as it is; else programs may, line by line.
+    pub narrow: bool,
 }
 
 #[allow(dead_code, reason = "as emit_document")]
@@ -62,7 +98,8 @@ impl Screen {
         let said = std::env::var("COLUMNS").ok().and_then(|columns| columns.parse::<usize>().ok());
         let seen = || terminal_size::terminal_size().map(|(width, _)| usize::from(width.0));
         let width = said.or_else(|| if terminal { seen() } else { None }).unwrap_or(USUAL_WIDTH);
-        Self { width: width.max(NARROWEST), colour: terminal && std::env::var_os("NO_COLOR").is_none() }
+        let colour = terminal && std::env::var_os("NO_COLOR").is_none();
+        Self { width: width.max(NARROWEST), colour, narrow: terminal || said.is_some() }
     }
 }
 
@@ -104,7 +141,7 @@ fn to_file(answer: &[u8], path: &Path) -> io::Result<()> {
     remove_stale(&path);
     let (mut file, temporary) = beside(&path)?;
     let written = file.write_all(answer).and_then(|()| match &old {
-        Some(old) => file.set_permissions(old.permissions()),
+        Some(old) => file.set_permissions(kept(old.permissions())),
         None => Ok(()),
     });
     let renamed = written.and_then(|()| file.sync_all()).and_then(|()| fs::rename(&temporary, &path));
@@ -113,6 +150,18 @@ fn to_file(answer: &[u8], path: &Path) -> io::Result<()> {
         let _ = fs::remove_file(&temporary);
     }
     renamed
+}
+
+/// What people may do with a file stays; that a program takes the rights of its owner was said of another program.
+#[cfg(unix)]
+fn kept(old: Permissions) -> Permissions {
+    use std::os::unix::fs::PermissionsExt;
+    Permissions::from_mode(old.mode() & 0o777)
+}
+
+#[cfg(not(unix))]
+fn kept(old: Permissions) -> Permissions {
+    old
 }
 
 /// Removes what a run that was killed left beside the file: a temporary file that nobody holds locked. What cannot be
@@ -142,7 +191,7 @@ fn is_number_of_run(text: &str) -> bool {
 /// A new file in the same folder, so that the rename stays on one disk.
 fn beside(path: &Path) -> io::Result<(File, PathBuf)> {
     let Some(name) = path.file_name() else {
-        return Err(io::Error::new(ErrorKind::InvalidInput, "not the name of a file"));
+        return Err(ErrorKind::InvalidFilename.into());
     };
     for attempt in 0_u32.. {
         let mut hidden = std::ffi::OsString::from(".");

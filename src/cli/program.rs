@@ -104,12 +104,12 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let sheet = || encoding_sheet(&written, job, plan, control, knowledge, context.lang).map_err(at_fault);
     match (args.show, format) {
         (Show::Encoding, Format::Json) => context.emit_json(&sheet()?)?,
-        (Show::Encoding, Format::Csv) => context.emit(&sheet()?.csv())?,
+        (Show::Encoding, Format::Csv) => context.emit_cleaned(&sheet()?.csv())?,
         (Show::Encoding, _) => context.emit_document(&sheet()?.page(), format)?,
         (Show::Backplot, _) => {
-            context.emit(&report::backplot::backplot(&steps, Some(&proof::frame(&held)), context.lang))?;
+            context.emit_cleaned(&report::backplot::backplot(&steps, Some(&proof::frame(&held)), context.lang))?;
         }
-        (Show::Cycles, _) => context.emit(&report::cycles::page(job, plan, context.lang))?,
+        (Show::Cycles, _) => context.emit_cleaned(&report::cycles::page(job, plan, context.lang))?,
         (_, Format::Json) => context.emit_json(&Answer {
             part: &job.part,
             control,
@@ -123,7 +123,9 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             faults: &faults,
             proof: proof::answer(&proof, context),
         })?,
-        (Show::Setting, Format::Yaml) => context.emit(&report::setting::file(&setting, plan, job, context.lang))?,
+        (Show::Setting, Format::Yaml) => {
+            context.emit_cleaned(&report::setting::file(&setting, plan, job, context.lang))?
+        }
         (Show::Setting, _) => {
             context.emit_document(&report::setting::page(&setting, plan, job, context.lang), format)?;
         }

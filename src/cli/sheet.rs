@@ -20,7 +20,7 @@ const WIDE: usize = 120;
 pub fn whole(table: &Table, lang: Lang) -> Document {
     let all: Vec<RowRef<'_>> = table.all_rows().collect();
     let mut page = titled(table, lang);
-    let mut source = Inlines::from(table.place.as_str());
+    let mut source = Inlines::from(lang.place(&table.place).as_str());
     if let Some(standard) = &table.standard {
         source = source.text("; ").text(standard);
     }
@@ -194,7 +194,7 @@ pub fn said(page: &mut Document, rows: &[RowRef<'_>], lang: Lang) {
     by_rows(page, rows, "cli-corrections", lang, &corrections);
     by_rows(page, rows, "cli-unconfirmed", lang, &|row| one(&row.unconfirmed));
     by_rows(page, rows, "cli-reasons", lang, &|row| one(&row.reason));
-    by_rows(page, rows, "cli-places", lang, &|row| one(&row.place));
+    by_rows(page, rows, "cli-places", lang, &|row| row.place.iter().map(|place| lang.place(place)).collect());
     by_rows(page, rows, "cli-row-notes", lang, &|row| one(&row.note));
 }
 

@@ -1,6 +1,8 @@
 //! Cells, columns and rows as people read them: names instead of ids, the signs and separators of the language. Programs
 //! get what `record` makes of them.
 
+use std::collections::BTreeSet;
+
 use technolog::document::{Align, Column as Head, Inlines, Keep};
 use technolog::knowledge::table::Cell;
 use technolog::knowledge::{Column, ColumnRole, ColumnType, RowRef, Source, Table, Value};
@@ -72,6 +74,11 @@ pub fn value(lang: Lang, column: &Column, value: &Value) -> String {
 /// One figure or id of a column as it is written in a table.
 fn figure(lang: Lang, column: &Column, written: &str) -> String {
     match column.ty {
+        // Tables of machines and controls have the unit of each figure in a column of its own.
+        ColumnType::Text if column.name == "unit" => {
+            let id = written.replace(['*', '/'], "-");
+            lang.find(&format!("unit-{id}")).unwrap_or(written).to_owned()
+        }
         ColumnType::Text => written.to_owned(),
         ColumnType::Bool => lang.find(&format!("table-value-{written}")).unwrap_or(written).to_owned(),
         ColumnType::Enum => word(lang, column, written).to_owned(),
@@ -157,8 +164,11 @@ pub fn result(lang: Lang, row: RowRef<'_>) -> String {
 
 /// `рядок 3`, `рядки 3, 5–8`: rows by their numbers.
 pub fn rows_named(lang: Lang, numbers: &[usize]) -> String {
+    // A lookup has them as near as they are to what was asked.
+    let sorted: BTreeSet<usize> = numbers.iter().copied().collect();
     let mut spans: Vec<(usize, usize)> = Vec::new();
-    for &number in numbers {
+    let sorted_count = sorted.len();
+    for number in sorted {
         match spans.last_mut() {
             Some((_, last)) if *last + 1 == number => *last = number,
             _ => spans.push((number, number)),
@@ -172,7 +182,7 @@ pub fn rows_named(lang: Lang, numbers: &[usize]) -> String {
             _ => format!("{first}–{last}"),
         })
         .collect();
-    say!(lang, "table-rows-named", count = numbers.len(), rows = shown.join(", "))
+    say!(lang, "table-rows-named", count = sorted_count, rows = shown.join(", "))
 }
 
 /// What a query may say of a column: `довжина, мм`, in the words of a query.
@@ -201,7 +211,21 @@ mod tests {
     #[test]
     fn row_numbers_are_drawn_together() {
         assert_eq!(rows_named(Lang::EN, &[1, 2, 3, 5, 7, 8]), "rows 1–3, 5, 7, 8");
+        assert_eq!(rows_named(Lang::EN, &[51, 11, 12, 10, 51]), "rows 10–12, 51");
         assert_eq!(rows_named(Lang::UK, &[4]), "рядок 4");
+    }
+
+    #[test]
+    fn units_that_stand_in_cells_are_those_of_the_language() {
+        let knowledge = technolog::shipped::knowledge().unwrap();
+        let table = knowledge.tables().find(|table| table.id == "lathe-16b16t1").unwrap();
+        let unit = &table.columns[table.column_index("unit").unwrap()];
+        for (written, uk, en) in
+            [("N*m", "Н·м", "N·m"), ("1/min", "об/хв", "rpm"), ("mm", "мм", "mm"), ("HB", "HB", "HB")]
+        {
+            let shown = |lang| value(lang, unit, &Value::Text(written.into()));
+            assert_eq!((shown(Lang::UK), shown(Lang::EN)), (uk.to_owned(), en.to_owned()));
+        }
     }
 
     #[test]

@@ -25,7 +25,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         tables.sort_by_key(|table| knowledge::natural(&table.id));
         match format {
             Format::Json => context.emit_json(&list_json(&tables, context))?,
-            Format::Csv => context.emit(&list_csv(&tables, context))?,
+            Format::Csv => context.emit_cleaned(&list_csv(&tables, context))?,
             _ => context.emit_document(&list_page(&tables, context.lang), format)?,
         }
         return Ok(Outcome::Done);
@@ -33,7 +33,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let table = knowledge::table(knowledge, id, context)?;
     match format {
         Format::Json => context.emit_json(&table_json(table, context))?,
-        Format::Csv => context.emit(&table_csv(table))?,
+        Format::Csv => context.emit_cleaned(&table_csv(table))?,
         _ => context.emit_document(&sheet::whole(table, context.lang), format)?,
     }
     Ok(Outcome::Done)

@@ -18,10 +18,12 @@ use technolog::turning::schemes::{self, Schemes};
 use technolog::turning::shaft::{Mistake, Moves, Shaft};
 use technolog::turning::workpiece::{Turned, Workpiece, read_turned};
 use technolog::units::{Micrometres, RevsPerMinute};
+use technolog::words::say;
 
 use super::diagnostics::Texts;
 use super::turn_operation::{self, Control, Wanted};
-use super::{CliError, Context, Format, Outcome, knowledge};
+use super::usage::whole;
+use super::{CliError, Context, Format, Outcome, help, knowledge};
 
 // The roughing of a shaft: the shortest sequence of passes, beside longitudinal, transverse and one direction per step; levels, zones and removal schemes with their tool paths
 #[derive(Debug, clap::Args)]
@@ -38,9 +40,9 @@ pub struct Args {
     show: Show,
     #[arg(long, value_enum, hide_possible_values = true, default_value = "linuxcnc")]
     control: Control,
-    #[arg(long, value_name = "N", default_value = "1")]
-    number: usize,
-    #[arg(long, value_name = "RPM", value_parser = clap::value_parser!(u32).range(1..=20_000))]
+    #[arg(long, value_name = "N", default_value = "1", value_parser = whole::<1, 1_000>)]
+    number: u32,
+    #[arg(long, value_name = "RPM", value_parser = whole::<1, 20_000>)]
     spindle: Option<u32>,
 }
 
@@ -104,7 +106,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             Turned::Contoured(workpiece) => workpiece.as_ref().clone(),
         };
         let spindle = args.spindle.map(|speed| RevsPerMinute(f64::from(speed)));
-        let wanted = Wanted { control: args.control, form, number: args.number, spindle };
+        let wanted = Wanted { control: args.control, form, number: args.number as usize, spindle };
         return turn_operation::program(&workpiece, wanted, knowledge, context);
     }
     let mut shaft = match read {
@@ -134,7 +136,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         match format {
             Format::Json => context.emit_json(&map)?,
             Format::Yaml => context.emit_yaml(&map)?,
-            Format::Svg => context.emit(&report::turning::map_drawing(&shaft, &map, context.lang))?,
+            Format::Svg => context.emit_cleaned(&report::turning::map_drawing(&shaft, &map, context.lang))?,
             _ => {
                 let page = report::turning::map_page(&shaft, &map, context.lang);
                 drawn(page, format, context, "turn-map-figure", |lang| {
@@ -150,8 +152,10 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     match format {
         Format::Json => context.emit_json(&Answer::of(found, &schemes))?,
         Format::Yaml => context.emit_yaml(&Answer::of(found, &schemes))?,
-        Format::Svg if args.show == Show::Steps => context.emit(&report::turning::frames(&found, context.lang))?,
-        Format::Svg => context.emit(&report::turning::drawing(&found, &schemes, context.lang))?,
+        Format::Svg if args.show == Show::Steps => {
+            context.emit_cleaned(&report::turning::frames(&found, context.lang))?
+        }
+        Format::Svg => context.emit_cleaned(&report::turning::drawing(&found, &schemes, context.lang))?,
         _ => {
             let page = report::turning::page(&found, &schemes, knowledge, context.lang);
             drawn(page, format, context, "turn-figure", |lang| report::turning::drawing(&found, &schemes, lang))?;
@@ -196,14 +200,9 @@ impl<'a> Answer<'a> {
 
 /// What a pass adds: 0 to 100,000 mm, so that sums stay exact.
 fn per_pass(text: &str) -> Result<Micrometres, String> {
-    let length: Micrometres = text.parse().map_err(|error: technolog::units::ParseError| {
-        super::help::language(Lang::of_environment(None)).say(&error.0)
-    })?;
-    if (Micrometres::ZERO..=Micrometres::from_mm(100_000)).contains(&length) {
-        Ok(length)
-    } else {
-        Err(format!("{length}: 0 … 100000"))
-    }
+    const MOST: i64 = 100_000;
+    let length = text.parse().ok().filter(|length| (Micrometres::ZERO..=Micrometres::from_mm(MOST)).contains(length));
+    length.ok_or_else(|| say!(help::asked(), "usage-length", most = MOST))
 }
 
 fn objective(args: &Args, shaft: &Shaft, context: &Context) -> Result<Objective, CliError> {

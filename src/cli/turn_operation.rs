@@ -47,7 +47,9 @@ pub fn page(
     match format {
         Format::Json => context.emit_json(&operation)?,
         Format::Yaml => context.emit_yaml(&operation)?,
-        Format::Svg => context.emit(&report::turning::operation_drawing(&operation, all_schemes, context.lang))?,
+        Format::Svg => {
+            context.emit_cleaned(&report::turning::operation_drawing(&operation, all_schemes, context.lang))?
+        }
         _ => {
             let page = report::turning::operation_page(&operation, knowledge, context.lang);
             drawn(page, format, context, "turn-figure", |lang| {

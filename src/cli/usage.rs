@@ -4,7 +4,9 @@ use clap::Command;
 use clap::error::{ContextKind, ContextValue, Error, ErrorKind};
 
 use technolog::note::Note;
+use technolog::words::say;
 
+use super::help;
 use super::words::Lang;
 
 /// What is wrong with the arguments and what to do; none where clap's own text is to be shown: help, version, and kinds of
@@ -52,7 +54,22 @@ pub fn message(error: &Error, command: &mut Command, lang: Lang) -> Option<Strin
     let usage = of(ContextKind::Usage);
     let usage = if usage.is_empty() { command.render_usage().to_string() } else { usage };
     let usage = usage.trim().trim_start_matches("Usage:").trim();
+    let usage = worded(usage, lang);
     Some(format!("{said}\n\n{}: {usage}\n\n{}\n", lang.word("help-usage"), lang.word("usage-more")))
+}
+
+/// A whole number within bounds; which they are, else.
+///
+/// # Errors
+/// It is none, or not within them.
+pub fn whole<const LEAST: u32, const MOST: u32>(text: &str) -> Result<u32, String> {
+    let number = text.parse().ok().filter(|number| (LEAST..=MOST).contains(number));
+    number.ok_or_else(|| say!(help::asked(), "usage-whole-number", least = LEAST, most = MOST))
+}
+
+/// The line of usage with its two words in the language.
+pub fn worded(text: &str, lang: Lang) -> String {
+    text.replace("[OPTIONS]", lang.word("usage-options")).replace("<COMMAND>", lang.word("usage-command"))
 }
 
 /// A value of an error's context as text.
@@ -70,7 +87,6 @@ fn text(value: &ContextValue) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::help;
     use super::*;
 
     fn said(arguments: &[&str]) -> String {
@@ -96,6 +112,18 @@ mod tests {
                 &["technolog", "turn", "x", "--objective"],
                 "помилка: аргумент `--objective <OBJECTIVE>` потребує значення",
             ),
+            (
+                &["technolog", "turn", "x", "--number", "0"],
+                "помилка: значення `0` не годиться для `--number <N>`: потрібне ціле число від 1 до 1000",
+            ),
+            (
+                &["technolog", "order", "x", "--effort", "many"],
+                "помилка: значення `many` не годиться для `--effort <N>`: потрібне ціле число від 0 до 100000",
+            ),
+            (
+                &["technolog", "turn", "x", "--per-pass", "-"],
+                "помилка: значення `-` не годиться для `--per-pass <MM>`: потрібна довжина від 0 до 100000 мм",
+            ),
             (&["technolog", "turn", "a", "b"], "помилка: невідомий аргумент `b`"),
             (
                 &["technolog", "turn", "a", "--lang", "uk", "--lang", "en"],
@@ -105,6 +133,7 @@ mod tests {
             let said = said(arguments);
             assert!(said.starts_with(expected), "{arguments:?}: {said}");
             assert!(said.contains("\nВикористання: technolog") && !said.contains("error"), "{said}");
+            assert!(!said.contains("OPTIONS") && !said.contains("COMMAND"), "{said}");
         }
     }
 

@@ -279,6 +279,7 @@ impl<'a> Graph<'a> {
     fn slack(&self, formula: &Formula<'a>, inputs: &[f64]) -> f64 {
         let Some(middle) = (formula.compute)(inputs) else { return 0.0 };
         let mut slack = 0.0;
+        let mut moved = inputs.to_vec();
         for (at, input) in formula.inputs.iter().enumerate() {
             let Some(figure) = self.stated.figure(*input) else { continue };
             // A formula gives the whole figure; only a plan of ours is printed from unrounded figures.
@@ -286,9 +287,9 @@ impl<'a> Graph<'a> {
             if !self.tolerances.rounded(input.quantity) || whole {
                 continue;
             }
-            let mut moved = inputs.to_vec();
             moved[at] += figure.last_place / 2.0;
             slack += (formula.compute)(&moved).map_or(0.0, |value| (value - middle).abs());
+            moved[at] = inputs[at];
         }
         slack
     }

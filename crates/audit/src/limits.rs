@@ -9,6 +9,8 @@ use crate::knowledge::yaml::Problems;
 pub const MOST_ROWS: usize = 3_000;
 /// Tools of a plan.
 pub const MOST_TOOLS: usize = 500;
+/// Factors of a figure of the card. Each is looked for by its name among those of other conditions.
+pub const MOST_FACTORS: usize = 100;
 /// Of names that may have been meant, no more are listed.
 const MOST_LISTED: usize = 20;
 
@@ -28,6 +30,15 @@ pub(super) fn tools<'n, T>(items: &'n [T], place: impl Fn(&T) -> &Place, problem
         problems.error_help::<()>("too-many-tools", message, place(beyond), note!("planfile-check-or-split"));
     }
     items.get(..MOST_TOOLS).unwrap_or(items)
+}
+
+/// The same of factors.
+pub(super) fn factors<'n, T>(items: &'n [T], place: impl Fn(&T) -> &Place, problems: &mut Problems) -> &'n [T] {
+    if let Some(beyond) = items.get(MOST_FACTORS) {
+        let message = note!("planfile-too-many-factors", count = items.len(), most = MOST_FACTORS);
+        problems.error_help::<()>("too-many-factors", message, place(beyond), note!("planfile-check-or-split"));
+    }
+    items.get(..MOST_FACTORS).unwrap_or(items)
 }
 
 /// Names one after the other, of many the first.

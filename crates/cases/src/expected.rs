@@ -10,6 +10,7 @@ use crate::knowledge::yaml::{Fields, Key, Node, NodeKind, Problems};
 use crate::note::Severity;
 use technolog_note::note;
 
+use super::limits;
 use super::written::node;
 
 /// The words of matchers.
@@ -187,7 +188,7 @@ fn items(nodes: &[Node], problems: &mut Problems) -> Option<Vec<Item>> {
 fn keys(from: &Node, problems: &mut Problems) -> Option<Vec<(Key, Expected)>> {
     let NodeKind::Map(entries) = &from.kind else { return None };
     let read_key = |(key, node): &(Key, Node), problems: &mut Problems| {
-        let (key, node) = spelt_out(key, node);
+        let (key, node) = limits::segments(key, problems).then(|| spelt_out(key, node))?;
         Some((key, read(&node, problems)?))
     };
     entries.iter().map(|entry| read_key(entry, problems)).collect::<Vec<_>>().into_iter().collect()

@@ -2,10 +2,22 @@
 
 use technolog_note::note;
 
-use crate::knowledge::yaml::{MOST_VALUES, Node, NodeKind, Problems};
+use crate::knowledge::yaml::{Key, MOST_VALUES, Node, NodeKind, Problems};
 
 /// Cases of a file.
 pub const MOST_CASES: usize = 5_000;
+/// Words of a key such as `a.b`, each of which is a key within the one before it.
+pub const MOST_WORDS: usize = 16;
+
+/// Whether a key has no more words than it may have; more are refused.
+pub(super) fn segments(key: &Key, problems: &mut Problems) -> bool {
+    let count = key.text.split('.').count();
+    if count > MOST_WORDS {
+        let message = note!("case-too-many-words", count = count, most = MOST_WORDS);
+        problems.error_help::<()>("too-deep", message, &key.place, note!("case-write-keys-within"));
+    }
+    count <= MOST_WORDS
+}
 
 /// The cases, as many as a file may have; more are refused at the first of them. None where what stands at the head would
 /// be too much when it is read for every case.

@@ -191,7 +191,12 @@ impl Writer<'_> {
 
     fn behind_colon(&self, at: usize, value: String) -> Edit {
         let colon = self.rest(at).find(|letter: char| letter != ' ').map_or(at, |spaces| at + spaces);
-        let at = if self.rest(colon).starts_with(':') { colon + 1 } else { colon };
+        let mut at = if self.rest(colon).starts_with(':') { colon + 1 } else { colon };
+        let line = self.rest(at).lines().next().unwrap_or_default();
+        if value.starts_with('\n') && line.trim_start().starts_with('#') {
+            // A comment stays beside its key.
+            at += line.len();
+        }
         Edit { at, removed: 0, put: self.lined(value) }
     }
 

@@ -11,6 +11,7 @@ use technolog_note::{Note, note};
 
 use crate::diagnostic::{Diagnostic, Place};
 use crate::hint;
+use crate::input::seen;
 use crate::yaml::{Key, Node, Problems};
 
 /// A mapping of a file format.
@@ -165,7 +166,7 @@ impl<'n, F> Fields<'n, F> {
                 None => note!("case-known-here", names = known.join(", ")),
             };
             meant.extend(hint.map(|hint| missing_key(hint.key(), self.place).message));
-            let message = note!("yaml-unknown-key", key = key.text);
+            let message = note!("yaml-unknown-key", key = seen(&key.text));
             unknown.push(Diagnostic::error("unknown-key", message, key.place.clone()).help(help));
         }
         if !meant.is_empty() {

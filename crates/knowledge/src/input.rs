@@ -1,6 +1,6 @@
 //! What somebody else wrote, as text: no more bytes than a bound, and all of them UTF-8.
 
-use std::io::{self, Read};
+use std::io::{self, ErrorKind, Read};
 use std::sync::Arc;
 use technolog_note::{Note, note};
 
@@ -52,10 +52,39 @@ pub fn unseen(text: &str) -> Option<char> {
     })
 }
 
+/// A text with its signs of no width as their numbers: nobody else would see why `a` is not `a`.
+pub fn seen(text: &str) -> String {
+    let wide = |sign: char| match sign {
+        '\u{ad}' | '\u{34f}' | '\u{180e}' | '\u{200b}'..='\u{200d}' | '\u{2060}'..='\u{2064}' | '\u{feff}' => {
+            sign.escape_unicode().to_string()
+        }
+        sign => sign.to_string(),
+    };
+    text.chars().map(wide).collect()
+}
+
 /// A file that is larger than [`MOST_BYTES`].
 pub fn too_large(file: &str) -> Diagnostic {
     let place = Place { file: Arc::from(file), line: 1, column: 1, width: 1 };
     Diagnostic::error("too-large", larger(), place).help(note!("input-check-path-or-split"))
+}
+
+/// What the system says of a file that it does not read or write.
+pub fn of_system(error: &io::Error) -> Note {
+    match error.kind() {
+        ErrorKind::NotFound => note!("file-not-there"),
+        ErrorKind::IsADirectory => note!("file-is-a-folder"),
+        ErrorKind::NotADirectory => note!("file-in-no-folder"),
+        ErrorKind::PermissionDenied => note!("file-not-permitted"),
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => note!("file-no-room"),
+        ErrorKind::ReadOnlyFilesystem => note!("file-disk-read-only"),
+        ErrorKind::InvalidFilename => note!("file-name-invalid"),
+        // What has no number is said by ourselves.
+        _ => match error.raw_os_error() {
+            Some(number) => note!("file-system-error", number = number),
+            None => error.to_string().into(),
+        },
+    }
 }
 
 /// What is said of such a file.

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::by_id::ById;
 use crate::diagnostic::Diagnostic;
-use crate::input::{bytes_of, text_of, too_large};
+use crate::input::{bytes_of, of_system, text_of, too_large};
 use crate::lint::cases::CaseFile;
 use crate::load::table_with;
 use crate::table::{Table, TableError};
@@ -233,8 +233,13 @@ impl Knowledge {
 
 fn collect_yaml(folder: &Path, name: &str, files: &mut Vec<(String, String)>, problems: &mut Vec<Diagnostic>) {
     let unreadable = |error: std::io::Error| {
-        Diagnostic::error("unreadable", format!("{}: {error}", folder.display()), None)
-            .help(note!("table-name-folder-holds-catalogs-rules"))
+        let why = of_system(&error);
+        Diagnostic::error(
+            "unreadable",
+            note!("table-file-unreadable", file = folder.display().to_string(), why = why),
+            None,
+        )
+        .help(note!("table-name-folder-holds-catalogs-rules"))
     };
     let entries = match fs::read_dir(folder).and_then(Iterator::collect::<io::Result<Vec<_>>>) {
         Ok(entries) => entries,
@@ -267,6 +272,6 @@ fn text_of_file(path: &Path) -> Result<String, Diagnostic> {
     if fs::metadata(path).is_ok_and(|file| !file.is_file()) {
         return Err(unreadable(note!("input-not-regular")));
     }
-    let bytes = fs::File::open(path).and_then(bytes_of).map_err(|error| unreadable(error.to_string().into()))?;
+    let bytes = fs::File::open(path).and_then(bytes_of).map_err(|error| unreadable(of_system(&error)))?;
     text_of(&shown, bytes.ok_or_else(|| too_large(&shown))?)
 }

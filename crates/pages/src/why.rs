@@ -71,8 +71,13 @@ fn one(reason: &Because, lang: Lang) -> Item {
         Source::Reconstructed => say!(lang, "explain-reconstructed").to_owned(),
     });
     let place = [Some(reason.table.clone()), row, source].into_iter().flatten().collect::<Vec<_>>().join(", ");
-    let decided =
-        say!(lang, "explain-decision", decision = reason.note.clone(), rests = place, place = reason.place.as_str());
+    let decided = say!(
+        lang,
+        "explain-decision",
+        decision = reason.note.clone(),
+        rests = place,
+        place = lang.place(&reason.place)
+    );
     let why = reason.reason.iter().map(|why| say!(lang, "explain-reason", why = lang.remark(why)));
     let doubt = reason.unconfirmed.iter().map(|why| say!(lang, "explain-unconfirmed", why = lang.remark(why)));
     let passed = reason.rejected.iter().map(|passed| say!(lang, "explain-not-taken", why = passed.clone()));

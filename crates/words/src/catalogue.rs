@@ -20,6 +20,7 @@ pub struct Language {
     folders: Folders,
     messages: OnceLock<Bundle>,
     remarks: OnceLock<BTreeMap<&'static str, &'static str>>,
+    places: OnceLock<Vec<(&'static str, &'static str)>>,
     /// Messages without gaps that are written in several pieces, as those with a brace are; by name and form.
     joined: OnceLock<BTreeMap<(String, String), String>>,
 }
@@ -27,7 +28,14 @@ pub struct Language {
 impl Language {
     /// A language by the name of its folder.
     pub const fn new(tag: &'static str, folders: Folders) -> Self {
-        Self { tag, folders, messages: OnceLock::new(), remarks: OnceLock::new(), joined: OnceLock::new() }
+        Self {
+            tag,
+            folders,
+            messages: OnceLock::new(),
+            remarks: OnceLock::new(),
+            places: OnceLock::new(),
+            joined: OnceLock::new(),
+        }
     }
 
     /// Its tag.
@@ -46,10 +54,21 @@ impl Language {
 
     /// The remarks of table rows that this language has: English, translation.
     pub fn remarks(&self) -> &BTreeMap<&'static str, &'static str> {
-        self.remarks.get_or_init(|| {
-            let texts = self.all_files().iter().filter(|(name, _)| name.ends_with(".tsv")).map(|(_, text)| *text);
-            texts.flat_map(str::lines).filter_map(|line| line.split_once('\t')).collect()
+        self.remarks.get_or_init(|| self.pairs("remarks.tsv").collect())
+    }
+
+    /// The words and phrases of places in sources, the longest first: English, translation.
+    pub fn places(&self) -> &[(&'static str, &'static str)] {
+        self.places.get_or_init(|| {
+            let mut places: Vec<_> = self.pairs("places.tsv").collect();
+            places.sort_by_key(|(english, _)| std::cmp::Reverse(english.len()));
+            places
         })
+    }
+
+    fn pairs(&self, file: &'static str) -> impl Iterator<Item = (&'static str, &'static str)> {
+        let texts = self.all_files().iter().filter(move |(name, _)| *name == file);
+        texts.flat_map(|(_, text)| text.lines()).filter_map(|line| line.split_once('\t'))
     }
 
     /// A message with its figures filled in; nothing where this language has none of that name.

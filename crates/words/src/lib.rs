@@ -132,6 +132,33 @@ impl Lang {
         self.0.remarks().get(english).copied().unwrap_or(english)
     }
 
+    /// A place in a source, such as `textbook 1.2.1, l. 270-273`, its words in this language. Names, numbers and addresses
+    /// stay as they are.
+    pub fn place(self, source: &str) -> String {
+        let known = self.0.places();
+        // The textbook prints the Cyrillic letter; a table has one name on all pages, which is that of the command line.
+        let english = source.replace("А.", "A.");
+        // An address or an id is one word, whatever stands within it.
+        let inside = |letter: char| letter.is_alphanumeric() || "_/-@".contains(letter);
+        let mut said = String::with_capacity(english.len());
+        let (mut rest, mut before) = (english.as_str(), ' ');
+        while let Some(first) = rest.chars().next() {
+            let ends = |word: &str| {
+                let after = rest[word.len()..].chars().next();
+                !word.ends_with(inside) || !after.is_some_and(inside)
+            };
+            let found = known.iter().find(|(word, _)| rest.starts_with(word) && ends(word));
+            let (length, put) = match found.filter(|_| !inside(before)) {
+                Some((word, translation)) => (word.len(), *translation),
+                None => (first.len_utf8(), &rest[..first.len_utf8()]),
+            };
+            said.push_str(put);
+            before = rest[..length].chars().next_back().unwrap_or(' ');
+            rest = &rest[length..];
+        }
+        said
+    }
+
     fn plain(self, key: &str, form: Option<&str>) -> Option<&'static str> {
         self.0.plain(key, form).or_else(|| registered::EN.plain(key, form))
     }

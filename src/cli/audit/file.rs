@@ -11,17 +11,8 @@ use technolog::error::KnowledgeError;
 use technolog::report::Lang;
 
 use super::super::diagnostics::Texts;
-use super::super::{CliError, Context, input};
-
-/// Where the files that a plan names may lie: below its own folder, the folder that is audited, or the one that the
-/// program is run in.
-#[derive(Clone, Copy)]
-pub struct Places<'p> {
-    /// The folder that is audited.
-    pub folder: Option<&'p Path>,
-    /// Wherever they lie: the user says that the plan is to be trusted.
-    pub anywhere: bool,
-}
+use super::super::input::{self, Places};
+use super::super::{CliError, Context};
 
 /// A plan.
 ///
@@ -30,7 +21,7 @@ pub struct Places<'p> {
 pub fn read(path: &Path, auditor: &Auditor<'_>, places: Places<'_>, context: &Context) -> Result<Stated, CliError> {
     let shown = path.display().to_string();
     let text = context.text(path)?;
-    let stated = read_plan(&shown, &text, auditor.knowledge, &|name: &str| named(path, name, places, context));
+    let stated = read_plan(&shown, &text, auditor.knowledge, &|name: &str| places.text(path, name, context));
     stated.map_err(|unreadable| unusable(path, shown, text, unreadable))
 }
 
@@ -46,7 +37,7 @@ pub fn read_any(
 ) -> Result<Option<Stated>, CliError> {
     let shown = path.display().to_string();
     let text = input::text_in_folder(path, context)?;
-    let stated = read_if_plan(&shown, &text, auditor.knowledge, &|name: &str| named(path, name, places, context));
+    let stated = read_if_plan(&shown, &text, auditor.knowledge, &|name: &str| places.text(path, name, context));
     stated.map_err(|unreadable| unusable(path, shown, text, unreadable))
 }
 
@@ -79,17 +70,6 @@ pub fn scheme(path: &Path, context: &Context) -> Result<Scheme, CliError> {
         let texts = Texts::default().with(&shown.clone(), shown, Cow::Owned(text));
         CliError::Unusable { problems, texts }
     })
-}
-
-/// A file that a plan names: relative to the plan.
-fn named(plan: &Path, name: &str, places: Places<'_>, context: &Context) -> Result<String, String> {
-    let path = beside(plan).join(name);
-    let allowed = [Some(beside(plan)), places.folder, Some(Path::new(""))];
-    if !places.anywhere && path.exists() && !allowed.into_iter().flatten().any(|folder| input::is_below(&path, folder))
-    {
-        return Err(context.word("file-outside").to_owned());
-    }
-    input::named(&path, context)
 }
 
 fn beside(plan: &Path) -> &Path {

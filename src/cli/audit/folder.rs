@@ -10,10 +10,11 @@ use technolog::knowledge::Diagnostic;
 use technolog::words::say;
 use technolog::{parallel, report};
 
-use super::super::problems::unreadable;
+use super::super::input::Places;
+use super::super::problems::{of_system, unreadable};
 use super::super::progress::Progress;
 use super::super::{CliError, Context, Format, Outcome, output};
-use super::file::{self, Places};
+use super::file;
 
 /// What became of a file of the folder.
 enum Seen {
@@ -100,7 +101,8 @@ fn unread(path: &Path, problems: &[Diagnostic], context: &Context) -> Audited {
 
 /// A folder of which nobody knows what is in it.
 fn unopened(folder: &Path, error: &io::Error, context: &Context) -> Audited {
-    let message = say!(context.lang, "cli-cannot-read", path = folder.display().to_string(), error = error.to_string());
+    let error = of_system(error, context.lang);
+    let message = say!(context.lang, "cli-cannot-read", path = folder.display().to_string(), error = error);
     unread(folder, &[Diagnostic::error("unreadable", message, None)], context)
 }
 

@@ -9,7 +9,7 @@ use technolog::audit::{Audit, Auditor};
 use technolog::knowledge::Diagnostic;
 use technolog::report;
 
-use self::file::Places;
+use super::input::Places;
 use super::{CliError, Context, Format, Outcome, knowledge};
 
 // Hold somebody's plan, or a folder of plans, against the knowledge: every figure, every choice, the program

@@ -144,7 +144,10 @@ impl<'a> DecisionReport<'a> {
     /// A row that won: its source, its tests against the inputs, and what it says beside the result.
     fn winner(&self, page: &mut Document, row: RowRef<'_>, lang: Lang) {
         let source = shown::source(lang, row.row().source);
-        page.heading(2, say!(lang, "table-winner", row = row.number(), source = source, place = row.place()));
+        page.heading(
+            2,
+            say!(lang, "table-winner", row = row.number(), source = source, place = lang.place(row.place())),
+        );
         page.push(self.question(Some(row), lang));
         let results = record::results(self.table);
         let mut others = grid(&["table-key", "table-what", "table-answer"], lang);

@@ -63,8 +63,7 @@ pub fn json(runs: &[CaseFileRun], context: &Context) -> Result<String, CliError>
         failed: runs.iter().map(CaseFileRun::failed).sum(),
         unusable: runs.iter().filter(|run| !run.mistakes.is_empty()).count(),
     };
-    let text = serde_json::to_string_pretty(&answer).map_err(|error| output::unprintable(context.lang, error))?;
-    Ok(text + "\n")
+    output::json(&answer, context.lang)
 }
 
 fn file<'a>(run: &'a CaseFileRun, context: &Context) -> FileJson<'a> {

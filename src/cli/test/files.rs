@@ -9,8 +9,9 @@ use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::report::Lang;
 use technolog::words::say;
 
+use super::super::input::{self, Places};
 use super::super::problems::unreadable;
-use super::super::{CliError, Context, input};
+use super::super::{CliError, Context};
 
 /// What a file of cases in a folder is called.
 const ENDING: &str = ".test.yaml";
@@ -21,6 +22,8 @@ pub struct SourceFile {
     /// As the user knows it.
     pub shown: String,
     pub text: String,
+    /// The folder of the command line in which it was found.
+    pub folder: Option<PathBuf>,
     /// Why it is no text.
     pub problem: Option<Diagnostic>,
 }
@@ -31,7 +34,7 @@ pub struct SourceFile {
 /// A path cannot be read, or a folder has no cases.
 pub fn collect(paths: &[PathBuf], context: &Context) -> Result<Vec<SourceFile>, CliError> {
     let unreadable = |path: &Path, error: io::Error| unreadable(path.display(), &error, context.lang);
-    let mut files: Vec<PathBuf> = Vec::new();
+    let mut files: Vec<(PathBuf, Option<PathBuf>)> = Vec::new();
     for path in paths {
         let mut found = Vec::new();
         if path.is_dir() {
@@ -46,19 +49,19 @@ pub fn collect(paths: &[PathBuf], context: &Context) -> Result<Vec<SourceFile>, 
             found.push(path.clone());
         }
         for file in found {
-            if !files.contains(&file) {
-                files.push(file);
+            if !files.iter().any(|(known, _)| *known == file) {
+                files.push((file, Some(path.clone()).filter(|path| path.is_dir())));
             }
         }
     }
-    let read = |path: PathBuf| {
+    let read = |(path, folder): (PathBuf, Option<PathBuf>)| {
         let shown = path.display().to_string();
         let (text, problem) = match input::text_in_folder(&path, context) {
             Ok(text) => (text, None),
             Err(CliError::Unusable { problems, .. }) => (String::new(), problems.into_iter().next()),
             Err(error) => return Err(error),
         };
-        Ok(SourceFile { path, shown, text, problem })
+        Ok(SourceFile { path, shown, text, folder, problem })
     };
     files.into_iter().map(read).collect()
 }
@@ -97,12 +100,12 @@ pub fn spare_inputs(found: &[SourceFile], write: bool, context: &Context) -> Res
 }
 
 /// Reads a file of cases.
-pub fn read(found: &SourceFile, knowledge: &Knowledge, context: &Context) -> CaseFile {
+pub fn read(found: &SourceFile, anywhere: bool, knowledge: &Knowledge, context: &Context) -> CaseFile {
     if found.problem.is_some() {
         let (cases, mistakes, texts) = (Vec::new(), Vec::new(), Vec::new());
         return CaseFile { file: found.shown.clone(), cases, mistakes, texts };
     }
-    let (files, codes) = (beside(&found.path, context), codes());
+    let (files, codes) = (beside(found, anywhere, context), codes());
     read_cases(&found.shown, &found.text, around(knowledge, &codes, &files))
 }
 
@@ -116,8 +119,12 @@ pub fn codes() -> Vec<String> {
     Lang::codes()
 }
 
-/// Reads files beside a file.
-pub fn beside<'c>(path: &Path, context: &'c Context) -> impl Fn(&str) -> Result<String, String> + use<'c> {
-    let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-    move |name: &str| input::named(&folder.join(name), context)
+/// Reads the files that a file of cases names.
+pub fn beside<'c>(
+    found: &'c SourceFile,
+    anywhere: bool,
+    context: &'c Context,
+) -> impl Fn(&str) -> Result<String, String> + use<'c> {
+    let places = Places { folder: found.folder.as_deref(), anywhere };
+    move |name: &str| places.text(&found.path, name, context)
 }

@@ -28,6 +28,8 @@ pub struct Args {
     paths: Vec<PathBuf>,
     #[arg(long)]
     write: bool,
+    #[arg(long)]
+    allow_outside: bool,
 }
 
 /// A file that was run.
@@ -85,7 +87,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let knowledge = knowledge::load(context)?;
     let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let asker = Asker::new(knowledge);
-    let mut read: Vec<CaseFile> = parallel::map(&found, |file| files::read(file, knowledge, context), |_| ());
+    let anywhere = args.allow_outside;
+    let mut read: Vec<CaseFile> = parallel::map(&found, |file| files::read(file, anywhere, knowledge, context), |_| ());
     let all: Vec<&Case> = read.iter().flat_map(|file| &file.cases).collect();
     let progress = Progress::new(all.len());
     let failures = parallel::map(&all, |case| case.run(&asker), |done| progress.show(done));
@@ -94,7 +97,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let mut runs = Vec::new();
     for (found, read) in found.iter().zip(&mut read) {
         let failures: Vec<Vec<Failure>> = failures.by_ref().take(read.cases.len()).collect();
-        let written = if args.write { write(found, read, &failures, &asker, context)? } else { Vec::new() };
+        let written = if args.write { write(found, read, &failures, &asker, anywhere, context)? } else { Vec::new() };
         runs.push(told(found, read, failures, &written, context));
     }
     // With --write the file of -o is the copy of the cases.
@@ -121,10 +124,11 @@ fn write(
     read: &mut CaseFile,
     failures: &[Vec<Failure>],
     asker: &Asker<'_>,
+    anywhere: bool,
     context: &Context,
 ) -> Result<Vec<usize>, CliError> {
     let at_fault = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
-    let files = files::beside(&found.path, context);
+    let files = files::beside(found, anywhere, context);
     let codes = files::codes();
     let around = around(asker.knowledge, &codes, &files);
     let filled = fill(&found.text, read, failures, around, asker).map_err(at_fault)?;

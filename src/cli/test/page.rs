@@ -56,6 +56,8 @@ fn sum(runs: &[CaseFileRun], lang: Lang) -> String {
     let (files, cases) =
         (say!(lang, "test-files-counted", count = runs.len()), say!(lang, "test-cases-counted", count = cases));
     let mut said = match failed {
+        // Of a file that was not read nothing is as expected.
+        0 if unusable > 0 => say!(lang, "test-none-failed", files = files, cases = cases),
         0 => say!(lang, "test-all-as-expected", files = files, cases = cases),
         _ => say!(lang, "test-some-failed", files = files, cases = cases, failed = failed),
     };
@@ -128,7 +130,7 @@ pub fn why(reason: &Why, lang: Lang) -> String {
 }
 
 fn decision(because: &Because, lang: Lang) -> String {
-    let said = if because.note.is_empty() { because.place.clone() } else { lang.say(&because.note) };
+    let said = if because.note.is_empty() { lang.place(&because.place) } else { lang.say(&because.note) };
     match because.row {
         Some(row) => say!(lang, "test-row", table = &because.table, row = row, said = said),
         None => say!(lang, "test-table", table = &because.table, said = said),

@@ -418,6 +418,25 @@ fn is_within(one: &str, other: &str) -> bool {
 }
 
 #[test]
+fn a_comment_stays_beside_its_key() {
+    let file = folder("comment").join("one.yaml");
+    let plate = root("examples/plate.yaml");
+    fs::write(&file, format!("tests:\n  - part: {}\n    expect: # hello\n", plate.display())).unwrap();
+    assert_eq!(code(&["test", file.to_str().unwrap(), "--write"]).0, 0);
+    let filled = fs::read_to_string(&file).unwrap();
+    assert!(filled.contains("expect: # hello\n      holes:"), "{filled}");
+}
+
+#[test]
+fn of_a_file_that_is_not_read_nothing_is_as_expected() {
+    let file = folder("unread").join("one.yaml");
+    fs::write(&file, "tests: [\n").unwrap();
+    let (done, page, _) = code(&["test", file.to_str().unwrap(), "--lang", "en"]);
+    assert_eq!(done, 2);
+    assert!(page.contains("1 file, 0 cases, unusable files: 1") && !page.contains("as expected"), "{page}");
+}
+
+#[test]
 fn every_kind_of_answer_can_be_written() {
     let folder = folder("kinds");
     let examples = root("examples").display().to_string();

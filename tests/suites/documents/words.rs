@@ -4,8 +4,9 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use technolog::words::LANGUAGES;
+use technolog::note::Note;
 use technolog::words::check::entries;
+use technolog::words::{LANGUAGES, Lang};
 
 /// What looks like a sentence and is none that a user reads.
 const NO_SENTENCES: &[&str] = &[
@@ -28,8 +29,6 @@ const NO_SENTENCES: &[&str] = &[
     "the angle is no number",
     "`{other}` is nothing that a bound lacks",
     "a piece begins where the toolpath ends",
-    "not the name of a file",
-    "of its type",
     // A form of the standard, by its own name.
     "ГОСТ 3.1404-86, форма 5а",
     "ГОСТ",
@@ -188,4 +187,19 @@ fn every_message_that_is_said_is_in_the_catalogue() {
     }
     assert!(seen.len() > 800, "only {} messages were seen", seen.len());
     assert!(missing.is_empty(), "said and in no language:\n{}", missing.join("\n"));
+}
+
+#[test]
+fn a_size_without_neighbours_has_none_in_its_sentence() {
+    for (sides, uk, en) in [
+        ("both", "; найближчі Ø9 і Ø11", "; the nearest are Ø9 and Ø11"),
+        ("below", "; найбільше з менших – Ø9", "; the largest below it is Ø9"),
+        ("above", "; найменше з більших – Ø11", "; the smallest above it is Ø11"),
+        ("none", "", ""),
+    ] {
+        let note = Note::new("no-drill").with("diameter", 10).with("sides", sides);
+        let note = note.with("below", "Ø9").with("above", "Ø11");
+        assert_eq!(Lang::UK.say(&note), format!("немає свердла Ø10, що сягає дна{uk}"));
+        assert_eq!(Lang::EN.say(&note), format!("no drill Ø10 that reaches{en}"));
+    }
 }

@@ -3,9 +3,9 @@
 use std::fmt::Write as _;
 use std::fs;
 
-use technolog::audit::limits::{MOST_ROWS, MOST_TOOLS};
+use technolog::audit::limits::{MOST_FACTORS, MOST_ROWS, MOST_TOOLS};
 use technolog::audit::read_plan;
-use technolog::cases::limits::MOST_CASES;
+use technolog::cases::limits::{MOST_CASES, MOST_WORDS};
 use technolog::knowledge::Diagnostic;
 use technolog::knowledge::input::MOST_MB;
 use technolog::knowledge::yaml::{LONGEST_NAME, MOST_DEPTH, MOST_VALUES};
@@ -54,6 +54,27 @@ fn of_a_plan_the_rows_and_tools_are_bounded() {
     assert_eq!(problems_of_plan(&twice).len(), MOST_ROWS, "each but the first, and one for those beyond");
     let named = format!("conditions: [{{for: [{}]}}]\n", "1, ".repeat(MOST_ROWS + 1));
     refused(rows(1) + &named, 9, "[too-many-rows]");
+    let factors = |count| {
+        let names = (1..=count).map(|number| format!("f{number}: 1")).collect::<Vec<_>>().join(", ");
+        rows(1) + &format!("conditions: [{{for: 1, factors: {{feed: {{{names}}}}}}}]\n")
+    };
+    assert_eq!(problems_of_plan(&factors(MOST_FACTORS)), [""; 0]);
+    refused(factors(MOST_FACTORS + 1), 9, "101 factors, and a figure may have 100 [too-many-factors]; ");
+}
+
+#[test]
+fn a_key_of_many_words_is_bounded() {
+    let folder = super::folder("words");
+    let run = |count: usize| {
+        let key = vec!["a"; count].join(".");
+        fs::write(folder.join("a.test.yaml"), format!("tests:\n  - {{hole: {{diameter: 10, roughness: Ra 12.5}}, part: {{material: steel-45, machine: gf2171, blank: {{kind: plate, length: 100, width: 100, thickness: 20}}}}, expect: {{{key}: 1}}}}\n")).unwrap();
+        super::command(&folder, &["test", "a.test.yaml"], b"").beside
+    };
+    assert!(!run(MOST_WORDS).contains("too-deep"), "{}", run(MOST_WORDS));
+    for count in [MOST_WORDS + 1, 100_000] {
+        let said = run(count);
+        assert!(said.contains("error[too-deep]: ") && said.contains(&format!("{count} words")), "{said}");
+    }
 }
 
 #[test]
@@ -81,7 +102,9 @@ fn the_pages_say_the_bounds() {
         ("too-many-points", list::MOST_POINTS),
         ("too-many-rows", MOST_ROWS),
         ("too-many-tools", MOST_TOOLS),
+        ("too-many-factors", MOST_FACTORS),
         ("too-many-cases", MOST_CASES),
+        ("too-deep", MOST_WORDS),
         ("too-many-values", MOST_VALUES),
         ("too-many-blocks", MOST_BLOCKS),
     ];

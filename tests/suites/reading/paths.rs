@@ -138,6 +138,35 @@ fn a_file_that_may_not_be_written_stays() {
     assert_eq!(fs::read_to_string(&file).unwrap(), "mine");
 }
 
+#[cfg(unix)]
+#[test]
+fn a_link_that_leads_to_no_file_stays() {
+    let folder = scratch("dangling");
+    std::os::unix::fs::symlink("nothing/answer.json", folder.join("answer.json")).unwrap();
+    std::os::unix::fs::symlink("round.json", folder.join("round.json")).unwrap();
+    for file in ["answer.json", "round.json"] {
+        let answer = run(&folder, &["plan", "part.yaml", "-o", file]);
+        assert_eq!(answer.status.code(), Some(2), "{file}");
+        assert!(complaint(&answer).contains("a link that leads to no file"), "{}", complaint(&answer));
+        assert!(fs::symlink_metadata(folder.join(file)).unwrap().is_symlink(), "{file}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn an_answer_keeps_who_may_read_it_and_no_more() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = scratch("modes");
+    let file = folder.join("answer.json");
+    fs::write(&file, "old").unwrap();
+    fs::set_permissions(&file, fs::Permissions::from_mode(0o6750)).unwrap();
+    fs::hard_link(&file, folder.join("other.json")).unwrap();
+    assert_eq!(run(&folder, &["plan", "part.yaml", "-o", "answer.json"]).status.code(), Some(0));
+    assert_eq!(fs::metadata(&file).unwrap().permissions().mode() & 0o7777, 0o750);
+    // The other name of the old file keeps what it had.
+    assert_eq!(fs::read_to_string(folder.join("other.json")).unwrap(), "old");
+}
+
 #[test]
 fn what_a_killed_run_left_goes_with_the_next() {
     let folder = scratch("stale");
@@ -200,6 +229,43 @@ fn a_plan_names_files_of_its_folder_only() {
     }
 }
 
+#[test]
+fn cases_name_files_of_their_folder_only() {
+    let folder = scratch("outside-cases");
+    let cases = folder.join("cases");
+    fs::create_dir_all(cases.join("inner")).unwrap();
+    let secret = Path::new(env!("CARGO_TARGET_TMPDIR")).join("files").join("secret-of-cases.txt");
+    fs::write(&secret, "root:secret\n").unwrap();
+    fs::write(cases.join("plan.yaml"), format!("part: {}\nroute: []\n", secret.display())).unwrap();
+    for asked in [
+        format!("part: {}", secret.display()),
+        "turn: ../../secret-of-cases.txt".to_owned(),
+        format!("audit: {}", secret.display()),
+        // A plan that a case names names a file itself.
+        "audit: plan.yaml".to_owned(),
+        format!("program: {}, control: linuxcnc", secret.display()),
+        format!("program: ../program.nc, control: 2c42-65, setting: {}", secret.display()),
+    ] {
+        fs::write(cases.join("one.test.yaml"), format!("tests:\n  - {{{asked}, expect: {{}}}}\n")).unwrap();
+        let answer = run(&cases, &["test", "one.test.yaml"]);
+        assert_eq!(answer.status.code(), Some(2), "{asked}");
+        let said = complaint(&answer);
+        assert!(said.contains("--allow-outside") && !said.contains("root:secret"), "{said}");
+        let allowed = run(&cases, &["test", "one.test.yaml", "--allow-outside"]);
+        let said = complaint(&allowed);
+        assert!(!said.contains("--allow-outside"), "{asked}: {said}");
+    }
+    // Of the folder that is named, or that the program is run in, cases may share files.
+    let shared = "tests:\n  - {part: ../../part.yaml, expect: {holes.A.scheme: \"1\"}}\n";
+    fs::write(cases.join("inner/one.test.yaml"), shared).unwrap();
+    fs::remove_file(cases.join("one.test.yaml")).unwrap();
+    // It is wrong by itself.
+    fs::remove_file(folder.join("one.test.yaml")).unwrap();
+    assert_ne!(run(&folder, &["test", "cases/inner/one.test.yaml"]).status.code(), Some(2));
+    assert_ne!(run(&root(), &["test", folder.to_str().unwrap()]).status.code(), Some(2));
+    assert_eq!(run(&cases, &["test", "inner"]).status.code(), Some(2));
+}
+
 #[cfg(unix)]
 #[test]
 fn nothing_is_waited_for() {
@@ -221,10 +287,15 @@ fn nothing_is_waited_for() {
         let said = said.split(['|', ' ', '\n']).filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ");
         assert!(said.contains(why), "{said}");
     }
-    // On the command line a pipe or a device is read, as far as any file.
-    let answer = run(&folder, &["plan", "/dev/zero"]);
-    assert_eq!(answer.status.code(), Some(2));
-    assert!(complaint(&answer).contains("larger than"), "{}", complaint(&answer));
+    // Nor is it on the command line; what a shell has opened for the program is no name of a pipe.
+    assert!(Command::new("mkfifo").arg(folder.join("pipe")).status().unwrap().success());
+    for file in ["/dev/zero", "pipe", "/proc/kmsg", "/proc/self/status"] {
+        for command in ["plan", "turn", "check", "order", "audit", "test"] {
+            let answer = run(&folder, &[command, file]);
+            assert_eq!(answer.status.code(), Some(2), "{command} {file}");
+            assert!(complaint(&answer).contains("pipe or a device"), "{command}: {}", complaint(&answer));
+        }
+    }
     std::os::unix::fs::symlink(".", folder.join("know/catalogs/round")).unwrap();
     assert_eq!(run(&folder, &["table", "--knowledge", "know"]).status.code(), Some(0));
 }

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use std::fs;
 
 use technolog::part::read_part;
-use technolog_testing::KNOWLEDGE;
+use technolog_testing::{KNOWLEDGE, root};
 
 use super::{command, folder};
 
@@ -71,6 +71,33 @@ fn of_many_mistakes_in_one_line_fifty_are_shown_each_with_its_stretch_of_the_lin
 }
 
 #[test]
+fn a_check_is_told_in_the_words_of_its_reader() {
+    let folder = folder("words-of-check");
+    let example = |name: &str| fs::read_to_string(root().join("examples/appendix-g").join(name)).unwrap();
+    fs::write(folder.join("program.nc"), example("program.nc")).unwrap();
+    fs::write(folder.join("setting.yaml"), example("setting.yaml")).unwrap();
+    let run = |lang: &str| {
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_technolog"));
+        command.args(["check", "program.nc", "--setting", "setting.yaml", "--lang", lang]).current_dir(&folder);
+        String::from_utf8(command.env("COLUMNS", "80").output().unwrap().stdout).unwrap()
+    };
+    let (uk, en) = (run("uk"), run("en"));
+    // A count of each severity, and the motions by their words.
+    assert!(uk.contains("4 помилки, 3 попередження, 2 зауваження"), "{uk}");
+    assert!(en.contains("4 errors, 3 warnings, 2 notes"), "{en}");
+    assert!(uk.contains("   8 N30   шпиндель за-годинниковою S2000\n"), "{uk}");
+    assert!(en.contains("   8 N30   spindle clockwise S2000\n"), "{en}");
+    let motions = uk.lines().skip_while(|line| !line.starts_with("Рухи")).skip(1).take_while(|line| !line.is_empty());
+    for line in motions.filter(|line| line.starts_with(' ')) {
+        assert!(!line.contains(|sign: char| sign.is_ascii_lowercase()), "{line}");
+    }
+    for page in [uk, en] {
+        let wide: Vec<&str> = page.lines().filter(|line| line.chars().count() > 80).collect();
+        assert!(wide.is_empty(), "{wide:?}");
+    }
+}
+
+#[test]
 fn a_program_with_a_fault_in_every_block_is_told_in_fifty() {
     let folder = folder("faults");
     let program: String = (1..=2_000).map(|number| format!("N{number} X1 Q9 Ж3\n")).collect();
@@ -81,9 +108,9 @@ fn a_program_with_a_fault_in_every_block_is_told_in_fifty() {
             assert_eq!(said.code, Some(1), "{}", said.beside);
             let shown = said.answer.matches("program.nc:").count();
             assert_eq!(shown, 50, "{control} {format}: {}", said.answer);
-            let count = said.answer.lines().rfind(|line| line.contains("findings")).unwrap();
-            let count: usize =
-                count.split(|sign: char| !sign.is_ascii_digit()).find_map(|one| one.parse().ok()).unwrap();
+            let count = said.answer.lines().rfind(|line| line.contains("errors")).unwrap();
+            let counts = count.split(|sign: char| !sign.is_ascii_digit()).filter_map(|one| one.parse::<usize>().ok());
+            let count: usize = counts.sum();
             assert!(count >= 2_000, "{count}");
             assert!(said.answer.contains(&format!("and {} more", count - 50)), "{control} {format}");
         }

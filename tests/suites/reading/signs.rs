@@ -125,6 +125,33 @@ fn the_name_of_a_file_steers_nothing() {
         assert!(visible(&said.answer) && visible(&said.beside), "{arguments:?}: {}{}", said.answer, said.beside);
         assert!((said.answer + &said.beside).contains('\u{fffd}'), "{arguments:?}");
     }
+    // Programs get the name as it is, in figures; whatever a terminal may be shown has another sign in its place.
+    let json = command(&folder, &["audit", "plans", "--format", "json"], b"").answer;
+    assert!(visible(&json) && json.contains(r"a\u001b[2J\u202eb.yaml"), "{json}");
+    let read: serde_json::Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(read[0]["file"], format!("plans/{name}"));
+    let case = "c\u{9b}2J\u{202e}.test.yaml";
+    fs::write(folder.join("plans").join(case), "tests: [{table: A.8, given: {it: 7}, expect: {scheme: 99}}]\n")
+        .unwrap();
+    for arguments in [
+        &["audit", "plans", "--format", "yaml"][..],
+        &["test", "plans", "--format", "json"],
+        &["test", "plans", "--format", "junit"],
+        &["test", "plans", "--format", "html"],
+    ] {
+        let said = command(&folder, arguments, b"");
+        assert!(!said.answer.is_empty() && visible(&said.answer), "{arguments:?}: {}", said.answer);
+    }
+}
+
+#[test]
+fn a_sign_of_no_width_in_a_key_is_shown() {
+    let folder = folder("no-width");
+    let text = part("P", "A").replacen("material:", "mate\u{200b}rial:", 1);
+    fs::write(folder.join("part.yaml"), text).unwrap();
+    let said = command(&folder, &["plan", "part.yaml"], b"").beside;
+    assert!(said.contains("unknown key `mate\\u{200b}rial`"), "{said}");
+    assert!(said.contains("did you mean `material`?"), "{said}");
 }
 
 #[test]

@@ -98,7 +98,7 @@ impl Reader<'_> {
             return Vec::new();
         };
         let mut factors = Vec::new();
-        for (key, node) in entries {
+        for (key, node) in limits::factors(entries, |(key, _)| &key.place, &mut self.problems) {
             let name = StatedValue { value: key.text.clone(), place: key.place.clone() };
             let value = if node.is_null() { None } else { self.figure(node) };
             factors.push(Factor { name, value });

@@ -250,32 +250,33 @@ type Cell = (i64, i64);
 /// A hole, by its group and its point, in the order of the file.
 type HoleNumber = (usize, usize);
 
-/// The holes that were looked at, by squares as wide as the widest hole: a hole can only run into those
-/// of its own square and of the eight around it.
+/// The holes of about one width, by squares of that width.
+type Squares = BTreeMap<Cell, Vec<HoleNumber>>;
+
+/// The holes that were looked at, those of each width apart: beside one wide hole the squares of small ones stay small.
 struct Cells<'g> {
     groups: &'g [Group],
-    width: i64,
-    holes: BTreeMap<Cell, Vec<HoleNumber>>,
+    of_width: BTreeMap<i64, Squares>,
 }
 
 impl<'g> Cells<'g> {
-    fn new(groups: &'g [Group]) -> Self {
-        let widest = groups.iter().filter_map(Group::widest).max().unwrap_or_default();
-        Self { groups, width: widest.micrometres().max(1), holes: BTreeMap::new() }
+    const fn new(groups: &'g [Group]) -> Self {
+        Self { groups, of_width: BTreeMap::new() }
     }
 
     /// For every hole of a group the first of those before it that it runs into.
     fn meetings(&mut self, index: usize) -> Vec<Meeting<'g>> {
         let groups = self.groups;
         let group = &groups[index];
+        let Some(widest) = group.widest().map(Micrometres::micrometres) else { return Vec::new() };
         let needed: Vec<Option<Micrometres>> = groups[..=index].iter().map(|other| group.needs(other)).collect();
+        let width = square(widest);
         let mut meetings = Vec::new();
         for (number, (point, place)) in group.points.iter().enumerate() {
-            let (column, row) = self.cell(*point);
-            let around = (column - 1..=column + 1).flat_map(|column| (row - 1..=row + 1).map(move |row| (column, row)));
+            let around = self.of_width.iter().flat_map(|(width, squares)| around(squares, *width, *point, widest));
             // In a square the holes stand in the order of the file, so that its first is its earliest.
-            let met = around.filter_map(|cell| {
-                self.holes.get(&cell)?.iter().find_map(|&(other, at)| {
+            let met = around.filter_map(|holes| {
+                holes.iter().find_map(|&(other, at)| {
                     let (needed, (other_point, _)) = (needed[other]?, &groups[other].points[at]);
                     // Most holes are far apart along one axis; that costs no root.
                     let (x, y) = ((point.x - other_point.x).abs(), (point.y - other_point.y).abs());
@@ -287,14 +288,37 @@ impl<'g> Cells<'g> {
                 let (other, other_place) = (&groups[other], &groups[other].points[at].1);
                 meetings.push(Meeting { point: *point, place, other, other_place, distance, needed });
             }
-            self.holes.entry((column, row)).or_default().push((index, number));
+            let squares = self.of_width.entry(width).or_default();
+            squares.entry(cell(*point, width)).or_default().push((index, number));
         }
         meetings
     }
+}
 
-    const fn cell(&self, point: Point) -> Cell {
-        (point.x.micrometres().div_euclid(self.width), point.y.micrometres().div_euclid(self.width))
+/// The side of the squares for holes of a width: at least the width, and less than twice as much.
+fn square(width: i64) -> i64 {
+    let side = u64::try_from(width).unwrap_or_default().max(1).checked_next_power_of_two();
+    side.and_then(|side| i64::try_from(side).ok()).unwrap_or(i64::MAX)
+}
+
+fn cell(point: Point, side: i64) -> Cell {
+    (point.x.micrometres().div_euclid(side), point.y.micrometres().div_euclid(side))
+}
+
+/// The squares whose holes one of a width may run into.
+fn around(squares: &Squares, side: i64, point: Point, width: i64) -> Box<dyn Iterator<Item = &Vec<HoleNumber>> + '_> {
+    // The holes of the squares are no wider than their side.
+    let reach = Micrometres::new(width.saturating_add(side)).half();
+    let low = cell(Point { x: point.x - reach, y: point.y - reach }, side);
+    let high = cell(Point { x: point.x + reach, y: point.y + reach }, side);
+    let columns = low.0..=high.0;
+    // Around a wide hole there may be fewer squares with holes than columns of squares.
+    if usize::try_from(high.0 - low.0).is_ok_and(|columns| columns > squares.len()) {
+        let near = move |(column, row): Cell| columns.contains(&column) && (low.1..=high.1).contains(&row);
+        return Box::new(squares.iter().filter(move |(cell, _)| near(**cell)).map(|(_, holes)| holes));
     }
+    let of_column = move |column| squares.range((column, low.1)..=(column, high.1)).map(|(_, holes)| holes);
+    Box::new(columns.flat_map(of_column))
 }
 
 #[cfg(test)]
@@ -361,6 +385,21 @@ holes:
             meeting[0].contains("27 of the 30 holes of A run into others; the first: at [115, 100]"),
             "{meeting:?}"
         );
+    }
+
+    #[test]
+    fn holes_of_every_width_are_held_against_each_other() {
+        // In whichever order they stand, a small one beside a wide one is found where it is too near by a hair.
+        for (wide, small) in [("80", "3"), ("64", "4"), ("16", "16"), ("33", "31")] {
+            let half = |text: &str| text.parse::<f64>().unwrap() / 2.0;
+            let apart = half(wide) + half(small);
+            for (shift, count) in [(0.0, 0), (-0.002, 1)] {
+                let first = hole("A", &format!("diameter: {wide}, at: [[500, 500]]"));
+                let second = hole("B", &format!("diameter: {small}, at: [[{:.3}, 500]]", 500.0 - apart - shift));
+                assert_eq!(problems(&format!("{first}{second}")).len(), count, "{wide} {small} {shift}");
+                assert_eq!(problems(&format!("{second}{first}")).len(), count, "{small} {wide} {shift}");
+            }
+        }
     }
 
     #[test]

@@ -375,6 +375,16 @@ holes:
     }
 
     #[test]
+    fn a_comma_in_a_diameter_is_answered_with_the_diameter_that_is_meant() {
+        let knowledge = crate::shipped::knowledge().unwrap();
+        for (written, example) in [("10,5H7", "`10.5H7`"), ("Ø10,5", "`10.5`"), ("tenH7", "`10H12`")] {
+            let why = super::super::ToleratedDiameter::parse(written, &knowledge).unwrap_err();
+            let told = technolog_words::Lang::EN.say(&why);
+            assert!(told.ends_with(&format!("write {example}")), "{written}: {told}");
+        }
+    }
+
+    #[test]
     fn a_centre_tolerance_is_a_width_or_a_grade() {
         let grade = CentreTolerance::Grade { it: ItGrade::new(12).unwrap() };
         for written in ["IT12", "IT 12", "ІТ12", "it12"] {

@@ -76,7 +76,12 @@ impl ToleratedDiameter {
         // At the H, so that a letter typed for a digit before it is seen as such.
         let split = text.rfind('H').or_else(|| text.find(char::is_alphabetic)).unwrap_or(text.len());
         let (size, field) = text.split_at(split);
-        let nominal: Micrometres = size.trim().parse().map_err(|error| note!("part-write-h", error = error))?;
+        let nominal: Micrometres = size.trim().parse().map_err(|error| {
+            // What was meant, where only the comma is wrong.
+            let meant = size.trim().replace(',', ".");
+            let meant = meant.parse::<Micrometres>().is_ok().then(|| format!("{meant}{field}"));
+            note!("part-write-h", error = error, example = meant.unwrap_or_else(|| "10H12".to_owned()))
+        })?;
         if field.is_empty() {
             let grade = convention(HoleDefault::FreeSizeGrade, knowledge)? as u8;
             return Self::with_grade(nominal, grade, nominal.to_string(), knowledge);

@@ -180,9 +180,11 @@ impl Reason {
                     .with("high", high)
                     .with("diameter", diameter)
             }
-            Self::NoDrill { diameter, below, above } => {
-                new("no-drill").with("diameter", diameter).with("below", size(*below)).with("above", size(*above))
-            }
+            Self::NoDrill { diameter, below, above } => new("no-drill")
+                .with("diameter", diameter)
+                .with("below", size(*below))
+                .with("above", size(*above))
+                .with("sides", sides(*below, *above)),
             Self::NoDrillSoLarge { diameter, limit } => {
                 new("no-drill-so-large").with("diameter", diameter).with("limit", limit)
             }
@@ -211,7 +213,8 @@ impl Reason {
             Self::NoFlatOpening { diameter, below, above } => new("no-flat-opening")
                 .with("diameter", diameter)
                 .with("below", size(*below))
-                .with("above", size(*above)),
+                .with("above", size(*above))
+                .with("sides", sides(*below, *above)),
             Self::NoOpening { diameter, start } => new("no-opening").with("diameter", diameter).with("start", start),
             Self::NoRoute => new("no-route").with("tried", 0),
             Self::TooShallowForFlat { depth, diameter } => {
@@ -241,6 +244,16 @@ impl Reason {
 }
 
 /// The next size that there is, as sentences show it.
+/// On which sides of a size there is another.
+const fn sides(below: Option<Micrometres>, above: Option<Micrometres>) -> &'static str {
+    match (below, above) {
+        (Some(_), Some(_)) => "both",
+        (Some(_), None) => "below",
+        (None, Some(_)) => "above",
+        (None, None) => "none",
+    }
+}
+
 fn size(size: Option<Micrometres>) -> String {
     size.map_or_else(|| "-".to_owned(), |size| format!("Ø{size}"))
 }

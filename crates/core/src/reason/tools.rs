@@ -5,7 +5,7 @@ use crate::note::{Figure, Note};
 use crate::plan::Operation;
 use crate::units::{Micrometres, round_to};
 
-use super::size;
+use super::{sides, size};
 
 /// Why a cutter, by itself or in a holder, does not do what is asked of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -148,6 +148,7 @@ impl NoSize {
                 .with("diameter", diameter)
                 .with("below", size(*below))
                 .with("above", size(*above))
+                .with("sides", sides(*below, *above))
                 .with("tables", tables),
             Self::NoMillEnters { hole, clearance } => {
                 new("no-mill-enters").with("hole", hole).with("clearance", clearance)

@@ -314,14 +314,14 @@ impl<'a, 'k> Chooser<'a, 'k> {
             let more = total.0 - time.0;
             let why = match (winner.meets(), other.meets()) {
                 _ if self.other_way(group, other) => {
-                    Note::new("lost-by-preference").with("quicker", Figure::fixed(-more, 3))
+                    Note::new("lost-by-preference").with("quicker", minutes(-more))
                 }
                 (true, false) => other.misses.first().cloned().unwrap_or_else(|| Note::new("misses-unknown")),
                 _ if other.at_best.len() > winner.at_best.len() => {
                     other.at_best.first().cloned().unwrap_or_else(|| Note::new("misses-unknown"))
                 }
-                _ if more > 5e-4 => Note::new("lost-by-time").with("slower", Figure::fixed(more, 3)),
-                _ if more < -5e-4 => Note::new("lost-by-places").with("quicker", Figure::fixed(-more, 3)),
+                _ if more > 5e-4 => Note::new("lost-by-time").with("slower", minutes(more)),
+                _ if more < -5e-4 => Note::new("lost-by-places").with("quicker", minutes(-more)),
                 _ => Note::new("lost-by-order"),
             };
             alternatives.push(Alternative {
@@ -395,4 +395,8 @@ fn tool_keys(steps: &[Fitted]) -> BTreeSet<ToolKey> {
             },
         })
         .collect()
+}
+/// A difference of times as it is told: to half a second, and small ones so that they are not nought.
+fn minutes(more: f64) -> Figure {
+    Figure::fixed(more, if more < 0.05 { 3 } else { 2 })
 }

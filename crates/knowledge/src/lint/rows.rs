@@ -79,14 +79,24 @@ fn decision(table: &Table, findings: &mut Vec<Diagnostic>) {
                 (low != i64::MIN && high != i64::MAX) || set.intersection(&column.allowed()).is_empty()
             });
             if stated {
-                let message = note!(
-                    "lint-table-row-reaches-outside-domain",
-                    table = table.id,
-                    row = row + 1,
-                    text = text,
-                    domain = column.domain_text.as_deref().unwrap_or("of its type"),
-                    column = column.name
-                );
+                let (table_id, row_number, name) = (&table.id, row + 1, &column.name);
+                let message = match column.domain_text.as_deref() {
+                    Some(domain) => note!(
+                        "lint-table-row-reaches-outside-domain",
+                        table = table_id,
+                        row = row_number,
+                        text = text,
+                        domain = domain,
+                        column = name
+                    ),
+                    None => note!(
+                        "lint-table-row-reaches-outside-type",
+                        table = table_id,
+                        row = row_number,
+                        text = text,
+                        column = name
+                    ),
+                };
                 findings.push(Diagnostic::error("outside-domain", message, cell_place(table, row, index)));
             }
         }

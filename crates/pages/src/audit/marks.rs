@@ -48,6 +48,7 @@ pub(super) fn table(marks: &Marks, audit: &Audit, lang: Lang) -> Table {
     counts.extend((follow > 0).then(|| say!(lang, "audit-free-follow", count = follow)));
     counts.extend((capped > 0).then(|| say!(lang, "audit-free-capped", count = capped)));
     counts.extend((other > 0).then(|| say!(lang, "audit-free-other", count = other)));
+    table.notes.push(lang.word("audit-marks-legend").into());
     if !counts.is_empty() {
         table.notes.push(say!(lang, "audit-free", counts = counts.join(", ")).into());
     }

@@ -7,7 +7,6 @@ mod zones;
 
 use crate::document::{Block, Column, Document, Item, Table};
 use crate::knowledge::Knowledge;
-use crate::note::Figure;
 use technolog_turning::allowances::areas::Area;
 use technolog_turning::operation::Operation;
 use technolog_turning::operation::programs::OperationProgram;
@@ -61,7 +60,8 @@ pub fn programs_list(programs: &[OperationProgram], lang: Lang) -> String {
             set_up = program.set_up,
             side = word(program.side.name()),
             count = program.zones.len(),
-            zones = Figure::list(program.zones.iter().map(|zone| Figure::number(zone.to_string()))),
+            zones =
+                program.zones.iter().map(|zone| format!("{}.{zone}", program.set_up)).collect::<Vec<_>>().join(", "),
             tool = &program.tool
         );
         match &program.files {

@@ -142,7 +142,8 @@ fn way(
         "turn-way",
         set_up = set_up.set_up.number,
         side = word(side.side.name()),
-        zone = zone.zone.number,
+        // As the pages name it.
+        zone = format!("{}.{}", set_up.set_up.number, zone.zone.number),
         scheme = word(transition.scheme.name()),
         depth = rounded(work.levels.depth.to_mm(), lang),
         cutting = fixed(transition.measures.cutting_mm, 1, lang),

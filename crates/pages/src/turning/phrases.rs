@@ -22,7 +22,7 @@ pub(super) fn reasoned(because: &Because, lang: Lang) -> Inlines {
 
 /// A sentence with the row that it rests on.
 pub(super) fn rests_on(said: &str, because: &Because, lang: Lang) -> Inlines {
-    let (table, place) = (because.table.as_str(), because.place.as_str());
+    let (table, place) = (because.table.as_str(), lang.place(&because.place));
     Inlines::sentence(&match because.row {
         Some(row) => say!(lang, "turn-by-row", said = said, table = table, row = row, place = place),
         None => say!(lang, "turn-by-table", said = said, table = table, place = place),

@@ -19,7 +19,13 @@ pub(super) fn sections(page: &mut Document, found: &Schemes, lang: Lang) {
     page.push(schemes(found, lang));
     let what = found.schemes.iter().map(|scheme| {
         let (because, name) = (&scheme.because, word(scheme.name));
-        Inlines::sentence(&say!(lang, "turn-scheme-is", scheme = name, what = &because.note, place = &because.place))
+        Inlines::sentence(&say!(
+            lang,
+            "turn-scheme-is",
+            scheme = name,
+            what = &because.note,
+            place = lang.place(&because.place)
+        ))
     });
     page.blocks.push(Block::List(what.map(Item::from).collect()));
     page.paragraph(said(&best.because.note, lang));

@@ -65,14 +65,14 @@ audit-by-formula = { $share } % of the { $value } that the handbook's formula ma
 audit-tool-life = { $share } % of the { $value } min for which the handbook gives speeds at this diameter
 # The working zone.
 audit-zone-turned = turned by 90°, the holes would span { $span } ≤ { $travel } mm along { $axis }
-audit-blank-off-table = the blank along { $axis }: { $size } > { $table } mm of table, { $over } mm overhang; turn it, or use a fixture
+audit-blank-off-table = the blank along { $axis } is { $size } mm, the table { $table } mm: { $over } mm overhang; turn it, or use a fixture
 audit-zone-over = the assembly does not pass over the part: { $length } + approach { $approach } + part { $thickness } + fixture { $fixture } = { $needed } > { $most } mm from table to spindle nose; an assembly of up to { $fits } mm would pass
 audit-zone-under = the quill does not bring the tool to the bottom: assembly of T{ $other } { $longest } − { $length } + approach { $approach } + depth of the tip { $depth } = { $way } > { $travel } mm of travel; an assembly of { $fits } mm or more would do
 audit-zone-low = the quill does not bring the tool to the bottom: spindle nose at least { $least } over the table − { $length } − bottom { $lowest } = { $way } > { $travel } mm of travel; an assembly of { $fits } mm or more would do
 audit-zone-unknown = the height was not checked: the record of the machine has no distance from table to spindle nose
 # The reach.
 audit-holder-hits = the tip goes { $needed } mm below the face and the tool stands { $reach } out of its holder: the holder would hit the part
-audit-flute-short = flutes of { $reach } < { $needed } mm: depth, point and overrun
+audit-flute-short = the flutes are { $reach } mm long; depth, point and overrun need { $needed } mm
 # Clamps.
 audit-clamp-standard = { $standard } is not the standard of the clamp { $designation }: it is of { $known }
 audit-clamp-screw = { $screw } is not the screw of the clamp { $designation }: it has { $known }

@@ -55,6 +55,7 @@ cli-formats = its formats are { $known }
 cli-cannot-write = { $path }: cannot be written: { $error }
 cli-write-not-permitted = { $path }: writing it is not permitted
 cli-check-folder = name a file in a folder that exists and can be written
+cli-replace-link = name the file itself, or remove the link
 cli-would-replace-input = { $file } is what the answer is made of; it is not replaced
 cli-another-file = name another file with -o
 cli-cannot-print = the answer cannot be printed: { $error }

@@ -32,5 +32,7 @@ case-table-gives-no = table { $table } gives no `{ $key }`
 case-case-cannot-filled-where-stands = case { $case } cannot be filled in where it stands
 case-write-expect-on-line-own = write `expect: ~` on a line of its own
 case-too-many-cases = the file has { $count } cases, and may have { $most }
+case-too-many-words = the key has { $count } words with points between them, and may have { $most }
+case-write-keys-within = no answer is so deep
 case-head-too-large = with what stands at the head of the file its cases have { $count } values, and may have { $most }
 case-write-in-the-cases = write in the cases what each of them needs

@@ -51,4 +51,5 @@ planfile-no-rule = no rule `{ $key }`
 planfile-alike-no-figure-finding = `{ $name }` in `alike` is not a figure of a finding
 planfile-too-many-rows = there are { $count } rows, and a plan may have { $most }
 planfile-too-many-tools = there are { $count } tools, and a plan may have { $most }
+planfile-too-many-factors = there are { $count } factors, and a figure may have { $most }
 planfile-check-or-split = check what was written twice, or make several plans of it

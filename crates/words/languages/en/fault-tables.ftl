@@ -122,6 +122,7 @@ lint-say-unconfirmed-what-confirmed-reason = write in `unconfirmed` what is not 
 lint-table-input-has-no-domain = { $file }: table { $table }, input `{ $column }` has no domain, so nothing can be proven
 lint-give-column-domain = give the column a `domain`
 lint-table-row-reaches-outside-domain = table { $table }, row { $row }: `{ $text }` reaches outside the domain { $domain } of `{ $column }`
+lint-table-row-reaches-outside-type = { $table }, row { $row }: `{ $text }` of `{ $column }` reaches outside what a value of its type can be
 lint-table-row-says-same-row = table { $table }: row { $row } says the same as row { $other }
 lint-remove-one-them = remove one of them
 lint-table-row-can-never-win = table { $table }: row { $row } can never win

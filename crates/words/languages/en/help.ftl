@@ -2,7 +2,7 @@
 help-technolog = Knowledge base and rule engine for planning the machining of holes and shafts
 help-technolog-lang = Language of the answers: uk or en (by default from the variable LANG, otherwise uk)
 help-technolog-knowledge = Folder with catalogs/ and rules/ instead of the embedded knowledge
-help-technolog-format = Form of the answer: text, json, yaml, csv, svg, markdown, html or junit, if the command supports it
+help-technolog-format = Form of the answer: text, json, yaml, hand, csv, svg, markdown, html or junit, if the command supports it
 help-technolog-output = Write the answer to a file, not to the screen
 help-technolog-all-problems = Show every error and finding of a file, also beyond the first 50
 help-technolog-help = Show this help
@@ -13,7 +13,7 @@ help-lookup = One query against one table, with the reason for its answer
 help-lookup-table = The table, such as A.8
 help-lookup-query = What is known, by the names of columns: it=7 diameter=12 roughness="Ra 2.5"
 help-lookup-all = Every rejected row on its own, however many there are
-help-plan = The whole plan of a part: route, tools, conditions, clamping, corrections, times
+help-plan = The whole plan of a part: route, tools, conditions, clamping, corrections, times; with --format hand, as people write one
 help-plan-part = The part file
 help-plan-prefer = Which route is taken: the best one, or the tables' own scheme (A.8 to A.10) wherever it can be carried out
 help-plan-cutting = Cutting conditions by formula or by the worked example's card
@@ -44,7 +44,7 @@ help-turn-per-pass = With path-and-passes: what each pass adds to the path, mm
 help-turn-show = What to show: passes (of a contour: the operation), operation (zones, tools, the seven schemes), schemes (the same, drawn with the toolpath of each scheme), steps (the optimum pass by pass, --format svg), map (the variants over length to diameter), program (motions) or cycle (the roughing cycle of the control)
 help-turn-control = With program and cycle: the control, linuxcnc, sinumerik or nc-201
 help-turn-number = With program and cycle: which of the programs, from 1; the list is printed to the error stream
-help-turn-spindle = With program and cycle: the spindle speed, 1/min, if no lathe gives it
+help-turn-spindle = With program and cycle: the spindle speed, rpm, if no lathe gives it
 help-turn-moves = Moves: basic, as the paper has them, or rich: stopping anywhere and with less depth; by default as in the file
 help-audit = Check a plan, or a folder of plans, against the knowledge base: every figure, every choice, the program
 help-audit-plan = The plan file (docs/audit.md), a plan of `technolog plan --format json`, or a folder of plans
@@ -56,6 +56,7 @@ help-lint-documentation = List what is only for people: columns and tables that 
 help-test = Run cases: questions to tables, parts, programs, audits, with what is expected of the answers (docs/cases.md)
 help-test-paths = Files of cases, or folders: of these every file that ends in .test.yaml
 help-test-write = Fill in what comes today where nothing is expected yet, an `expect` that is absent or empty or an empty value in it, for you to review: in the file itself, or with -o in a copy. What is expected already, and every other byte, stays
+help-test-allow-outside = Let cases name files outside their folder, the folder that is named and the current one
 # Headings of the help.
 help-commands = Commands
 help-arguments = Arguments
@@ -73,6 +74,14 @@ usage-twice = the argument `{ $argument }` is given more than once
 usage-conflict = the argument `{ $argument }` cannot be used with `{ $other }`
 usage-count = the argument `{ $argument }` has a wrong number of values
 usage-not-utf8 = an argument is not UTF-8 text
+usage-whole-number = a whole number from { $least } to { $most } is needed
+usage-length = a length from 0 to { $most } mm is needed
+# Within the line of usage.
+usage-options = [OPTIONS]
+usage-command = <COMMAND>
+# Behind the help of an argument.
+help-default = [default: { $value }]
+help-values = [possible values: { $values }]
 usage-possible-values = possible values: { $values }
 usage-similar = tip: there is a similar one: { $values }
 usage-more = For more: `--help`.

@@ -19,9 +19,9 @@ no-route = { $diameter }: no scheme is possible ({ $tried } refused)
 finish-elsewhere = the tables finish this hole on a machine of another type; scheme { $scheme } is used here
 grade-without-distance = centre_tolerance: IT{ $it } needs two holes in the group; give the width in mm
 grade-outside-table = IT{ $it } at a centre distance of { $distance } mm is outside the table: { $why }
-point-breaks-through = the point of the drill Ø{ $diameter } reaches { $depth } ≥ { $limit } mm, the blank's thickness: the blind hole breaks through
-spot-too-deep = the spot Ø{ $diameter } is { $depth } ≥ { $limit } mm deep, the depth of the hole
-too-heavy = mass { $mass } > { $limit } kg, the most the machine takes
+point-breaks-through = the point of the drill Ø{ $diameter } reaches { $depth } mm, and the blank is { $limit } mm thick: the blind hole breaks through
+spot-too-deep = the spot Ø{ $diameter } is { $depth } mm deep, and the hole { $limit } mm
+too-heavy = mass { $mass } kg, and the machine takes { $limit } kg at most
 not-planned = { $operation }: not planned here
 rows-rejected = rows by the column { $column }: { $rows }
 # Diameters.
@@ -35,7 +35,12 @@ first-drill = first drill Ø{ $first }: { $share-min }–{ $share-max } of Ø{ $
 two-passes-cost = against one drill: { $time } min per hole, thrust { $thrust } N instead of { $one-thrust } N
 bored-by-stand-in = Ø{ $diameter } is too small for a boring bar (from Ø{ $smallest }); { $instead } is done instead of boring
 too-small-to-bore = { $operation }: Ø{ $diameter } < Ø{ $smallest }, the smallest hole a bar enters
-no-drill = no drill Ø{ $diameter } that reaches; the nearest are { $below } and { $above }
+no-drill = no drill Ø{ $diameter } that reaches{ $sides ->
+        [below] ; the largest below it is { $below }
+        [above] ; the smallest above it is { $above }
+        [none] {""}
+       *[both] ; the nearest are { $below } and { $above }
+    }
 no-drill-in-allowance = { $operation } to Ø{ $diameter }: no drill from Ø{ $low } to Ø{ $high }
 no-drill-before-boring = boring to Ø{ $diameter }: no drill from Ø{ $smallest } to Ø{ $largest }
 no-bar-enters = to Ø{ $diameter }: no bar enters the hole Ø{ $hole }

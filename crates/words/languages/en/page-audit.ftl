@@ -226,6 +226,7 @@ factor-hole-depth = hole depth
 factor-surface-state = state of the surface
 # The command.
 audit-skipped-file = { $file }: not a plan, skipped
+audit-marks-legend = By what points are taken: by rule, where the scheme names the rule; by section, where it names the section of the plan; by severity (error, wrong, doubtful) everywhere else.
 audit-no-plans = there is no plan in the folder `{ $folder }`
 audit-what-is-a-plan = plans are files .yaml, .yml and .json as docs/audit.md describes them
 audit-folder-against = only two plans can be compared, no folder

@@ -2,6 +2,42 @@
 check-title = Check of the program { $program }
 check-made = Made of what the plan requires
 check-trace = Motions: line, block, motion, machine position in mm
+trace-rapid = rapid
+trace-feed = feed
+trace-arc-cw = arc-cw
+trace-arc-ccw = arc-ccw
+trace-dwell = dwell
+trace-spindle = spindle
+trace-coolant = coolant
+trace-tool = tool
+trace-length = length
+trace-radius = radius
+trace-machine = machine
+trace-stop = stop
+trace-end = end
+trace-centre = centre
+trace-turns = turns
+trace-s = s
+trace-stopped = stopped
+trace-clockwise = clockwise
+trace-counterclockwise = counterclockwise
+trace-on = on
+trace-off = off
+trace-left = left
+trace-right = right
+trace-optional = optional
+check-errors = { $count } { $count ->
+        [one] error
+       *[other] errors
+    }
+check-warnings = { $count } { $count ->
+        [one] warning
+       *[other] warnings
+    }
+check-notes = { $count } { $count ->
+        [one] note
+       *[other] notes
+    }
 check-times = Time, min
 check-times-of = { $total } (feed { $feed }, rapid { $rapid }, dwell { $dwell }, tool change { $change })
 # The knowledge base that was checked.

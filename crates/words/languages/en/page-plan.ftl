@@ -85,7 +85,7 @@ plan-card = { $hole }, { $operation }: by the card S = { $feed } mm/rev, V = { $
 plan-largest-force = Hole { $hole } needs the largest clamping force: M = { $torque } N·m, { $distance } mm from its clamp, W = k·M/(f·d) = { $force } N.
 plan-clamps = Clamps { $points }: { $force } N each, screw { $screw }; start point at least { $distance } mm from a clamp.
 plan-clamps-proposed = Clamps { $points } (proposed): { $force } N each, screw { $screw }; start point at least { $distance } mm from a clamp.
-plan-weak-screw = The screw is too weak: bears { $bears } < { $force } N.
+plan-weak-screw = The screw is too weak: it bears { $bears } N, and { $force } N are needed.
 plan-times = { $parts } = { $total } min
 plan-time-machine = Machine time { $time }
 plan-time-feed-out = out of the holes at feed { $time }

@@ -38,5 +38,6 @@ test-files-counted = { $count } { $count ->
        *[other] files
     }
 test-all-as-expected = { $files }, { $cases }: all as expected
+test-none-failed = { $files }, { $cases }
 test-some-failed = { $files }, { $cases }: { $failed } failed
 test-unusable-files = {""}, unusable files: { $count }

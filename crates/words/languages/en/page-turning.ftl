@@ -111,8 +111,8 @@ turn-tool-width = Tool width
 turn-transitions = Schemes of rough transitions (lecture 12.4)
 turn-work = Zone { $zone }, Z { $from } → { $to }
 turn-depth-of-work = Depth of a pass t_p = { $depth } mm.
-turn-conditions = f = { $feed } mm/rev, V = { $speed } m/min, n = { $rpm } 1/min, { $rate } mm/min.
-turn-conditions-with-force = f = { $feed } mm/rev, V = { $speed } m/min, n = { $rpm } 1/min, { $rate } mm/min; Pz = { $force } N, N = { $power } kW.
+turn-conditions = f = { $feed } mm/rev, V = { $speed } m/min, n = { $rpm } rpm, { $rate } mm/min.
+turn-conditions-with-force = f = { $feed } mm/rev, V = { $speed } m/min, n = { $rpm } rpm, { $rate } mm/min; Pz = { $force } N, N = { $power } kW.
 turn-even = with an even allowance: { $best }
 turn-scheme-refused = scheme “{ $scheme }” refused: { $why }
 turn-support-points = support points: { $points }

@@ -63,7 +63,7 @@ begins-lower = { $hole }: { $operation } at { $at }: the feed begins at Z{ $made
 begins-higher = { $hole }: { $operation } at { $at }: the feed begins at Z{ $made } instead of Z{ $needed }
     .help = check the levels of the cycle, the zero and the offset register
 # Conditions.
-other-speed = { $hole }: { $operation } at { $at }: { $made } 1/min instead of { $needed }
+other-speed = { $hole }: { $operation } at { $at }: { $made } rpm instead of { $needed }
     .help = use the value in the plan, or make sure that this one is right
 other-feed = { $hole }: { $operation } at { $at }: feed { $made } mm/min instead of { $needed }
     .help = use the value in the plan, or make sure that this one is right

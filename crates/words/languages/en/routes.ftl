@@ -21,15 +21,15 @@ reaches-again = the same again by a wider tool: grade { $it }, { $roughness }
 reaches-by-itself = prepares the next transition: by itself grade { $it }, { $roughness }
 reaches-no-worse = prepares the next transition and makes nothing worse: grade { $it }, { $roughness }
 reaches-thread = thread: { $roughness }
-drills-too-short = the largest drill that fits, Ø{ $diameter }: it reaches { $reach } mm < { $needed } mm
+drills-too-short = the largest drill that fits, Ø{ $diameter }, reaches { $reach } mm, and { $needed } mm are needed
 promised-finer = { $table } promises grade { $it }, and by A.1 these transitions give { $own }
-misses-position = the position of the axis { $position } > { $asked } mm permitted
+misses-position = the position of the axis is within { $position } mm, and { $asked } mm are permitted
 misses-axis = the tool follows the axis of the cast hole, whose position is not known, and { $asked } mm is permitted
 misses-unknown = the tables do not say what it reaches
 not-bored = the position of the axis requires boring (1.2), but no boring bar can be used here; the route does not bore
 position-asks-boring = does not bore, though the permitted position is { $position } < 0.1 mm (1.2)
 boring-not-asked = bores, though the permitted position { $position } ≥ 0.1 mm does not require it (1.2)
-milled-not-round = milled to Ø{ $diameter }: the machine's roundness { $roundness } > { $most } mm, its share of the tolerance
+milled-not-round = milled to Ø{ $diameter }: the machine's roundness is { $roundness } mm, its share of the tolerance { $most } mm
 # Why a route lost.
 lost-by-time = longer by { $slower } min
 lost-by-places = shorter by { $quicker } min, but needs more places than the magazine has
@@ -46,7 +46,7 @@ no-drill-before = { $operation } to Ø{ $diameter }: no drill leaves it stock (u
 no-counterbore-in-allowance = { $operation } to Ø{ $diameter }: no counterbore of Ø{ $low }–{ $high } leaves the allowance
 step-finished-elsewhere = the tables finish the step { $diameter } on another machine; stock is left for it here
 no-hole-to-open = { $operation }: there is no hole to open
-stock-too-small = { $operation } from Ø{ $start } to Ø{ $diameter }: stock { $stock } mm < { $least } mm, the tool does not cut
+stock-too-small = { $operation } from Ø{ $start } to Ø{ $diameter }: the stock is { $stock } mm, and the tool cuts from { $least } mm on
 tapped-at-once = the blank's hole Ø{ $start } is that for the thread { $thread } already: it is only tapped
 opened-already = { $operation } to Ø{ $diameter }: the hole is Ø{ $start } already
 stock-outside-allowance = { $operation } to Ø{ $diameter }: stock { $stock } mm is outside { $low }–{ $high } mm
@@ -57,9 +57,14 @@ flat-floor = flat floor: the drill stops at { $stop } mm, a mill levels it at { 
 floor-not-flat = the floor cannot be made flat: the drill's cone stays
 flat-under-thread = for a thread { $depth } mm deep the hole is drilled to { $drilled } mm, with a cone: no flat floor at { $depth } mm; write `bottom: free`
 too-shallow-for-flat = the hole is { $depth } mm deep, shallower than the point of the drill Ø{ $diameter }
-no-flat-opening = Ø{ $diameter }: no cutter leaves a flat shoulder; the nearest counterbores are { $below } and { $above }
+no-flat-opening = Ø{ $diameter }: no cutter leaves a flat shoulder{ $sides ->
+        [below] ; the largest below it is { $below }
+        [above] ; the smallest above it is { $above }
+        [none] {""}
+       *[both] ; the nearest counterbores are { $below } and { $above }
+    }
 no-opening = Ø{ $diameter }: nothing opens it from Ø{ $start }
-step-too-deep = the step is { $depth } ≥ { $limit } mm deep, the blank's thickness
+step-too-deep = the step is { $depth } mm deep, and the blank is { $limit } mm thick
 groove-not-axial = no axial tool makes the groove Ø{ $diameter }, { $width } mm wide, { $depth } mm deep: it needs a recessing tool on another machine
 thread-chamfer = a chamfer of the pitch, { $pitch } mm, for the thread
 thread-of-step = thread { $thread } on the step
@@ -69,9 +74,9 @@ second-setup = steps from the back face: a second set-up after turning the part 
 step-drill = a step drill Ø{ $narrow }/Ø{ $wide } makes both diameters with one stroke
 no-step-drill = there is no step drill Ø{ $narrow }/Ø{ $wide }
 cutter-ground-down = the catalogs lack this size: Ø{ $own } ground down to Ø{ $size }
-mill-too-large = { $tool } ({ $table }): mill Ø{ $diameter } > Ø{ $limit }
-tool-too-wide = { $tool } ({ $table }): Ø{ $diameter } > Ø{ $limit }, the widest the magazine takes
-assembly-too-heavy = assembly with { $holder }: mass { $mass } > { $limit } kg
+mill-too-large = { $tool } ({ $table }): the mill Ø{ $diameter } is wider than Ø{ $limit }
+tool-too-wide = { $tool } ({ $table }): Ø{ $diameter } is more than Ø{ $limit }, the widest the magazine takes
+assembly-too-heavy = assembly with { $holder }: mass { $mass } kg, and { $limit } kg are allowed
 second-opinion = public tables drive { $low } to { $high } m/min; the formula gives { $formula } m/min, { $percent } % of their usual speed
 practice-speed = the speed of practice is taken: { $speed } m/min
 does-not-pass = { $tool } ({ $table }): Ø{ $diameter } ≥ Ø{ $within } of the step it would have to pass

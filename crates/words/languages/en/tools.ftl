@@ -7,24 +7,29 @@ overhang-cylindrical = overhang: { $free } mm outside the seat + { $extra } mm
 overhang-morse = overhang: { $projection } mm outside the taper
 overhang-shell = shell cutter: it stands out by its own length
 overhang-taper = a tool with the machine's own taper
-does-not-reach = { $tool } ({ $table }): reach { $reach } < { $needed } mm
-drill-too-large = { $tool } ({ $table }): Ø{ $diameter } > Ø{ $limit }, the machine's largest drill
+does-not-reach = { $tool } ({ $table }): reach { $reach } mm, and { $needed } mm are needed
+drill-too-large = { $tool } ({ $table }): Ø{ $diameter } is more than Ø{ $limit }, the machine's largest drill
 bar-does-not-enter = { $tool } ({ $table }): the bar Ø{ $bar } does not enter the hole Ø{ $hole }
-no-cutter-of-size = { $operation }: the tables { $tables } have no Ø{ $diameter }; the nearest are { $below } and { $above }
+no-cutter-of-size = { $operation }: the tables { $tables } have no Ø{ $diameter }{ $sides ->
+        [below] ; the largest below it is { $below }
+        [above] ; the smallest above it is { $above }
+        [none] {""}
+       *[both] ; the nearest are { $below } and { $above }
+    }
 no-cutter = { $operation }: no cutter
 shank-outside-clamp = { $holder }: shank Ø{ $shank } is outside { $low }–{ $high } mm
 other-morse = { $holder }: Morse { $taken }, the cutter has { $own }
 other-taper = { $holder }: 7:24 No. { $own }, the spindle has No. { $spindle }
-stands-out-too-little = { $holder }: it stands out { $reach } < { $needed } mm
+stands-out-too-little = { $holder }: it stands out { $reach } mm, and { $needed } mm are needed
 arbor-does-not-enter = { $holder }: the arbor Ø{ $arbor } does not enter the hole Ø{ $hole }
 start-near-clamp = the tool-change point is { $distance } mm from a clamp, less than the safe { $needed } mm: stops for the wrench are needed (1.11)
 clamp-near-hole = a clamp is { $distance } mm from the hole's axis, less than { $needed } mm
 other-bore = { $holder }: seat { $taken } mm, the cutter has { $own } mm
-assembly-too-long = { $tool } in { $holder }: length { $length } > { $limit } mm, the machine's largest overhang
+assembly-too-long = { $tool } in { $holder }: length { $length } mm, and the machine's largest overhang is { $limit } mm
 # Clamping, travel.
 safety = safety factor k = { $value }
 friction = friction f = { $value }
 screw = { $needed } is needed, { $taken } taken: bears { $bears } N
 no-screw = no screw bears { $force } N per clamp ({ $clamps })
-screw-too-weak = screw { $screw } bears { $bears } < { $force } N per clamp; { $needed } is needed
-beyond-travel = the holes span { $span } > { $travel } mm of travel along { $axis }
+screw-too-weak = screw { $screw } bears { $bears } N, and each clamp takes { $force } N; { $needed } is needed
+beyond-travel = the holes span { $span } mm, and the travel along { $axis } is { $travel } mm

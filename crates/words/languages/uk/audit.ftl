@@ -65,14 +65,14 @@ audit-by-formula = { $share } % від { $value }, що дає формула д
 audit-tool-life = { $share } % від { $value } хв, для яких довідник дає швидкості за цього діаметра
 # The working zone.
 audit-zone-turned = повернуті на 90°, отвори займали б { $span } ≤ { $travel } мм по { $axis }
-audit-blank-off-table = заготовка по { $axis }: { $size } > { $table } мм стола, звисає на { $over } мм; покладіть її інакше або на пристосування
+audit-blank-off-table = заготовка по { $axis } – { $size } мм, а стіл – { $table } мм: звисає на { $over } мм; покладіть її інакше або на пристосування
 audit-zone-over = комплект не проходить над деталлю: { $length } + недобіг { $approach } + деталь { $thickness } + пристосування { $fixture } = { $needed } > { $most } мм від стола до торця шпинделя; пройшов би комплект до { $fits } мм
 audit-zone-under = повзун не опускає інструмент до дна: комплект T{ $other } { $longest } − { $length } + недобіг { $approach } + глибина вістря { $depth } = { $way } > { $travel } мм ходу; досить було б комплекту від { $fits } мм
 audit-zone-low = повзун не опускає інструмент до дна: торець шпинделя щонайменше { $least } над столом − { $length } − дно { $lowest } = { $way } > { $travel } мм ходу; досить було б комплекту від { $fits } мм
 audit-zone-unknown = висоту не перевірено: у записі верстата немає відстані від стола до торця шпинделя
 # The reach.
 audit-holder-hits = вістря опускається на { $needed } мм нижче торця, а інструмент виступає з допоміжного інструмента на { $reach } мм: той вдарить у деталь
-audit-flute-short = робоча довжина { $reach } < { $needed } мм: глибина, вістря і перебіг
+audit-flute-short = робоча довжина { $reach } мм, а на глибину, вістря й перебіг потрібно { $needed } мм
 # Clamps.
 audit-clamp-standard = { $standard } не стандарт притискача { $designation }: той за { $known }
 audit-clamp-screw = гвинт { $screw } не той, що в притискача { $designation }: у нього { $known }

@@ -55,6 +55,7 @@ cli-formats = її формати: { $known }
 cli-cannot-write = { $path }: не вдалося записати: { $error }
 cli-write-not-permitted = { $path }: немає дозволу на запис
 cli-check-folder = назвіть файл у теці, яка є і дозволяє запис
+cli-replace-link = назвіть сам файл або вилучіть посилання
 cli-would-replace-input = { $file } – це те, з чого зроблено відповідь; його не замінено
 cli-another-file = назвіть в -o інший файл
 cli-cannot-print = не вдалося вивести відповідь: { $error }

@@ -32,5 +32,7 @@ case-table-gives-no = таблиця { $table } не дає `{ $key }`
 case-case-cannot-filled-where-stands = випадок { $case } не можна дописати там, де він стоїть
 case-write-expect-on-line-own = напишіть `expect: ~` окремим рядком
 case-too-many-cases = випадків у файлі { $count }, а може бути { $most }
+case-too-many-words = у ключі слів, розділених крапками, – { $count }, а може бути { $most }
+case-write-keys-within = такої глибини немає в жодній відповіді
 case-head-too-large = разом із тим, що на початку файлу, значень у випадках { $count }, а може бути { $most }
 case-write-in-the-cases = напишіть у випадках те, що потрібно кожному

@@ -51,4 +51,5 @@ planfile-no-rule = немає правила `{ $key }`
 planfile-alike-no-figure-finding = `{ $name }` в `alike` – не величина зауваження
 planfile-too-many-rows = рядків { $count }, а в плані може бути { $most }
 planfile-too-many-tools = інструментів { $count }, а в плані може бути { $most }
+planfile-too-many-factors = коефіцієнтів { $count }, а в однієї величини може бути { $most }
 planfile-check-or-split = перевірте, що написано двічі, або поділіть план на кілька

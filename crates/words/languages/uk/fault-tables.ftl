@@ -122,6 +122,7 @@ lint-say-unconfirmed-what-confirmed-reason = напишіть в `unconfirmed`, 
 lint-table-input-has-no-domain = { $file }: таблиця { $table }, вхід `{ $column }` не має області, тому довести нічого не можна
 lint-give-column-domain = додайте графі `domain`
 lint-table-row-reaches-outside-domain = таблиця { $table }, рядок { $row }: `{ $text }` виходить за область { $domain } графи `{ $column }`
+lint-table-row-reaches-outside-type = таблиця { $table }, рядок { $row }: `{ $text }` у графі `{ $column }` виходить за межі значень її типу
 lint-table-row-says-same-row = таблиця { $table }: рядок { $row } каже те саме, що й рядок { $other }
 lint-remove-one-them = приберіть один із них
 lint-table-row-can-never-win = таблиця { $table }: рядок { $row } ніколи не спрацює

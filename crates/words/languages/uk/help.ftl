@@ -2,7 +2,7 @@
 help-technolog = База знань і рушій правил для проєктування технологічних процесів оброблення отворів і валів
 help-technolog-lang = Мова відповідей: uk або en (якщо не вказано, за змінною LANG, інакше uk)
 help-technolog-knowledge = Тека з catalogs/ і rules/ замість вбудованої бази знань
-help-technolog-format = Формат відповіді: text, json, yaml, csv, svg, markdown, html або junit, що з них має команда
+help-technolog-format = Формат відповіді: text, json, yaml, hand, csv, svg, markdown, html або junit, що з них має команда
 help-technolog-output = Записати відповідь у файл, а не на екран
 help-technolog-all-problems = Показати всі помилки й зауваження до файлу, а не лише перші 50
 help-technolog-help = Показати цю довідку
@@ -13,7 +13,7 @@ help-lookup = Один запит до однієї таблиці, з пояс�
 help-lookup-table = Таблиця, наприклад A.8
 help-lookup-query = Що відомо, за назвами граф: it=7 diameter=12 roughness="Ra 2.5"
 help-lookup-all = Кожен відкинутий рядок поодинці, скільки б їх не було
-help-plan = Повний план оброблення деталі: маршрут, інструмент, режими, закріплення, корекції, час
+help-plan = Повний план оброблення деталі: маршрут, інструмент, режими, закріплення, корекції, час; з --format hand – так, як його пишуть люди
 help-plan-part = Файл деталі
 help-plan-prefer = Який маршрут брати: найкращий чи схему самих таблиць (А.8–А.10) скрізь, де її можна виконати
 help-plan-cutting = Режими різання за формулами (formula) чи за картами прикладу (card)
@@ -56,6 +56,7 @@ help-lint-documentation = Показати, що лише для людей: г�
 help-test = Випадки: запитання до таблиць, деталі, програми, перевірки планів і чого від відповідей очікують (docs/cases.md)
 help-test-paths = Файли випадків або теки: з теки – кожен файл, назва якого кінчається на .test.yaml
 help-test-write = Вписати те, що виходить сьогодні, де ще нічого не очікується: немає expect, він порожній, або порожнє значення в          ньому; для перегляду людиною. У самому файлі, а з -o – у копії. Що вже очікується, і кожен інший байт лишаються
+help-test-allow-outside = Дозволити випадкам називати файли поза їхньою текою, названою текою й поточною
 # Headings of the help.
 help-commands = Команди
 help-arguments = Аргументи
@@ -73,6 +74,14 @@ usage-twice = аргумент `{ $argument }` вказано більше од�
 usage-conflict = аргумент `{ $argument }` не поєднується з `{ $other }`
 usage-count = аргумент `{ $argument }` має не стільки значень, скільки треба
 usage-not-utf8 = аргумент не є текстом UTF-8
+usage-whole-number = потрібне ціле число від { $least } до { $most }
+usage-length = потрібна довжина від 0 до { $most } мм
+# Within the line of usage.
+usage-options = [ПАРАМЕТРИ]
+usage-command = <КОМАНДА>
+# Behind the help of an argument.
+help-default = [типово: { $value }]
+help-values = [можливі значення: { $values }]
 usage-possible-values = можливі значення: { $values }
 usage-similar = підказка: можливо, { $values }
 usage-more = Докладніше: `--help`.

@@ -19,9 +19,9 @@ no-route = { $diameter }: жодна зі схем не здійсненна (в
 finish-elsewhere = за таблицями отвір остаточно обробляють на верстаті іншого типу; тут схема { $scheme }
 grade-without-distance = centre_tolerance: IT{ $it } потребує двох отворів у групі; вкажіть ширину допуску в мм
 grade-outside-table = IT{ $it } на міжосьовій відстані { $distance } мм поза таблицею: { $why }
-point-breaks-through = вершина свердла Ø{ $diameter } сягає { $depth } ≥ { $limit } мм товщини заготовки: глухий отвір проб’ється
-spot-too-deep = центрувальне заглиблення Ø{ $diameter } завглибшки { $depth } ≥ { $limit } мм, глибини отвору
-too-heavy = маса { $mass } > { $limit } кг, найбільшої для верстата
+point-breaks-through = вершина свердла Ø{ $diameter } сягає { $depth } мм, а заготовка завтовшки { $limit } мм: глухий отвір проб’ється
+spot-too-deep = центрувальне заглиблення Ø{ $diameter } завглибшки { $depth } мм, а отвір – { $limit } мм
+too-heavy = маса { $mass } кг, а верстат приймає щонайбільше { $limit } кг
 not-planned = { $operation }: цей перехід тут не проєктують
 rows-rejected = рядки за графою { $column }: { $rows }
 # Diameters.
@@ -35,7 +35,12 @@ first-drill = перше свердло Ø{ $first }: { $share-min }–{ $share-
 two-passes-cost = проти одного свердла: час { $time } хв на отвір, осьова сила { $thrust } Н замість { $one-thrust } Н
 bored-by-stand-in = Ø{ $diameter } замалий для борштанги (від Ø{ $smallest }); замість розточування – { $instead }
 too-small-to-bore = { $operation }: Ø{ $diameter } < Ø{ $smallest }, найменшого отвору для борштанги
-no-drill = немає свердла Ø{ $diameter }, що сягає дна; найближчі { $below } і { $above }
+no-drill = немає свердла Ø{ $diameter }, що сягає дна{ $sides ->
+        [below] ; найбільше з менших – { $below }
+        [above] ; найменше з більших – { $above }
+        [none] {""}
+       *[both] ; найближчі { $below } і { $above }
+    }
 no-drill-in-allowance = { $operation } до Ø{ $diameter }: немає свердла від Ø{ $low } до Ø{ $high }
 no-drill-before-boring = під розточування до Ø{ $diameter } немає свердла від Ø{ $smallest } до Ø{ $largest }
 no-bar-enters = до Ø{ $diameter }: жодна борштанга не входить в отвір Ø{ $hole }

@@ -2,6 +2,45 @@
 check-title = Перевірка програми { $program }
 check-made = Зроблено з того, що вимагає план
 check-trace = Рухи: рядок, кадр, рух, положення осей верстата, мм
+trace-rapid = швидко
+trace-feed = подача
+trace-arc-cw = дуга-G2
+trace-arc-ccw = дуга-G3
+trace-dwell = пауза
+trace-spindle = шпиндель
+trace-coolant = МОР
+trace-tool = інстр.
+trace-length = довжина
+trace-radius = радіус
+trace-machine = верстат
+trace-stop = стоп
+trace-end = кінець
+trace-centre = центр
+trace-turns = обертів
+trace-s = с
+trace-stopped = стоїть
+trace-clockwise = за-годинниковою
+trace-counterclockwise = проти-годинникової
+trace-on = увімкнено
+trace-off = вимкнено
+trace-left = ліворуч
+trace-right = праворуч
+trace-optional = за-потреби
+check-errors = { $count } { $count ->
+        [one] помилка
+        [few] помилки
+       *[many] помилок
+    }
+check-warnings = { $count } { $count ->
+        [one] попередження
+        [few] попередження
+       *[many] попереджень
+    }
+check-notes = { $count } { $count ->
+        [one] зауваження
+        [few] зауваження
+       *[many] зауважень
+    }
 check-times = Час, хв
 check-times-of = { $total } (робоча подача – { $feed }, прискорені переміщення – { $rapid }, паузи – { $dwell }, заміна інструмента – { $change })
 # The knowledge base that was checked.

@@ -74,7 +74,7 @@ plan-card = { $hole }, { $operation }: за картою S = { $feed } мм/об
 plan-largest-force = Найбільша потрібна сила закріплення – для отвору { $hole }: M = { $torque } Н·м, до притискача { $distance } мм, W = k·M/(f·d) = { $force } Н.
 plan-clamps = Притискачі { $points }: сила на кожному Q = { $force } Н, гвинт { $screw }; вихідна точка – не ближче ніж { $distance } мм від притискача.
 plan-clamps-proposed = Притискачі { $points } (запропоновано): сила на кожному Q = { $force } Н, гвинт { $screw }; вихідна точка – не ближче ніж { $distance } мм від притискача.
-plan-weak-screw = Гвинт заслабкий: витримує { $bears } < { $force } Н.
+plan-weak-screw = Гвинт заслабкий: витримує { $bears } Н, а потрібно { $force } Н.
 plan-times = { $parts } = { $total } хв
 plan-time-machine = Машинний час { $time }
 plan-time-feed-out = виведення на робочій подачі { $time }

@@ -40,5 +40,6 @@ test-files-counted = { $count } { $count ->
        *[many] файлів
     }
 test-all-as-expected = { $files }, { $cases }: розбіжностей немає
+test-none-failed = { $files }, { $cases }
 test-some-failed = { $files }, { $cases }: не зійшлося { $failed }
 test-unusable-files = {""}, не читається файлів: { $count }

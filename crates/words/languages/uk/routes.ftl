@@ -21,15 +21,15 @@ reaches-again = те саме ще раз ширшим інструментом:
 reaches-by-itself = готує наступний перехід: сам по собі квалітет { $it }, { $roughness }
 reaches-no-worse = готує наступний перехід і не погіршує зробленого: квалітет { $it }, { $roughness }
 reaches-thread = різь: { $roughness }
-drills-too-short = найбільше свердло, що сюди годиться, Ø{ $diameter }: сягає { $reach } мм < { $needed } мм
+drills-too-short = найбільше свердло, що сюди годиться, Ø{ $diameter }, сягає { $reach } мм, а потрібно { $needed } мм
 promised-finer = { $table } обіцяє квалітет { $it }, а за A.1 ці переходи дають { $own }
-misses-position = положення осі { $position } > { $asked } мм допустимих
+misses-position = положення осі витримується до { $position } мм, а дозволено { $asked } мм
 misses-axis = інструмент іде за віссю литого отвору, положення якої невідоме, а допустимо { $asked } мм
 misses-unknown = таблиці не кажуть, що досягається
 not-bored = положення осі потребує розточування (1.2), але жодна борштанга сюди не годиться; маршрут без розточування
 position-asks-boring = не містить розточування, хоча допустиме відхилення осі { $position } < 0,1 мм (1.2)
 boring-not-asked = містить розточування, якого допустиме відхилення осі { $position } ≥ 0,1 мм не потребує (1.2)
-milled-not-round = фрезерований отвір Ø{ $diameter }: некруглість верстата { $roundness } > { $most } мм, частки допуску
+milled-not-round = фрезерований отвір Ø{ $diameter }: некруглість верстата { $roundness } мм, а її частка допуску – { $most } мм
 # Why a route lost.
 lost-by-time = довше на { $slower } хв
 lost-by-places = коротше на { $quicker } хв, але потребує більше місць у магазині, якого не вистачає
@@ -46,7 +46,7 @@ no-drill-before = { $operation } до Ø{ $diameter }: немає свердла
 no-counterbore-in-allowance = { $operation } до Ø{ $diameter }: немає цеківки Ø{ $low }–{ $high } під припуск
 step-finished-elsewhere = ступінь { $diameter } за таблицями остаточно обробляють на іншому верстаті; тут лишено припуск
 no-hole-to-open = { $operation }: немає отвору, який розкривати
-stock-too-small = { $operation } від Ø{ $start } до Ø{ $diameter }: припуск { $stock } мм < { $least } мм, інструмент не ріже
+stock-too-small = { $operation } від Ø{ $start } до Ø{ $diameter }: припуск { $stock } мм, а інструмент ріже щонайменше { $least } мм
 tapped-at-once = отвір заготовки Ø{ $start } вже під різь { $thread }: залишається нарізати різь
 opened-already = { $operation } до Ø{ $diameter }: отвір уже Ø{ $start }
 stock-outside-allowance = { $operation } до Ø{ $diameter }: припуск { $stock } мм поза { $low }–{ $high } мм
@@ -57,9 +57,14 @@ flat-floor = плоске дно: свердло спиняється на { $st
 floor-not-flat = плоского дна не зробити: лишається конус свердла
 flat-under-thread = під різь завглибшки { $depth } мм отвір свердлять до { $drilled } мм і конусом: плоске дно на { $depth } мм неможливе; задайте `bottom: free`
 too-shallow-for-flat = отвір завглибшки { $depth } мм мілкіший за вершину свердла Ø{ $diameter }
-no-flat-opening = Ø{ $diameter }: жоден інструмент не лишає плоского торця уступу; найближчі цеківки { $below } і { $above }
+no-flat-opening = Ø{ $diameter }: жоден інструмент не лишає плоского торця уступу{ $sides ->
+        [below] ; найбільша з менших цеківок – { $below }
+        [above] ; найменша з більших цеківок – { $above }
+        [none] {""}
+       *[both] ; найближчі цеківки { $below } і { $above }
+    }
 no-opening = Ø{ $diameter }: нічим розкрити з Ø{ $start }
-step-too-deep = ступінь завглибшки { $depth } ≥ { $limit } мм, товщини заготовки
+step-too-deep = ступінь завглибшки { $depth } мм, а заготовка завтовшки лише { $limit } мм
 groove-not-axial = канавку Ø{ $diameter } завширшки { $width } мм на глибині { $depth } мм осьовий інструмент не обробляє: потрібен різець на іншому верстаті
 thread-chamfer = фаска під різь на крок { $pitch } мм
 thread-of-step = різь { $thread } на ступені
@@ -69,9 +74,9 @@ second-setup = ступені зі зворотного боку: другий �
 step-drill = ступінчасте свердло Ø{ $narrow }/Ø{ $wide } робить обидва діаметри за один хід
 no-step-drill = немає ступінчастого свердла Ø{ $narrow }/Ø{ $wide }
 cutter-ground-down = у каталогах немає цього розміру: Ø{ $own } перешліфувати на Ø{ $size }
-mill-too-large = { $tool } ({ $table }): фреза Ø{ $diameter } > Ø{ $limit }
-tool-too-wide = { $tool } ({ $table }): Ø{ $diameter } > Ø{ $limit }, найбільшого в магазині
-assembly-too-heavy = комплект з { $holder }: маса { $mass } > { $limit } кг
+mill-too-large = { $tool } ({ $table }): фреза Ø{ $diameter } більша за Ø{ $limit }
+tool-too-wide = { $tool } ({ $table }): Ø{ $diameter } більше за Ø{ $limit }, найбільший у магазині
+assembly-too-heavy = комплект з { $holder }: маса { $mass } кг, а дозволено { $limit } кг
 second-opinion = загальнодоступні таблиці мають { $low }…{ $high } м/хв; формула дає { $formula } м/хв, { $percent } % їх звичайної швидкості
 practice-speed = взято швидкість за практикою: { $speed } м/хв
 does-not-pass = { $tool } ({ $table }): Ø{ $diameter } ≥ Ø{ $within } ступеня, крізь який він мав би пройти

@@ -7,24 +7,29 @@ overhang-cylindrical = виліт: { $free } мм поза посадкою + { 
 overhang-morse = виліт: { $projection } мм поза конусом
 overhang-shell = насадний інструмент: виліт – його довжина
 overhang-taper = інструмент із хвостовиком верстата
-does-not-reach = { $tool } ({ $table }): робоча довжина { $reach } < { $needed } мм
-drill-too-large = { $tool } ({ $table }): Ø{ $diameter } > Ø{ $limit }, найбільшого свердла верстата
+does-not-reach = { $tool } ({ $table }): робоча довжина { $reach } мм, а потрібно { $needed } мм
+drill-too-large = { $tool } ({ $table }): Ø{ $diameter } більше за Ø{ $limit }, найбільше свердло верстата
 bar-does-not-enter = { $tool } ({ $table }): борштанга Ø{ $bar } не входить в отвір Ø{ $hole }
-no-cutter-of-size = { $operation }: у таблицях { $tables } немає Ø{ $diameter }; найближчі { $below } і { $above }
+no-cutter-of-size = { $operation }: у таблицях { $tables } немає Ø{ $diameter }{ $sides ->
+        [below] ; найбільший із менших – { $below }
+        [above] ; найменший із більших – { $above }
+        [none] {""}
+       *[both] ; найближчі { $below } і { $above }
+    }
 no-cutter = { $operation }: інструмента немає
 shank-outside-clamp = { $holder }: хвостовик Ø{ $shank } поза діапазоном { $low }–{ $high } мм
 other-morse = { $holder }: конус Морзе { $taken }, а в інструмента { $own }
 other-taper = { $holder }: конус 7:24 № { $own }, а в шпинделя № { $spindle }
-stands-out-too-little = { $holder }: виліт { $reach } < { $needed } мм
+stands-out-too-little = { $holder }: виліт { $reach } мм, а потрібно { $needed } мм
 arbor-does-not-enter = { $holder }: оправка Ø{ $arbor } не входить в отвір Ø{ $hole }
 start-near-clamp = точка заміни інструмента за { $distance } мм від притискача, ближче ніж безпечні { $needed } мм: потрібні упори для ключа (1.11)
 clamp-near-hole = притискач за { $distance } мм від осі отвору, ближче ніж { $needed } мм
 other-bore = { $holder }: посадка { $taken } мм, а в інструмента { $own } мм
-assembly-too-long = { $tool } у { $holder }: довжина { $length } > { $limit } мм, найбільшого вильоту верстата
+assembly-too-long = { $tool } у { $holder }: довжина { $length } мм, а найбільший виліт верстата – { $limit } мм
 # Clamping, travel.
 safety = коефіцієнт запасу k = { $value }
 friction = коефіцієнт тертя f = { $value }
 screw = потрібен { $needed }, узято { $taken }: витримує { $bears } Н
 no-screw = жоден гвинт не витримує { $force } Н на притискач ({ $clamps })
-screw-too-weak = гвинт { $screw } витримує { $bears } < { $force } Н на притискач; потрібен { $needed }
-beyond-travel = отвори по { $axis } займають { $span } > { $travel } мм ходу стола
+screw-too-weak = гвинт { $screw } витримує { $bears } Н, а на притискач припадає { $force } Н; потрібен { $needed }
+beyond-travel = отвори по { $axis } займають { $span } мм, а хід стола – { $travel } мм
