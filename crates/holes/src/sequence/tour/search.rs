@@ -1,113 +1,107 @@
-//! Many points: the book's tour, improved, then kicked and improved again as long as the budget lasts.
+//! Many points: the book's tour, improved, then kicked and improved again as long as one may.
 //!
-//! A kick turns the order of three neighbouring stretches round (the double bridge of Martin, Otto and Felten,
-//! 1991), between places that are near each other, so that only their surroundings have to be looked at again. A
-//! kick that does not pay is undone; but one that costs little is kept sometimes, the less the nearer the end
-//! (threshold accepting, Dueck and Scheuer, 1990), and the best tour is remembered.
+//! A kick turns the order of three neighbouring stretches round (the double bridge of Martin, Otto and Felten, 1991), so
+//! that only their ends have to be looked at again. What it costs depends on the stretches alone, not on the length of the
+//! tour. A kick that does not pay is followed by a few more beside it, and all of them are undone if that does not pay
+//! either. Nothing looks ahead to the end, so a search of so many tries is the beginning of every longer one.
 
 use super::Space;
+use super::candidates::Candidates;
 use super::local::Tour;
-use super::neighbours::Neighbours;
 
 /// The longest of the stretches that a kick along the tour exchanges.
 const STRETCH: usize = 50;
-/// One kick of so many goes along the tour; the others go from near node to near node. Those along the tour also
-/// join what no list of near nodes does: holes of two circles far apart.
-const ALONG: usize = 8;
-/// Steps from near node to near node, and the near nodes that a step chooses from.
+/// One kick of so many goes along the tour, the others from near node to near node.
+const ALONG: usize = 2;
+/// Steps from node to node along likely edges.
 const STEPS: usize = 8;
-const CHOICE: usize = 5;
-/// A kick at the beginning may cost at most so many edges of mean length, and rarely does.
-const LOSS: f64 = 3.0;
-/// With fewer kicks for each node there is no time to make good a loss, and none is taken.
-const PATIENCE: u64 = 10;
+/// A kick that does not pay is followed by so many at most, within so many places, while all of them cost no more than
+/// so many edges of mean length.
+const FOLLOWED: usize = 4;
+const BESIDE: usize = 100;
+const LOSS: i64 = 3;
 /// The fewest nodes whose tour can be kicked.
 const FEWEST: usize = 8;
 /// Where the random numbers begin: any number but zero does.
 const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
 
-/// A short closed tour over all nodes, found with that many kicks.
-pub(super) fn tour(space: &Space<'_>, kicks: u64) -> Vec<usize> {
-    let neighbours = Neighbours::of(space);
-    let mut tour = Tour::new(space, &neighbours, book(space));
-    for node in 0..space.nodes() {
-        tour.touch(node as u32);
+/// A short closed tour over all nodes, from one that is known, and the tries that it took; before each it is asked, with
+/// the number of those that were made, whether to go on.
+pub(super) fn tour(space: &Space<'_>, known: Vec<u32>, go_on: &mut dyn FnMut(u64) -> bool) -> (Vec<usize>, u64) {
+    let candidates = Candidates::of(space);
+    let mut tour = Tour::new(space, &candidates, known);
+    for place in 0..space.nodes() {
+        tour.touch(tour.at(place));
     }
     tour.improve();
     tour.accept();
-    let mut best = tour.order().to_vec();
-    // What the tour costs more than the best one.
-    let mut over = 0;
     let mut random = Random(SEED);
-    let kicks = if space.nodes() < FEWEST { 0 } else { kicks };
-    let patient = kicks >= PATIENCE * space.nodes() as u64;
-    let edge = space.round(&numbers(&best)) as f64 / space.nodes().max(1) as f64;
-    let loss = if patient { LOSS * edge } else { 0.0 };
-    for kick in 0..kicks {
-        let ends =
-            if random.below(ALONG) == 0 { along(&tour, &mut random) } else { around(&tour, &neighbours, &mut random) };
+    let loss = LOSS * space.round(&numbers(tour.order())) / space.nodes().max(1) as i64;
+    let (mut tries, mut at) = (0, 0);
+    // Kicks in a row that do not pay so far, and what they cost together.
+    let (mut row, mut over) = (0, 0);
+    while space.nodes() >= FEWEST && go_on(tries) {
+        tries += 1;
+        at = match row {
+            0 => random.below(space.nodes()),
+            _ => (at + space.nodes() + random.below(2 * BESIDE + 1) - BESIDE.min(space.nodes())) % space.nodes(),
+        };
+        let ends = match random.below(ALONG) {
+            0 => Some(along(&tour, at, &mut random)),
+            _ => around(&tour, at, &candidates, &mut random),
+        };
         let Some(ends) = ends else { continue };
-        let change = exchange(&mut tour, space, ends) - tour.improve();
-        let left = (kicks - kick) as f64 / kicks as f64;
-        // The square of an even number: small losses are common, large ones rare.
-        let luck = random.below(1000) as f64 / 1000.0;
-        if change > 0 && change as f64 >= loss * left * luck * luck {
+        over += exchange(&mut tour, space, ends) - tour.improve();
+        row += 1;
+        if over <= 0 {
+            tour.accept();
+        } else if row > FOLLOWED || over > loss {
             tour.undo();
+        } else {
             continue;
         }
-        tour.accept();
-        over += change;
-        if over < 0 {
-            over = 0;
-            best.copy_from_slice(tour.order());
-        }
+        (row, over) = (0, 0);
     }
-    numbers(&best)
+    // What has not paid yet.
+    tour.undo();
+    (numbers(tour.order()), tries)
 }
 
 fn numbers(order: &[u32]) -> Vec<usize> {
     order.iter().map(|&node| node as usize).collect()
 }
 
-/// The book's tour, so that the one found is never longer than it; the node without place at its end.
-fn book(space: &Space<'_>) -> Vec<u32> {
-    let mut order: Vec<u32> = super::nearest_rule(space).order.iter().map(|&node| node as u32).collect();
-    order.extend(order.len() as u32..space.nodes() as u32);
-    order
-}
-
 /// The last nodes before, of the first, of the second and of the third of three neighbouring stretches.
 type Ends = [u32; 4];
 
-/// Three stretches that follow each other somewhere on the tour.
-fn along(tour: &Tour<'_>, random: &mut Random) -> Option<Ends> {
+/// Three stretches that follow each other from a place of the tour on.
+fn along(tour: &Tour<'_>, mut at: usize, random: &mut Random) -> Ends {
     let longest = STRETCH.min((tour.order().len() - 2) / 3);
-    let mut at = random.below(tour.order().len());
     let mut ends = [tour.at(at); 4];
     for end in &mut ends[1..] {
         at += 1 + random.below(longest);
         *end = tour.at(at);
     }
-    Some(ends)
+    ends
 }
 
-/// Stretches between four places near each other, or none where the near nodes are too few.
-fn around(tour: &Tour<'_>, neighbours: &Neighbours, random: &mut Random) -> Option<Ends> {
-    let start = random.below(tour.order().len()) as u32;
+/// Stretches between four places near each other, or none where likely edges do not lead to so many.
+fn around(tour: &Tour<'_>, at: usize, candidates: &Candidates, random: &mut Random) -> Option<Ends> {
+    let start = tour.at(at);
     let mut ends = [start; 4];
     for chosen in 1..4 {
         // A walk often ends where one has been: a few are tried.
-        let mut walks = (0..20).map(|_| walk(start, neighbours, random));
+        let mut walks = (0..20).map(|_| walk(start, candidates, random));
         ends[chosen] = walks.find(|end| !ends[..chosen].contains(end))?;
     }
     ends.sort_unstable_by_key(|&node| tour.place(node));
     Some(ends)
 }
 
-fn walk(start: u32, neighbours: &Neighbours, random: &mut Random) -> u32 {
+fn walk(start: u32, candidates: &Candidates, random: &mut Random) -> u32 {
     (0..STEPS).fold(start, |here, _| {
-        let near = neighbours.near(here);
-        near.get(random.below(near.len().min(CHOICE))).map_or(here, |&(_, node)| node)
+        let likely = candidates.of_node(here);
+        likely.get(random.below(likely.len())).map_or(here, |&(_, node)| node)
     })
 }
 
