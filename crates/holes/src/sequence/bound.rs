@@ -8,11 +8,11 @@ use super::prices::{FIRST_STEP, Prices};
 use super::tour::Space;
 
 /// The nodes that the search for a bound may join to trees, in all its rounds.
-const JOINED: usize = 1_300_000;
+const JOINED: usize = 600_000;
 
 /// The rounds that a bound over so many nodes gets where nobody asks for another number.
 pub fn rounds(nodes: usize) -> usize {
-    (JOINED / nodes.max(1)).clamp(30, 3000)
+    (JOINED / nodes.max(1)).clamp(20, 3000)
 }
 
 /// A lower bound of every path of the space, found in so many rounds; `path` is the cost of a known one, at which

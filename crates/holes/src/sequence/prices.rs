@@ -110,7 +110,7 @@ impl<'s> Prices<'s> {
     pub(super) fn tree_over_all(&mut self) -> i64 {
         self.degrees.fill(0);
         let mut total = 0;
-        for (from, to) in shortest_tree(self.space, &self.places, &self.of) {
+        for (from, to) in shortest_tree(self.space, &self.places, &self.of, &self.edges) {
             total += self.priced(self.space.cost(from, to), from, to);
             self.degrees[from] += 1;
             self.degrees[to] += 1;

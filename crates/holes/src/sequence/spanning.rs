@@ -17,8 +17,14 @@ const NONE: Edge = (i64::MAX, u32::MAX, u32::MAX);
 /// In place of a tree: points of several.
 const MIXED: u32 = u32::MAX;
 
-/// The edges of a shortest tree over all points but the one beside it, under prices that each edge of a node pays.
-pub(super) fn shortest_tree(space: &Space<'_>, places: &Places<'_>, prices: &[i64]) -> Vec<(usize, usize)> {
+/// The edges of a shortest tree over all points but the one beside it, under prices that each edge of a node pays. Some
+/// edges that are known, of each node to others, save looking far.
+pub(super) fn shortest_tree(
+    space: &Space<'_>,
+    places: &Places<'_>,
+    prices: &[i64],
+    known: &[Vec<(i64, u32)>],
+) -> Vec<(usize, usize)> {
     let points = space.points();
     let boxes = places.boxes();
     let beside = space.beside();
@@ -28,7 +34,7 @@ pub(super) fn shortest_tree(space: &Space<'_>, places: &Places<'_>, prices: &[i6
         own.iter().for_each(|&number| least[number as usize] = least[number as usize].min(prices[node]));
     }
     let mut trees: Vec<u32> = (0..points.len() as u32).collect();
-    // What each point found last: as trees only grow, nothing cheaper is left for it.
+    // What each point found last, itself or for its tree: as trees only grow, nothing cheaper is left for it.
     let mut found = vec![(i64::MIN, 0, 0); points.len()];
     let mut edges = Vec::with_capacity(points.len());
     loop {
@@ -47,6 +53,13 @@ pub(super) fn shortest_tree(space: &Space<'_>, places: &Places<'_>, prices: &[i6
             *own = found[node].min(*own);
         }
         for node in (0..points.len()).filter(inside) {
+            let tree = trees[node];
+            for &(cost, other) in known[node].iter().filter(|(_, other)| trees[*other as usize] != tree) {
+                let own = &mut cheapest[tree as usize];
+                *own = edge(cost, prices, node, other as usize).min(*own);
+            }
+        }
+        for node in (0..points.len()).filter(inside) {
             let tree = trees[node] as usize;
             if still(found[node]) || found[node] >= cheapest[tree] {
                 continue;
@@ -63,10 +76,8 @@ pub(super) fn shortest_tree(space: &Space<'_>, places: &Places<'_>, prices: &[i6
                 best: cheapest[tree],
             };
             places.seek(&mut outside);
-            if outside.best < cheapest[tree] {
-                cheapest[tree] = outside.best;
-                found[node] = outside.best;
-            }
+            cheapest[tree] = outside.best;
+            found[node] = outside.best;
         }
         let before = edges.len();
         for (_, from, to) in cheapest.into_iter().filter(|edge| *edge != NONE) {
@@ -83,6 +94,10 @@ pub(super) fn shortest_tree(space: &Space<'_>, places: &Places<'_>, prices: &[i6
             trees[node as usize] = root(&mut trees, node);
         }
     }
+}
+
+fn edge(cost: i64, prices: &[i64], from: usize, to: usize) -> Edge {
+    (cost + prices[from] + prices[to], from.min(to) as u32, from.max(to) as u32)
 }
 
 /// The tree of a node while trees are joined; those on the way are led to it.
@@ -124,8 +139,6 @@ impl Quest for Outside<'_> {
             return;
         }
         let cost = self.metric.cost(self.points[self.node], self.points[other]);
-        let cost = cost + self.prices[self.node] + self.prices[other];
-        let (low, high) = (self.node.min(other) as u32, self.node.max(other) as u32);
-        self.best = self.best.min((cost, low, high));
+        self.best = self.best.min(edge(cost, self.prices, self.node, other));
     }
 }

@@ -9,12 +9,12 @@ use super::super::prices::{FIRST_STEP, Prices};
 use super::Space;
 
 /// Edges of each node.
-const MOST: usize = 5;
+const MOST: usize = 6;
 /// Of the node without place, where a path may begin: all near its best ends are tried.
 const OF_NO_PLACE: usize = 12;
 /// The nodes that the search for good prices may join to trees, in all its rounds, and the bounds of their number.
-const JOINED: usize = 400_000;
-const ROUNDS: (usize, usize) = (20, 300);
+const JOINED: usize = 500_000;
+const ROUNDS: (usize, usize) = (20, 500);
 
 /// The lists of likely edges, one after the other.
 pub(super) struct Candidates {

@@ -11,7 +11,7 @@ use super::candidates::Candidates;
 /// Exchanges in a chain.
 const CHAIN: usize = 3;
 /// Likely edges looked at for the first edge that an exchange adds, and for the second: fewer at the end of a chain.
-const BREADTH: [[usize; 2]; CHAIN] = [[5, 5], [5, 5], [2, 2]];
+const BREADTH: [[usize; 2]; CHAIN] = [[6, 6], [6, 6], [2, 2]];
 /// Edges that a chain has added: two with each exchange.
 const ADDED: usize = 2 * CHAIN;
 
@@ -94,11 +94,6 @@ impl<'s> Tour<'s> {
     /// The node at that place of the array, counted round it.
     pub(super) fn at(&self, place: usize) -> u32 {
         self.order[place % self.order.len()]
-    }
-
-    /// The place of a node in the array.
-    pub(super) fn place(&self, node: u32) -> usize {
-        self.place[node as usize] as usize
     }
 
     #[inline]

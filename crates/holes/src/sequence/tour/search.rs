@@ -2,24 +2,24 @@
 //!
 //! A kick turns the order of three neighbouring stretches round (the double bridge of Martin, Otto and Felten, 1991), so
 //! that only their ends have to be looked at again. What it costs depends on the stretches alone, not on the length of the
-//! tour. A kick that does not pay is followed by a few more beside it, and all of them are undone if that does not pay
-//! either. Nothing looks ahead to the end, so a search of so many tries is the beginning of every longer one.
+//! tour. A kick that does not pay is undone, or sometimes followed by a few more beside it and undone with them if these
+//! do not pay either. Where nothing pays for long the search begins anew, and the best tour is remembered. Nothing looks
+//! ahead to the end, so a search of so many tries is the beginning of every longer one.
 
 use super::Space;
 use super::candidates::Candidates;
 use super::local::Tour;
 
-/// The longest of the stretches that a kick along the tour exchanges.
+/// The longest of the stretches that a kick exchanges.
 const STRETCH: usize = 50;
-/// One kick of so many goes along the tour, the others from near node to near node.
-const ALONG: usize = 2;
-/// Steps from node to node along likely edges.
-const STEPS: usize = 8;
-/// A kick that does not pay is followed by so many at most, within so many places, while all of them cost no more than
-/// so many edges of mean length.
+/// One kick of so many is followed by others where it does not pay, so many at most, within so many places, while all of
+/// them cost no more than so many edges of mean length.
+const ONE_OF: usize = 5;
 const FOLLOWED: usize = 4;
 const BESIDE: usize = 100;
 const LOSS: i64 = 3;
+/// After so many tries for each node in which nothing paid, the search begins anew: other kicks lead elsewhere.
+const PATIENCE: u64 = 2;
 /// The fewest nodes whose tour can be kicked.
 const FEWEST: usize = 8;
 /// Where the random numbers begin: any number but zero does.
@@ -35,87 +35,83 @@ pub(super) fn tour(space: &Space<'_>, known: Vec<u32>, go_on: &mut dyn FnMut(u64
     }
     tour.improve();
     tour.accept();
+    let first = tour.order().to_vec();
+    let mut best = Found { cost: space.round(&numbers(&first)), order: first.clone() };
+    let begun = best.cost;
+    let loss = LOSS * begun / space.nodes().max(1) as i64;
     let mut random = Random(SEED);
-    let loss = LOSS * space.round(&numbers(tour.order())) / space.nodes().max(1) as i64;
-    let (mut tries, mut at) = (0, 0);
-    // Kicks in a row that do not pay so far, and what they cost together.
-    let (mut row, mut over) = (0, 0);
+    let (mut tries, mut at, mut cost, mut paid) = (0, 0, begun, 0);
+    // Kicks that do not pay so far: how many may still follow, and what they cost together.
+    let (mut left, mut over) = (0, 0);
     while space.nodes() >= FEWEST && go_on(tries) {
         tries += 1;
-        at = match row {
-            0 => random.below(space.nodes()),
-            _ => (at + space.nodes() + random.below(2 * BESIDE + 1) - BESIDE.min(space.nodes())) % space.nodes(),
-        };
-        let ends = match random.below(ALONG) {
-            0 => Some(along(&tour, at, &mut random)),
-            _ => around(&tour, at, &candidates, &mut random),
-        };
-        let Some(ends) = ends else { continue };
-        over += exchange(&mut tour, space, ends) - tour.improve();
-        row += 1;
+        if over == 0 {
+            if tries - paid > PATIENCE * space.nodes() as u64 {
+                best.keep(cost, &tour);
+                tour = Tour::new(space, &candidates, first.clone());
+                (cost, paid) = (begun, tries);
+            }
+            at = random.below(space.nodes());
+            left = if random.below(ONE_OF) == 0 { FOLLOWED } else { 0 };
+        } else {
+            at = (at + random.below(BESIDE)) % space.nodes();
+            left -= 1;
+        }
+        over += kick(&mut tour, space, at, &mut random) - tour.improve();
         if over <= 0 {
             tour.accept();
-        } else if row > FOLLOWED || over > loss {
+            if over < 0 {
+                paid = tries;
+            }
+            cost += over;
+            over = 0;
+        } else if left == 0 || over > loss {
             tour.undo();
-        } else {
-            continue;
+            over = 0;
         }
-        (row, over) = (0, 0);
     }
     // What has not paid yet.
     tour.undo();
-    (numbers(tour.order()), tries)
+    best.keep(cost, &tour);
+    (numbers(&best.order), tries)
+}
+
+/// The best tour that was found.
+struct Found {
+    cost: i64,
+    order: Vec<u32>,
+}
+
+impl Found {
+    fn keep(&mut self, cost: i64, tour: &Tour<'_>) {
+        if cost < self.cost {
+            self.cost = cost;
+            self.order.copy_from_slice(tour.order());
+        }
+    }
 }
 
 fn numbers(order: &[u32]) -> Vec<usize> {
     order.iter().map(|&node| node as usize).collect()
 }
 
-/// The last nodes before, of the first, of the second and of the third of three neighbouring stretches.
-type Ends = [u32; 4];
-
-/// Three stretches that follow each other from a place of the tour on.
-fn along(tour: &Tour<'_>, mut at: usize, random: &mut Random) -> Ends {
-    let longest = STRETCH.min((tour.order().len() - 2) / 3);
-    let mut ends = [tour.at(at); 4];
-    for end in &mut ends[1..] {
-        at += 1 + random.below(longest);
-        *end = tour.at(at);
-    }
-    ends
-}
-
-/// Stretches between four places near each other, or none where likely edges do not lead to so many.
-fn around(tour: &Tour<'_>, at: usize, candidates: &Candidates, random: &mut Random) -> Option<Ends> {
-    let start = tour.at(at);
-    let mut ends = [start; 4];
-    for chosen in 1..4 {
-        // A walk often ends where one has been: a few are tried.
-        let mut walks = (0..20).map(|_| walk(start, candidates, random));
-        ends[chosen] = walks.find(|end| !ends[..chosen].contains(end))?;
-    }
-    ends.sort_unstable_by_key(|&node| tour.place(node));
-    Some(ends)
-}
-
-fn walk(start: u32, candidates: &Candidates, random: &mut Random) -> u32 {
-    (0..STEPS).fold(start, |here, _| {
-        let likely = candidates.of_node(here);
-        likely.get(random.below(likely.len())).map_or(here, |&(_, node)| node)
-    })
-}
-
-/// Turns the order of three neighbouring stretches round, none of them reversed; gives by how much the tour grew.
+/// Turns the order of three stretches round that follow each other from a place of the tour on, none of them reversed;
+/// gives by how much the tour grew.
 ///
 /// All four edges change, and no chain of exchanges leads straight back. (Two stretches would change three edges
 /// only, which the improvement undoes at once.)
-fn exchange(tour: &mut Tour<'_>, space: &Space<'_>, ends: Ends) -> i64 {
+fn kick(tour: &mut Tour<'_>, space: &Space<'_>, mut at: usize, random: &mut Random) -> i64 {
+    let longest = STRETCH.min((space.nodes() - 2) / 3);
     // The ends of the stretches, between the node before them and the node after, as the array has them.
-    let mut ends = ends.map(|end| [end, tour.at(tour.place(end) + 1)]).concat();
+    let mut ends = [0; 8];
+    for pair in ends.chunks_exact_mut(2) {
+        pair.copy_from_slice(&[tour.at(at), tour.at(at + 1)]);
+        at += 1 + random.below(longest);
+    }
     if tour.next(ends[0]) != ends[1] {
         ends.reverse();
     }
-    let &[before, a, b, c, d, e, f, after] = ends.as_slice() else { return 0 };
+    let [before, a, b, c, d, e, f, after] = ends;
     let cost = |from: u32, to: u32| space.cost(from as usize, to as usize);
     let removed = cost(before, a) + cost(b, c) + cost(d, e) + cost(f, after);
     let added = cost(before, e) + cost(f, c) + cost(d, a) + cost(b, after);
