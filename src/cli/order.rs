@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 use std::path::PathBuf;
+use std::time::{Duration, Instant};
 
 use clap::ValueEnum;
 use serde::Serialize;
@@ -15,7 +16,7 @@ use technolog::report::order::Tour;
 use technolog::report::order_drawing::{self, Panel};
 use technolog::sequence::list::{Form, List, ListFault, read_list};
 use technolog::sequence::metric::Metric;
-use technolog::sequence::tour::{Effort, Space, nearest_rule, path};
+use technolog::sequence::tour::{Effort, Path, Space, nearest_rule, path_while, usual_tries};
 use technolog::sequence::visiting::not_kept;
 use technolog::sequence::{bound, sequence, timed, tool_change_point, visit_bound};
 use technolog::shop::Shop;
@@ -34,14 +35,32 @@ pub struct Args {
     metric: Option<MetricName>,
     #[arg(long)]
     closed: bool,
-    #[arg(long, value_name = "N", value_parser = whole::<0, 100_000>)]
+    #[arg(long, value_name = "N", value_parser = whole::<0, 100_000>, conflicts_with_all = ["tries", "time"])]
     effort: Option<u32>,
+    #[arg(long, value_name = "N", conflicts_with = "time")]
+    tries: Option<u64>,
+    #[arg(long, value_name = "TIME", value_parser = duration)]
+    time: Option<Duration>,
     #[arg(long, value_name = "ID")]
     machine: Option<String>,
 }
 
 /// The machine whose rapids are meant where none is named.
 const MACHINE: &str = "gf2171";
+
+/// How long a search may take: `500ms`, `1s`, `2.5s`.
+fn duration(text: &str) -> Result<Duration, String> {
+    let bounds = || format!("{:?} … {:?}", TIMES.0, TIMES.1);
+    let (number, unit) = match text.strip_suffix("ms") {
+        Some(number) => (number, 0.001),
+        None => (text.strip_suffix('s').ok_or_else(bounds)?, 1.0),
+    };
+    let seconds: f64 = number.parse().map_err(|_| bounds())?;
+    let time = Duration::try_from_secs_f64(seconds * unit).map_err(|_| bounds())?;
+    if (TIMES.0..=TIMES.1).contains(&time) { Ok(time) } else { Err(bounds()) }
+}
+
+const TIMES: (Duration, Duration) = (Duration::from_millis(1), Duration::from_secs(3600));
 
 /// Metrics of a list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -71,8 +90,13 @@ struct PartAnswer<'p> {
 }
 
 fn of_part(args: &Args, format: Format, knowledge: &Knowledge, context: &Context) -> Result<Outcome, CliError> {
-    let of_lists =
-        [("--metric", args.metric.is_some()), ("--closed", args.closed), ("--machine", args.machine.is_some())];
+    let of_lists = [
+        ("--metric", args.metric.is_some()),
+        ("--closed", args.closed),
+        ("--machine", args.machine.is_some()),
+        ("--tries", args.tries.is_some()),
+        ("--time", args.time.is_some()),
+    ];
     if let Some((option, _)) = of_lists.into_iter().find(|(_, given)| *given) {
         let message = words::option_of_lists(context.lang, option);
         return Err(Diagnostic::error("option-of-lists", message, None)
@@ -128,7 +152,6 @@ fn machine<'k>(id: &str, knowledge: &'k Knowledge, context: &Context) -> Result<
 fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context) -> Result<Outcome, CliError> {
     let List { form, points, names } = read(args, context)?;
     let name = args.metric.unwrap_or(MetricName::Euclid);
-    let effort = args.effort.map_or_else(Effort::default, Effort);
     let metric = match (name, form) {
         (MetricName::Euclid, Form::Csv) => Metric::Euclid,
         (MetricName::Euclid, Form::Tsplib) => Metric::EuclidWhole,
@@ -138,12 +161,15 @@ fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
         }
     };
     let space = if args.closed { Space::closed(&points, metric) } else { Space::open(&points, metric) };
-    let found = path(&space, effort);
+    let found = search(args, &space);
     let book = nearest_rule(&space);
     let bound = match found.optimal {
         true => Some(found.cost),
-        false if space.nodes() > bound::BOUND_NODES => None,
-        false => Some(bound::lower_bound(&space, found.cost, bound::rounds(space.nodes()))),
+        // A search that may take longer gets a bound that takes longer.
+        false => {
+            let seconds = args.time.map_or(1, |time| time.as_secs().max(1) as usize);
+            Some(bound::lower_bound(&space, found.cost, bound::rounds(space.nodes()).saturating_mul(seconds)))
+        }
     };
     // Where axes speed up the cost is a time; its length is that of the slower axis.
     let timed = matches!(metric, Metric::Rapid(rapid) if rapid.acceleration.is_some());
@@ -159,7 +185,7 @@ fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
         points: points.len(),
         metric: if name == MetricName::Rapid { "rapid" } else { "euclid" },
         closed: args.closed,
-        effort: effort.0,
+        tries: found.tries,
         order: found.order.iter().map(|&point| names[point]).collect(),
         length_mm: way(&found.order, found.cost),
         time_min: metric.minutes(found.cost).map(|time| time.rounded(4)),
@@ -183,6 +209,22 @@ fn of_list(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
         _ => context.emit_document(&report::order::of_list(&tour, context.lang), format)?,
     }
     Ok(Outcome::Done)
+}
+
+/// The path of a list, looked for as long as the arguments say. The clock is read here, never by the search.
+fn search(args: &Args, space: &Space<'_>) -> Path {
+    let points = space.points().len();
+    match args.time {
+        Some(time) => {
+            let start = Instant::now();
+            path_while(space, &mut |_| start.elapsed() < time)
+        }
+        None => {
+            let of_effort = args.effort.map(|effort| Effort(effort).tries(points));
+            let most = args.tries.or(of_effort).unwrap_or_else(|| usual_tries(points));
+            path_while(space, &mut |tries| tries < most)
+        }
+    }
 }
 
 fn read(args: &Args, context: &Context) -> Result<List, CliError> {

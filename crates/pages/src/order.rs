@@ -106,8 +106,8 @@ pub struct Tour {
     pub metric: &'static str,
     /// Whether it returns to its first point.
     pub closed: bool,
-    /// How long it was looked for.
-    pub effort: u32,
+    /// The tries that it took: as many give it again.
+    pub tries: u64,
     /// The points by their numbers in the list, from 1.
     pub order: Vec<u64>,
     /// Its length.
@@ -151,6 +151,7 @@ pub fn of_list(tour: &Tour, lang: Lang) -> Document {
     fields.push(Field::new(say!(lang, "order-saved"), Inlines::default().quantity(number(saved, 1, lang), "%")));
     fields.extend(tour.bound_mm.map(|bound| Field::new(say!(lang, "order-bound-path"), length(bound))));
     fields.extend(tour.bound_min.map(|bound| Field::new(say!(lang, "order-bound"), time(bound))));
+    fields.push(Field::new(say!(lang, "order-tries"), tour.tries.to_string()));
     page.push(Block::Fields(fields));
     page.heading(2, say!(lang, "order-points-in-order"));
     page.paragraph(tour.order.iter().map(u64::to_string).collect::<Vec<_>>().join(" "));

@@ -105,7 +105,9 @@ fn the_effort_acts_on_a_part_and_options_of_lists_are_refused_there() {
     };
     let (quick, hard) = (rapids(&[part]), rapids(&[part, "--effort", "5"]));
     assert!(hard <= quick, "{hard} > {quick}");
-    for option in [&["--closed"][..], &["--metric", "rapid"], &["--machine", "gf2171"]] {
+    for option in
+        [&["--closed"][..], &["--metric", "rapid"], &["--machine", "gf2171"], &["--tries", "9"], &["--time", "1s"]]
+    {
         let output = run(&[&["examples/plate.yaml"], option].concat());
         let said = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(2), "{said}");

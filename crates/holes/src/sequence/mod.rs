@@ -9,6 +9,9 @@
 pub mod bound;
 pub mod list;
 pub mod metric;
+mod places;
+mod prices;
+mod spanning;
 pub mod tour;
 pub mod visiting;
 
@@ -138,7 +141,7 @@ pub fn visit_bound(visit: &ToolVisit, plan: &Plan, machine: &Machine<'_>) -> Opt
     points.extend(visit.stops.iter().map(|stop| stop.at));
     // Transitions at one place follow each other.
     points.dedup();
-    if visit.bound_min.is_some() || points.len() > bound::BOUND_NODES {
+    if visit.bound_min.is_some() {
         return visit.bound_min;
     }
     let metric = Metric::Rapid(machine.rapids());

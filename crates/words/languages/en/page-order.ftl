@@ -23,6 +23,7 @@ order-list-title = Path over a list of points
 order-points = Points
 order-nearest-path = Path by the textbook's rule
 order-bound-path = Lower bound of the path
+order-tries = Tries
 order-points-in-order = Points in order
 # Titles of drawings.
 order-of-tool = T{ $tool }, set-up { $setup }: { $time } min

@@ -25,6 +25,7 @@ order-list-title = Обхід точок
 order-points = Кількість точок
 order-nearest-path = Довжина за правилом посібника
 order-bound-path = Нижня межа довжини
+order-tries = Кількість спроб
 order-points-in-order = Порядок точок
 # Titles of drawings.
 order-of-tool = T{ $tool }, установ { $setup }: { $time } хв

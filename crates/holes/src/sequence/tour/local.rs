@@ -1,24 +1,24 @@
 //! A tour that is improved where it is touched: exchanges of two or three edges, chained (Lin and Kernighan,
-//! 1973), over lists of near nodes, from a queue of the nodes whose surroundings changed.
+//! 1973), over lists of likely edges, from a queue of the nodes whose surroundings changed.
 //!
 //! The tour is an array of nodes with the place of each. Exchanges are weighed on the places alone; the array is
 //! changed only by the one that is taken, by reversing stretches of it, the shorter of a stretch and its
 //! complement, and every reversal is logged, so that a try is undone exactly.
 
 use super::Space;
-use super::neighbours::Neighbours;
+use super::candidates::Candidates;
 
 /// Exchanges in a chain.
 const CHAIN: usize = 3;
-/// Near nodes looked at for the first edge of an exchange, and for the second.
-const BREADTH: [usize; 2] = [8, 5];
+/// Likely edges looked at for the first edge that an exchange adds, and for the second: fewer at the end of a chain.
+const BREADTH: [[usize; 2]; CHAIN] = [[6, 6], [6, 6], [2, 2]];
 /// Edges that a chain has added: two with each exchange.
 const ADDED: usize = 2 * CHAIN;
 
 /// The tour under improvement.
 pub(super) struct Tour<'s> {
     space: &'s Space<'s>,
-    neighbours: &'s Neighbours,
+    candidates: &'s Candidates,
     order: Vec<u32>,
     place: Vec<u32>,
     /// Whether the array is read backwards.
@@ -68,7 +68,7 @@ impl Exchange {
 }
 
 impl<'s> Tour<'s> {
-    pub(super) fn new(space: &'s Space<'s>, neighbours: &'s Neighbours, order: Vec<u32>) -> Self {
+    pub(super) fn new(space: &'s Space<'s>, candidates: &'s Candidates, order: Vec<u32>) -> Self {
         let count = order.len();
         let mut place = vec![0; count];
         for (at, &node) in order.iter().enumerate() {
@@ -76,7 +76,7 @@ impl<'s> Tour<'s> {
         }
         Self {
             space,
-            neighbours,
+            candidates,
             order,
             place,
             backwards: false,
@@ -94,11 +94,6 @@ impl<'s> Tour<'s> {
     /// The node at that place of the array, counted round it.
     pub(super) fn at(&self, place: usize) -> u32 {
         self.order[place % self.order.len()]
-    }
-
-    /// The place of a node in the array.
-    pub(super) fn place(&self, node: u32) -> usize {
-        self.place[node as usize] as usize
     }
 
     #[inline]
@@ -267,11 +262,12 @@ impl<'s> Tour<'s> {
     fn exchange(&self, base: u32, end: u32, open: i64, taken: &[(u32, u32)]) -> Option<(Exchange, i64)> {
         // An edge that the chain added is not removed again: so the chain ends.
         let own = |from: u32, to: u32| taken.iter().any(|&(a, b)| (a, b) == (from, to) || (b, a) == (from, to));
+        let breadth = BREADTH[taken.len() / 2];
         let mut best: Option<Exchange> = None;
-        for &(cost, a) in self.neighbours.near(end).iter().take(BREADTH[0]) {
+        for &(cost, a) in self.candidates.of_node(end).iter().take(breadth[0]) {
             let first = open - cost;
             if first <= 0 {
-                break;
+                continue;
             }
             if a == base {
                 continue;
@@ -283,10 +279,10 @@ impl<'s> Tour<'s> {
                 if gain > 0 {
                     return Some((Exchange { open: second, kind: Reconnection::Two, a, b, c: b, d: b }, gain));
                 }
-                for &(cost, c) in self.neighbours.near(b).iter().take(BREADTH[1]) {
+                for &(cost, c) in self.candidates.of_node(b).iter().take(breadth[1]) {
                     let third = second - cost;
                     if third <= 0 {
-                        break;
+                        continue;
                     }
                     if c == a || c == base {
                         continue;
@@ -310,10 +306,10 @@ impl<'s> Tour<'s> {
             let b = self.next(a);
             if !own(a, b) {
                 let second = first + self.cost(a, b);
-                for &(cost, c) in self.neighbours.near(b).iter().take(BREADTH[1]) {
+                for &(cost, c) in self.candidates.of_node(b).iter().take(breadth[1]) {
                     let third = second - cost;
                     if third <= 0 {
-                        break;
+                        continue;
                     }
                     if c == a || !self.between(end, c, a) {
                         continue;

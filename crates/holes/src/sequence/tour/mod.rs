@@ -2,46 +2,46 @@
 //!
 //! A path is a closed tour over the nodes of a [`Space`]. A tool's way begins and ends at the tool-change
 //! position, which is node 0; a path with two free ends is closed by a node that is as near to everything as
-//! can be. Nothing asks the clock: the work is counted in steps, and the numbers that choose where to try come
-//! from a fixed seed, so the same points always give the same path.
+//! can be. Nothing asks the clock: the work is counted in tries, and the numbers that choose where to try come
+//! from a fixed seed, so the same points and tries always give the same path.
 
+mod candidates;
 mod exact;
 mod local;
 mod neighbours;
-mod places;
 mod rows;
 mod search;
 
 use crate::part::Point;
 
 use super::metric::Metric;
-use places::{Bounds, Places, Quest};
+use super::places::{Bounds, Places, Quest};
 
 pub use exact::EXACT_POINTS;
 
-/// How hard to look: kicks for each point of the path, once it is too long to be solved exactly.
+/// How hard to look: tries for each point of the path, once it is too long to be solved exactly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Effort(pub u32);
 
-impl Default for Effort {
-    fn default() -> Self {
-        Self(100)
+/// Tries of a visit of a plan: one for each point, within these, so that a part of a thousand holes is planned
+/// while one waits.
+const PLAN_TRIES: (u64, u64) = (40, 300);
+
+/// Paths of fewer points get as many tries as one of so many: they cost next to nothing.
+const FEW: usize = 50;
+
+impl Effort {
+    /// The tries for so many points.
+    pub fn tries(self, points: usize) -> u64 {
+        u64::from(self.0) * points.max(FEW) as u64
     }
 }
 
-/// Kicks of a visit of a plan: one for each point, within these, so that a part of a thousand holes is planned
-/// while one waits.
-const PLAN_KICKS: (u64, u64) = (40, 300);
-
-/// Paths of fewer points get as many kicks as one of so many: they cost next to nothing.
-const FEW: usize = 50;
-/// Paths of fewer points get more kicks for each, up to twice as many: one unlucky corner weighs more in them.
-const MANY: usize = 1300;
-
-impl Effort {
-    fn kicks(self, points: usize) -> u64 {
-        u64::from(self.0) * points.max(FEW).max((2 * points).min(MANY)) as u64
-    }
+/// The tries where nobody asks for another number: what half a second allows, as making ready takes longer the more
+/// points there are.
+pub fn usual_tries(points: usize) -> u64 {
+    const MOST: u64 = 10_000;
+    MOST.saturating_sub(points as u64 / 2).max(200)
 }
 
 /// Points and what it costs to go between them.
@@ -67,6 +67,16 @@ impl<'p> Space<'p> {
     /// The number of nodes: the points, and the one that closes an open path.
     pub const fn nodes(&self) -> usize {
         self.points.len() + self.free_ends as usize
+    }
+
+    /// The points.
+    pub const fn points(&self) -> &'p [Point] {
+        self.points
+    }
+
+    /// The node that stands beside every tree over the others ([`super::prices`]).
+    pub(super) const fn beside(&self) -> usize {
+        if self.free_ends { self.points.len() } else { 0 }
     }
 
     /// The cost between two nodes: micrometres, or microseconds where rapids speed up.
@@ -106,36 +116,48 @@ pub struct Path {
     pub cost: i64,
     /// Whether no path is shorter, by proof.
     pub optimal: bool,
+    /// The tries that it took.
+    pub tries: u64,
 }
 
 /// The shortest path found with that effort, proven the shortest up to [`EXACT_POINTS`] points beside the one
 /// where a tour begins.
 pub fn path(space: &Space<'_>, effort: Effort) -> Path {
-    path_in(space, effort.kicks(space.nodes()))
+    let most = effort.tries(space.points.len());
+    path_while(space, &mut |tries| tries < most)
+}
+
+/// The shortest path found while the asker says to go on, who is told how many tries were made before each: so a clock
+/// may end the search, and as many tries give the same path again.
+pub fn path_while(space: &Space<'_>, go_on: &mut dyn FnMut(u64) -> bool) -> Path {
+    let optimal = space.nodes() <= EXACT_POINTS + 1;
+    let (tour, tries) = if optimal {
+        (exact::tour(space), 0)
+    } else {
+        let mut book: Vec<u32> = nearest_rule(space).order.iter().map(|&node| node as u32).collect();
+        // The node without place at its end.
+        book.extend(book.len() as u32..space.nodes() as u32);
+        search::tour(space, book, go_on)
+    };
+    let order = from_the_start(space, tour);
+    Path { cost: space.length(&order), order, optimal, tries }
 }
 
 /// The path of a visit of a plan: quickly found, along rows where these cost no more.
 pub(super) fn plan_path(space: &Space<'_>) -> Path {
-    rows::at_no_cost(space, path_in(space, (space.nodes() as u64).clamp(PLAN_KICKS.0, PLAN_KICKS.1)))
+    let most = (space.nodes() as u64).clamp(PLAN_TRIES.0, PLAN_TRIES.1);
+    rows::at_no_cost(space, path_while(space, &mut |tries| tries < most))
 }
 
 /// A path found at once, where its length alone is asked for.
 pub(super) fn quick_path(space: &Space<'_>) -> Path {
-    path_in(space, 0)
+    path_while(space, &mut |_| false)
 }
 
-fn path_in(space: &Space<'_>, kicks: u64) -> Path {
-    let optimal = space.nodes() <= EXACT_POINTS + 1;
-    let tour = if optimal { exact::tour(space) } else { search::tour(space, kicks) };
-    let order = from_the_start(space, tour);
-    Path { cost: space.length(&order), order, optimal }
-}
-
-/// Names every edge from a node to one of its near nodes, some twice.
+/// Names every edge from a point to one of its near points, some twice.
 pub(super) fn near_edges(space: &Space<'_>, mut edge: impl FnMut(usize, usize)) {
-    let neighbours = neighbours::Neighbours::of(space);
-    for node in 0..space.nodes() {
-        neighbours.near(node as u32).iter().for_each(|&(_, near)| edge(node, near as usize));
+    for (point, near) in neighbours::near_points(space).iter().enumerate() {
+        near.iter().for_each(|&(_, other)| edge(point, other as usize));
     }
 }
 
@@ -157,7 +179,7 @@ pub fn nearest_rule(space: &Space<'_>) -> Path {
         places.seek(&mut nearest);
         next = nearest.found.map(|(_, point)| point);
     }
-    Path { cost: space.length(&order), order, optimal: false }
+    Path { cost: space.length(&order), order, optimal: false, tries: 0 }
 }
 
 /// The quest for the nearest point that was not visited, with the distance.
@@ -188,7 +210,7 @@ impl Quest for Nearest<'_> {
 /// The tour cut open where it begins: at point 0, or at the node without place, which is left out. Of the two
 /// directions the one whose second point comes first in the list.
 fn from_the_start(space: &Space<'_>, mut tour: Vec<usize>) -> Vec<usize> {
-    let first = if space.free_ends { space.points.len() } else { 0 };
+    let first = space.beside();
     if let Some(at) = tour.iter().position(|&node| node == first) {
         tour.rotate_left(at);
     }

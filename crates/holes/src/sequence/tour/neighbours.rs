@@ -1,57 +1,34 @@
-//! The near nodes of every node, nearest first: where the search looks for better edges.
+//! The near points of every point: nearly all edges of short trees and tours are between such.
 
+use super::super::places::{Bounds, Places, Quest};
 use super::Space;
-use super::places::{Bounds, Places, Quest};
 use crate::part::Point;
 
-/// The nearest nodes of each.
+/// The nearest of each.
 const NEAREST: usize = 6;
 /// And the nearest of each quarter around it, so that holes on a circle also see those of the next circle.
 const OF_QUARTER: usize = 2;
 /// The longest list.
 const MOST: usize = 12;
 
-/// The lists of near nodes, one after the other.
-pub(super) struct Neighbours {
-    starts: Vec<usize>,
-    nodes: Vec<(i64, u32)>,
+/// The near points of every point with the cost of going there, the cheapest first.
+pub(super) fn near_points(space: &Space<'_>) -> Vec<Vec<(i64, u32)>> {
+    let places = Places::of(space.points);
+    (0..space.points.len()).map(|point| near(space, &places, point)).collect()
 }
 
-impl Neighbours {
-    /// Of every node.
-    pub(super) fn of(space: &Space<'_>) -> Self {
-        let count = space.nodes();
-        let places = Places::of(space.points);
-        let mut all = Self { starts: Vec::with_capacity(count + 1), nodes: Vec::with_capacity(count * MOST) };
-        for node in 0..count {
-            all.starts.push(all.nodes.len());
-            let mut near = near(space, &places, node);
-            near.sort_unstable();
-            near.dedup();
-            all.nodes.extend(near.into_iter().take(MOST));
-        }
-        all.starts.push(all.nodes.len());
-        all
-    }
-
-    /// The near nodes of a node with the cost of going there, the cheapest first.
-    pub(super) fn near(&self, node: u32) -> &[(i64, u32)] {
-        let node = node as usize;
-        &self.nodes[self.starts[node]..self.starts[node + 1]]
-    }
-}
-
-/// The candidates of a node with their cost: its nearest, those of its quarters, and the node without place.
+/// The nearest of a point, and those of its quarters.
 fn near(space: &Space<'_>, places: &Places<'_>, node: usize) -> Vec<(i64, u32)> {
-    let Some(&at) = space.points.get(node) else {
-        return (0..space.points.len().min(MOST)).map(|other| (0, other as u32)).collect();
-    };
     let [a, b, c, d] = [const { Shortest::new(OF_QUARTER) }; 4];
+    let at = space.points[node];
     let mut around = Around { space, node, at, nearest: Shortest::new(NEAREST), quarters: [a, b, c, d] };
     places.seek(&mut around);
-    let closing = space.free_ends.then_some((0, space.points.len() as u32));
     let quarters = around.quarters.iter().flat_map(Shortest::iter);
-    closing.into_iter().chain(around.nearest.iter()).chain(quarters).collect()
+    let mut near: Vec<(i64, u32)> = around.nearest.iter().chain(quarters).collect();
+    near.sort_unstable();
+    near.dedup();
+    near.truncate(MOST);
+    near
 }
 
 /// The quest for what is near a point, in all directions and in each quarter.

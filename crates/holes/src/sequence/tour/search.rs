@@ -1,127 +1,117 @@
-//! Many points: the book's tour, improved, then kicked and improved again as long as the budget lasts.
+//! Many points: the book's tour, improved, then kicked and improved again as long as one may.
 //!
-//! A kick turns the order of three neighbouring stretches round (the double bridge of Martin, Otto and Felten,
-//! 1991), between places that are near each other, so that only their surroundings have to be looked at again. A
-//! kick that does not pay is undone; but one that costs little is kept sometimes, the less the nearer the end
-//! (threshold accepting, Dueck and Scheuer, 1990), and the best tour is remembered.
+//! A kick turns the order of three neighbouring stretches round (the double bridge of Martin, Otto and Felten, 1991), so
+//! that only their ends have to be looked at again. What it costs depends on the stretches alone, not on the length of the
+//! tour. A kick that does not pay is undone, or sometimes followed by a few more beside it and undone with them if these
+//! do not pay either. Where nothing pays for long the search begins anew, and the best tour is remembered. Nothing looks
+//! ahead to the end, so a search of so many tries is the beginning of every longer one.
 
 use super::Space;
+use super::candidates::Candidates;
 use super::local::Tour;
-use super::neighbours::Neighbours;
 
-/// The longest of the stretches that a kick along the tour exchanges.
+/// The longest of the stretches that a kick exchanges.
 const STRETCH: usize = 50;
-/// One kick of so many goes along the tour; the others go from near node to near node. Those along the tour also
-/// join what no list of near nodes does: holes of two circles far apart.
-const ALONG: usize = 8;
-/// Steps from near node to near node, and the near nodes that a step chooses from.
-const STEPS: usize = 8;
-const CHOICE: usize = 5;
-/// A kick at the beginning may cost at most so many edges of mean length, and rarely does.
-const LOSS: f64 = 3.0;
-/// With fewer kicks for each node there is no time to make good a loss, and none is taken.
-const PATIENCE: u64 = 10;
+/// One kick of so many is followed by others where it does not pay, so many at most, within so many places, while all of
+/// them cost no more than so many edges of mean length.
+const ONE_OF: usize = 5;
+const FOLLOWED: usize = 4;
+const BESIDE: usize = 100;
+const LOSS: i64 = 3;
+/// After so many tries for each node in which nothing paid, the search begins anew: other kicks lead elsewhere.
+const PATIENCE: u64 = 2;
 /// The fewest nodes whose tour can be kicked.
 const FEWEST: usize = 8;
 /// Where the random numbers begin: any number but zero does.
 const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
 
-/// A short closed tour over all nodes, found with that many kicks.
-pub(super) fn tour(space: &Space<'_>, kicks: u64) -> Vec<usize> {
-    let neighbours = Neighbours::of(space);
-    let mut tour = Tour::new(space, &neighbours, book(space));
-    for node in 0..space.nodes() {
-        tour.touch(node as u32);
+/// A short closed tour over all nodes, from one that is known, and the tries that it took; before each it is asked, with
+/// the number of those that were made, whether to go on.
+pub(super) fn tour(space: &Space<'_>, known: Vec<u32>, go_on: &mut dyn FnMut(u64) -> bool) -> (Vec<usize>, u64) {
+    let candidates = Candidates::of(space);
+    let mut tour = Tour::new(space, &candidates, known);
+    for place in 0..space.nodes() {
+        tour.touch(tour.at(place));
     }
     tour.improve();
     tour.accept();
-    let mut best = tour.order().to_vec();
-    // What the tour costs more than the best one.
-    let mut over = 0;
+    let first = tour.order().to_vec();
+    let mut best = Found { cost: space.round(&numbers(&first)), order: first.clone() };
+    let begun = best.cost;
+    let loss = LOSS * begun / space.nodes().max(1) as i64;
     let mut random = Random(SEED);
-    let kicks = if space.nodes() < FEWEST { 0 } else { kicks };
-    let patient = kicks >= PATIENCE * space.nodes() as u64;
-    let edge = space.round(&numbers(&best)) as f64 / space.nodes().max(1) as f64;
-    let loss = if patient { LOSS * edge } else { 0.0 };
-    for kick in 0..kicks {
-        let ends =
-            if random.below(ALONG) == 0 { along(&tour, &mut random) } else { around(&tour, &neighbours, &mut random) };
-        let Some(ends) = ends else { continue };
-        let change = exchange(&mut tour, space, ends) - tour.improve();
-        let left = (kicks - kick) as f64 / kicks as f64;
-        // The square of an even number: small losses are common, large ones rare.
-        let luck = random.below(1000) as f64 / 1000.0;
-        if change > 0 && change as f64 >= loss * left * luck * luck {
-            tour.undo();
-            continue;
+    let (mut tries, mut at, mut cost, mut paid) = (0, 0, begun, 0);
+    // Kicks that do not pay so far: how many may still follow, and what they cost together.
+    let (mut left, mut over) = (0, 0);
+    while space.nodes() >= FEWEST && go_on(tries) {
+        tries += 1;
+        if over == 0 {
+            if tries - paid > PATIENCE * space.nodes() as u64 {
+                best.keep(cost, &tour);
+                tour = Tour::new(space, &candidates, first.clone());
+                (cost, paid) = (begun, tries);
+            }
+            at = random.below(space.nodes());
+            left = if random.below(ONE_OF) == 0 { FOLLOWED } else { 0 };
+        } else {
+            at = (at + random.below(BESIDE)) % space.nodes();
+            left -= 1;
         }
-        tour.accept();
-        over += change;
-        if over < 0 {
+        over += kick(&mut tour, space, at, &mut random) - tour.improve();
+        if over <= 0 {
+            tour.accept();
+            if over < 0 {
+                paid = tries;
+            }
+            cost += over;
             over = 0;
-            best.copy_from_slice(tour.order());
+        } else if left == 0 || over > loss {
+            tour.undo();
+            over = 0;
         }
     }
-    numbers(&best)
+    // What has not paid yet.
+    tour.undo();
+    best.keep(cost, &tour);
+    (numbers(&best.order), tries)
+}
+
+/// The best tour that was found.
+struct Found {
+    cost: i64,
+    order: Vec<u32>,
+}
+
+impl Found {
+    fn keep(&mut self, cost: i64, tour: &Tour<'_>) {
+        if cost < self.cost {
+            self.cost = cost;
+            self.order.copy_from_slice(tour.order());
+        }
+    }
 }
 
 fn numbers(order: &[u32]) -> Vec<usize> {
     order.iter().map(|&node| node as usize).collect()
 }
 
-/// The book's tour, so that the one found is never longer than it; the node without place at its end.
-fn book(space: &Space<'_>) -> Vec<u32> {
-    let mut order: Vec<u32> = super::nearest_rule(space).order.iter().map(|&node| node as u32).collect();
-    order.extend(order.len() as u32..space.nodes() as u32);
-    order
-}
-
-/// The last nodes before, of the first, of the second and of the third of three neighbouring stretches.
-type Ends = [u32; 4];
-
-/// Three stretches that follow each other somewhere on the tour.
-fn along(tour: &Tour<'_>, random: &mut Random) -> Option<Ends> {
-    let longest = STRETCH.min((tour.order().len() - 2) / 3);
-    let mut at = random.below(tour.order().len());
-    let mut ends = [tour.at(at); 4];
-    for end in &mut ends[1..] {
-        at += 1 + random.below(longest);
-        *end = tour.at(at);
-    }
-    Some(ends)
-}
-
-/// Stretches between four places near each other, or none where the near nodes are too few.
-fn around(tour: &Tour<'_>, neighbours: &Neighbours, random: &mut Random) -> Option<Ends> {
-    let start = random.below(tour.order().len()) as u32;
-    let mut ends = [start; 4];
-    for chosen in 1..4 {
-        // A walk often ends where one has been: a few are tried.
-        let mut walks = (0..20).map(|_| walk(start, neighbours, random));
-        ends[chosen] = walks.find(|end| !ends[..chosen].contains(end))?;
-    }
-    ends.sort_unstable_by_key(|&node| tour.place(node));
-    Some(ends)
-}
-
-fn walk(start: u32, neighbours: &Neighbours, random: &mut Random) -> u32 {
-    (0..STEPS).fold(start, |here, _| {
-        let near = neighbours.near(here);
-        near.get(random.below(near.len().min(CHOICE))).map_or(here, |&(_, node)| node)
-    })
-}
-
-/// Turns the order of three neighbouring stretches round, none of them reversed; gives by how much the tour grew.
+/// Turns the order of three stretches round that follow each other from a place of the tour on, none of them reversed;
+/// gives by how much the tour grew.
 ///
 /// All four edges change, and no chain of exchanges leads straight back. (Two stretches would change three edges
 /// only, which the improvement undoes at once.)
-fn exchange(tour: &mut Tour<'_>, space: &Space<'_>, ends: Ends) -> i64 {
+fn kick(tour: &mut Tour<'_>, space: &Space<'_>, mut at: usize, random: &mut Random) -> i64 {
+    let longest = STRETCH.min((space.nodes() - 2) / 3);
     // The ends of the stretches, between the node before them and the node after, as the array has them.
-    let mut ends = ends.map(|end| [end, tour.at(tour.place(end) + 1)]).concat();
+    let mut ends = [0; 8];
+    for pair in ends.chunks_exact_mut(2) {
+        pair.copy_from_slice(&[tour.at(at), tour.at(at + 1)]);
+        at += 1 + random.below(longest);
+    }
     if tour.next(ends[0]) != ends[1] {
         ends.reverse();
     }
-    let &[before, a, b, c, d, e, f, after] = ends.as_slice() else { return 0 };
+    let [before, a, b, c, d, e, f, after] = ends;
     let cost = |from: u32, to: u32| space.cost(from as usize, to as usize);
     let removed = cost(before, a) + cost(b, c) + cost(d, e) + cost(f, after);
     let added = cost(before, e) + cost(f, c) + cost(d, a) + cost(b, after);

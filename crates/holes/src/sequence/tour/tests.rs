@@ -6,6 +6,8 @@ use super::*;
 use crate::units::{Micrometres, MillimetresPerMinute, MillimetresPerSecondSquared};
 
 use super::super::bound::lower_bound;
+use super::super::places::Places;
+use super::super::spanning::shortest_tree;
 use crate::machine::Rapid;
 
 fn metrics() -> [Metric; 4] {
@@ -59,7 +61,7 @@ proptest! {
     #[test]
     fn few_points_are_solved_as_trying_all_orders_solves_them(points in points(7)) {
         for space in spaces(&points) {
-            let path = path(&space, Effort::default());
+            let path = path(&space, Effort(100));
             prop_assert!(path.optimal && each_once(&path.order, points.len()));
             prop_assert_eq!(path.cost, brute(&space));
             prop_assert_eq!(path.cost, space.length(&path.order));
@@ -70,9 +72,10 @@ proptest! {
     fn the_search_finds_what_the_exact_way_finds_for_few_points(points in points(9)) {
         for space in spaces(&points) {
             if space.nodes() > 4 {
-                let order = from_the_start(&space, search::tour(&space, 200));
+                let known = (0..space.nodes() as u32).collect();
+                let order = from_the_start(&space, search::tour(&space, known, &mut |tries| tries < 200).0);
                 prop_assert!(each_once(&order, points.len()));
-                prop_assert_eq!(space.length(&order), path(&space, Effort::default()).cost);
+                prop_assert_eq!(space.length(&order), path(&space, Effort(100)).cost);
             }
         }
     }
@@ -147,7 +150,7 @@ proptest! {
     #[test]
     fn near_points_are_those_that_looking_at_all_finds(points in points(120)) {
         for space in spaces(&points) {
-            let neighbours = neighbours::Neighbours::of(&space);
+            let found = neighbours::near_points(&space);
             for (node, &at) in points.iter().enumerate() {
                 let others = (0..points.len()).filter(|other| *other != node);
                 let mut all: Vec<(i64, u32)> = others.map(|other| (space.cost(node, other), other as u32)).collect();
@@ -157,10 +160,56 @@ proptest! {
                     let of_quarter = all.iter().filter(|(_, other)| quarter(at, points[*other as usize]) == own);
                     near.extend(of_quarter.take(2));
                 }
-                near.extend(space.free_ends.then_some((0, points.len() as u32)));
                 let near: Vec<(i64, u32)> = near.into_iter().take(12).collect();
-                prop_assert_eq!(neighbours.near(node as u32), near, "{}", node);
+                prop_assert_eq!(&found[node], &near, "{}", node);
             }
+        }
+    }
+
+    #[test]
+    fn the_shortest_tree_is_that_of_looking_at_all_pairs(points in points(60), prices in prop::collection::vec(-9_000_i64..9_000, 61)) {
+        for space in spaces(&points) {
+            let cost = |from: usize, to: usize| space.cost(from, to) + prices[from] + prices[to];
+            let mut left: Vec<usize> = (0..points.len()).filter(|&point| point != space.beside()).collect();
+            let mut tree: Vec<usize> = left.pop().into_iter().collect();
+            let mut total = 0;
+            while !left.is_empty() {
+                let nearest = |&point: &usize| tree.iter().map(|&inside| cost(inside, point)).min();
+                let (at, &newest) = left.iter().enumerate().min_by_key(|(_, point)| nearest(point)).unwrap();
+                total += nearest(&newest).unwrap();
+                tree.push(newest);
+                left.swap_remove(at);
+            }
+            let known = vec![Vec::new(); points.len()];
+            let found = shortest_tree(&space, &Places::of(&points), &prices, &known);
+            prop_assert_eq!(found.len() + 1, tree.len().max(1));
+            prop_assert_eq!(found.iter().map(|&(from, to)| cost(from, to)).sum::<i64>(), total);
+            let mut near = neighbours::near_points(&space);
+            near.iter_mut().for_each(|near| near.retain(|&(_, other)| other as usize != space.beside()));
+            prop_assert_eq!(shortest_tree(&space, &Places::of(&points), &prices, &near), found);
+        }
+    }
+
+    #[test]
+    fn as_many_tries_as_a_clock_allowed_give_the_same_path(points in points(60), most in 0_u64..40) {
+        for space in spaces(&points) {
+            let mut asked = 0;
+            let timed = path_while(&space, &mut |_| { asked += 1; asked <= most });
+            prop_assert_eq!(&timed, &path_while(&space, &mut |tries| tries < timed.tries));
+            prop_assert!(timed.cost <= quick_path(&space).cost);
+        }
+    }
+
+    #[test]
+    fn an_open_path_is_never_longer_than_a_tour_without_its_longest_edge(points in points(12)) {
+        for metric in metrics() {
+            let tour = path(&Space::closed(&points, metric), Effort(20));
+            let open = path(&Space::open(&points, metric), Effort(20));
+            let edges = (0..points.len()).map(|at| {
+                let pair = [at, (at + 1) % points.len()].map(|at| points[tour.order[at]]);
+                metric.cost(pair[0], pair[1])
+            });
+            prop_assert!(open.cost <= tour.cost - edges.max().unwrap_or(0));
         }
     }
 

@@ -1,0 +1,195 @@
+//! Prices of nodes: what each edge of a node pays, so that a shortest tree comes near to a tour.
+//!
+//! A tour is a tree over all nodes but one, with two edges more at that one, and two edges at every node. Drop the last
+//! condition, and the shortest such 1-tree is found at once; give every node a price that each of its edges pays, and
+//! take the prices back twice, and no tour changes its length, but the tree gets longer where a node had too few or too
+//! many edges (Held and Karp, 1970, 1971). Under good prices the tree is nearly a tour: it says what no tour can be
+//! shorter than ([`super::bound`]), and which edges a short tour is likely to have (`tour/candidates.rs`).
+//!
+//! All figures are whole numbers. The node beside the tree is the first point, or the one without place that closes an
+//! open path: the tree is always one over points.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+use super::places::Places;
+use super::spanning::shortest_tree;
+use super::tour::{Space, near_edges};
+
+/// The first step of prices that begin at nothing, in edges of mean length: holes in circles are far apart between the
+/// circles, and a price must get there.
+pub(super) const FIRST_STEP: f64 = 2.5;
+/// The last steps are so much smaller, besides their going to nothing.
+const SHRINK: f64 = 1.0 / 150.0;
+/// The part of the last direction that is kept: nodes that are now one and now the other settle, and those of a
+/// circle go together.
+const KEPT: f64 = 0.9;
+
+/// The edges that most trees are made of: those between near nodes, and those of trees over all pairs.
+pub(super) type Edges = Vec<Vec<(i64, u32)>>;
+
+/// Prices of the nodes of a space, and the trees under them.
+pub(super) struct Prices<'s> {
+    space: &'s Space<'s>,
+    places: Places<'s>,
+    /// What each edge of a node pays.
+    pub(super) of: Vec<i64>,
+    /// Of each node the others with the cost of going there; nothing of the node beside the tree.
+    pub(super) edges: Edges,
+    /// Edges of each node in the last tree.
+    degrees: Vec<i64>,
+    /// Where the prices are going.
+    direction: Vec<f64>,
+    /// The cheapest edge of each node into the tree, and from where; nothing is cheaper for a node of the tree.
+    cheapest: Vec<i64>,
+    towards: Vec<u32>,
+    waiting: BinaryHeap<Reverse<(i64, u32)>>,
+}
+
+/// The cheapest edge of a node of the tree.
+const INSIDE: i64 = i64::MIN;
+
+impl<'s> Prices<'s> {
+    /// No prices yet, for three nodes or more.
+    pub(super) fn new(space: &'s Space<'s>) -> Self {
+        let count = space.nodes();
+        let mut prices = Self {
+            space,
+            places: Places::of(space.points()),
+            of: vec![0; count],
+            edges: vec![Vec::new(); count],
+            degrees: vec![0; count],
+            direction: vec![0.0; count],
+            cheapest: vec![0; count],
+            towards: vec![0; count],
+            waiting: BinaryHeap::new(),
+        };
+        let beside = space.beside();
+        near_edges(space, |from, to| {
+            if from != beside && to != beside {
+                prices.join(from, to);
+            }
+        });
+        prices
+    }
+
+    fn join(&mut self, from: usize, to: usize) {
+        if self.edges[from].iter().all(|&(_, known)| known as usize != to) {
+            let cost = self.space.cost(from, to);
+            self.edges[from].push((cost, to as u32));
+            self.edges[to].push((cost, from as u32));
+        }
+    }
+
+    /// What an edge costs with the prices of its nodes.
+    pub(super) fn priced(&self, cost: i64, from: usize, to: usize) -> i64 {
+        cost + self.of[from] + self.of[to]
+    }
+
+    /// Looks for good prices in so many rounds, with such a first step. A tree over all pairs must have been made before,
+    /// so that the known edges hold all points together. Ends where the tree is a tour or as long as a known path.
+    pub(super) fn ascend(&mut self, mut step: f64, path: i64, rounds: usize) {
+        let mut best = (i64::MIN, self.of.clone());
+        let shrink = libm::pow(SHRINK, 1.0 / rounds.max(1) as f64);
+        for round in 1..=rounds {
+            let tree = self.tree_among_edges();
+            if tree > best.0 {
+                best.0 = tree;
+                best.1.copy_from_slice(&self.of);
+            }
+            if tree >= path || self.is_tour() {
+                break;
+            }
+            self.change(step * (rounds - round) as f64 / rounds as f64);
+            step *= shrink;
+        }
+        self.of = best.1;
+    }
+
+    /// The cost of the shortest 1-tree over all pairs less twice the prices: a lower bound. Its edges join the others.
+    pub(super) fn tree_over_all(&mut self) -> i64 {
+        self.degrees.fill(0);
+        let mut total = 0;
+        for (from, to) in shortest_tree(self.space, &self.places, &self.of, &self.edges) {
+            total += self.priced(self.space.cost(from, to), from, to);
+            self.degrees[from] += 1;
+            self.degrees[to] += 1;
+            self.join(from, to);
+        }
+        total + self.beside_tree() - 2 * self.of.iter().sum::<i64>()
+    }
+
+    /// The same among the known edges (Prim): never less, and so no bound.
+    fn tree_among_edges(&mut self) -> i64 {
+        self.degrees.fill(0);
+        self.cheapest.fill(i64::MAX);
+        self.waiting.clear();
+        let beside = self.space.beside();
+        let mut newest = usize::from(beside == 0);
+        self.cheapest[beside] = INSIDE;
+        self.cheapest[newest] = INSIDE;
+        let mut total = 0;
+        for _ in 2..self.of.len() {
+            let own = self.of[newest];
+            for &(cost, node) in &self.edges[newest] {
+                let cost = cost + own + self.of[node as usize];
+                if cost < self.cheapest[node as usize] {
+                    self.cheapest[node as usize] = cost;
+                    self.towards[node as usize] = newest as u32;
+                    self.waiting.push(Reverse((cost, node)));
+                }
+            }
+            while let Some(Reverse((cost, node))) = self.waiting.pop() {
+                // A node waits again when it becomes cheaper.
+                if self.cheapest[node as usize] == cost {
+                    newest = node as usize;
+                    self.cheapest[newest] = INSIDE;
+                    self.degrees[newest] += 1;
+                    self.degrees[self.towards[newest] as usize] += 1;
+                    total += cost;
+                    break;
+                }
+            }
+        }
+        total + self.beside_tree() - 2 * self.of.iter().sum::<i64>()
+    }
+
+    /// Adds the two cheapest edges of the node beside the tree; gives what they cost.
+    fn beside_tree(&mut self) -> i64 {
+        let beside = self.space.beside();
+        let two = self.cheapest_beside(2);
+        for &(_, end) in &two {
+            self.degrees[end as usize] += 1;
+        }
+        self.degrees[beside] = 2;
+        two.iter().map(|&(cost, _)| cost).sum()
+    }
+
+    /// The so many cheapest edges of the node beside the tree, over all nodes, with their priced costs.
+    pub(super) fn cheapest_beside(&self, most: usize) -> Vec<(i64, u32)> {
+        let beside = self.space.beside();
+        let mut least: Vec<(i64, u32)> = Vec::with_capacity(most + 1);
+        for node in (0..self.of.len()).filter(|&node| node != beside) {
+            let edge = (self.priced(self.space.cost(beside, node), beside, node), node as u32);
+            if least.len() < most || least.last().is_some_and(|last| edge < *last) {
+                let place = least.partition_point(|known| *known < edge);
+                least.insert(place, edge);
+                least.truncate(most);
+            }
+        }
+        least
+    }
+
+    /// Whether the last tree is a tour: every node has two edges.
+    fn is_tour(&self) -> bool {
+        self.degrees.iter().all(|&edges| edges == 2)
+    }
+
+    /// Raises the price of nodes with many edges and lowers that of leaves.
+    fn change(&mut self, step: f64) {
+        for ((price, edges), direction) in self.of.iter_mut().zip(&self.degrees).zip(&mut self.direction) {
+            *direction = KEPT * *direction + (1.0 - KEPT) * (edges - 2) as f64;
+            *price += (step * *direction).round() as i64;
+        }
+    }
+}
