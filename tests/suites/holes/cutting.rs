@@ -258,9 +258,9 @@ fn boring_loads_are_those_of_the_speed_that_is_driven() {
     near(found.speed_m_per_min.0, 157.08);
     near(found.torque_n_m.unwrap().0, 0.8887);
     near(found.power_kw.unwrap().0, 0.2279);
-    // The factor of internal work is a row like any other, and nobody confirms it.
+    // The factor of internal work is a row like any other, and a published page confirms it.
     let internal = found.because.iter().find(|because| because.note.code() == "internal-factor").unwrap();
-    assert!(internal.unconfirmed.is_some());
+    assert!(internal.unconfirmed.is_none());
 }
 
 /// A feed that a load cuts back is driven at its own speed: (operation, material, d, D), then s, V of the formula, n,
