@@ -1,5 +1,6 @@
 //! Row types: what shops reach, whatever a drawing asks.
 
+use technolog_knowledge::contract::Named;
 use technolog_knowledge::{rows, vocabulary};
 use technolog_knowledge::units::{Brinell, ItGrade, MetresPerMinute, Micrometres, Microns};
 
@@ -48,7 +49,8 @@ rows! {
         hardness: Brinell,
     } {
         group: &'t str,
-    } shown { vdi, drill_force }
+        drill_force: Option<&'t str>,
+    } shown { vdi }
 
     /// Speeds of high-speed steel tools in practice.
     pub struct HssSpeed of One("practice-speed-hss") asked by HssSpeedFor<'t> {
@@ -87,9 +89,55 @@ rows! {
         share: f64,
         share_high: f64,
     } shown { of, pages }
+
+    /// Material constants for the forces of drilling.
+    pub struct DrillForceFactor of One("drill-force-factor") {
+        id: &'t str,
+        factor: f64,
+    } shown { strength, hardness, name_uk, name_en }
+
+    /// Constants of the formulas of drilling forces.
+    pub struct DrillForceFormula of One("drill-force-formula") complete name {
+        name: Named<'t, ForceConstant>,
+        value: f64,
+    } shown { used }
+
+    /// How much larger than its drill a drilled hole is.
+    pub struct DrillOversize of One("drill-oversize") {} shown {
+        diameter, oversize_mean, oversize_largest, mean_american, largest_american, mean_soviet, largest_standard,
+    }
+
+    /// Specific cutting forces.
+    pub struct SpecificCuttingForce of One("specific-cutting-force") {} shown {
+        vdi, strength, hardness, kc1, mc, what_uk, what_en,
+    }
+
+    /// Feeds in practice.
+    pub struct PracticeFeed of One("practice-feed") {} shown {
+        operation, material_group, diameter, feed_low, feed_high, pages,
+    }
+
+    /// The pages of the tables of practice.
+    pub struct PracticeSource of One("practice-sources") {} shown { id, page, read }
+
+    /// What each source says that a way of working reaches.
+    pub struct ReachBySource of One("reach-by-source") {} shown {
+        way, of, it_coarsest, it_finest, ra_coarsest, ra_finest,
+    }
+
+    /// The sources of what is reached.
+    pub struct ReachSource of One("reach-sources") {} shown { id, tradition, page, read }
 }
 
 vocabulary! {
+    /// A constant of the formulas of drilling forces.
+    pub enum ForceConstant {
+        Thrust = "thrust-constant",
+        ThrustFeedExponent = "thrust-feed-exponent",
+        Torque = "torque-constant",
+        TorqueFeedSlope = "torque-feed-slope",
+    }
+
     /// What tables of high-speed steel tell apart.
     pub enum HssWork {
         Turn = "turn",

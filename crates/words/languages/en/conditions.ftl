@@ -56,3 +56,4 @@ card-corrections = the example's factors: speed × { $product }, material { $mat
 card-without-depth = { $ratio } diameters deep: the factor { $factor } of { $table } is left out, the cards' own for depth are not known
 card-other-material = the cards' factors for { $material } are not known
 stock-of-practice = in practice a reamer finds { $low } to { $high } mm on diameter
+force-opinion = a maker's formulas give { $thrust } N and { $torque } N·m; ours are { $thrust_percent } % and { $torque_percent } % of them

@@ -56,3 +56,4 @@ card-corrections = поправки прикладу: швидкість × { $p
 card-without-depth = глибина { $ratio } D: коефіцієнт { $factor } ({ $table }) не враховано, поправки карт на глибину невідомі
 card-other-material = поправки карт для матеріалу { $material } невідомі
 stock-of-practice = на практиці розвертка знаходить від { $low } до { $high } мм на діаметр
+force-opinion = за формулами виробника { $thrust } Н і { $torque } Н·м; наші становлять { $thrust_percent } % і { $torque_percent } % від них
