@@ -146,16 +146,15 @@ impl<'a> Context<'a> {
         })
     }
 
-    /// The tools in the order of their changes: of the rows, without changing a tool for itself within a set-up.
+    /// The tools in the order of their changes: of the rows, without changing a tool for itself.
     pub fn changes(&self) -> Vec<u32> {
         if let Some(changes) = &self.stated.changes {
             return changes.clone();
         }
         let rows = self.stated.rows.iter();
-        let mut changes: Vec<(u32, u32)> =
-            rows.filter_map(|row| Some((row.setup.unwrap_or(1), row.tool.as_ref()?.value))).collect();
+        let mut changes: Vec<u32> = rows.filter_map(|row| Some(row.tool.as_ref()?.value)).collect();
         changes.dedup();
-        changes.into_iter().map(|(_, tool)| tool).collect()
+        changes
     }
 
     /// The steps of the machine below and above a spindle speed, 1/min, `-` where there is none; nothing where the speed is

@@ -269,4 +269,9 @@ impl Stated {
     pub fn mill_follows(&self, hole: &str, row: usize) -> bool {
         self.rows_of_hole(hole).any(|(other, own)| other > row && own.operation.value == Operation::Mill)
     }
+
+    /// Whether a row of a group is followed by a reamer.
+    pub fn reamer_follows(&self, hole: &str, row: usize) -> bool {
+        self.rows_of_hole(hole).any(|(other, own)| other > row && own.operation.value.is_reaming())
+    }
 }

@@ -54,7 +54,7 @@ impl Hands {
 pub struct Duration {
     /// At feed, into the metal and through it.
     pub feed: Minutes,
-    /// At feed, out of the hole: of a reamer, of a tap.
+    /// At feed, out of the hole: of a reamer.
     pub feed_out: Minutes,
     /// Waiting at the bottom.
     pub dwell: Minutes,
@@ -86,8 +86,13 @@ impl Cycle {
         };
         match &self.kind {
             CycleKind::Drill | CycleKind::BoreStop => {}
-            CycleKind::FeedOut | CycleKind::Tap { .. } => {
+            CycleKind::FeedOut => {
                 took.feed_out = took.feed;
+                took.rapid = down + rapid.time(self.out - self.begin);
+            }
+            // In and out, as machine time is reckoned for a tap.
+            CycleKind::Tap { .. } => {
+                took.feed = took.feed + took.feed;
                 took.rapid = down + rapid.time(self.out - self.begin);
             }
             CycleKind::Peck { step, clearance } => {

@@ -3,7 +3,7 @@
 
 use crate::error::KnowledgeError;
 use crate::note::{self, Note, Severity};
-use crate::part::Hole;
+use crate::part::{Bottom, Hole};
 use crate::plan::Operation;
 use crate::tooling::named;
 use crate::units::Micrometres;
@@ -65,7 +65,14 @@ pub(super) fn check<'a>(
         // A mill that follows makes the flat bottom, and the drill's point stays above it.
         let milled = context.stated.mill_follows(&hole.name, at) && !hole.through;
         let plain = plain && !milled;
-        if plain && Micrometres::from_mm_rounded(figure.value) != hole.depth {
+        // Before a reamer a blind hole is drilled deeper, for its lead; over a flat floor the reamer ends above it.
+        let stated = Micrometres::from_mm_rounded(figure.value);
+        let room = hole.diameter.nominal.half();
+        let deeper = context.stated.reamer_follows(&hole.name, at) && !hole.through;
+        let above = row.operation.value.is_reaming() && hole.bottom == Bottom::Flat && !hole.through;
+        let most = if deeper { hole.depth + room } else { hole.depth };
+        let least = if above { hole.depth - room } else { hole.depth };
+        if plain && !(least..=most).contains(&stated) {
             let finding = say(Severity::Wrong, Note::new("audit-depth-of-hole").with("hole", &hole.name));
             findings.push(beside(finding, figure, hole.depth, Q::Depth));
         }

@@ -154,7 +154,9 @@ impl Group<'_, '_> {
 
     /// The stated transitions, with the thread that another machine cuts where this one cannot.
     fn stated(&self) -> Vec<Operation> {
-        let mut stated: Vec<Operation> = self.rows.iter().map(|(_, row)| row.operation.value).collect();
+        // What finishes the hole on another machine is no transition of the scheme.
+        let here = |row: &&(usize, &Row)| !row.1.elsewhere || row.1.operation.value == Operation::Tap;
+        let mut stated: Vec<Operation> = self.rows.iter().filter(here).map(|(_, row)| row.operation.value).collect();
         if self.hole.thread.is_some() && !self.context.shop.machine.can_tap && !stated.contains(&Operation::Tap) {
             stated.push(Operation::Tap);
         }
@@ -187,8 +189,8 @@ impl Group<'_, '_> {
             .beside(&names, &ours)
         };
         let alike = |other: &Alternative| {
-            let made: Vec<Operation> = other.operations.iter().map(|made| made.operation).collect();
-            main(&made) == main(&stated)
+            let here = other.operations.iter().filter(|made| !made.elsewhere || made.operation == Operation::Tap);
+            main(&here.map(|made| made.operation).collect::<Vec<_>>()) == main(&stated)
         };
         let others = || self.route.alternatives.iter().enumerate();
         let can_be = |other: &Alternative| other.meets && other.time_min.is_some();

@@ -47,7 +47,9 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
         let plain = hole.steps.is_empty() && hole.thread.is_none() && hole.cone.is_none();
         // A mill that follows makes the flat bottom, and the drill's point stays above it.
         let milled = stated.mill_follows(&hole.name, at) && !hole.through;
-        if axial && plain && !milled {
+        // Before a reamer a blind hole goes deeper, for its lead.
+        let deeper = stated.reamer_follows(&hole.name, at) && !hole.through;
+        if axial && plain && !milled && !deeper {
             graph.add(given(&DEPTH, Id::new(scope, Q::Depth), hole.depth.to_mm(), []));
         }
     }

@@ -76,7 +76,14 @@ pub fn sequence(
 pub fn timed(plan: &mut Plan, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
     let job = job::make(plan, shop)?;
     let hands = job::Hands::read(shop.knowledge)?;
-    plan.time = job::times(&job, &shop.machine, &hands, &mut plan.sequence);
+    let mut time = job::times(&job, &shop.machine, &hands, &mut plan.sequence);
+    // Machine time is that of the conditions, as it stands beside each transition: programs round feeds down a little.
+    let of_hole = |hole: &HolePlan| -> f64 {
+        let here = hole.transitions.iter().filter(|step| !step.elsewhere);
+        here.map(|step| step.conditions.machine_time_min.0 * hole.count as f64).sum()
+    };
+    time.machine_min = Minutes(plan.holes.iter().map(of_hole).sum());
+    plan.time = time.rounded();
     Ok(())
 }
 

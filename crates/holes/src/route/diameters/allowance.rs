@@ -39,7 +39,13 @@ pub fn range<'k>(
     if !named {
         return Ok(None);
     }
-    let Allowance { low, high, row, least_is_ours, .. } = allowance(operation, nominal, nominal, previous, shop)?;
+    let Allowance { mut low, mut high, row, least_is_ours, .. } =
+        allowance(operation, nominal, nominal, previous, shop)?;
+    // Section 1.2.1 says of finish reaming what it finds after any transition: who goes by the book is not wrong.
+    if operation == Operation::FinishReam {
+        let book = allowance(operation, nominal, nominal, Some(Operation::RoughReam), shop)?;
+        (low, high) = (low.min(book.low), high.max(book.high));
+    }
     Ok(Some(Range { low, high, row, least_is_ours }))
 }
 
