@@ -29,6 +29,7 @@ pub struct Auditor<'k> {
     tolerances: Tolerances,
     plans: Memo<Result<Arc<Plan>, KnowledgeError>>,
     runs: Memo<SimulatedProgram>,
+    languages: Memo<Result<Arc<Language>, KnowledgeError>>,
 }
 
 /// The simulation of a program on a machine with its setting.
@@ -53,6 +54,7 @@ impl<'k> Auditor<'k> {
             tolerances: Tolerances::read(knowledge)?,
             plans: Memo::default(),
             runs: Memo::default(),
+            languages: Memo::default(),
         })
     }
 
@@ -73,6 +75,11 @@ impl<'k> Auditor<'k> {
             Ok(key) => self.plans.get(key, plan),
             Err(_) => plan(),
         }
+    }
+
+    /// The language of a control, read once.
+    pub(super) fn language(&self, control: &str) -> Result<Arc<Language>, KnowledgeError> {
+        self.languages.get(control.to_owned(), || Language::read(control, self.knowledge).map(Arc::new))
     }
 
     /// What may be rounded how.

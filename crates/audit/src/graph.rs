@@ -275,6 +275,14 @@ impl<'a> Graph<'a> {
         options
     }
 
+    /// The first of these, and whether it may be off: what the author had before him. Whether it is, costs more to tell.
+    fn as_written(&self, input: Id) -> Option<(f64, bool)> {
+        if let Some(constant) = self.constants.get(&input) {
+            return constant.values.first().map(|value| (*value, false));
+        }
+        self.written(input).map(|written| (written, true)).or_else(|| Some((self.right(input)?, false)))
+    }
+
     /// How much a result may differ because inputs are printed rounded.
     fn slack(&self, formula: &Formula<'a>, inputs: &[f64]) -> f64 {
         let Some(middle) = (formula.compute)(inputs) else { return 0.0 };
@@ -309,7 +317,7 @@ impl<'a> Graph<'a> {
             .inputs
             .iter()
             .zip(&inputs)
-            .map(|(input, right)| self.options(*input).first().map_or(*right, |one| one.0))
+            .map(|(input, right)| self.as_written(*input).map_or(*right, |one| one.0))
             .collect();
         let by_stated = (formula.compute)(&stated_inputs);
         let supplied = formula.inputs.iter().copied();
@@ -327,7 +335,11 @@ impl<'a> Graph<'a> {
             }
             // Chosen rightly for inputs that are wrong.
             let by_wrong = judge(figure.value, &stated_inputs);
-            let roots = self.roots(formula, |at| self.options(formula.inputs[at]).first().is_some_and(|one| one.1));
+            let wrong = |at: usize| {
+                let input = formula.inputs[at];
+                self.as_written(input).is_some_and(|(_, may_be_off)| may_be_off && self.is_off(input))
+            };
+            let roots = self.roots(formula, wrong);
             verdict.status = match judged {
                 _ if may_stand(&by_wrong) && !roots.is_empty() => Status::Follows(roots),
                 Some((severity, note)) => Status::Root(severity, Some(note)),

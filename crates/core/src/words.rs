@@ -14,9 +14,10 @@ pub fn operation_verb(name: &str, lang: Lang) -> &str {
 /// The operation that is called so, as an instruction or as a noun, in whatever case.
 pub fn operation_named(text: &str, lang: Lang) -> Option<Operation> {
     let text = text.trim().to_lowercase();
-    let name = Operation::WORDS.iter().find(|name| {
-        operation_verb(name, lang).to_lowercase() == text || operation_noun(name, lang).to_lowercase() == text
-    })?;
+    // The letters of our words have no other length in lower case.
+    let same = |word: &str| word.len() == text.len() && word.to_lowercase() == text;
+    let name =
+        Operation::WORDS.iter().find(|name| same(operation_verb(name, lang)) || same(operation_noun(name, lang)))?;
     Operation::from_name(name)
 }
 

@@ -40,7 +40,9 @@ impl Reader<'_> {
         let own = fields.take(file::Row::row).and_then(|node| self.problems.scalar::<u32>(node));
         let operation = fields.need(file::Row::operation, &mut self.problems).and_then(|node| {
             // By its name in tables, or as the report calls it: `drill`, `свердління`, `свердлити`.
-            let named = node.text().and_then(|text| operation_named(text, Lang::UK));
+            let id =
+                |text: &str| Operation::NAMES.iter().find(|(name, _)| *name == text).map(|(_, operation)| *operation);
+            let named = node.text().and_then(|text| id(text).or_else(|| operation_named(text, Lang::UK)));
             let value = named.or_else(|| self.choice(node, Operation::NAMES))?;
             Some(StatedValue { value, place: node.place.clone() })
         });

@@ -18,7 +18,7 @@ use crate::motion::{Axis, Motion, MotionStep, Position};
 use crate::note::Severity;
 use crate::plan::{Operation, Plan};
 use crate::program::proof::{self, Code, ProofInput, Tolerated, prove};
-use crate::program::{Fault, Language, Setting, path};
+use crate::program::{Fault, Setting, path};
 use crate::units::Micrometres;
 
 use super::super::auditor::SimulatedProgram;
@@ -35,7 +35,7 @@ pub(super) fn check<'a>(
     findings: &mut Vec<Finding>,
 ) -> Result<(), KnowledgeError> {
     let Some(program) = &context.stated.program else { return Ok(()) };
-    let language = Language::read(&program.control, context.shop.knowledge)?;
+    let language = context.auditor.language(&program.control)?;
     let file: Arc<str> = Arc::from(program.file.value.as_str());
     let setting = match &program.setting {
         // It was read once already, when the plan was.
