@@ -1,7 +1,7 @@
 //! How short the paths are and how long finding them takes, with what no path can be shorter than.
 //!
 //! `cargo bench --bench order` prints one line per pattern, metric and effort; the clock is read here, never by the
-//! search. `cargo bench --bench order -- csv FOLDER` writes the patterns as lists of points instead, so that
+//! search. `-- growth` measures four sizes of scattered points. `cargo bench --bench order -- csv FOLDER` writes the patterns as lists of points instead, so that
 //! other programs can be measured on them (`tests/oracles/fast_tsp.py`).
 
 #![allow(clippy::unwrap_used, reason = "a bench that cannot begin has nothing to measure")]
@@ -12,7 +12,7 @@ use technolog::machine::Rapid;
 use technolog::part::Point;
 use technolog::sequence::bound::{lower_bound, rounds};
 use technolog::sequence::metric::Metric;
-use technolog::sequence::tour::{Effort, Space, nearest_rule, path};
+use technolog::sequence::tour::{Effort, Space, nearest_rule, path, path_while, usual_tries};
 use technolog::units::MillimetresPerMinute;
 use technolog_testing::patterns;
 
@@ -22,6 +22,9 @@ fn main() {
         return write(&arguments[at + 1]);
     }
     // Cargo tells a bench `--bench`; `-- mixed` measures the patterns of that name alone.
+    if arguments.iter().any(|argument| argument == "growth") {
+        return growth();
+    }
     let rapid = Metric::Rapid(Rapid { rate: MillimetresPerMinute(7000.0), acceleration: None });
     println!("pattern      metric  points  effort  length mm   nearest mm   bound mm  over bound  time s  (bound s)");
     let asked = arguments.iter().skip(1).find(|argument| !argument.starts_with('-'));
@@ -53,6 +56,25 @@ fn main() {
                     (cost as f64 / bound as f64 - 1.0) * 100.0,
                 );
             }
+        }
+    }
+}
+
+/// How the time of a search grows with the points, of a given number of tries and with the bound.
+fn growth() {
+    println!("points  tries  open  seconds  bound s  over bound");
+    for count in [2_500, 5_000, 10_000, 20_000] {
+        let points = patterns::random(count);
+        for (word, space) in
+            [("no", Space::closed(&points, Metric::Euclid)), ("yes", Space::open(&points, Metric::Euclid))]
+        {
+            let start = Instant::now();
+            let found = path_while(&space, &mut |tries| tries < usual_tries(count));
+            let search = start.elapsed().as_secs_f64();
+            let bound = lower_bound(&space, found.cost, rounds(count));
+            let spent = start.elapsed().as_secs_f64() - search;
+            let over = (found.cost as f64 / bound as f64 - 1.0) * 100.0;
+            println!("{count:>6} {:>6} {word:>5} {search:>8.3} {spent:>8.3} {over:>8.2} %", found.tries);
         }
     }
 }

@@ -11,7 +11,7 @@ use technolog::report::Lang;
 use technolog::sequence::bound::{lower_bound, rounds};
 use technolog::sequence::list::read_list;
 use technolog::sequence::metric::Metric;
-use technolog::sequence::tour::{Effort, Space, nearest_rule, path};
+use technolog::sequence::tour::{Effort, Space, nearest_rule, path, path_while};
 use technolog::units::MillimetresPerMinute;
 use technolog::{part, planner};
 use technolog_testing::{KNOWLEDGE, kinds, patterns};
@@ -123,6 +123,50 @@ fn a_small_effort_is_close_to_what_is_best_known() {
     assert!(found as f64 <= 3_060_800.0 * 1.002, "{found}");
     let bound = lower_bound(&Space::closed(&points, Metric::Euclid), found, rounds(200));
     assert!(found as f64 <= bound as f64 * 1.02, "{found}, at least {bound}");
+}
+
+/// The marks of the drilling problems of TSPLIB, in tries: a clock would not be the same everywhere.
+#[test]
+fn drilling_problems_come_near_to_their_shortest_tours() {
+    for (name, shortest, share, tries) in [("d198", 15_780, 0.0, 2_000), ("d1291", 50_801, 0.003, 10_000)] {
+        let file = format!("{}/tests/tours/{name}.tsp", env!("CARGO_MANIFEST_DIR"));
+        let list = read_list(name, &std::fs::read_to_string(file).unwrap()).unwrap();
+        let closed = Space::closed(&list.points, Metric::EuclidWhole);
+        let found = path_while(&closed, &mut |made| made < tries);
+        let over = found.cost as f64 / 1000.0 / f64::from(shortest) - 1.0;
+        assert!((0.0..=share).contains(&over), "{name}: {} is {over} over the shortest", found.cost);
+        let bound = lower_bound(&closed, found.cost, rounds(list.points.len()));
+        assert!(bound <= shortest as i64 * 1000 && bound as f64 >= f64::from(shortest) * 985.0, "{name}: {bound}");
+        // An open path is the tour without an edge, or better.
+        let longest = (0..found.order.len())
+            .map(|at| closed.cost(found.order[at], found.order[(at + 1) % found.order.len()]))
+            .max();
+        let open = path_while(&Space::open(&list.points, Metric::EuclidWhole), &mut |made| made < 2_000);
+        assert!(open.cost <= found.cost - longest.unwrap_or(0), "{name}: {} open", open.cost);
+    }
+}
+
+#[test]
+fn many_points_are_near_their_bound() {
+    let points = patterns::random(5_000);
+    let rapid = Metric::Rapid(Rapid { rate: MillimetresPerMinute(7000.0), acceleration: None });
+    for space in [Space::closed(&points, Metric::Euclid), Space::open(&points, rapid)] {
+        let found = path_while(&space, &mut |made| made < 200);
+        let bound = lower_bound(&space, found.cost, 60);
+        assert!(bound <= found.cost && found.cost as f64 <= bound as f64 * 1.05, "{} {bound}", found.cost);
+    }
+}
+
+#[test]
+fn as_many_tries_give_the_path_of_a_clock_again() {
+    let file =
+        file("clock.csv", &patterns::random(60).iter().map(|at| format!("{},{}\n", at.x, at.y)).collect::<String>());
+    let file = file.to_str().unwrap();
+    let timed = json(&[file, "--time", "30ms"]);
+    let tries = timed["tries"].as_u64().unwrap().to_string();
+    assert_eq!(timed["order"], json(&[file, "--tries", &tries])["order"]);
+    let said = String::from_utf8(run(&[file, "--time", "1"]).stderr).unwrap();
+    assert!(said.contains("`1`") && said.contains("1ms … 3600s"), "{said}");
 }
 
 #[test]

@@ -4,15 +4,15 @@
 //! Every price gives a true bound; the search for good prices only makes it high. Most rounds look for the tree among the
 //! edges of near points alone, which is quick and says where prices should go; only trees over all pairs count as bounds.
 
-use super::prices::{FIRST_STEP, Prices};
+use super::prices::Prices;
 use super::tour::Space;
 
 /// The nodes that the search for a bound may join to trees, in all its rounds.
-const JOINED: usize = 600_000;
+const JOINED: usize = 800_000;
 
 /// The rounds that a bound over so many nodes gets where nobody asks for another number.
 pub fn rounds(nodes: usize) -> usize {
-    (JOINED / nodes.max(1)).clamp(20, 3000)
+    (JOINED / (nodes + nodes * nodes / 20_000).max(1)).clamp(25, 3000)
 }
 
 /// A lower bound of every path of the space, found in so many rounds; `path` is the cost of a known one, at which
@@ -25,14 +25,6 @@ pub fn lower_bound(space: &Space<'_>, path: i64, rounds: usize) -> i64 {
         return if space.nodes() == 2 { 2 * space.cost(0, 1) } else { 0 };
     }
     let mut prices = Prices::new(space);
-    let mut best = prices.tree_over_all();
-    let step = FIRST_STEP * best as f64 / space.nodes() as f64;
-    // The tree over all pairs finds edges that the first rounds lacked; the last ones make good for them.
-    for (step, rounds) in [(step, rounds - rounds / 4), (step / 20.0, rounds / 4)] {
-        if best < path {
-            prices.ascend(step, path, rounds);
-            best = best.max(prices.tree_over_all());
-        }
-    }
-    best
+    let best = prices.ascend(path, rounds);
+    best.max(prices.tree_over_all())
 }

@@ -11,7 +11,7 @@ use crate::note::Note;
 use crate::part::Point;
 use crate::units::Micrometres;
 
-/// The most points of a list: the time of the search grows with their square.
+/// The most points of a list: for so many a path and its bound take a second.
 pub const MOST_POINTS: usize = 20_000;
 /// The largest coordinate, mm: sums over all points stay exact.
 const LARGEST: f64 = 1.0e7;

@@ -16,18 +16,19 @@ pub(super) struct Places<'p> {
     bounds: Vec<Bounds>,
 }
 
-/// The corners of a box.
+/// The corners of a box, and the first of its points in the list: of many points in one place few are looked at.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bounds {
     pub(super) low: Point,
     pub(super) high: Point,
+    pub(super) first: u32,
 }
 
 impl Bounds {
     /// The place within that is nearest to a point.
     #[inline]
     pub(super) fn nearest(&self, point: Point) -> Point {
-        let Self { low, high } = self;
+        let Self { low, high, .. } = self;
         Point { x: point.x.max(low.x).min(high.x), y: point.y.max(low.y).min(high.y) }
     }
 }
@@ -59,7 +60,7 @@ impl Part {
 impl<'p> Places<'p> {
     pub(super) fn of(points: &'p [Point]) -> Self {
         let zero = Point { x: Micrometres::ZERO, y: Micrometres::ZERO };
-        let bounds = vec![Bounds { low: zero, high: zero }; points.len().max(1)];
+        let bounds = vec![Bounds { low: zero, high: zero, first: 0 }; points.len().max(1)];
         let mut places = Self { points, order: (0..points.len() as u32).collect(), bounds };
         places.halve(&places.all());
         places
@@ -73,12 +74,13 @@ impl<'p> Places<'p> {
     fn halve(&mut self, part: &Part) {
         let at = |&index: &u32| self.points[index as usize];
         let own = &mut self.order[part.range.clone()];
+        let lowest = own.iter().copied().min().unwrap_or_default();
         let Some(first) = own.first().map(at) else { return };
         let (low, high) = own.iter().map(at).fold((first, first), |(low, high), point| {
             let low = Point { x: low.x.min(point.x), y: low.y.min(point.y) };
             (low, Point { x: high.x.max(point.x), y: high.y.max(point.y) })
         });
-        self.bounds[part.number] = Bounds { low, high };
+        self.bounds[part.number] = Bounds { low, high, first: lowest };
         if let Some(halves) = part.halves() {
             let wide = high.x - low.x > high.y - low.y;
             own.select_nth_unstable_by_key(halves[0].range.len(), |index| {

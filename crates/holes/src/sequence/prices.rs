@@ -16,14 +16,18 @@ use super::places::Places;
 use super::spanning::shortest_tree;
 use super::tour::{Space, near_edges};
 
-/// The first step of prices that begin at nothing, in edges of mean length: holes in circles are far apart between the
-/// circles, and a price must get there.
-pub(super) const FIRST_STEP: f64 = 2.5;
+/// The first step of the prices, in edges of mean length: holes in circles are far apart between the circles, and
+/// a price must get there; in fewer rounds than these it cannot, and steps are as much smaller.
+const FIRST_STEP: f64 = 10.0;
+const ENOUGH: usize = 120;
 /// The last steps are so much smaller, besides their going to nothing.
-const SHRINK: f64 = 1.0 / 150.0;
+const SHRINK: f64 = 1.0 / 1000.0;
 /// The part of the last direction that is kept: nodes that are now one and now the other settle, and those of a
 /// circle go together.
 const KEPT: f64 = 0.9;
+
+/// Among so many rounds, one looks at all pairs.
+const ALL_PAIRS: usize = 100;
 
 /// The edges that most trees are made of: those between near nodes, and those of trees over all pairs.
 pub(super) type Edges = Vec<Vec<(i64, u32)>>;
@@ -86,24 +90,42 @@ impl<'s> Prices<'s> {
         cost + self.of[from] + self.of[to]
     }
 
-    /// Looks for good prices in so many rounds, with such a first step. A tree over all pairs must have been made before,
-    /// so that the known edges hold all points together. Ends where the tree is a tour or as long as a known path.
-    pub(super) fn ascend(&mut self, mut step: f64, path: i64, rounds: usize) {
-        let mut best = (i64::MIN, self.of.clone());
+    /// Looks for good prices in so many rounds, up to a bound as long as a known path; gives the best bound it met.
+    ///
+    /// Most rounds look for the tree among the known edges, which is quick and says where prices should go. Now and then
+    /// a tree over all pairs finds edges that these lack, and is a bound; what seemed better before then counts no more.
+    pub(super) fn ascend(&mut self, path: i64, rounds: usize) -> i64 {
+        let mut bound = self.tree_over_all();
+        let mut at_bound = self.of.clone();
+        let mut best = (bound, self.of.clone());
+        let mean = bound as f64 / self.of.len() as f64;
+        let mut step = FIRST_STEP * mean * rounds.min(ENOUGH) as f64 / ENOUGH as f64;
         let shrink = libm::pow(SHRINK, 1.0 / rounds.max(1) as f64);
         for round in 1..=rounds {
-            let tree = self.tree_among_edges();
+            let tree = if round % ALL_PAIRS == 0 {
+                let tree = self.tree_over_all();
+                if tree > bound {
+                    bound = tree;
+                    at_bound.copy_from_slice(&self.of);
+                }
+                best.0 = bound;
+                best.1.copy_from_slice(&at_bound);
+                tree
+            } else {
+                self.tree_among_edges()
+            };
             if tree > best.0 {
                 best.0 = tree;
                 best.1.copy_from_slice(&self.of);
             }
-            if tree >= path || self.is_tour() {
+            if bound >= path || self.is_tour() {
                 break;
             }
             self.change(step * (rounds - round) as f64 / rounds as f64);
             step *= shrink;
         }
         self.of = best.1;
+        bound
     }
 
     /// The cost of the shortest 1-tree over all pairs less twice the prices: a lower bound. Its edges join the others.

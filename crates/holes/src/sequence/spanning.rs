@@ -131,7 +131,9 @@ impl Quest for Outside<'_> {
         }
         let at = self.points[self.node];
         let cost = self.metric.cost(at, bounds.nearest(at)) + self.least[number] + self.prices[self.node];
-        (cost <= self.best.0).then_some(cost)
+        // Dearer is every edge to a later point of the box.
+        let (low, high) = (self.node.min(bounds.first as usize) as u32, self.node.max(bounds.first as usize) as u32);
+        ((cost, low, high) < self.best).then_some(cost)
     }
 
     fn meet(&mut self, other: usize) {

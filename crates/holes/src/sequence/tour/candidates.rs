@@ -5,7 +5,7 @@
 //! on the way through the tree that it would stand for. Near is not always likely: between two rows of holes a longer edge
 //! may be needed, and inside a row the second-nearest never is.
 
-use super::super::prices::{FIRST_STEP, Prices};
+use super::super::prices::Prices;
 use super::Space;
 
 /// Edges of each node.
@@ -27,8 +27,7 @@ impl Candidates {
     pub(super) fn of(space: &Space<'_>) -> Self {
         let count = space.nodes();
         let mut prices = Prices::new(space);
-        let step = FIRST_STEP * prices.tree_over_all() as f64 / count as f64;
-        prices.ascend(step, i64::MAX, (JOINED / count).clamp(ROUNDS.0, ROUNDS.1));
+        prices.ascend(i64::MAX, (JOINED / count).clamp(ROUNDS.0, ROUNDS.1));
         let tree = Tree::of(&prices);
         let beside = space.beside();
         let likely = prices.cheapest_beside(if space.free_ends { OF_NO_PLACE } else { MOST });

@@ -41,7 +41,7 @@ impl Effort {
 /// points there are.
 pub fn usual_tries(points: usize) -> u64 {
     const MOST: u64 = 10_000;
-    MOST.saturating_sub(points as u64 / 2).max(200)
+    MOST.saturating_sub(points as u64).max(200)
 }
 
 /// Points and what it costs to go between them.
@@ -196,7 +196,8 @@ impl Quest for Nearest<'_> {
     fn least(&self, number: usize, bounds: &Bounds) -> Option<i64> {
         let here = self.points[self.here];
         let cost = Metric::Euclid.cost(here, bounds.nearest(here));
-        (self.left[number] > 0 && self.found.is_none_or(|(found, _)| cost <= found)).then_some(cost)
+        let first = (cost, bounds.first as usize);
+        (self.left[number] > 0 && self.found.is_none_or(|found| first < found)).then_some(cost)
     }
 
     fn meet(&mut self, point: usize) {

@@ -56,11 +56,11 @@ impl Quest for Around<'_> {
     fn least(&self, _: usize, bounds: &Bounds) -> Option<i64> {
         let cost = self.space.metric.cost(self.at, bounds.nearest(self.at));
         // A box lies within one quarter where its corners do; in several its best may be of any.
-        let Bounds { low, high } = *bounds;
+        let Bounds { low, high, first } = *bounds;
         let corners = [low, high, Point { x: low.x, y: high.y }, Point { x: high.x, y: low.y }];
         let of_quarter = |corner: Point| self.quarters[self.quarter(corner)].worst();
         let worst = corners.map(of_quarter).into_iter().chain([self.nearest.worst()]).max();
-        (worst >= Some(cost)).then_some(cost)
+        (worst > Some((cost, first))).then_some(cost)
     }
 
     fn meet(&mut self, other: usize) {
@@ -87,8 +87,8 @@ impl Shortest {
     }
 
     /// What costs more has no place.
-    const fn worst(&self) -> i64 {
-        self.list[self.most - 1].0
+    const fn worst(&self) -> (i64, u32) {
+        self.list[self.most - 1]
     }
 
     #[inline]

@@ -126,6 +126,14 @@ fn points_in_one_place_keep_the_bounds() {
     keeps_the_bounds(&points).unwrap();
 }
 
+/// Nothing is looked at each with each: else this takes minutes.
+#[test]
+fn very_many_points_in_one_place_are_no_trouble() {
+    let points = vec![Point { x: Micrometres::from_mm(1), y: Micrometres::from_mm(2) }; 5_000];
+    let found = quick_path(&Space::closed(&points, Metric::Euclid));
+    assert!(each_once(&found.order, points.len()) && found.cost == 0);
+}
+
 #[test]
 fn a_tour_begins_with_the_first_point_and_goes_the_way_of_the_list() {
     let square = [(0, 0), (0, 10), (10, 10), (10, 0)]
