@@ -218,7 +218,7 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
         },
         tool_life_min: tool_life.rounded(0),
         coolant: draft.coolant,
-        computed_speed_m_per_min: formula_speed.rounded(2),
+        computed_speed_m_per_min: lives_at.rounded(2),
         rounds: draft.rounds,
         card: draft.card,
         because,

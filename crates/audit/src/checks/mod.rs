@@ -12,6 +12,7 @@ mod missing;
 mod openings;
 mod ours;
 mod program;
+mod proof;
 mod reach;
 mod route;
 mod scheme;
@@ -46,6 +47,7 @@ const CHECKS: &[Check] = &[
     clamps::check,
     loads::check,
     tables::check,
+    proof::check,
     program::check,
     ours::check,
     missing::check,

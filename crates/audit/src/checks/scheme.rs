@@ -5,7 +5,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Source;
 use crate::note::{Because, Figure, Note, Severity};
 use crate::part::Hole;
-use crate::plan::{Alternative, Operation, Route, RouteSource};
+use crate::plan::{Alternative, Operation, Route, RouteSource, Transition};
 use crate::route::table_answer::{self, TableAnswer};
 use crate::units::{Micrometres, round_to};
 
@@ -26,7 +26,8 @@ pub(super) fn check<'a>(
         let rows: Vec<(usize, &Row)> = context.stated.rows_of_hole(&hole.name).collect();
         let Some(plan) = context.plan.holes.iter().find(|plan| plan.name == hole.name) else { continue };
         let (Some((_, first)), Some(route)) = (rows.first(), &plan.route) else { continue };
-        let ours = plan.transitions.iter().map(|transition| transition.operation).collect();
+        let here = |made: &&Transition| !made.elsewhere || made.operation == Operation::Tap;
+        let ours = plan.transitions.iter().filter(here).map(|transition| transition.operation).collect();
         let asked = table_answer::asked(hole, &context.stated.part, &context.shop)?;
         let group = Group { context, graph, hole, route, rows: &rows, first, ours, asked };
         group.check(findings)?;

@@ -230,7 +230,7 @@ pub struct Conditions {
     /// Whether the speed is for cutting with coolant; absent where the figures do not say.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub coolant: Option<bool>,
-    /// The speed before the spindle's step was chosen, m/min.
+    /// The speed of the formula, or that of practice where it is faster, before the spindle's step was chosen, m/min.
     pub computed_speed_m_per_min: MetresPerMinute,
     /// The circles of a mill; absent for other tools.
     #[serde(skip_serializing_if = "Option::is_none", default)]

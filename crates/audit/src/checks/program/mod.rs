@@ -16,7 +16,7 @@ use crate::job;
 use crate::knowledge::diagnostic::Place;
 use crate::motion::{Axis, Motion, MotionStep, Position};
 use crate::note::Severity;
-use crate::plan::{Operation, Plan};
+use crate::plan::{HolePlan, Operation, Plan};
 use crate::program::proof::{self, Code, ProofInput, Tolerated, prove};
 use crate::program::{Fault, Setting, path};
 use crate::units::Micrometres;
@@ -27,7 +27,19 @@ use super::super::finding::{Finding, Section};
 use super::super::graph::{Graph, Status};
 use super::super::quantity::Quantity as Q;
 use causes::Seen;
-use stated_plan::{NotComparable, Reading, held};
+use stated_plan::{NotComparable, Reading, held, unordered};
+
+/// The transitions of every hole as a plan states them; nothing where it does not say enough.
+///
+/// # Errors
+/// The knowledge cannot answer.
+pub(super) fn stated_holes(
+    context: &Context<'_>,
+    graph: &Graph<'_>,
+) -> Result<Option<Vec<HolePlan>>, KnowledgeError> {
+    let plan = unordered(context, graph, &Setting::default(), Reading::Stated)?;
+    Ok(plan.ok().map(|plan| plan.holes))
+}
 
 pub(super) fn check<'a>(
     context: &Context<'a>,

@@ -48,6 +48,24 @@ pub(super) fn held(
     setting: &Setting,
     reading: Reading,
 ) -> Result<Comparable<Plan>, KnowledgeError> {
+    let mut plan = match unordered(context, graph, setting, reading)? {
+        Ok(plan) => plan,
+        Err(why) => return Ok(Err(why)),
+    };
+    plan.sequence = sequence::sequence(&plan.part, &plan.holes, &context.shop.machine, None);
+    Ok(Ok(plan))
+}
+
+/// The same without the order over the points.
+///
+/// # Errors
+/// The knowledge cannot answer.
+pub(super) fn unordered(
+    context: &Context<'_>,
+    graph: &Graph<'_>,
+    setting: &Setting,
+    reading: Reading,
+) -> Result<Comparable<Plan>, KnowledgeError> {
     let stated = context.stated;
     if stated.rows.is_empty() {
         return Ok(Err(NotComparable { note: Note::new("audit-program-no-route"), place: None }));
@@ -85,7 +103,6 @@ pub(super) fn held(
         plan.holes.push(HolePlan { name: hole.name.clone(), count: hole.at.len(), route: None, transitions });
     }
     plan.tools.sort_by_key(|tool| tool.number);
-    plan.sequence = sequence::sequence(&plan.part, &plan.holes, &context.shop.machine, None);
     Ok(Ok(plan))
 }
 

@@ -1,0 +1,54 @@
+//! The proof of plans, on a plan that somebody wrote, as far as it says enough to be carried out.
+//!
+//! What rests on figures of practice is told as doubtful: the author may know a better drill. What cannot be whatever the
+//! tables say, a tool wider than the hole, is wrong. What other checks tell with the place of the slip is left to them.
+
+use technolog_proof::Fault;
+
+use crate::error::KnowledgeError;
+use crate::note::Severity;
+
+use super::super::context::Context;
+use super::super::finding::{Finding, Section};
+use super::super::graph::{Graph, Status};
+use super::program::stated_holes;
+
+pub(super) fn check<'a>(
+    context: &Context<'a>,
+    graph: &Graph<'a>,
+    findings: &mut Vec<Finding>,
+) -> Result<(), KnowledgeError> {
+    // A figure that contradicts another is told as such; what follows from it proves nothing.
+    if context.stated.own || graph.verdicts().iter().any(|verdict| !matches!(verdict.status, Status::Fine)) {
+        return Ok(());
+    }
+    let Some(holes) = stated_holes(context, graph)? else { return Ok(()) };
+    for (hole, planned) in context.stated.part.holes.iter().zip(&holes) {
+        let faults = technolog_proof::prove_hole(hole, &planned.transitions, &context.stated.part, &context.shop)?;
+        for fault in faults {
+            let severity = match &fault {
+                Fault::NoStock { .. } | Fault::TooWide { .. } | Fault::Wanting { .. } | Fault::Overload { .. } => {
+                    Severity::Doubtful
+                }
+                Fault::Enters { .. } | Fault::TapHole { .. } => Severity::Wrong,
+                Fault::NotFinished { .. }
+                | Fault::SpotStays { .. }
+                | Fault::TooShallow { .. }
+                | Fault::BreaksThrough { .. }
+                | Fault::Floor { .. } => continue,
+            };
+            // What is reached at best is the author's to know.
+            if fault.severity() == Severity::Doubtful {
+                continue;
+            }
+            let place = context.stated.rows_of_hole(&hole.name).next().map(|(_, row)| row.place.clone());
+            let field = format!("proof.{}", hole.name);
+            let finding = Finding::new(severity, Section::Route, field, fault.note());
+            findings.push(match place {
+                Some(place) => finding.at(&place),
+                None => finding,
+            });
+        }
+    }
+    Ok(())
+}
