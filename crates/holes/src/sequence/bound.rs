@@ -1,5 +1,5 @@
 //! A length that no path can be shorter than: that of a shortest 1-tree over all pairs of points, under prices that
-//! bring it near to a tour ([`super::prices`]).
+//! bring it near to a tour (`prices.rs`).
 //!
 //! Every price gives a true bound; the search for good prices only makes it high. Most rounds look for the tree among the
 //! edges of near points alone, which is quick and says where prices should go; only trees over all pairs count as bounds.
