@@ -29,14 +29,15 @@ pub struct Material<'k> {
     designation: &'k str,
 }
 
-/// How hard or strong the blank is.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum MaterialState {
+/// How hard or strong the blank is; of steels the one that is not said follows from the other.
+#[derive(Clone, Copy, Debug, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+pub struct MaterialState {
     /// Brinell hardness, HB.
-    Hardness(f64),
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub hardness: Option<f64>,
     /// Tensile strength, MPa.
-    Strength(f64),
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub strength: Option<f64>,
 }
 
 /// The id of a material by itself or by an alias; else the known name that is nearest to it, if one is near.
@@ -74,8 +75,12 @@ impl<'k> Material<'k> {
         };
         match grade.governs {
             Governs::Both => Ok(found),
-            Governs::Hardness => found.in_state(MaterialState::Hardness(hardness.to_f64()), knowledge),
-            Governs::Strength => found.in_state(MaterialState::Strength(strength.to_f64()), knowledge),
+            Governs::Hardness => {
+                found.in_state(MaterialState { hardness: Some(hardness.to_f64()), strength: None }, knowledge)
+            }
+            Governs::Strength => {
+                found.in_state(MaterialState { hardness: None, strength: Some(strength.to_f64()) }, knowledge)
+            }
         }
     }
 
@@ -86,17 +91,13 @@ impl<'k> Material<'k> {
     /// The knowledge has no such table.
     pub fn in_state(self, state: MaterialState, knowledge: &Knowledge) -> Result<Self, KnowledgeError> {
         let ratio = knowledge.find(|row: &HardnessStrength<'_>| row.material_group == self.group)?.map(|row| row.ratio);
-        let figure = |of: f64| Decimal::from_f64_rounded(crate::units::round_to(of, 0));
-        Ok(match state {
-            MaterialState::Hardness(hardness) => {
-                let strength = ratio.map_or(self.strength, |ratio| figure(hardness * ratio));
-                Self { hardness: Decimal::from_f64_rounded(hardness), strength, ..self }
-            }
-            MaterialState::Strength(strength) => {
-                let hardness = ratio.map_or(self.hardness, |ratio| figure(strength / ratio));
-                Self { hardness, strength: Decimal::from_f64_rounded(strength), ..self }
-            }
-        })
+        let exact = |of: f64| Decimal::from_f64_rounded(of);
+        let figure = |of: f64| exact(crate::units::round_to(of, 0));
+        let follows = |of: Option<f64>, by: &dyn Fn(f64, f64) -> f64| of.zip(ratio).map(|(of, ratio)| figure(by(of, ratio)));
+        let hardness = state.hardness.map(exact).or_else(|| follows(state.strength, &|strength, ratio| strength / ratio));
+        let strength = state.strength.map(exact).or_else(|| follows(state.hardness, &|hardness, ratio| hardness * ratio));
+        let (hardness, strength) = (hardness.unwrap_or(self.hardness), strength.unwrap_or(self.strength));
+        Ok(Self { hardness, strength, ..self })
     }
 
     /// Its name on drawings.

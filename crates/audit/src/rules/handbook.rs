@@ -191,7 +191,10 @@ fn speed<'a>(
     };
     let own = formula(&SPEED, id(Q::Speed), inputs, &numbers, compute);
     let because = if named.is_empty() { formulas.speed_because.len() } else { 1 };
-    add(context, graph, own, compute, formulas.speed_because.iter().take(because))
+    // A speed that public tables have, as we take it where the formula is far from them, is no slip.
+    let reference = conditions.rows.first().and_then(|row| context.reference(*row));
+    let practice = reference.filter(|_| named.is_empty()).map(|own| own.conditions.computed_speed_m_per_min.0);
+    add(context, graph, own, (compute, practice), formulas.speed_because.iter().take(because))
 }
 
 /// P, M and N by table 32, at the feed that is taken.
@@ -216,31 +219,35 @@ fn loads<'a>(
     let because = || formulas.loads_because.iter();
     for (rule, quantity, law) in [(&FORCE, Q::Force, thrust), (&TORQUE, Q::Torque, torque)] {
         let own = formula(rule, id(quantity), inputs.clone(), &numbers(&law, kp), load(law));
-        add(context, graph, own, load(law), because())?;
+        add(context, graph, own, (load(law), None), because())?;
     }
     // Where the torque is stated the power follows from it.
     if context.stated.figure(id(Q::Torque)).is_none() {
         let numbers = format!("{}·{{3}}/9750", numbers(&torque, kp));
         let power = move |values: &[f64]| Some(load(torque)(values)? * values.get(3)? / 9750.0);
         let inputs = inputs.into_iter().chain([id(Q::Rpm)]).collect();
-        add(context, graph, formula(&POWER, id(Q::Power), inputs, &numbers, power), power, because())?;
+        add(context, graph, formula(&POWER, id(Q::Power), inputs, &numbers, power), (power, None), because())?;
     }
     Ok(())
 }
 
-/// Takes on a formula that is judged by `audit-formula`, with the rows behind it; `compute` is its own.
+/// Takes on a formula that is judged by `audit-formula`, with the rows behind it; `compute` is its own, and a value beside
+/// it is as good.
 fn add<'a, 'b>(
     context: &'a Context<'a>,
     graph: &mut Graph<'a>,
     mut own: Formula<'a>,
-    compute: impl Fn(&[f64]) -> Option<f64> + 'a,
+    (compute, also): (impl Fn(&[f64]) -> Option<f64> + 'a, Option<f64>),
     because: impl Iterator<Item = &'b Because>,
 ) -> Result<(), KnowledgeError> {
     let table = context.shop.knowledge.table_of::<AuditFormula<'_>>()?;
     own.because.extend(because.cloned());
     own.because.push(Because::table(table, Note::new("audit-limit")));
     let quantity = own.output.quantity;
-    own.judge = Some(Box::new(move |value, inputs| judged(context, quantity, value, compute(inputs)?)));
+    own.judge = Some(Box::new(move |value, inputs| match also {
+        Some(also) if (value / also - 1.0).abs() < 0.01 => None,
+        _ => judged(context, quantity, value, compute(inputs)?),
+    }));
     graph.add(own);
     Ok(())
 }

@@ -46,7 +46,7 @@ forms! {
         pub holes: Vec<Hole>,
     }
 
-    /// A material in a state: one of hardness and strength.
+    /// A material in a state: hardness, strength or both.
     pub struct StatedMaterial {
         /// The grade, as `material` by itself.
         pub grade: Name,

@@ -171,12 +171,14 @@ impl Reader<'_> {
         let strength = fields.take(StatedMaterial::strength);
         fields.finish(self.problems);
         let grade = grade.and_then(|node| self.material(node));
-        let state = match (hardness, strength) {
-            (Some(node), None) => self.figure_of_state(node, 40.0, 450.0).map(MaterialState::Hardness),
-            (None, Some(node)) => self.figure_of_state(node, 100.0, 2000.0).map(MaterialState::Strength),
-            _ => self.problems.error("bad-value", note!("part-one-of-hardness-strength"), &node.place),
+        if hardness.or(strength).is_none() {
+            return self.problems.error("bad-value", note!("part-hardness-or-strength"), &node.place);
+        }
+        let state = MaterialState {
+            hardness: hardness.and_then(|node| self.figure_of_state(node, 40.0, 450.0)),
+            strength: strength.and_then(|node| self.figure_of_state(node, 100.0, 2000.0)),
         };
-        Some((grade?, Some(state?)))
+        Some((grade?, Some(state)))
     }
 
     /// A hardness or a strength within what the cutting tables know.

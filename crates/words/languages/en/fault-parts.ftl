@@ -125,5 +125,5 @@ part-no-at-mm-table-grades = no IT { $it } at { $size } mm in the table it-grade
 part-hole-runs-into-hole = hole { $label } at [{ $x }, { $y }] runs into hole { $other } at line { $line }
 part-there-no-such-table-cutters = there is no such table of cutters
 part-there-no-such-table-holders = there is no such table of holders
-part-one-of-hardness-strength = say one of `hardness` (HB) and `strength` (MPa)
+part-hardness-or-strength = say `hardness` (HB), `strength` (MPa) or both
 part-state-outside = { $value } lies outside { $low } to { $high }, what the cutting tables know

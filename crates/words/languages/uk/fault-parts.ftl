@@ -125,5 +125,5 @@ part-no-at-mm-table-grades = у таблиці it-grades немає IT { $it } �
 part-hole-runs-into-hole = отвір { $label } у точці [{ $x }, { $y }] перетинається з отвором { $other } у рядку { $line }
 part-there-no-such-table-cutters = такої таблиці різальних інструментів немає
 part-there-no-such-table-holders = такої таблиці допоміжного інструмента немає
-part-one-of-hardness-strength = вкажіть одне: `hardness` (HB) або `strength` (МПа)
+part-hardness-or-strength = вкажіть `hardness` (HB), `strength` (МПа) або обидві
 part-state-outside = { $value } поза межами { $low }…{ $high }, які знають таблиці режимів
