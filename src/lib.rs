@@ -10,7 +10,8 @@
 //! - [`route`], [`tooling`], [`cutting`], [`setup`] and [`sequence`] each add their part;
 //! - [`planner`] is the one place where a refusal makes it try the next alternative;
 //! - [`plan`] is the result, a value; [`report`] prints it; [`document`] is a page as a tree, with its writers;
-//! - [`job`] is the plan as work of a machine, [`program`] its language, written and read back as [`motion`].
+//! - [`proof`] follows every hole of a plan through its transitions at worst;
+//! - [`job`] is the plan as work of a machine, [`program`] its language, written and read back as [`motion`];
 //! - [`audit`] holds a plan that anybody made against all of it;
 //! - [`cases`] are questions of every kind with what is expected of the answers;
 //! - [`turning`] is a room of its own: a shaft, and the passes that rough it.
@@ -23,9 +24,11 @@ pub use technolog_core::{ascii, error, machine, material, motion, note, parallel
 pub use technolog_cutting as cutting;
 pub use technolog_document as document;
 pub use technolog_holes::{planner, route, sequence, setup, tooling};
+pub use technolog_job as job;
 pub use technolog_knowledge::{self as knowledge, units};
-pub use technolog_nc::{job, program};
+pub use technolog_nc::program;
 pub use technolog_pages as report;
+pub use technolog_proof as proof;
 pub use technolog_shipped as shipped;
 pub use technolog_tables as tables;
 pub use technolog_turning as turning;

@@ -5,7 +5,8 @@
 //! Heights are those of the part's drawing (Z of its zero), in the set-up at hand.
 //!
 //! - `make` from a plan to the tree; `cycle` one transition's cycle, by the rule `machining-cycle`;
-//! - `stand` where the part stands on the machine; `ways` what the tools pass over.
+//! - `part_position` where the part stands on the machine; `clearance` what the tools pass over;
+//! - `time` what the work takes: cutting, motions at rapid, and hands.
 //!
 //! Architecture invariant: a job depends on no control and decides nothing that a rule can.
 

@@ -53,9 +53,16 @@ const NAMES: &[&str] = &[
     "Interp",
     "milltask",
     "github",
-    "Interp",
-    "milltask",
-    "github",
+    "Autodesk",
+    "Dormer",
+    "Haas",
+    "HSMWorks",
+    "Pramet",
+    "Tormach",
+    "Widia",
+    // Before an address.
+    "http",
+    "https",
 ];
 
 /// The words of a text that some language has, but this one not: Latin ones of some length that are no part of an address.
