@@ -1,6 +1,6 @@
 //! What the drawing asks of a cylinder of a hole, and which cylinder a transition works on.
 
-use crate::part::{Bottom, Hole, Part, Thread, ToleratedDiameter};
+use crate::part::{Bottom, Face, Hole, Part, Thread, ToleratedDiameter};
 use crate::plan::{Feature, Transition};
 use crate::units::{Micrometres, Roughness};
 
@@ -42,9 +42,10 @@ impl<'p> Asked<'p> {
     pub fn of(place: Place, hole: &'p Hole, part: &Part, position: Option<Micrometres>) -> Option<Self> {
         match place {
             Place::Main => Some(Self {
+                // It ends where the cylinders of the back face begin.
+                depth: hole.depth - hole.steps.iter().filter(|step| step.face == Face::Back).map(|step| step.depth).max().unwrap_or_default(),
                 diameter: &hole.diameter,
                 roughness: hole.roughness,
-                depth: hole.depth,
                 through: hole.through,
                 flat: hole.bottom == Bottom::Flat,
                 thread: hole.thread.as_ref(),

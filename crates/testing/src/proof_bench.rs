@@ -32,7 +32,11 @@ impl ProofBench {
     }
 
     pub fn of(part: &Part) -> Self {
-        let plan = planned(part, CuttingMethod::default());
+        Self::of_plan(planned(part, CuttingMethod::default()))
+    }
+
+    /// A plan as it was once made: what programs are held against does not change with planning.
+    pub fn of_plan(plan: Plan) -> Self {
         let shop = Shop::new(&plan.part, plan.cutting, &KNOWLEDGE).unwrap();
         let job = job::make(&plan, &shop).unwrap();
         let setting = Setting::of_job(&job);

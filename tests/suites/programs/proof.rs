@@ -1,6 +1,7 @@
 //! The proof that a program makes its part: right programs, Appendix Г, and programs with one word changed.
 //!
-//! A folder of `tests/proof` holds `program.nc` and `part`, the path of the part that it makes as planned.
+//! A folder of `tests/proof` holds `program.nc`, written by hand, and `plan.json`, the plan that it carries out: a program
+//! is right for its plan, whatever is planned today.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -30,7 +31,8 @@ fn right() -> Vec<(String, String, ProofBench)> {
         .into_iter()
         .map(|folder| {
             let name = folder.file_name().unwrap().to_string_lossy().into_owned();
-            (name, read(folder.join("program.nc")), ProofBench::new(read(folder.join("part")).trim()))
+            let plan = serde_json::from_str(&read(folder.join("plan.json"))).unwrap();
+            (name, read(folder.join("program.nc")), ProofBench::of_plan(plan))
         })
         .collect()
 }
@@ -221,7 +223,7 @@ fn every_deviation_is_shown_by_some_program() {
 /// Expected by hand. N105 names X alone, so the first hole of T2 is at Y196. N140 drills, before N145 calls the drilling
 /// (the block of that cut is N1 of :02). N380 names X-50. N195 is missing, so the spindle stands over B and nothing is
 /// centred there: N190 and N220 go there for nothing. The program ends without P05.
-/// The example's figures beside the plan's: centring to 5 mm at F400 (3 mm, F300); A drilled to 45 mm at S700 F175
+/// The example's figures beside the plan's: centring to 5 mm at S2000 F400 (3 mm, S1600 F240); A drilled to 45 mm at S700 F175
 /// (46.004, S1000 F225) in five holes, B to 48 mm at S700 F60 in four; B drilled out to 48 mm at S500 F60 (49.009, S400
 /// F304) in three; no coolant, which the plan has for all three; correctors -50 and -85 (-102.4, -60.4); approaches at
 /// F2000 by T1, T2 and T3 (a further one goes to the hole at Y196).
@@ -239,7 +241,8 @@ const APPENDIX: &[(&str, &str, Option<u32>, &str)] = &[
     ("doubtful", "correction-otherwise", Some(1), "12"),
     ("doubtful", "correction-otherwise", Some(1), "10"),
     ("doubtful", "deeper", Some(1), "5"),
-    ("doubtful", "other-feed", Some(1), "5"),
+    ("doubtful", "other-speed", Some(1), "5"),
+    ("wrong", "other-feed", Some(1), "5"),
     ("doubtful", "coolant-missing", Some(1), "5"),
     ("doubtful", "deeper", Some(1), "3"),
     ("doubtful", "other-speed", Some(1), "3"),
@@ -365,7 +368,11 @@ fn technolog(args: &[&str]) -> std::process::Output {
 #[test]
 fn the_command_shows_what_is_made_of_what_is_needed() {
     let part = ["--part", "examples/plate.yaml", "--control", "2c42-65", "--lang", "en"];
-    let right = technolog(&[&["check", "tests/proof/plate/program.nc"], &part[..]].concat());
+    let program = technolog(&["program", "examples/plate.yaml", "--control", "2c42-65"]).stdout;
+    let file = std::env::temp_dir().join(format!("technolog-proof-{}.nc", std::process::id()));
+    fs::write(&file, program).unwrap();
+    let right = technolog(&[&["check", file.to_str().unwrap()], &part[..]].concat());
+    fs::remove_file(&file).unwrap();
     let text = String::from_utf8(right.stdout).unwrap();
     assert_eq!(right.status.code(), Some(0), "{text}");
     assert!(text.starts_with("Made of what the plan requires\n"), "{text}");
