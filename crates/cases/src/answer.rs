@@ -28,7 +28,10 @@ pub fn answer(question: &Question, asker: &Asker<'_>) -> Result<Value, Knowledge
     let knowledge = asker.knowledge;
     Ok(match question {
         Question::Table(asked) => table::json(&asked.rows(knowledge.table(&asked.table)?)),
-        Question::Part { part, method } => planned::json(&planner::plan(part, *method, knowledge)?),
+        Question::Part { part, method } => {
+            let plan = planner::plan(part, *method, knowledge)?;
+            planned::json(&plan, &planner::plan_by_tables(part, *method, knowledge)?)
+        }
         Question::Turned { part, operation, objective } => match part.as_ref() {
             Turned::Stepped(shaft) if !operation => sequences(shaft, *objective, knowledge)?,
             Turned::Stepped(shaft) => value(&operation::plan(&Workpiece::from(shaft), knowledge)?),

@@ -14,7 +14,7 @@ use serde_json::{Map, Value};
 use crate::knowledge::diagnostic::nearest;
 use crate::knowledge::input::seen;
 use crate::knowledge::yaml::{Key, Problems};
-use crate::plan::{AlternativeStep, HolePlan, Plan, RouteSource};
+use crate::plan::{AlternativeStep, HolePlan, Operation, Plan, RouteSource, Transition};
 
 use super::called::Pattern;
 use super::expected::{Expected, What};
@@ -40,36 +40,37 @@ struct ByTables {
 }
 
 impl Short {
-    fn of(hole: &HolePlan) -> Self {
-        let route = hole.route.as_ref();
-        let made = |hole: &HolePlan| {
-            hole.transitions
-                .iter()
-                .map(|step| AlternativeStep { operation: step.operation, diameter_mm: step.diameter_mm, elsewhere: step.elsewhere })
-                .collect()
+    /// Of a hole as planned, and as the tables have it where they are preferred.
+    fn of(hole: &HolePlan, by_tables: &HolePlan) -> Self {
+        let made = |step: &Transition| AlternativeStep {
+            operation: step.operation,
+            diameter_mm: step.diameter_mm,
+            elsewhere: step.elsewhere,
         };
-        let by_tables = route.and_then(|route| {
-            if route.way == RouteSource::Tables {
-                let (scheme, finish_elsewhere) = (route.scheme.clone(), route.finish_elsewhere);
-                return Some(ByTables { scheme, operations: made(hole), finish_elsewhere, taken: true });
-            }
-            let carried_out =
-                |other: &&crate::plan::Alternative| other.way == RouteSource::Tables && other.time_min.is_some();
-            let other = route.alternatives.iter().find(carried_out)?;
-            let (scheme, operations) = (other.scheme.clone(), other.operations.clone());
-            Some(ByTables { scheme, operations, finish_elsewhere: false, taken: false })
+        // What finishes the hole on another machine is no transition of the scheme.
+        let here = |step: &&Transition| !step.elsewhere || step.operation == Operation::Tap;
+        let of_tables = by_tables.route.as_ref().filter(|route| route.way == RouteSource::Tables);
+        let taken = |scheme: &str| {
+            let own = hole.route.as_ref();
+            own.is_some_and(|route| route.way == RouteSource::Tables && route.scheme == scheme)
+        };
+        let by_tables = of_tables.map(|route| ByTables {
+            scheme: route.scheme.clone(),
+            operations: by_tables.transitions.iter().filter(here).map(made).collect(),
+            finish_elsewhere: route.finish_elsewhere,
+            taken: taken(&route.scheme),
         });
-        Self { scheme: route.map(|route| route.scheme.clone()), by_tables }
+        Self { scheme: hole.route.as_ref().map(|route| route.scheme.clone()), by_tables }
     }
 }
 
-/// The plan as a value.
-pub fn json(plan: &Plan) -> Value {
+/// The plan as a value, with that by the tables beside it.
+pub fn json(plan: &Plan, by_tables: &Plan) -> Value {
     let mut value = serde_json::to_value(plan).unwrap_or_default();
     let Some(holes) = value.get_mut("holes").and_then(Value::as_array_mut) else { return value };
-    for (hole, planned) in holes.iter_mut().zip(&plan.holes) {
-        if let (Some(hole), Ok(Value::Object(short))) = (hole.as_object_mut(), serde_json::to_value(Short::of(planned)))
-        {
+    for ((hole, planned), by_tables) in holes.iter_mut().zip(&plan.holes).zip(&by_tables.holes) {
+        let short = serde_json::to_value(Short::of(planned, by_tables));
+        if let (Some(hole), Ok(Value::Object(short))) = (hole.as_object_mut(), short) {
             hole.extend(short);
         }
     }

@@ -162,10 +162,10 @@ impl Ways {
 /// it has, and with them those by the book's rule and the bound, from which no order of the points takes the rest away.
 pub fn times(job: &Job, machine: &Machine<'_>, hands: &Hands, visits: &mut [ToolVisit]) -> Times {
     let ways = Ways { rapid: machine.rapids(), change_at: job.change_at };
-    // A program begins at the machine's zero and goes to the tool-change position first.
+    // A program begins at the machine's zero and goes to the tool-change position first: a part of the first work.
     let Position { x, y, z } = job.change_at;
-    let first = if job.setups.is_empty() { Minutes(0.0) } else { ways.rapid.time(x.abs().max(y.abs())) };
-    let mut sum = Times { rapid_min: first + ways.rapid.time(z), ..Times::default() };
+    let mut begins = Some(ways.rapid.time(x.abs().max(y.abs())) + ways.rapid.time(z));
+    let mut sum = Times::default();
     // The rapids of each visit, and in how many rounds it is made.
     let mut of_visit: Vec<(Minutes, usize)> = vec![Default::default(); visits.len()];
     let mut in_spindle = None;
@@ -181,6 +181,7 @@ pub fn times(job: &Job, machine: &Machine<'_>, hands: &Hands, visits: &mut [Tool
                 sum.dwell_min = sum.dwell_min + took.dwell;
                 rapid = rapid + took.rapid;
             }
+            rapid = rapid + begins.take().unwrap_or_default();
             sum.rapid_min = sum.rapid_min + rapid;
             sum.hand_min = sum.hand_min + work.pauses.iter().map(|pause| hands.pause(*pause)).sum();
             let loaded = work.pauses.iter().any(|pause| matches!(pause, Pause::LoadTool { .. }));

@@ -359,7 +359,9 @@ fn the_spindle_turns_at_a_step_of_its_series_and_at_most_12_percent_above_the_co
                 1000.0 * figure(conditions, "computed_speed_m_per_min") / (PI * figure(transition, "diameter_mm"));
             assert!(step <= computed * 1.1201, "{name}: {step} for a computed {computed}");
             let above = SPINDLE.into_iter().find(|other| *other > step).unwrap_or(f64::INFINITY);
-            assert!(above > computed * 1.1199, "{name}: {step} where {above} would do for {computed}");
+            // Where practice is slower than the formula, the step is slower too.
+            let practice = conditions["limited_by"] == "practice-speed";
+            assert!(practice || above > computed * 1.1199, "{name}: {step} where {above} would do for {computed}");
         }
     }
 }

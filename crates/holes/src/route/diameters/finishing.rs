@@ -21,6 +21,11 @@ impl Backwards<'_, '_> {
         let handbook_row = handbook::row(bore, shop)?;
         let advised = handbook_row.as_ref().and_then(|row| handbook::before(row, operation, previous));
         let aim = advised.unwrap_or(after - allowance.aim).max(smallest).min(largest);
+        // What a rough transition may leave at worst must still be narrower than this one leaves it.
+        let drilled = accuracy::drilled(shop)?;
+        let leaves_stock = |size: Micrometres| {
+            tolerance_width(drilled, size, shop.knowledge).is_ok_and(|width| size + width < after)
+        };
         let before = if previous.is_none() {
             let start = self.start()?;
             if start < smallest || start > largest {
@@ -35,11 +40,6 @@ impl Backwards<'_, '_> {
             }
             start
         } else if self.after_drill() {
-            // What a drill may leave at worst must still be narrower than the transition leaves it.
-            let drilled = accuracy::drilled(shop)?;
-            let leaves_stock = |drill: Micrometres| {
-                tolerance_width(drilled, drill, shop.knowledge).is_ok_and(|width| drill + width < after)
-            };
             let inside = |drill: &Micrometres| *drill >= smallest && *drill <= largest && leaves_stock(*drill);
             let drills = sizes.drills.iter().copied().filter(inside);
             let nearest = drills.min_by_key(|drill| ((*drill - aim).abs(), *drill));
@@ -48,7 +48,7 @@ impl Backwards<'_, '_> {
                 Refusal::Not(Reason::NoDrillInAllowance { operation, low, high, diameter: after })
             })?
         } else if previous == Some(Operation::Counterbore) {
-            let inside = |size: &Micrometres| *size >= smallest && *size <= largest;
+            let inside = |size: &Micrometres| *size >= smallest && *size <= largest && leaves_stock(*size);
             let sizes = openings::counterbores(after, shop)?;
             let nearest = sizes.into_iter().filter(inside).min_by_key(|size| ((*size - aim).abs(), *size));
             nearest.ok_or_else(|| {
@@ -57,6 +57,11 @@ impl Backwards<'_, '_> {
             })?
         } else if advised == Some(aim) {
             aim
+        } else if matches!(previous, Some(Operation::Mill | Operation::RoughBore)) && !leaves_stock(aim) {
+            let step = shop.convention(HoleDefault::SettingStep)?.micrometres().max(1);
+            let first = aim.micrometres().div_euclid(step) * step;
+            let sizes = (0..).map(|back| Micrometres::new(first - back * step)).take_while(|size| *size >= smallest);
+            sizes.into_iter().find(|size| leaves_stock(*size)).unwrap_or(smallest)
         } else {
             // To the setting step, but never out of the range.
             let step = shop.convention(HoleDefault::SettingStep)?.micrometres().max(1);
