@@ -116,6 +116,9 @@ pub fn test(lang: Lang, column: &Column, written: &str) -> String {
     let ends = |open, close| written.strip_prefix(open)?.strip_suffix(close)?.split_once("..");
     for (open, close) in [('[', ']'), ('(', ']'), ('[', ')'), ('(', ')')] {
         let Some((low, high)) = ends(open, close) else { continue };
+        if high.trim().is_empty() {
+            return format!("{} {}", if open == '[' { "≥" } else { ">" }, figure(low));
+        }
         let (low, high) = (figure(low), figure(high));
         return match (open, close) {
             ('[', ']') => say!(lang, "table-test-within", low = low, high = high),

@@ -1,4 +1,4 @@
-//! NC programs: [`job`] is a plan as work of a machine, [`program`] the languages of controls, written and read back.
+//! NC programs: [`program`] has the languages of controls, written and read back; [`job`] is what they are written from.
 //!
 //! Architecture invariant: nothing is planned here. A job is made from a finished plan.
 

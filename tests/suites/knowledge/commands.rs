@@ -244,6 +244,14 @@ fn a_table_as_json_has_every_field_of_every_row() {
 }
 
 #[test]
+fn an_interval_without_an_end_is_shown_by_its_beginning() {
+    for (table, shown) in [("second-opinion", "≥ 0\n"), ("stock-for-elsewhere", "> 0\n")] {
+        let text = stdout(&run(&["table", table]));
+        assert!(text.contains(shown), "{table}: {text}");
+    }
+}
+
+#[test]
 fn no_table_is_wider_than_the_screen_and_all_are_listed() {
     let list = json_of(&["table"], 0);
     let list = list.as_array().unwrap();

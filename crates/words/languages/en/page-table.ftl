@@ -37,6 +37,27 @@ table-value-above = above what is allowed
 # Values of one column.
 table-value-take-above = take the step above
 table-value-take-below = take the step below
+table-value-take-formula = of the formula
+table-value-take-practice-low = of practice, the lowest
+table-value-take-practice-usual = of practice, the usual
+table-value-take-practice-high = of practice, the highest
+table-value-load-thrust = thrust
+table-value-load-torque = torque
+table-value-load-power = power
+table-value-after-blank-hole = hole of the blank
+table-value-after-drill = drilling
+table-value-after-core-drill = core drilling
+table-value-after-bore = boring
+table-value-after-mill = milling
+table-value-after-ream = reaming
+table-value-after-counterbore = counterboring
+table-value-worst-best = the best figure
+table-value-worst-ordinary = the ordinary figure
+table-value-case-one-after-drill = one reamer after a drill
+table-value-case-one-after-core-drill = one reamer after a core drill
+table-value-case-rough-after-drill = rough after a drill
+table-value-case-rough-after-core-drill = rough after a core drill
+table-value-case-finish-after-rough = finish after rough
 table-value-entry-machined = machined face
 table-value-entry-rough = rough face
 # Values of the textbook's tables.

@@ -37,6 +37,27 @@ table-value-above = вище за допустиме
 # Values of one column.
 table-value-take-above = взяти вищий ступінь
 table-value-take-below = взяти нижчий ступінь
+table-value-take-formula = за формулою
+table-value-take-practice-low = за практикою, найменша
+table-value-take-practice-usual = за практикою, звичайна
+table-value-take-practice-high = за практикою, найбільша
+table-value-load-thrust = осьова сила
+table-value-load-torque = крутний момент
+table-value-load-power = потужність
+table-value-after-blank-hole = отвір заготовки
+table-value-after-drill = свердління
+table-value-after-core-drill = зенкерування
+table-value-after-bore = розточування
+table-value-after-mill = фрезерування
+table-value-after-ream = розвертання
+table-value-after-counterbore = цекування
+table-value-worst-best = за найкращим
+table-value-worst-ordinary = за звичайним
+table-value-case-one-after-drill = одна розвертка після свердла
+table-value-case-one-after-core-drill = одна розвертка після зенкера
+table-value-case-rough-after-drill = чорнова після свердла
+table-value-case-rough-after-core-drill = чорнова після зенкера
+table-value-case-finish-after-rough = чистова після чорнової
 table-value-entry-machined = оброблена поверхня
 table-value-entry-rough = необроблена поверхня
 # Values of the textbook's tables.
