@@ -108,8 +108,7 @@ fn of_part(args: &Args, format: Format, knowledge: &Knowledge, context: &Context
     if let Some(effort) = args.effort {
         plan.sequence = sequence(&plan.part, &plan.holes, &machine, Some(Effort(effort)));
         let shop = Shop::new(&plan.part, plan.cutting, knowledge);
-        shop.and_then(|shop| timed(&mut plan, &shop))
-            .map_err(|error| CliError::of_knowledge(&error, context.lang))?;
+        shop.and_then(|shop| timed(&mut plan, &shop)).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
     }
     for at in 0..plan.sequence.len() {
         plan.sequence[at].bound_min = visit_bound(&plan.sequence[at], &plan, &machine);

@@ -4,9 +4,9 @@ use std::borrow::Cow;
 use std::mem::ManuallyDrop;
 use std::path::{Path, PathBuf};
 
+use technolog::error::KnowledgeError;
 use technolog::knowledge::diagnostic::nearest;
 use technolog::knowledge::{Diagnostic, Knowledge};
-use technolog::error::KnowledgeError;
 use technolog::part::{Part, read_part};
 use technolog::plan::{CuttingMethod, Plan};
 use technolog::{audit, planner, report};
@@ -52,9 +52,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         "tables" => planner::plan_by_tables,
         _ => planner::plan,
     };
-    let plan = ManuallyDrop::new(made(&args.part, knowledge, context, |part| {
-        planned(part, args.method.method(), knowledge)
-    })?);
+    let plan =
+        ManuallyDrop::new(made(&args.part, knowledge, context, |part| planned(part, args.method.method(), knowledge))?);
     match format {
         Format::Json => context.emit_json(&*plan)?,
         Format::Yaml => context.emit_yaml(&*plan)?,

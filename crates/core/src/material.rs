@@ -93,9 +93,12 @@ impl<'k> Material<'k> {
         let ratio = knowledge.find(|row: &HardnessStrength<'_>| row.material_group == self.group)?.map(|row| row.ratio);
         let exact = |of: f64| Decimal::from_f64_rounded(of);
         let figure = |of: f64| exact(crate::units::round_to(of, 0));
-        let follows = |of: Option<f64>, by: &dyn Fn(f64, f64) -> f64| of.zip(ratio).map(|(of, ratio)| figure(by(of, ratio)));
-        let hardness = state.hardness.map(exact).or_else(|| follows(state.strength, &|strength, ratio| strength / ratio));
-        let strength = state.strength.map(exact).or_else(|| follows(state.hardness, &|hardness, ratio| hardness * ratio));
+        let follows =
+            |of: Option<f64>, by: &dyn Fn(f64, f64) -> f64| of.zip(ratio).map(|(of, ratio)| figure(by(of, ratio)));
+        let hardness =
+            state.hardness.map(exact).or_else(|| follows(state.strength, &|strength, ratio| strength / ratio));
+        let strength =
+            state.strength.map(exact).or_else(|| follows(state.hardness, &|hardness, ratio| hardness * ratio));
         let (hardness, strength) = (hardness.unwrap_or(self.hardness), strength.unwrap_or(self.strength));
         Ok(Self { hardness, strength, ..self })
     }

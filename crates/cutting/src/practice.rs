@@ -143,7 +143,9 @@ pub(super) fn hold(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> R
         .with("percent", round_to(share * 100.0, 0));
     draft.because.push(Because::row(practice.row, note));
     if held != Held::No {
-        draft.because.push(Because::answer(&asked.answer, Note::new("practice-speed").with("speed", round_to(speed.0, 1))));
+        draft
+            .because
+            .push(Because::answer(&asked.answer, Note::new("practice-speed").with("speed", round_to(speed.0, 1))));
     }
     draft.speed = speed;
     Ok(held)

@@ -113,7 +113,9 @@ fn kind(
         HoleCycle::BoreStop => CycleKind::BoreStop,
         HoleCycle::Peck => CycleKind::Peck { step: step()?, clearance: clearance()? },
         HoleCycle::ChipBreak => CycleKind::ChipBreak { step: step()?, retreat: clearance()? },
-        HoleCycle::Tap => CycleKind::Tap { pitch: transition.pitch.ok_or_else(|| lacks(note!("nc-pitch-thread-tapped")))? },
+        HoleCycle::Tap => {
+            CycleKind::Tap { pitch: transition.pitch.ok_or_else(|| lacks(note!("nc-pitch-thread-tapped")))? }
+        }
         HoleCycle::Circles => {
             let rounds = transition.conditions.rounds.ok_or_else(|| lacks(note!("nc-circles-mill")))?;
             // The spindle turns clockwise: against it the teeth go with the feed.

@@ -43,7 +43,14 @@ impl<'p> Asked<'p> {
         match place {
             Place::Main => Some(Self {
                 // It ends where the cylinders of the back face begin.
-                depth: hole.depth - hole.steps.iter().filter(|step| step.face == Face::Back).map(|step| step.depth).max().unwrap_or_default(),
+                depth: hole.depth
+                    - hole
+                        .steps
+                        .iter()
+                        .filter(|step| step.face == Face::Back)
+                        .map(|step| step.depth)
+                        .max()
+                        .unwrap_or_default(),
                 diameter: &hole.diameter,
                 roughness: hole.roughness,
                 through: hole.through,

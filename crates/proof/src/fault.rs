@@ -66,14 +66,12 @@ impl Fault {
                 .with("shift", shift)
                 .with("least", least),
             Self::Wanting { operation, what } => what.told(of(what.code(), operation)),
-            Self::TooWide { operation, diameter, may_be, limit } => of("proof-too-wide", operation)
-                .with("diameter", diameter)
-                .with("may_be", may_be)
-                .with("limit", limit),
-            Self::NotFinished { left, smallest, largest } => Note::new("proof-not-finished")
-                .with("left", left)
-                .with("smallest", smallest)
-                .with("largest", largest),
+            Self::TooWide { operation, diameter, may_be, limit } => {
+                of("proof-too-wide", operation).with("diameter", diameter).with("may_be", may_be).with("limit", limit)
+            }
+            Self::NotFinished { left, smallest, largest } => {
+                Note::new("proof-not-finished").with("left", left).with("smallest", smallest).with("largest", largest)
+            }
             Self::Enters { operation, tool, limit } => {
                 of("proof-enters", operation).with("tool", tool).with("limit", limit)
             }

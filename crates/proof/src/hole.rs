@@ -41,14 +41,17 @@ pub fn prove_hole(
 ) -> Result<Vec<Fault>, KnowledgeError> {
     let mut walk = Walk { hole, transitions, part, shop, states: BTreeMap::new(), centred: false, faults: Vec::new() };
     if let Some(diameter) = hole.state.diameter() {
-        walk.states.insert(Place::Main, State {
-            made_by: MadeBy::BlankHole,
-            largest: diameter,
-            axis: None,
-            drift: Micrometres::ZERO,
-            led: false,
-            depth: part.blank.thickness,
-        });
+        walk.states.insert(
+            Place::Main,
+            State {
+                made_by: MadeBy::BlankHole,
+                largest: diameter,
+                axis: None,
+                drift: Micrometres::ZERO,
+                led: false,
+                depth: part.blank.thickness,
+            },
+        );
     }
     for (at, transition) in transitions.iter().enumerate() {
         walk.step(at, transition)?;
@@ -241,14 +244,7 @@ impl Walk<'_, '_> {
     }
 
     /// What the last transition leaves, against the drawing.
-    fn finished(
-        &mut self,
-        transition: &Transition,
-        asked: &Asked<'_>,
-        reach: Reach,
-        state: State,
-        width: Micrometres,
-    ) {
+    fn finished(&mut self, transition: &Transition, asked: &Asked<'_>, reach: Reach, state: State, width: Micrometres) {
         let operation = transition.operation;
         if transition.depth_mm < asked.depth && !asked.flat {
             self.faults.push(Fault::TooShallow { operation, depth: transition.depth_mm, asked: asked.depth });

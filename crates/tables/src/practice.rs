@@ -1,8 +1,8 @@
 //! Row types: what shops reach, whatever a drawing asks.
 
 use technolog_knowledge::contract::Named;
-use technolog_knowledge::{rows, vocabulary};
 use technolog_knowledge::units::{Brinell, ItGrade, MetresPerMinute, Micrometres, Microns};
+use technolog_knowledge::{rows, vocabulary};
 
 use crate::rules::ReamingCase;
 

@@ -166,8 +166,10 @@ fn within_allowances(hole: &HolePlan) -> Result<(), TestCaseError> {
 /// The stocks of a route that was not taken: of its diameters, with as many passes of rough boring as fit.
 fn alternative_within_allowances(operations: &[AlternativeStep]) -> Result<(), TestCaseError> {
     for pair in operations.windows(2) {
-        let [AlternativeStep { diameter_mm: from, operation: before, .. }, AlternativeStep { diameter_mm: to, operation, .. }] =
-            pair
+        let [
+            AlternativeStep { diameter_mm: from, operation: before, .. },
+            AlternativeStep { diameter_mm: to, operation, .. },
+        ] = pair
         else {
             continue;
         };

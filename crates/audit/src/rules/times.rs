@@ -42,7 +42,8 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
         graph.add(given(&RAPID, id(Q::RapidTime), context.plan.time.rapid_min.0, []));
     }
     // What else a plan counts in: by itself it is no mistake to leave it out.
-    let more = [Q::FeedOutTime, Q::DwellTime, Q::HandTime].map(id).into_iter().filter(|id| stated.figure(*id).is_some());
+    let more =
+        [Q::FeedOutTime, Q::DwellTime, Q::HandTime].map(id).into_iter().filter(|id| stated.figure(*id).is_some());
     let inputs: Vec<Id> = [Q::MachineTime, Q::RapidTime, Q::ChangeTime].map(id).into_iter().chain(more).collect();
     let marks: Vec<String> = (0..inputs.len()).map(|at| format!("{{{at}}}")).collect();
     graph.add(formula(&TOTAL, id(Q::TotalTime), inputs, &marks.join("+"), |values| Some(values.iter().sum())));

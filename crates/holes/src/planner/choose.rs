@@ -313,9 +313,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
             let total = self.time(group, index, other);
             let more = total.0 - time.0;
             let why = match (winner.meets(), other.meets()) {
-                _ if self.other_way(group, other) => {
-                    Note::new("lost-by-preference").with("quicker", minutes(-more))
-                }
+                _ if self.other_way(group, other) => Note::new("lost-by-preference").with("quicker", minutes(-more)),
                 (true, false) => other.misses.first().cloned().unwrap_or_else(|| Note::new("misses-unknown")),
                 _ if other.at_best.len() > winner.at_best.len() => {
                     other.at_best.first().cloned().unwrap_or_else(|| Note::new("misses-unknown"))

@@ -3,13 +3,13 @@
 use crate::error::{KnowledgeError, Refusal};
 use crate::note::{Because, Note, Severity};
 use crate::plan::{Feature, Operation, Preference, RouteSource, Transition};
-use technolog_proof::Fault;
 use crate::reason::Reason;
 use crate::route::auxiliary::{self, AuxiliaryKind};
 use crate::route::scheme;
 use crate::route::{Candidate, RouteStep, complex, search};
 use crate::tables::rules::NextTransition;
 use crate::units::{Micrometres, Minutes};
+use technolog_proof::Fault;
 
 use super::fit::Fitted;
 use super::options::{Choice, Options, RefusedRoute};

@@ -79,8 +79,14 @@ pub fn steps(candidate: &Candidate, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop<
         && *first - last.diameter > slack.unwrap_or_default() + (*first - after_here)
     {
         // More than the first of them may find: that machine bores the rest away before it.
-        let question =
-            Backwards { operation: Operation::RoughBore, after: after_here, previous: Some(last.operation), bore, sizes, shop };
+        let question = Backwards {
+            operation: Operation::RoughBore,
+            after: after_here,
+            previous: Some(last.operation),
+            bore,
+            sizes,
+            shop,
+        };
         for rough in question.rough_bore()? {
             steps.push(RouteStep { elsewhere: true, ..rough });
         }

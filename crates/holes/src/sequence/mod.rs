@@ -31,12 +31,7 @@ use tour::{Effort, Path, Space};
 /// A tool is taken when every hole that needs it has come to it. Where two holes need two tools in opposite
 /// orders, the lower number is taken first and comes back later for the other hole. The paths are looked for with
 /// that effort, or, without one, as quickly as planning wants.
-pub fn sequence(
-    part: &Part,
-    holes: &[HolePlan],
-    machine: &Machine<'_>,
-    effort: Option<Effort>,
-) -> Vec<ToolVisit> {
+pub fn sequence(part: &Part, holes: &[HolePlan], machine: &Machine<'_>, effort: Option<Effort>) -> Vec<ToolVisit> {
     let mut visits = Vec::new();
     let mut paths =
         Paths { home: tool_change_point(part, machine), rapid: machine.rapids(), effort, known: Vec::new() };

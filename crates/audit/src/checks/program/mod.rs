@@ -33,10 +33,7 @@ use stated_plan::{NotComparable, Reading, held, unordered};
 ///
 /// # Errors
 /// The knowledge cannot answer.
-pub(super) fn stated_holes(
-    context: &Context<'_>,
-    graph: &Graph<'_>,
-) -> Result<Option<Vec<HolePlan>>, KnowledgeError> {
+pub(super) fn stated_holes(context: &Context<'_>, graph: &Graph<'_>) -> Result<Option<Vec<HolePlan>>, KnowledgeError> {
     let plan = unordered(context, graph, &Setting::default(), Reading::Stated)?;
     Ok(plan.ok().map(|plan| plan.holes))
 }

@@ -71,8 +71,7 @@ pub(super) fn allowance<'k>(
     shop: &Shop<'k>,
 ) -> Result<Allowance<'k>, KnowledgeError> {
     let made_by = previous.and_then(MadeBy::of).unwrap_or(MadeBy::BlankHole);
-    let choice =
-        shop.knowledge.ask(&AllowanceBeforeFor { operation, after: made_by })?.need(operation.name())?;
+    let choice = shop.knowledge.ask(&AllowanceBeforeFor { operation, after: made_by })?.need(operation.name())?;
     let practice = match choice.case {
         None => None,
         Some(case) => {
@@ -80,9 +79,8 @@ pub(super) fn allowance<'k>(
             Some(shop.knowledge.ask(&question)?.need(case.name())?)
         }
     };
-    let within = |low: Micrometres, high: Micrometres| {
-        low + Micrometres::from_mm_rounded((high - low).to_mm() * choice.share)
-    };
+    let within =
+        |low: Micrometres, high: Micrometres| low + Micrometres::from_mm_rounded((high - low).to_mm() * choice.share);
     let Some(name) = choice.allowance else {
         let Some(found) = practice else {
             let table = shop.knowledge.table_of::<AllowanceBefore<'_>>()?;

@@ -23,9 +23,8 @@ impl Backwards<'_, '_> {
         let aim = advised.unwrap_or(after - allowance.aim).max(smallest).min(largest);
         // What a rough transition may leave at worst must still be narrower than this one leaves it.
         let drilled = accuracy::drilled(shop)?;
-        let leaves_stock = |size: Micrometres| {
-            tolerance_width(drilled, size, shop.knowledge).is_ok_and(|width| size + width < after)
-        };
+        let leaves_stock =
+            |size: Micrometres| tolerance_width(drilled, size, shop.knowledge).is_ok_and(|width| size + width < after);
         let before = if previous.is_none() {
             let start = self.start()?;
             if start < smallest || start > largest {
@@ -57,16 +56,16 @@ impl Backwards<'_, '_> {
             })?
         } else if advised == Some(aim) {
             aim
-        } else if matches!(previous, Some(Operation::Mill | Operation::RoughBore)) && !leaves_stock(aim) {
-            let step = shop.convention(HoleDefault::SettingStep)?.micrometres().max(1);
-            let first = aim.micrometres().div_euclid(step) * step;
-            let sizes = (0..).map(|back| Micrometres::new(first - back * step)).take_while(|size| *size >= smallest);
-            sizes.into_iter().find(|size| leaves_stock(*size)).unwrap_or(smallest)
         } else {
-            // To the setting step, but never out of the range.
+            // To the setting step, but never out of the range; a rough cylinder so much narrower that it leaves stock.
             let step = shop.convention(HoleDefault::SettingStep)?.micrometres().max(1);
             let set = Micrometres::new((aim.micrometres() + step / 2).div_euclid(step) * step);
-            set.max(smallest).min(largest)
+            let set = set.max(smallest).min(largest);
+            let rough = matches!(previous, Some(Operation::Mill | Operation::RoughBore));
+            let mut sizes = (0..)
+                .map(|back| Micrometres::new(set.micrometres() - back * step))
+                .take_while(|size| rough && *size >= smallest);
+            sizes.find(|size| leaves_stock(*size)).unwrap_or(set)
         };
         let note = Note::new("allowance")
             .with("operation", Figure::operation(operation.name()))
