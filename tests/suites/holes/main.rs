@@ -21,5 +21,7 @@ mod part_fuzz;
 mod parts;
 mod plan_figures;
 mod practice;
+mod proof;
+mod published;
 mod route_laws;
 mod torque;

@@ -13,4 +13,5 @@ mod drawings;
 mod fuzz;
 mod iso;
 mod proof;
+mod times;
 mod written;
