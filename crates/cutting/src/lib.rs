@@ -26,10 +26,11 @@ use technolog_tables as tables;
 
 use crate::error::Tried;
 use crate::knowledge::vocabulary::ToolMaterial;
-use crate::note::Because;
+use crate::note::{Because, Figure, Note};
 use crate::plan::{Conditions, Limit, Operation};
 use crate::reason::{Reason, Uncut};
 use crate::shop::Shop;
+use crate::tables::rules::CoolantFor;
 use crate::units::{
     ItGrade, Kilowatts, MetresPerMinute, Micrometres, MillimetresPerMinute, MillimetresPerRev, Minutes, NewtonMetres,
     Newtons, RevsPerMinute, Roughness,
@@ -201,6 +202,18 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
     let tool_life = Minutes(draft.tool_life.0 * libm::pow(lives_at.0 / speed.0, 1.0 / draft.life_exponent));
     let mut because = draft.because;
     because.extend(held.because);
+    // As the speed is meant; where its figures do not say, by the rule.
+    let coolant = match draft.coolant {
+        Some(said) => said,
+        None => {
+            let material_group = shop.material.group;
+            let asked = shop.knowledge.ask(&CoolantFor { operation, material_group })?;
+            let cooled = asked.need(operation.name())?.coolant;
+            let note = Note::new(if cooled { "cooled" } else { "dry" });
+            because.push(Because::answer(&asked.answer, note.with("operation", Figure::operation(operation.name()))));
+            cooled
+        }
+    };
     let mut found = Conditions {
         depth_of_cut_mm: crate::units::round_to(draft.motion.depth_of_cut, 3),
         feed_mm_per_rev: held.feed.rounded(3),
@@ -217,7 +230,7 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
             limit => limit,
         },
         tool_life_min: tool_life.rounded(0),
-        coolant: draft.coolant,
+        coolant: Some(coolant),
         computed_speed_m_per_min: lives_at.rounded(2),
         rounds: draft.rounds,
         card: draft.card,

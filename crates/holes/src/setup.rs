@@ -1,7 +1,7 @@
 //! Clamping: the force that holds the part against the largest torque, and the screw that gives it.
 
 use crate::error::KnowledgeError;
-use crate::note::{Because, Note};
+use crate::note::{Because, Note, Severity};
 use crate::part::{Part, Point};
 use crate::plan::{Clamping, HolePlan};
 use crate::shop::Shop;
@@ -12,15 +12,47 @@ use crate::units::{Micrometres, NewtonMetres, Newtons};
 /// The clamping of a planned part: W = k·M/(f·d) (textbook 5.2 item 7), the largest over all holes.
 ///
 /// d is the distance from the hole to the nearest clamp; k and f are rows of `clamping`. The force is
-/// divided over the clamps, and the screw is the smallest of `clamp-screws` that bears it at 80 MPa.
+/// divided over the clamps, and the screw is the smallest of `clamp-screws` that bears it at 80 MPa and
+/// is no thinner than `least-screw`.
 ///
-/// Clamps that do not suffice are given with their figures too, and with the inequality that fails.
+/// Clamps of the file that do not suffice are given with the inequality that fails. Where the file has none, places are
+/// tried until they hold; where none does, the finding says that another fixture is needed, which is no fault of the plan.
 ///
 /// # Errors
 /// The knowledge cannot answer.
 pub fn clamping(
     part: &Part,
     holes: &[HolePlan],
+    shop: &Shop<'_>,
+) -> Result<Option<(Clamping, Vec<(Severity, Note)>)>, KnowledgeError> {
+    let inset = shop.convention(HoleDefault::ClampInset)?;
+    if !part.fixture.clamps.is_empty() {
+        let clamps = part.fixture.clamps.iter().map(|clamp| clamp.at).collect();
+        let found = clamped(part, holes, clamps, false, shop)?;
+        return Ok(found
+            .map(|(clamping, faults)| (clamping, faults.into_iter().map(|note| (Severity::Error, note)).collect())));
+    }
+    let mut first = None;
+    for clamps in proposals(part, inset) {
+        let Some((clamping, faults)) = clamped(part, holes, clamps, true, shop)? else { return Ok(None) };
+        if faults.is_empty() {
+            return Ok(Some((clamping, Vec::new())));
+        }
+        first.get_or_insert((clamping, faults));
+    }
+    Ok(first.map(|(clamping, faults)| {
+        let why = faults.into_iter().next().unwrap_or_else(|| Note::new("clamp-near-hole"));
+        let note = Note::new("no-place-for-clamps").with("why", why);
+        (clamping, vec![(Severity::Doubtful, note)])
+    }))
+}
+
+/// The clamping with clamps at those places, and what of it does not hold.
+fn clamped(
+    part: &Part,
+    holes: &[HolePlan],
+    clamps: Vec<Point>,
+    proposed: bool,
     shop: &Shop<'_>,
 ) -> Result<Option<(Clamping, Vec<Note>)>, KnowledgeError> {
     let constant = |wanted: ClampingConstant| -> Result<(f64, Because), KnowledgeError> {
@@ -29,9 +61,6 @@ pub fn clamping(
     };
     let ((k, safety), (f, friction)) = (constant(ClampingConstant::Safety)?, constant(ClampingConstant::Friction)?);
     let inset = shop.convention(HoleDefault::ClampInset)?;
-    let proposed = part.fixture.clamps.is_empty();
-    let clamps =
-        if proposed { propose(part, inset) } else { part.fixture.clamps.iter().map(|clamp| clamp.at).collect() };
 
     let mut worst: Option<(f64, NewtonMetres, &str, Micrometres)> = None;
     for (plan, hole) in holes.iter().zip(&part.holes) {
@@ -54,9 +83,11 @@ pub fn clamping(
         }
     }
     let Some((force, torque, hole, distance)) = worst else { return Ok(None) };
+    let (thinnest, no_thinner) = constant(ClampingConstant::LeastScrew)?;
     let each = Newtons(force / clamps.len().max(1) as f64);
     let screws: Vec<ClampScrew<'_>> = shop.knowledge.rows()?;
-    let strong = screws.iter().find(|screw| screw.force_80.0 >= each.0);
+    let thick = |screw: &&ClampScrew<'_>| screw.nominal_diameter.to_mm() >= thinnest;
+    let strong = screws.iter().filter(thick).find(|screw| screw.force_80.0 >= each.0);
     let mut faults = Vec::new();
     if strong.is_none() {
         faults.push(Note::new("no-screw").with("force", each.rounded(0).0).with("clamps", clamps.len()));
@@ -82,7 +113,7 @@ pub fn clamping(
         clamps,
         proposed,
         safe_distance_mm: shown.safe_distance,
-        because: vec![safety, friction, Because::row(shown.row, note)],
+        because: vec![safety, friction, no_thinner, Because::row(shown.row, note)],
     };
     if let Some((name, distance, needed)) = blocked(part, &clamping.clamps, inset) {
         let note = Note::new("clamp-near-hole").with("distance", distance).with("needed", needed).with("hole", name);
@@ -108,9 +139,9 @@ fn blocked<'p>(part: &'p Part, clamps: &[Point], inset: Micrometres) -> Option<(
     })
 }
 
-/// A symmetric pair on two opposite sides: of the pairs at a tenth of the side each, the one whose nearest
-/// hole is farthest; the middles of the sides come first among equals.
-fn propose(part: &Part, inset: Micrometres) -> Vec<Point> {
+/// Symmetric pairs on two opposite sides, and fours of two pairs, those with the most room to the holes first and the
+/// corners last; the middles of the sides come first among equals.
+fn proposals(part: &Part, inset: Micrometres) -> Vec<Vec<Point>> {
     let (blank, middle) = (&part.blank, part.middle());
     let across = (blank.width - inset - inset).half();
     let along = (blank.length - inset - inset).half();
@@ -120,10 +151,19 @@ fn propose(part: &Part, inset: Micrometres) -> Vec<Point> {
     let shifts = [0, 1, -1, 2, -2, 3, -3, 4, -4];
     let sides =
         shifts.iter().flat_map(|&tenths| [pair(along.ratio(tenths, 5), across), pair(along, across.ratio(tenths, 5))]);
-    let room = |pair: &[Point]| {
+    let mut pairs: Vec<Vec<Point>> = sides.collect();
+    let room = |clamps: &Vec<Point>| {
         let holes = part.holes.iter().flat_map(|hole| hole.at.iter().map(|at| (*at, hole.diameter.nominal.half())));
-        holes.flat_map(|(at, radius)| pair.iter().map(move |clamp| clamp.distance(at) - radius)).min()
+        holes.flat_map(|(at, radius)| clamps.iter().map(move |clamp| clamp.distance(at) - radius)).min()
     };
-    // The first of the best: `max_by_key` would take the last.
-    sides.rev().max_by_key(|pair| room(pair)).unwrap_or_default()
+    pairs.sort_by_cached_key(|clamps| std::cmp::Reverse(room(clamps)));
+    // The corners last: a strap stands worst there.
+    pairs.extend([1, -1].map(|side| pair(along, across.ratio(side, 1))));
+    let fours: Vec<Vec<Point>> = pairs
+        .iter()
+        .enumerate()
+        .flat_map(|(at, one)| pairs[at + 1..].iter().map(move |two| [one.as_slice(), two].concat()))
+        .collect();
+    pairs.extend(fours);
+    pairs
 }

@@ -11,6 +11,7 @@ vocabulary! {
         Safety = "safety",
         Clamps = "clamps",
         OverhangAddition = "overhang-addition",
+        LeastScrew = "least-screw",
     }
 }
 
@@ -33,9 +34,10 @@ rows! {
     /// Clamp screws: force and safe distance.
     pub struct ClampScrew of One("clamp-screws") {
         thread: &'t str,
+        nominal_diameter: Micrometres,
         force_80: Newtons,
         safe_distance: Micrometres,
-    } shown { nominal_diameter, force_90, force_100 }
+    } shown { force_90, force_100 }
 
     /// Other designations of materials.
     pub struct MaterialAlias of One("material-aliases") {

@@ -78,6 +78,50 @@ fn clamps_that_are_too_weak_are_shown_with_what_they_bear() {
     );
 }
 
+/// Ø30 in the middle of a square of 100 mm and four holes Ø12, straps of half width 20. With the holes on the axes only
+/// the corners are free: (30, 30) is 30.3 mm from (0, 34), which asks for 26. With holes at the corners too no place is
+/// left, and the finding asks for another fixture without failing the plan: the clamps were our own thought.
+#[test]
+fn clamps_of_our_own_are_moved_until_they_hold_and_never_fail_the_plan() {
+    let holes = |more: &str| {
+        read(&format!(
+            "part: P\nmaterial: steel-45\nmachine: gf2171\nblank: {{kind: plate, length: 100, width: 100, thickness: 20}}\n\
+             holes:\n  \
+             - {{name: A, diameter: 30H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.6, at: [[0, 0]]}}\n  \
+             - {{name: B, diameter: 12H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.6, \
+             at: [[0, 34], [0, -34], [34, 0], [-34, 0]{more}]}}\n"
+        ))
+    };
+    let of_clamps = |plan: &Plan| {
+        let codes = ["clamp-near-hole", "no-place-for-clamps", "no-screw", "screw-too-weak"];
+        let told = plan.findings.iter().filter(|finding| codes.contains(&finding.note.code()));
+        told.map(|finding| (finding.note.code().to_owned(), finding.severity)).collect::<Vec<_>>()
+    };
+    let free = planned(&holes(""), CuttingMethod::Formula);
+    let clamping = free.clamping.as_ref().unwrap();
+    let reach: Vec<f64> = clamping.clamps.iter().map(|at| at.x.to_mm().abs().min(at.y.to_mm().abs())).collect();
+    assert_eq!((reach, of_clamps(&free)), (vec![30.0, 30.0], Vec::new()));
+
+    let full = planned(&holes(", [34, 34], [-34, 34], [34, -34], [-34, -34]"), CuttingMethod::Formula);
+    assert_eq!(of_clamps(&full), [("no-place-for-clamps".to_owned(), Severity::Doubtful)]);
+}
+
+/// A rough reamer is the stock one of the finished size ground down, and the plan has both sizes (explain has the rest).
+#[test]
+fn a_tool_that_is_ground_says_from_which_size() {
+    let keys = "diameter: 10H7, through: true, roughness: Ra 0.8, centre_tolerance: 0.1, at: [[0, 0]]";
+    let plan = plan_of_hole("steel-45", "gf2171", "30", keys);
+    let ground: Vec<_> = plan.tools.iter().filter_map(|tool| Some((tool.diameter_mm, tool.ground_from_mm?))).collect();
+    assert!(!ground.is_empty());
+    for (size, from) in ground {
+        assert!(size < from && (from - size).to_mm() < 0.2, "{size} from {from}");
+    }
+    let stock: Vec<_> = plan.tools.iter().filter(|tool| tool.ground_from_mm.is_none()).collect();
+    for pair in stock.windows(2) {
+        assert_ne!(pair[0].designation, pair[1].designation);
+    }
+}
+
 /// A cast hole of iron milled to IT11, Ra 3.2 and then bored: rough boring leaves IT17, Ra 100 by itself, but what only
 /// prepares the next transition makes nothing worse, and no transition takes a grade back.
 #[test]

@@ -2,7 +2,7 @@
 
 use crate::error::KnowledgeError;
 use crate::note::{Because, Figure, Note, Severity};
-use crate::tables::materials::{ClampDesignations, ClampScrew};
+use crate::tables::materials::{ClampDesignations, ClampScrew, Clamping as Constant, ClampingConstant};
 use crate::units::{Micrometres, round_to};
 
 use super::super::context::Context;
@@ -122,8 +122,11 @@ fn screw(
     let Some(force) = graph.right(each).or_else(|| graph.right(whole)) else { return Ok(()) };
     let bears = own.force_80.0;
     if bears + 0.5 >= force {
-        // A plan of ours takes the smallest that bears the force, unless the drawing names its screws.
-        let smallest = screws.iter().find(|screw| screw.force_80.0 + 0.5 >= force);
+        // A plan of ours takes the smallest that bears the force and is thick enough, unless the drawing names its screws.
+        let wanted = ClampingConstant::LeastScrew;
+        let least = context.shop.knowledge.need(wanted.name(), |row: &Constant<'_>| row.name.is(wanted))?.maximum;
+        let thick = |screw: &&ClampScrew<'_>| screw.nominal_diameter.to_mm() >= least;
+        let smallest = screws.iter().filter(thick).find(|screw| screw.force_80.0 + 0.5 >= force);
         let named = context.stated.part.fixture.clamps.iter().any(|clamp| clamp.screw.is_some());
         let smaller = |screw: &&ClampScrew<'_>| context.stated.own && !named && screw.row.index < own.row.index;
         if let Some(smallest) = smallest.filter(smaller) {

@@ -284,6 +284,9 @@ pub struct ToolPlan {
     pub table: String,
     /// The cutter's diameter, mm.
     pub diameter_mm: Micrometres,
+    /// The diameter of the catalog that it is ground down from, mm; absent where it is used as it is bought.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ground_from_mm: Option<Micrometres>,
     /// The holder's designation.
     pub holder: String,
     /// The holder's table.

@@ -94,6 +94,8 @@ pub(super) struct FittedTool {
     pub diameter: Micrometres,
     /// The size it is ground or set to; distinguishes two tools of one designation.
     pub size: Micrometres,
+    /// The diameter of the catalog, where it is ground down from it.
+    pub ground_from: Option<Micrometres>,
     /// Its reasons stand among those below.
     pub assembly: Assembly,
     pub because: Vec<Because>,
@@ -369,6 +371,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             table: cutter.row.row.table.id.clone(),
             diameter: cutter.diameter,
             size: if fixed_size(step.operation) { cutter.diameter } else { step.diameter },
+            ground_from: (grinds && cutter.diameter > step.diameter).then_some(cutter.diameter),
             assembly,
             because,
         };

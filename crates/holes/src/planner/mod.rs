@@ -107,7 +107,7 @@ fn plan_by(
         None => None,
         Some((clamping, faults)) => {
             findings.extend(start_point(part, &clamping, &shop));
-            findings.extend(faults.into_iter().map(|note| Finding::of_part(Severity::Error, note)));
+            findings.extend(faults.into_iter().map(|(severity, note)| Finding::of_part(severity, note)));
             Some(clamping)
         }
     };

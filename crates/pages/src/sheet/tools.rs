@@ -30,7 +30,7 @@ pub(super) fn tools(plan: &Plan, lang: Lang) -> Table {
     for (tool, (((diameter, holder), overhang), assembly)) in plan.tools.iter().zip(figures) {
         table.row([
             Inlines::from(format!("T{}", tool.number)),
-            format!("{}{}", tool.designation, mark(&tool.because)).into(),
+            named(tool, mark(&tool.because), lang).into(),
             tool.table.as_str().into(),
             diameter,
             does(plan, tool, lang).into(),
@@ -41,6 +41,17 @@ pub(super) fn tools(plan: &Plan, lang: Lang) -> Table {
         ]);
     }
     table
+}
+
+/// A tool as it is ordered, and to what it is ground where no catalog has its size.
+fn named(tool: &ToolPlan, mark: &str, lang: Lang) -> String {
+    let designation = format!("{}{mark}", tool.designation);
+    match tool.ground_from_mm {
+        Some(from) => {
+            say!(lang, "plan-ground", designation = designation, from = from, to = tool.diameter_mm).to_owned()
+        }
+        None => designation,
+    }
 }
 
 /// What a tool does, over all holes.

@@ -115,3 +115,4 @@ explain-reconstructed = reconstructed
 explain-reason = because: { $why }
 explain-unconfirmed = * unconfirmed: { $why }
 explain-not-taken = not taken: { $why }
+plan-ground = { $designation }, ground from Ø{ $from } to Ø{ $to }

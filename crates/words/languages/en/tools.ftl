@@ -29,6 +29,7 @@ assembly-too-long = { $tool } in { $holder }: length { $length } mm, and the mac
 # Clamping, travel.
 safety = safety factor k = { $value }
 friction = friction f = { $value }
+least-screw = no thinner screw than M{ $value } is set under a strap
 screw = { $needed } is needed, { $taken } taken: bears { $bears } N
 no-screw = no screw bears { $force } N per clamp ({ $clamps })
 screw-too-weak = screw { $screw } bears { $bears } N, and each clamp takes { $force } N; { $needed } is needed

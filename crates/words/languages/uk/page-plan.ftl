@@ -104,3 +104,4 @@ explain-reconstructed = відновлено
 explain-reason = підстава: { $why }
 explain-unconfirmed = * не підтверджено: { $why }
 explain-not-taken = не взято: { $why }
+plan-ground = { $designation }, перешліфувати з Ø{ $from } на Ø{ $to }

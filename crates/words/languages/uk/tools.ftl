@@ -29,6 +29,7 @@ assembly-too-long = { $tool } у { $holder }: довжина { $length } мм, �
 # Clamping, travel.
 safety = коефіцієнт запасу k = { $value }
 friction = коефіцієнт тертя f = { $value }
+least-screw = гвинт притискача не тонший за M{ $value }
 screw = потрібен { $needed }, узято { $taken }: витримує { $bears } Н
 no-screw = жоден гвинт не витримує { $force } Н на притискач ({ $clamps })
 screw-too-weak = гвинт { $screw } витримує { $bears } Н, а на притискач припадає { $force } Н; потрібен { $needed }

@@ -279,6 +279,7 @@ impl Making<'_, '_, '_> {
             designation: format!("T{number}"),
             table: String::new(),
             diameter_mm: self.length_of(row, Q::Diameter).unwrap_or_default(),
+            ground_from_mm: None,
             holder: String::new(),
             holder_table: String::new(),
             overhang_mm: Micrometres::ZERO,
