@@ -1,7 +1,7 @@
 //! Clamping: the force that holds the part against the largest torque, and the screw that gives it.
 
 use crate::error::KnowledgeError;
-use crate::note::{Because, Note, Severity};
+use crate::note::{Because, Finding, Note, Severity};
 use crate::part::{Part, Point};
 use crate::plan::{Clamping, HolePlan};
 use crate::shop::Shop;
@@ -24,13 +24,14 @@ pub fn clamping(
     part: &Part,
     holes: &[HolePlan],
     shop: &Shop<'_>,
-) -> Result<Option<(Clamping, Vec<(Severity, Note)>)>, KnowledgeError> {
+) -> Result<Option<(Clamping, Vec<Finding>)>, KnowledgeError> {
     let inset = shop.convention(HoleDefault::ClampInset)?;
     if !part.fixture.clamps.is_empty() {
         let clamps = part.fixture.clamps.iter().map(|clamp| clamp.at).collect();
         let found = clamped(part, holes, clamps, false, shop)?;
-        return Ok(found
-            .map(|(clamping, faults)| (clamping, faults.into_iter().map(|note| (Severity::Error, note)).collect())));
+        return Ok(found.map(|(clamping, faults)| {
+            (clamping, faults.into_iter().map(|note| Finding::of_part(Severity::Error, note)).collect())
+        }));
     }
     let mut first = None;
     for clamps in proposals(part, inset) {
@@ -43,7 +44,7 @@ pub fn clamping(
     Ok(first.map(|(clamping, faults)| {
         let why = faults.into_iter().next().unwrap_or_else(|| Note::new("clamp-near-hole"));
         let note = Note::new("no-place-for-clamps").with("why", why);
-        (clamping, vec![(Severity::Doubtful, note)])
+        (clamping, vec![Finding::of_part(Severity::Doubtful, note)])
     }))
 }
 

@@ -107,7 +107,7 @@ fn plan_by(
         None => None,
         Some((clamping, faults)) => {
             findings.extend(start_point(part, &clamping, &shop));
-            findings.extend(faults.into_iter().map(|(severity, note)| Finding::of_part(severity, note)));
+            findings.extend(faults);
             Some(clamping)
         }
     };
