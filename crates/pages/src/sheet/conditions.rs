@@ -62,9 +62,11 @@ fn table(lang: Lang) -> Table {
 
 fn cells(transition: &Transition, lang: Lang) -> Vec<Inlines> {
     let conditions = &transition.conditions;
+    // Programs count it in whole steps, rounded down: 283.5 is F283, and must not be read as 284.
+    let whole = conditions.feed_mm_per_min.0.fract().abs() < 0.05;
     let optional = |value: Option<f64>, places| value.map_or_else(|| NONE.into(), |value| cell(value, places, lang));
     vec![
-        format!("T{}{}", transition.tool.number, mark(&conditions.because)).into(),
+        format!("{}{}", super::route::place(transition), mark(&conditions.because)).into(),
         operation_noun(transition.operation.name(), lang).into(),
         Inlines::number(mm(transition.diameter_mm, lang)),
         // The way of a mill is its circles, not the way along the axis.
@@ -73,7 +75,7 @@ fn cells(transition: &Transition, lang: Lang) -> Vec<Inlines> {
         cell(conditions.feed_mm_per_rev.0, 3, lang),
         cell(conditions.speed_m_per_min.0, 1, lang),
         cell(conditions.spindle_rpm.0, 0, lang),
-        cell(conditions.feed_mm_per_min.0, 0, lang),
+        cell(conditions.feed_mm_per_min.0, if whole { 0 } else { 1 }, lang),
         optional(conditions.axial_force_n.map(|force| force.0), 0),
         optional(conditions.torque_n_m.map(|torque| torque.0), 1),
         optional(conditions.power_kw.map(|power| power.0), 2),
@@ -84,7 +86,7 @@ fn cells(transition: &Transition, lang: Lang) -> Vec<Inlines> {
 /// Which transitions the speeds take coolant for; the tables do not say it of every transition.
 fn coolant(plan: &Plan, lang: Lang) -> Option<Inlines> {
     let mut names: Vec<&str> = Vec::new();
-    for transition in plan.holes.iter().flat_map(|hole| &hole.transitions) {
+    for transition in plan.holes.iter().flat_map(|hole| &hole.transitions).filter(|own| !own.elsewhere) {
         let name = transition.operation.name();
         if transition.conditions.coolant == Some(true) && !names.contains(&name) {
             names.push(name);

@@ -117,12 +117,16 @@ pub(crate) fn finishes(hole: &Hole, transition: &Transition) -> bool {
         || (matches!(transition.feature, Feature::Bore | Feature::Step) && own == transition.diameter_mm)
 }
 
+/// The place of its tool in the magazine; what is done on another machine has none.
+pub(super) fn place(transition: &Transition) -> String {
+    if transition.elsewhere { NONE.to_owned() } else { format!("T{}", transition.tool.number) }
+}
+
 fn step(plan: &Plan, own: &HolePlan, transition: &Transition, lang: Lang) -> Vec<Inlines> {
-    let place = if transition.elsewhere { NONE.to_owned() } else { format!("T{}", transition.tool.number) };
     vec![
         content(plan, own, transition, lang).into(),
         own.route.as_ref().map_or_else(String::new, |route| of_route(route, lang)).into(),
-        place.into(),
+        place(transition).into(),
         format!("{}{}", transition.tool.designation, mark(&transition.because)).into(),
         achieved(transition.achieved.as_ref(), lang).into(),
     ]
