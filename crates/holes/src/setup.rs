@@ -141,7 +141,7 @@ fn blocked<'p>(part: &'p Part, clamps: &[Point], inset: Micrometres) -> Option<(
 }
 
 /// Symmetric pairs on two opposite sides, and fours of two pairs, those with the most room to the holes first and the
-/// corners last; the middles of the sides come first among equals.
+/// corners last; the middles of the sides come first among equals. Where holes are in the way of all, the best pair alone.
 fn proposals(part: &Part, inset: Micrometres) -> Vec<Vec<Point>> {
     let (blank, middle) = (&part.blank, part.middle());
     let across = (blank.width - inset - inset).half();
@@ -152,19 +152,22 @@ fn proposals(part: &Part, inset: Micrometres) -> Vec<Vec<Point>> {
     let shifts = [0, 1, -1, 2, -2, 3, -3, 4, -4];
     let sides =
         shifts.iter().flat_map(|&tenths| [pair(along.ratio(tenths, 5), across), pair(along, across.ratio(tenths, 5))]);
-    let mut pairs: Vec<Vec<Point>> = sides.collect();
     let room = |clamps: &Vec<Point>| {
         let holes = part.holes.iter().flat_map(|hole| hole.at.iter().map(|at| (*at, hole.diameter.nominal.half())));
         holes.flat_map(|(at, radius)| clamps.iter().map(move |clamp| clamp.distance(at) - radius)).min()
     };
-    pairs.sort_by_cached_key(|clamps| std::cmp::Reverse(room(clamps)));
+    let with_room = |clamps: Vec<Point>| (room(&clamps).unwrap_or(inset), clamps);
+    let mut pairs: Vec<(Micrometres, Vec<Point>)> = sides.map(with_room).collect();
+    pairs.sort_by_key(|(room, _)| std::cmp::Reverse(*room));
     // The corners last: a strap stands worst there.
-    pairs.extend([1, -1].map(|side| pair(along, across.ratio(side, 1))));
-    let fours: Vec<Vec<Point>> = pairs
-        .iter()
-        .enumerate()
-        .flat_map(|(at, one)| pairs[at + 1..].iter().map(move |two| [one.as_slice(), two].concat()))
+    pairs.extend([1, -1].map(|side| with_room(pair(along, across.ratio(side, 1)))));
+    let best = pairs.first().map(|(_, clamps)| clamps.clone());
+    // Where a hole is in the way of a pair, it is in the way of every four with it.
+    pairs.retain(|(room, _)| *room >= inset);
+    let mut found: Vec<Vec<Point>> = pairs.into_iter().map(|(_, clamps)| clamps).collect();
+    let fours: Vec<Vec<Point>> = (0..found.len())
+        .flat_map(|at| found[at + 1..].iter().map(|two| [&found[at][..], two].concat()).collect::<Vec<_>>())
         .collect();
-    pairs.extend(fours);
-    pairs
+    found.extend(fours);
+    if found.is_empty() { best.into_iter().collect() } else { found }
 }
